@@ -1,0 +1,220 @@
+#pragma once
+
+#include "core/doctor/remedies.h"
+
+/// The lines of code to change for mistakes of the pixel, the viewport and the lens, for the table of remedies.cpp.
+namespace unprojector::doctor {
+
+inline constexpr CodeChange kYNotFlipped[] = {
+    {"GLU", "gluUnProject(x, y, d, modelview, projection, viewport, &X, &Y, &Z);",
+     "gluUnProject(x, H - y, d, modelview, projection, viewport, &X, &Y, &Z);"},
+    {"GLM", "p = glm::unProject(glm::dvec3(x, y, d), view, projection, viewport);",
+     "p = glm::unProject(glm::dvec3(x, H - y, d), view, projection, viewport);"},
+    {"Qt", "p = QVector3D(x, y, d).unproject(view, projection, viewport);",
+     "p = QVector3D(x, H - y, d).unproject(view, projection, viewport);"},
+    {"three.js", "ndc.y = 2 * y / H - 1;", "ndc.y = 1 - 2 * y / H;"},
+    {"NumPy", "y_n = 2 * (y - vy) / h - 1", "y_n = 2 * (H - y - vy) / h - 1"},
+};
+inline constexpr CodeChange kRowAbove[] = {
+    {"GLU", "glReadPixels(i, H - j, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &d);",
+     "glReadPixels(i, H - 1 - j, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &d);"},
+    {"GLU", "gluUnProject(i + 0.5, H - j + 0.5, d, modelview, projection, viewport, &X, &Y, &Z);",
+     "gluUnProject(i + 0.5, H - j - 0.5, d, modelview, projection, viewport, &X, &Y, &Z);"},
+    {"GLM", "p = glm::unProject(glm::dvec3(i + 0.5, H - j + 0.5, d), view, projection, viewport);",
+     "p = glm::unProject(glm::dvec3(i + 0.5, H - j - 0.5, d), view, projection, viewport);"},
+    {"Qt", "p = QVector3D(i + 0.5, H - j + 0.5, d).unproject(view, projection, viewport);",
+     "p = QVector3D(i + 0.5, H - j - 0.5, d).unproject(view, projection, viewport);"},
+    {"three.js", "ndc.y = 1 - 2 * (j - 0.5) / H;", "ndc.y = 1 - 2 * (j + 0.5) / H;"},
+    {"NumPy", "y_w = H - j + 0.5", "y_w = H - j - 0.5"},
+};
+inline constexpr CodeChange kRowBelow[] = {
+    {"GLU", "gluUnProject(x, H - 1 - y, d, modelview, projection, viewport, &X, &Y, &Z);",
+     "gluUnProject(x, H - y, d, modelview, projection, viewport, &X, &Y, &Z);"},
+    {"GLM", "p = glm::unProject(glm::dvec3(x, H - 1 - y, d), view, projection, viewport);",
+     "p = glm::unProject(glm::dvec3(x, H - y, d), view, projection, viewport);"},
+    {"Qt", "p = QVector3D(x, H - 1 - y, d).unproject(view, projection, viewport);",
+     "p = QVector3D(x, H - y, d).unproject(view, projection, viewport);"},
+    {"three.js", "ndc.y = 1 - 2 * (y + 1) / H;", "ndc.y = 1 - 2 * y / H;"},
+    {"NumPy", "y_w = H - 1 - y", "y_w = H - y"},
+};
+inline constexpr CodeChange kPixelCorner[] = {
+    {"GLU", "gluUnProject(i, H - 1 - j, d, modelview, projection, viewport, &X, &Y, &Z);",
+     "gluUnProject(i + 0.5, H - j - 0.5, d, modelview, projection, viewport, &X, &Y, &Z);"},
+    {"GLM", "p = glm::unProject(glm::dvec3(i, H - 1 - j, d), view, projection, viewport);",
+     "p = glm::unProject(glm::dvec3(i + 0.5, H - j - 0.5, d), view, projection, viewport);"},
+    {"Qt", "p = QVector3D(i, H - 1 - j, d).unproject(view, projection, viewport);",
+     "p = QVector3D(i + 0.5, H - j - 0.5, d).unproject(view, projection, viewport);"},
+    {"three.js", "ndc.x = 2 * i / W - 1;", "ndc.x = 2 * (i + 0.5) / W - 1;"},
+    {"NumPy", "x_w, y_w = i, H - 1 - j", "x_w, y_w = i + 0.5, H - j - 0.5"},
+};
+inline constexpr CodeChange kRatioLogicalInDevice[] = {
+    {"GLU", "glfwGetCursorPos(window, &x, &y);", "glfwGetCursorPos(window, &x, &y); x *= ratio; y *= ratio;"},
+    {"GLM", "p = glm::unProject(glm::dvec3(x, H - y, d), view, projection, viewport);",
+     "p = glm::unProject(glm::dvec3(x * ratio, H - y * ratio, d), view, projection, viewport);"},
+    {"Qt", "const QPointF at = event->position();", "const QPointF at = event->position() * devicePixelRatioF();"},
+    {"three.js", "ndc.x = 2 * event.offsetX / canvas.width - 1;",
+     "ndc.x = 2 * event.offsetX / canvas.clientWidth - 1;"},
+    {"NumPy", "x_w, y_w = x, H - y", "x_w, y_w = x * ratio, H - y * ratio"},
+};
+inline constexpr CodeChange kRatioLogicalBoth[] = {
+    {"GLU", "gluUnProject(x, logicalHeight - y, d, modelview, projection, viewport, &X, &Y, &Z);",
+     "gluUnProject(x * ratio, H - y * ratio, d, modelview, projection, viewport, &X, &Y, &Z);"},
+    {"GLM", "p = glm::unProject(glm::dvec3(x, logicalHeight - y, d), view, projection, viewport);",
+     "p = glm::unProject(glm::dvec3(x * ratio, H - y * ratio, d), view, projection, viewport);"},
+    {"Qt", "p = QVector3D(at.x(), height() - at.y(), d).unproject(view, projection, viewport);",
+     "at *= devicePixelRatioF(); p = QVector3D(at.x(), H - at.y(), d).unproject(view, projection, viewport);"},
+    {"three.js", "ndc.y = 1 - 2 * event.offsetY / canvas.height;",
+     "ndc.y = 1 - 2 * event.offsetY / canvas.clientHeight;"},
+    {"NumPy", "x_w, y_w = x, H / ratio - y", "x_w, y_w = x * ratio, H - y * ratio"},
+};
+inline constexpr CodeChange kRatioDeviceInLogical[] = {
+    {"GLU", "glfwGetWindowSize(window, &w, &h); // for the viewport", "glfwGetFramebufferSize(window, &w, &h);"},
+    {"GLM", "const glm::dvec4 viewport(0, 0, logicalWidth, logicalHeight);", "const glm::dvec4 viewport(0, 0, W, H);"},
+    {"Qt", "const QRect viewport(0, 0, width(), height());",
+     "const QRect viewport(0, 0, qRound(width() * devicePixelRatioF()), qRound(height() * devicePixelRatioF()));"},
+    {"three.js", "ndc.x = 2 * event.offsetX * devicePixelRatio / canvas.clientWidth - 1;",
+     "ndc.x = 2 * event.offsetX / canvas.clientWidth - 1;"},
+    {"NumPy", "x_n = 2 * x / (w / ratio) - 1", "x_n = 2 * (x - vx) / w - 1"},
+};
+inline constexpr CodeChange kViewportOriginIgnored[] = {
+    {"GLU", "GLint viewport[4] = {0, 0, w, h};", "glGetIntegerv(GL_VIEWPORT, viewport); // vx, vy, w, h"},
+    {"GLM", "const glm::dvec4 viewport(0, 0, w, h);", "const glm::dvec4 viewport(vx, vy, w, h);"},
+    {"Qt", "const QRect viewport(0, 0, w, h);", "const QRect viewport(vx, vy, w, h);"},
+    {"three.js", "ndc.x = 2 * event.clientX / rect.width - 1;",
+     "ndc.x = 2 * (event.clientX - rect.left) / rect.width - 1;"},
+    {"NumPy", "x_n, y_n = 2 * x_w / w - 1, 2 * y_w / h - 1",
+     "x_n, y_n = 2 * (x_w - vx) / w - 1, 2 * (y_w - vy) / h - 1"},
+};
+inline constexpr CodeChange kViewportYFromTop[] = {
+    {"GLU", "GLint viewport[4] = {vx, yFromTop, w, h};", "GLint viewport[4] = {vx, H - yFromTop - h, w, h};"},
+    {"GLM", "const glm::dvec4 viewport(vx, yFromTop, w, h);", "const glm::dvec4 viewport(vx, H - yFromTop - h, w, h);"},
+    {"Qt", "const QRect viewport(vx, yFromTop, w, h);", "const QRect viewport(vx, H - yFromTop - h, w, h);"},
+    {"three.js", "renderer.getViewport(v); ndc.y = 1 - 2 * (y - v.y) / v.w;",
+     "renderer.getViewport(v); ndc.y = 2 * (H - y - v.y) / v.w - 1;"},
+    {"NumPy", "y_n = 2 * (y_w - y_from_top) / h - 1", "y_n = 2 * (y_w - (H - y_from_top - h)) / h - 1"},
+};
+inline constexpr CodeChange kFlippedWithViewportHeight[] = {
+    {"GLU", "gluUnProject(x, viewport[3] - y, d, modelview, projection, viewport, &X, &Y, &Z);",
+     "gluUnProject(x, H - y, d, modelview, projection, viewport, &X, &Y, &Z);"},
+    {"GLM", "p = glm::unProject(glm::dvec3(x, viewport[3] - y, d), view, projection, viewport);",
+     "p = glm::unProject(glm::dvec3(x, H - y, d), view, projection, viewport);"},
+    {"Qt", "p = QVector3D(x, viewport[3] - y, d).unproject(view, projection, viewport);",
+     "p = QVector3D(x, H - y, d).unproject(view, projection, viewport);"},
+    {"three.js", "ndc.y = 2 * (h - y - vy) / h - 1;", "ndc.y = 2 * (H - y - vy) / h - 1;"},
+    {"NumPy", "y_w = h - y", "y_w = H - y"},
+};
+inline constexpr CodeChange kViewportIsWindow[] = {
+    {"GLU", "GLint viewport[4] = {0, 0, W, H};", "glGetIntegerv(GL_VIEWPORT, viewport); // vx, vy, w, h"},
+    {"GLM", "const glm::dvec4 viewport(0, 0, W, H);", "const glm::dvec4 viewport(vx, vy, w, h);"},
+    {"Qt", "const QRect viewport(QPoint(), size());", "const QRect viewport(vx, vy, w, h);"},
+    {"three.js", "ndc.x = 2 * event.clientX / window.innerWidth - 1;",
+     "ndc.x = 2 * (event.clientX - rect.left) / rect.width - 1;"},
+    {"NumPy", "x_n, y_n = 2 * x_w / W - 1, 2 * y_w / H - 1",
+     "x_n, y_n = 2 * (x_w - vx) / w - 1, 2 * (y_w - vy) / h - 1"},
+};
+inline constexpr CodeChange kXySwapped[] = {
+    {"GLU", "gluUnProject(y, x, d, modelview, projection, viewport, &X, &Y, &Z);",
+     "gluUnProject(x, y, d, modelview, projection, viewport, &X, &Y, &Z);"},
+    {"GLM", "p = glm::unProject(glm::dvec3(y, x, d), view, projection, viewport);",
+     "p = glm::unProject(glm::dvec3(x, y, d), view, projection, viewport);"},
+    {"Qt", "p = QVector3D(y, x, d).unproject(view, projection, viewport);",
+     "p = QVector3D(x, y, d).unproject(view, projection, viewport);"},
+    {"three.js", "ndc.set(y_n, x_n, z_n);", "ndc.set(x_n, y_n, z_n);"},
+    {"NumPy", "d = depth[x, y]", "d = depth[y, x]  # rows first"},
+};
+inline constexpr CodeChange kAspectInteger[] = {
+    {"GLU", "gluPerspective(fovy, w / h, n, f);", "gluPerspective(fovy, double(w) / h, n, f);"},
+    {"GLM", "glm::perspective(fovy, w / h, n, f)", "glm::perspective(fovy, double(w) / h, n, f)"},
+    {"Qt", "projection.perspective(fovy, w / h, n, f);", "projection.perspective(fovy, float(w) / h, n, f);"},
+    {"three.js", "camera.aspect = Math.floor(w / h);", "camera.aspect = w / h; camera.updateProjectionMatrix();"},
+    {"NumPy", "aspect = w // h", "aspect = w / h"},
+};
+inline constexpr CodeChange kAspectInverted[] = {
+    {"GLU", "gluPerspective(fovy, double(h) / w, n, f);", "gluPerspective(fovy, double(w) / h, n, f);"},
+    {"GLM", "glm::perspective(fovy, double(h) / w, n, f)", "glm::perspective(fovy, double(w) / h, n, f)"},
+    {"Qt", "projection.perspective(fovy, double(h) / w, n, f);", "projection.perspective(fovy, float(w) / h, n, f);"},
+    {"three.js", "camera.aspect = h / w;", "camera.aspect = w / h; camera.updateProjectionMatrix();"},
+    {"NumPy", "aspect = h / w", "aspect = w / h"},
+};
+inline constexpr CodeChange kAspectOfWindow[] = {
+    {"GLU", "gluPerspective(fovy, double(W) / H, n, f);", "gluPerspective(fovy, double(w) / h, n, f);"},
+    {"GLM", "glm::perspective(fovy, double(W) / H, n, f)", "glm::perspective(fovy, double(w) / h, n, f)"},
+    {"Qt", "projection.perspective(fovy, double(W) / H, n, f);", "projection.perspective(fovy, float(w) / h, n, f);"},
+    {"three.js", "camera.aspect = window.innerWidth / window.innerHeight;",
+     "camera.aspect = w / h; camera.updateProjectionMatrix();"},
+    {"NumPy", "aspect = W / H", "aspect = w / h"},
+};
+inline constexpr CodeChange kAspectLeftOut[] = {
+    {"GLU", "gluPerspective(fovy, 1.0, n, f);", "gluPerspective(fovy, double(w) / h, n, f);"},
+    {"GLM", "glm::perspective(fovy, 1.0, n, f)", "glm::perspective(fovy, double(w) / h, n, f)"},
+    {"Qt", "projection.perspective(fovy, 1.0, n, f);", "projection.perspective(fovy, float(w) / h, n, f);"},
+    {"three.js", "camera.aspect = 1;", "camera.aspect = w / h; camera.updateProjectionMatrix();"},
+    {"NumPy", "aspect = 1", "aspect = w / h"},
+};
+inline constexpr CodeChange kAspectStale[] = {
+    {"GLU", "gluPerspective(fovy, 4.0 / 3.0, n, f); // once",
+     "gluPerspective(fovy, double(w) / h, n, f); // whenever the size changes"},
+    {"GLM", "projection = glm::perspective(fovy, 4.0 / 3.0, n, f); // once",
+     "projection = glm::perspective(fovy, double(w) / h, n, f); // whenever the size changes"},
+    {"Qt", "void initializeGL() { projection.perspective(fovy, aspect, n, f); }",
+     "void resizeGL(int w, int h) { projection.setToIdentity(); projection.perspective(fovy, float(w) / h, n, f); }"},
+    {"three.js", "camera.aspect = w / h;", "camera.aspect = w / h; camera.updateProjectionMatrix();"},
+    {"NumPy", "aspect = 4 / 3", "aspect = w / h"},
+};
+inline constexpr CodeChange kViewportStale[] = {
+    {"GLU", "static GLint viewport[4]; // read once", "glGetIntegerv(GL_VIEWPORT, viewport); // at every click"},
+    {"GLM", "static const glm::dvec4 viewport(0, 0, 640, 480);", "const glm::dvec4 viewport(vx, vy, w, h);"},
+    {"Qt", "const QRect viewport(0, 0, 640, 480);", "const QRect viewport(vx, vy, w, h);"},
+    {"three.js", "const rect = canvas.getBoundingClientRect(); // once",
+     "const rect = canvas.getBoundingClientRect(); // at every click"},
+    {"NumPy", "W, H = 640, 480", "W, H = image.shape[1], image.shape[0]"},
+};
+inline constexpr CodeChange kFovDegreesAsRadians[] = {
+    {"GLM", "glm::perspective(fovyDegrees, aspect, n, f)", "glm::perspective(glm::radians(fovyDegrees), aspect, n, f)"},
+    {"three.js", "const t = Math.tan(camera.fov / 2);",
+     "const t = Math.tan(THREE.MathUtils.degToRad(camera.fov) / 2);"},
+    {"NumPy", "t = np.tan(fovy_degrees / 2)", "t = np.tan(np.radians(fovy_degrees) / 2)"},
+};
+inline constexpr CodeChange kFovRadiansAsDegrees[] = {
+    {"GLU", "gluPerspective(fovyRadians, aspect, n, f);", "gluPerspective(fovyDegrees, aspect, n, f);"},
+    {"GLM", "glm::perspective(glm::radians(fovyRadians), aspect, n, f)",
+     "glm::perspective(glm::radians(fovyDegrees), aspect, n, f)"},
+    {"Qt", "projection.perspective(fovyRadians, aspect, n, f);", "projection.perspective(fovyDegrees, aspect, n, f);"},
+    {"three.js", "camera.fov = fovyRadians;", "camera.fov = fovyDegrees; camera.updateProjectionMatrix();"},
+    {"NumPy", "t = np.tan(np.radians(fovy_radians) / 2)", "t = np.tan(np.radians(fovy_degrees) / 2)"},
+};
+inline constexpr CodeChange kFovHalf[] = {
+    {"GLU", "gluPerspective(fovyDegrees / 2, aspect, n, f);", "gluPerspective(fovyDegrees, aspect, n, f);"},
+    {"GLM", "glm::perspective(glm::radians(fovyDegrees) / 2.0, aspect, n, f)",
+     "glm::perspective(glm::radians(fovyDegrees), aspect, n, f)"},
+    {"Qt", "projection.perspective(fovyDegrees / 2, aspect, n, f);",
+     "projection.perspective(fovyDegrees, aspect, n, f);"},
+    {"three.js", "camera.fov = fovyDegrees / 2;", "camera.fov = fovyDegrees; camera.updateProjectionMatrix();"},
+    {"NumPy", "t = np.tan(np.radians(fovy_degrees) / 4)", "t = np.tan(np.radians(fovy_degrees) / 2)"},
+};
+inline constexpr CodeChange kFovDouble[] = {
+    {"GLU", "gluPerspective(2 * fovyDegrees, aspect, n, f);", "gluPerspective(fovyDegrees, aspect, n, f);"},
+    {"GLM", "glm::perspective(glm::radians(2.0 * fovyDegrees), aspect, n, f)",
+     "glm::perspective(glm::radians(fovyDegrees), aspect, n, f)"},
+    {"Qt", "projection.perspective(2 * fovyDegrees, aspect, n, f);",
+     "projection.perspective(fovyDegrees, aspect, n, f);"},
+    {"three.js", "camera.fov = 2 * fovyDegrees;", "camera.fov = fovyDegrees; camera.updateProjectionMatrix();"},
+    {"NumPy", "t = np.tan(np.radians(fovy_degrees))", "t = np.tan(np.radians(fovy_degrees) / 2)"},
+};
+inline constexpr CodeChange kFovHorizontal[] = {
+    {"GLU", "gluPerspective(fovxDegrees, aspect, n, f);", "gluPerspective(fovyDegrees, aspect, n, f);"},
+    {"GLM", "glm::perspective(glm::radians(fovxDegrees), aspect, n, f)",
+     "glm::perspective(glm::radians(fovyDegrees), aspect, n, f)"},
+    {"Qt", "projection.perspective(fovxDegrees, aspect, n, f);", "projection.perspective(fovyDegrees, aspect, n, f);"},
+    {"three.js", "camera.fov = fovxDegrees;", "camera.fov = fovyDegrees; camera.updateProjectionMatrix();"},
+    {"NumPy", "t = np.tan(np.radians(fovx_degrees) / 2)", "t = np.tan(np.radians(fovy_degrees) / 2)"},
+};
+inline constexpr CodeChange kFrustumCentred[] = {
+    {"GLU", "gluPerspective(fovy, aspect, n, f);", "glFrustum(l, r, b, t, n, f);"},
+    {"GLM", "glm::perspective(fovy, aspect, n, f)", "glm::frustum(l, r, b, t, n, f)"},
+    {"Qt", "projection.perspective(fovy, aspect, n, f);", "projection.frustum(l, r, b, t, n, f);"},
+    {"three.js", "x_e = ndc.x * r * z / n;", "x_e = (l + (ndc.x + 1) * (r - l) / 2) * z / n;"},
+    {"NumPy", "x_e = x_n * r * z / n", "x_e = (l + (x_n + 1) * (r - l) / 2) * z / n"},
+};
+
+} // namespace unprojector::doctor
