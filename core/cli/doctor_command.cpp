@@ -6,13 +6,18 @@
 #include "core/cli/scene_input.h"
 #include "core/cli/size_text.h"
 #include "core/cli/wrong_points.h"
+#include "core/doctor/mesh_vertices.h"
+#include "core/files/path_text.h"
 #include "core/ray/mesh_depth.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <memory>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -27,13 +32,35 @@ struct CaseRead {
     InputFiles files;
 };
 
+/// Whether all models of a scene are there to be read.
+bool areModelsThere(const std::string &file)
+{
+    const std::optional<SceneFile> scene = file == "-" ? std::nullopt : sceneFile(file);
+    return scene && std::all_of(scene->objects.begin(), scene->objects.end(), [&](const SceneFileObject &object) {
+               std::error_code ignored;
+               return !object.bundled.empty()
+                      || std::filesystem::exists(objectFile(object, files::pathFromUtf8(file)), ignored);
+           });
+}
+
+/// The vertices of a scene's models, which are read once they are asked for; none where a model is missing.
+std::function<std::vector<KnownPoint>(const Box &)> verticesOnceRead(const std::string &file)
+{
+    return [file, opened = std::optional<OpenedScene>(), isRead = false](const Box &world) mutable {
+        if (!isRead && areModelsThere(file))
+            opened = openScene(file);
+        isRead = true;
+        return opened ? verticesIn(opened->objects, world) : std::vector<KnownPoint>();
+    };
+}
+
 /// The case without any mesh. What is wrong is said on stderr.
 std::optional<CaseRead> withoutMesh(const std::string &file)
 {
     const std::optional<SceneInput> input = sceneInput(file);
     if (!input)
         return std::nullopt;
-    Case result{input->geometry, {}, {}, {}};
+    Case result{input->geometry, {}, {}, {}, verticesOnceRead(file)};
     for (const PlacedObject &object : input->objects)
         result.models.push_back({object.name, object.worldFromObject});
     return CaseRead{std::move(result), input->files};
@@ -45,7 +72,7 @@ std::optional<CaseRead> withMesh(const std::string &file)
     const std::optional<Picture> picture = opened ? pictureOf(*opened, {}) : std::nullopt;
     if (!picture)
         return std::nullopt;
-    Case result{*picture, {}, {}, {}};
+    Case result{*picture, {}, {}, {}, {}};
     for (const SceneObject &object : opened->objects)
         result.models.push_back({object.name, worldFromObject(object.transform)});
     const Result<Unprojector> unprojector = Unprojector::of(*picture);
@@ -53,9 +80,11 @@ std::optional<CaseRead> withMesh(const std::string &file)
         complain(opened->name + ": " + errorText(unprojector.error()));
         return std::nullopt;
     }
-    if (!opened->objects.empty())
+    if (!opened->objects.empty()) {
         result.depthOnMesh = ray::MeshDepth(std::make_shared<ray::SceneRays>(
             *unprojector, opened->objects, castersOf(opened->objects), opened->clipPlanes()));
+        result.verticesIn = [objects = opened->objects](const Box &world) { return verticesIn(objects, world); };
+    }
     return CaseRead{std::move(result), opened->files};
 }
 

@@ -40,6 +40,54 @@ std::string_view landingName(Landing landing)
     return {};
 }
 
+std::string_view alikeName(Alike alike)
+{
+    switch (alike) {
+    case Alike::No: return "no";
+    case Alike::InDigits: return "digits";
+    case Alike::Here: return "here";
+    case Alike::Always: return "always";
+    }
+    return {};
+}
+
+std::string_view sharedName(Shared shared)
+{
+    switch (shared) {
+    case Shared::Window: return "window";
+    case Shared::Depth: return "depth";
+    case Shared::Projection: return "projection";
+    case Shared::View: return "view";
+    case Shared::Ndc: return "ndc";
+    case Shared::Matrix: return "matrix";
+    case Shared::Point: return "point";
+    }
+    return {};
+}
+
+std::string_view kindName(KnownPoint::Kind kind)
+{
+    switch (kind) {
+    case KnownPoint::Kind::Eye: return "eye";
+    case KnownPoint::Kind::ViewTranslation: return "view-translation";
+    case KnownPoint::Kind::CameraCentre: return "camera-centre";
+    case KnownPoint::Kind::WorldOrigin: return "world-origin";
+    case KnownPoint::Kind::ObjectOrigin: return "object-origin";
+    case KnownPoint::Kind::Vertex: return "vertex";
+    }
+    return {};
+}
+
+Json jsonOf(const KnownPoint &known)
+{
+    Json one{{"kind", kindName(known.kind)}, {"point", jsonOf(known.point)}};
+    if (!known.object.empty())
+        one["object"] = known.object;
+    if (known.kind == KnownPoint::Kind::Vertex)
+        one["vertex"] = known.vertex;
+    return one;
+}
+
 std::string_view depthName(DepthKnown known)
 {
     switch (known) {
@@ -102,6 +150,19 @@ std::string percent(double share)
     return share < 1e-6 ? tr("less than 0.0001 %") : shortText(100.0 * share, share >= 0.1 ? 3 : 2) + " %";
 }
 
+/// The mistake, and those that cannot be told from it.
+std::string mistakeText(const Diagnosis &diagnosis)
+{
+    const Candidate &first = diagnosis.candidates.front();
+    std::string names = nameOf(first), sentences = "  " + mistakeSentence(first.id) + '\n';
+    for (const Candidate &alike : diagnosis.alike()) {
+        names = tr("%1 or %2|names", names, nameOf(alike));
+        sentences +=
+            "  " + tr("Or %1: %2", nameOf(alike), mistakeSentence(alike.id)) + "\n  " + alikeSentence(alike) + '\n';
+    }
+    return names + '\n' + sentences;
+}
+
 std::string verdictText(const Diagnosis &diagnosis)
 {
     const Candidate &first = diagnosis.candidates.front();
@@ -116,8 +177,10 @@ std::string verdictText(const Diagnosis &diagnosis)
                    "known: give --depth."));
         return said(tr("right|verdict"), tr("The point is right to the digits given."));
     }
-    if (diagnosis.verdict != "unknown")
-        return said(nameOf(first), mistakeSentence(first.id));
+    if (diagnosis.verdict == "known-point")
+        return said(knownPointName(diagnosis.known), knownPointSentence(diagnosis.known));
+    if (diagnosis.namesMistake())
+        return mistakeText(diagnosis);
     if (!first.explains)
         return said(
             tr("unknown|verdict"),
@@ -206,8 +269,15 @@ std::string doctorJson(const Diagnosis &diagnosis)
                  {"explains", candidate.explains}};
         if (!candidate.ways.empty())
             one["variant"] = waysText(candidate.ways);
+        if (candidate.alike != Alike::No)
+            one["alike"] = alikeName(candidate.alike);
+        if (candidate.shared)
+            one["shared"] = sharedName(*candidate.shared);
         json["candidates"].push_back(one);
     }
+    json["known"] = Json::array();
+    for (const KnownPoint &known : diagnosis.known)
+        json["known"].push_back(jsonOf(known));
     json["projected"] = diagnosis.projected ? jsonOf(*diagnosis.projected) : Json();
     json["next"] = Json();
     if (diagnosis.next)
@@ -221,7 +291,8 @@ std::string doctorJson(const Diagnosis &diagnosis)
     json["tried"] = diagnosis.tried;
     json["singlePrecision"] = diagnosis.isSinglePrecision;
     json["chance"] = jsonNumber(diagnosis.chance);
-    json["sentence"] = mistakeSentence(diagnosis.verdict);
+    json["sentence"] =
+        diagnosis.verdict == "known-point" ? knownPointSentence(diagnosis.known) : mistakeSentence(diagnosis.verdict);
     json["code"] = Json::array();
     for (const std::string &part : partsOf(diagnosis.verdict)) {
         for (const CodeChange &change : remedyOf(part).code)
@@ -238,22 +309,39 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
     if (diagnosis.isSinglePrecision)
         text += "  " + tr("More digits were given than single precision holds; this is to the digits that it leaves.")
                 + '\n';
-    text += line(best.explains ? tr("explains|row") : tr("closest|row"), candidateText(best, diagnosis, first));
-    if (diagnosis.candidates.size() > 1)
-        text += line(tr("next best"), candidateText(diagnosis.candidates[1], diagnosis, first));
-    if (diagnosis.next && diagnosis.verdict != "right")
+    // What comes close to a point of the scene says nothing.
+    const bool isKnown = diagnosis.verdict == "known-point";
+    if (!isKnown)
+        text += line(best.explains ? tr("explains|row") : tr("closest|row"), candidateText(best, diagnosis, first));
+    for (const Candidate &alike : diagnosis.alike())
+        text += line(tr("as well|row"), candidateText(alike, diagnosis, first));
+    if (const Candidate *next = isKnown ? nullptr : diagnosis.runnerUp())
+        text += line(tr("next best"), candidateText(*next, diagnosis, first));
+    if (!diagnosis.known.empty() && diagnosis.namesMistake())
+        text += line(tr("is also|row"), knownPointName(diagnosis.known));
+    if (diagnosis.next && diagnosis.verdict != "right" && !isKnown) {
+        const std::vector<Candidate> alike = diagnosis.alike();
+        const bool isOfNextBest = !alike.empty() && std::all_of(alike.begin(), alike.end(), [](const Candidate &each) {
+            return each.alike == Alike::Always;
+        });
         text += line(tr("tell apart"),
-                     tr("by a click at %1 %2: the answers are %3 or more apart there", shortestText(diagnosis.next->x),
-                        shortestText(diagnosis.next->y), shortText(diagnosis.nextApart, 3)));
+                     tr(isOfNextBest ? "from the next best by a click at %1 %2: the answers are %3 or more apart there"
+                                     : "by a click at %1 %2: the answers are %3 or more apart there",
+                        shortestText(diagnosis.next->x), shortestText(diagnosis.next->y),
+                        shortText(diagnosis.nextApart, 3)));
+    }
     text += landingText(diagnosis);
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
         text += line(tr("right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
         text += line(tr("depth|row"), tr("from the scene's mesh"));
-    if (best.explains && best.id != "right")
+    if (best.explains && best.id != "right" && !isKnown)
         text += line(tr("chance|row"),
                      tr("%1 that a point of other making is explained as well", percent(diagnosis.chance)));
-    return text + codeText(diagnosis.verdict);
+    text += codeText(diagnosis.verdict);
+    for (const Candidate &alike : diagnosis.alike())
+        text += codeText(alike.id);
+    return text;
 }
 
 } // namespace unprojector::cli

@@ -1,7 +1,5 @@
 #include "core/doctor/chance.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -21,12 +19,6 @@ bool isSameMistakes(const Hypothesis &a, const Hypothesis &b)
     return a.count == b.count;
 }
 
-bool isSameAnswer(const Hypothesis &a, const Hypothesis &b)
-{
-    const double size = 1.0 + glm::length(b.point);
-    return glm::length(a.point - b.point) <= 1e-9 * size;
-}
-
 } // namespace
 
 double chanceOf(std::span<const Hypothesis> all, const Hypothesis &best, double within, int agreeing)
@@ -34,7 +26,7 @@ double chanceOf(std::span<const Hypothesis> all, const Hypothesis &best, double 
     std::vector<double> distances;
     distances.reserve(all.size());
     for (const Hypothesis &other : all) {
-        if (other.count > best.count || isSameMistakes(other, best) || isSameAnswer(other, best))
+        if (other.count > best.count || isSameMistakes(other, best) || isSameAnswer(other.point, best.point))
             continue;
         distances.push_back(other.distance);
     }

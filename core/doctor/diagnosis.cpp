@@ -1,8 +1,10 @@
 #include "core/doctor/diagnosis.h"
 
 #include "core/doctor/chance.h"
+#include "core/doctor/known_points.h"
 #include "core/doctor/next_click.h"
 #include "core/doctor/ranking.h"
+#include "core/doctor/ties.h"
 #include "core/geometry/finite.h"
 
 #include <glm/common.hpp>
@@ -274,7 +276,7 @@ void putDepthFirst(std::vector<Hypothesis> &best, const Given &given, std::span<
 }
 
 std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, double chance, const Given &given,
-                      std::span<const Prepared> points)
+                      std::span<const Prepared> points, std::span<const Sought> sought)
 {
     if (best.worst > kCutOff)
         return "unknown";
@@ -284,9 +286,33 @@ std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, 
         return "unknown";
     // By the ray alone the mistakes of the depth are all alike.
     const bool isByRay = std::any_of(points.begin(), points.end(), [](const Prepared &p) { return p.sought.isLine; });
-    if (isByRay && list.size() > 1 && list[1].worst <= kCutOff && !saysDepth(best, given, points.front()))
+    const auto next = std::find_if(list.begin() + 1, list.end(), [&](const Hypothesis &other) {
+        return other.worst > kCutOff || !isSameHere(given, sought, best, other);
+    });
+    if (isByRay && next != list.end() && next->worst <= kCutOff && !saysDepth(best, given, points.front()))
         return "unknown";
     return idOf(best);
+}
+
+/// Whether the points are rather what a single mistake, or none, gives than a point of the scene.
+bool explainsAsWell(const Hypothesis &best, const Diagnosis &diagnosis)
+{
+    return diagnosis.verdict == "right" || (diagnosis.namesMistake() && best.count == 1 && best.worst <= kRounded);
+}
+
+/// Sets the known points that the points are, and the verdict where nothing explains them as well.
+void lookAtKnown(Diagnosis &diagnosis, const Hypothesis &best, const Given &given, const Case &scene,
+                 std::span<const Sought> sought)
+{
+    if (diagnosis.verdict == "right")
+        return;
+    diagnosis.known = knownPoints(given, scene, sought);
+    if (explainsAsWell(best, diagnosis))
+        return;
+    if (diagnosis.known.empty())
+        diagnosis.known = knownVertices(given, scene, sought);
+    if (!diagnosis.known.empty())
+        diagnosis.verdict = "known-point";
 }
 
 Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given, double epsilon)
@@ -313,6 +339,9 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     all.push_back(rightHypothesis(*picture, points));
     std::vector<Hypothesis> best = ranked(all);
     putDepthFirst(best, *picture, points);
+    std::erase_if(best, [&, first = best.front()](const Hypothesis &other) {
+        return other.worst <= kCutOff && isRestated(*picture, sought, first, other);
+    });
 
     Diagnosis diagnosis;
     diagnosis.projected = points.front().projected;
@@ -336,20 +365,39 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
         std::erase_if(all, [&](const Hypothesis &each) { return !saysDepth(each, *picture, points.front()); });
     diagnosis.chance =
         chanceOf(all, best.front(), best.front().worst <= kRounded ? kRounded : kCutOff, agreeing(points, landings));
-    diagnosis.verdict = verdictOf(best.front(), best, diagnosis.chance, *picture, points);
-    std::vector<Hypothesis> told;
+    diagnosis.verdict = verdictOf(best.front(), best, diagnosis.chance, *picture, points, sought);
+    const bool hasTies = diagnosis.namesMistake();
+    lookAtKnown(diagnosis, best.front(), *picture, scene, sought);
+    std::vector<Hypothesis> told, others;
     for (const Hypothesis &hypothesis : best) {
         const bool explains = hypothesis.worst <= kCutOff;
-        if (diagnosis.candidates.size() < (explains ? kMostCandidates : kFewestCandidates))
+        const bool isFirst = diagnosis.candidates.empty();
+        Alike alike = Alike::No;
+        if (diagnosis.candidates.size() < (explains ? kMostCandidates : kFewestCandidates)) {
             diagnosis.candidates.push_back(candidateOf(hypothesis, *picture, points));
-        if (told.size() < (explains ? kMostToldApart : 2))
+            Candidate &candidate = diagnosis.candidates.back();
+            if (hasTies && explains && !isFirst)
+                candidate.alike = alike = alikeOf(*picture, sought, best.front(), hypothesis);
+            if (alike == Alike::Here || alike == Alike::Always)
+                candidate.shared = sharedOf(*picture, sought.front().clicks.front(), best.front(), hypothesis);
+        }
+        // What another click can tell from the first goes before what is told from it already.
+        if (isFirst || alike == Alike::Here || alike == Alike::InDigits)
             told.push_back(hypothesis);
+        else if (others.size() < kMostToldApart)
+            others.push_back(hypothesis);
     }
+    const auto mostTold = [](const Hypothesis &each) { return each.worst <= kCutOff ? kMostToldApart : 2; };
+    for (const Hypothesis &each : others) {
+        if (told.size() < mostTold(each))
+            told.push_back(each);
+    }
+    told.resize(std::min(told.size(), kMostToldApart));
     const glm::dvec3 &lastDigit = points.front().sought.lastDigit;
     const double tellable = std::max({lastDigit.x, lastDigit.y, lastDigit.z});
     auto next = nextClick(*picture, points.front().click, told, scene.depthOnMesh, tellable);
     // Where those are one answer everywhere, the first that is another one.
-    for (std::size_t i = told.size(); !next && i < std::min(best.size(), kMostTried); ++i) {
+    for (std::size_t i = 1; !next && i < std::min(best.size(), kMostTried); ++i) {
         const Hypothesis two[] = {best.front(), best[i]};
         next = nextClick(*picture, points.front().click, two, scene.depthOnMesh, tellable);
     }
@@ -378,6 +426,26 @@ std::vector<WrongPoint> withoutRepetitions(std::span<const WrongPoint> points)
 }
 
 } // namespace
+
+std::vector<Candidate> Diagnosis::alike() const
+{
+    constexpr std::size_t kMost = 3;
+    std::vector<Candidate> found;
+    for (const Candidate &candidate : candidates) {
+        if (namesMistake() && candidate.alike != Alike::No && found.size() < kMost)
+            found.push_back(candidate);
+    }
+    return found;
+}
+
+const Candidate *Diagnosis::runnerUp() const
+{
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+        if (!namesMistake() || candidates[i].alike == Alike::No)
+            return &candidates[i];
+    }
+    return nullptr;
+}
 
 Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/box.h"
 #include "core/geometry/picture.h"
 #include "core/geometry/result.h"
 #include "core/geometry/spaces.h"
@@ -29,6 +30,22 @@ struct PlacedModel {
     glm::dmat4 worldFromObject{1.0};
 };
 
+/// A point of the scene that programs answer whatever was clicked.
+struct KnownPoint {
+    enum class Kind {
+        Eye,
+        ViewTranslation, ///< the view matrix's last column, given for a point
+        CameraCentre,    ///< what gluLookAt looks at
+        WorldOrigin,
+        ObjectOrigin,
+        Vertex
+    };
+    Kind kind = Kind::Eye;
+    glm::dvec3 point{0.0};  ///< of Case::verticesIn in world space, of a diagnosis in that of the points
+    std::string object;     ///< of an object's origin and a vertex: its name
+    std::size_t vertex = 0; ///< its index, through all meshes of the object's model
+};
+
 /// What the program was looking at.
 struct Case {
     Picture picture;
@@ -38,6 +55,8 @@ struct Case {
     /// The depth of what is seen at a position, in the picture's depth range; nothing on the background. Empty where the
     /// scene has no mesh.
     std::function<std::optional<double>(const DevicePoint &)> depthOnMesh;
+    /// The meshes' vertices in a box of world space, a few of them where there are many. Empty where the scene has no mesh.
+    std::function<std::vector<KnownPoint>(const Box &)> verticesIn;
 };
 
 /// A point that a program answered, as it was given.
@@ -61,6 +80,17 @@ struct Way {
     bool isEmpty() const { return words == nullptr && value.empty(); } ///< there are no others
 };
 
+/// How far a mistake cannot be told from the first of the candidates.
+enum class Alike {
+    No,
+    InDigits, ///< both explain all digits given; their answers differ in further ones
+    Here,     ///< both give the same answer to these clicks, and another one to others
+    Always    ///< both give the same answer to every click in this scene
+};
+
+/// What two mistakes have in common, that the right program has otherwise: the first of these that it is.
+enum class Shared { Window, Depth, Projection, View, Ndc, Matrix, Point };
+
 /// One mistake, or two of them, and what it answers.
 struct Candidate {
     std::string id;        ///< "right", "y-not-flipped", …, of two "a+b"
@@ -71,6 +101,8 @@ struct Candidate {
     int digits = 0; ///< how many of the digits that count it explains, all coordinates of all points
     bool explains = false; ///< all digits that count, of all points; the last of them may be cut off instead of rounded
     bool isCutOff = false; ///< explains, and some of the last ones are
+    Alike alike = Alike::No;
+    std::optional<Shared> shared; ///< where it is alike here or always
 };
 
 /// Where the wrong point lands with the right matrices: what is wrong there sorts the mistakes.
@@ -89,7 +121,12 @@ enum class DepthKnown {
 };
 
 struct Diagnosis {
-    std::string verdict; ///< an id; "right"; "unknown" where nothing explains the point, or anything might
+    /// An id; "right"; "known-point" where no mistake explains the points as well as that they are a point of the scene; "unknown"
+    /// where nothing explains them, or anything might.
+    std::string verdict;
+    /// The points of the scene that the first point is, if all points are such ones; several may lie in one place. A vertex
+    /// only where it is the verdict.
+    std::vector<KnownPoint> known;
     std::vector<Candidate> candidates; ///< the best first, each id once; at least five
     /// x', y' (device pixels from the top-left corner) and depth of the first wrong point, by the right matrices; nothing in
     /// the plane of the eye.
@@ -108,6 +145,13 @@ struct Diagnosis {
     /// More digits were given than single precision holds, and only within what that leaves open is the verdict found.
     bool isSinglePrecision = false;
     double chance = 0.0; ///< that a point without any such reason is explained as well as the first candidate does
+
+    /// Whether the verdict is a mistake, or two of them.
+    bool namesMistake() const { return verdict != "right" && verdict != "unknown" && verdict != "known-point"; }
+    /// The candidates that cannot be told from the first one, at most three; none where the verdict is no mistake.
+    std::vector<Candidate> alike() const;
+    /// The best of those that can be; null where there is none.
+    const Candidate *runnerUp() const;
 };
 
 /// Digits beyond what double precision leaves of a click's answer count for nothing; where no verdict is found, those beyond single

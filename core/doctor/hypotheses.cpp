@@ -74,13 +74,24 @@ double unitsOff(const Sought &sought, int axis, const glm::dvec3 &answer)
     return isAllThatWasGiven && isNearerToZero ? std::max(2.0, std::abs(off)) : std::abs(off);
 }
 
-std::optional<glm::dvec3> Hypothesis::answerTo(const Given &given, const Click &click) const
+std::optional<Run> Hypothesis::ranFor(const Given &given, const Click &click) const
 {
     const bool isSameStage = count == 2 && parts[0]->stage == parts[1]->stage;
     std::array<const Variant *, 2> inOrder = parts;
     if (isOtherWay && isSameStage)
         std::swap(inOrder[0], inOrder[1]);
-    return answer(given, click, {inOrder.data(), count}, isOtherWay && !isSameStage);
+    return ran(given, click, {inOrder.data(), count}, isOtherWay && !isSameStage);
+}
+
+std::optional<glm::dvec3> Hypothesis::answerTo(const Given &given, const Click &click) const
+{
+    const std::optional<Run> run = ranFor(given, click);
+    return run ? std::optional(run->point) : std::nullopt;
+}
+
+bool isSameAnswer(const glm::dvec3 &a, const glm::dvec3 &b)
+{
+    return glm::length(a - b) <= 1e-9 * (1.0 + glm::length(b));
 }
 
 std::optional<Nearest> Hypothesis::nearest(const Given &given, const Sought &sought) const

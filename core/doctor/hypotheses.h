@@ -47,11 +47,16 @@ struct Hypothesis {
     double distance = 0.0; ///< mean over the points
     double worst = 0.0;    ///< of the points
 
+    /// The program at its end; nothing where it has no answer.
+    std::optional<Run> ranFor(const Given &given, const Click &click) const;
     /// What the program answers; nothing where it has no answer.
     std::optional<glm::dvec3> answerTo(const Given &given, const Click &click) const;
     /// The answer closest to what was got.
     std::optional<Nearest> nearest(const Given &given, const Sought &sought) const;
 };
+
+/// Whether two answers differ by no more than computing leaves.
+bool isSameAnswer(const glm::dvec3 &a, const glm::dvec3 &b);
 
 /// The ways to make one mistake, and two of different ones; those without effect on all of the points are left out.
 /// @param list  must outlive what is returned

@@ -3,12 +3,66 @@
 #include "core/doctor/remedies.h"
 #include "core/text/translation.h"
 
+#include <cstddef>
+
 namespace unprojector::doctor {
 using text::tr;
+namespace {
+
+std::string nameOf(const KnownPoint &known)
+{
+    switch (known.kind) {
+    case KnownPoint::Kind::Eye: return tr("the eye");
+    case KnownPoint::Kind::ViewTranslation: return tr("the translation of the view matrix");
+    case KnownPoint::Kind::CameraCentre: return tr("the camera's centre");
+    case KnownPoint::Kind::WorldOrigin: return tr("the world's origin");
+    case KnownPoint::Kind::ObjectOrigin: return tr("the origin of \"%1\"", known.object);
+    case KnownPoint::Kind::Vertex: break;
+    }
+    return tr("vertex %1 of \"%2\"", known.vertex, known.object);
+}
+
+/// What it usually comes from, in a clause.
+std::string reasonOf(const KnownPoint &known)
+{
+    switch (known.kind) {
+    case KnownPoint::Kind::Eye:
+        return tr("the program returns where the ray begins: the translation of the view's inverse, or the point at a "
+                  "distance of 0");
+    case KnownPoint::Kind::ViewTranslation:
+        return tr("the program takes the last column of the view matrix for the eye, which is the last column of its "
+                  "inverse");
+    case KnownPoint::Kind::CameraCentre:
+        return tr("the program returns the point that the camera looks at, whatever is clicked");
+    case KnownPoint::Kind::WorldOrigin:
+        return tr("the result was never set: a call failed, or the ray met nothing, and the program did not check it");
+    case KnownPoint::Kind::ObjectOrigin:
+        return tr("the program returns the translation of the model matrix: where the object stands, not where it is "
+                  "clicked");
+    case KnownPoint::Kind::Vertex: break;
+    }
+    return tr("the program returns the nearest vertex of the mesh, not the point that is clicked");
+}
+
+std::string sharedSentence(Shared shared)
+{
+    switch (shared) {
+    case Shared::Window: return tr("Both unproject the same wrong window position.");
+    case Shared::Depth: return tr("Both unproject the same wrong depth.");
+    case Shared::Projection: return tr("Both use the same wrong projection matrix.");
+    case Shared::View: return tr("Both use the same wrong view matrix.");
+    case Shared::Ndc: return tr("Both reach the same wrong NDC position.");
+    case Shared::Matrix: return tr("Both multiply by the same wrong matrix.");
+    case Shared::Point: break;
+    }
+    return tr("They reach the same wrong point in different ways.");
+}
+
+} // namespace
 
 std::vector<std::string> partsOf(std::string_view id)
 {
-    if (id.empty() || id == "right" || id == "unknown")
+    if (id.empty() || id == "right" || id == "unknown" || id == "known-point")
         return {};
     const std::size_t plus = id.find('+');
     if (plus == id.npos)
@@ -42,6 +96,38 @@ std::string waysText(const std::vector<Way> &ways)
         text = text.empty() ? next : tr("%1; %2|ways", text, next);
     }
     return text;
+}
+
+std::string knownPointName(const std::vector<KnownPoint> &known)
+{
+    std::string names;
+    for (const KnownPoint &one : known)
+        names = names.empty() ? nameOf(one) : tr("%1 and %2|names", names, nameOf(one));
+    return names;
+}
+
+std::string knownPointSentence(const std::vector<KnownPoint> &known)
+{
+    std::string sentences = tr("The point given is %1.", knownPointName(known));
+    for (std::size_t i = 0; i < known.size(); ++i)
+        sentences = tr("%1 %2|sentences", sentences, tr(i == 0 ? "Usually %1." : "Or %1.", reasonOf(known[i])));
+    return sentences;
+}
+
+std::string alikeSentence(const Candidate &candidate)
+{
+    const std::string shared = candidate.shared ? sharedSentence(*candidate.shared) : std::string();
+    switch (candidate.alike) {
+    case Alike::No: break;
+    case Alike::InDigits: return tr("They cannot be told apart by these digits: give more digits, or another click.");
+    case Alike::Here:
+        return tr("%1 %2|sentences", shared,
+                  tr("They cannot be told apart here: another click gives different points."));
+    case Alike::Always:
+        return tr("%1 %2|sentences", shared,
+                  tr("They cannot be told apart: every click in this scene gives the same point."));
+    }
+    return {};
 }
 
 } // namespace unprojector::doctor

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace unprojector::doctor {
 namespace {
@@ -24,9 +23,22 @@ std::optional<DevicePoint> cellAt(const Given &given, int column, int row)
     return DevicePoint(std::floor(x) + kHalfPixel, std::floor(y) + kHalfPixel);
 }
 
-/// The clicks of the grid that see something.
-std::vector<Click> gridOf(const Given &given, const Click &like,
-                          const std::function<std::optional<double>(const DevicePoint &)> &depthAt)
+/// How far apart the answers of two hypotheses are, click by click; 0 where one has none.
+std::vector<double> apartOf(const Given &given, std::span<const Click> clicks, const Hypothesis &a, const Hypothesis &b)
+{
+    std::vector<double> apart;
+    for (const Click &click : clicks) {
+        const std::optional<glm::dvec3> first = a.answerTo(given, click), second = b.answerTo(given, click);
+        const double distance = first && second ? glm::distance(*first, *second) : 0.0;
+        apart.push_back(std::isfinite(distance) ? distance : 0.0);
+    }
+    return apart;
+}
+
+} // namespace
+
+std::vector<Click> clicksOverViewport(const Given &given, const Click &like,
+                                      const std::function<std::optional<double>(const DevicePoint &)> &depthAt)
 {
     std::vector<Click> clicks;
     for (int row = 0; row < kRows; ++row) {
@@ -47,25 +59,11 @@ std::vector<Click> gridOf(const Given &given, const Click &like,
     return clicks;
 }
 
-/// How far apart the answers of two hypotheses are, click by click; 0 where one has none.
-std::vector<double> apartOf(const Given &given, std::span<const Click> clicks, const Hypothesis &a, const Hypothesis &b)
-{
-    std::vector<double> apart;
-    for (const Click &click : clicks) {
-        const std::optional<glm::dvec3> first = a.answerTo(given, click), second = b.answerTo(given, click);
-        const double distance = first && second ? glm::distance(*first, *second) : 0.0;
-        apart.push_back(std::isfinite(distance) ? distance : 0.0);
-    }
-    return apart;
-}
-
-} // namespace
-
 std::optional<NextClick> nextClick(const Given &given, const Click &like, std::span<const Hypothesis> hypotheses,
                                    const std::function<std::optional<double>(const DevicePoint &)> &depthAt,
                                    double tellable)
 {
-    const std::vector<Click> clicks = gridOf(given, like, depthAt);
+    const std::vector<Click> clicks = clicksOverViewport(given, like, depthAt);
     std::vector<double> least(clicks.size(), std::numeric_limits<double>::infinity());
     bool isTold = false;
     for (std::size_t i = 1; i < hypotheses.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace unprojector::doctor {
 
@@ -13,6 +14,12 @@ struct NextClick {
     DevicePoint pixel;  ///< its centre
     double apart = 0.0; ///< how far the first hypothesis's answer is from that of any other, at least
 };
+
+/// Clicks of the same program on a grid over the viewport, where something is seen.
+/// @param like     see nextClick
+/// @param depthAt  see nextClick
+std::vector<Click> clicksOverViewport(const Given &given, const Click &like,
+                                      const std::function<std::optional<double>(const DevicePoint &)> &depthAt);
 
 /// The pixel, of a grid over the viewport, where the answer of the first hypothesis is farthest from those of all others. Others
 /// that give the same points all over the grid are passed over.

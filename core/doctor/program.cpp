@@ -149,10 +149,10 @@ void Run::setDistance(double distance)
         eye.z = given.side * distance;
 }
 
-std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::span<const Variant *const> list,
-                                 bool isClosedForm)
+std::optional<Run> ran(const Given &given, const Click &click, std::span<const Variant *const> list, bool isClosedForm)
 {
-    Run run(given, click);
+    std::optional<Run> kept(std::in_place, given, click);
+    Run &run = *kept;
     run.isClosedForm = isClosedForm;
     Mistakes mistakes(run, list);
 
@@ -183,7 +183,8 @@ std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::sp
     if (run.isClosedForm) {
         run.point = glm::dvec3(glm::inverse(run.eyeFromWorld * click.worldFromObject) * glm::dvec4(run.eye, 1.0));
     } else {
-        const glm::dvec4 undivided = product(combined(run), glm::dvec4(run.ndc, 1.0), run.isInPlace);
+        run.spaceFromClip = combined(run);
+        const glm::dvec4 undivided = product(run.spaceFromClip, glm::dvec4(run.ndc, 1.0), run.isInPlace);
         run.point = glm::dvec3(undivided);
         for (int i = 0; i < run.divisions; ++i)
             run.point /= undivided.w;
@@ -191,7 +192,19 @@ std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::sp
     mistakes.make(Stage::Point);
     if (run.isLost || !isFinite(run.point))
         return std::nullopt;
-    return run.point;
+    return kept;
+}
+
+std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::span<const Variant *const> list,
+                                 bool isClosedForm)
+{
+    const std::optional<Run> run = ran(given, click, list, isClosedForm);
+    return run ? std::optional(run->point) : std::nullopt;
+}
+
+glm::dmat4 worldFromSpace(const Given &given, const Click &click)
+{
+    return click.space == PointSpace::Eye ? glm::inverse(given.eyeFromWorld) : click.worldFromObject;
 }
 
 void setRightEye(const Given &given, Click &click)

@@ -83,6 +83,7 @@ struct Run {
     /// no division.
     bool isClosedForm = false;
 
+    glm::dmat4 spaceFromClip{1.0}; ///< set after Product, but for closed formulas
     glm::dvec3 point{0.0};
     bool isLost = false; ///< such a program has no answer here
 
@@ -103,11 +104,18 @@ struct Variant {
     Way way;                ///< empty where the mistake has one
 };
 
-/// What a program with these mistakes answers; nothing where it has no finite answer.
+/// A program with these mistakes at its end, with what each stage left; nothing where it has no finite answer.
+/// @param given, click  must outlive what is returned
 /// @param mistakes      in the order in which those of the same stage are made
 /// @param isClosedForm  see Run::isClosedForm; the mistakes are of the stages up to Factors
+std::optional<Run> ran(const Given &given, const Click &click, std::span<const Variant *const> mistakes,
+                       bool isClosedForm = false);
+/// What it answers.
 std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::span<const Variant *const> mistakes,
                                  bool isClosedForm = false);
+
+/// Takes the space that a click's point is answered in to the world's.
+glm::dmat4 worldFromSpace(const Given &given, const Click &click);
 
 /// Sets the right eye point of a click's pixel and depth.
 void setRightEye(const Given &given, Click &click);

@@ -63,7 +63,7 @@ void CandidatesTable::setDiagnosis(const Diagnosis &diagnosis, const WrongPoint 
         put(Digits, QString::number(candidate.digits), Qt::AlignRight);
         put(Off, significantText(candidate.distance, 3), Qt::AlignRight);
     }
-    setCurrentCell(diagnosis.verdict == "unknown" || diagnosis.verdict == "right" ? -1 : 0, 0);
+    setCurrentCell(diagnosis.namesMistake() ? 0 : -1, 0);
 }
 
 } // namespace unprojector::gui

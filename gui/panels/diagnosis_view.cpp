@@ -2,6 +2,7 @@
 
 #include "gui/panels/contrast.h"
 #include "gui/text/doctor_text.h"
+#include "gui/text/mistake_text.h"
 #include "gui/text/number_text.h"
 
 #include <QEvent>
@@ -100,19 +101,27 @@ void DiagnosisView::showAnswer(const Shown &shown)
     };
     const auto addPlain = [&](const QString &name, const QString &plain) { add(name, plain.toHtmlEscaped(), plain); };
     const QString explained = explainedText(best, diagnosis);
-    add(best.explains ? tr("Explains") : tr("Closest"),
-        gotMarkup(shown) + QStringLiteral("<br>")
-            + tr("%1: %2", "a mistake: how many digits it explains")
-                  .arg(candidateName(best).toHtmlEscaped(), explained),
-        pointText(shown.first.got, shown.first.lastDigit) + QStringLiteral(", ")
-            + tr("%1: %2", "a mistake: how many digits it explains").arg(candidateName(best), explained));
-    if (diagnosis.candidates.size() > 1) {
-        const Candidate &next = diagnosis.candidates[1];
-        addPlain(tr("Runner-up"), tr("%1: %2, %3", "runner-up: its answer, how many digits it explains")
-                                      .arg(candidateName(next), pointText(next.point, shown.first.lastDigit),
-                                           explainedText(next, diagnosis)));
-    }
-    if (best.explains && best.id != "right")
+    // What comes close to a point of the scene says nothing.
+    const bool isKnown = diagnosis.verdict == "known-point";
+    if (!isKnown)
+        add(best.explains ? tr("Explains") : tr("Closest"),
+            gotMarkup(shown) + QStringLiteral("<br>")
+                + tr("%1: %2", "a mistake: how many digits it explains")
+                      .arg(candidateName(best).toHtmlEscaped(), explained),
+            pointText(shown.first.got, shown.first.lastDigit) + QStringLiteral(", ")
+                + tr("%1: %2", "a mistake: how many digits it explains").arg(candidateName(best), explained));
+    const auto addCandidate = [&](const QString &name, const Candidate &candidate) {
+        addPlain(name, tr("%1: %2, %3", "runner-up: its answer, how many digits it explains")
+                           .arg(candidateName(candidate), pointText(candidate.point, shown.first.lastDigit),
+                                explainedText(candidate, diagnosis)));
+    };
+    for (const Candidate &alike : diagnosis.alike())
+        addCandidate(tr("As well"), alike);
+    if (const Candidate *next = isKnown ? nullptr : diagnosis.runnerUp())
+        addCandidate(tr("Runner-up"), *next);
+    if (!diagnosis.known.empty() && diagnosis.namesMistake())
+        addPlain(tr("Is also"), knownPointName(diagnosis.known));
+    if (best.explains && best.id != "right" && !isKnown)
         addPlain(tr("Chance"),
                  tr("%1 that a point of other making is explained as well").arg(chanceText(diagnosis.chance)));
     addPlain(tr("Lands"), tr("by the right matrices %1").arg(landingText(diagnosis)));
@@ -122,7 +131,7 @@ void DiagnosisView::showAnswer(const Shown &shown)
         addPlain(tr("Depth"), tr("that of the mesh under the pixel"));
     if (diagnosis.isSinglePrecision)
         addPlain(tr("Digits"), tr("more were given than single precision holds; this is to those that it leaves"));
-    const bool asks = diagnosis.next && diagnosis.verdict != "right";
+    const bool asks = diagnosis.next && diagnosis.verdict != "right" && !isKnown;
     if (asks) {
         const QString pixel =
             QStringLiteral("%1, %2").arg(writtenText(diagnosis.next->x, 9), writtenText(diagnosis.next->y, 9));

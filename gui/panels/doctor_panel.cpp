@@ -1,5 +1,6 @@
 #include "gui/panels/doctor_panel.h"
 
+#include "core/doctor/mesh_vertices.h"
 #include "core/doctor/written_points.h"
 #include "core/ray/mesh_depth.h"
 #include "gui/document/diagnoser.h"
@@ -415,6 +416,7 @@ void DoctorPanel::ask()
     scene.otherSize = sizeOf(m_otherSize->text());
     if (auto rays = raysOf(*own))
         scene.depthOnMesh = ray::MeshDepth(std::move(rays));
+    scene.verticesIn = [objects = m_document.objects()](const Box &world) { return verticesIn(objects, world); };
     m_diagnoser->ask(std::move(scene), m_asked);
 }
 
@@ -424,8 +426,7 @@ void DoctorPanel::showDiagnosis(const Diagnosis &diagnosis)
     m_answer->setDiagnosis(diagnosis, m_asked.front());
     m_candidates->setDiagnosis(diagnosis, m_asked.front());
     m_candidates->show();
-    const bool isMistake = diagnosis.verdict != "right" && diagnosis.verdict != "unknown";
-    m_code->setMistake(isMistake ? diagnosis.verdict : std::string());
+    m_code->setMistake(diagnosis.namesMistake() ? diagnosis.verdict : std::string());
     mark();
 }
 

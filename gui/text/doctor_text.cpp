@@ -33,14 +33,27 @@ QString unknownText(const Diagnosis &diagnosis)
         .arg(candidateName(first));
 }
 
+/// The mistake, and those that cannot be told from it.
+QString mistakesText(const Diagnosis &diagnosis)
+{
+    QString text = mistakeSentence(diagnosis.verdict);
+    for (const Candidate &alike : diagnosis.alike())
+        text += u'\n'
+                + DoctorText::tr("Or: %1 %2", "another mistake that explains the point; why they are not told apart")
+                      .arg(mistakeSentence(alike.id), alikeSentence(alike));
+    return text;
+}
+
 } // namespace
 
 QString verdictText(const Diagnosis &diagnosis)
 {
     if (diagnosis.verdict == "unknown")
         return unknownText(diagnosis);
-    if (diagnosis.verdict != "right")
-        return mistakeSentence(diagnosis.verdict);
+    if (diagnosis.verdict == "known-point")
+        return knownPointSentence(diagnosis.known);
+    if (diagnosis.namesMistake())
+        return mistakesText(diagnosis);
     if (diagnosis.depthKnown == DepthKnown::ByRay)
         return DoctorText::tr(
             "Right, as far as the ray tells: the point lies on the ray of this pixel. Whether its depth is "

@@ -19,4 +19,19 @@ QString waysText(const std::vector<doctor::Way> &ways)
     return QString::fromStdString(doctor::waysText(ways));
 }
 
+QString knownPointSentence(const std::vector<doctor::KnownPoint> &known)
+{
+    return QString::fromStdString(doctor::knownPointSentence(known));
+}
+
+QString knownPointName(const std::vector<doctor::KnownPoint> &known)
+{
+    return QString::fromStdString(doctor::knownPointName(known));
+}
+
+QString alikeSentence(const doctor::Candidate &candidate)
+{
+    return QString::fromStdString(doctor::alikeSentence(candidate));
+}
+
 } // namespace unprojector::gui

@@ -1720,8 +1720,16 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>最接近</translation>
     </message>
     <message>
+        <source>As well</source>
+        <translation>同样能解释</translation>
+    </message>
+    <message>
         <source>Runner-up</source>
         <translation>其次</translation>
+    </message>
+    <message>
+        <source>Is also</source>
+        <translation>同时也是</translation>
     </message>
     <message>
         <source>%1: %2, %3</source>
@@ -1918,6 +1926,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Right, as far as the ray tells: the point lies on the ray of this pixel. Whether its depth is right is not known. Give the depth.</source>
         <translation>就射线而言是正确的：点在这个像素的射线上。它的深度是否正确尚不可知。请给出深度。</translation>
+    </message>
+    <message>
+        <source>Or: %1 %2</source>
+        <comment>another mistake that explains the point; why they are not told apart</comment>
+        <translation>或者：%1%2</translation>
     </message>
     <message>
         <source>The point is right, to the digits given.</source>

@@ -42,6 +42,9 @@ private slots:
     void theMeshGivesTheDepth();
     void theRayJudgesWithoutModels();
     void theSpaceOfThePoint();
+    void aPointOfTheSceneIsNamed();
+    void aVertexOfTheMeshIsNamed();
+    void whatCannotBeToldApartIsNamedTogether();
     void unusable_data();
     void unusable();
 
@@ -298,6 +301,64 @@ void TestDoctorCommand::theSpaceOfThePoint()
     QCOMPARE(verdict("object", "-1.5000,0.7500,0.7500"), QString("right"));
     QCOMPARE(verdict("object:box", "-1.5000,0.7500,0.7500"), QString("right"));
     QCOMPARE(verdict("world", "-1.5000,0.7500,0.7500"), QString("model-left-in"));
+}
+
+void TestDoctorCommand::aPointOfTheSceneIsNamed()
+{
+    const QStringList got = kClick + QStringList{"--got", "3.000000,2.000000,5.000000"};
+    const Run run = doctor(got);
+    VERIFY_SUCCEEDED(run);
+    QVERIFY2(run.output.startsWith("the eye\n  The point given is the eye. Usually the program returns where"),
+             run.output);
+    // What comes close to it says nothing.
+    for (const char *row : {"closest", "explains", "next best", "tell apart", "chance"})
+        QVERIFY2(!run.output.contains(row), run.output);
+    QVERIFY(!run.output.contains("To change"));
+    const QJsonObject json = QJsonDocument::fromJson(doctor(got + QStringList{"--json"}).output).object();
+    QCOMPARE(json["verdict"].toString(), QString("known-point"));
+    QCOMPARE(json["known"].toArray()[0].toObject()["kind"].toString(), QString("eye"));
+    QVERIFY(json["sentence"].toString().startsWith("The point given is the eye."));
+    QVERIFY(json["code"].toArray().isEmpty());
+}
+
+void TestDoctorCommand::aVertexOfTheMeshIsNamed()
+{
+    m_folder.write("face.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
+    const QString scene = m_folder.write("frustum.json", kFrustumScene);
+    // With the depth and without it.
+    for (const QStringList &depth : {QStringList{}, QStringList{"--depth", "0.66666667"}}) {
+        const Run run = runCommand(QStringList{"doctor", scene, "--json", "--pixel", "600,150"} + depth
+                                   + QStringList{"--got", "2.0000,2.0000,3.0000"});
+        VERIFY_SUCCEEDED(run);
+        const QJsonObject json = QJsonDocument::fromJson(run.output).object();
+        QCOMPARE(json["verdict"].toString(), QString("known-point"));
+        const QJsonObject known = json["known"].toArray()[0].toObject();
+        QCOMPARE(known["kind"].toString(), QString("vertex"));
+        QCOMPARE(known["object"].toString(), QString("face"));
+        QCOMPARE(known["vertex"].toInt(), 2);
+    }
+}
+
+void TestDoctorCommand::whatCannotBeToldApartIsNamedTogether()
+{
+    const QStringList got = kClick + QStringList{"--got", "0.3805,0.7500,-0.1783"};
+    const Run run = doctor(got);
+    VERIFY_SUCCEEDED(run);
+    QVERIFY2(run.output.startsWith("aspect-integer or aspect-left-out\n"), run.output);
+    QVERIFY2(run.output.contains("\n  Or aspect-left-out: The aspect is left out, as in a square viewport.\n  Both use "
+                                 "the same wrong projection matrix. They cannot be told apart: every click in this "
+                                 "scene gives the same point.\n"),
+             run.output);
+    QVERIFY2(run.output.contains("\n  as well      aspect-left-out: 0.3805 0.7500 -0.1783, all "), run.output);
+    QVERIFY(!run.output.contains("next best    aspect-left-out"));
+    QVERIFY(run.output.contains("To change for aspect-integer:")
+            && run.output.contains("To change for aspect-left-out:"));
+    const QJsonObject json = QJsonDocument::fromJson(doctor(got + QStringList{"--json"}).output).object();
+    QCOMPARE(json["verdict"].toString(), QString("aspect-integer"));
+    const QJsonObject second = json["candidates"].toArray()[1].toObject();
+    QCOMPARE(second["alike"].toString(), QString("always"));
+    QCOMPARE(second["shared"].toString(), QString("projection"));
+    QVERIFY(!json["candidates"].toArray()[0].toObject().contains("alike"));
 }
 
 void TestDoctorCommand::unusable_data()

@@ -140,6 +140,8 @@ private slots:
     void aRightPointIsRight();
     void theDepthOfAClickIsItsOwn();
     void garbageIsUnknown();
+    void aPointOfTheSceneIsNamed();
+    void whatCannotBeToldApartIsNamedTogether();
     void nonsenseIsNamedAndStays();
     void pointsAsProgramsPrintThem_data();
     void pointsAsProgramsPrintThem();
@@ -212,6 +214,42 @@ void TestDoctorPlace::theDepthOfAClickIsItsOwn()
     // What is typed is what was typed.
     type(field, QStringLiteral("0.987654"));
     QCOMPARE(form->points().at(0).depth, std::optional(0.987654));
+}
+
+void TestDoctorPlace::aPointOfTheSceneIsNamed()
+{
+    const auto window = doctorWindow();
+    clickedAndWrong(*window);
+    type(gotOf(*window), pointText(window->document().geometry().camera().eye.coordinates()));
+    QTRY_VERIFY_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("The point given is the eye. Usually")),
+                             kPatienceMilliseconds);
+    QVERIFY(!panelOf(*window).code().isVisible());
+    QVERIFY(!panelOf(*window).answer().text().contains(QStringLiteral("Chance")));
+    const SceneObject &cube = window->document().objects().front();
+    const glm::dvec3 vertex = cube.model->meshes.front().position(0) + kCubeCenter;
+    type(gotOf(*window), pointText(vertex));
+    QTRY_VERIFY_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("The point given is vertex 0 of \"cube\".")),
+                             kPatienceMilliseconds);
+}
+
+void TestDoctorPlace::whatCannotBeToldApartIsNamedTogether()
+{
+    const auto window = doctorWindow();
+    clickedAndWrong(*window);
+    const Picture &g = window->document().geometry();
+    const Pick &pick = *window->document().pick();
+    const glm::dvec4 ndc(2.0 * (pick.window.x - g.viewport.x) / g.viewport.width - 1.0,
+                         2.0 * (pick.window.y - g.viewport.y) / g.viewport.height - 1.0, 2.0 * pick.window.z - 1.0,
+                         1.0);
+    const glm::dvec4 got = glm::inverse(glm::transpose(*clipFromWorld(g))) * ndc;
+    type(gotOf(*window), pointText(glm::dvec3(got) / got.w));
+    QTRY_VERIFY_WITH_TIMEOUT(
+        verdictOf(*window).startsWith(QStringLiteral("The product of projection and view is transposed")),
+        kPatienceMilliseconds);
+    const QString verdict = verdictOf(*window), text = panelOf(*window).answer().text();
+    QVERIFY2(verdict.contains(QStringLiteral("\nOr: ")), qPrintable(verdict));
+    QVERIFY2(verdict.contains(QStringLiteral("They cannot be told apart: every click")), qPrintable(verdict));
+    QVERIFY2(text.contains(QStringLiteral("As well ")), qPrintable(text));
 }
 
 void TestDoctorPlace::garbageIsUnknown()

@@ -1,0 +1,115 @@
+#include "core/doctor/known_points.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace unprojector::doctor {
+namespace {
+
+using Kind = KnownPoint::Kind;
+
+/// The part of the distance from the eye that a last digit may be.
+constexpr double kCoarsestDigit = 0.25;
+/// No other vertex may be as close as so many units of the last digit.
+constexpr double kAlone = 5.0;
+
+glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)
+{
+    const glm::dvec4 result = m * glm::dvec4(point, 1.0);
+    return glm::dvec3(result) / result.w;
+}
+
+bool isPoint(const Sought &sought, const glm::dvec3 &known)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(unitsOff(sought, axis, known) <= kRounded))
+            return false;
+    }
+    return true;
+}
+
+bool isWithin(const Sought &sought, const glm::dvec3 &known, double units)
+{
+    const glm::dvec3 off = glm::abs(known - sought.got) / sought.lastDigit;
+    return off.x <= units && off.y <= units && off.z <= units;
+}
+
+bool isFineEnough(const Sought &sought)
+{
+    const double distance = glm::length(sought.clicks.front().eye);
+    const glm::dvec3 &digit = sought.lastDigit;
+    return std::max({digit.x, digit.y, digit.z}) <= kCoarsestDigit * distance;
+}
+
+/// In the space of a click's point.
+std::vector<KnownPoint> fixedPoints(const Given &given, const Case &scene, const Click &click)
+{
+    const glm::dmat4 spaceFromWorld = glm::inverse(worldFromSpace(given, click));
+    std::vector<KnownPoint> all{{Kind::Eye, transformed(spaceFromWorld, given.eyePosition), {}}};
+    // In eye space that is the world's origin.
+    if (click.space != PointSpace::Eye)
+        all.push_back({Kind::ViewTranslation, glm::dvec3(given.eyeFromWorld[3]) / given.eyeFromWorld[3].w, {}});
+    if (const auto *camera = std::get_if<LookAt>(&scene.picture.pose))
+        all.push_back({Kind::CameraCentre, transformed(spaceFromWorld, camera->center.coordinates()), {}});
+    all.push_back({Kind::WorldOrigin, transformed(spaceFromWorld, glm::dvec3(0.0)), {}});
+    for (const PlacedModel &model : scene.models) {
+        const glm::dvec3 origin = transformed(model.worldFromObject, glm::dvec3(0.0));
+        all.push_back({Kind::ObjectOrigin, transformed(spaceFromWorld, origin), model.name});
+    }
+    return all;
+}
+
+/// The one vertex that a point is, in the point's space.
+std::optional<KnownPoint> vertexOf(const Given &given, const Case &scene, const Sought &sought)
+{
+    const glm::dmat4 worldFromPoint = worldFromSpace(given, sought.clicks.front());
+    Box box;
+    box.add(sought.got - kAlone * sought.lastDigit);
+    box.add(sought.got + kAlone * sought.lastDigit);
+    const glm::dmat4 spaceFromWorld = glm::inverse(worldFromPoint);
+    std::optional<KnownPoint> found;
+    for (KnownPoint vertex : scene.verticesIn(box.transformed(worldFromPoint))) {
+        vertex.point = transformed(spaceFromWorld, vertex.point);
+        if (!isWithin(sought, vertex.point, kAlone))
+            continue;
+        if (found && !isSameAnswer(found->point, vertex.point))
+            return std::nullopt;
+        if (!found)
+            found = std::move(vertex);
+    }
+    return found && isPoint(sought, found->point) ? found : std::nullopt;
+}
+
+} // namespace
+
+std::vector<KnownPoint> knownPoints(const Given &given, const Case &scene, std::span<const Sought> points)
+{
+    if (!std::all_of(points.begin(), points.end(), isFineEnough))
+        return {};
+    std::vector<KnownPoint> known = fixedPoints(given, scene, points.front().clicks.front());
+    std::erase_if(known, [&](const KnownPoint &one) {
+        return !std::all_of(points.begin(), points.end(), [&](const Sought &p) { return isPoint(p, one.point); });
+    });
+    return known;
+}
+
+std::vector<KnownPoint> knownVertices(const Given &given, const Case &scene, std::span<const Sought> points)
+{
+    if (!scene.verticesIn || !std::all_of(points.begin(), points.end(), isFineEnough))
+        return {};
+    std::vector<KnownPoint> vertices;
+    for (const Sought &sought : points) {
+        std::optional<KnownPoint> vertex = vertexOf(given, scene, sought);
+        if (!vertex)
+            return {};
+        vertices.push_back(std::move(*vertex));
+    }
+    vertices.resize(1);
+    return vertices;
+}
+
+} // namespace unprojector::doctor

@@ -1,0 +1,32 @@
+#include "core/doctor/mesh_vertices.h"
+
+#include <glm/common.hpp>
+
+namespace unprojector::doctor {
+
+std::vector<KnownPoint> verticesIn(std::span<const scene::SceneObject> objects, const Box &world)
+{
+    constexpr std::size_t kMost = 1000; // of a soup many vertices lie in one place
+    std::vector<KnownPoint> found;
+    for (const scene::SceneObject &object : objects) {
+        if (object.isHidden || !object.model)
+            continue;
+        const glm::dmat4 worldFromModel = worldFromObject(object.transform);
+        std::size_t before = 0; // vertices of the meshes in front
+        for (const scene::Mesh &mesh : object.model->meshes) {
+            const std::size_t count = mesh.positions.size();
+            for (std::size_t vertex = 0; vertex < count; ++vertex) {
+                const glm::dvec3 at(worldFromModel * glm::dvec4(mesh.position(vertex), 1.0));
+                if (glm::clamp(at, world.lowest, world.highest) != at)
+                    continue;
+                if (found.size() == kMost)
+                    return found;
+                found.push_back({KnownPoint::Kind::Vertex, at, object.name, before + vertex});
+            }
+            before += count;
+        }
+    }
+    return found;
+}
+
+} // namespace unprojector::doctor
