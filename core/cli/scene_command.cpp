@@ -1,9 +1,9 @@
 #include "core/cli/scene_command.h"
 
 #include "core/cli/byte_stream.h"
+#include "core/cli/matrix_taker.h"
 #include "core/cli/size_text.h"
 #include "core/files/path_text.h"
-#include "core/matrices/matrix_findings.h"
 #include "core/matrices/matrix_format.h"
 #include "core/matrices/taken_apart.h"
 #include "core/scene_file/scene_error_text.h"
@@ -118,142 +118,21 @@ std::optional<Viewport> setWindow(const SceneOptions &options, Viewport viewport
     return viewport;
 }
 
-/// What can be done about a finding, by an option or by hand.
-/// @param hasConventions  whose matrices they are is said: then depths and y are not
-std::string adviceFor(const MatrixFinding &finding, NumberOrder order, bool hasConventions)
-{
-    switch (finding.fault) {
-    case MatrixFault::Transposed:
-        return tr(order == NumberOrder::ByColumns ? "; read by columns, --order row reads it by rows"
-                                                  : "; read by rows, --order column reads it by columns");
-    case MatrixFault::Inverse: return tr("; if it is, give its inverse");
-    case MatrixFault::Exchanged: return tr("; give each behind its name, modelview and projection");
-    case MatrixFault::DepthZeroToOne:
-        return tr(hasConventions ? "; --conventions of an API with such depths takes it so"
-                                 : "; --depth zero-to-one takes it so, --depth minus-one-to-one does not");
-    case MatrixFault::DepthReversed: return tr("; --reversed says that they are");
-    case MatrixFault::YDown:
-        return tr(hasConventions ? "; it stays so: if it is not meant, give --conventions of the API that it is for"
-                                 : "; --y down turns it back, --y up leaves it so");
-    case MatrixFault::Rounded: return tr("; --orthonormal takes the nearest that are, more decimals are better");
-    case MatrixFault::Negated: return tr("; its signs are turned round");
-    case MatrixFault::Mirrored:
-    case MatrixFault::Scaled:
-    case MatrixFault::UnknownForm:
-    case MatrixFault::FarAtInfinity:
-    case MatrixFault::LeftHanded: break;
-    }
-    return {};
-}
-
 bool isOriginTop(const SceneOptions &options)
 {
     return conventionsOf(options.conventions.value_or(Api::OpenGl)).isOriginTop;
 }
 
-class Taker {
-public:
-    Taker(const SceneOptions &options, const std::string &name) : m_options(options), m_name(name) {}
-
-    /// The matrix in the order that is asked for, or in that of its form.
-    glm::dmat4 matrixAsGiven(const PastedMatrix &pasted) const { return meantMatrix(pasted, order(pasted)); }
-
-    /// The same in OpenGL's conventions, whosever it was.
-    glm::dmat4 matrix(const PastedMatrix &pasted, MatrixRole role) const
-    {
-        const glm::dmat4 given = matrixAsGiven(pasted);
-        switch (role) {
-        case MatrixRole::View: return oursFromView(given, api());
-        case MatrixRole::Projection: return oursFromApi({given, {}}, api()).clipFromEye;
-        case MatrixRole::Product: break;
-        }
-        // The eye between the two may look either way.
-        return oursFromApi({given * viewFromOurs(glm::dmat4(1.0), api()), {}}, api()).clipFromEye;
-    }
-
-    /// What a matrix from NDC to the window says of viewport and depth range. Where pixels count from the top, y is 0 there.
-    ViewportAndDepths viewport(const PastedMatrix &pasted) const
-    {
-        // The window's height is not known yet: 0.
-        const ApiSpaces spaces = apiSpaces(Picture(), api());
-        AxisChange window = spaces.window;
-        window.scale.z = 1.0;
-        window.shift.z = 0.0;
-        const glm::dmat4 ours = window.inverse().matrix() * meantMatrix(pasted, order(pasted)) * spaces.clip.matrix();
-        ViewportAndDepths result =
-            viewportOf(ours, conventionsOf(api()).hasOnlyThatDepth ? NdcDepth::MinusOneToOne : m_options.depth);
-        if (conventionsOf(api()).isDepthReversed)
-            std::swap(result.depthRange.atNear, result.depthRange.atFar);
-        return result;
-    }
-
-    /// NDC depths that are known.
-    std::optional<NdcDepth> depth() const
-    {
-        return conventionsOf(api()).hasOnlyThatDepth ? conventionsOf(api()).ndcDepth : m_options.depth;
-    }
-
-    void say(PastedPart part, const std::string &what) const { complain(m_name + ": " + nameOf(part) + ": " + what); }
-
-    /// Says what is to be seen of a matrix, but for what an option has an answer to.
-    /// @return whether depths are reversed by it
-    bool lookAt(const PastedMatrix &pasted, PastedPart part, MatrixRole role,
-                const std::optional<glm::dmat4> &clipFromEye = std::nullopt) const
-    {
-        bool isReversed = false;
-        if (pasted.isInverse)
-            say(part, tr(lacksInverse(pasted)
-                             ? "by its name it is an inverse, but it has none itself: it is taken as it stands"
-                             : "by its name it is an inverse: its own inverse is taken"));
-        for (const MatrixFinding &finding : findings(matrix(pasted, role), role, depth(), clipFromEye)) {
-            const bool isAboutDepth = finding.fault == MatrixFault::DepthReversed;
-            isReversed = isReversed || isAboutDepth;
-            if ((isAboutDepth && m_options.isReversed) || (finding.fault == MatrixFault::YDown && m_options.isYDown))
-                continue;
-            if (finding.fault == MatrixFault::Rounded && m_options.isOrthonormal)
-                continue;
-            say(part, taken(findingText(finding, role))
-                          + adviceFor(finding, order(pasted), m_options.conventions.has_value()));
-            if (finding.fault == MatrixFault::Scaled && m_options.isOrthonormal)
-                say(part,
-                    tr(finding.repair == MatrixRepair::None
-                           ? "--orthonormal is for axes that were rounded: of these it makes another camera's; give "
-                             "the view without the model's scale"
-                           : "--orthonormal takes that scale out; near, far and the eye stay as they are, so what "
-                             "comes out is in units of the eye"));
-        }
-        return isReversed;
-    }
-
-private:
-    /// What is to be seen is that of the matrix in OpenGL's conventions.
-    std::string taken(const std::string &finding) const
-    {
-        return api() == Api::OpenGl
-                   ? finding
-                   : tr("taken from %1's conventions to OpenGL's, it %2", conventionsOf(api()).name, finding);
-    }
-    Api api() const { return m_options.conventions.value_or(Api::OpenGl); }
-    /// Rows of row vectors are columns.
-    NumberOrder order(const PastedMatrix &pasted) const
-    {
-        const NumberOrder usual = conventionsOf(api()).areVectorsRows ? NumberOrder::ByColumns : orderOf(pasted.form);
-        return m_options.order.value_or(usual);
-    }
-
-    const SceneOptions &m_options;
-    const std::string &m_name;
-};
-
 /// Viewport, depth range and window.
 /// @return whether there are such; what is wrong is said on stderr
-bool setViewport(const SceneOptions &options, const PastedScene &pasted, const std::string &name, SceneFile &scene)
+bool setViewport(const SceneOptions &options, const MatrixTaker &taker, const PastedScene &pasted,
+                 const std::string &name, SceneFile &scene)
 {
     if (!pasted.viewportMatrix) {
         scene.viewport = setWindow(options, *pasted.viewport, false, scene);
         return scene.viewport.has_value();
     }
-    const auto &[viewport, depthRange] = Taker(options, name).viewport(*pasted.viewportMatrix);
+    const auto &[viewport, depthRange] = taker.viewport(*pasted.viewportMatrix);
     if (viewport.height < 0.0) {
         complain(
             name + ": viewport: "
@@ -304,7 +183,7 @@ double offUpToScale(const glm::dmat4 &given, const glm::dmat4 &other)
 constexpr double kSame = 1e-3; // as three printed digits leave it
 
 /// What of a product beside a projection and a view does not go with them; empty where it does.
-std::string contradiction(const Taker &taker, const PastedScene &pasted)
+std::string contradiction(const MatrixTaker &taker, const PastedScene &pasted)
 {
     const glm::dmat4 product = taker.matrixAsGiven(*pasted.product),
                      clipFromEye = taker.matrixAsGiven(*pasted.projection);
@@ -331,7 +210,8 @@ std::string contradiction(const Taker &taker, const PastedScene &pasted)
 }
 
 /// Says that a matrix beside a product counts for nothing, and whether it goes with it.
-void sayLeftOut(const Taker &taker, const PastedScene &pasted, PastedPart part, const std::optional<TakenApart> &apart)
+void sayLeftOut(const MatrixTaker &taker, const PastedScene &pasted, PastedPart part,
+                const std::optional<TakenApart> &apart)
 {
     const bool isProjection = part == PastedPart::Projection;
     const auto &given = isProjection ? pasted.projection : part == PastedPart::View ? pasted.view : pasted.modelView;
@@ -347,9 +227,8 @@ void sayLeftOut(const Taker &taker, const PastedScene &pasted, PastedPart part, 
 }
 
 /// Projection and view as pasted; what options ask for is done to them, and what else is to be seen of them is said.
-void setMatrices(const SceneOptions &options, const PastedScene &pasted, const std::string &name, SceneFile &scene)
+void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const PastedScene &pasted, SceneFile &scene)
 {
-    const Taker taker(options, name);
     const bool isWhole = pasted.projection && (pasted.view || pasted.modelView);
     const PastedMatrix &lens = isWhole ? *pasted.projection : *pasted.product;
     glm::dmat4 clipFromEye = taker.matrix(lens, isWhole ? MatrixRole::Projection : MatrixRole::Product);
@@ -418,9 +297,9 @@ ExitCode runScene(const SceneOptions &options)
     ByteSink sink(options.output, given->isFile ? InputFiles{options.fromMatrices[0]} : InputFiles());
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
-    const auto numbers = pastedScene(given->text);
-    if (!numbers) {
-        const PasteError &error = numbers.error();
+    Result<PastedScene, PasteError> read = pastedScene(given->text);
+    if (!read) {
+        const PasteError &error = read.error();
         const bool isFileMeant =
             error.word.empty() && error.all == 0 && !given->isFile && options.fromMatrices.size() == 1;
         if (isFileMeant)
@@ -435,9 +314,11 @@ ExitCode runScene(const SceneOptions &options)
     }
 
     SceneFile scene;
-    if (!setViewport(options, *numbers, given->name, scene))
+    const MatrixTaker taker(options, given->name);
+    PastedScene numbers = std::move(read).value();
+    if (!taker.tellOrders(numbers) || !setViewport(options, taker, numbers, given->name, scene))
         return ExitCode::UnusableInput;
-    setMatrices(options, *numbers, given->name, scene);
+    setMatrices(options, taker, numbers, scene);
 
     // What is written must be read again: the reader says what a scene may not be.
     const auto written = sceneText(scene);

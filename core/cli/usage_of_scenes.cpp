@@ -116,9 +116,10 @@ void addScene(CLI::App &app, Run &run)
         ->type_name("WxH");
     addFile(*command, "-o,--output", options->output, tr("Scene file; - is standard output"))->default_str("-");
     command->footer(
-        tr("Brackets, commas, subscripts (m[3] =) and other words between the numbers are passed over. What is\n"
-           "to be seen of a matrix is said, and nothing changed: transposed, an inverse, depths from 0 to 1 or\n"
-           "reversed, y turned round, a scale.")
+        tr("Brackets, commas, subscripts (m[3] =) and other words between the numbers are passed over. A matrix\n"
+           "that is a camera's in one order of its numbers alone is read in that order; where nothing tells the\n"
+           "order, --order has to. What else is to be seen of a matrix is said, and nothing changed: an inverse,\n"
+           "depths from 0 to 1 or reversed, y turned round, a scale.")
         + "\n\n" + tr("Examples:")
         + "\n  unproject scene --from-matrices matrices.txt -o scene.json\n  unproject scene --from-matrices "
           "\"modelview 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1\n      projection 1 0 0 0  0 1 0 0  0 0 -1.2 -1  0 0 -2.2 0 "

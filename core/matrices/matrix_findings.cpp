@@ -285,6 +285,9 @@ std::string_view idOf(MatrixFault fault)
     case MatrixFault::LeftHanded: return "left-handed";
     case MatrixFault::Negated: return "negated";
     case MatrixFault::Rounded: return "rounded";
+    case MatrixFault::OtherOrder: return "other-order";
+    case MatrixFault::OrderOfOthers: return "order-of-others";
+    case MatrixFault::OrderOpen: return "order-open";
     case MatrixFault::Scaled: break;
     }
     return "scaled";
@@ -381,6 +384,12 @@ std::string findingText(const MatrixFinding &finding, MatrixRole role)
         return tr("has axes that are %1 off being perpendicular and of length 1, as few digits or many turns leave "
                   "them; the formulas need them within 0.00001",
                   numberText(finding.value, Digits::Double, 2));
+    case MatrixFault::OtherOrder:
+        return tr(isView ? "is read in the order that makes 0 0 0 1 its last row"
+                         : "is read in the order that gives it a projection's form");
+    case MatrixFault::OrderOfOthers:
+        return tr("has the same form in both orders, and is read in that of the other matrices");
+    case MatrixFault::OrderOpen: return tr("is a camera's by rows and by columns, a different one in each order");
     case MatrixFault::Scaled: break;
     }
     return tr(

@@ -35,7 +35,11 @@ enum class MatrixFault {
     LeftHanded,     ///< eye space looks along +z
     Negated,        ///< every entry has the other sign: the same points, with w < 0 in front of the eye
     Rounded, ///< nearly rigid, as few digits leave it; value: how far the axes are from orthonormal, as axesOff counts
-    Scaled   ///< value: how many times as long an axis is
+    Scaled,  ///< value: how many times as long an axis is
+    // Those of several matrices, see toldOrders:
+    OtherOrder,    ///< is read in the order that its form does not have as a rule: only so it is a camera's
+    OrderOfOthers, ///< is a camera's in both orders, and read as another matrix of its form
+    OrderOpen      ///< is a camera's in both orders, and nothing tells which is meant
 };
 
 /// What can be done about it.
@@ -63,7 +67,8 @@ struct MatrixFinding {
 };
 
 /// A fixed name: "transposed", "inverse", "exchanged", "unknown-form", "depth-zero-to-one", "depth-reversed",
-/// "far-at-infinity", "y-down", "mirrored", "left-handed", "negated", "rounded", "scaled".
+/// "far-at-infinity", "y-down", "mirrored", "left-handed", "negated", "rounded", "scaled", "other-order", "order-of-others",
+/// "order-open".
 std::string_view idOf(MatrixFault fault);
 
 /// What is to be seen of a matrix. Nothing is changed; what would be read in another order or inverted is not looked at

@@ -22,6 +22,32 @@ const std::optional<PastedMatrix> &partOf(const PastedScene &parts, MatrixRole r
 
 void MatrixPaste::setText(MatrixRole role, std::string_view text)
 {
+    take(role, text);
+    tellOrders();
+}
+
+void MatrixPaste::tellOrders()
+{
+    std::vector<MatrixRole> roles;
+    std::vector<BothOrders> both;
+    for (const MatrixRole role : kRoles) {
+        place(role).told = ToldOrder::Usual;
+        const PastedMatrix *matrix = pasted(role);
+        if (!matrix)
+            continue;
+        const NumberOrder usual = orderOf(matrix->form);
+        roles.push_back(role);
+        both.push_back({role, matrix->form, meantMatrix(*matrix, usual), meantMatrix(*matrix, opposite(usual))});
+    }
+    const std::optional<Viewport> size = viewport();
+    const std::vector<ToldOrder> told =
+        toldOrders(both, size && size->height > 0.0 ? std::optional(size->width / size->height) : std::nullopt);
+    for (std::size_t i = 0; i < roles.size(); ++i)
+        place(roles[i]).told = told[i];
+}
+
+void MatrixPaste::take(MatrixRole role, std::string_view text)
+{
     Place &here = place(role);
     here = {};
     // What another place took from the text that stood here was repaired as that.
@@ -108,7 +134,10 @@ std::optional<Viewport> MatrixPaste::viewport() const
 NumberOrder MatrixPaste::order(MatrixRole role) const
 {
     const PastedMatrix *matrix = pasted(role);
-    return place(role).order.value_or(matrix ? orderOf(matrix->form) : NumberOrder::ByColumns);
+    const NumberOrder usual = matrix ? orderOf(matrix->form) : NumberOrder::ByColumns;
+    const ToldOrder told = place(role).told;
+    const bool isOther = told == ToldOrder::Other || told == ToldOrder::OtherAsOthers;
+    return place(role).order.value_or(isOther ? opposite(usual) : usual);
 }
 
 void MatrixPaste::setOrder(MatrixRole role, NumberOrder order)
@@ -126,7 +155,7 @@ void MatrixPaste::setNdcDepth(MatrixRole role, const std::optional<NdcDepth> &de
 void MatrixPaste::repair(MatrixRole role, const MatrixFinding &finding)
 {
     if (finding.repair == MatrixRepair::OtherOrder)
-        setOrder(role, order(role) == NumberOrder::ByColumns ? NumberOrder::ByRows : NumberOrder::ByColumns);
+        setOrder(role, opposite(order(role)));
     else if (finding.repair == MatrixRepair::DepthZeroToOne)
         place(role).ndcDepth = NdcDepth::ZeroToOne;
     else if (finding.repair == MatrixRepair::None || finding.repair == MatrixRepair::Exchange)
@@ -178,8 +207,12 @@ std::vector<MatrixFinding> MatrixPaste::findings(MatrixRole role) const
     const auto here = matrix(role);
     if (!here)
         return {};
-    return matrices::findings(*here, role, ndcDepth(role),
-                              role == MatrixRole::View ? matrix(MatrixRole::Projection) : std::nullopt);
+    std::vector<MatrixFinding> found = matrices::findings(
+        *here, role, ndcDepth(role), role == MatrixRole::View ? matrix(MatrixRole::Projection) : std::nullopt);
+    const std::optional<MatrixFinding> told = place(role).order ? std::nullopt : findingOf(place(role).told);
+    if (told)
+        found.insert(found.begin(), *told);
+    return found;
 }
 
 MatrixPaste::Camera MatrixPaste::camera() const

@@ -4,6 +4,7 @@
 #include "core/matrices/matrix_findings.h"
 #include "core/matrices/pasted_matrix.h"
 #include "core/matrices/taken_apart.h"
+#include "core/matrices/told_order.h"
 
 #include <array>
 #include <optional>
@@ -29,6 +30,7 @@ public:
     /// A viewport that stands beside the matrices: nothing is done with it.
     std::optional<Viewport> viewport() const;
 
+    /// The order that is set, else told by the numbers, else that of the form.
     NumberOrder order(MatrixRole role) const;
     void setOrder(MatrixRole role, NumberOrder order);
     /// Says what the numbers of a projection or a product leave open; none: as they tell.
@@ -64,12 +66,15 @@ private:
         std::optional<PasteError> error;
         PastedScene parts;
         std::optional<PastedMatrix> own;
-        std::optional<NumberOrder> order; ///< none: that of the form
+        std::optional<NumberOrder> order;  ///< none: as told
+        ToldOrder told = ToldOrder::Usual; ///< of the matrix of this role, wherever it was pasted
         std::vector<MatrixFinding> repairs;
         std::optional<NdcDepth> ndcDepth;
     };
     Place &place(MatrixRole role) { return m_places[std::size_t(role)]; }
     const Place &place(MatrixRole role) const { return m_places[std::size_t(role)]; }
+    void take(MatrixRole role, std::string_view text);
+    void tellOrders();
     bool hasRepair(MatrixRole role, MatrixRepair repair) const;
     /// Without turning the eye, which takes projection and view together.
     std::optional<glm::dmat4> unturned(MatrixRole role) const;

@@ -206,6 +206,11 @@ NumberOrder orderOf(MatrixForm form)
     return NumberOrder::ByRows;
 }
 
+NumberOrder opposite(NumberOrder order)
+{
+    return order == NumberOrder::ByColumns ? NumberOrder::ByRows : NumberOrder::ByColumns;
+}
+
 glm::dmat4 matrixOf(const std::array<double, 16> &numbers, NumberOrder order)
 {
     glm::dmat4 m;

@@ -32,12 +32,14 @@ enum class MatrixForm {
 struct PastedMatrix {
     std::array<double, 16> numbers{}; ///< as they stand in the text; those with indices, by these
     MatrixForm form = MatrixForm::Flat;
-    bool isInverse = false; ///< it has the name of an inverse, as projectionMatrixInverse
+    bool isInverse = false;             ///< it has the name of an inverse, as projectionMatrixInverse
+    std::optional<NumberOrder> order{}; ///< where its numbers tell another than the usual one, see toldOrders
     friend bool operator==(const PastedMatrix &, const PastedMatrix &) = default;
 };
 
 /// The order that a form has.
 NumberOrder orderOf(MatrixForm form);
+NumberOrder opposite(NumberOrder order);
 
 /// The matrix that sixteen numbers are in an order: column vectors.
 glm::dmat4 matrixOf(const std::array<double, 16> &numbers, NumberOrder order);

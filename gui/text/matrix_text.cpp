@@ -124,6 +124,14 @@ QString findingSentence(const MatrixFinding &finding, MatrixRole role)
                    "Its axes are %1 off being perpendicular and of length 1, as few digits or many turns leave them. "
                    "The formulas need them within 0.00001; more decimals are better.")
             .arg(readableText(finding.value));
+    case MatrixFault::OtherOrder:
+        return isView ? MatrixText::tr("It is read in the order that makes 0 0 0 1 its last row.")
+                      : MatrixText::tr("It is read in the order that gives it a projection's form.");
+    case MatrixFault::OrderOfOthers:
+        return MatrixText::tr("It has the same form in both orders, and is read in that of the other matrix.");
+    case MatrixFault::OrderOpen:
+        return MatrixText::tr("It is a camera's by rows and by columns, a different one in each order. Choose the "
+                              "order in which your program prints it.");
     case MatrixFault::Scaled: break;
     }
     return scaleText(finding);

@@ -4226,6 +4226,22 @@ Both are as large as fits.</source>
         <translation>它用于朝 +z 方向观看的观察坐标系（Direct3D、OpenCV）。</translation>
     </message>
     <message>
+        <source>It is read in the order that makes 0 0 0 1 its last row.</source>
+        <translation>按 0 0 0 1 成为最后一行的次序读取。</translation>
+    </message>
+    <message>
+        <source>It is read in the order that gives it a projection&apos;s form.</source>
+        <translation>按具有投影矩阵形式的次序读取。</translation>
+    </message>
+    <message>
+        <source>It has the same form in both orders, and is read in that of the other matrix.</source>
+        <translation>两种次序下形式相同，按另一个矩阵的次序读取。</translation>
+    </message>
+    <message>
+        <source>It is a camera&apos;s by rows and by columns, a different one in each order. Choose the order in which your program prints it.</source>
+        <translation>按行和按列都是相机的矩阵，且各不相同。请选择您的程序输出它的次序。</translation>
+    </message>
+    <message>
         <source>Every entry has the other sign: the same points, but w &lt; 0 in front of the eye, which OpenGL cuts off.</source>
         <translation>每个元素的符号都相反：得到的点相同，但视点前方的点 w &lt; 0，会被 OpenGL 裁掉。</translation>
     </message>

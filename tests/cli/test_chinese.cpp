@@ -226,7 +226,7 @@ void TestChinese::messagesAreSaidInChinese_data()
                                             "modelview 1 0 0 0 0 1 0 0 0 0 1 -5 0 0 0 1 projection 1 0 0 0 0 1 0 0 0 0 "
                                             "-1.2 -1 0 0 -2.2 0 viewport 0 0 800 600"}
                              << QByteArray()
-                             << "modelview: 看来被转置了：0 0 0 1 是它的最后一列，而不是最后一行；现按列读取，";
+                             << "modelview: 按 0 0 0 1 成为最后一行的次序读取；现按行读取，--order column 按列读取";
     QTest::newRow("statistics") << QStringList{"map",    "scene.json", "--what", "formula-ray",
                                                "--size", "40x30",      "-o",     "map.pfm"}
                                 << QByteArray() << "formula-ray，世界单位：1200 个像素中有 1200 个；最小 ";

@@ -235,9 +235,13 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
     QTest::newRow("rows taken for columns")
         << "modelview 1 0 0 0  0 1 0 0  0 0 1 -5  0 0 0 1 projection " + kProjection + " viewport " + kViewport
         << QStringList()
-        << QByteArray("stdin: modelview: looks transposed: its last column, not its "
-                      "last row, is 0 0 0 1; read by columns, --order row reads it "
-                      "by rows\n");
+        << QByteArray("stdin: modelview: is read in the order that makes 0 0 0 1 its last row; read by rows, --order "
+                      "column reads it by columns\n");
+    QTest::newRow("rows taken for columns, as asked for")
+        << "modelview 1 0 0 0  0 1 0 0  0 0 1 -5  0 0 0 1 projection " + kProjection + " viewport " + kViewport
+        << QStringList{"--order", "column"}
+        << QByteArray("stdin: modelview: looks transposed: its last column, not its last row, is 0 0 0 1; read by "
+                      "columns, --order row reads it by rows\n");
     QTest::newRow("[0, 1]") << zeroToOne + rest << QStringList()
                             << QByteArray(
                                    "stdin: projection: seems to go by NDC depths from 0 to 1 (Direct3D, Vulkan): "

@@ -164,6 +164,8 @@ private slots:
     void theProductAloneIsTakenApart();
     void everyFindingHasItsButton_data();
     void everyFindingHasItsButton();
+    void theOrderIsToldByTheNumbers();
+    void anOrderThatNothingTellsIsAskedFor();
     void theDepthsCanBeSaid();
     void theScenesOwnStaysWithoutOne();
     void whatIsNoMatrixIsSaid_data();
@@ -254,10 +256,6 @@ void TestPasteMatrices::everyFindingHasItsButton_data()
     QTest::addColumn<glm::dmat4>("expected"); ///< the projection or view that the scene keeps
     const auto scaling = [](double x, double y, double z) { return glm::scale(glm::dmat4(1.0), glm::dvec3(x, y, z)); };
     using enum MatrixRole;
-    QTest::newRow("transposed") << Projection << glm::transpose(lens()) << "looks transposed"
-                                << "Read as Row-major" << lens();
-    QTest::newRow("a view, transposed") << View << glm::transpose(view()) << "looks transposed"
-                                        << "Read as Row-major" << view();
     QTest::newRow("an inverse") << Projection << glm::inverse(lens()) << "is an inverse"
                                 << "Take Its Inverse" << lens();
     QTest::newRow("the camera's matrix") << View << glm::inverse(view()) << "camera's own matrix"
@@ -315,6 +313,34 @@ void TestPasteMatrices::everyFindingHasItsButton()
     QVERIFY(difference(pasting.document.givenProjection()->clipFromEye, expected) <= 1e-12);
     if (button == "Read as 0 to 1")
         QVERIFY(std::abs(projectionWindow(pasting.document.geometry().projection()).nearDistance - 2.0) <= 1e-12);
+}
+
+void TestPasteMatrices::theOrderIsToldByTheNumbers()
+{
+    Pasting pasting;
+    pasting.paste(MatrixRole::Projection, printed(glm::transpose(lens()), "NumPy"));
+    pasting.paste(MatrixRole::View, printed(glm::transpose(view()), "NumPy"));
+    QVERIFY(pasting.says("It is read in the order that gives it a projection's form."));
+    QVERIFY(pasting.says("It is read in the order that makes 0 0 0 1 its last row."));
+    // The other order can be had all the same.
+    pasting.button("Read as Row-major")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(pasting.says("looks transposed"), kPatienceMilliseconds);
+    pasting.button("As Pasted")->click();
+    pasting.ok()->click();
+    QVERIFY(difference(pasting.document.givenProjection()->clipFromEye, lens()) <= 1e-12);
+    QVERIFY(difference(*pasting.document.givenView(), view()) <= 1e-12);
+}
+
+void TestPasteMatrices::anOrderThatNothingTellsIsAskedFor()
+{
+    const glm::dmat4 turn{glm::dmat3(view())};
+    Pasting pasting;
+    pasting.paste(MatrixRole::View, printed(glm::transpose(turn), "NumPy"));
+    QVERIFY(pasting.says("It is a camera's by rows and by columns"));
+    pasting.button("Read as Column-major")->click();
+    QVERIFY(!pasting.button("Read as Column-major"));
+    pasting.ok()->click();
+    QVERIFY(difference(*pasting.document.givenView(), turn) <= 1e-12);
 }
 
 void TestPasteMatrices::theDepthsCanBeSaid()
