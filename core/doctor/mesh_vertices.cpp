@@ -12,18 +12,16 @@ std::vector<KnownPoint> verticesIn(std::span<const scene::SceneObject> objects, 
         if (object.isHidden || !object.model)
             continue;
         const glm::dmat4 worldFromModel = worldFromObject(object.transform);
-        std::size_t before = 0; // vertices of the meshes in front
-        for (const scene::Mesh &mesh : object.model->meshes) {
-            const std::size_t count = mesh.positions.size();
-            for (std::size_t vertex = 0; vertex < count; ++vertex) {
-                const glm::dvec3 at(worldFromModel * glm::dvec4(mesh.position(vertex), 1.0));
+        for (std::size_t mesh = 0; mesh < object.model->meshes.size(); ++mesh) {
+            const scene::Mesh &own = object.model->meshes[mesh];
+            for (std::size_t vertex = 0; vertex < own.positions.size(); ++vertex) {
+                const glm::dvec3 at(worldFromModel * glm::dvec4(own.position(vertex), 1.0));
                 if (glm::clamp(at, world.lowest, world.highest) != at)
                     continue;
                 if (found.size() == kMost)
                     return found;
-                found.push_back({KnownPoint::Kind::Vertex, at, object.name, before + vertex});
+                found.push_back({KnownPoint::Kind::Vertex, at, object.name, object.model->vertexNumber(mesh, vertex)});
             }
-            before += count;
         }
     }
     return found;
