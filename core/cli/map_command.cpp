@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -20,7 +21,7 @@ using namespace maps;
 using namespace text;
 namespace {
 
-/// With all that a pixel takes while a map is made, two gigabytes.
+/// 256 MB: of a picture's numbers all are kept until the map is written, since their median is told.
 constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
 
 std::uint64_t pixelsOf(const Picture &picture)
@@ -63,24 +64,53 @@ bool isOutputUsable(const MapOptions &options, const OpenedScene &opened)
     return !isOverInput(options.output, opened.files);
 }
 
-/// What is seen at each pixel; what is wrong is said on stderr.
-std::optional<SurfaceImage> surfaces(const MapOptions &options, const OpenedScene &opened,
-                                     const Unprojector &unprojector, ProgressBar &bar)
+/// Where what is seen at each pixel comes from. It outlives its source.
+class Seen {
+public:
+    /// What is wrong is said on stderr.
+    static std::unique_ptr<const Seen> of(const MapOptions &options, const OpenedScene &opened,
+                                          const Unprojector &unprojector);
+
+    SurfaceSource source() const
+    {
+        if (!m_rays)
+            return {false, [this](const Rows &rows, const ray::Progress &) {
+                        return std::optional(surfacesAt(m_picture, m_depth, rows));
+                    }};
+        return {true, [this](const Rows &rows, const ray::Progress &progress) {
+                    return surfacesMet(*m_rays, *m_pixels, m_format, rows, progress);
+                }};
+    }
+
+private:
+    Seen(const MapOptions &options, const Picture &picture)
+        : m_picture(picture), m_depth(options.depth), m_format(options.format)
+    {
+    }
+
+    Picture m_picture;
+    double m_depth;
+    DepthFormat m_format;
+    std::optional<ray::SceneRays> m_rays; ///< none: the depth is given
+    std::optional<PixelRays> m_pixels;
+};
+
+std::unique_ptr<const Seen> Seen::of(const MapOptions &options, const OpenedScene &opened,
+                                     const Unprojector &unprojector)
 {
     const Picture &picture = unprojector.picture();
+    std::unique_ptr<Seen> seen(new Seen(options, picture));
     if (options.isDepthGiven) {
         if (needsRays(options.quantity)) {
             complain(tr("--depth: %1 is about surfaces; leave the depth out and give a model or a scene with objects",
                         keyOf(options.quantity)));
-            return std::nullopt;
+            return nullptr;
         }
         if (const Result<double> valid = unitDepth(picture.depthRange, options.depth); !valid) {
             complain("--depth " + shortestText(options.depth) + ": " + errorText(valid.error()));
-            return std::nullopt;
+            return nullptr;
         }
-        SurfaceImage image = surfacesAt(picture, options.depth);
-        partOf(bar, pixelsOf(picture))(1.0);
-        return image;
+        return seen;
     }
     const bool isAnySeen = std::any_of(opened.objects.begin(), opened.objects.end(),
                                        [](const SceneObject &object) { return !object.isHidden; });
@@ -88,19 +118,20 @@ std::optional<SurfaceImage> surfaces(const MapOptions &options, const OpenedScen
         complain(tr("%1: no object is there to be seen; --depth gives a depth to every pixel, from %2 on the near "
                     "plane to %3 on the far plane",
                     opened.name, shortestText(picture.depthRange.atNear), shortestText(picture.depthRange.atFar)));
-        return std::nullopt;
+        return nullptr;
     }
     if (!areReachable(opened))
-        return std::nullopt;
-    const ray::SceneRays rays(unprojector, opened.objects, castersOf(opened.objects), opened.clipPlanes());
-    if (rays.hasPoints())
+        return nullptr;
+    seen->m_rays.emplace(unprojector, opened.objects, castersOf(opened.objects), opened.clipPlanes());
+    if (seen->m_rays->hasPoints())
         complain(tr("%1: the points of clouds are left out; maps are of surfaces", opened.name));
-    const Result<PixelRays> pixels = PixelRays::of(rays.rays());
+    const Result<PixelRays> pixels = PixelRays::of(seen->m_rays->rays());
     if (!pixels) {
         complain(opened.name + ": " + errorText(pixels.error()));
-        return std::nullopt;
+        return nullptr;
     }
-    return surfacesMet(rays, *pixels, options.format, partOf(bar, pixelsOf(picture)));
+    seen->m_pixels = *pixels;
+    return seen;
 }
 
 /// Three digits: what a scale is read by.
@@ -124,13 +155,13 @@ std::string statisticsText(const MapOptions &options, const MapStatistics &stati
                 threeDigits(statistics.median), threeDigits(statistics.percentile99), threeDigits(statistics.greatest));
 }
 
-std::string statisticsJson(const MapOptions &options, const MapStatistics &statistics, const PixelMap &map)
+std::string statisticsJson(const MapOptions &options, const MapStatistics &statistics, const Surface &surface)
 {
     std::string text = "{\"what\": \"" + std::string(keyOf(options.quantity)) + '"';
     if (!options.convention.empty())
         text += ", \"convention\": \"" + options.convention + '"';
     text += std::string(", \"unit\": \"") + (options.unit == Unit::Ulps ? "ulp" : "world") + "\", \"size\": ["
-            + std::to_string(map.widthPixels) + ", " + std::to_string(map.heightPixels)
+            + std::to_string(surface.widthPixels) + ", " + std::to_string(surface.heightPixels)
             + "], \"count\": " + std::to_string(statistics.count);
     for (const auto &[name, value] :
          {std::pair("min", statistics.least), std::pair("median", statistics.median),
@@ -167,24 +198,24 @@ ExitCode runMap(const MapOptions &options)
     ByteSink sink(options.output, opened->files); // what cannot be written is known before all is computed
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
-    ProgressBar bar(2 * pixelsOf(*picture), ProgressBar::Unit::Points);
-    const std::optional<SurfaceImage> seen = surfaces(options, *opened, *unprojector, bar);
+    ProgressBar bar(pixelsOf(*picture), ProgressBar::Unit::Points);
+    const std::unique_ptr<const Seen> seen = Seen::of(options, *opened, *unprojector);
     if (!seen)
         return ExitCode::UnusableInput;
     Question question{options.quantity, options.unit, OtherProgram::Paper};
     if (const NamedConvention *convention = conventionNamed(options.convention))
         question.other = convention->other;
-    const auto map = pixelMap(question, *unprojector, *seen, opened->objects, partOf(bar, pixelsOf(*picture)));
+    auto map = pixelMap(question, *unprojector, seen->source(), opened->objects, partOf(bar, pixelsOf(*picture)));
     bar.finish();
     if (!map) {
         complain(opened->name + ": " + errorText(map.error()));
         return ExitCode::UnusableInput;
     }
-    const PixelMap &made = **map;
-    sink.write(pfmText(made));
+    std::optional<PixelMap> made = std::move(map).value();
+    writePfm(*made, [&sink](std::string_view part) { sink.write(part); });
     if (const ExitCode written = sink.finish(); written != ExitCode::Done)
         return written;
-    const MapStatistics statistics = statisticsOf(made);
+    const MapStatistics statistics = statisticsOf(std::move(*made));
     if (statistics.count == 0)
         complain(tr("%1: no pixel has a number; the map holds NaN only", opened->name));
     if (!options.isJson) {
@@ -192,7 +223,7 @@ ExitCode runMap(const MapOptions &options)
         return ExitCode::Done;
     }
     ByteSink json("-", opened->files);
-    json.write(statisticsJson(options, statistics, made));
+    json.write(statisticsJson(options, statistics, picture->surface));
     return json.finish();
 }
 

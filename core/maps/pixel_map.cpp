@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace unprojector::maps {
@@ -110,7 +111,7 @@ private:
     /// What the depth buffer holds: on the background what it was cleared to; outside the window nobody knows.
     double depthAt(const DevicePixel &pixel) const
     {
-        if (pixel.i < 0 || pixel.i >= m_surfaces.widthPixels || pixel.j < 0 || pixel.j >= m_surfaces.heightPixels)
+        if (pixel.i < 0 || pixel.i >= m_surfaces.widthPixels || !m_surfaces.has(pixel.j))
             return std::numeric_limits<double>::quiet_NaN();
         const double depth = m_surfaces.depths[m_surfaces.place(pixel.i, pixel.j)];
         return std::isnan(depth) ? m_picture.depthRange.atFar : depth;
@@ -159,7 +160,8 @@ private:
 
 class UncertaintyWorker : public RowWorker {
 public:
-    UncertaintyWorker(const UncertaintyRow &uncertainty, const ClickBatch &eye) : m_uncertainty(uncertainty), m_eye(eye)
+    UncertaintyWorker(const UncertaintyRow &uncertainty, const SurfaceImage &surfaces, const ClickBatch &eye)
+        : m_uncertainty(uncertainty), m_surfaces(surfaces), m_eye(eye)
     {
     }
 
@@ -167,11 +169,12 @@ public:
     {
         pixels.elements.unproject(m_eye, m_points);
         for (std::size_t k = 0; k < numbers.size(); ++k)
-            numbers[k] = m_uncertainty.at(pixels.pixels[k], m_points.eye(k), formula.world(k));
+            numbers[k] = m_uncertainty.at(m_surfaces, pixels.pixels[k], m_points.eye(k), formula.world(k));
     }
 
 private:
     const UncertaintyRow &m_uncertainty;
+    const SurfaceImage &m_surfaces;
     const ClickBatch &m_eye;
     PointArrays m_points;
 };
@@ -186,7 +189,8 @@ struct Prepared {
     std::optional<UncertaintyRow> uncertainty;
 };
 
-Result<Prepared> prepared(const Question &question, const Unprojector &unprojector, const SurfaceImage &surfaces,
+/// @param areMet  whether the surfaces are those that rays have met
+Result<Prepared> prepared(const Question &question, const Unprojector &unprojector, bool areMet,
                           std::span<const ray::SceneObject> objects)
 {
     const Picture &picture = unprojector.picture();
@@ -213,7 +217,7 @@ Result<Prepared> prepared(const Question &question, const Unprojector &unproject
         placements.reserve(objects.size());
         for (const ray::SceneObject &object : objects)
             placements.push_back(scene::worldFromObject(object.transform));
-        if (placements.empty() || !surfaces.isMet())
+        if (placements.empty() || !areMet)
             placements.assign(1, glm::dmat4(1.0));
         for (const glm::dmat4 &placement : placements) {
             const Result<Unprojector> mistaken = Unprojector::of(picture, *mistake, placement);
@@ -230,7 +234,7 @@ Result<Prepared> prepared(const Question &question, const Unprojector &unproject
         if (!eye)
             return eye.error();
         result.eye = *eye;
-        result.uncertainty.emplace(*parameters, surfaces, objects, question.cornerShiftPixels);
+        result.uncertainty.emplace(*parameters, objects, question.cornerShiftPixels);
     }
     return result;
 }
@@ -242,7 +246,8 @@ std::unique_ptr<RowWorker> workerOf(const Question &question, const Prepared &pr
     case Quantity::FormulaMatrix: return std::make_unique<MethodRow>(*prepared.matrix);
     case Quantity::FormulaRay: return std::make_unique<RayRow>(*prepared.rays, surfaces, nullptr);
     case Quantity::MatrixRay: return std::make_unique<RayRow>(*prepared.rays, surfaces, &*prepared.matrix);
-    case Quantity::Uncertainty: return std::make_unique<UncertaintyWorker>(*prepared.uncertainty, *prepared.eye);
+    case Quantity::Uncertainty:
+        return std::make_unique<UncertaintyWorker>(*prepared.uncertainty, surfaces, *prepared.eye);
     case Quantity::Displacement: break;
     }
     if (const auto *program = std::get_if<OtherProgram>(&question.other))
@@ -286,6 +291,59 @@ std::vector<NamedConvention> allConventions()
     add("model-left-in", &C::model, C::Model::LeftIn);
     add("single-precision", &C::singlePrecision, true);
     return all;
+}
+
+/// Of surfaces that are there at a time: 12 MB, and some hundred milliseconds on a core.
+constexpr int kBandPixels = 1 << 19;
+
+PixelMap emptyMap(const Picture &picture)
+{
+    PixelMap map{picture.surface.widthPixels, picture.surface.heightPixels, {}};
+    map.values.assign(map.place({0, map.heightPixels}), std::numeric_limits<float>::quiet_NaN());
+    return map;
+}
+
+/// The rows whose surfaces tell the numbers of these: the uncertainty's slopes and other programs look beside a pixel.
+Rows rowsRead(const Question &question, const Picture &picture, const Rows &rows)
+{
+    Rows read = rows;
+    const auto *program = std::get_if<OtherProgram>(&question.other);
+    for (const int row : rows) {
+        if (question.quantity == Quantity::Uncertainty)
+            read.insert(read.end(), {row - 1, row + 1});
+        if (question.quantity == Quantity::Displacement && program != nullptr)
+            read.push_back(clickOf(*program, picture, {0, row}).depthFrom.j);
+    }
+    std::sort(read.begin(), read.end());
+    read.erase(std::unique(read.begin(), read.end()), read.end());
+    std::erase_if(read, [&picture](int row) { return row < 0 || row >= picture.surface.heightPixels; });
+    return read;
+}
+
+/// Computes rows of a map.
+/// @param surfaces  of rowsRead
+/// @return false when progress says stop
+bool setRows(PixelMap &map, const Rows &rows, const Question &question, const Prepared &shared, const Picture &picture,
+             const SurfaceImage &surfaces, const ray::Progress &progress)
+{
+    return rowsInParallel(rows, map.widthPixels, progress, [&](std::span<const int> some) {
+        const std::unique_ptr<RowWorker> worker = workerOf(question, shared, picture, surfaces);
+        RowPixels pixels;
+        PointArrays formula;
+        std::vector<double> numbers;
+        for (const int j : some) {
+            pixels.read(surfaces, j);
+            pixels.elements.unproject(shared.formula, formula);
+            numbers.resize(pixels.places.size());
+            worker->row(pixels, formula, numbers);
+            for (std::size_t k = 0; k < numbers.size(); ++k) {
+                const double unit = question.unit == Unit::Ulps ? ulpOfLargest(formula.world(k)) : 1.0;
+                const auto number = static_cast<float>(numbers[k] / unit);
+                if (std::isfinite(number))
+                    map.values[map.place(pixels.pixels[k])] = number;
+            }
+        }
+    });
 }
 
 } // namespace
@@ -340,40 +398,49 @@ Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unproje
                                          const SurfaceImage &surfaces, std::span<const ray::SceneObject> objects,
                                          const ray::Progress &progress)
 {
-    const Result<Prepared> shared = prepared(question, unprojector, surfaces, objects);
+    const Result<Prepared> shared = prepared(question, unprojector, surfaces.isMet(), objects);
     if (!shared)
         return shared.error();
-    PixelMap map{surfaces.widthPixels, surfaces.heightPixels, {}};
-    map.values.assign(surfaces.depths.size(), std::numeric_limits<float>::quiet_NaN());
-    const bool isWhole = rowsInParallel(map.heightPixels, progress, [&](int begin, int end) {
-        const std::unique_ptr<RowWorker> worker = workerOf(question, *shared, unprojector.picture(), surfaces);
-        RowPixels pixels;
-        PointArrays formula;
-        std::vector<double> numbers;
-        for (int j = begin; j < end; ++j) {
-            pixels.read(surfaces, j);
-            pixels.elements.unproject(shared->formula, formula);
-            numbers.resize(pixels.places.size());
-            worker->row(pixels, formula, numbers);
-            for (std::size_t k = 0; k < numbers.size(); ++k) {
-                const double unit = question.unit == Unit::Ulps ? ulpOfLargest(formula.world(k)) : 1.0;
-                const auto number = static_cast<float>(numbers[k] / unit);
-                if (std::isfinite(number))
-                    map.values[pixels.places[k]] = number;
-            }
-        }
-    });
-    if (!isWhole)
+    const Picture &picture = unprojector.picture();
+    PixelMap map = emptyMap(picture);
+    if (!setRows(map, allRows(picture), question, *shared, picture, surfaces, progress))
         return std::optional<PixelMap>();
     return std::optional(std::move(map));
 }
 
-MapStatistics statisticsOf(const PixelMap &map)
+Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unprojector &unprojector,
+                                         const SurfaceSource &source, std::span<const ray::SceneObject> objects,
+                                         const ray::Progress &progress)
 {
-    std::vector<float> numbers;
-    numbers.reserve(map.values.size());
-    std::copy_if(map.values.begin(), map.values.end(), std::back_inserter(numbers),
-                 [](float number) { return !std::isnan(number); });
+    const Result<Prepared> shared = prepared(question, unprojector, source.areMet, objects);
+    if (!shared)
+        return shared.error();
+    const Picture &picture = unprojector.picture();
+    PixelMap map = emptyMap(picture);
+    const int atATime = std::max(1, kBandPixels / map.widthPixels);
+    for (int begin = 0; begin < map.heightPixels; begin += atATime) {
+        Rows rows(static_cast<std::size_t>(std::min(atATime, map.heightPixels - begin)));
+        std::iota(rows.begin(), rows.end(), begin);
+        /// The first half of a band is meeting its surfaces.
+        const auto partFrom = [&](double start) -> ray::Progress {
+            if (!progress)
+                return {};
+            return [&, start](double share) {
+                const double done = begin + (start + share / 2.0) * static_cast<double>(rows.size());
+                return progress(done / map.heightPixels);
+            };
+        };
+        const std::optional<SurfaceImage> surfaces = source.of(rowsRead(question, picture, rows), partFrom(0.0));
+        if (!surfaces || !setRows(map, rows, question, *shared, picture, *surfaces, partFrom(0.5)))
+            return std::optional<PixelMap>();
+    }
+    return std::optional(std::move(map));
+}
+
+MapStatistics statisticsOf(PixelMap map)
+{
+    std::vector<float> &numbers = map.values;
+    std::erase_if(numbers, [](float number) { return std::isnan(number); });
     MapStatistics statistics;
     statistics.count = numbers.size();
     if (numbers.empty())
@@ -398,18 +465,25 @@ MapStatistics statisticsOf(const PixelMap &map)
     return statistics;
 }
 
+void writePfm(const PixelMap &map, const std::function<void(std::string_view)> &write)
+{
+    write("Pf\n" + std::to_string(map.widthPixels) + ' ' + std::to_string(map.heightPixels) + "\n-1.0\n");
+    std::string row;
+    for (int j = map.heightPixels - 1; j >= 0; --j) {
+        row.clear();
+        for (int i = 0; i < map.widthPixels; ++i) {
+            const auto bits = std::bit_cast<std::uint32_t>(map.at({i, j}));
+            for (int shift = 0; shift < 32; shift += 8)
+                row += static_cast<char>(static_cast<unsigned char>(bits >> shift));
+        }
+        write(row);
+    }
+}
+
 std::string pfmText(const PixelMap &map)
 {
-    std::string text = "Pf\n" + std::to_string(map.widthPixels) + ' ' + std::to_string(map.heightPixels) + "\n-1.0\n";
-    text.reserve(text.size() + 4 * map.values.size());
-    const auto width = static_cast<std::size_t>(map.widthPixels);
-    for (int j = map.heightPixels - 1; j >= 0; --j) {
-        for (std::size_t i = 0; i < width; ++i) {
-            const auto bits = std::bit_cast<std::uint32_t>(map.values[static_cast<std::size_t>(j) * width + i]);
-            for (int shift = 0; shift < 32; shift += 8)
-                text += static_cast<char>(static_cast<unsigned char>(bits >> shift));
-        }
-    }
+    std::string text;
+    writePfm(map, [&text](std::string_view part) { text += part; });
     return text;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -60,11 +61,12 @@ struct PixelMap {
     int widthPixels = 0, heightPixels = 0;
     std::vector<float> values;
 
-    float at(const DevicePixel &pixel) const
+    std::size_t place(const DevicePixel &pixel) const
     {
-        return values[static_cast<std::size_t>(pixel.j) * static_cast<std::size_t>(widthPixels)
-                      + static_cast<std::size_t>(pixel.i)];
+        return static_cast<std::size_t>(pixel.j) * static_cast<std::size_t>(widthPixels)
+               + static_cast<std::size_t>(pixel.i);
     }
+    float at(const DevicePixel &pixel) const { return values[place(pixel)]; }
 };
 
 /// Computes a map on all cores. Points are those of clicks, to the last digit (ClickBatch); a mistake's is computed by the
@@ -80,16 +82,32 @@ Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unproje
                                          const SurfaceImage &surfaces, std::span<const ray::SceneObject> objects,
                                          const ray::Progress &progress);
 
+/// Where surfaces come from that are not there all at once.
+struct SurfaceSource {
+    bool areMet = false; ///< SurfaceImage::isMet of them all
+    /// Those of rows; nothing when progress says stop.
+    std::function<std::optional<SurfaceImage>(const Rows &, const ray::Progress &)> of;
+};
+
+/// The same map, with the surfaces of a band of rows at a time: beside the map itself some 20 MB, however large it is.
+/// @param source  with surfaces that are met where needsRays
+Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unprojector &unprojector,
+                                         const SurfaceSource &source, std::span<const ray::SceneObject> objects,
+                                         const ray::Progress &progress);
+
 /// What the numbers of a map are like; those that there are.
 struct MapStatistics {
     std::size_t count = 0; ///< pixels with a number; the rest means nothing without any
     double least = 0.0, percentile1 = 0.0, median = 0.0, percentile99 = 0.0, greatest = 0.0;
     double leastAboveZero = 0.0; ///< 0 where all are: where a logarithmic scale begins
 };
-MapStatistics statisticsOf(const PixelMap &map);
+/// @param map  is sorted on the way: what is moved here is not copied
+MapStatistics statisticsOf(PixelMap map);
 
 /// A map as a portable float map: "Pf", size, scale -1 (little-endian), rows from the bottom, NaN where there is no number.
 /// Source: the format as netpbm's pfm(5) states it.
+/// @param write  is given one row after the other
+void writePfm(const PixelMap &map, const std::function<void(std::string_view)> &write);
 std::string pfmText(const PixelMap &map);
 
 } // namespace unprojector::maps

@@ -4,25 +4,30 @@
 #include "core/threads/parallel.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
+#include <span>
 
 namespace unprojector::maps {
 
-/// Rows of a picture on all cores: rows(begin, end).
-/// @param progress  with the share done, on the calling thread; may be empty
+/// Rows of a picture on all cores, some of them at a time.
+/// @param widthPixels  of a row
+/// @param progress     with the share done, on the calling thread; may be empty
 /// @return false when progress says stop
-inline bool rowsInParallel(int count, const ray::Progress &progress, const std::function<void(int, int)> &rows)
+inline bool rowsInParallel(std::span<const int> rows, int widthPixels, const ray::Progress &progress,
+                           const std::function<void(std::span<const int>)> &some)
 {
-    constexpr std::size_t kRows = 8; // some milliseconds
+    constexpr int kPixels = 1 << 14; // some milliseconds
+    const auto atATime = static_cast<std::size_t>(std::max(1, kPixels / std::max(1, widthPixels)));
     struct Stopped {};
     try {
         threads::inParallelRanges(
-            static_cast<std::size_t>(count), kRows,
+            rows.size(), atATime,
             [&progress](double share) {
                 if (progress && !progress(share))
                     throw Stopped{};
             },
-            [&rows](std::size_t begin, std::size_t end) { rows(static_cast<int>(begin), static_cast<int>(end)); });
+            [&](std::size_t begin, std::size_t end) { some(rows.subspan(begin, end - begin)); });
     } catch (const Stopped &) {
         return false;
     }

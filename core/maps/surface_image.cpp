@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <span>
 
 namespace unprojector::maps {
 namespace {
@@ -39,10 +41,14 @@ private:
     glm::dvec4 m_z, m_w;
 };
 
-SurfaceImage emptyImage(const Picture &picture)
+SurfaceImage emptyImage(const Picture &picture, const Rows &rows)
 {
-    SurfaceImage image{picture.surface.widthPixels, picture.surface.heightPixels, {}, {}, {}, {}, {}};
-    image.depths.assign(image.place(0, image.heightPixels), kNone);
+    SurfaceImage image{picture.surface.widthPixels, picture.surface.heightPixels, {}, {}, {}, {}, {}, {}};
+    image.rowPlaces.assign(static_cast<std::size_t>(image.heightPixels), -1);
+    int place = 0;
+    for (const int row : rows)
+        image.rowPlaces[static_cast<std::size_t>(row)] = place++;
+    image.depths.assign(rows.size() * static_cast<std::size_t>(image.widthPixels), kNone);
     return image;
 }
 
@@ -56,21 +62,28 @@ bool isInViewport(const Picture &picture, const DevicePixel &pixel)
 
 } // namespace
 
+Rows allRows(const Picture &picture)
+{
+    Rows rows(static_cast<std::size_t>(picture.surface.heightPixels));
+    std::iota(rows.begin(), rows.end(), 0);
+    return rows;
+}
+
 std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelRays &pixels, const DepthFormat &format,
-                                        const ray::Progress &progress)
+                                        const Rows &rowsMet, const ray::Progress &progress)
 {
     const Picture &picture = rays.rays().picture();
     const WindowDepths depths(picture);
     const auto [lowest, highest] = std::minmax({picture.depthRange.atNear, picture.depthRange.atFar});
-    SurfaceImage image = emptyImage(picture);
+    SurfaceImage image = emptyImage(picture, rowsMet);
     image.format = format;
     image.ts.assign(image.depths.size(), kNone);
     image.objects.assign(image.depths.size(), 0);
     image.triangles.assign(image.depths.size(), 0);
     const double low = lowest, high = highest;
-    const bool isWhole = rowsInParallel(image.heightPixels, progress, [&](int begin, int end) {
+    const bool isWhole = rowsInParallel(rowsMet, image.widthPixels, progress, [&](std::span<const int> some) {
         std::vector<ray::Ray<WorldSpace>> row;
-        for (int j = begin; j < end; ++j) {
+        for (const int j : some) {
             pixels.ofRow(j, row);
             for (int i = 0; i < image.widthPixels; ++i) {
                 if (!isInViewport(picture, {i, j}))
@@ -91,16 +104,27 @@ std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelR
     return isWhole ? std::optional(std::move(image)) : std::nullopt;
 }
 
-SurfaceImage surfacesAt(const Picture &picture, double depth)
+std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelRays &pixels, const DepthFormat &format,
+                                        const ray::Progress &progress)
 {
-    SurfaceImage image = emptyImage(picture);
-    for (int j = 0; j < image.heightPixels; ++j) {
+    return surfacesMet(rays, pixels, format, allRows(rays.rays().picture()), progress);
+}
+
+SurfaceImage surfacesAt(const Picture &picture, double depth, const Rows &rows)
+{
+    SurfaceImage image = emptyImage(picture, rows);
+    for (const int j : rows) {
         for (int i = 0; i < image.widthPixels; ++i) {
             if (isInViewport(picture, {i, j}))
                 image.depths[image.place(i, j)] = depth;
         }
     }
     return image;
+}
+
+SurfaceImage surfacesAt(const Picture &picture, double depth)
+{
+    return surfacesAt(picture, depth, allRows(picture));
 }
 
 } // namespace unprojector::maps

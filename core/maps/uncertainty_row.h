@@ -14,20 +14,19 @@ namespace unprojector::maps {
 /// slope that the depths around a pixel show, and corners that are moved as the renderer does.
 class UncertaintyRow {
 public:
-    /// @param picture   by parameters
-    /// @param surfaces, objects  outlive this; @pre surfaces.isMet()
+    /// @param picture  by parameters
+    /// @param objects  outlive this
     /// @param cornerShiftPixels  as DepthSample has it
-    UncertaintyRow(const Picture &picture, const SurfaceImage &surfaces, std::span<const ray::SceneObject> objects,
-                   double cornerShiftPixels);
+    UncertaintyRow(const Picture &picture, std::span<const ray::SceneObject> objects, double cornerShiftPixels);
 
     /// The length of the +- in world space.
+    /// @param surfaces    of the pixel's row and of those beside it; @pre surfaces.isMet()
     /// @param pixel       with a surface
     /// @param eye, world  its formulas' point
-    double at(const DevicePixel &pixel, const EyePoint &eye, const WorldPoint &world) const;
+    double at(const SurfaceImage &surfaces, const DevicePixel &pixel, const EyePoint &eye,
+              const WorldPoint &world) const;
 
 private:
-    std::optional<DepthSlope> slopeAt(const DevicePixel &pixel) const;
-
     /// A mesh of an object, prepared.
     struct PreparedMesh {
         const ray::Mesh *mesh;
@@ -36,7 +35,6 @@ private:
     };
 
     Picture m_picture;
-    const SurfaceImage *m_surfaces;
     double m_cornerShiftPixels;
     Certainties m_certainties;
     std::vector<std::vector<PreparedMesh>> m_meshes; ///< of each object

@@ -1,6 +1,7 @@
 // `unproject points` with ten million rows, made while they stream and checked while they come back.
 
 #include "tests/cli/command.h"
+#include "tests/cli/peak_memory.h"
 #include "tests/support/patience.h"
 
 #include <QEventLoop>
@@ -49,21 +50,6 @@ void appendRow(QByteArray &text, int number)
 void appendResult(QByteArray &text, int number)
 {
     (Line() << number << ",500,0.5," << number << ",12,-5\n").appendTo(text);
-}
-
-/// The most memory that a process has held, in KiB; 0 where the system does not tell.
-qint64 peakMemory([[maybe_unused]] qint64 process)
-{
-#ifdef Q_OS_LINUX
-    QFile status("/proc/" + QString::number(process) + "/status");
-    if (!status.open(QIODevice::ReadOnly))
-        return 0;
-    for (const QByteArray &line : status.readAll().split('\n')) {
-        if (line.startsWith("VmHWM:"))
-            return line.mid(6).simplified().split(' ').first().toLongLong();
-    }
-#endif
-    return 0;
 }
 
 } // namespace

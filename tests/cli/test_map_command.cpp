@@ -1,6 +1,7 @@
 // `unproject map`: a number for each pixel.
 
 #include "tests/cli/command.h"
+#include "tests/cli/peak_memory.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -36,6 +37,8 @@ private slots:
     void theStatistics();
     void aDepthInsteadOfObjects();
     void theDepthBufferCounts();
+    void aLargePictureTakesLittleMemory_data();
+    void aLargePictureTakesLittleMemory();
     void unusable_data();
     void unusable();
 
@@ -127,6 +130,42 @@ void TestMapCommand::theDepthBufferCounts()
     QVERIFY(greatest("16") < 0.5 * step * std::sqrt(1.0 + 1.0 + 0.5625));
     QVERIFY(greatest("24") < 0.5 * step / 250);
     QVERIFY(greatest("16") > 50.0 * greatest("24"));
+}
+
+void TestMapCommand::aLargePictureTakesLittleMemory_data()
+{
+    QTest::addColumn<QStringList>("what");
+    QTest::newRow("uncertainty") << QStringList{"uncertainty"};
+    QTest::newRow("displacement") << QStringList{"displacement", "--convention", "screen2world"};
+}
+
+/// Beside a float a pixel, which the statistics need, it takes what a small picture takes.
+void TestMapCommand::aLargePictureTakesLittleMemory()
+{
+#ifdef UNPROJECTOR_IS_SANITIZED
+    QSKIP("sanitizers take memory of their own");
+#endif
+    QFETCH(QStringList, what);
+    constexpr int kPixels = 2500;
+    QProcess process;
+    process.start(QStringLiteral(UNPROJECT_COMMAND),
+                  QStringList{"map", m_scene, "--size", QStringLiteral("%1x%1").arg(kPixels), "-o", "-", "--what"}
+                      + what);
+    // What comes first is all of it: the numbers are written when all are there, and more than a pipe holds.
+    QVERIFY(process.waitForReadyRead(2 * kPatienceMilliseconds));
+    const qint64 peak = peakMemory(process.processId());
+    QByteArray map = process.readAllStandardOutput();
+    while (process.waitForReadyRead(kPatienceMilliseconds))
+        map += process.readAllStandardOutput();
+    QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished(kPatienceMilliseconds));
+    QCOMPARE(process.exitCode(), 0);
+    map += process.readAllStandardOutput();
+    QCOMPARE(map.size(), qsizetype(std::strlen("Pf\n2500 2500\n-1.0\n")) + 4 * kPixels * kPixels);
+    if (peak == 0)
+        QSKIP("how much memory it took is not known here");
+    constexpr qint64 kMapKiB = 4 * kPixels * kPixels / 1024, kOtherKiB = 48 * 1024;
+    QVERIFY2(peak < kMapKiB + kOtherKiB, QByteArray::number(peak) + " KiB");
+    qInfo("%lld KiB at most", static_cast<long long>(peak));
 }
 
 void TestMapCommand::unusable_data()

@@ -73,6 +73,7 @@ bool isClose(float value, double expected, double relative)
 } // namespace
 
 Q_DECLARE_METATYPE(unprojector::geometry::Picture)
+Q_DECLARE_METATYPE(unprojector::maps::Question)
 
 class TestPixelMap : public QObject {
     Q_OBJECT
@@ -86,6 +87,8 @@ private slots:
     void programsReadTheRowThatTheyRead();
     void mistakes();
     void aDepthEverywhere();
+    void bandsGiveTheWhole_data();
+    void bandsGiveTheWhole();
     void statistics();
     void portableFloatMaps();
     void workIsStopped();
@@ -270,6 +273,49 @@ void TestPixelMap::aDepthEverywhere()
     const auto map = pixelMap({Quantity::Displacement, Unit::World, conventionNamed("model-left-in")->other},
                               *Unprojector::of(picture), surfaces, {}, {});
     QVERIFY(map && map.value()->at({8, 6}) < 1e-10F); // no object, no model matrix
+}
+
+void TestPixelMap::bandsGiveTheWhole_data()
+{
+    QTest::addColumn<Question>("question");
+    for (const Quantity quantity : kQuantities) {
+        if (quantity != Quantity::Displacement)
+            QTest::newRow(std::string(keyOf(quantity)).c_str()) << Question{quantity, Unit::World, {}};
+    }
+    for (const NamedConvention &convention : namedConventions())
+        QTest::newRow(std::string(convention.key).c_str())
+            << Question{Quantity::Displacement, Unit::Ulps, convention.other};
+}
+
+/// With rows so wide that few are a band, and a viewport lower than the window: there screen2world reads rows far away.
+void TestPixelMap::bandsGiveTheWhole()
+{
+    QFETCH(Question, question);
+    Picture picture = pictureWith(kPerspective);
+    picture.surface = {60000, 24, 1.0};
+    picture.viewport = {8, 4, 640, 16};
+    static const Shown shown(picture);
+    std::size_t most = 0;
+    const SurfaceSource source{true, [&](const Rows &rows, const Progress &progress) {
+                                   most = std::max(most, rows.size());
+                                   return surfacesMet(shown.rays, *PixelRays::of(shown.rays.rays()), {}, rows,
+                                                      progress);
+                               }};
+    double told = 0.0;
+    const auto banded = pixelMap(question, shown.unprojector, source, shown.objects, [&told](double share) {
+        const bool rises = share >= told;
+        told = share;
+        return rises;
+    });
+    QVERIFY(banded && *banded);
+    QVERIFY(told > 0.5 && told <= 1.0);
+    QVERIFY(most < 20);
+    const PixelMap whole = shown.map(question);
+    const PixelMap &map = **banded;
+    QVERIFY(map.widthPixels == whole.widthPixels && map.heightPixels == whole.heightPixels);
+    QVERIFY(map.values.size() == whole.values.size());
+    QVERIFY(std::memcmp(map.values.data(), whole.values.data(), sizeof(float) * map.values.size()) == 0);
+    QVERIFY(statisticsOf(whole).count > 500);
 }
 
 void TestPixelMap::statistics()
