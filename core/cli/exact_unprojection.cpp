@@ -7,6 +7,12 @@ namespace {
 
 using Triple = std::array<Extended, 3>;
 
+Extended angle(double radians)
+{
+    const DoubleDouble precise = preciseRadians(radians);
+    return Extended(precise.value) + precise.rest;
+}
+
 Triple extended(const Components<3> &v)
 {
     return {Extended(v.x), Extended(v.y), Extended(v.z)};
@@ -76,7 +82,7 @@ ExactUnprojection::Matrix ExactUnprojection::clipFromEye(const Projection &proje
     Matrix m = extended(glm::dmat4(0.0));
     if (const auto *p = std::get_if<Perspective>(&projection)) {
         const Extended n = p->nearDistance, f = p->farDistance;
-        const Extended cotangent = 1 / tan(Extended(p->verticalFovRadians) / 2);
+        const Extended cotangent = 1 / tan(angle(p->verticalFovRadians) / 2);
         m[0][0] = cotangent / p->aspect;
         m[1][1] = cotangent;
         m[2][2] = -(f + n) / (f - n);
@@ -105,8 +111,8 @@ ExactUnprojection::Matrix ExactUnprojection::clipFromEye(const Projection &proje
     m[3][3] = 1;
     if (const auto *oblique = std::get_if<Oblique>(&projection)) {
         Matrix shear = extended(glm::dmat4(1.0));
-        shear[0][2] = 1 / tan(Extended(oblique->thetaRadians));
-        shear[1][2] = 1 / tan(Extended(oblique->phiRadians));
+        shear[0][2] = 1 / tan(angle(oblique->thetaRadians));
+        shear[1][2] = 1 / tan(angle(oblique->phiRadians));
         m = product(m, shear);
     }
     return m;

@@ -1,6 +1,7 @@
 #include "core/cli/project_command.h"
 
 #include "core/cli/row_layout.h"
+#include "core/geometry/way_forward.h"
 #include "core/text/error_text.h"
 #include "core/text/translation.h"
 
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace unprojector::cli {
 using namespace text;
@@ -25,9 +27,10 @@ struct Task {
     NumberReader reader;
     RowLayout layout;
     Picture geometry;
-    NdcDepth ndcDepth;
-    glm::dmat4 eyeFromSource, clipFromEye;
-    glm::dmat4 eyeMagnitudes; ///< of what each entry of eyeFromSource was added up from
+    WayForward way;
+    BatchSpace space;
+    glm::dmat4 clipFromEye;
+    glm::dmat4 eyeMagnitudes; ///< of what the eye coordinates are added up from
 };
 
 glm::dmat4 magnitudes(glm::dmat4 m)
@@ -45,8 +48,8 @@ glm::dmat4 viewMagnitudes(const glm::dmat4 &eyeFromWorld)
     return m;
 }
 
-/// How far rounding can have moved the depth of a point: a few units in the last place of everything that was added up on
-/// the way, carried through the rest of the way. 0 in the plane of the eye, where rounding decides everything: the planes are
+/// How far rounding can have moved the depth of a point, which was computed in double before it came here: a few units in the
+/// last place of everything that is added up on the way, carried through the rest of the way. 0 in the plane of the eye, where rounding decides everything: the planes are
 /// elsewhere.
 double depthUncertainty(const Task &task, const glm::dvec4 &point, const glm::dvec4 &eye, const glm::dvec4 &clip)
 {
@@ -72,35 +75,37 @@ struct Stages {
     std::array<double, 18> numbers{};
     std::size_t count = 0;
 
-    template <class Vector>
-    bool add(const Vector &values)
+    bool add(std::span<const DoubleDouble> values)
     {
-        for (int k = 0; k < values.length(); ++k) {
-            if (!std::isfinite(values[k]))
-                return false;
-        }
-        for (int k = 0; k < values.length(); ++k)
-            numbers[count++] = values[k];
+        if (!std::all_of(values.begin(), values.end(), [](const DoubleDouble &v) { return std::isfinite(v.value); }))
+            return false;
+        for (const DoubleDouble &v : values)
+            numbers[count++] = v.value;
         return true;
     }
 };
+
+glm::dvec4 rounded(const DoubleDouble4 &v)
+{
+    return {v[0].value, v[1].value, v[2].value, v[3].value};
+}
 
 /// @return whether every stage has an answer
 bool project(const Task &task, const glm::dvec3 &point, Stages &stages)
 {
     const Picture &g = task.geometry;
-    const glm::dvec4 source(point, 1.0);
-    const glm::dvec4 eye = task.eyeFromSource * source;
-    const glm::dvec4 clip = task.clipFromEye * eye;
-    if (!stages.add(glm::dvec3(eye)) || !stages.add(clip) || clip.w == 0.0)
+    const PreciseStages way = task.space.kind == BatchSpace::Kind::Eye
+                                  ? task.way.fromEye(precise(point))
+                                  : task.way.fromWorld(product(task.space.worldFromObject, precise(point)));
+    if (!stages.add(way.eye) || !stages.add(way.clip) || way.clip[3].value == 0.0)
         return false;
-    const NdcPoint ndc(glm::dvec3(clip) / clip.w);
-    const WindowPoint window = windowFromNdc(g.viewport, g.depthRange, ndc, task.ndcDepth);
-    const DevicePoint device = deviceFromWindow(g.surface, window);
-    const WidgetPoint widget = widgetFromDevice(g.surface, device);
-    const double depth = depthWithin(g.depthRange, window.z, depthUncertainty(task, source, eye, clip));
-    return stages.add(ndc.coordinates()) && stages.add(window.coordinates()) && stages.add(widget.coordinates())
-           && stages.add(glm::dvec3(device.coordinates(), depth));
+    const auto &[x, y, windowDepth] = way.window;
+    const DoubleDouble py = flippedY(g.surface, y), ratio = g.surface.devicePixelRatio;
+    const glm::dvec4 eye = rounded({way.eye[0], way.eye[1], way.eye[2], 1.0});
+    const double depth = depthWithin(g.depthRange, windowDepth.value,
+                                     depthUncertainty(task, glm::dvec4(point, 1.0), eye, rounded(way.clip)));
+    return stages.add(way.ndc) && stages.add(way.window) && stages.add(std::array{x / ratio, py / ratio})
+           && stages.add(std::array{x, py, DoubleDouble(depth)});
 }
 
 class Worker {
@@ -154,24 +159,21 @@ ExitCode runProject(const RowOptions &options)
     if (!rows)
         return ExitCode::UnusableInput;
     const Picture &geometry = rows->scene.geometry;
-    const Result<glm::dmat4> view = eyeFromWorld(geometry), projection = clipFromEye(geometry);
-    for (const auto *matrix : {&view, &projection}) {
-        if (!*matrix) {
-            complain(options.scene + ": " + errorText(matrix->error()));
-            return ExitCode::UnusableInput;
-        }
+    const Result<WayForward> way = WayForward::of(geometry);
+    if (!way) {
+        complain(options.scene + ": " + errorText(way.error()));
+        return ExitCode::UnusableInput;
     }
-    // Of points in the world the identity.
-    const glm::dmat4 &worldFromSource = rows->space.worldFromObject;
     const bool isInEye = rows->space.kind == BatchSpace::Kind::Eye;
     const Task task{options.format,
                     NumberReader(rows->source.name(), rows->columns),
                     RowLayout(rows->columns, kResults, options.format),
                     geometry,
-                    ndcDepthOf(geometry),
-                    isInEye ? glm::dmat4(1.0) : *view * worldFromSource,
-                    *projection,
-                    isInEye ? glm::dmat4(1.0) : viewMagnitudes(*view) * magnitudes(worldFromSource)};
+                    *way,
+                    rows->space,
+                    clipFromEye(geometry).value(),
+                    isInEye ? glm::dmat4(1.0)
+                            : viewMagnitudes(eyeFromWorld(geometry).value()) * magnitudes(rows->space.worldFromObject)};
     return runRows(*rows, options, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
 }
 

@@ -8,10 +8,10 @@ struct SineCosine {
 };
 
 /// By Taylor's series of a 64th of the angle, doubled six times: sin 2x = 2 sin x cos x, 1 - cos 2x = 2 sin^2 x.
-SineCosine sineCosine(double radians)
+SineCosine sineCosine(const DoubleDouble &radians)
 {
     constexpr int kDoublings = 6;
-    const DoubleDouble x = std::scalbn(radians, -kDoublings);
+    const DoubleDouble x(std::scalbn(radians.value, -kDoublings), std::scalbn(radians.rest, -kDoublings));
     DoubleDouble sine = x, oneMinusCosine = x * x / 2.0, sineTerm = x, cosineTerm = oneMinusCosine;
     for (int k = 2; k < 20; k += 2) {
         sineTerm = -sineTerm * x * x / double(k * (k + 1));
@@ -29,7 +29,7 @@ SineCosine sineCosine(double radians)
 
 } // namespace
 
-DoubleDouble preciseTangent(double radians)
+DoubleDouble preciseTangent(const DoubleDouble &radians)
 {
     const auto [sine, cosine] = sineCosine(radians);
     return sine / cosine;

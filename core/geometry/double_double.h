@@ -93,8 +93,8 @@ private:
     }
 };
 
-/// Of an angle in radians as the double says it, inside (-pi, pi).
-DoubleDouble preciseTangent(double radians);
+/// Of an angle in radians, inside (-pi, pi).
+DoubleDouble preciseTangent(const DoubleDouble &radians);
 
 using DoubleDouble3 = std::array<DoubleDouble, 3>;
 

@@ -2,6 +2,7 @@
 
 #include "core/geometry/finite.h"
 #include "core/geometry/view_matrix.h"
+#include "core/geometry/way_forward.h"
 
 #include <cassert>
 #include <cmath>
@@ -130,14 +131,13 @@ Result<glm::dmat4> clipFromWorld(const Picture &picture)
 
 Result<WindowPoint> windowFromWorld(const Picture &picture, const WorldPoint &point)
 {
-    const Result<glm::dmat4> matrix = clipFromWorld(picture);
-    if (!matrix)
-        return matrix.error();
-    const ClipPoint clip(*matrix * glm::dvec4(point.coordinates(), 1.0));
-    if (clip.w == 0.0)
+    const Result<WayForward> way = WayForward::of(picture);
+    if (!way)
+        return way.error();
+    const PreciseStages stages = way->fromWorld({point.x, point.y, point.z});
+    if (stages.clip[3].value == 0.0)
         return Error{ErrorCode::PointAtInfinity};
-    const NdcPoint ndc(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w);
-    return windowFromNdc(picture.viewport, picture.depthRange, ndc, ndcDepthOf(picture));
+    return WindowPoint(stages.window[0].value, stages.window[1].value, stages.window[2].value);
 }
 
 Result<Picture> byParameters(const Picture &picture)

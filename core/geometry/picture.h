@@ -51,8 +51,8 @@ Result<glm::dmat4> eyeFromWorld(const Picture &picture);
 /// @return the errors of both
 Result<glm::dmat4> clipFromWorld(const Picture &picture);
 
-/// The way forward, stage by stage; nothing when the point lies in the plane of the eye (w = 0).
-/// @return PointAtInfinity; the errors of clipFromWorld
+/// The way forward, see WayForward, rounded once.
+/// @return PointAtInfinity where the point lies in the plane of the eye (w = 0); the errors of WayForward::of
 Result<WindowPoint> windowFromWorld(const Picture &picture, const WorldPoint &point);
 
 /// The same picture by parameters, for the window: a reversed matrix is one with its depth range turned round, and [0, 1]

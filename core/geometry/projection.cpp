@@ -4,6 +4,7 @@
 #include "core/geometry/finite.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace unprojector::geometry {
@@ -90,9 +91,21 @@ glm::dmat4 frustumMatrix(const Frustum &p)
 
 } // namespace
 
+DoubleDouble preciseRadians(double radians)
+{
+    constexpr int kDigits = 12;
+    char text[32];
+    const auto written =
+        std::to_chars(text, text + sizeof text, radians / kRadiansPerDegree, std::chars_format::general, kDigits);
+    double degrees = 0.0;
+    std::from_chars(text, written.ptr, degrees);
+    constexpr DoubleDouble kPrecisePi(kPi, 1.2246467991473532e-16);
+    return radiansFromDegrees(degrees) == radians ? degrees * kPrecisePi / 180.0 : DoubleDouble(radians);
+}
+
 DoubleDouble preciseCotangent(double radians)
 {
-    return radians == kPi / 2.0 ? DoubleDouble(0.0) : 1.0 / preciseTangent(radians);
+    return radians == kPi / 2.0 ? DoubleDouble(0.0) : 1.0 / preciseTangent(preciseRadians(radians));
 }
 
 double cotangent(double radians)
@@ -107,9 +120,19 @@ Check check(const Projection &projection)
 
 Frustum frustumFromPerspective(const Perspective &p)
 {
-    const DoubleDouble top = p.nearDistance * preciseTangent(p.verticalFovRadians / 2.0);
-    const double right = (top * p.aspect).value;
-    return {-right, right, -top.value, top.value, p.nearDistance, p.farDistance};
+    const auto &[left, right, bottom, top] = preciseEdges(p);
+    return {left.value, right.value, bottom.value, top.value, p.nearDistance, p.farDistance};
+}
+
+PreciseEdges preciseEdges(const Projection &projection)
+{
+    if (const auto *p = std::get_if<Perspective>(&projection)) {
+        const DoubleDouble top = p->nearDistance * preciseTangent(preciseRadians(p->verticalFovRadians) / 2.0),
+                           right = top * p->aspect;
+        return {-right, right, -top, top};
+    }
+    const ProjectionWindow w = projectionWindow(projection);
+    return {w.left, w.right, w.bottom, w.top};
 }
 
 ProjectionWindow projectionWindow(const Projection &projection)

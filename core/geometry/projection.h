@@ -58,6 +58,11 @@ struct ProjectionWindow {
     double left, right, bottom, top, nearDistance, farDistance;
 };
 ProjectionWindow projectionWindow(const Projection &projection);
+/// The edges of that window before they are rounded: a perspective's hang on a tangent.
+struct PreciseEdges {
+    DoubleDouble left, right, bottom, top;
+};
+PreciseEdges preciseEdges(const Projection &projection);
 bool isPerspective(const Projection &projection);
 
 /// The projection matrix as glFrustum, glOrtho and gluPerspective make it; for Oblique ortho * shear.
@@ -77,6 +82,11 @@ ProjectionKind kindOf(const Projection &projection);
 /// @param distance  > 0, eye units
 /// @pre the projection is valid
 Projection converted(const Projection &projection, ProjectionKind kind, double distance);
+
+/// The angle that radians stand for. Angles are given in degrees: where such of at most 12 digits give these radians, it is theirs
+/// before they were rounded, which the tangent of a field of view of 179 degrees would magnify a hundredfold; else it is what
+/// the double says.
+DoubleDouble preciseRadians(double radians);
 
 /// cot, exactly 0 at pi/2: an unsheared axis of an oblique projection stays unsheared.
 DoubleDouble preciseCotangent(double radians);

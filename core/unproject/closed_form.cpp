@@ -33,11 +33,6 @@ DoubleDouble boxDistance(double n, double f, const DepthShares &d)
     return n * d.fromFar + f * d.fromNear;
 }
 
-/// The edges of the window on the near plane.
-struct Edges {
-    DoubleDouble left, right, bottom, top;
-};
-
 /// (position - start) (high - low) / size + low: formulas (11), (12) and, but for the factor z / n, (9), (10).
 DoubleDouble betweenEdges(const DoubleDouble &low, const DoubleDouble &high, double position, double start, double size)
 {
@@ -53,13 +48,13 @@ Result<PreciseEye> finite(const PreciseEye &point)
 }
 
 /// Of a frustum or a perspective.
-Result<PreciseEye> preciseFrustum(const Projection &projection, const Edges &edges, const Viewport &viewport,
-                                  const DepthRange &range, const WindowPoint &window)
+Result<PreciseEye> preciseFrustum(const Projection &projection, const Viewport &viewport, const DepthRange &range,
+                                  const WindowPoint &window)
 {
     const Result<DepthShares> d = checkedDepth(projection, viewport, range, window);
     if (!d)
         return d.error();
-    const auto &[l, r, b, t] = edges;
+    const auto &[l, r, b, t] = preciseEdges(projection);
     const auto &[vx, vy, width, height] = viewport;
     const ProjectionWindow w = projectionWindow(projection);
     const double n = w.nearDistance, f = w.farDistance;
@@ -106,18 +101,10 @@ Result<PreciseEye> preciseEyePoint(const Projection &projection, const Viewport 
         const Viewport &viewport;
         const DepthRange &range;
         const WindowPoint &window;
-        Result<PreciseEye> operator()(const Frustum &p) const
-        {
-            return preciseFrustum(p, {p.left, p.right, p.bottom, p.top}, viewport, range, window);
-        }
+        Result<PreciseEye> operator()(const Frustum &p) const { return preciseFrustum(p, viewport, range, window); }
         Result<PreciseEye> operator()(const Ortho &p) const { return preciseOrtho(p, viewport, range, window); }
         Result<PreciseEye> operator()(const Oblique &p) const { return preciseOblique(p, viewport, range, window); }
-        Result<PreciseEye> operator()(const Perspective &p) const
-        {
-            const DoubleDouble top = p.nearDistance * preciseTangent(p.verticalFovRadians / 2.0),
-                               right = top * p.aspect;
-            return preciseFrustum(p, {-right, right, -top, top}, viewport, range, window);
-        }
+        Result<PreciseEye> operator()(const Perspective &p) const { return preciseFrustum(p, viewport, range, window); }
     };
     return std::visit(Visitor{viewport, range, window}, projection);
 }

@@ -39,6 +39,7 @@ private slots:
     void badRowsAreNamed_data();
     void badRowsAreNamed();
     void objectsOwnCoordinates();
+    void objectsFarAwayKeepTheirPixels();
     void jsonLines();
 
 private:
@@ -194,6 +195,30 @@ void TestProjectCommand::objectsOwnCoordinates()
     const Run clip = runCommand({"project", "--space", "clip", m_scene}, "x,y,z\n");
     QCOMPARE(clip.errors, QByteArray("--space clip: give world, eye or object:NAME\n"));
     QCOMPARE(clip.exitCode, 2);
+}
+
+/// An object that lies far away in its own space is moved to where the camera looks. Here the sum of both is exact in a
+/// double, so that the point in the world tells the digits.
+void TestProjectCommand::objectsFarAwayKeepTheirPixels()
+{
+    QByteArray text = askew(kFrustum, "[0, 1]");
+    text.replace("\"view\"", R"("objects": [{"name": "far", "file": "face.obj",
+                                "transform": [{"translate": [-150000000, 149999999.75, -1.25e8]}]}], "view")");
+    const QString scene = m_folder.write("far.json", text);
+    QByteArray inObject("x,y,z\n"), inWorld("x,y,z\n");
+    for (int i = 0; i < 200; ++i) {
+        const double x = i / 16.0 - 5.0, y = i / 32.0 - 2.5, z = 3.0 - i / 64.0;
+        const auto number = [](double value) { return QByteArray::number(value, 'g', 17); };
+        inWorld += number(x) + ',' + number(y) + ',' + number(z) + '\n';
+        inObject += number(x + 150000000.0) + ',' + number(y - 149999999.75) + ',' + number(z + 1.25e8) + '\n';
+    }
+    const Run object = runCommand({"project", "--space", "object:far", scene}, inObject);
+    const Run world = runCommand({"project", scene}, inWorld);
+    QCOMPARE(object.exitCode, 0);
+    QCOMPARE(object.lines().size(), qsizetype(201));
+    for (qsizetype i = 1; i < object.lines().size();
+         ++i) // all but the point, and the depth, which knows its uncertainty
+        QCOMPARE(object.lines()[i].split(',').mid(3, 17), world.lines()[i].split(',').mid(3, 17));
 }
 
 void TestProjectCommand::jsonLines()

@@ -71,13 +71,7 @@ struct PixelLens {
 PixelLens pixelLens(const Projection &projection, const Picture &g)
 {
     const ProjectionWindow w = projectionWindow(projection);
-    DoubleDouble left = w.left, right = w.right, bottom = w.bottom, top = w.top;
-    if (const auto *p = std::get_if<Perspective>(&projection)) {
-        top = p->nearDistance * preciseTangent(p->verticalFovRadians / 2.0);
-        right = top * p->aspect;
-        bottom = -top;
-        left = -right;
-    }
+    const auto &[left, right, bottom, top] = preciseEdges(projection);
     const DoubleDouble n = w.nearDistance, f = w.farDistance;
     const DoubleDouble thickness = DoubleDouble(g.depthRange.atFar) - g.depthRange.atNear;
     PixelLens lens;

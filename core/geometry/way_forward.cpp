@@ -1,0 +1,120 @@
+#include "core/geometry/way_forward.h"
+
+#include <cstddef>
+
+namespace unprojector::geometry {
+namespace {
+
+using Rows = std::array<DoubleDouble4, 4>;
+
+Rows rowsOf(const glm::dmat4 &m)
+{
+    Rows rows;
+    for (std::size_t row = 0; row < 4; ++row) {
+        for (std::size_t column = 0; column < 4; ++column)
+            rows[row][column] = m[static_cast<int>(column)][static_cast<int>(row)];
+    }
+    return rows;
+}
+
+Rows rowsOf(const Projection &projection)
+{
+    const auto &[l, r, b, t] = preciseEdges(projection);
+    const ProjectionWindow w = projectionWindow(projection);
+    const DoubleDouble n = w.nearDistance, f = w.farDistance, thickness = f - n;
+    const DoubleDouble xSkew = (r + l) / (r - l), ySkew = (t + b) / (t - b), zSkew = (f + n) / thickness;
+    if (isPerspective(projection))
+        return {{{2.0 * n / (r - l), 0.0, xSkew, 0.0},
+                 {0.0, 2.0 * n / (t - b), ySkew, 0.0},
+                 {0.0, 0.0, -zSkew, -2.0 * n * (f / thickness)},
+                 {0.0, 0.0, -1.0, 0.0}}};
+    Rows rows{{{2.0 / (r - l), 0.0, 0.0, -xSkew},
+               {0.0, 2.0 / (t - b), 0.0, -ySkew},
+               {0.0, 0.0, -2.0 / thickness, -zSkew},
+               {0.0, 0.0, 0.0, 1.0}}};
+    if (const auto *oblique = std::get_if<Oblique>(&projection)) {
+        rows[0][2] = rows[0][0] * preciseCotangent(oblique->thetaRadians);
+        rows[1][2] = rows[1][1] * preciseCotangent(oblique->phiRadians);
+    }
+    return rows;
+}
+
+DoubleDouble3 divided(const DoubleDouble4 &v)
+{
+    return {v[0] / v[3], v[1] / v[3], v[2] / v[3]};
+}
+
+} // namespace
+
+DoubleDouble3 precise(const glm::dvec3 &v)
+{
+    return {v.x, v.y, v.z};
+}
+
+DoubleDouble3 product(const glm::dmat4 &m, const DoubleDouble3 &p)
+{
+    DoubleDouble3 result;
+    for (int row = 0; row < 3; ++row)
+        result[static_cast<std::size_t>(row)] = m[0][row] * p[0] + m[1][row] * p[1] + m[2][row] * p[2] + m[3][row];
+    return result;
+}
+
+Result<WayForward> WayForward::of(const Picture &picture)
+{
+    if (const Result<glm::dmat4> matrix = clipFromWorld(picture); !matrix)
+        return matrix.error();
+    if (const Check valid = check(picture.viewport); !valid)
+        return valid.error();
+    WayForward way;
+    if (const auto *camera = std::get_if<LookAt>(&picture.pose)) {
+        const PreciseEyeFrame frame = preciseEyeFrame(*camera).value(); // clipFromWorld has checked it
+        way.m_origin = frame.eye.coordinates();
+        for (std::size_t k = 0; k < 3; ++k) {
+            way.m_eyeFromWorld[0][k] = frame.side[k];
+            way.m_eyeFromWorld[1][k] = frame.upward[k];
+            way.m_eyeFromWorld[2][k] = -frame.forward[k];
+        }
+        way.m_eyeFromWorld[3][3] = 1.0;
+    } else {
+        way.m_eyeFromWorld = rowsOf(std::get<glm::dmat4>(picture.pose));
+    }
+    const auto *matrix = std::get_if<MatrixProjection>(&picture.lens);
+    way.m_clipFromEye = matrix != nullptr ? rowsOf(matrix->clipFromEye) : rowsOf(std::get<Projection>(picture.lens));
+    way.m_viewport = picture.viewport;
+    way.m_depthRange = picture.depthRange;
+    way.m_ndcDepth = ndcDepthOf(picture);
+    return way;
+}
+
+DoubleDouble4 WayForward::product(const Rows &rows, const DoubleDouble4 &v)
+{
+    DoubleDouble4 result;
+    for (std::size_t row = 0; row < 4; ++row)
+        result[row] = rows[row][0] * v[0] + rows[row][1] * v[1] + rows[row][2] * v[2] + rows[row][3] * v[3];
+    return result;
+}
+
+PreciseStages WayForward::fromHomogeneousEye(const DoubleDouble4 &eye) const
+{
+    PreciseStages stages{divided(eye), product(m_clipFromEye, eye), {}, {}};
+    stages.ndc = divided(stages.clip);
+    const auto &[x, y, z] = stages.ndc;
+    const DoubleDouble share = m_ndcDepth == NdcDepth::ZeroToOne ? z : (z + 1.0) / 2.0;
+    stages.window = {m_viewport.x + (x + 1.0) * m_viewport.width / 2.0,
+                     m_viewport.y + (y + 1.0) * m_viewport.height / 2.0,
+                     m_depthRange.atNear + share * (DoubleDouble(m_depthRange.atFar) - m_depthRange.atNear)};
+    return stages;
+}
+
+PreciseStages WayForward::fromEye(const DoubleDouble3 &eye) const
+{
+    return fromHomogeneousEye({eye[0], eye[1], eye[2], 1.0});
+}
+
+PreciseStages WayForward::fromWorld(const DoubleDouble3 &world) const
+{
+    return fromHomogeneousEye(
+        product(m_eyeFromWorld, {world[0] - m_origin.x, world[1] - m_origin.y, world[2] - m_origin.z, 1.0}));
+}
+
+} // namespace unprojector::geometry

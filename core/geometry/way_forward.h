@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/geometry/double_double.h"
+#include "core/geometry/picture.h"
+#include "core/geometry/result.h"
+#include "core/geometry/spaces.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <array>
+
+namespace unprojector::geometry {
+
+using DoubleDouble4 = std::array<DoubleDouble, 4>;
+
+DoubleDouble3 precise(const glm::dvec3 &v);
+
+/// m (p, 1), the last row left out.
+DoubleDouble3 product(const glm::dmat4 &m, const DoubleDouble3 &p);
+
+/// A point's stages on its way to the window, before they are rounded.
+struct PreciseStages {
+    DoubleDouble3 eye;
+    DoubleDouble4 clip;
+    DoubleDouble3 ndc, window; ///< not finite where clip[3] is 0: in the plane of the eye
+};
+
+/// From world space forward to the window, with 32 digits: far from the world's origin the digits of the point and of the
+/// eye cancel, and those of its pixel are what is left. Nothing is rounded before a stage is told. Prepared once for a
+/// picture; a point beyond the range of doubles is not finite.
+class WayForward {
+public:
+    /// @return the errors of clipFromWorld and check(viewport)
+    static Result<WayForward> of(const Picture &picture);
+
+    PreciseStages fromWorld(const DoubleDouble3 &world) const;
+    PreciseStages fromEye(const DoubleDouble3 &eye) const;
+
+private:
+    using Rows = std::array<DoubleDouble4, 4>;
+
+    WayForward() = default;
+    static DoubleDouble4 product(const Rows &rows, const DoubleDouble4 &v);
+    PreciseStages fromHomogeneousEye(const DoubleDouble4 &eye) const;
+
+    glm::dvec3 m_origin{0.0}; ///< of the world, for m_eyeFromWorld: a camera's eye
+    Rows m_eyeFromWorld, m_clipFromEye;
+    Viewport m_viewport;
+    DepthRange m_depthRange;
+    NdcDepth m_ndcDepth = NdcDepth::MinusOneToOne;
+};
+
+} // namespace unprojector::geometry
