@@ -29,6 +29,11 @@ using geometry::Result;
 using text::tr;
 namespace {
 
+text::CellTexts textsOf(const LandmarksOptions &options)
+{
+    return options.isSpreadsheetSafe ? text::CellTexts::SpreadsheetSafe : text::CellTexts::AsTheyAre;
+}
+
 void tell(const std::string &name, const std::vector<LandmarkNote> &notes)
 {
     std::vector<FileNote> ofFile;
@@ -250,18 +255,19 @@ ExitCode convert(const LandmarksOptions &options)
                                      + (read->sets.size() > 1 ? '_' + std::to_string(i + 1) : "");
         }
     }
-    return write(options.output, landmarksText(read->sets, *to), inputs);
+    return write(options.output, landmarksText(read->sets, *to, textsOf(options)), inputs);
 }
 
-Result<WrittenLandmarks, LandmarkFileError> tableOf(const std::vector<LandmarkSet> &sets, LandmarkTable table)
+Result<WrittenLandmarks, LandmarkFileError> tableOf(const std::vector<LandmarkSet> &sets, LandmarkTable table,
+                                                    text::CellTexts texts)
 {
     switch (table) {
-    case LandmarkTable::Long: return landmarksText(sets, Format::Csv);
-    case LandmarkTable::Wide: return wideTable(sets);
+    case LandmarkTable::Long: return landmarksText(sets, Format::Csv, texts);
+    case LandmarkTable::Wide: return wideTable(sets, texts);
     case LandmarkTable::Tps: return landmarksText(sets, Format::Tps);
     case LandmarkTable::Nts: return landmarksText(sets, Format::Nts);
     }
-    return wideTable(sets);
+    return wideTable(sets, texts);
 }
 
 ExitCode makeTable(const LandmarksOptions &options)
@@ -282,7 +288,7 @@ ExitCode makeTable(const LandmarksOptions &options)
         return ExitCode::UnusableInput;
     }
     const InputFiles inputs = folder.isTableInput ? InputFiles{options.output} : InputFiles();
-    const ExitCode written = write(options.output, tableOf(folder.sets, options.table), inputs);
+    const ExitCode written = write(options.output, tableOf(folder.sets, options.table, textsOf(options)), inputs);
     return written == ExitCode::Done && !folder.badFiles.empty() ? ExitCode::SomeRowsBad : written;
 }
 
@@ -324,7 +330,7 @@ ExitCode makeRepeats(const LandmarksOptions &options)
         if (specimen.placings.size() < 2)
             complain(tr("the specimen \"%1\" is in one file only: there is nothing to compare it with", specimen.name));
     }
-    return write(options.output, WrittenLandmarks{repeatsTable(specimens), {}}, options.repeats);
+    return write(options.output, WrittenLandmarks{repeatsTable(specimens, textsOf(options)), {}}, options.repeats);
 }
 
 } // namespace

@@ -18,6 +18,7 @@ struct LandmarksOptions {
     std::string folder;                             ///< a table of its files is made; empty: none
     std::vector<std::string> repeats;               ///< files of the same points, each placed anew; empty: none
     LandmarkTable table = LandmarkTable::Long;
+    bool isSpreadsheetSafe = false; ///< see text::CellTexts
 };
 
 /// `unproject landmarks`: landmarks from one file to another, a table of a folder of them, or how far repeated placings

@@ -18,6 +18,7 @@ struct PickOptions {
     ray::Snap snap = ray::Snap::Surface;
     bool isJson = false;               ///< for `positions`
     RowFormat format = RowFormat::Csv; ///< for rows
+    bool isSpreadsheetSafe = false;    ///< makes CSV RowFormat::SafeCsv
     bool isHeaderless = false;
     unsigned threads = 0; ///< 0: one a core
 };

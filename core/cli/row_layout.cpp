@@ -39,8 +39,9 @@ RowLayout::RowLayout(const NumberColumns &columns, const std::vector<std::string
             m_columns.push_back(kPassed);
             const std::string key = jsonOfText(unquoted(head));
             // In an object each key stands once; a table's heads are passed as they are.
-            m_names.push_back(format == RowFormat::Csv ? passedCell(head)
-                                                       : freeKey(key.substr(1, key.size() - 2), m_names, results));
+            m_names.push_back(format == RowFormat::Jsonl     ? freeKey(key.substr(1, key.size() - 2), m_names, results)
+                              : format == RowFormat::SafeCsv ? safeCell(passedCell(head))
+                                                             : passedCell(head));
         }
     }
     m_isPlain = m_columns == std::vector<std::size_t>{0, 1, 2};

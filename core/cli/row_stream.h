@@ -20,7 +20,8 @@ struct RowOptions {
     bool isInputGiven = false;   ///< by name; else clicks are rows themselves
     std::string space = "world"; ///< of the points: "eye", "world" or "object:NAME"
     RowFormat format = RowFormat::Csv;
-    bool isHeaderless = false; ///< no header is written, so that results can be put behind each other
+    bool isSpreadsheetSafe = false; ///< makes CSV RowFormat::SafeCsv
+    bool isHeaderless = false;      ///< no header is written, so that results can be put behind each other
     unsigned threads = 2;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/cli/csv_line.h"
+#include "core/text/csv.h"
 #include "core/text/number_text.h"
 
 #include <cmath>
@@ -11,7 +12,19 @@
 namespace unprojector::cli {
 using namespace text;
 
-enum class RowFormat { Csv, Jsonl };
+enum class RowFormat {
+    Csv,
+    SafeCsv, ///< with texts as text::CellTexts::SpreadsheetSafe has them
+    Jsonl
+};
+
+/// A cell as passedCell has it, behind an apostrophe where its text is a formula.
+inline std::string safeCell(std::string cell)
+{
+    if (isFormula(unquoted(cell)))
+        cell.insert(cell.find_first_not_of(" \t\""), 1, '\'');
+    return cell;
+}
 
 /// Writes rows of numbers, cell by cell: comma-separated values, or one JSON object a line. Names are as the format writes
 /// them: in JSON they have their escapes.
@@ -63,11 +76,12 @@ public:
             m_output += jsonOfText(text);
             return;
         }
+        const std::string_view apostrophe = m_format == RowFormat::SafeCsv && isFormula(text) ? "'" : "";
         if (text.find_first_of(",\"\r\n") == std::string_view::npos && trimmed(text).size() == text.size()) {
-            m_output += text;
+            m_output.append(apostrophe).append(text);
             return;
         }
-        m_output += '"';
+        m_output.append("\"").append(apostrophe);
         for (const char c : text)
             m_output.append(c == '"' ? 2 : 1, c == '\n' || c == '\r' ? ' ' : c);
         m_output += '"';
@@ -77,13 +91,15 @@ public:
     void passed(std::string_view cell)
     {
         startCell();
-        m_output += m_format == RowFormat::Jsonl ? jsonOfCell(cell) : passedCell(cell);
+        m_output += m_format == RowFormat::Jsonl     ? jsonOfCell(cell)
+                    : m_format == RowFormat::SafeCsv ? safeCell(passedCell(cell))
+                                                     : passedCell(cell);
     }
 
     /// The same of a cell where a number is wanted: in JSON null where it is none.
     void passedNumber(std::string_view cell)
     {
-        if (m_format == RowFormat::Csv)
+        if (m_format != RowFormat::Jsonl)
             return passed(cell);
         const std::string json = jsonOfCell(trimmed(unquoted(cell)));
         startCell();
@@ -101,7 +117,7 @@ public:
 private:
     void startCell()
     {
-        if (m_format == RowFormat::Csv) {
+        if (m_format != RowFormat::Jsonl) {
             if (m_column > 0)
                 m_output += ',';
         } else {

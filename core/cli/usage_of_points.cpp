@@ -27,7 +27,15 @@ void addRowOptions(CLI::App &command, RowOptions &options, const std::string &co
                          tr("How to write"));
     command.add_flag("--no-header", options.isHeaderless,
                      tr("Write rows only, to put several results behind each other"));
+    addSpreadsheetSafe(command, options.isSpreadsheetSafe);
     addCount(command, "--threads", options.threads, 64, tr("How many threads compute"));
+}
+
+/// What two options say together.
+template <class Options>
+RowFormat formatOf(const Options &options)
+{
+    return options.isSpreadsheetSafe && options.format == RowFormat::Csv ? RowFormat::SafeCsv : options.format;
 }
 
 std::string badRows()
@@ -73,6 +81,7 @@ void addPoints(CLI::App &app, Run &run)
         + badRows());
     command->callback([options, command, &run] {
         options->rows.isInputGiven = command->get_option("POINTS")->count() > 0;
+        options->rows.format = formatOf(options->rows);
         run = [options] { return runPoints(*options); };
     });
 }
@@ -108,6 +117,7 @@ void addPick(CLI::App &app, Run &run)
         ->add_flag("--no-header", options->isHeaderless,
                    tr("Write rows only, to put several results behind each other"))
         ->excludes(at);
+    addSpreadsheetSafe(*command, options->isSpreadsheetSafe)->excludes(at);
     command->add_option("--threads", options->threads, tr("How many threads compute, 1 to 64; without it, one a core"))
         ->type_name("N")
         ->check(wholeNumber(64));
@@ -131,7 +141,10 @@ void addPick(CLI::App &app, Run &run)
         + "\n  unproject pick scan.ply --at 400.5,300.5\n  unproject pick --json --snap vertex scene.json --at "
           "400.5,300.5 --at 10.5,20.5\n  unproject pick scene.json pixels.csv > points.csv"
         + badRows());
-    command->callback([options, &run] { run = [options] { return runPick(*options); }; });
+    command->callback([options, &run] {
+        options->format = formatOf(*options);
+        run = [options] { return runPick(*options); };
+    });
 }
 
 void addProject(CLI::App &app, Run &run)
@@ -151,7 +164,10 @@ void addProject(CLI::App &app, Run &run)
         + "\n  printf 'x,y,z\\n0,0,0\\n' | unproject project scene.json\n  unproject project scene.json points.csv | "
           "unproject points scene.json\n  unproject points scene.json clicks.csv | unproject project scene.json"
         + badRows());
-    command->callback([options, &run] { run = [options] { return runProject(*options); }; });
+    command->callback([options, &run] {
+        options->format = formatOf(*options);
+        run = [options] { return runProject(*options); };
+    });
 }
 
 void addCloud(CLI::App &app, Run &run)

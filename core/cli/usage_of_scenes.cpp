@@ -299,6 +299,7 @@ void addLandmarks(CLI::App &app, Run &run)
                               {"tps", LandmarkTable::Tps},
                               {"nts", LandmarkTable::Nts}},
                              tr("Of the table: a row a point, a row a specimen, or a file of specimens"));
+    addSpreadsheetSafe(*command, options->isSpreadsheetSafe);
     command->footer(
         tr("csv  ours: name,x,y,z,object,face,u,v,w,note; keeps all that points have. Tables of R, 3D Slicer, "
            "CloudCompare\n"

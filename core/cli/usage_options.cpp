@@ -17,6 +17,14 @@ std::function<std::string(const std::string &)> wholeNumber(int highest)
     };
 }
 
+CLI::Option *addSpreadsheetSafe(CLI::App &command, bool &target)
+{
+    return command.add_flag(
+        "--spreadsheet-safe", target,
+        tr("In CSV, put an apostrophe before texts that a spreadsheet would take for formulas (=, +, "
+           "-, @)"));
+}
+
 CLI::Option *addFile(CLI::App &command, const std::string &name, std::string &target, const std::string &description)
 {
     return command.add_option(name, target, description)->type_name("FILE")->check([](const std::string &given) {

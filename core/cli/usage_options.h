@@ -47,6 +47,8 @@ void addCount(CLI::App &command, const std::string &name, Count &target, int hig
         ->check(wholeNumber(highest));
 }
 
+/// For commands that write tables with names.
+CLI::Option *addSpreadsheetSafe(CLI::App &command, bool &target);
 CLI::Option *addFile(CLI::App &command, const std::string &name, std::string &target, const std::string &description);
 void addSceneFile(CLI::App &command, std::string &target);
 CLI::Option *addModelOrScene(CLI::App &command, std::string &target);

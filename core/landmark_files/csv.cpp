@@ -142,7 +142,7 @@ void forEachRow(std::span<const LandmarkSet> sets, Notes &notes, const Take &tak
 
 } // namespace
 
-std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
+std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, Notes &notes)
 {
     Holds all;
     all.names = all.objects = all.holds = all.uncertainties = all.notes = all.colors = all.hidden = all.keys = true;
@@ -179,7 +179,7 @@ std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
     }
     for (const std::string &other : others) {
         text += ',';
-        appendCell(text, other);
+        appendCell(text, other, texts);
     }
     text += '\n';
     Notes said; // the first time
@@ -193,7 +193,7 @@ std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
             text += separator;
             if (isEmpty && column == Name)
                 text += "\"\"";
-            appendCell(text, row[column]);
+            appendCell(text, row[column], texts);
             separator = ",";
         }
         for (const std::string &other : others) {
@@ -202,14 +202,14 @@ std::string csvText(std::span<const LandmarkSet> sets, Notes &notes)
                 continue;
             const Json &extra = landmark->extra.json();
             if (extra.is_object() && extra.contains(other))
-                appendCell(text, cellOf(extra[other]));
+                appendCell(text, cellOf(extra[other]), texts);
         }
         text += '\n';
     });
     return text;
 }
 
-WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens)
+WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens, text::CellTexts texts)
 {
     Notes notes;
     const std::vector<LandmarkSet> sets = withCurvesAsPoints(specimens, notes);
@@ -236,12 +236,12 @@ WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens)
     for (const std::string &name : names) {
         for (const char *axis : {"_x", "_y", "_z"}) {
             text += ',';
-            appendCell(text, name + axis);
+            appendCell(text, name + axis, texts);
         }
     }
     text += '\n';
     for (std::size_t i = 0; i < sets.size(); ++i) {
-        appendCell(text, sets[i].name);
+        appendCell(text, sets[i].name, texts);
         for (std::size_t k = 0; k < names.size(); ++k) {
             const auto found = rows[i].find(k);
             if (found != rows[i].end() && found->second->world)

@@ -21,6 +21,15 @@ constexpr std::array<Column, 10> kNumberColumns{X, Y, Z, U, V, W, Dx, Dy, Dz, Ed
     throw Failure{error.line, error.text};
 }
 
+/// Those that keep spreadsheets from taking texts for formulas.
+void takeApostrophesOff(CsvRow &row)
+{
+    for (text::CsvCell &cell : row.cells) {
+        if (text::isQuotedFormula(cell.text))
+            cell.text.erase(0, 1);
+    }
+}
+
 std::string nameOfCell(const text::CsvCell &cell)
 {
     return lowerCase(trimmed(cell.text));
@@ -165,6 +174,7 @@ void readHeader(Table &table, std::optional<char> separator)
         if (!first)
             first = reader.row();
         if (isHeader(reader.row())) {
+            takeApostrophesOff(reader.row());
             table.separator = candidate;
             table.header = headerOf(reader.row());
             return;
@@ -288,6 +298,7 @@ bool TableRows::next()
     CsvRow &row = m_reader.row();
     const std::size_t count = m_table.header.count;
     row.trimPadding(count);
+    takeApostrophesOff(row);
     if (row.cells.size() != count)
         throw Failure{row.line, tr("here are %1 cells, and the first line names %2 columns; put a cell that has the "
                                    "separator in it in quotes",

@@ -128,10 +128,10 @@ const LandmarkSet &onlyOf(std::span<const LandmarkSet> sets, Format format)
                   LandmarkFileError::Code::CannotHold};
 }
 
-std::string textOf(std::span<const LandmarkSet> sets, Format format, Notes &notes)
+std::string textOf(std::span<const LandmarkSet> sets, Format format, text::CellTexts texts, Notes &notes)
 {
     switch (format) {
-    case Format::Csv: return csvText(sets, notes);
+    case Format::Csv: return csvText(sets, texts, notes);
     case Format::MeshLab: return meshLabText(onlyOf(sets, format), notes);
     case Format::MeshLabTemplate: return meshLabTemplateText(onlyOf(sets, format), notes);
     case Format::SlicerJson: return slicerJsonText(sets, notes);
@@ -161,7 +161,8 @@ void checkSize(std::size_t bytes)
 
 } // namespace
 
-Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const LandmarkSet> sets, Format format)
+Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const LandmarkSet> sets, Format format,
+                                                          text::CellTexts texts)
 {
     Notes notes;
     try {
@@ -178,7 +179,7 @@ Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const Landma
                 points += set.landmarks.size();
             checkSize(points * kLeastJsonBytes);
         }
-        std::string text = textOf(sets, format, notes);
+        std::string text = textOf(sets, format, texts, notes);
         checkSize(text.size());
         return WrittenLandmarks{std::move(text), notes.take()};
     } catch (const Failure &failure) {

@@ -2,6 +2,7 @@
 
 #include "core/geometry/result.h"
 #include "core/landmarks/landmark.h"
+#include "core/text/csv.h"
 
 #include <array>
 #include <cstddef>
@@ -153,15 +154,17 @@ geometry::Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_vi
 /// The text of a file of landmarks. Every coordinate is written in the fewest digits that read back to the same double; what
 /// the format has no place for is said in the notes. Semilandmarks of curves are written with the landmarks: in CSV with all that
 /// the curve is, in TPS as CURVES and POINTS, in the others as further points, "NAME:01".
-/// @param sets  one a specimen
+/// @param sets   one a specimen
+/// @param texts  of tables, which are read back as they were in either case
 /// @return CannotHold: several specimens where the format has one, or specimens of different numbers of points where it
 ///         has a table; a name that is not UTF-8 in JSON; more than kMostLandmarkBytes
-geometry::Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const LandmarkSet> sets, Format format);
+geometry::Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const LandmarkSet> sets, Format format,
+                                                                    text::CellTexts texts = text::CellTexts::AsTheyAre);
 
 /// A table with one row a specimen: specimen,A_x,A_y,A_z,B_x,… The columns are the landmarks of all specimens by name, in
 /// the order in which they first appear; what a specimen lacks stays empty. A landmark without a name has its number, and
 /// of two that share one the second is "NAME (2)". Semilandmarks are further points, "CURVE:01".
-WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens);
+WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens, text::CellTexts texts = text::CellTexts::AsTheyAre);
 
 /// Takes the last points out that are named as the semilandmarks of curves are where a format knows no curves, "NAME:01",
 /// "NAME:02" and so on without a gap, and makes them curves of which only the semilandmarks are known. Points there must be besides.

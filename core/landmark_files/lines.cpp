@@ -282,4 +282,11 @@ void appendCell(std::string &text, std::string_view cell)
     text += '"';
 }
 
+void appendCell(std::string &text, const std::string &cell, text::CellTexts texts)
+{
+    const bool isQuoted =
+        text::isQuotedFormula(cell) || (texts == text::CellTexts::SpreadsheetSafe && text::isFormula(cell));
+    appendCell(text, isQuoted ? '\'' + cell : cell);
+}
+
 } // namespace unprojector::landmark_files

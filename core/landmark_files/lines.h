@@ -3,6 +3,7 @@
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmarks/landmark.h"
 #include "core/scene_file/scene_file_error.h"
+#include "core/text/csv.h"
 
 #include <cstddef>
 #include <map>
@@ -110,6 +111,8 @@ bool isMissingWord(std::string_view word);
 
 /// A cell, in quotes where it needs them: without them NA is nothing.
 void appendCell(std::string &text, std::string_view cell);
+/// The same of a table of ours, whose reader takes an apostrophe before a formula off: one that is a name's own is doubled.
+void appendCell(std::string &text, const std::string &cell, text::CellTexts texts);
 
 /// An error of a JSON document: its place is the key, or line and column.
 Failure failureOf(scene_file::SceneFileError error);
@@ -125,7 +128,7 @@ ReadLandmarks readNts(std::string_view text);
 ReadLandmarks readAmira(std::string_view text);
 ReadLandmarks readLandmarker(std::string_view text);
 
-std::string csvText(std::span<const LandmarkSet> sets, Notes &notes);
+std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, Notes &notes);
 std::string meshLabText(const LandmarkSet &set, Notes &notes);
 std::string meshLabTemplateText(const LandmarkSet &set, Notes &notes);
 std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes);

@@ -7,14 +7,14 @@
 namespace unprojector::landmark_files {
 using landmarks::RepeatedLandmark;
 
-std::string repeatsTable(std::span<const RepeatedSpecimen> specimens)
+std::string repeatsTable(std::span<const RepeatedSpecimen> specimens, text::CellTexts texts)
 {
     std::string text = "specimen,name,placings,x,y,z,error,farthest\n";
     for (const RepeatedSpecimen &specimen : specimens) {
         for (const RepeatedLandmark &repeated : landmarks::repeatsOf(specimen.placings)) {
-            appendCell(text, specimen.name);
+            appendCell(text, specimen.name, texts);
             text += ',';
-            appendCell(text, repeated.name);
+            appendCell(text, repeated.name, texts);
             text += ',' + std::to_string(repeated.count);
             for (int axis = 0; axis < 3; ++axis) {
                 text += ',';

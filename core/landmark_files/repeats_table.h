@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/landmarks/landmark.h"
+#include "core/text/csv.h"
 
 #include <span>
 #include <string>
@@ -17,6 +18,7 @@ struct RepeatedSpecimen {
 /// A table of comma-separated values with a row a landmark: specimen,name,placings,x,y,z,error,farthest. The mean of its
 /// placings, the standard deviation of one of them and how far the farthest is from the mean, as landmarks::repeatsOf says;
 /// what cannot be said of so few stays empty.
-std::string repeatsTable(std::span<const RepeatedSpecimen> specimens);
+std::string repeatsTable(std::span<const RepeatedSpecimen> specimens,
+                         text::CellTexts texts = text::CellTexts::AsTheyAre);
 
 } // namespace unprojector::landmark_files

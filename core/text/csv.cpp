@@ -3,6 +3,7 @@
 #include "core/text/translation.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace unprojector::text {
 namespace {
@@ -20,6 +21,17 @@ char lineEndOf(std::string_view text)
     return text.find('\r') != text.npos ? '\r' : '\n';
 }
 
+/// "-5", "+0.5e-3": what a spreadsheet computes from it is the same.
+bool isSignedNumber(std::string_view text)
+{
+    if (text.find_first_not_of("0123456789.eE+-") != text.npos)
+        return false;
+    text.remove_prefix(1); // from_chars knows no "+"
+    double number = 0.0;
+    const char *end = text.data() + text.size();
+    return !text.empty() && text.front() != '-' && std::from_chars(text.data(), end, number).ptr == end;
+}
+
 /// "1,5", "-0,25e-3": digits or nothing, one comma, a digit.
 bool hasDecimalComma(std::string_view cell)
 {
@@ -29,6 +41,19 @@ bool hasDecimalComma(std::string_view cell)
 }
 
 } // namespace
+
+bool isFormula(std::string_view text)
+{
+    if (text.empty() || std::string_view("=+-@").find(text.front()) == text.npos)
+        return false;
+    return !((text.front() == '+' || text.front() == '-') && isSignedNumber(text));
+}
+
+bool isQuotedFormula(std::string_view text)
+{
+    const std::size_t first = text.find_first_not_of('\'');
+    return first != 0 && first != text.npos && isFormula(text.substr(first));
+}
 
 bool CsvRow::isPadding() const
 {

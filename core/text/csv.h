@@ -11,6 +11,16 @@ namespace unprojector::text {
 
 // Tables of text: comma-separated values and their dialects.
 
+/// How texts stand in a table's cells.
+enum class CellTexts {
+    AsTheyAre,
+    SpreadsheetSafe ///< behind an apostrophe, where a spreadsheet would take them for formulas
+};
+/// Whether a spreadsheet takes a text for a formula: it begins with =, +, - or @ and is no number.
+bool isFormula(std::string_view text);
+/// The same behind any apostrophes, at least one.
+bool isQuotedFormula(std::string_view text);
+
 /// What programs put between the cells of a row. A blank stands for any run of blanks and tabs.
 inline constexpr std::array kCsvSeparators{',', ';', '\t', ' '};
 

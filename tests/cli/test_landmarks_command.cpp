@@ -36,6 +36,7 @@ private slots:
     void specimensOfOneName();
     void repeatedPlacings();
     void repeatedSpecimens();
+    void formulasOfASpreadsheet();
     void refused_data();
     void refused();
 
@@ -285,6 +286,18 @@ void TestLandmarksCommand::refused()
     QVERIFY2(run.errors.contains(message.toUtf8()), run.errors.constData());
     QCOMPARE(run.output, QByteArray());
     QCOMPARE(bytesOf(m_folder.path("in.pp")), kPicked);
+}
+
+void TestLandmarksCommand::formulasOfASpreadsheet()
+{
+    const QByteArray table("name,x,y,z,object,face,u,v,w,note\n=A1,1,2,3,,,,,,@b\n");
+    const QString file = m_folder.write("=A1.csv", table), safe = m_folder.path("safe.csv");
+    VERIFY_SUCCEEDED(runCommand({"landmarks", "--spreadsheet-safe", file, safe}));
+    QCOMPARE(bytesOf(safe), QByteArray(table).replace("=A1", "'=A1").replace("@b", "'@b"));
+    VERIFY_SUCCEEDED(runCommand({"landmarks", safe, m_folder.path("back.csv")}));
+    QCOMPARE(bytesOf(m_folder.path("back.csv")), table);
+    const Run repeats = runCommand({"landmarks", "--spreadsheet-safe", "--repeats", file, safe, "-o", "-"});
+    QVERIFY2(repeats.output.contains("'=A1,'=A1,2,1,2,3,0,0"), repeats.output);
 }
 
 QTEST_GUILESS_MAIN(TestLandmarksCommand)

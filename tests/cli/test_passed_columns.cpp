@@ -27,6 +27,7 @@ private slots:
     void whatACommandWritesIsWrittenAnew();
     void thereAndBackAndThereAgain();
     void manyRowsKeepTheirOwn();
+    void formulasOfASpreadsheet();
 
 private:
     Run points(const QByteArray &input, const QStringList &options = {}) const
@@ -301,6 +302,20 @@ void TestPassedColumns::manyRowsKeepTheirOwn()
         QCOMPARE(lines[2 * i + 1], id + ",400,300,0,\"n, " + id);
         QCOMPARE(lines[2 * i + 2], "1,2,0,\",0,0,4");
     }
+}
+
+void TestPassedColumns::formulasOfASpreadsheet()
+{
+    const QByteArray input("=n,px,py,depth,note\n=1+1,400,300,0,\"@a, \"\"b\"\"\"\n-5,400,300,0,'=c\n-x,no,300,0,+d\n");
+    QCOMPARE(points(input).output, QByteArray("=n,px,py,depth,note,formula_x,formula_y,formula_z\n"
+                                              "=1+1,400,300,0,\"@a, \"\"b\"\"\",0,0,4\n-5,400,300,0,'=c,0,0,4\n"
+                                              "-x,no,300,0,+d,,,\n"));
+    QCOMPARE(points(input, {"--spreadsheet-safe"}).output,
+             QByteArray("'=n,px,py,depth,note,formula_x,formula_y,formula_z\n"
+                        "'=1+1,400,300,0,\"'@a, \"\"b\"\"\",0,0,4\n-5,400,300,0,'=c,0,0,4\n"
+                        "'-x,no,300,0,'+d,,,\n"));
+    const Run json = points(input, {"--spreadsheet-safe", "--format", "jsonl"});
+    QVERIFY2(json.output.startsWith("{\"=n\":\"=1+1\",\"px\":400"), json.output);
 }
 
 QTEST_GUILESS_MAIN(TestPassedColumns)

@@ -43,6 +43,8 @@ private slots:
     void tables();
     void whatSlicersTableSaysBesides();
     void whatIsNothingStaysNothing();
+    void namesThatAreFormulas_data();
+    void namesThatAreFormulas();
     void aPointAtMinusOnePassesThroughTps();
     void notesOfManyFilesAreGrouped();
 };
@@ -260,6 +262,51 @@ void TestLandmarkTables::whatIsNothingStaysNothing()
     const auto read = parseLandmarks(csv->text, Format::Csv, "f");
     QVERIFY(read && read->notes.empty());
     QVERIFY(read->sets.front() == set);
+}
+
+void TestLandmarkTables::namesThatAreFormulas_data()
+{
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<QByteArray>("plain");
+    QTest::addColumn<QByteArray>("safe");
+    const auto row = [](const char *name, const char *plain, const char *safe) {
+        QTest::newRow(name) << QByteArray(name) << QByteArray(plain) << QByteArray(safe);
+    };
+    row("=SUM(A1:A9)", "=SUM(A1:A9)", "'=SUM(A1:A9)");
+    row("=\"a\",1", "\"=\"\"a\"\",1\"", "\"'=\"\"a\"\",1\"");
+    row("@home", "@home", "'@home");
+    row("+x", "+x", "'+x");
+    row("-x", "-x", "'-x");
+    row("-", "-", "'-");
+    row("-1-2", "-1-2", "'-1-2");
+    row("-1.5e-3", "-1.5e-3", "-1.5e-3"); // stays what it is in a spreadsheet
+    row("+5", "+5", "+5");
+    row("a=b", "a=b", "a=b");
+    row("'quoted'", "'quoted'", "'quoted'");
+    row("'=x", "''=x", "''=x"); // an apostrophe that is the name's own
+    row("''=x", "'''=x", "'''=x");
+}
+
+void TestLandmarkTables::namesThatAreFormulas()
+{
+    QFETCH(QByteArray, name);
+    QFETCH(QByteArray, plain);
+    QFETCH(QByteArray, safe);
+    LandmarkSet set;
+    set.landmarks.resize(1);
+    set.landmarks[0].name = set.landmarks[0].note = set.landmarks[0].object = name.toStdString();
+    set.landmarks[0].world = WorldPoint(-1, 2, 3);
+    set.landmarks[0].extra.edit()["=" + name.toStdString()] = "kept";
+    for (const auto &[texts, cell] : {std::pair(unprojector::text::CellTexts::AsTheyAre, plain),
+                                      std::pair(unprojector::text::CellTexts::SpreadsheetSafe, safe)}) {
+        const auto csv = landmarksText({&set, 1}, Format::Csv, texts);
+        QVERIFY(csv);
+        QCOMPARE(QByteArray::fromStdString(csv->text).split('\n')[1],
+                 cell + ",-1,2,3," + cell + ",,,,," + cell + ",kept");
+        const auto read = parseLandmarks(csv->text, Format::Csv, "f");
+        QVERIFY(read && read->notes.empty());
+        QVERIFY(read->sets.front() == set);
+    }
 }
 
 void TestLandmarkTables::aPointAtMinusOnePassesThroughTps()
