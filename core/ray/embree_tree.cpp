@@ -45,6 +45,12 @@ void intersect(const RTCIntersectFunctionNArguments *arguments)
         reinterpret_cast<RTCRayHit *>(arguments->rayhit)->ray.tfar = search.packets->length();
 }
 
+bool showPacket(RTCPointQueryFunctionArguments *arguments)
+{
+    (*static_cast<const std::function<void(std::uint32_t)> *>(arguments->userPtr))(arguments->primID);
+    return false; // the ball stays as large as it is
+}
+
 /// Hands on what Embree says of its progress, from several threads at once.
 struct Monitor {
     const Progress &progress;
@@ -137,6 +143,15 @@ public:
         rtcIntersect1(m_scene, &search.context, &hit);
 #endif
         m_packets.finish(packets);
+    }
+
+    void within(const Ball &ball, const std::function<void(std::uint32_t)> &visit) const override
+    {
+        RTCPointQueryContext context;
+        rtcInitPointQueryContext(&context);
+        RTCPointQuery query{ball.center.x, ball.center.y, ball.center.z, 0.0f, ball.radius};
+        rtcPointQuery(m_scene, &query, &context, showPacket,
+                      const_cast<std::function<void(std::uint32_t)> *>(&visit)); // it comes back as const
     }
 
 private:

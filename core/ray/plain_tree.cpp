@@ -3,6 +3,7 @@
 #include "core/ray/triangle_tree.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,16 @@ public:
             entry, [&] { return search.length(); },
             [&](std::uint32_t packet) { static_cast<void>(m_packets.take(packet, search)); });
         m_packets.finish(search);
+    }
+
+    void within(const Ball &ball, const std::function<void(std::uint32_t)> &visit) const override
+    {
+        const auto entry = [&ball](const glm::vec3 &lowest, const glm::vec3 &highest) {
+            const glm::vec3 off = ball.center - glm::clamp(ball.center, lowest, highest);
+            return glm::dot(off, off) <= ball.radius * ball.radius ? 0.0f : std::numeric_limits<float>::infinity();
+        };
+        m_tree.search(
+            entry, [] { return std::numeric_limits<float>::max(); }, visit);
     }
 
 private:

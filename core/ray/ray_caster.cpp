@@ -41,6 +41,22 @@ std::shared_ptr<const RayCaster> RayCaster::build(std::shared_ptr<const Model> m
     return caster->m_triangles ? caster : nullptr;
 }
 
+std::vector<std::uint32_t> RayCaster::trianglesAbout(const RayBundle &bundle) const
+{
+    std::vector<std::uint32_t> triangles;
+    if (!m_triangles)
+        return triangles;
+    for (const Ball &ball : ballsAlong(bundle, m_space)) {
+        m_triangles->within(ball, [&](std::uint32_t packet) {
+            const auto &own = m_packets.trianglesOf(packet);
+            triangles.insert(triangles.end(), own.begin(), own.end());
+        });
+    }
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    return triangles;
+}
+
 std::optional<PointHit> RayCaster::nearestPoint(const PointAim &aim) const
 {
     return m_points ? m_points->nearest(aim) : std::nullopt;

@@ -4,8 +4,10 @@
 #include "core/ray/point_cloud.h"
 #include "core/ray/triangle_tree.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace unprojector::ray {
 
@@ -32,6 +34,9 @@ public:
     /// The triangle that a ray in object space meets first, from either side.
     /// @return nothing where there is none in low <= t <= high, and for a ray that is not finite
     std::optional<TriangleHit> nearestTriangle(const Ray<ObjectSpace> &ray) const;
+
+    /// Triangles that a bundle of rays passes, and others near them, each once.
+    std::vector<std::uint32_t> trianglesAbout(const RayBundle &bundle) const;
 
     /// The point of the model's point clouds that a click takes, see PointCloud.
     std::optional<PointHit> nearestPoint(const PointAim &aim) const;

@@ -24,6 +24,13 @@ SceneRays::SceneRays(const Unprojector &unprojector, std::span<const SceneObject
     }
 }
 
+bool SceneRays::isOnShownSide(const WorldPoint &point) const
+{
+    return std::all_of(m_clipPlanes.begin(), m_clipPlanes.end(), [&point](const glm::dvec4 &plane) {
+        return glm::dot(plane, glm::dvec4(point.coordinates(), 1.0)) >= 0.0;
+    });
+}
+
 std::optional<Ray<WorldSpace>> SceneRays::shown(Ray<WorldSpace> ray) const
 {
     // The side of a plane that a point of the ray is on is linear in t.

@@ -64,6 +64,8 @@ private:
         Placement placement;
     };
 
+    /// Whether no clip plane takes a point away.
+    bool isOnShownSide(const WorldPoint &point) const;
     /// A ray's part that is in the picture and not clipped away.
     std::optional<Ray<WorldSpace>> shown(Ray<WorldSpace> ray) const;
     /// The same of the ray through a position; nothing outside the picture.

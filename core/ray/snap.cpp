@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -70,82 +71,206 @@ std::optional<SceneHit> SnapSearch::inSight(const Place &place) const
     return isHidden ? std::nullopt : std::optional(hit);
 }
 
-std::optional<SceneHit> SnapSearch::nearestInSight(std::vector<Place> places) const
+std::optional<SnapSearch::InSight> SnapSearch::nearestInSight(std::vector<Place> places) const
 {
     std::stable_sort(places.begin(), places.end(), [](const Place &a, const Place &b) { return a.pixels < b.pixels; });
+    const Place *before = nullptr;
     for (const Place &place : places) {
+        const bool isKnown = before && before->object == place.object && before->world == place.world;
+        before = &place;
+        if (isKnown) // a corner of several triangles
+            continue;
         if (std::optional<SceneHit> hit = inSight(place))
-            return hit;
+            return InSight{*hit, place.pixels};
     }
     return std::nullopt;
 }
 
-std::optional<SceneHit> SnapSearch::vertex() const
+std::optional<RayBundle> SnapSearch::bundle(const SceneRays::Object &object, double pixels, double high) const
 {
-    std::vector<Place> places;
+    const auto rayAt = [&](double right, double down) -> std::optional<Ray<ObjectSpace>> {
+        const Result<Ray<WorldSpace>> ray = m_rays.rays().at(DevicePoint(m_position.x + right, m_position.y + down));
+        return ray ? std::optional(object.placement.plainObjectRay(*ray)) : std::nullopt;
+    };
+    const auto middle = rayAt(0.0, 0.0);
+    if (!middle)
+        return std::nullopt;
+    RayBundle bundle{*middle, {}};
+    bundle.middle.high = std::min(bundle.middle.high, high);
+    for (std::size_t k = 0; k < bundle.corners.size(); ++k) {
+        const auto corner = rayAt(k % 2 == 0 ? -pixels : pixels, k / 2 == 0 ? -pixels : pixels);
+        if (!corner)
+            return std::nullopt;
+        bundle.corners[k] = *corner;
+    }
+    return bundle;
+}
+
+bool SnapSearch::Occluder::covers(const DevicePoint &at) const
+{
+    constexpr double kInside = 0.01; // pixels
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec2 along = corners[(k + 1) % 3] - corners[k], off = at.coordinates() - corners[k];
+        if (!(along.x * off.y - along.y * off.x > kInside * glm::length(along)))
+            return false;
+    }
+    return true;
+}
+
+std::vector<SnapSearch::Occluder> SnapSearch::occluders() const
+{
+    // All positions that are snapped to lie between these.
+    std::vector<std::pair<DevicePoint, Ray<WorldSpace>>> rays;
+    for (const double right : {-kSnapPixels, kSnapPixels}) {
+        for (const double down : {-kSnapPixels, kSnapPixels}) {
+            const DevicePoint at(m_position.x + right, m_position.y + down);
+            const auto ray = m_rays.rays().at(at);
+            if (!ray)
+                return {};
+            rays.emplace_back(at, *ray);
+        }
+    }
+    std::vector<Occluder> result;
     for (const Seen &seen : m_seen) {
         const SceneRays::Object &object = m_rays.object(seen.hit.object);
         const auto corners = worldCorners(*object.caster, object.placement, seen.hit.triangle->triangle);
+        const glm::dvec3 normal =
+            glm::cross((corners[1] - corners[0]).coordinates(), (corners[2] - corners[0]).coordinates());
+        const double size = glm::length(normal);
+        const auto side = [&](const WorldPoint &point) {
+            return glm::dot(normal / size, (point - corners[0]).coordinates());
+        };
+        const double own = side(rays[0].second.from);
+        Occluder occluder{{}, corners[0], normal / size * (own > 0.0 ? -1.0 : 1.0), rays[0].second.from, 0.0};
+        bool isWhole = size > 0.0;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::optional<DevicePoint> at = seenAt(corners[k]);
-            if (!at || distance(*at, m_position) > kSnapPixels)
-                continue;
-            glm::dvec3 barycentric(0.0);
-            barycentric[static_cast<int>(k)] = 1.0;
-            places.push_back(
-                {seen.hit.object, seen.hit.triangle->triangle, barycentric, corners[k], distance(*at, m_position)});
+            isWhole = isWhole && at && m_rays.isOnShownSide(corners[k]);
+            occluder.corners[k] = at ? at->coordinates() : glm::dvec2(0.0);
         }
+        const auto &[a, b, c] = occluder.corners;
+        if ((b - a).x * (c - a).y - (b - a).y * (c - a).x < 0.0)
+            std::swap(occluder.corners[1], occluder.corners[2]);
+        for (const auto &[at, ray] : rays) {
+            const double start = side(ray.from), t = start / (start - side(ray.at(1.0)));
+            isWhole = isWhole && start * own > 0.0;
+            occluder.coversTo = occluder.covers(at) && t >= 0.0 ? std::max(occluder.coversTo, t)
+                                                                : std::numeric_limits<double>::infinity();
+        }
+        if (isWhole)
+            result.push_back(occluder);
     }
-    std::optional<SceneHit> hit = nearestInSight(std::move(places));
+    return result;
+}
+
+void SnapSearch::eraseHidden(std::vector<Place> &places, const std::vector<Occluder> &occluders)
+{
+    constexpr double kBehind = 1e-4; // of the way to the place
+    std::erase_if(places, [&occluders](const Place &place) {
+        return std::any_of(occluders.begin(), occluders.end(), [&place](const Occluder &occluder) {
+            return occluder.covers(place.at)
+                   && glm::dot(occluder.behind, (place.world - occluder.on).coordinates())
+                          > kBehind * distance(place.world, occluder.from);
+        });
+    });
+}
+
+std::optional<SceneHit> SnapSearch::nearest(const AddPlaces &addPlaces) const
+{
+    if (!m_clipFromWorld)
+        return std::nullopt;
+    std::vector<Place> places;
+    for (const Seen &seen : m_seen)
+        addPlaces(m_rays.object(seen.hit.object), seen.hit.triangle->triangle, kSnapPixels, places);
+    std::optional<InSight> taken = nearestInSight(std::move(places));
+    // A triangle that no ray has met may have something that is nearer yet.
+    constexpr double kRounding = 0.01;
+    const double reach = taken ? taken->pixels : kSnapPixels;
+    const std::vector<Occluder> hiding = occluders();
+    constexpr double kBeyond = 1.001;
+    double high = std::numeric_limits<double>::infinity();
+    for (const Occluder &occluder : hiding)
+        high = std::min(high, kBeyond * occluder.coversTo);
+    places.clear();
+    for (const SceneRays::Object &object : m_rays.m_objects) {
+        const std::optional<RayBundle> about = bundle(object, reach + kRounding, high);
+        if (!about)
+            continue;
+        for (const std::uint32_t triangle : object.caster->trianglesAbout(*about))
+            addPlaces(object, triangle, reach, places);
+    }
+    if (taken)
+        std::erase_if(places, [reach](const Place &place) { return place.pixels >= reach; });
+    eraseHidden(places, hiding);
+    if (std::optional<InSight> nearer = nearestInSight(std::move(places)))
+        taken = std::move(nearer);
+    return taken ? std::optional(taken->hit) : std::nullopt;
+}
+
+void SnapSearch::addCorners(const SceneRays::Object &object, std::uint32_t triangle, double pixels,
+                            std::vector<Place> &places) const
+{
+    const auto corners = worldCorners(*object.caster, object.placement, triangle);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::optional<DevicePoint> at = seenAt(corners[k]);
+        if (!at || distance(*at, m_position) > pixels)
+            continue;
+        glm::dvec3 barycentric(0.0);
+        barycentric[static_cast<int>(k)] = 1.0;
+        places.push_back({object.place, triangle, barycentric, corners[k], *at, distance(*at, m_position)});
+    }
+}
+
+std::optional<SceneHit> SnapSearch::vertex() const
+{
+    std::optional<SceneHit> hit = nearest([this](const auto &object, std::uint32_t triangle, double pixels,
+                                                 auto &places) { addCorners(object, triangle, pixels, places); });
     if (hit)
         hit->uncertainty = hit->vertex.uncertainty; // it is no place where a ray meets a plane
     return hit;
 }
 
+void SnapSearch::addEdges(const SceneRays::Object &object, std::uint32_t triangle, double pixels,
+                          std::vector<Place> &places) const
+{
+    const auto corners = worldCorners(*object.caster, object.placement, triangle);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        // The part behind the near plane, in shares of the edge.
+        const auto depth = [&](const WorldPoint &p) { return (*m_clipFromWorld * glm::dvec4(p.coordinates(), 1.0)).w; };
+        const double one = depth(corners[k]) - m_nearW, other = depth(corners[next]) - m_nearW;
+        if (one < 0.0 && other < 0.0)
+            continue;
+        const double crossing = one / (one - other);
+        const double from = one >= 0.0 ? 0.0 : crossing, to = other >= 0.0 ? 1.0 : crossing;
+        const WorldVector way = corners[next] - corners[k];
+        const auto start = seenAt(corners[k] + way * from), end = seenAt(corners[k] + way * to);
+        if (!start || !end)
+            continue;
+        // The nearest share in the picture, and from it that of the edge: what is nearer is drawn larger.
+        const glm::dvec2 drawn = end->coordinates() - start->coordinates();
+        const double square = glm::dot(drawn, drawn);
+        const double share =
+            square > 0.0
+                ? std::clamp(glm::dot(m_position.coordinates() - start->coordinates(), drawn) / square, 0.0, 1.0)
+                : 0.0;
+        const double a = m_nearW + one + from * (other - one), b = m_nearW + one + to * (other - one);
+        const double along = from + (to - from) * (share * a / (share * a + (1.0 - share) * b));
+        const WorldPoint world = corners[k] + way * along;
+        const std::optional<DevicePoint> at = seenAt(world);
+        if (!at || distance(*at, m_position) > pixels)
+            continue;
+        glm::dvec3 barycentric(0.0);
+        barycentric[static_cast<int>(k)] = 1.0 - along;
+        barycentric[static_cast<int>(next)] = along;
+        places.push_back({object.place, triangle, barycentric, world, *at, distance(*at, m_position)});
+    }
+}
+
 std::optional<SceneHit> SnapSearch::edge() const
 {
-    if (!m_clipFromWorld)
-        return std::nullopt;
-    std::vector<Place> places;
-    for (const Seen &seen : m_seen) {
-        const SceneRays::Object &object = m_rays.object(seen.hit.object);
-        const auto corners = worldCorners(*object.caster, object.placement, seen.hit.triangle->triangle);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t next = (k + 1) % 3;
-            // The part behind the near plane, in shares of the edge.
-            const auto depth = [&](const WorldPoint &p) {
-                return (*m_clipFromWorld * glm::dvec4(p.coordinates(), 1.0)).w;
-            };
-            const double one = depth(corners[k]) - m_nearW, other = depth(corners[next]) - m_nearW;
-            if (one < 0.0 && other < 0.0)
-                continue;
-            const double crossing = one / (one - other);
-            const double from = one >= 0.0 ? 0.0 : crossing, to = other >= 0.0 ? 1.0 : crossing;
-            const WorldVector way = corners[next] - corners[k];
-            const auto start = seenAt(corners[k] + way * from), end = seenAt(corners[k] + way * to);
-            if (!start || !end)
-                continue;
-            // The nearest share in the picture, and from it that of the edge: what is nearer is drawn larger.
-            const glm::dvec2 drawn = end->coordinates() - start->coordinates();
-            const double square = glm::dot(drawn, drawn);
-            const double share =
-                square > 0.0
-                    ? std::clamp(glm::dot(m_position.coordinates() - start->coordinates(), drawn) / square, 0.0, 1.0)
-                    : 0.0;
-            const double a = m_nearW + one + from * (other - one), b = m_nearW + one + to * (other - one);
-            const double along = from + (to - from) * (share * a / (share * a + (1.0 - share) * b));
-            const WorldPoint world = corners[k] + way * along;
-            const std::optional<DevicePoint> at = seenAt(world);
-            if (!at || distance(*at, m_position) > kSnapPixels)
-                continue;
-            glm::dvec3 barycentric(0.0);
-            barycentric[static_cast<int>(k)] = 1.0 - along;
-            barycentric[static_cast<int>(next)] = along;
-            places.push_back(
-                {seen.hit.object, seen.hit.triangle->triangle, barycentric, world, distance(*at, m_position)});
-        }
-    }
-    std::optional<SceneHit> hit = nearestInSight(std::move(places));
+    std::optional<SceneHit> hit = nearest([this](const auto &object, std::uint32_t triangle, double pixels,
+                                                 auto &places) { addEdges(object, triangle, pixels, places); });
     if (hit)
         hit->uncertainty = hit->triangle->edge.uncertainty;
     return hit;

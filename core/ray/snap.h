@@ -2,20 +2,24 @@
 
 #include "core/ray/scene_rays.h"
 
+#include <array>
+#include <cstdint>
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace unprojector::ray {
 
-/// What in sight near a position a click snaps to. What is in sight is found by rays through the positions about it, a pixel
-/// apart: a triangle too small for any of them to meet is not seen there.
+/// What in sight near a position a click snaps to. Rays through the positions about it, a pixel apart, find most of it; what is
+/// nearer than that, and thin or small enough to lie between them, is looked for among all triangles there.
 class SnapSearch {
 public:
     /// @param rays  outlive this
     SnapSearch(const SceneRays &rays, const DevicePoint &position);
 
-    /// The vertex of a triangle in sight that is nearest in the picture, within kSnapPixels, and that nothing hides.
+    /// The vertex that is nearest in the picture, within kSnapPixels, and that nothing hides.
     std::optional<SceneHit> vertex() const;
-    /// The point of such a triangle's edge.
+    /// The same of the nearest points of edges.
     std::optional<SceneHit> edge() const;
     /// The nearest place at which a triangle was met.
     std::optional<SceneHit> face() const;
@@ -32,12 +36,40 @@ private:
         std::uint32_t triangle;
         glm::dvec3 barycentric;
         WorldPoint world;
+        DevicePoint at;
         double pixels; ///< from the position
+    };
+    /// A triangle that was met, whole in front of the eye and not clipped, as what hides others.
+    struct Occluder {
+        std::array<glm::dvec2, 3> corners; ///< in the picture, counter-clockwise as numbers go
+        bool covers(const DevicePoint &at) const;
+        WorldPoint on;
+        glm::dvec3 behind; ///< its normal on the far side, length 1
+        WorldPoint from;   ///< on the near plane
+        double
+            coversTo; ///< the t up to which something beside it is seen at all; infinity: it does not cover everything
     };
 
     /// Where a world point is seen; nothing behind the eye.
     std::optional<DevicePoint> seenAt(const WorldPoint &point) const;
-    std::optional<SceneHit> nearestInSight(std::vector<Place> places) const;
+    /// Adds the places that a triangle of an object has no farther than some pixels away.
+    using AddPlaces =
+        std::function<void(const SceneRays::Object &, std::uint32_t, double pixels, std::vector<Place> &)>;
+    void addCorners(const SceneRays::Object &object, std::uint32_t triangle, double pixels,
+                    std::vector<Place> &places) const;
+    void addEdges(const SceneRays::Object &object, std::uint32_t triangle, double pixels,
+                  std::vector<Place> &places) const;
+    std::optional<SceneHit> nearest(const AddPlaces &addPlaces) const;
+    /// The rays through all positions so near, in the space of an object; nothing where they cannot be computed.
+    std::optional<RayBundle> bundle(const SceneRays::Object &object, double pixels, double high) const;
+    struct InSight {
+        SceneHit hit;
+        double pixels;
+    };
+    std::optional<InSight> nearestInSight(std::vector<Place> places) const;
+    std::vector<Occluder> occluders() const;
+    /// Removes what lies well behind one of them: it is much faster seen so than by rays.
+    static void eraseHidden(std::vector<Place> &places, const std::vector<Occluder> &occluders);
     std::optional<SceneHit> inSight(const Place &place) const;
 
     const SceneRays &m_rays;

@@ -52,6 +52,11 @@ public:
     std::uint32_t count() const { return static_cast<std::uint32_t>(m_packets.size()); }
     /// The box of a packet in unit space, widened by its margin.
     BoxTree::Box boxOf(std::uint32_t packet) const;
+    /// Its triangles, the last one again where there are fewer.
+    const std::array<std::uint32_t, kSize> &trianglesOf(std::uint32_t packet) const
+    {
+        return m_packets[packet].numbers;
+    }
     /// Has a packet tested. It takes as long to come from memory as the tree takes to name the next ones, so it waits for two of them.
     /// @return whether a triangle of those tested meanwhile is the nearest so far
     bool take(std::uint32_t packet, PacketSearch &search) const;

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "core/ray/box_tree.h"
+#include "core/ray/ray_bundle.h"
 #include "core/ray/triangle_packets.h"
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 
 namespace unprojector::ray {
@@ -17,6 +20,8 @@ public:
 
     /// Tests them, until no other can be nearer.
     virtual void search(const UnitRay &ray, PacketSearch &search) const = 0;
+    /// Shows the packets whose boxes reach into a ball.
+    virtual void within(const Ball &ball, const std::function<void(std::uint32_t)> &visit) const = 0;
 };
 
 /// By a BoxTree.

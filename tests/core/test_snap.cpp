@@ -12,7 +12,9 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace {
@@ -62,7 +64,11 @@ std::shared_ptr<Model> pointsAt(const std::vector<glm::vec3> &positions)
     return modelOf(std::move(mesh));
 }
 
+using Tree = RayCaster::Tree;
+
 } // namespace
+
+Q_DECLARE_METATYPE(Tree)
 
 class TestSnap : public QObject {
     Q_OBJECT
@@ -76,6 +82,8 @@ private slots:
     void facesSnapFromBeside();
     void hiddenAndClippedCornersAreNotTaken();
     void everySnapIsExactOnAMesh();
+    void sliversSnapAsTestingAll_data();
+    void sliversSnapAsTestingAll();
     void whatIsTakenIsAsSureAsItsVertices();
     void theFrontPointNearestToTheClickIsTaken_data();
     void theFrontPointNearestToTheClickIsTaken();
@@ -207,6 +215,78 @@ void TestSnap::everySnapIsExactOnAMesh()
         }
     }
     QVERIFY2(vertices > 10 && edges > 20, qPrintable(QStringLiteral("%1 %2").arg(vertices).arg(edges)));
+}
+
+void TestSnap::sliversSnapAsTestingAll_data()
+{
+    QTest::addColumn<Lens>("lens");
+    QTest::addColumn<Tree>("tree");
+    for (const auto &[name, tree] : {std::pair("fastest", Tree::Fastest), std::pair("plain", Tree::Plain)}) {
+        QTest::addRow("perspective, %s", name) << Lens(Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 11.0}) << tree;
+        QTest::addRow("deep, %s", name) << Lens(Frustum{-0.001, 0.001, -0.00075, 0.00075, 0.001, 1e5}) << tree;
+        QTest::addRow("ortho, %s", name) << Lens(Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0}) << tree;
+        QTest::addRow("oblique, %s", name) << Lens(Oblique{Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0}, 1.3, 1.8}) << tree;
+    }
+}
+
+/// Triangles a hundredth of a pixel wide, which rays a pixel apart pass by, with larger ones that hide some of them.
+void TestSnap::sliversSnapAsTestingAll()
+{
+    QFETCH(Lens, lens);
+    QFETCH(Tree, tree);
+    Picture picture = straightPicture();
+    picture.lens = lens;
+    Aim aim(5);
+    std::vector<glm::vec3> corners;
+    for (int i = 0; i < 1500; ++i) {
+        const glm::dvec3 from = 2.0 * aim.share() * aim.direction(), way = 0.4 * aim.share() * aim.direction();
+        const double width = i % 20 == 0 ? 0.3 : 0.0002;
+        corners.insert(corners.end(), {glm::vec3(from), glm::vec3(from + way),
+                                       glm::vec3(from + way * aim.share() + width * aim.direction())});
+    }
+    const auto model = modelOf(corners);
+    const std::vector<SceneObject> objects{
+        {"object", {}, model, {Translate{{0.1, -0.2, 0.0}}, Scale{glm::dvec3(1.1)}}}};
+    const std::vector<std::shared_ptr<const RayCaster>> casters{RayCaster::build(model, {}, tree)};
+    const SceneRays rays(*Unprojector::of(picture), objects, casters, {});
+    const glm::dmat4 matrix = worldFromObject(objects[0].transform);
+    struct Seen {
+        WorldPoint world;
+        DevicePoint at;
+    };
+    std::vector<Seen> all;
+    for (const glm::vec3 &corner : corners) {
+        const WorldPoint world(glm::dvec3(matrix * glm::dvec4(glm::dvec3(corner), 1.0)));
+        all.push_back({world, deviceFromWindow(picture.surface, *windowFromWorld(picture, world))});
+    }
+    const auto isHidden = [&](const Seen &seen) {
+        if (!rays.rays().isInPicture(seen.at))
+            return true;
+        const auto first = *rays.at(seen.at);
+        return first && distance(first->world, seen.world) > 1e-6 && first->world.z > seen.world.z;
+    };
+    int hits = 0;
+    for (int i = 0; i < 300; ++i) {
+        const DevicePoint click(640.0 * aim.share(), 480.0 * aim.share());
+        std::vector<Seen> candidates;
+        std::copy_if(all.begin(), all.end(), std::back_inserter(candidates),
+                     [&](const Seen &seen) { return distance(seen.at, click) <= kSnapPixels; });
+        std::stable_sort(candidates.begin(), candidates.end(),
+                         [&](const Seen &a, const Seen &b) { return distance(a.at, click) < distance(b.at, click); });
+        const auto nearest =
+            std::find_if(candidates.begin(), candidates.end(), [&](const Seen &seen) { return !isHidden(seen); });
+        const auto hit = *rays.at(click, Snap::Vertex);
+        QCOMPARE(hit.has_value(), nearest != candidates.end());
+        if (!hit)
+            continue;
+        ++hits;
+        QVERIFY(distance(hit->world, nearest->world) < 1e-9);
+        const auto edge = *rays.at(click, Snap::Edge);
+        QVERIFY(edge);
+        const DevicePoint at = deviceFromWindow(picture.surface, *windowFromWorld(picture, edge->world));
+        QVERIFY(distance(at, click) <= distance(nearest->at, click) + 1e-6);
+    }
+    QVERIFY2(hits > 60, qPrintable(QString::number(hits)));
 }
 
 void TestSnap::whatIsTakenIsAsSureAsItsVertices()
