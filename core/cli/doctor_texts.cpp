@@ -219,8 +219,11 @@ std::string landingText(const Diagnosis &diagnosis)
     if (!diagnosis.projected)
         return line(tr("lands|row"), tr("in the plane of the eye, by the right matrices"));
     const glm::dvec3 &at = *diagnosis.projected;
-    return line(tr("lands|row"), tr("on pixel %1 %2, depth %3, by the right matrices: %4", shortText(at.x, 7),
-                                    shortText(at.y, 7), shortText(at.z, 7), rightnessText(diagnosis)));
+    constexpr int kPixelDigits = 7;
+    constexpr double kShare = 0.1; // what a depth is short of may not show in the point's last digit
+    return line(tr("lands|row"), tr("on pixel %1 %2, depth %3, by the right matrices: %4",
+                                    shortText(at.x, kPixelDigits), shortText(at.y, kPixelDigits),
+                                    shortestText(at.z, kShare * diagnosis.depthUnsure), rightnessText(diagnosis)));
 }
 
 std::string candidateText(const Candidate &candidate, const Diagnosis &diagnosis, const WrongPoint &first)

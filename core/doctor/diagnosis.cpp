@@ -345,6 +345,8 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
 
     Diagnosis diagnosis;
     diagnosis.projected = points.front().projected;
+    if (const auto unsure = diagnosis.projected ? unsureOf(*picture, points.front()) : std::nullopt)
+        diagnosis.depthUnsure = unsure->z;
     if (const auto right = Hypothesis().nearest(*picture, points.front().right)) {
         diagnosis.right = right->point;
         diagnosis.rightLastDigit = rightLastDigit(*picture, points.front(), right->point, given.front().lastDigit);

@@ -131,6 +131,7 @@ struct Diagnosis {
     /// x', y' (device pixels from the top-left corner) and depth of the first wrong point, by the right matrices; nothing in
     /// the plane of the eye.
     std::optional<glm::dvec3> projected;
+    double depthUnsure = 0.0; ///< how far that depth moves when the point does, within its last digits; 0: not known
     Landing landing = Landing::Right;
     DepthKnown depthKnown = DepthKnown::Given;
     std::optional<glm::dvec3> right; ///< what the first click gives, in its space; of an unknown depth, the nearest

@@ -44,13 +44,12 @@ struct Cell {
 
 std::array<Cell, ColumnCount> cellsOf(const Pick &pick, Api api, const ApiClick &click)
 {
-    constexpr int kDepthDigits = 9, kNdcDigits = 6;
+    constexpr int kNdcDigits = 6;
     const glm::dvec3 &n = click.ndc, &e = click.eye, &w = click.world;
     const bool isDistance = api == Api::OpenCv;
     return {
         {{bracketed({pixelText(click.position.x), pixelText(click.position.y)}), {click.position.x, click.position.y}},
-         {isDistance ? certainText(click.depth, pick.uncertainty.eye.z) : writtenText(click.depth, kDepthDigits),
-          {click.depth}},
+         {isDistance ? certainText(click.depth, pick.uncertainty.eye.z) : depthText(click.depth), {click.depth}},
          {bracketed({writtenText(n.x, kNdcDigits), writtenText(n.y, kNdcDigits), writtenText(n.z, kNdcDigits)}),
           {n.x, n.y, n.z}},
          {pointText(EyePoint(e), pick.uncertainty.eye), {e.x, e.y, e.z}},

@@ -67,9 +67,9 @@ QString windowText(const WindowPoint &window)
     return ComparisonPanel::tr("%1, the pixel's centre").arg(positionText(window.x, window.y));
 }
 
-QString depthText(double depth, bool isRead)
+QString clickedDepthText(double depth, bool isRead)
 {
-    const QString text = writtenText(depth, 9);
+    const QString text = depthText(depth);
     return isRead ? ComparisonPanel::tr("%1, as read").arg(text)
                   : ComparisonPanel::tr("%1, the far plane's: nothing to read").arg(text);
 }
@@ -103,7 +103,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
                     {windowText(WindowPoint(kWidest, kWidest, 0.0))});
     m_depth = steadyLabel(
         tr("Depth"), tr("From the depth buffer, in the depth range: by default 0 is the near plane, 1 the far plane"),
-        {depthText(0.888888888, true), depthText(0.8, false)});
+        {clickedDepthText(0.888888888888, true), clickedDepthText(0.8, false)});
     auto *chain = new QGridLayout; // names and values begin on one line, however many the value takes
     chain->setVerticalSpacing(2);
     chain->setColumnStretch(1, 1);
@@ -332,7 +332,7 @@ void ComparisonPanel::showPick()
     m_widget->setText(widgetText(pick->widget));
     m_devicePixel->setText(devicePixelText(pick->devicePixel, pick->geometry.surface));
     m_window->setText(windowText(pick->window));
-    m_depth->setText(depthText(pick->window.z, pick->hit()));
+    m_depth->setText(clickedDepthText(pick->window.z, pick->hit()));
     m_widget->setValue({QStringLiteral("widget"), {pick->widget.x, pick->widget.y}});
     m_devicePixel->setValue(
         {QStringLiteral("devicePixel"), {double(pick->devicePixel.i), double(pick->devicePixel.j)}});

@@ -1,6 +1,7 @@
 #include "gui/text/doctor_text.h"
 
 #include "core/doctor/ranking.h"
+#include "core/text/number_text.h"
 #include "gui/text/mistake_text.h"
 #include "gui/text/number_text.h"
 
@@ -90,10 +91,11 @@ QString landingText(const Diagnosis &diagnosis)
     if (!diagnosis.projected)
         return DoctorText::tr("in the plane of the eye");
     constexpr int kDigits = 7;
+    constexpr double kShare = 0.1; // what a depth is short of may not show in the point's last digit
     const QString place =
         DoctorText::tr("on pixel %1, %2, depth %3")
             .arg(writtenText(diagnosis.projected->x, kDigits), writtenText(diagnosis.projected->y, kDigits),
-                 writtenText(diagnosis.projected->z, kDigits));
+                 QString::fromStdString(text::shortestText(diagnosis.projected->z, kShare * diagnosis.depthUnsure)));
     const bool isByRay = diagnosis.depthKnown == DepthKnown::ByRay;
     QString what;
     switch (diagnosis.landing) {

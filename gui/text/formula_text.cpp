@@ -16,9 +16,8 @@ using namespace unproject;
 namespace {
 
 constexpr int kDigits = 6;
-/// Of what people compare with their own numbers: pixels, the viewport, the depth.
+/// Of what people compare with their own numbers: pixels, the viewport.
 constexpr int kPixelDigits = 10;
-constexpr int kDepthDigits = 9;
 
 struct Formulas {
     Q_DECLARE_TR_FUNCTIONS(Formulas)
@@ -79,8 +78,10 @@ FormulaTerms termsOf(const Pick &pick, const EyePoint &eye, const WorldPoint &wo
         {"t", scalar("t", Formulas::tr("Upper edge of the projection window, eye units"), w.top)},
         {"n", scalar("n", Formulas::tr("Distance of the near plane, eye units"), w.nearDistance)},
         {"f", scalar("f", Formulas::tr("Distance of the far plane, eye units"), w.farDistance)},
-        {"d", scalar("d", Formulas::tr("The depth that was read, 0 at the near and 1 at the far plane"), depth,
-                     kDepthDigits)},
+        {"d", FormulaTerm{QStringLiteral("d"),
+                          Formulas::tr("The depth that was read, 0 at the near and 1 at the far plane"),
+                          {depthText(depth).replace(u'-', u'−')},
+                          {depth}}},
         {"z", scalar("z", Formulas::tr("Distance of the point in front of the eye, eye units"), z)},
         {"x", scalar("x", Formulas::tr("The point to the right of the eye, eye units"), eye.x)},
         {"y", scalar("y", Formulas::tr("The point above the eye, eye units"), eye.y)},

@@ -63,6 +63,12 @@ QString shortestText(double value)
                            QString::number(value, 'f', QLocale::FloatingPointShortest));
 }
 
+QString depthText(double depth)
+{
+    constexpr int kDigits = 12;
+    return writtenText(depth, kDigits);
+}
+
 QString significantText(double value, int digits)
 {
     return QString::number(value == 0.0 ? 0.0 : value, 'g', digits);

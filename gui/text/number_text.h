@@ -23,6 +23,10 @@ QString writtenText(double value, int digits);
 /// How large something is: so many significant digits, trailing zeros dropped: "0.83", "5.2", "3.1e-15", "1.2e+06".
 QString significantText(double value, int digits);
 
+/// A window depth from which its point comes out as sure as the depth buffer is: 12 significant digits, five more than single
+/// precision has. Close to a far plane a step of the last is stretched by far over near, as the buffer's own steps are.
+QString depthText(double depth);
+
 /// So many decimals, at most 20; never "-0.000".
 QString fixedText(double value, int decimals);
 

@@ -1,6 +1,7 @@
 #include "gui/view/scene_view.h"
 
 #include "core/scene/point_size.h"
+#include "gui/text/number_text.h"
 #include "gui/view/scene_overlay.h"
 
 #include <QElapsedTimer>
@@ -264,7 +265,7 @@ void SceneView::onLButtonDown(const WidgetPoint &position)
                            "glReadPixels(%1, %2, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth): depth = %3, object id %4")
                            .arg(pixel->i)
                            .arg(framebufferRow(surface, *pixel))
-                           .arg(sample->depth, 0, 'g', 9)
+                           .arg(depthText(sample->depth))
                            .arg(sample->object ? *sample->object + 1 : 0),
                        milliseconds(timer)});
     }

@@ -5,6 +5,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 
 #include <cmath>
 
@@ -31,6 +32,7 @@ private slots:
     void theVerdictInJson_data();
     void theVerdictInJson();
     void theAnswerInWords();
+    void theDepthHasTheDigitsOfThePoint();
     void theRightPointHasItsOwnDigits_data();
     void theRightPointHasItsOwnDigits();
     void ofTwoChangesOneIsFirst();
@@ -145,6 +147,25 @@ void TestDoctorCommand::theAnswerInWords()
     VERIFY_SUCCEEDED(unknown);
     QVERIFY(unknown.output.startsWith("unknown\n  Nothing that is known explains this point"));
     QVERIFY(unknown.output.contains("lands        on pixel"));
+}
+
+/// Near 0.001, far 100000: the depth begins with nines. From where the point is said to land it comes out again.
+void TestDoctorCommand::theDepthHasTheDigitsOfThePoint()
+{
+    const QString scene = m_folder.write("deep.json", R"({
+        "unprojector": 1, "window": {"width": 1000, "height": 700},
+        "projection": {"type": "perspective", "fovy": 45, "near": 0.001, "far": 100000},
+        "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}, "objects": []})");
+    const Run run = runCommand({"doctor", scene, "--pixel", "500.5,350.5", "--got", "0.50000,0.25000,2.03364"});
+    static const QRegularExpression landing("on pixel ([^ ]+) ([^ ]+), depth ([^ ]+), by");
+    const QRegularExpressionMatch place = landing.match(run.output);
+    QVERIFY2(place.hasMatch(), run.output);
+    QVERIFY2(place.captured(3).size() < 14, run.output); // no more than it needs
+    const QByteArray row = (place.captured(1) + ',' + place.captured(2) + ',' + place.captured(3)).toUtf8();
+    const Run back = runCommand({"points", "--method", "formula", "--no-header", scene}, "px,py,depth\n" + row + '\n');
+    const double expected[] = {0.5, 0.25, 2.03364};
+    for (int k = 0; k < 3; ++k)
+        QVERIFY2(std::abs(back.lines()[0].split(',')[3 + k].toDouble() - expected[k]) < 1e-5, back.output);
 }
 
 void TestDoctorCommand::theRightPointHasItsOwnDigits_data()

@@ -63,6 +63,8 @@ private slots:
     void theWholePanelIsCopied();
     void selectedCellsAreCopiedWithAllDigits();
     void theChainIsWrittenOut();
+    void theShownDepthTellsThePoint_data();
+    void theShownDepthTellsThePoint();
     void theDepthRangeChangesOnlyTheDepth_data() { depthranges::addRows(); }
     void theDepthRangeChangesOnlyTheDepth();
     void thePanelStandsStillFromClickToClick_data();
@@ -287,6 +289,61 @@ void TestComparisonPanel::theChainIsWrittenOut()
     panel.setPick(std::nullopt);
     QCOMPARE(labelNamed(panel, "Window position")->text(), QStringLiteral("–"));
     QVERIFY(panel.findChild<FormulaView *>()->formulas().text().isEmpty());
+}
+
+void TestComparisonPanel::theShownDepthTellsThePoint_data()
+{
+    QTest::addColumn<double>("distance");
+    QTest::addColumn<DepthRange>("range");
+    for (const double distance : {0.0015, 0.1, 2.966360, 150.0, 8000.0}) {
+        QTest::addRow("%g", distance) << distance << DepthRange{0.0, 1.0};
+        QTest::addRow("%g, reversed", distance) << distance << DepthRange{1.0, 0.0};
+        QTest::addRow("%g, behind nines", distance) << distance << DepthRange{0.9, 1.0};
+    }
+}
+
+/// Near 0.001, far 100000: nearly all depths begin with many nines. What is shown, in the chain, in the formula and as other
+/// programs have it, tells a point whose digits are those of the table as far as they are certain, and two more.
+void TestComparisonPanel::theShownDepthTellsThePoint()
+{
+    QFETCH(double, distance);
+    QFETCH(DepthRange, range);
+    const double n = 0.001, f = 100000.0;
+    Picture geometry = frustumGeometry();
+    geometry.depthRange = range;
+    geometry.lens = Projection(Frustum{-n / 2.0, n / 2.0, -n * 0.375, n * 0.375, n, f});
+    const double share = (1.0 / n - 1.0 / distance) / (1.0 / n - 1.0 / f);
+    constexpr double kSteps = 16777215.0; // of 24 bits
+    const double depth = std::round((range.atNear + share * (range.atFar - range.atNear)) * kSteps) / kSteps;
+    const Pick pick = picked(geometry, 700.0, 100.0, depth);
+    PanelOfPicks panel;
+    panel.setPick(pick);
+    const Unprojector unprojector = Unprojector::of(geometry).value();
+    const auto tellsThePoint = [&](double shown) {
+        const Result<WorldPoint> point =
+            unprojector.worldAt(Method::Formula, WindowPoint(pick.window.x, pick.window.y, shown));
+        if (!point)
+            return false;
+        constexpr double kShare = 0.01;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double off = std::abs((*point)[axis] - (*pick.point.world[Method::Formula])[axis]);
+            if (!(off <= kShare * pick.uncertainty.world[axis]))
+                return false;
+        }
+        return true;
+    };
+    const QString chain = labelNamed(panel, "Depth")->text().section(u',', 0, 0);
+    QVERIFY2(tellsThePoint(chain.toDouble()), qPrintable(chain));
+    QVERIFY2(panel.text().contains(QStringLiteral("Depth\t%1,").arg(chain)), qPrintable(panel.text()));
+    const FormulaTerms terms = formulasOf(pick).terms;
+    const double unit = terms.at(QStringLiteral("d")).value.front().toDouble();
+    QVERIFY(tellsThePoint(range.atNear + unit * (range.atFar - range.atNear)));
+    ApiClicksView view;
+    view.setOpen(true);
+    view.setPick(pick);
+    const auto *table = view.findChild<QTableWidget *>();
+    const QString asOpenGl = table->item(0, 1)->text();
+    QCOMPARE(asOpenGl, chain);
 }
 
 void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
