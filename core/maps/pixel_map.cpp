@@ -421,7 +421,7 @@ Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unproje
     for (int begin = 0; begin < map.heightPixels; begin += atATime) {
         Rows rows(static_cast<std::size_t>(std::min(atATime, map.heightPixels - begin)));
         std::iota(rows.begin(), rows.end(), begin);
-        /// The first half of a band is meeting its surfaces.
+        // The first half of a band is meeting its surfaces.
         const auto partFrom = [&](double start) -> ray::Progress {
             if (!progress)
                 return {};
