@@ -9,6 +9,8 @@ packages=(
     qt6-base-dev libqt6opengl6-dev libgl-dev libopengl-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
     # Vectors and matrices, rays on meshes, JSON of scenes and glTF, the command's options, extended precision
     libglm-dev libembree-dev nlohmann-json3-dev libcli11-dev libboost-dev
+    # Packed glTF files
+    libdraco-dev libmeshoptimizer-dev
     # For the tests: the code that is written for GLU is compiled and run
     libglu1-mesa-dev
     # At run time: software OpenGL and a font, which Qt's packages do not depend on; a display where there is none; the
@@ -20,7 +22,7 @@ packages=(
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     cat >&2 <<EOF
 This script installs packages on Debian and Ubuntu only. Elsewhere, install a C++20 compiler, CMake 3.25 or later,
-Ninja, Qt 6.4 or later (base and tools), GLM, Embree, nlohmann-json, the Boost headers and Xvfb, then run
+Ninja, Qt 6.4 or later (base and tools), GLM, Embree, Draco, meshoptimizer, nlohmann-json, the Boost headers and Xvfb, then run
     cmake --workflow --preset release && build/release/gui/unprojector
 EOF
     exit 1

@@ -1,5 +1,7 @@
 #include "core/mesh_import/gltf_extensions.h"
 
+#include "core/mesh_import/draco_mesh.h"
+#include "core/mesh_import/meshopt_view.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -24,11 +26,11 @@ constexpr Entry kExtensions[] = {
     {"KHR_node_visibility", GltfExtension::Read},
     {"KHR_texture_transform", GltfExtension::Read},
     {"KHR_materials_pbrSpecularGlossiness", GltfExtension::Read},
+    {kDracoExtension, GltfExtension::Unpacked},
+    {kMeshoptExtension, GltfExtension::Unpacked},
 
     // Vertices and faces are packed, or are made of something else.
-    {"KHR_draco_mesh_compression", GltfExtension::ChangesShape},
     {"KHR_meshopt_compression", GltfExtension::ChangesShape},
-    {"EXT_meshopt_compression", GltfExtension::ChangesShape},
     {"MESHOPT_compression", GltfExtension::ChangesShape},
     {"ALI_amc_mesh_compression", GltfExtension::ChangesShape},
     {"KHR_quantized_geometry", GltfExtension::ChangesShape},
@@ -176,6 +178,19 @@ constexpr Entry kExtensions[] = {
     {"VRM", GltfExtension::LeavesShape},
 };
 
+/// What unpacks an extension, and the option by which the program is built with it.
+struct Unpacker {
+    const char *library;
+    const char *option;
+    bool isThere;
+};
+
+Unpacker unpackerOf(std::string_view extension)
+{
+    return extension == kDracoExtension ? Unpacker{"Draco", "UNPROJECTOR_DRACO", hasDraco()}
+                                        : Unpacker{"meshoptimizer", "UNPROJECTOR_MESHOPTIMIZER", hasMeshopt()};
+}
+
 bool fits(std::string_view pattern, std::string_view name)
 {
     return pattern.ends_with('*') ? name.starts_with(pattern.substr(0, pattern.size() - 1)) : name == pattern;
@@ -201,12 +216,32 @@ GltfExtension gltfExtension(std::string_view name)
     return found == std::end(kExtensions) ? GltfExtension::Unknown : found->meaning;
 }
 
+const Json *extensionOf(const Json &object, const char *name)
+{
+    const Json *extensions = GltfFile::find(object, "extensions");
+    return extensions ? GltfFile::find(*extensions, name) : nullptr;
+}
+
+void failWithoutLibrary(std::string_view name)
+{
+    const Unpacker unpacker = unpackerOf(name);
+    throw Failure(
+        ImportErrorCode::Unsupported,
+        tr("it needs the glTF extension %1, and this program was built without the library %2, which unpacks it; "
+           "build it with -D%3=ON, or export the file without the extension",
+           name, unpacker.library, unpacker.option));
+}
+
 void checkExtensions(const GltfFile &file, std::vector<ModelNote> &notes)
 {
     const std::set<std::string> required = namesIn(file, "extensionsRequired");
     for (const std::string &name : required) {
         switch (gltfExtension(name)) {
         case GltfExtension::Read: break;
+        case GltfExtension::Unpacked:
+            if (!unpackerOf(name).isThere)
+                failWithoutLibrary(name);
+            break;
         case GltfExtension::LeavesShape: notes.push_back({ModelNote::Kind::ExtensionLeftOut, 0, name}); break;
         case GltfExtension::ChangesShape:
             throw Failure(ImportErrorCode::Unsupported,
@@ -219,7 +254,8 @@ void checkExtensions(const GltfFile &file, std::vector<ModelNote> &notes)
         }
     }
     for (const std::string &name : namesIn(file, "extensionsUsed")) {
-        if (gltfExtension(name) == GltfExtension::ChangesShape)
+        const GltfExtension meaning = gltfExtension(name);
+        if (meaning == GltfExtension::ChangesShape || (meaning == GltfExtension::Unpacked && !unpackerOf(name).isThere))
             notes.push_back({ModelNote::Kind::SubstituteShown, 0, name});
     }
 }

@@ -1,5 +1,7 @@
 #include "core/mesh_import/gltf_file.h"
 
+#include "core/mesh_import/gltf_extensions.h"
+#include "core/mesh_import/meshopt_view.h"
 #include "core/text/json_syntax.h"
 #include "core/text/translation.h"
 
@@ -277,16 +279,16 @@ std::span<const std::uint8_t> GltfFile::bufferBytes(std::uint64_t buffer)
     const Json &described = array("buffers")[static_cast<std::size_t>(buffer)];
     const Json *uri = find(described, "uri");
     const std::uint64_t declared = number(described, "byteLength", 0);
-    if (!uri) {
+    auto &slot = m_buffers[static_cast<std::size_t>(buffer)];
+    if (!uri && !slot) {
         if (!m_isGlb || buffer != 0)
             failMalformed(tr("buffer %1 has no bytes", buffer));
         if (declared > m_binary.size())
             failMalformed(tr("the binary chunk is shorter than the buffer"));
         return m_binary.first(static_cast<std::size_t>(declared));
     }
-    if (!uri->is_string())
+    if (uri && !uri->is_string())
         failMalformed(tr("the address of a buffer is no text"));
-    auto &slot = m_buffers[static_cast<std::size_t>(buffer)];
     if (!slot)
         slot = std::make_unique<Buffer>(readBuffer(uri->get_ref<const std::string &>()));
     if (declared > slot->bytes().size())
@@ -294,15 +296,44 @@ std::span<const std::uint8_t> GltfFile::bufferBytes(std::uint64_t buffer)
     return slot->bytes();
 }
 
-std::span<const std::uint8_t> GltfFile::viewBytes(const Json &object)
+std::span<const std::uint8_t> GltfFile::bytesOf(const Json &view)
 {
-    const Json &view = reference(object, "bufferView", "bufferViews");
     reference(view, "buffer", "buffers");
     const std::span<const std::uint8_t> buffer = bufferBytes(number(view, "buffer", 0));
     const std::uint64_t offset = number(view, "byteOffset", 0), length = number(view, "byteLength", 0);
     if (offset + length > buffer.size())
         failMalformed(tr("a buffer view goes beyond its buffer of %1 bytes", buffer.size()));
     return buffer.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
+}
+
+std::span<const std::uint8_t> GltfFile::viewBytes(const Json &object)
+{
+    const Json &view = reference(object, "bufferView", "bufferViews");
+    const Json *packed = extensionOf(view, kMeshoptExtension);
+    if (!packed)
+        return bytesOf(view);
+    if (!hasMeshopt()) {
+        // What stands in for the packed bytes may be nothing.
+        if (!find(reference(view, "buffer", "buffers"), "uri") && (!m_isGlb || number(view, "buffer", 0) != 0))
+            failWithoutLibrary(kMeshoptExtension);
+        return bytesOf(view);
+    }
+    const auto [unpacked, isNew] = m_unpackedViews.try_emplace(number(object, "bufferView", 0));
+    if (isNew)
+        unpacked->second = unpackedView(view, *packed, bytesOf(*packed));
+    return unpacked->second;
+}
+
+std::size_t GltfFile::addAccessor(Json accessor, std::vector<std::uint8_t> bytes)
+{
+    const std::size_t length = bytes.size();
+    m_buffers.push_back(std::make_unique<Buffer>());
+    m_buffers.back()->embedded = std::move(bytes);
+    m_root["buffers"].push_back({{"byteLength", length}});
+    m_root["bufferViews"].push_back({{"buffer", m_buffers.size() - 1}, {"byteLength", length}});
+    accessor["bufferView"] = m_root["bufferViews"].size() - 1;
+    m_root["accessors"].push_back(std::move(accessor));
+    return m_root["accessors"].size() - 1;
 }
 
 } // namespace unprojector::mesh_import::mesh_reader

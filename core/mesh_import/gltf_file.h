@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -28,6 +29,7 @@ public:
 
     const Source &source() const { return m_source; }
     const Json &root() const { return m_root; }
+    Json &root() { return m_root; }
     /// The files of buffers that were read.
     const std::vector<std::filesystem::path> &bufferFiles() const { return m_bufferFiles; }
 
@@ -43,8 +45,13 @@ public:
     /// The object that `key` refers to by its number in the array `target`.
     const Json &reference(const Json &object, const char *key, const char *target) const;
 
-    /// The bytes of the buffer view that an object refers to.
+    /// The bytes of the buffer view that an object refers to, unpacked where EXT_meshopt_compression packs them.
     std::span<const std::uint8_t> viewBytes(const Json &object);
+
+    /// Adds unpacked bytes to the file's, and an accessor of them. References to its buffers, views and accessors end.
+    /// @param accessor  without a buffer view
+    /// @return the accessor's number
+    std::size_t addAccessor(Json accessor, std::vector<std::uint8_t> bytes);
 
 private:
     /// What stands in the JSON, or in a file of its own.
@@ -55,6 +62,8 @@ private:
     };
     Buffer readBuffer(const std::string &address);
     std::span<const std::uint8_t> bufferBytes(std::uint64_t buffer);
+    /// The part of its buffer that a view names, or what packs one.
+    std::span<const std::uint8_t> bytesOf(const Json &view);
 
     const Source &m_source;
     std::vector<ModelNote> &m_notes;
@@ -62,6 +71,7 @@ private:
     bool m_isGlb = false;
     std::span<const std::uint8_t> m_binary;         ///< GLB's chunk
     std::vector<std::unique_ptr<Buffer>> m_buffers; ///< of those read so far
+    std::map<std::uint64_t, std::vector<std::uint8_t>> m_unpackedViews;
     std::vector<std::filesystem::path> m_bufferFiles;
 };
 

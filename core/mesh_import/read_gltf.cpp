@@ -1,5 +1,6 @@
 #include "core/geometry/finite.h"
 #include "core/mesh_import/gltf_corners.h"
+#include "core/mesh_import/gltf_draco.h"
 #include "core/mesh_import/gltf_extensions.h"
 #include "core/mesh_import/gltf_file.h"
 #include "core/mesh_import/gltf_instances.h"
@@ -22,6 +23,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -95,12 +97,16 @@ public:
         GltfSkins skins(m_file, nodes);
         if (m_file.array("meshes").empty())
             throw Failure(ImportErrorCode::NoTriangles);
-        nodes.visit([this](const Json &node, const glm::dmat4 &) {
+        std::set<std::uint64_t> shown;
+        nodes.visit([&](const Json &node, const glm::dmat4 &) {
             m_totalVertices = std::min(m_totalVertices + vertexCountOf(node), kMostCounted);
+            if (GltfFile::find(node, "mesh"))
+                shown.insert(GltfFile::number(node, "mesh", 0));
         });
         if (m_totalVertices > kMostVertices)
             failMalformed(
                 tr("the nodes show %1 vertices, of which at most %2 can be read", m_totalVertices, kMostVertices));
+        unpackDraco(m_file, shown);
         m_hidden = nodes.visit(
             [&](const Json &node, const glm::dmat4 &worldFromNode) { addNode(node, worldFromNode, skins); });
         noteWhatIsLeftOut();

@@ -1,14 +1,18 @@
 // glTF and GLB: what is refused, and what is said about the rest.
 
+#include "core/mesh_import/draco_mesh.h"
+#include "core/mesh_import/meshopt_view.h"
 #include "gltf_builder.h"
 
 #include <QTest>
 
+#include <tuple>
 #include <vector>
 
 using namespace unprojector;
 using namespace unprojector::geometry;
 using namespace unprojector::mesh_import;
+using namespace unprojector::mesh_import::mesh_reader;
 using namespace unprojector::scene;
 using namespace model_files;
 
@@ -57,8 +61,8 @@ void TestGltfMessages::saysWhatIsLeftOut_data()
              .split(' '))
         QTest::newRow(extension.constData()) << quad({}, ",\"extensionsRequired\":[\"" + extension + "\"]") << 2
                                              << int(Kind::ExtensionLeftOut) << 0 << QString::fromLatin1(extension);
-    QTest::newRow("a packed shape besides") << quad({}, R"(,"extensionsUsed":["KHR_draco_mesh_compression","ACME_x"])")
-                                            << 2 << int(Kind::SubstituteShown) << 0 << "KHR_draco_mesh_compression";
+    QTest::newRow("a packed shape besides") << quad({}, R"(,"extensionsUsed":["KHR_meshopt_compression","ACME_x"])")
+                                            << 2 << int(Kind::SubstituteShown) << 0 << "KHR_meshopt_compression";
     {
         QByteArray json = quad(R"(,"children":[1])");
         json.replace(
@@ -197,11 +201,20 @@ void TestGltfMessages::whatCannotBeShownIsNamed_data()
     QTest::addColumn<ImportErrorCode>("code");
     QTest::addColumn<QString>("detail");
     const QString gltf = QStringLiteral("model.gltf"), glbName = QStringLiteral("model.glb");
-    for (const char *extension : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_primitive_restart",
+    for (const char *extension : {"KHR_meshopt_compression", "KHR_mesh_primitive_restart",
                                   "KHR_gaussian_splatting_compression_spz_2", "CESIUM_RTC"})
         QTest::newRow(extension) << quad({}, ",\"extensionsRequired\":[\"" + QByteArray(extension) + "\"]") << gltf
                                  << ImportErrorCode::Unsupported
                                  << extension + QStringLiteral(", which is not supported");
+    for (const auto &[extension, library, isThere] :
+         {std::tuple("KHR_draco_mesh_compression", "Draco", hasDraco()),
+          std::tuple("EXT_meshopt_compression", "meshoptimizer", hasMeshopt())}) {
+        if (!isThere)
+            QTest::newRow(extension)
+                << quad({}, ",\"extensionsRequired\":[\"" + QByteArray(extension) + "\"]") << gltf
+                << ImportErrorCode::Unsupported
+                << QString("%1, and this program was built without the library %2").arg(extension, library);
+    }
     for (const char *extension : {"ACME_shape", "KHR_shape", "khr_materials_unlit"})
         QTest::newRow(extension) << quad({}, ",\"extensionsRequired\":[\"" + QByteArray(extension) + "\"]") << gltf
                                  << ImportErrorCode::Unsupported
