@@ -48,6 +48,17 @@ glm::vec3 vectorAt(const std::uint8_t *bytes)
 /// would take longer than everything else.
 constexpr std::size_t kMostTrianglesToWeld = 300000;
 
+/// Numbers the vertices by their places: a vertex where two colours meet is two here, and one of the file's.
+/// @return how many places there are
+std::size_t numberPlaces(Mesh &mesh)
+{
+    PositionIndex places(mesh.positions.size() / 6);
+    mesh.vertexNumbers.reserve(mesh.positions.size());
+    for (const glm::vec3 &position : mesh.positions)
+        mesh.vertexNumbers.push_back(places.add(position));
+    return places.size();
+}
+
 [[noreturn]] void failAtCorner(std::size_t corner)
 {
     throw Failure(ImportErrorCode::NotFinite, {}, corner);
@@ -363,8 +374,11 @@ Model readStl(const Source &source)
     }
     // The facets' normals are left out: they say nothing that the corners don't.
     // STL repeats each vertex in every triangle around it.
-    if (mesh.triangleCount() <= kMostTrianglesToWeld)
+    if (mesh.triangleCount() <= kMostTrianglesToWeld) {
+        if (!mesh.colors.empty())
+            model.fileVertices = numberPlaces(mesh);
         mergeEqualVertices(mesh);
+    }
     model.meshes.push_back(std::move(mesh));
     return model;
 }

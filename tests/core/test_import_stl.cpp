@@ -14,6 +14,7 @@ class TestImportStl : public QObject {
 
 private slots:
     void weldsSmallMeshes();
+    void aVertexOfTwoColoursIsOneOfTheFile();
     void keepsLargeMeshesAsTheyAre_data();
     void keepsLargeMeshesAsTheyAre();
     void keepsTheMillimetresOfASurvey();
@@ -51,6 +52,17 @@ void TestImportStl::weldsSmallMeshes()
         QCOMPARE(result.value()->meshes.front().positions.size(), std::size_t{24});
         QCOMPARE(result.value()->meshes.front().indices.size(), std::size_t{36});
     }
+}
+
+void TestImportStl::aVertexOfTwoColoursIsOneOfTheFile()
+{
+    QByteArray bytes = stlBinary();
+    for (int t = 0; t < 12; ++t)
+        bytes.replace(84 + 50 * t + 48, 2, little(quint16(0x8000 | (t % 2 == 0 ? 31 : 31 << 10))));
+    const auto result = m_folder.imported("box.stl", bytes);
+    REQUIRE_MODEL(result);
+    QVERIFY(result.value()->meshes.front().positions.size() > std::size_t{8});
+    QCOMPARE(result.value()->fileVertices, std::size_t{8});
 }
 
 void TestImportStl::keepsLargeMeshesAsTheyAre_data()
