@@ -24,14 +24,15 @@ void inParallelRanges(std::size_t count, std::size_t size, const std::function<v
                       const std::function<void(std::size_t, std::size_t)> &range);
 
 /// Makes an array as long as `count` and fills it: fill(begin, end) sets these elements. In steps, since the memory of a
-/// long array takes a long time to come.
+/// long array takes a long time to come. One that grows by many calls is not copied at each.
 template <class T>
 void fillInParallel(std::vector<T> &values, std::size_t count, const std::function<void(double)> &report,
                     const std::function<void(std::size_t, std::size_t)> &fill)
 {
     constexpr std::size_t kStep = 1 << 21;
     constexpr std::size_t kTask = 1 << 16;
-    values.reserve(count);
+    if (count > values.capacity())
+        values.reserve(std::max(count, 2 * values.capacity()));
     while (values.size() < count) {
         const std::size_t begin = values.size();
         const std::size_t size = std::min(kStep, count - begin);
