@@ -43,7 +43,7 @@ struct KnownPoint {
     Kind kind = Kind::Eye;
     glm::dvec3 point{0.0};  ///< of Case::verticesIn in world space, of a diagnosis in that of the points
     std::string object;     ///< of an object's origin and a vertex: its name
-    std::size_t vertex = 0; ///< its index, through all meshes of the object's model
+    std::size_t vertex = 0; ///< its number in the file, see Model::vertexNumber
 };
 
 /// What the program was looking at.

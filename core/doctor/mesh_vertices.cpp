@@ -2,11 +2,13 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
+
 namespace unprojector::doctor {
 
 std::vector<KnownPoint> verticesIn(std::span<const scene::SceneObject> objects, const Box &world)
 {
-    constexpr std::size_t kMost = 1000; // of a soup many vertices lie in one place
+    constexpr std::size_t kMost = 1000;
     std::vector<KnownPoint> found;
     for (const scene::SceneObject &object : objects) {
         if (object.isHidden || !object.model)
@@ -17,6 +19,9 @@ std::vector<KnownPoint> verticesIn(std::span<const scene::SceneObject> objects, 
             for (std::size_t vertex = 0; vertex < own.positions.size(); ++vertex) {
                 const glm::dvec3 at(worldFromModel * glm::dvec4(own.position(vertex), 1.0));
                 if (glm::clamp(at, world.lowest, world.highest) != at)
+                    continue;
+                // Of a soup many vertices lie in one place.
+                if (std::any_of(found.begin(), found.end(), [&at](const KnownPoint &one) { return one.point == at; }))
                     continue;
                 if (found.size() == kMost)
                     return found;

@@ -19,8 +19,11 @@ bool isSame(const glm::dmat4 &a, const glm::dmat4 &b)
 {
     double size = 1.0, off = 0.0;
     for (int i = 0; i < 16; ++i) {
+        const double difference = std::abs(a[i / 4][i % 4] - b[i / 4][i % 4]);
+        if (!std::isfinite(difference))
+            return false;
         size = std::max(size, std::abs(b[i / 4][i % 4]));
-        off = std::max(off, std::abs(a[i / 4][i % 4] - b[i / 4][i % 4]));
+        off = std::max(off, difference);
     }
     return off <= 1e-9 * size;
 }

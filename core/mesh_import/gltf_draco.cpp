@@ -24,9 +24,11 @@ std::uint64_t countOf(const GltfFile &file, const Json &object, const char *key)
 /// Without Draco, other data may stand in for the packed ones.
 void requireSubstitute(const GltfFile &file, const Json &primitive)
 {
+    const auto isPacked = [&file](const Json &object, const char *key) {
+        return GltfFile::find(object, key) && !GltfFile::find(file.reference(object, key, "accessors"), "bufferView");
+    };
     const Json *attributes = GltfFile::find(primitive, "attributes");
-    if (attributes && GltfFile::find(*attributes, "POSITION")
-        && !GltfFile::find(file.reference(*attributes, "POSITION", "accessors"), "bufferView"))
+    if ((attributes && isPacked(*attributes, "POSITION")) || isPacked(primitive, "indices"))
         failWithoutLibrary(kDracoExtension);
 }
 

@@ -318,9 +318,10 @@ std::span<const std::uint8_t> GltfFile::viewBytes(const Json &object)
             failWithoutLibrary(kMeshoptExtension);
         return bytesOf(view);
     }
-    const auto [unpacked, isNew] = m_unpackedViews.try_emplace(number(object, "bufferView", 0));
-    if (isNew)
-        unpacked->second = unpackedView(view, *packed, bytesOf(*packed));
+    const std::uint64_t place = number(object, "bufferView", 0);
+    auto unpacked = m_unpackedViews.find(place);
+    if (unpacked == m_unpackedViews.end())
+        unpacked = m_unpackedViews.emplace(place, unpackedView(view, *packed, bytesOf(*packed))).first;
     return unpacked->second;
 }
 

@@ -152,10 +152,11 @@ void finishNormals(Mesh &mesh, const std::function<void(double)> &report)
 /// As they come, where a reader has said nothing else.
 void numberVertices(Model &model)
 {
+    if (std::any_of(model.meshes.begin(), model.meshes.end(),
+                    [](const Mesh &mesh) { return !mesh.vertexNumbers.empty(); }))
+        return;
     std::uint32_t number = 0;
     for (Mesh &mesh : model.meshes) {
-        if (!mesh.vertexNumbers.empty())
-            return;
         mesh.vertexNumbers.resize(mesh.positions.size());
         std::iota(mesh.vertexNumbers.begin(), mesh.vertexNumbers.end(), number);
         number += static_cast<std::uint32_t>(mesh.positions.size());

@@ -266,6 +266,12 @@ void mergeEqualVertices(Mesh &mesh)
     for (std::uint32_t &index : mesh.indices) {
         if (mergedFromOld[index] == kEmpty) {
             std::uint64_t hash = hashOf(mesh.positions[index]);
+            if (!mesh.remainders.empty()) {
+                for (int axis = 0; axis < 3; ++axis)
+                    hash = mixed(hash, static_cast<std::uint32_t>(mesh.remainders[index][axis]));
+            }
+            if (hasNumbers)
+                hash = mixed(hash, mesh.vertexNumbers[index]);
             if (hasNormals)
                 hash = hashOf(mesh.normals[index], hash);
             if (hasTexcoords)

@@ -11,9 +11,8 @@ using text::tr;
 
 namespace {
 
-/// How many bytes a byte of packed vertices can become: 16 bytes of one column take 2 bits each at least, and the headers
-/// of later versions pack four columns as one.
-constexpr std::uint64_t kMostGrowth = 256;
+/// How many bytes a byte of packed vertices can become: later versions say by one that four columns of 256 vertices are 0.
+constexpr std::uint64_t kMostGrowth = 1024;
 
 std::string textOf(const Json &object, const char *key, const char *otherwise)
 {

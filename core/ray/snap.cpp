@@ -66,8 +66,10 @@ std::optional<SceneHit> SnapSearch::inSight(const Place &place) const
     if (hit.t < part->low - kRounding || hit.t > part->high * (1.0 + kRounding))
         return std::nullopt;
     const std::optional<SceneHit> first = m_rays.nearest(*part);
+    // The place is as certain as its edge, however the triangle is seen.
+    const WorldVector &own = hit.triangle->edge.uncertainty;
     const bool isHidden = first && first->t < hit.t * (1.0 - kRounding) - kRounding
-                          && distance(first->world, hit.world) > 4.0 * length(first->uncertainty + hit.uncertainty);
+                          && distance(first->world, hit.world) > 4.0 * length(first->uncertainty + own);
     return isHidden ? std::nullopt : std::optional(hit);
 }
 
@@ -199,8 +201,10 @@ std::optional<SceneHit> SnapSearch::nearest(const AddPlaces &addPlaces) const
         for (const std::uint32_t triangle : object.caster->trianglesAbout(*about))
             addPlaces(object, triangle, reach, places);
     }
+    // One behind another may be nearer by a rounding.
+    constexpr double kSamePlace = 1e-6;
     if (taken)
-        std::erase_if(places, [reach](const Place &place) { return place.pixels >= reach; });
+        std::erase_if(places, [reach](const Place &place) { return place.pixels >= reach - kSamePlace; });
     eraseHidden(places, hiding);
     if (std::optional<InSight> nearer = nearestInSight(std::move(places)))
         taken = std::move(nearer);

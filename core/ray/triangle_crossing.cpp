@@ -38,13 +38,17 @@ LineCrossing::Sheared LineCrossing::sheared(const glm::dvec3 &corner) const
 
 double LineCrossing::preciseEdge(const glm::dvec3 &b, const glm::dvec3 &c) const
 {
-    const auto shearedOf = [this](const glm::dvec3 &corner, int axis) {
+    // Only the direction counts: with its longest coordinate between 1 and 2 the products stay in range.
+    const int exponent = std::ilogb(m_along[m_z]);
+    const auto direction = [&](int axis) { return std::scalbn(m_along[axis], -exponent); };
+    const double longest = direction(m_z);
+    const auto shearedOf = [&](const glm::dvec3 &corner, int axis) {
         const auto from = [&](int k) { return DoubleDouble(corner[k]) - m_from[k]; };
-        return from(axis) * m_along[m_z] - from(m_z) * m_along[axis];
+        return from(axis) * longest - from(m_z) * direction(axis);
     };
-    // All times along[m_z] squared, which is above 0.
+    // All times `longest` squared, which is above 0.
     const DoubleDouble area = shearedOf(c, m_x) * shearedOf(b, m_y) - shearedOf(c, m_y) * shearedOf(b, m_x);
-    return (area / (DoubleDouble(m_along[m_z]) * m_along[m_z])).value;
+    return (area / (DoubleDouble(longest) * longest)).value;
 }
 
 glm::dvec3 LineCrossing::preciseBarycentric(const glm::dvec3 &a, const glm::dvec3 &b, const glm::dvec3 &c) const

@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -69,6 +70,9 @@ private slots:
     void axisParallelRaysInTheSidesOfBoxes();
     void anEyeFarAwaySeesTheSame_data() { eachTree(); }
     void anEyeFarAwaySeesTheSame();
+    void aBundleFromFarAwayPassesTheSame_data() { eachTree(); }
+    void aBundleFromFarAwayPassesTheSame();
+    void longAndShortRaysMeetTheSamePlace();
     void sizesOfAnyMagnitude_data();
     void sizesOfAnyMagnitude();
     void manyAtOnePlaceMakeNoDeepTree_data() { eachTree(); }
@@ -322,6 +326,51 @@ void TestRayCaster::anEyeFarAwaySeesTheSame()
             Ray<ObjectSpace> ray = aim.at(0.95 * aim.direction(), glm::dvec3(0.0), distance);
             const auto expected = testingAll(*model, ray);
             QVERIFY2(isSame(caster->nearestTriangle(ray), expected), qPrintable(QString::number(distance)));
+        }
+    }
+}
+
+/// A bundle of parallel rays from far away passes what its middle meets.
+void TestRayCaster::aBundleFromFarAwayPassesTheSame()
+{
+    QFETCH(Tree, tree);
+    const auto model = cubeSphere(40);
+    const auto caster = built(model, tree);
+    Aim aim(13);
+    for (const double distance : {1e2, 1e5, 1e8, 1e11, 1e13}) {
+        for (int i = 0; i < 300 / kFewer; ++i) {
+            const Ray<ObjectSpace> ray = aim.at(0.95 * aim.direction(), glm::dvec3(0.0), distance);
+            const auto met = caster->nearestTriangle(ray);
+            if (!met)
+                continue;
+            const ObjectVector side(0.01 * glm::normalize(glm::cross(ray.along.coordinates(), aim.direction())));
+            RayBundle bundle{ray, {ray, ray, ray, ray}};
+            bundle.corners[0].from = ray.from + side;
+            bundle.corners[1].from = ray.from + side * -1.0;
+            const std::vector<std::uint32_t> passed = caster->trianglesAbout(bundle);
+            QVERIFY2(std::binary_search(passed.begin(), passed.end(), met->triangle),
+                     qPrintable(QString::number(distance)));
+            QVERIFY(distance > 1e10 || passed.size() < model->triangleCount() / 4);
+        }
+    }
+}
+
+/// Only the direction of a ray's `along` counts.
+void TestRayCaster::longAndShortRaysMeetTheSamePlace()
+{
+    const auto model = cubeSphere(10);
+    const auto caster = built(model, Tree::Plain);
+    Aim aim(14);
+    for (int i = 0; i < 100; ++i) {
+        Ray<ObjectSpace> ray = aim.at(0.5 * aim.direction(), glm::dvec3(0.0), 4.0);
+        const auto met = caster->nearestTriangle(ray);
+        QVERIFY(met);
+        const glm::dvec3 place = preciseBarycentric(model->meshes[0], met->triangle, ray);
+        QVERIFY(glm::all(glm::lessThan(glm::abs(place - met->barycentric), glm::dvec3(1e-12))));
+        for (const double factor : {0x1p300, 0x1p-300}) {
+            ray.along = ray.along * factor;
+            QVERIFY(preciseBarycentric(model->meshes[0], met->triangle, ray) == place);
+            ray.along = ray.along * (1.0 / factor);
         }
     }
 }

@@ -84,6 +84,7 @@ private slots:
     void everySnapIsExactOnAMesh();
     void sliversSnapAsTestingAll_data();
     void sliversSnapAsTestingAll();
+    void aCornerBehindAnotherIsNotTaken();
     void whatIsTakenIsAsSureAsItsVertices();
     void theFrontPointNearestToTheClickIsTaken_data();
     void theFrontPointNearestToTheClickIsTaken();
@@ -287,6 +288,35 @@ void TestSnap::sliversSnapAsTestingAll()
         QVERIFY(distance(at, click) <= distance(nearest->at, click) + 1e-6);
     }
     QVERIFY2(hits > 60, qPrintable(QString::number(hits)));
+}
+
+/// Seen straight, the corners behind are at the same position, but for a rounding.
+void TestSnap::aCornerBehindAnotherIsNotTaken()
+{
+    Aim aim(9);
+    for (int i = 0; i < 300; ++i) {
+        const glm::dvec3 z = aim.direction(), x = glm::normalize(glm::cross(z, aim.direction())), y = glm::cross(z, x);
+        std::vector<glm::dvec3> places;
+        for (int corner = 0; corner < 8; ++corner)
+            places.push_back(((corner & 1) != 0 ? x : -x) + ((corner & 2) != 0 ? y : -y)
+                             + ((corner & 4) != 0 ? z : -z));
+        Mesh mesh;
+        setPositions(mesh, glm::dvec3(0.0), places);
+        mesh.indices = {4, 5, 7, 4, 7, 6, 0, 3, 1, 0, 2, 3, 0, 1, 5, 0, 5, 4,
+                        2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+        Picture picture = straightPicture();
+        picture.lens = Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0};
+        picture.camera() = LookAt{WorldPoint(5.0 * z), WorldPoint(0.0, 0.0, 0.0), y};
+        const SceneRays rays = raysOf({modelOf(std::move(mesh))}, {}, picture);
+        const DevicePoint corner = deviceFromWindow(picture.surface, *windowFromWorld(picture, WorldPoint(places[7])));
+        for (const glm::dvec2 &off : {glm::dvec2(3.0, -2.0), glm::dvec2(-3.0, 2.0), glm::dvec2(0.0)}) {
+            const DevicePoint click(corner.x + off.x, corner.y + off.y);
+            const auto vertex = *rays.at(click, Snap::Vertex), edge = *rays.at(click, Snap::Edge);
+            QVERIFY(vertex && edge);
+            QVERIFY2(vertex->world.coordinates() == places[7], qPrintable(QString::number(vertex->vertex.id)));
+            QVERIFY(glm::dot(edge->world.coordinates(), z) > 0.9);
+        }
+    }
 }
 
 void TestSnap::whatIsTakenIsAsSureAsItsVertices()
