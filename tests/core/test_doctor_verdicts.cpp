@@ -234,9 +234,8 @@ void TestDoctorVerdicts::theVerticesInABoxAreFound()
     box.add(glm::dvec3(1000.9, 0.9, 4.9));
     box.add(glm::dvec3(1001.0, 1.0, 5.0));
     const std::vector<KnownPoint> found = verticesIn(objects, box);
-    QCOMPARE(found.size(), std::size_t(2));
+    QCOMPARE(found.size(), std::size_t(1)); // the second mesh has the same place
     QCOMPARE(found[0].vertex, std::size_t(3));
-    QCOMPARE(found[1].vertex, std::size_t(7));
     QCOMPARE(found[0].object, std::string("shown"));
     QCOMPARE(found[0].point, glm::dvec3(1001, 1, 5));
 }
