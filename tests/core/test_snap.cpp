@@ -306,7 +306,7 @@ void TestSnap::aCornerBehindAnotherIsNotTaken()
                         2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
         Picture picture = straightPicture();
         picture.lens = Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0};
-        picture.camera() = LookAt{WorldPoint(5.0 * z), WorldPoint(0.0, 0.0, 0.0), y};
+        picture.camera() = LookAt{WorldPoint(5.0 * z), WorldPoint(0.0, 0.0, 0.0), WorldVector(y)};
         const SceneRays rays = raysOf({modelOf(std::move(mesh))}, {}, picture);
         const DevicePoint corner = deviceFromWindow(picture.surface, *windowFromWorld(picture, WorldPoint(places[7])));
         for (const glm::dvec2 &off : {glm::dvec2(3.0, -2.0), glm::dvec2(-3.0, 2.0), glm::dvec2(0.0)}) {

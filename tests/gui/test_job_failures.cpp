@@ -197,7 +197,7 @@ void TestJobFailures::theDoctorHasNoAnswer()
         doctor::WrongPoint point;
         point.pixel = DevicePoint(200.0, 150.0);
         point.got = {1.0, 2.0, 3.0};
-        diagnoser.ask({document.unprojector().picture(), {}, {}, {}}, {point});
+        diagnoser.ask({document.unprojector().picture(), {}, {}, {}, {}}, {point});
     };
     {
         const Fault fault(kind);
