@@ -1,5 +1,6 @@
 // Rays on a mesh, beside Embree's own tree and intersection of the same mesh in the same run:
-//   bench_ray [--plain] [triangles …], 1000000 without any; --plain: our own tree instead of the one by Embree
+//   bench_ray [--plain] [--double] [triangles …], 1000000 without any; --plain: our own tree instead of the one by Embree;
+//   --double: positions that are no floats
 #include "core/ray/ray_caster.h"
 #include "tests/support/cube_sphere.h"
 
@@ -138,9 +139,22 @@ struct Ratios {
     }
 };
 
-void measure(double wanted, RayCaster::Tree tree)
+void makeDouble(Model &model)
+{
+    Mesh &mesh = model.meshes.front();
+    std::vector<glm::dvec3> positions;
+    positions.reserve(mesh.positions.size());
+    for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex)
+        positions.push_back(mesh.position(vertex) * 1.0000000123);
+    setPositions(mesh, glm::dvec3(0.0), positions);
+    model.bounds = boundsOf(model.meshes);
+}
+
+void measure(double wanted, RayCaster::Tree tree, bool areDoubles)
 {
     const auto model = cubeSphere(static_cast<std::uint32_t>(std::lround(std::sqrt(wanted / 12.0))));
+    if (areDoubles)
+        makeDouble(*model);
     std::printf("%zu triangles\n", model->triangleCount());
     const std::vector<Ray<ObjectSpace>> rays = clicks(100000);
     Ratios ratios;
@@ -186,15 +200,19 @@ void measure(double wanted, RayCaster::Tree tree)
 int main(int argc, char **argv)
 {
     RayCaster::Tree tree = RayCaster::Tree::Fastest;
-    bool hasCount = false;
+    bool hasCount = false, areDoubles = false;
     for (int i = 1; i < argc; ++i) {
         if (std::strcmp(argv[i], "--plain") == 0) {
             tree = RayCaster::Tree::Plain;
             continue;
         }
+        if (std::strcmp(argv[i], "--double") == 0) {
+            areDoubles = true;
+            continue;
+        }
         hasCount = true;
-        measure(std::max(12.0, std::atof(argv[i])), tree);
+        measure(std::max(12.0, std::atof(argv[i])), tree, areDoubles);
     }
     if (!hasCount)
-        measure(1e6, tree);
+        measure(1e6, tree, areDoubles);
 }
