@@ -10,6 +10,13 @@
 #include <utility>
 
 namespace unprojector::ray {
+namespace {
+
+/// Pixels: of two places behind each other the one behind may be nearer by a rounding.
+constexpr double kSamePlace = 1e-6;
+
+} // namespace
+
 SnapSearch::SnapSearch(const SceneRays &rays, const DevicePoint &position) : m_rays(rays), m_position(position)
 {
     if (const Result<glm::dmat4> matrix = clipFromWorld(rays.rays().picture()))
@@ -77,15 +84,19 @@ std::optional<SnapSearch::InSight> SnapSearch::nearestInSight(std::vector<Place>
 {
     std::stable_sort(places.begin(), places.end(), [](const Place &a, const Place &b) { return a.pixels < b.pixels; });
     const Place *before = nullptr;
+    std::optional<InSight> nearest;
     for (const Place &place : places) {
+        if (nearest && place.pixels > nearest->pixels + kSamePlace)
+            break;
         const bool isKnown = before && before->object == place.object && before->world == place.world;
         before = &place;
         if (isKnown) // a corner of several triangles
             continue;
-        if (std::optional<SceneHit> hit = inSight(place))
-            return InSight{*hit, place.pixels};
+        const std::optional<SceneHit> hit = inSight(place);
+        if (hit && (!nearest || hit->t < nearest->hit.t)) // the front one of those behind each other
+            nearest = InSight{*hit, nearest ? nearest->pixels : place.pixels};
     }
-    return std::nullopt;
+    return nearest;
 }
 
 std::optional<RayBundle> SnapSearch::bundle(const SceneRays::Object &object, double pixels, double high) const
@@ -201,8 +212,6 @@ std::optional<SceneHit> SnapSearch::nearest(const AddPlaces &addPlaces) const
         for (const std::uint32_t triangle : object.caster->trianglesAbout(*about))
             addPlaces(object, triangle, reach, places);
     }
-    // One behind another may be nearer by a rounding.
-    constexpr double kSamePlace = 1e-6;
     if (taken)
         std::erase_if(places, [reach](const Place &place) { return place.pixels >= reach - kSamePlace; });
     eraseHidden(places, hiding);

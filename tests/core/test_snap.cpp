@@ -13,6 +13,7 @@
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <vector>
@@ -296,10 +297,9 @@ void TestSnap::aCornerBehindAnotherIsNotTaken()
     Aim aim(9);
     for (int i = 0; i < 300; ++i) {
         const glm::dvec3 z = aim.direction(), x = glm::normalize(glm::cross(z, aim.direction())), y = glm::cross(z, x);
-        std::vector<glm::dvec3> places;
-        for (int corner = 0; corner < 8; ++corner)
-            places.push_back(((corner & 1) != 0 ? x : -x) + ((corner & 2) != 0 ? y : -y)
-                             + ((corner & 4) != 0 ? z : -z));
+        std::array<glm::dvec3, 8> places;
+        for (std::size_t corner = 0; corner < places.size(); ++corner)
+            places[corner] = ((corner & 1) != 0 ? x : -x) + ((corner & 2) != 0 ? y : -y) + ((corner & 4) != 0 ? z : -z);
         Mesh mesh;
         setPositions(mesh, glm::dvec3(0.0), places);
         mesh.indices = {4, 5, 7, 4, 7, 6, 0, 3, 1, 0, 2, 3, 0, 1, 5, 0, 5, 4,
@@ -357,7 +357,7 @@ void TestSnap::theFrontPointNearestToTheClickIsTaken_data()
 {
     QTest::addColumn<std::vector<glm::vec3>>("points");
     QTest::addColumn<int>("taken"); // -1: none
-    const auto row = [](const char *name, std::vector<glm::vec3> points, int taken) {
+    const auto row = [](const char *name, const std::vector<glm::vec3> &points, int taken) {
         QTest::newRow(name) << points << taken;
     };
     // The click is at the middle of the picture, 64 pixels a unit at z = 0.
@@ -421,14 +421,15 @@ void TestSnap::pointsAnswerAsTestingAll()
     Picture picture = straightPicture();
     picture.lens = lens;
     Aim aim(2);
-    std::vector<glm::vec3> points;
-    for (int i = 0; i < 3000; ++i)
-        points.emplace_back(2.0 * aim.share() * aim.direction());
+    std::vector<glm::vec3> points(3000);
+    for (glm::vec3 &point : points)
+        point = glm::vec3(2.0 * aim.share() * aim.direction());
     const SceneRays rays = raysOf({pointsAt(points)}, {}, picture);
     const auto placeOf = [&picture](const WorldPoint &point) {
         return deviceFromWindow(picture.surface, *windowFromWorld(picture, point));
     };
     std::vector<DevicePoint> places;
+    places.reserve(points.size());
     for (const glm::vec3 &point : points)
         places.push_back(placeOf(WorldPoint(glm::dvec3(point))));
     int hits = 0, dots = 0;
