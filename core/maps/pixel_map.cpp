@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -260,8 +261,9 @@ std::vector<NamedConvention> allConventions()
 {
     using C = Conventions;
     std::vector<NamedConvention> all;
-    for (const OtherProgram program : kOtherPrograms)
-        all.push_back({keyOf(program), program});
+    std::transform(kOtherPrograms.begin(), kOtherPrograms.end(), std::back_inserter(all), [](OtherProgram program) {
+        return NamedConvention{keyOf(program), program};
+    });
     const auto add = [&all](std::string_view key, auto member, auto value) {
         Conventions conventions;
         conventions.*member = value;

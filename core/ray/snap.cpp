@@ -215,8 +215,8 @@ std::optional<SceneHit> SnapSearch::nearest(const AddPlaces &addPlaces) const
     if (taken)
         std::erase_if(places, [reach](const Place &place) { return place.pixels >= reach - kSamePlace; });
     eraseHidden(places, hiding);
-    if (std::optional<InSight> nearer = nearestInSight(std::move(places)))
-        taken = std::move(nearer);
+    if (const std::optional<InSight> nearer = nearestInSight(std::move(places)))
+        taken = nearer;
     return taken ? std::optional(taken->hit) : std::nullopt;
 }
 

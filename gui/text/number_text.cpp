@@ -81,7 +81,7 @@ QString writtenText(double value)
 
 QString writtenText(double value, int digits)
 {
-    const QString withPower = significantText(value, digits);
+    QString withPower = significantText(value, digits);
     if (!std::isfinite(value) || value == 0.0)
         return withPower;
     const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));

@@ -77,8 +77,8 @@ std::multiset<Triangle> trianglesOf(const Sheet &sheet)
         Triangle triangle;
         for (std::size_t c = 0; c < 3; ++c) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                triangle[c][axis] = double(sheet.positions[3 * corners[c] + axis]);
-                triangle[c][3 + axis] = sheet.colors[4 * corners[c] + axis];
+                triangle[c][axis] = double(sheet.positions[std::size_t{3} * corners[c] + axis]);
+                triangle[c][3 + axis] = sheet.colors[std::size_t{4} * corners[c] + axis];
             }
         }
         all.insert(begunAtSmallest(triangle));

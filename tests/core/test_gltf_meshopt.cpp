@@ -194,7 +194,7 @@ void TestGltfMeshopt::unpacksIndices()
     const std::vector<unsigned int> indices = sheetIndices();
     QCOMPARE(mesh.elementCount(), indices.size());
     const auto expectedAt = [&](std::size_t corner) {
-        const unsigned int v = indices[corner];
+        const std::size_t v = indices[corner];
         return glm::dvec3(positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]);
     };
     // The codec may begin a triangle at another of its corners.
@@ -268,7 +268,7 @@ void TestGltfMeshopt::unpacksRotations()
         for (const double number : {0.0, 0.0, std::sin(kStep * i / 2.0), std::cos(kStep * i / 2.0)})
             quaternions.push_back(float(number));
     }
-    std::vector<unsigned char> filtered(kInstances * 8);
+    std::vector<unsigned char> filtered(std::size_t{kInstances} * 8);
     meshopt_encodeFilterQuat(filtered.data(), kInstances, 8, 16, quaternions.data());
     PackedGltf file;
     const std::vector<float> corners{0, 0, 0, 1, 0, 0, 0, 1, 0};

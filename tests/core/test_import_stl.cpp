@@ -36,7 +36,8 @@ static QByteArray cells(int count, quint16 attribute = 0)
     bytes += little(quint32(count));
     bytes.reserve(84 + 50 * count);
     for (int i = 0; i < count; ++i) {
-        const auto x = float(i % 1000), y = float(i / 1000);
+        const int column = i % 1000, row = i / 1000;
+        const auto x = float(column), y = float(row);
         bytes += QByteArray(12, '\0') + little(x) + little(y) + little(0.0f) + little(x + 1.0f) + little(y)
                  + little(0.0f) + little(x) + little(y + 1.0f) + little(0.0f) + little(attribute);
     }
@@ -89,7 +90,8 @@ void TestImportStl::keepsLargeMeshesAsTheyAre()
     QCOMPARE(mesh.colors.size(), hasColors ? mesh.positions.size() : std::size_t{0});
     QVERIFY(!hasColors || mesh.colors.back() == glm::u8vec4(255, 0, 0, 255));
     for (std::size_t t = 0; t < mesh.triangleCount(); t += 997) {
-        const glm::dvec3 first(double(t % 1000), double(t / 1000), 0.0);
+        const auto column = t % 1000, row = t / 1000;
+        const glm::dvec3 first(double(column), double(row), 0.0);
         QVERIFY(mesh.position(mesh.vertexAt(3 * t)) == first);
         QVERIFY(mesh.position(mesh.vertexAt(3 * t + 1)) == first + glm::dvec3(1, 0, 0));
         QVERIFY(mesh.position(mesh.vertexAt(3 * t + 2)) == first + glm::dvec3(0, 1, 0));
@@ -116,9 +118,11 @@ void TestImportStl::keepsFloatsThatLieFarAway()
     bytes += little(quint32(surveyTriangles().size()));
     for (const auto &t : surveyTriangles()) {
         bytes += QByteArray(12, '\0');
-        for (const int i : t)
-            bytes += little(4000000.0f + 0.25f * float(i % 5)) + little(500000.0f + 0.03125f * float(i / 5))
-                     + little(300.0f);
+        for (const int i : t) {
+            const int column = i % 5, row = i / 5;
+            bytes +=
+                little(4000000.0f + 0.25f * float(column)) + little(500000.0f + 0.03125f * float(row)) + little(300.0f);
+        }
         bytes += little(quint16(0));
     }
     const auto result = m_folder.imported("far.stl", bytes);
@@ -128,9 +132,9 @@ void TestImportStl::keepsFloatsThatLieFarAway()
     const auto triangles = surveyTriangles();
     for (std::size_t t = 0; t < triangles.size(); ++t) {
         for (std::size_t c = 0; c < 3; ++c) {
-            const int i = triangles[t][c];
+            const int i = triangles[t][c], column = i % 5, row = i / 5;
             QVERIFY(mesh.position(mesh.vertexAt(3 * t + c))
-                    == glm::dvec3(4000000.0 + 0.25 * (i % 5), 500000.0 + 0.03125 * (i / 5), 300.0));
+                    == glm::dvec3(4000000.0 + 0.25 * column, 500000.0 + 0.03125 * row, 300.0));
         }
     }
 }
