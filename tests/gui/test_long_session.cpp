@@ -99,7 +99,7 @@ void TestLongSession::memoryStopsGrowing()
         }
         settle(1);
     };
-    constexpr int kWarmUp = 400, kSteps = 1600;
+    constexpr int kWarmUp = 200, kSteps = 800;
     for (int i = 0; i < kWarmUp; ++i)
         step(i);
     const double before = residentPages();
