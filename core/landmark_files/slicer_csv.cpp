@@ -125,7 +125,7 @@ Landmark landmarkOf(text::CsvRow &row, Axes axes, std::size_t number, const text
     bool isTurned = false;
     std::array<std::string, kOrientation.size()> orientation;
     for (std::size_t i = 0; i < kOrientation.size(); ++i) {
-        orientation[i] = mark.withPoint(textOf(cells[Orientation + i]));
+        orientation[i] = trimmed(mark.withPoint(textOf(cells[Orientation + i])));
         isTurned = isTurned || (!orientation[i].empty() && orientation[i] != kUsualOrientation[i]);
     }
     for (std::size_t i = 0; i < kOrientation.size() && isTurned; ++i) {
