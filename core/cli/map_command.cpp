@@ -21,7 +21,7 @@ using namespace maps;
 using namespace text;
 namespace {
 
-/// 256 MB: of a picture's numbers all are kept until the map is written, since their median is told.
+/// 256 MB: the command keeps all numbers of a map until it is written, because it reports their median.
 constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
 
 std::uint64_t pixelsOf(const Picture &picture)
@@ -67,7 +67,7 @@ bool isOutputUsable(const MapOptions &options, const OpenedScene &opened)
 /// Where what is seen at each pixel comes from. It outlives its source.
 class Seen {
 public:
-    /// What is wrong is said on stderr.
+    /// Reports on stderr what is wrong.
     static std::unique_ptr<const Seen> of(const MapOptions &options, const OpenedScene &opened,
                                           const Unprojector &unprojector);
 

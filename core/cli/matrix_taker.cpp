@@ -13,7 +13,7 @@ using text::tr;
 namespace {
 
 /// What can be done about a finding, by an option or by hand.
-/// @param hasConventions  whose matrices they are is said: then depths and y are not
+/// @param hasConventions  an option names the matrices' API, which settles depths and y
 std::string adviceFor(const MatrixFinding &finding, NumberOrder order, bool hasConventions)
 {
     switch (finding.fault) {

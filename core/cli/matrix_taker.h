@@ -11,15 +11,16 @@
 
 namespace unprojector::cli {
 
-/// Takes pasted matrices as the options and their own numbers say, and says on stderr what is to be seen of them.
+/// Takes pasted matrices in the order and conventions that the options or their numbers name. Reports on stderr what the numbers
+/// show, such as an inverse or reversed depths.
 class MatrixTaker {
 public:
     /// @param options  must outlive this
-    /// @param name     of the text, in front of what is said
+    /// @param name     of the text; messages begin with it
     MatrixTaker(const SceneOptions &options, std::string name);
 
     /// Sets the order of the matrices where no option says it and their numbers tell another one than their forms have, and says so.
-    /// @return whether the order of all that a scene is made of is known; what is asked for is said
+    /// @return whether the order of all matrices of a scene is known. If not, a message asks for the option
     bool tellOrders(PastedScene &pasted) const;
 
     /// The matrix in the order that is asked for, or told, or in that of its form.

@@ -85,12 +85,10 @@ std::string noteText(const ModelNote &note)
         return note.count > 1 ? tr("%1 is not shown (%2 times)", quotedDetail(note), note.count)
                               : tr("%1 is not shown", quotedDetail(note));
     case ModelNote::Kind::FlatTriangles:
-        return tr(
-            note.count == 1
-                ? "not used: %1 triangle without an area, whose corners are equal or on one line in single precision"
-                : "not used: %1 triangles without an area, whose corners are equal or on one line in single "
-                  "precision",
-            note.count);
+        return tr(note.count == 1
+                      ? "not drawn: %1 triangle whose corners are equal or on one line in single precision"
+                      : "not drawn: %1 triangles whose corners are equal or on one line in single precision",
+                  note.count);
     case ModelNote::Kind::TooSmallToDraw:
         return tr(
             "cannot be drawn: graphics cards round %1, which the model measures, to 0 or to few digits; scale it up",

@@ -74,9 +74,8 @@ QString noteText(const ModelNote &note)
         return note.count > 1 ? NoteTexts::tr("Not shown: %1 (%2 times).").arg(detail, count)
                               : NoteTexts::tr("Not shown: %1.").arg(detail);
     case ModelNote::Kind::FlatTriangles:
-        return NoteTexts::tr(
-                   "Triangles without an area, whose corners are equal or on one line in single precision, and "
-                   "that cannot be clicked: %1.")
+        return NoteTexts::tr("Triangles that are not drawn, because their corners are equal or on one line in single "
+                             "precision: %1.")
             .arg(count);
     case ModelNote::Kind::TooSmallToDraw:
         return NoteTexts::tr("The model measures %1, which graphics cards round to 0 or to few digits. Scale it up.")

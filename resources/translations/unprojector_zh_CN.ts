@@ -4863,8 +4863,8 @@ Both are as large as fits.</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>Triangles without an area, whose corners are equal or on one line in single precision, and that cannot be clicked: %1.</source>
-        <translation>面积为零的三角形，其顶点在单精度下相同或共线，无法点击：%1。</translation>
+        <source>Triangles that are not drawn, because their corners are equal or on one line in single precision: %1.</source>
+        <translation>因顶点在单精度下相同或共线而未绘制的三角形：%1。</translation>
     </message>
     <message>
         <source>The model measures %1, which graphics cards round to 0 or to few digits. Scale it up.</source>

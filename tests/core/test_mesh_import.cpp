@@ -342,11 +342,11 @@ void TestMeshImport::saysWhatCannotBeSeen_data()
     row("as large as singles can be", "v 0 0 0\nv 3e38 0 0\nv 0 3e38 0\n", "");
     row("thin but not flat", "v 0 0 0\nv 1 1e-7 0\nv 2 1e-7 0\n", "");
     row("one that is 0 in single precision", "v 0 0 0\nv 1e-300 0 0\nv 0 1e-300 0\n",
-        "not used: 1 triangle without an area");
-    row("all corners equal", "v 1 2 3\nv 1 2 3\nv 1 2 3\n", "not used: 1 triangle without an area");
-    row("corners on one line", "v 0 0 0\nv 1 2 3\nv 2 4 6\n", "not used: 1 triangle without an area");
+        "not drawn: 1 triangle whose corners");
+    row("all corners equal", "v 1 2 3\nv 1 2 3\nv 1 2 3\n", "not drawn: 1 triangle whose corners");
+    row("corners on one line", "v 0 0 0\nv 1 2 3\nv 2 4 6\n", "not drawn: 1 triangle whose corners");
     row("a hair's breadth that singles do not have", "v 1 0 0\nv 1.00000000001 0 0\nv 1 5 0\n",
-        "not used: 1 triangle without an area");
+        "not drawn: 1 triangle whose corners");
     row("smaller than is drawn", "v 0 0 0\nv 7.52316384526264e-37 0 0\nv 0 1e-37 0\n",
         "cannot be drawn: graphics cards round 7.52316384526264e-37");
 }

@@ -58,7 +58,7 @@ void TestNoteText::saysWhatIsNotAsInTheFile_data()
     row("a part", PartLeftOut, 0, "EXT_x", "\"EXT_x\" is not shown");
     row("a part, several times", PartLeftOut, 4, "curv", "\"curv\" is not shown (4 times)");
     row("flat triangles", FlatTriangles, 2, "",
-        "not used: 2 triangles without an area, whose corners are equal or on one line in single precision");
+        "not drawn: 2 triangles whose corners are equal or on one line in single precision");
     row("too small", TooSmallToDraw, 0, "1e-33",
         "cannot be drawn: graphics cards round 1e-33, which the model measures, to 0 or to few digits; scale it up");
     row("no scene", SceneMissing, 0, "", "the file has no scene: all its nodes are shown");
