@@ -7,7 +7,7 @@
 #include "core/geometry/transform.h"
 #include "core/text/translation.h"
 #include "core/unproject/unprojector.h"
-#include "tests/support/oracle.h"
+#include "tests/core/doctor_oracle.h"
 #include "tests/support/random_scene.h"
 
 #include <QRegularExpression>
@@ -21,6 +21,8 @@ using namespace unprojector;
 using namespace unprojector::doctor;
 
 namespace {
+
+using doctor_oracle::oracleUnder;
 
 const glm::dvec3 kTruth(0.5, 0.75, -0.25);
 
@@ -66,25 +68,6 @@ const Candidate *named(const Diagnosis &diagnosis, const std::string &id)
     const auto found = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
                                     [&](const Candidate &candidate) { return candidate.id == id; });
     return found == diagnosis.candidates.end() ? nullptr : &*found;
-}
-
-/// What the oracle finds under a window position, y up, in the scene.
-glm::dvec3 oracleUnder(double x, double y, double depth)
-{
-    oracle::Projection projection;
-    projection.kind = oracle::RandomKind::Perspective;
-    projection.verticalFovRadians = std::numbers::pi / 4;
-    projection.aspect = 800.0 / 600.0;
-    projection.nearDistance = 1;
-    projection.farDistance = 100;
-    oracle::Target target;
-    target.x = 100;
-    target.y = 40;
-    target.width = 800;
-    target.height = 600;
-    const oracle::Oracle judge({{3, 2, 5}, {0, 0, 0}, {0, 1, 0}}, projection, target);
-    const oracle::Vector3 world = judge.worldUnder({x, y, depth});
-    return {double(world[0]), double(world[1]), double(world[2])};
 }
 
 } // namespace

@@ -5,8 +5,8 @@
 #include "core/doctor/mistake_texts.h"
 #include "core/geometry/transform.h"
 #include "core/text/translation.h"
+#include "tests/core/doctor_oracle.h"
 #include "tests/support/mesh_model.h"
-#include "tests/support/oracle.h"
 
 #include <QTest>
 #include <glm/geometric.hpp>
@@ -66,22 +66,9 @@ glm::dvec3 inFourDecimals(const glm::dvec3 &p)
 }
 
 /// What a program gets for the window position, y up, in the scene, to four decimals.
-glm::dvec3 oracleUnder(double x, double y, double depth)
+glm::dvec3 answerUnder(double x, double y, double depth)
 {
-    oracle::Projection projection;
-    projection.kind = oracle::RandomKind::Perspective;
-    projection.verticalFovRadians = std::numbers::pi / 4;
-    projection.aspect = 800.0 / 600.0;
-    projection.nearDistance = 1;
-    projection.farDistance = 100;
-    oracle::Target target;
-    target.x = 100;
-    target.y = 40;
-    target.width = 800;
-    target.height = 600;
-    const oracle::Oracle judge({{3, 2, 5}, {0, 0, 0}, {0, 1, 0}}, projection, target);
-    const oracle::Vector3 world = judge.worldUnder({x, y, depth});
-    return inFourDecimals({double(world[0]), double(world[1]), double(world[2])});
+    return inFourDecimals(doctor_oracle::oracleUnder(x, y, depth));
 }
 
 const Candidate *named(const Diagnosis &diagnosis, const std::string &id)
@@ -243,7 +230,7 @@ void TestDoctorVerdicts::theVerticesInABoxAreFound()
 /// In the middle row of the window a row that is not turned over is the one above.
 void TestDoctorVerdicts::whatComesToOneWindowPosition()
 {
-    WrongPoint point = wrongPoint(oracleUnder(300.5, 350.5, 0.83));
+    WrongPoint point = wrongPoint(answerUnder(300.5, 350.5, 0.83));
     point.pixel = DevicePoint(300.5, 350.5);
     point.depth = 0.83;
     const Diagnosis diagnosis = diagnosed(testScene(), point);
@@ -333,7 +320,7 @@ void TestDoctorVerdicts::whatFewDigitsLeaveAlikeIsSaid()
 /// That two mistakes give the same is no doubt about either.
 void TestDoctorVerdicts::theRayTellsWhatGivesTheSame()
 {
-    WrongPoint point = wrongPoint(oracleUnder(300.5, 350.5, 0.83));
+    WrongPoint point = wrongPoint(answerUnder(300.5, 350.5, 0.83));
     point.pixel = DevicePoint(300.5, 350.5);
     point.depth.reset();
     const Diagnosis diagnosis = diagnosed(testScene(), point);
