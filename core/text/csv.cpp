@@ -32,6 +32,26 @@ bool isSignedNumber(std::string_view text)
     return !text.empty() && text.front() != '-' && std::from_chars(text.data(), end, number).ptr == end;
 }
 
+/// The row with each cell in quotes, in whatever dialect, replaced by one character: its separators separate nothing.
+std::string withoutQuotedCells(std::string_view row)
+{
+    std::string plain;
+    bool beginsCell = true;
+    for (std::size_t at = 0; at < row.size(); ++at) {
+        std::size_t end = row.npos;
+        if (beginsCell && row[at] == '"') {
+            end = row.find('"', at + 1);
+            while (end != row.npos && end + 1 < row.size() && row[end + 1] == '"')
+                end = row.find('"', end + 2);
+        }
+        plain += end == row.npos ? row[at] : 'q';
+        beginsCell = std::find(kCsvSeparators.begin(), kCsvSeparators.end(), row[at]) != kCsvSeparators.end();
+        if (end != row.npos)
+            at = end;
+    }
+    return plain;
+}
+
 /// "1,5", "-0,25e-3": digits or nothing, one comma, a digit.
 bool hasDecimalComma(std::string_view cell)
 {
@@ -195,8 +215,9 @@ char csvSeparatorOf(std::string_view row)
 {
     char best = kCsvSeparators.front();
     std::size_t most = 1;
+    const std::string plain = withoutQuotedCells(row);
     for (const char separator : kCsvSeparators) {
-        CsvReader reader(row, separator);
+        CsvReader reader(plain, separator);
         const std::size_t count = reader.next() ? reader.row().cells.size() : 0;
         // A header of words with blanks in them is no table of blanks.
         if (separator == ' ' ? most == 1 && count > 1 : count > most) {

@@ -80,7 +80,8 @@ private:
     std::optional<CsvError> m_error;
 };
 
-/// The separator of a table by its first row: the one that gives most cells; of equals, the first of kCsvSeparators.
+/// The separator of a table by its first row: the one that gives most cells; of equals, the first of kCsvSeparators. What
+/// stands in quotes does not count.
 char csvSeparatorOf(std::string_view row);
 
 /// The first line "sep=;", by which spreadsheets say the separator; it is taken off the text.

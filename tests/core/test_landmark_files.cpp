@@ -130,6 +130,8 @@ private slots:
     void semilandmarksAreTakenForCurves();
     void whatIsWrittenReadsBackTheSame_data();
     void whatIsWrittenReadsBackTheSame();
+    void aNameFullOfSeparatorsDividesNothing_data();
+    void aNameFullOfSeparatorsDividesNothing();
     void whatHasNoPlaceIsSaid_data();
     void whatHasNoPlaceIsSaid();
     void manySpecimens();
@@ -192,6 +194,33 @@ void TestLandmarkFiles::whatIsWrittenReadsBackTheSame()
         for (int axis = 0; axis < 3 && expected.world; ++axis)
             QVERIFY(isSameDouble(points[i].place[axis], (*expected.world)[axis]));
     }
+}
+
+void TestLandmarkFiles::aNameFullOfSeparatorsDividesNothing_data()
+{
+    QTest::addColumn<Format>("format");
+    QTest::addColumn<char>("separator");
+    for (const Format format : {Format::Csv, Format::SlicerCsv}) {
+        for (const char separator : {',', ';', ' '})
+            QTest::addRow("%s %c", suffixOf(format), separator) << format << separator;
+    }
+}
+
+/// The first row says how a table is divided: more of another separator in its quotes say nothing.
+void TestLandmarkFiles::aNameFullOfSeparatorsDividesNothing()
+{
+    QFETCH(Format, format);
+    QFETCH(char, separator);
+    LandmarkSet set;
+    set.landmarks.resize(1);
+    for (int i = 0; i < 40; ++i)
+        set.landmarks[0].name += std::string("\"") + separator;
+    set.landmarks[0].name += '!';
+    set.landmarks[0].world = WorldPoint(3, 1, 1);
+    const auto read = parseLandmarks(written({&set, 1}, format), format, "points");
+    QVERIFY2(read, read ? "" : errorText(read.error()).c_str());
+    QCOMPARE(read->sets.at(0).landmarks.at(0).name, set.landmarks[0].name);
+    QCOMPARE(read->sets[0].landmarks[0].world, set.landmarks[0].world);
 }
 
 void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
