@@ -221,9 +221,12 @@ std::string landingText(const Diagnosis &diagnosis)
     const glm::dvec3 &at = *diagnosis.projected;
     constexpr int kPixelDigits = 7;
     constexpr double kShare = 0.1; // what a depth is short of may not show in the point's last digit
-    return line(tr("lands|row"), tr("on pixel %1 %2, depth %3, by the right matrices: %4",
-                                    shortText(at.x, kPixelDigits), shortText(at.y, kPixelDigits),
-                                    shortestText(at.z, kShare * diagnosis.depthUnsure), rightnessText(diagnosis)));
+    const std::string x = shortText(at.x, kPixelDigits), y = shortText(at.y, kPixelDigits),
+                      depth = shortestText(at.z, kShare * diagnosis.depthUnsure);
+    return line(tr("lands|row"),
+                diagnosis.hasTellingLanding()
+                    ? tr("on pixel %1 %2, depth %3, by the right matrices: %4", x, y, depth, rightnessText(diagnosis))
+                    : tr("on pixel %1 %2, depth %3, by the right matrices", x, y, depth));
 }
 
 std::string candidateText(const Candidate &candidate, const Diagnosis &diagnosis, const WrongPoint &first)
@@ -289,7 +292,7 @@ std::string doctorJson(const Diagnosis &diagnosis)
     json["right"] = diagnosis.right ? jsonOf(*diagnosis.right) : Json();
     json["digitsGiven"] = diagnosis.digitsGiven;
     json["digitsWritten"] = diagnosis.digitsWritten;
-    json["wrong"] = landingName(diagnosis.landing);
+    json["wrong"] = diagnosis.hasTellingLanding() ? Json(landingName(diagnosis.landing)) : Json();
     json["depth"] = depthName(diagnosis.depthKnown);
     json["tried"] = diagnosis.tried;
     json["singlePrecision"] = diagnosis.isSinglePrecision;

@@ -247,9 +247,13 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
     for (const Prepared &point : points) {
         const Sought &sought = hypothesis.count == 0 ? point.right : point.sought;
         const std::optional<Nearest> found = hypothesis.nearest(given, sought);
-        for (int axis = 0; found && axis < 3; ++axis)
-            candidate.digits +=
+        for (int axis = 0; found && axis < 3; ++axis) {
+            const int digits =
                 digitsExplained(sought.got[axis], sought.lastDigit[axis], unitsOff(sought, axis, found->point));
+            candidate.digits += digits;
+            if (&point == &points.front())
+                candidate.digitsOfFirst[static_cast<std::size_t>(axis)] = digits;
+        }
     }
     return candidate;
 }
@@ -378,7 +382,7 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
         if (diagnosis.candidates.size() < (explains ? kMostCandidates : kFewestCandidates)) {
             diagnosis.candidates.push_back(candidateOf(hypothesis, *picture, points));
             Candidate &candidate = diagnosis.candidates.back();
-            if (hasTies && explains && !isFirst)
+            if (!isFirst && (hasTies ? explains : isSameHere(*picture, sought, best.front(), hypothesis)))
                 candidate.alike = alike = alikeOf(*picture, sought, best.front(), hypothesis);
             if (alike == Alike::Here || alike == Alike::Always)
                 candidate.shared = sharedOf(*picture, sought.front().clicks.front(), best.front(), hypothesis);
@@ -443,7 +447,7 @@ std::vector<Candidate> Diagnosis::alike() const
 const Candidate *Diagnosis::runnerUp() const
 {
     for (std::size_t i = 1; i < candidates.size(); ++i) {
-        if (!namesMistake() || candidates[i].alike == Alike::No)
+        if (candidates[i].alike == Alike::No)
             return &candidates[i];
     }
     return nullptr;

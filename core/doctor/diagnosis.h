@@ -8,6 +8,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -99,6 +100,7 @@ struct Candidate {
     double distance =
         0.0;        ///< the greatest difference of a coordinate, in units of its last digit; mean over the points
     int digits = 0; ///< how many of the digits that count it explains, all coordinates of all points
+    std::array<int, 3> digitsOfFirst{}; ///< of these, those of each coordinate of the first point
     bool explains = false; ///< all digits that count, of all points; the last of them may be cut off instead of rounded
     bool isCutOff = false; ///< explains, and some of the last ones are
     Alike alike = Alike::No;
@@ -149,6 +151,12 @@ struct Diagnosis {
 
     /// Whether the verdict is a mistake, or two of them.
     bool namesMistake() const { return verdict != "right" && verdict != "unknown" && verdict != "known-point"; }
+    /// Whether `landing` tells what is wrong. A point of the scene is not computed from the click; and a mistake whose digits are too
+    /// few to tell the answer from the right one lands where that does.
+    bool hasTellingLanding() const
+    {
+        return verdict != "known-point" && !(namesMistake() && landing == Landing::Right);
+    }
     /// The candidates that cannot be told from the first one, at most three; none where the verdict is no mistake.
     std::vector<Candidate> alike() const;
     /// The best of those that can be; null where there is none.

@@ -26,7 +26,7 @@ glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)
 bool isPoint(const Sought &sought, const glm::dvec3 &known)
 {
     for (int axis = 0; axis < 3; ++axis) {
-        if (!(unitsOff(sought, axis, known) <= kRounded))
+        if (!(unitsOff(sought, axis, known) <= kCutOff))
             return false;
     }
     return true;

@@ -7,7 +7,7 @@
 
 namespace unprojector::doctor {
 
-/// The points of the scene that a wrong point is, as rounded to its digits: the eye, the view matrix's translation, the camera's
+/// The points of the scene that a wrong point is, as rounded to its digits or cut off behind them: the eye, the view matrix's translation, the camera's
 /// centre, the world's origin and those of the objects. Those of the first point, if all points are such ones; none where the
 /// digits given would let chance find one.
 std::vector<KnownPoint> knownPoints(const Given &given, const Case &scene, std::span<const Sought> points);

@@ -12,22 +12,23 @@ constexpr int kDoubleDigits = 16;
 constexpr int kFloatDigits = 8;
 constexpr int kThousandths = -3; ///< the place that is told in narrow columns too: a survey is of millimetres
 
-/// Tenths while they tell something, whole numbers after that, powers of ten where digits would be noise.
+/// Tenths while they tell something, whole numbers after that, powers of ten where digits would be noise: six characters.
 QString ulpsText(double ulps)
 {
     const double size = std::abs(ulps);
-    if (size >= 1e6)
-        return significantText(ulps, 2);
+    constexpr double kFiveDigits = 99999.5;
+    if (size >= kFiveDigits)
+        return significantText(ulps, 1);
     return significantText(size < 10.0 ? std::round(ulps * 10.0) / 10.0 : std::round(ulps), 6);
 }
 
-/// All that is certain, or as much of it as the column has room for.
+/// All that is certain, or as much of it as the column has room for: "5412349.52…".
 QString fittingText(double value, double uncertainty)
 {
     QString text = certainText(value, uncertainty);
-    // Decimal by decimal, so that zeros which are certain stay.
-    while (text.size() > ComparisonModel::kCertainRoom && text.contains(u'.') && !text.contains(u'e'))
-        text = fixedText(value, static_cast<int>(text.size() - text.indexOf(u'.')) - 2);
+    if (text.size() > ComparisonModel::kCertainRoom && !text.contains(u'e')
+        && text.indexOf(u'.') < ComparisonModel::kCertainRoom - 1)
+        return text.left(ComparisonModel::kCertainRoom - 1) + QStringLiteral("…");
     for (int digits = ComparisonModel::kCertainRoom - 1; text.size() > ComparisonModel::kCertainRoom && digits > 0;
          --digits)
         text = significantText(value, digits);
@@ -56,7 +57,11 @@ Shown shownIn(const Notation &notation, double value, double formula, double unc
     const qsizetype kept = capacity - before.size();
     constexpr qsizetype kPoint = 1;
     const qsizetype ofWhole = kept - kPoint + place; // digits before the point
-    if (ofWhole < 1 || digits.size() <= kept || !(std::abs(value - formula) < 0.5 * std::pow(10.0, ofWhole)))
+    if (ofWhole < 1 || digits.size() <= kept)
+        return whole;
+    // The sign is shown; the digits that are left out are those of the formula.
+    const QString digitsOfFormula = fixedText(std::abs(formula), -place);
+    if (digits.size() != digitsOfFormula.size() || digits.chopped(kept) != digitsOfFormula.chopped(kept))
         return whole;
     return {before + digits.right(kept), capacity, true};
 }

@@ -81,7 +81,7 @@ QString DiagnosisView::gotMarkup(const Shown &shown) const
     for (int axis = 0; axis < 3; ++axis) {
         const double got = shown.first.got[axis], digit = shown.first.lastDigit[axis];
         const QString text = coordinateText(got, digit);
-        const qsizetype explained = explainedLength(got, digit, best.point[axis]);
+        const qsizetype explained = explainedLength(got, digit, best.digitsOfFirst[static_cast<std::size_t>(axis)]);
         coordinates << QStringLiteral("<b>%1</b><span style='color:%2'>%3</span>")
                            .arg(text.left(explained), quiet.name(), text.mid(explained));
     }

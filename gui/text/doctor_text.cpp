@@ -96,6 +96,8 @@ QString landingText(const Diagnosis &diagnosis)
         DoctorText::tr("on pixel %1, %2, depth %3")
             .arg(writtenText(diagnosis.projected->x, kDigits), writtenText(diagnosis.projected->y, kDigits),
                  QString::fromStdString(text::shortestText(diagnosis.projected->z, kShare * diagnosis.depthUnsure)));
+    if (!diagnosis.hasTellingLanding())
+        return place;
     const bool isByRay = diagnosis.depthKnown == DepthKnown::ByRay;
     QString what;
     switch (diagnosis.landing) {
@@ -134,14 +136,13 @@ QString pointText(const glm::dvec3 &point, const glm::dvec3 &lastDigit)
     return coordinates.join(QStringLiteral("  "));
 }
 
-qsizetype explainedLength(double coordinate, double lastDigit, double answer)
+qsizetype explainedLength(double coordinate, double lastDigit, int digits)
 {
     const QString text = coordinateText(coordinate, lastDigit);
-    const int explained = digitsExplained(coordinate, lastDigit, answer);
-    if (explained >= digitsOf(coordinate, lastDigit))
+    if (digits >= digitsOf(coordinate, lastDigit))
         return text.size();
     // As the digits are counted: those before the first that is not 0 are none.
-    int left = explained;
+    int left = digits;
     bool hasBegun = false;
     for (qsizetype i = 0; i < text.size() && left > 0; ++i) {
         hasBegun = hasBegun || (text[i].isDigit() && text[i] != u'0');

@@ -24,6 +24,7 @@ QString coordinateText(double value, double lastDigit);
 /// @param lastDigit  units of the last digits, of each coordinate
 QString pointText(const glm::dvec3 &point, const glm::dvec3 &lastDigit);
 /// How much of coordinateText(coordinate, lastDigit) an answer explains: characters from its beginning.
-qsizetype explainedLength(double coordinate, double lastDigit, double answer);
+/// @param digits  that it explains, see Candidate::digitsOfFirst
+qsizetype explainedLength(double coordinate, double lastDigit, int digits);
 
 } // namespace unprojector::gui

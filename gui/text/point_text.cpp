@@ -105,6 +105,10 @@ Notation pointNotation(const landmarks::Landmark &point, int axis, int character
             const Notation wide = notationOf(*point.world, (*point.world)[axis], kDigits, most);
             notation.decimals = std::max(notation.decimals, std::min(wide.decimals, -certain));
         }
+    } else if (!notation.isScientific) {
+        constexpr int kThousandths = 3;
+        const Notation wide = notationOf(*point.world, (*point.world)[axis], kDigits, most);
+        notation.decimals = std::max(notation.decimals, std::min(wide.decimals, kThousandths));
     }
     return notation;
 }

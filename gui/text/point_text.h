@@ -20,7 +20,7 @@ QString heldByExplanation(const landmarks::Landmark &point);
 /// How far a point can be off: the length of its uncertainty, "0.05"; "?" where that is not known.
 QString plusMinusText(const landmarks::Landmark &point);
 /// How a point's coordinates are written: with two digits below what is certain where that many characters have room for them, and
-/// with all that are certain where `most` of them have.
+/// with all that are certain where `most` of them have; with thousandths where that is not known.
 Notation pointNotation(const landmarks::Landmark &point, int axis, int characters, int most);
 
 /// "12.34 ± 0.05 mm"; the value with the digits that its error leaves certain. "12.34567 ± ? mm" where that is not known.

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 using namespace unprojector;
 using namespace unprojector::doctor;
@@ -88,6 +89,8 @@ class TestDoctorVerdicts : public QObject {
 private slots:
     void aPointOfTheSceneIsNamed_data();
     void aPointOfTheSceneIsNamed();
+    void itsDigitsMayBeCutOff();
+    void whereItLandsTellsNothing();
     void aPointBesideItIsNot();
     void itIsTakenToTheSpaceOfThePoints();
     void aRightPointStaysRight();
@@ -103,6 +106,7 @@ private slots:
     void whatFewDigitsLeaveAlikeIsSaid();
     void theRayTellsWhatGivesTheSame();
     void theFirstThatCanBeToldIsTheRunnerUp();
+    void whatAnswersTheSameIsNoRunnerUp();
     void theyAreWordedInBothLanguages();
 };
 
@@ -134,6 +138,30 @@ void TestDoctorVerdicts::aPointOfTheSceneIsNamed()
     QVERIFY(!diagnosis.namesMistake());
     QVERIFY(kindsOf(diagnosis) == kinds);
     QVERIFY(diagnosis.candidates.size() >= 5);
+}
+
+void TestDoctorVerdicts::itsDigitsMayBeCutOff()
+{
+    Case scene = testScene();
+    scene.picture.pose = LookAt{WorldPoint(3.12349, 2.98768, 5.55558), WorldPoint(0, 0, 0), {0, 1, 0}};
+    QVERIFY(kindsOf(diagnosed(scene, wrongPoint({3.1234, 2.9876, 5.5555}))) == std::vector{Kind::Eye});
+    QVERIFY(kindsOf(diagnosed(scene, wrongPoint({3.1235, 2.9877, 5.5556}))) == std::vector{Kind::Eye});
+    // Away from zero, a digit is neither rounded nor cut off.
+    QVERIFY(kindsOf(diagnosed(scene, wrongPoint({3.1236, 2.9877, 5.5556}))).empty());
+}
+
+/// Close to the eye a last digit is the whole picture.
+void TestDoctorVerdicts::whereItLandsTellsNothing()
+{
+    Case scene = testScene();
+    scene.picture.pose = LookAt{WorldPoint(3.12349, 2.98768, 5.55558), WorldPoint(0, 0, 0), {0, 1, 0}};
+    const Diagnosis eye = diagnosed(scene, wrongPoint({3.1235, 2.9877, 5.5556}));
+    QVERIFY(eye.projected && !eye.hasTellingLanding());
+    const Diagnosis flipped = diagnosed(testScene(), wrongPoint({0.7051, -0.4122, 0.0918}));
+    QVERIFY(flipped.hasTellingLanding());
+    const Diagnosis right = diagnosed(testScene(), wrongPoint({0.5, 0.75, -0.25}));
+    QCOMPARE(right.verdict, std::string("right"));
+    QVERIFY(right.hasTellingLanding());
 }
 
 void TestDoctorVerdicts::aPointBesideItIsNot()
@@ -342,6 +370,31 @@ void TestDoctorVerdicts::theFirstThatCanBeToldIsTheRunnerUp()
     const Diagnosis flipped = diagnosed(testScene(), wrongPoint({0.7051, -0.4122, 0.0918}));
     QVERIFY(flipped.alike().empty());
     QCOMPARE(flipped.runnerUp(), &flipped.candidates[1]);
+}
+
+/// From the origin, a transposed view is its inverse: of two such candidates the second is no other answer.
+void TestDoctorVerdicts::whatAnswersTheSameIsNoRunnerUp()
+{
+    Case scene = testScene();
+    scene.picture.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(1, -2, -3), {0, 1, 0}};
+    std::mt19937 engine(5);
+    std::uniform_real_distribution<double> anywhere(-4.0, 4.0);
+    int count = 0;
+    for (int i = 0; i < 20; ++i) {
+        const glm::dvec3 got = inFourDecimals({anywhere(engine), anywhere(engine), anywhere(engine)});
+        const Diagnosis diagnosis = diagnosed(scene, wrongPoint(got));
+        if (diagnosis.verdict != "unknown")
+            continue;
+        ++count;
+        const Candidate *next = diagnosis.runnerUp();
+        QVERIFY(next);
+        QVERIFY(glm::distance(next->point, diagnosis.candidates.front().point) > 1e-9);
+        for (const Candidate &candidate : diagnosis.candidates) {
+            const auto &digits = candidate.digitsOfFirst;
+            QCOMPARE(digits[0] + digits[1] + digits[2], candidate.digits);
+        }
+    }
+    QVERIFY(count > 10);
 }
 
 void TestDoctorVerdicts::theyAreWordedInBothLanguages()

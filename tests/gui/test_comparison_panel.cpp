@@ -167,6 +167,15 @@ void TestComparisonPanel::differencesAreCountedInUlpsOfTheLargestComponent()
                            {0.0, 0.0, 0.0}, 0.01));
     QCOMPARE(cell(model, 0, ComparisonModel::Ulps).toString(), QStringLiteral("37"));
     QCOMPARE(cell(model, 2, ComparisonModel::Ulps).toString(), QStringLiteral("-3e+06"));
+
+    // Whatever they are, the column has room for them and their sign.
+    for (const double ulps : {99999.0, 99999.6, 123456.0, 60774999.0, 9.4e15}) {
+        model.setPick(
+            pickWith({4096.0, 0.0, 1.0}, {4096.0 + ulps * std::ldexp(1.0, -40), 0.0, 1.0}, {0.0, 0.0, 0.0}, 0.01));
+        const QString text = cell(model, 0, ComparisonModel::Ulps).toString();
+        QVERIFY2(text.startsWith(u'-') && text.size() <= 6, qPrintable(text));
+        QVERIFY2(std::abs(text.toDouble() + ulps) <= 0.5 * ulps, qPrintable(text));
+    }
 }
 
 void TestComparisonPanel::aMethodWithoutAnswerSaysNone()

@@ -262,6 +262,17 @@ void TestDoctorPlace::garbageIsUnknown()
         kPatienceMilliseconds);
     QVERIFY(panelOf(*window).answer().text().contains(QStringLiteral("Lands by the right matrices on pixel ")));
     QVERIFY(!panelOf(*window).code().isVisible());
+    // The digits that the closest one explains are black: those that are counted.
+    QString markup, black;
+    for (const QLabel *label : panelOf(*window).answer().findChildren<QLabel *>())
+        markup += label->text();
+    static const QRegularExpression bold(QStringLiteral("<b>([^<]*)</b>")),
+        count(QStringLiteral("(\\d+) of 18 digits"));
+    for (auto it = bold.globalMatch(markup); it.hasNext();)
+        black += it.next().captured(1);
+    const QRegularExpressionMatch counted = count.match(markup);
+    QVERIFY2(counted.hasMatch(), qPrintable(markup));
+    QCOMPARE(black.remove(QRegularExpression(QStringLiteral("\\D"))).size(), counted.captured(1).toInt());
     // What comes closest has its code all the same, once it is chosen.
     auto *candidates = panelOf(*window).findChild<CandidatesTable *>();
     candidates->setCurrentCell(1, 0);

@@ -206,6 +206,8 @@ void TestPointsPanel::certainDigitsAreTold_data()
                                               << "123.45679";
     QTest::newRow("more than any room") << 123.456789123 << 2e-9 << "123.45678912"
                                         << "123.45678912";
+    QTest::newRow("nothing known, on a map") << 5412345.987654321 << 0.0 << "5412345.988"
+                                             << "";
     QTest::newRow("nothing known") << 12.5 << 0.0 << "12.5000"
                                    << "";
 }
