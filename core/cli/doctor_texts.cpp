@@ -326,13 +326,10 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
     if (!diagnosis.known.empty() && diagnosis.namesMistake())
         text += line(tr("is also|row"), knownPointName(diagnosis.known));
     if (diagnosis.next && diagnosis.verdict != "right" && !isKnown) {
-        const std::vector<Candidate> alike = diagnosis.alike();
-        const bool isOfNextBest = !alike.empty() && std::all_of(alike.begin(), alike.end(), [](const Candidate &each) {
-            return each.alike == Alike::Always;
-        });
         text += line(tr("tell apart"),
-                     tr(isOfNextBest ? "from the next best by a click at %1 %2: the answers are %3 or more apart there"
-                                     : "by a click at %1 %2: the answers are %3 or more apart there",
+                     tr(diagnosis.isNextFromRunnerUp()
+                            ? "from the next best by a click at %1 %2: the answers are %3 or more apart there"
+                            : "by a click at %1 %2: the answers are %3 or more apart there",
                         shortestText(diagnosis.next->x), shortestText(diagnosis.next->y),
                         shortText(diagnosis.nextApart, 3)));
     }

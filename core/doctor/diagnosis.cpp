@@ -453,6 +453,14 @@ const Candidate *Diagnosis::runnerUp() const
     return nullptr;
 }
 
+bool Diagnosis::isNextFromRunnerUp() const
+{
+    const std::vector<Candidate> found = alike();
+    return next && !found.empty() && std::all_of(found.begin(), found.end(), [](const Candidate &each) {
+               return each.alike == Alike::Always;
+           });
+}
+
 Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given)
 {
     const std::vector<WrongPoint> points = withoutRepetitions(given);

@@ -161,6 +161,8 @@ struct Diagnosis {
     std::vector<Candidate> alike() const;
     /// The best of those that can be; null where there is none.
     const Candidate *runnerUp() const;
+    /// Whether `next` only tells the runner-up from the first candidate: those that are alike are so everywhere.
+    bool isNextFromRunnerUp() const;
 };
 
 /// Digits beyond what double precision leaves of a click's answer count for nothing; where no verdict is found, those beyond single

@@ -101,6 +101,14 @@ Header headerOf(const CsvRow &row)
     return header;
 }
 
+/// CloudCompare's first line is "//X Y Z".
+void takeSlashesOff(CsvRow &row)
+{
+    std::string &cell = row.cells.front().text;
+    if (cell.starts_with("//"))
+        cell.erase(0, cell.find_first_not_of(" \t", 2) == cell.npos ? cell.size() : cell.find_first_not_of(" \t", 2));
+}
+
 bool isNumber(std::string_view cell, const text::DecimalMark &mark)
 {
     return mesh_import::doubleFromWord(mark.withPoint(cell)).has_value();
@@ -173,6 +181,7 @@ void readHeader(Table &table, std::optional<char> separator)
         }
         if (!first)
             first = reader.row();
+        takeSlashesOff(reader.row());
         if (isHeader(reader.row())) {
             takeApostrophesOff(reader.row());
             table.separator = candidate;
@@ -299,9 +308,14 @@ bool TableRows::next()
     const std::size_t count = m_table.header.count;
     row.trimPadding(count);
     takeApostrophesOff(row);
-    if (row.cells.size() != count)
-        throw Failure{row.line, tr("here are %1 cells, and the first line names %2 columns; put a cell that has the "
-                                   "separator in it in quotes",
+    if (row.cells.size() > count)
+        throw Failure{row.line,
+                      tr("this row has %1 cells, and the first line names %2 columns; put a cell that has the "
+                         "separator in it in quotes",
+                         row.cells.size(), count)};
+    if (row.cells.size() < count)
+        throw Failure{row.line, tr("this row has fewer cells (%1) than the first line names columns (%2); leave cells "
+                                   "without a value empty",
                                    row.cells.size(), count)};
     return true;
 }

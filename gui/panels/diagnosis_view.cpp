@@ -135,9 +135,10 @@ void DiagnosisView::showAnswer(const Shown &shown)
     if (asks) {
         const QString pixel =
             QStringLiteral("%1, %2").arg(writtenText(diagnosis.next->x, 9), writtenText(diagnosis.next->y, 9));
-        addPlain(
-            tr("Tell apart"),
-            tr("at pixel %1 the answers are %2 or more apart").arg(pixel, significantText(diagnosis.nextApart, 3)));
+        const QString apart = diagnosis.isNextFromRunnerUp()
+                                  ? tr("from the runner-up, at pixel %1: the answers are %2 or more apart")
+                                  : tr("at pixel %1 the answers are %2 or more apart");
+        addPlain(tr("Tell apart"), apart.arg(pixel, significantText(diagnosis.nextApart, 3)));
         m_click->setText(tr("Click &there: %1").arg(pixel));
     }
     m_click->setVisible(asks);

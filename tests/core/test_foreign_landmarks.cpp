@@ -149,7 +149,7 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
     add("csv: half a point", Format::Csv, "name,x,y,z\na,1,,3\n",
         "f:2: y is empty and its neighbours are not; give all three, or none");
     add("csv: too many cells", Format::Csv, "name,x,y,z\na,b,1,2,3\n",
-        "f:2: here are 5 cells, and the first line names 4 columns; put a cell that has the separator in it in quotes");
+        "f:2: this row has 5 cells, and the first line names 4 columns; put a cell that has the separator in it in quotes");
     add("csv: an open quote", Format::Csv, "name,x,y,z\na,1,2,3\n\"b,1,2,3\n",
         "f:3: a quote is opened here and never closed; close it, or double it within quotes");
     add("csv: not finite", Format::Csv, "name,x,y,z\n\na,nan,2,3\n",

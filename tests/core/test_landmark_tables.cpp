@@ -91,6 +91,8 @@ void TestLandmarkTables::tables_data()
     csv("a name beside a label", "label,name,x,y,z\nq,a,1.5,2,-3\nr,b,4,5,6\n", two);
     csv("picks of CloudCompare", "Point #0,1.5,2,-3\nPoint #1,4,5,6\n", {"Point #0 1.5 2 -3 | Point #1 4 5 6"},
         {"the table has no first line that names its columns; they are taken for name,x,y,z"});
+    csv("a cloud of CloudCompare", "//X Y Z\n1.5 2 -3\n4 5 6\n", {" 1.5 2 -3 |  4 5 6"}, {});
+    csv("a cloud of CloudCompare, with colours", "// X,Y,Z,R\n1.5,2,-3,9\n4,5,6,8\n", {" 1.5 2 -3 |  4 5 6"}, {});
     csv("picks of CloudCompare by index", "0,1.5,2,-3\n1,4,5,6\n", {"0 1.5 2 -3 | 1 4 5 6"},
         {"the table has no first line that names its columns; they are taken for name,x,y,z"});
     csv("picks with semicolons and decimal commas", "P0;1,5;2,0;-3\nP1;4;5;6\n", {"P0 1.5 2 -3 | P1 4 5 6"},
