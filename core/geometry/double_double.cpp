@@ -1,14 +1,9 @@
 #include "core/geometry/double_double.h"
 
 namespace unprojector::geometry {
-namespace {
 
-struct SineCosine {
-    DoubleDouble sine, cosine;
-};
-
-/// By Taylor's series of a 64th of the angle, doubled six times: sin 2x = 2 sin x cos x, 1 - cos 2x = 2 sin^2 x.
-SineCosine sineCosine(const DoubleDouble &radians)
+// By Taylor's series of a 64th of the angle, doubled six times: sin 2x = 2 sin x cos x, 1 - cos 2x = 2 sin^2 x.
+SineCosine preciseSineCosine(const DoubleDouble &radians)
 {
     constexpr int kDoublings = 6;
     const DoubleDouble x(std::scalbn(radians.value, -kDoublings), std::scalbn(radians.rest, -kDoublings));
@@ -27,11 +22,9 @@ SineCosine sineCosine(const DoubleDouble &radians)
     return {sine, 1.0 - oneMinusCosine};
 }
 
-} // namespace
-
 DoubleDouble preciseTangent(const DoubleDouble &radians)
 {
-    const auto [sine, cosine] = sineCosine(radians);
+    const auto [sine, cosine] = preciseSineCosine(radians);
     return sine / cosine;
 }
 

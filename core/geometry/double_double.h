@@ -93,6 +93,13 @@ private:
     }
 };
 
+inline constexpr DoubleDouble kPrecisePi(3.14159265358979323846, 1.2246467991473532e-16);
+
+struct SineCosine {
+    DoubleDouble sine, cosine;
+};
+/// Of an angle in radians, inside (-pi, pi).
+SineCosine preciseSineCosine(const DoubleDouble &radians);
 /// Of an angle in radians, inside (-pi, pi).
 DoubleDouble preciseTangent(const DoubleDouble &radians);
 

@@ -99,7 +99,6 @@ DoubleDouble preciseRadians(double radians)
         std::to_chars(text, text + sizeof text, radians / kRadiansPerDegree, std::chars_format::general, kDigits);
     double degrees = 0.0;
     std::from_chars(text, written.ptr, degrees);
-    constexpr DoubleDouble kPrecisePi(kPi, 1.2246467991473532e-16);
     return radiansFromDegrees(degrees) == radians ? degrees * kPrecisePi / 180.0 : DoubleDouble(radians);
 }
 

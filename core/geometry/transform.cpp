@@ -3,6 +3,7 @@
 #include "core/geometry/angle.h"
 #include "core/geometry/finite.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace unprojector::geometry {
@@ -15,24 +16,58 @@ Check checkFinite(const glm::dvec3 &v)
     return std::monostate{};
 }
 
-struct CosineSine {
-    double c, s;
-};
-
 /// Exact at multiples of 90 degrees, where cos(pi/2) would leave 6e-17.
-CosineSine cosineSine(double degrees)
+SineCosine sineCosineOf(double degrees)
 {
     const double turn = std::remainder(degrees, 360.0);
     if (turn == 0.0)
-        return {1.0, 0.0};
-    if (turn == 90.0)
         return {0.0, 1.0};
+    if (turn == 90.0)
+        return {1.0, 0.0};
     if (turn == -90.0)
-        return {0.0, -1.0};
-    if (std::abs(turn) == 180.0)
         return {-1.0, 0.0};
-    const double radians = radiansFromDegrees(turn);
-    return {std::cos(radians), std::sin(radians)};
+    if (std::abs(turn) == 180.0)
+        return {0.0, -1.0};
+    return preciseSineCosine(kPrecisePi * turn / 180.0);
+}
+
+PreciseMatrix rotation(const Rotate &r)
+{
+    // Scaled to about 1: the square of a length can leave the range of doubles.
+    const double longest = std::max({std::abs(r.axis.x), std::abs(r.axis.y), std::abs(r.axis.z)});
+    const DoubleDouble3 axis{DoubleDouble(r.axis.x) / longest, DoubleDouble(r.axis.y) / longest,
+                             DoubleDouble(r.axis.z) / longest};
+    const DoubleDouble size = length(axis);
+    const DoubleDouble x = axis[0] / size, y = axis[1] / size, z = axis[2] / size;
+    const auto [s, c] = sineCosineOf(r.degrees);
+    const DoubleDouble k = 1.0 - c;
+    PreciseMatrix m(glm::dmat4(1.0));
+    m.columns[0] = {x * x * k + c, y * x * k + z * s, z * x * k - y * s, 0.0};
+    m.columns[1] = {x * y * k - z * s, y * y * k + c, z * y * k + x * s, 0.0};
+    m.columns[2] = {x * z * k + y * s, y * z * k - x * s, z * z * k + c, 0.0};
+    return m;
+}
+
+PreciseMatrix preciseMatrixOf(const TransformStep &step)
+{
+    struct Visitor {
+        PreciseMatrix operator()(const Translate &t) const
+        {
+            glm::dmat4 m(1.0);
+            m[3] = glm::dvec4(t.offset, 1.0);
+            return PreciseMatrix(m);
+        }
+        PreciseMatrix operator()(const Rotate &r) const { return rotation(r); }
+        PreciseMatrix operator()(const Scale &s) const
+        {
+            glm::dmat4 m(1.0);
+            m[0][0] = s.factors.x;
+            m[1][1] = s.factors.y;
+            m[2][2] = s.factors.z;
+            return PreciseMatrix(m);
+        }
+    };
+    return std::visit(Visitor{}, step);
 }
 
 } // namespace
@@ -65,43 +100,15 @@ Check check(const TransformStep &step)
 
 glm::dmat4 matrixOf(const TransformStep &step)
 {
-    struct Visitor {
-        glm::dmat4 operator()(const Translate &t) const
-        {
-            glm::dmat4 m(1.0);
-            m[3] = glm::dvec4(t.offset, 1.0);
-            return m;
-        }
-        glm::dmat4 operator()(const Rotate &r) const
-        {
-            const glm::dvec3 a = r.axis / std::hypot(r.axis.x, r.axis.y, r.axis.z);
-            const auto [c, s] = cosineSine(r.degrees);
-            const double k = 1.0 - c;
-            return {
-                {a.x * a.x * k + c, a.y * a.x * k + a.z * s, a.z * a.x * k - a.y * s, 0.0},
-                {a.x * a.y * k - a.z * s, a.y * a.y * k + c, a.z * a.y * k + a.x * s, 0.0},
-                {a.x * a.z * k + a.y * s, a.y * a.z * k - a.x * s, a.z * a.z * k + c, 0.0},
-                {0.0, 0.0, 0.0, 1.0},
-            };
-        }
-        glm::dmat4 operator()(const Scale &s) const
-        {
-            glm::dmat4 m(1.0);
-            m[0][0] = s.factors.x;
-            m[1][1] = s.factors.y;
-            m[2][2] = s.factors.z;
-            return m;
-        }
-    };
-    return std::visit(Visitor{}, step);
+    return preciseMatrixOf(step).rounded();
 }
 
 glm::dmat4 worldFromObject(const std::vector<TransformStep> &steps)
 {
-    glm::dmat4 product(1.0);
+    PreciseMatrix product(glm::dmat4(1.0));
     for (const TransformStep &step : steps)
-        product = product * matrixOf(step);
-    return product;
+        product = product * preciseMatrixOf(step);
+    return product.rounded();
 }
 
 } // namespace unprojector::geometry

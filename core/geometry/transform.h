@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/precise_matrix.h"
 #include "core/geometry/result.h"
 
 #include <glm/mat4x4.hpp>
@@ -39,7 +40,8 @@ Check check(const TransformStep &step);
 /// @pre the step is valid
 glm::dmat4 matrixOf(const TransformStep &step);
 
-/// The product of the steps in the order of the calls: the last one is applied to the object first, as OpenGL does.
+/// The product of the steps in the order of the calls: the last one is applied to the object first, as OpenGL does. It is
+/// computed in 32 digits and rounded at the end: translations far away that cancel leave no wrong digits.
 /// @pre every step is valid
 glm::dmat4 worldFromObject(const std::vector<TransformStep> &steps);
 

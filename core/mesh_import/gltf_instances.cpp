@@ -54,16 +54,16 @@ std::size_t instanceCount(const GltfFile &file, const Json &node)
     return 1;
 }
 
-std::vector<glm::dmat4> nodeFromInstances(GltfFile &file, const Json &node)
+std::vector<PreciseMatrix> nodeFromInstances(GltfFile &file, const Json &node)
 {
     const Json *attributes = instanceAttributes(node);
     if (!attributes)
-        return {glm::dmat4(1.0)};
+        return {PreciseMatrix(glm::dmat4(1.0))};
     const std::size_t count = instanceCount(file, node);
     const auto translations = values(file, *attributes, "TRANSLATION", 3, count);
     const auto rotations = values(file, *attributes, "ROTATION", 4, count);
     const auto scales = values(file, *attributes, "SCALE", 3, count);
-    std::vector<glm::dmat4> instances;
+    std::vector<PreciseMatrix> instances;
     instances.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         Placement placement;

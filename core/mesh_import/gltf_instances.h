@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/precise_matrix.h"
 #include "core/mesh_import/gltf_file.h"
 
 #include <glm/mat4x4.hpp>
@@ -14,6 +15,6 @@ namespace unprojector::mesh_import::mesh_reader {
 std::size_t instanceCount(const GltfFile &file, const Json &node);
 
 /// nodeFromInstance of each: the extension's translation * rotation * scale. One identity without it.
-std::vector<glm::dmat4> nodeFromInstances(GltfFile &file, const Json &node);
+std::vector<geometry::PreciseMatrix> nodeFromInstances(GltfFile &file, const Json &node);
 
 } // namespace unprojector::mesh_import::mesh_reader

@@ -55,10 +55,16 @@ bool Placement::isRotationUnit() const
     return std::abs(glm::length(rotation) - 1.0) <= kFewDigits;
 }
 
-glm::dmat4 Placement::matrix() const
+PreciseMatrix Placement::matrix() const
 {
-    const glm::dmat4 moved = glm::translate(glm::dmat4(1.0), translation);
-    return glm::scale(moved * glm::mat4_cast(glm::normalize(rotation)), scale);
+    const DoubleDouble x(rotation.x), y(rotation.y), z(rotation.z), w(rotation.w);
+    const DoubleDouble k = 2.0 / (x * x + y * y + z * z + w * w);
+    PreciseMatrix turned(glm::dmat4(1.0));
+    turned.columns[0] = {1.0 - k * (y * y + z * z), k * (x * y + w * z), k * (x * z - w * y), 0.0};
+    turned.columns[1] = {k * (x * y - w * z), 1.0 - k * (x * x + z * z), k * (y * z + w * x), 0.0};
+    turned.columns[2] = {k * (x * z + w * y), k * (y * z - w * x), 1.0 - k * (x * x + y * y), 0.0};
+    const glm::dmat4 identity(1.0);
+    return PreciseMatrix(glm::translate(identity, translation)) * turned * PreciseMatrix(glm::scale(identity, scale));
 }
 
 std::string wrongLastRow(const glm::dmat4 &matrix)
@@ -81,7 +87,7 @@ glm::dmat4 withLastRow(glm::dmat4 matrix)
     return matrix;
 }
 
-glm::dmat4 GltfNodes::parentFromNode(std::size_t number) const
+PreciseMatrix GltfNodes::parentFromNode(std::size_t number) const
 {
     const Json &node = m_file.array("nodes")[number];
     const auto at = [](const Json *list, std::size_t place) { return GltfFile::real((*list)[place]); };
@@ -94,7 +100,7 @@ glm::dmat4 GltfNodes::parentFromNode(std::size_t number) const
         if (!lastRow.empty())
             failMalformed(
                 tr("the matrix of node %1 has the last row %2; it must be 0 0 0 1", nameOf(number, node), lastRow));
-        return withLastRow(matrix);
+        return PreciseMatrix(withLastRow(matrix));
     }
     Placement placement;
     if (const Json *moved = numbers(node, "translation", 3))
@@ -109,9 +115,9 @@ glm::dmat4 GltfNodes::parentFromNode(std::size_t number) const
     return placement.matrix();
 }
 
-glm::dmat4 GltfNodes::worldFromNode(std::size_t node) const
+PreciseMatrix GltfNodes::worldFromNode(std::size_t node) const
 {
-    glm::dmat4 worldFromNode = parentFromNode(node);
+    PreciseMatrix worldFromNode = parentFromNode(node);
     std::size_t depth = 1;
     for (std::size_t parent = m_parents[node]; parent != kNone; parent = m_parents[parent]) {
         if (++depth > kDeepestNode)
@@ -162,28 +168,29 @@ GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_fi
         failNoTree();
 }
 
-std::size_t GltfNodes::visit(const std::function<void(const Json &node, const glm::dmat4 &worldFromNode)> &visit) const
+std::size_t
+GltfNodes::visit(const std::function<void(const Json &node, const PreciseMatrix &worldFromNode)> &visit) const
 {
     struct Waiting {
         std::size_t node, depth;
         bool isBelowHidden;
-        glm::dmat4 worldFromParent;
+        PreciseMatrix worldFromParent;
     };
     std::vector<Waiting> waiting;
     const auto add = [&waiting](const std::vector<std::size_t> &list, std::size_t depth, bool isBelowHidden,
-                                const glm::dmat4 &parent) {
+                                const PreciseMatrix &parent) {
         for (auto node = list.rbegin(); node != list.rend(); ++node)
             waiting.push_back({*node, depth, isBelowHidden, parent});
     };
     std::size_t hiddenCount = 0;
-    add(m_roots, 1, false, glm::dmat4(1.0));
+    add(m_roots, 1, false, PreciseMatrix(glm::dmat4(1.0)));
     while (!waiting.empty()) {
         const Waiting next = waiting.back();
         waiting.pop_back();
         if (next.depth > kDeepestNode)
             failNoTree();
         const Json &node = m_file.array("nodes")[next.node];
-        const glm::dmat4 worldFromNode = next.worldFromParent * parentFromNode(next.node);
+        const PreciseMatrix worldFromNode = next.worldFromParent * parentFromNode(next.node);
         const bool isNowHidden = next.isBelowHidden || isHidden(node);
         if (!isNowHidden)
             visit(node, worldFromNode);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/precise_matrix.h"
 #include "core/mesh_import/gltf_file.h"
 
 #include <glm/ext/quaternion_double.hpp>
@@ -23,17 +24,17 @@ public:
     /// Calls `visit` with every node and its worldFromNode, parents first, in the file's order; not with nodes that the
     /// file hides (KHR_node_visibility), nor with those below them.
     /// @return how many nodes with meshes are hidden
-    std::size_t visit(const std::function<void(const Json &node, const glm::dmat4 &worldFromNode)> &visit) const;
+    std::size_t visit(const std::function<void(const Json &node, const PreciseMatrix &worldFromNode)> &visit) const;
 
     /// Of any node, shown or not.
-    glm::dmat4 worldFromNode(std::size_t node) const;
+    PreciseMatrix worldFromNode(std::size_t node) const;
     /// The nodes that an object's array refers to.
     std::vector<std::size_t> nodeList(const Json &object, const char *key) const;
 
 private:
     static constexpr std::size_t kNone = ~std::size_t{0};
 
-    glm::dmat4 parentFromNode(std::size_t node) const;
+    PreciseMatrix parentFromNode(std::size_t node) const;
 
     const GltfFile &m_file;
     std::vector<std::size_t> m_roots;
@@ -49,7 +50,7 @@ struct Placement {
     /// But for the few digits that some programs write.
     bool isRotationUnit() const;
     /// translation * rotation * scale, of the rotation made a unit.
-    glm::dmat4 matrix() const;
+    PreciseMatrix matrix() const;
 };
 
 /// The last row of a matrix that is not affine, as text; empty where it is 0 0 0 1, but for rounding.

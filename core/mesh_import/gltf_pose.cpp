@@ -49,10 +49,12 @@ std::vector<glm::dmat4> GltfSkins::read(const Json &skin) const
     const std::vector<std::size_t> joints = m_nodes.nodeList(skin, "joints");
     if (joints.empty())
         failMalformed(tr("a skin has no joints"));
+    std::vector<PreciseMatrix> worldFromJoint;
     std::vector<glm::dmat4> worldFromMesh;
-    worldFromMesh.reserve(joints.size());
-    for (const std::size_t joint : joints)
-        worldFromMesh.push_back(m_nodes.worldFromNode(joint));
+    for (const std::size_t joint : joints) {
+        worldFromJoint.push_back(m_nodes.worldFromNode(joint));
+        worldFromMesh.push_back(worldFromJoint.back().rounded());
+    }
     if (!GltfFile::find(skin, "inverseBindMatrices"))
         return worldFromMesh;
     const GltfValues inverse(m_file, m_file.reference(skin, "inverseBindMatrices", "accessors"));
@@ -66,14 +68,15 @@ std::vector<glm::dmat4> GltfSkins::read(const Json &skin) const
         if (!lastRow.empty())
             failMalformed(
                 tr("the inverse bind matrix %1 of a skin has the last row %2; it must be 0 0 0 1", joint, lastRow));
-        worldFromMesh[joint] *= withLastRow(jointFromMesh);
+        worldFromMesh[joint] = (worldFromJoint[joint] * PreciseMatrix(withLastRow(jointFromMesh))).rounded();
     }
     return worldFromMesh;
 }
 
-GltfPose::GltfPose(const glm::dmat4 &worldFromMesh)
-    : m_worldFromMesh(worldFromMesh), m_normalMatrix(normalMatrix(worldFromMesh)),
-      m_isIdentity(worldFromMesh == glm::dmat4(1.0)), m_isMirrored(glm::determinant(glm::dmat3(worldFromMesh)) < 0.0)
+GltfPose::GltfPose(const PreciseMatrix &worldFromMesh)
+    : m_precise(worldFromMesh), m_worldFromMesh(worldFromMesh.rounded()), m_normalMatrix(normalMatrix(m_worldFromMesh)),
+      m_isIdentity(m_worldFromMesh == glm::dmat4(1.0)),
+      m_isMirrored(glm::determinant(glm::dmat3(m_worldFromMesh)) < 0.0)
 {
 }
 
@@ -104,6 +107,25 @@ GltfPose::GltfPose(GltfFile &file, std::span<const glm::dmat4> worldFromMeshByJo
 bool GltfPose::isSkinned(const Json &attributes)
 {
     return GltfFile::find(attributes, "JOINTS_0") || GltfFile::find(attributes, "WEIGHTS_0");
+}
+
+glm::dvec3 GltfPose::position(std::size_t vertex, const glm::dvec3 &inMesh) const
+{
+    if (m_isIdentity)
+        return inMesh;
+    const glm::dmat4 blend = m_byJoint.empty() ? glm::dmat4() : blended(vertex);
+    const glm::dmat4 &m = m_byJoint.empty() ? m_worldFromMesh : blend;
+    const glm::dvec3 world(m * glm::dvec4(inMesh, 1.0));
+    constexpr double kCancelled = 0x1p-4; // so many of a double's digits are worth the time
+    const auto isCancelled = [&](int axis) {
+        const double terms = std::abs(m[0][axis] * inMesh.x) + std::abs(m[1][axis] * inMesh.y)
+                             + std::abs(m[2][axis] * inMesh.z) + std::abs(m[3][axis]);
+        return std::abs(world[axis]) < kCancelled * terms;
+    };
+    if (!m_byJoint.empty() || !(isCancelled(0) || isCancelled(1) || isCancelled(2)))
+        return world;
+    const DoubleDouble3 precise = m_precise.at(inMesh);
+    return {precise[0].value, precise[1].value, precise[2].value};
 }
 
 glm::dmat4 GltfPose::blended(std::size_t vertex) const

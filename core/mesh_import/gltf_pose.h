@@ -34,7 +34,7 @@ private:
 /// Where a primitive's vertices go: all by one matrix, or each by the joints that hold it.
 class GltfPose {
 public:
-    explicit GltfPose(const glm::dmat4 &worldFromMesh);
+    explicit GltfPose(const PreciseMatrix &worldFromMesh);
     /// A vertex becomes the sum of weight * worldFromMesh of a joint * vertex, divided by the sum of the weights. The
     /// transform of the node that holds the mesh has no part in it (glTF 2.0, section 3.7.3, Skins).
     /// @param worldFromMeshByJoint  must outlive the pose
@@ -45,12 +45,7 @@ public:
     static bool isSkinned(const Json &attributes);
 
     /// World space. Throws Failure (Malformed) where a vertex names a joint that the skin does not have.
-    glm::dvec3 position(std::size_t vertex, const glm::dvec3 &inMesh) const
-    {
-        if (m_isIdentity)
-            return inMesh;
-        return glm::dvec3((m_byJoint.empty() ? m_worldFromMesh : blended(vertex)) * glm::dvec4(inMesh, 1.0));
-    }
+    glm::dvec3 position(std::size_t vertex, const glm::dvec3 &inMesh) const;
     /// World space, of length 1, or zero where it has no direction.
     glm::dvec3 normal(std::size_t vertex, const glm::dvec3 &inMesh) const;
     /// Whether triangles turn over.
@@ -63,6 +58,7 @@ private:
 
     std::span<const glm::dmat4> m_byJoint; ///< empty without a skin
     std::vector<GltfValues> m_joints, m_weights;
+    PreciseMatrix m_precise{glm::dmat4(1.0)};
     glm::dmat4 m_worldFromMesh{1.0};
     glm::dmat3 m_normalMatrix{1.0};
     bool m_isIdentity = false;

@@ -98,7 +98,7 @@ public:
         if (m_file.array("meshes").empty())
             throw Failure(ImportErrorCode::NoTriangles);
         std::set<std::uint64_t> shown;
-        nodes.visit([&](const Json &node, const glm::dmat4 &) {
+        nodes.visit([&](const Json &node, const PreciseMatrix &) {
             m_totalVertices = std::min(m_totalVertices + vertexCountOf(node), kMostCounted);
             if (GltfFile::find(node, "mesh"))
                 shown.insert(GltfFile::number(node, "mesh", 0));
@@ -108,7 +108,7 @@ public:
                 tr("the nodes show %1 vertices, of which at most %2 can be read", m_totalVertices, kMostVertices));
         unpackDraco(m_file, shown);
         m_hidden = nodes.visit(
-            [&](const Json &node, const glm::dmat4 &worldFromNode) { addNode(node, worldFromNode, skins); });
+            [&](const Json &node, const PreciseMatrix &worldFromNode) { addNode(node, worldFromNode, skins); });
         noteWhatIsLeftOut();
         return finished();
     }
@@ -152,7 +152,7 @@ private:
         return factor(count) * factor(instanceCount(m_file, node));
     }
 
-    void addNode(const Json &node, const glm::dmat4 &worldFromNode, GltfSkins &skins)
+    void addNode(const Json &node, const PreciseMatrix &worldFromNode, GltfSkins &skins)
     {
         if (!GltfFile::find(node, "mesh"))
             return;
@@ -161,7 +161,7 @@ private:
             GltfFile::find(node, "weights") ? GltfFile::array(node, "weights") : GltfFile::array(mesh, "weights");
         const bool hasSkin = GltfFile::find(node, "skin");
         bool isPosed = false;
-        for (const glm::dmat4 &nodeFromInstance : nodeFromInstances(m_file, node)) {
+        for (const PreciseMatrix &nodeFromInstance : nodeFromInstances(m_file, node)) {
             const PoseOf poseOf = [&](const Json &attributes, std::size_t vertexCount) {
                 if (!hasSkin || !GltfPose::isSkinned(attributes))
                     return GltfPose(worldFromNode * nodeFromInstance);

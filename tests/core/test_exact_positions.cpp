@@ -157,6 +157,7 @@ private slots:
     void floatsHaveNoRemainders_data();
     void floatsHaveNoRemainders();
     void placementInAFileIsInDouble();
+    void placementsThatCancelKeepTheirDigits();
     void equalFloatsAreNotOneVertex();
     void verticesHaveTheNumbersOfTheFile_data();
     void verticesHaveTheNumbersOfTheFile();
@@ -267,6 +268,28 @@ void TestExactPositions::placementInAFileIsInDouble()
     const Mesh &mesh = (*model)->meshes.front();
     QVERIFY(mesh.position(0) == glm::dvec3(0.1, 1000000.7, -0.3));
     QVERIFY(mesh.position(3) == glm::dvec3(0.1 + 1.0000001, 1000001.7, -0.3));
+}
+
+/// A map's coordinates turned and taken back to the origin: the numbers are those of 60 digits, rounded.
+void TestExactPositions::placementsThatCancelKeepTheirDigits()
+{
+    const auto isRounded = [](const glm::dvec3 &number, const glm::dvec3 &exact) {
+        const glm::dvec3 off = glm::abs(number - exact), most = 2e-16 * glm::abs(exact);
+        return off.x <= most.x && off.y <= most.y && off.z <= most.z;
+    };
+    const glm::dmat4 m = worldFromObject(
+        {Translate{{1854545, -4995092, -1046321}}, Rotate{33, {1, 2, 3}}, Translate{{451234.5, 5411234.25, 300.125}}});
+    QVERIFY(isRounded(glm::dvec3(m[3]), {0.24522316122868495, 0.0015578757082460625, 0.37555369578494097}));
+    QVERIFY(isRounded(glm::dvec3(m[0]), {0.8501940988064651, 0.45972977639838386, -0.25655121720107765}));
+
+    QByteArray nested = quad(R"(,"translation":[451234.5,5411234.25,300.125]},)"
+                             R"({"children":[0],"rotation":[0.1,0.28,0.2,0.933]},)"
+                             R"({"children":[1],"translation":[1373920,-5063372,-1399885])");
+    nested.replace(R"("nodes":[0])", R"("nodes":[2])");
+    const auto model = m_folder.imported("nested.gltf", nested);
+    REQUIRE_MODEL(model);
+    QVERIFY(isRounded((*model)->meshes.front().position(0),
+                      {-0.26633539861044264, -0.19209817106511756, -0.07289486118430384}));
 }
 
 /// Written by the same program a place has the same digits; two that differ in the tenth are two.
