@@ -5,11 +5,15 @@
 #include "core/cli/progress_bar.h"
 #include "core/cli/scene_input.h"
 #include "core/text/error_text.h"
+#include "core/text/number_text.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,6 +45,40 @@ std::string plyHeader(std::size_t count)
            + '\n' + property + "x\n" + property + "y\n" + property + "z\nend_header\n";
 }
 
+/// The extent of points as they are written.
+class Extent {
+public:
+    /// @param numbers  x, y, z of a point after each other
+    template <class Scalar>
+    void add(std::span<const Scalar> numbers)
+    {
+        for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double value = numbers[i + axis];
+                m_lowest[axis] = std::min(m_lowest[axis], value);
+                m_highest[axis] = std::max(m_highest[axis], value);
+            }
+        }
+    }
+    /// How far rounding to single precision may move a coordinate, where that is more than a millionth of the whole; else 0.
+    double floatRounding() const
+    {
+        constexpr double kMillionth = 1e-6;
+        double size = 0.0, largest = 0.0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            size = std::max(size, m_highest[axis] - m_lowest[axis]);
+            largest = std::max({largest, std::abs(m_lowest[axis]), std::abs(m_highest[axis])});
+        }
+        const double rounding =
+            std::isfinite(largest) && largest > 0.0 ? std::exp2(std::floor(std::log2(largest)) - 24.0) : 0.0;
+        return rounding > kMillionth * size ? rounding : 0.0;
+    }
+
+private:
+    static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    std::array<double, 3> m_lowest{kInfinity, kInfinity, kInfinity}, m_highest{-kInfinity, -kInfinity, -kInfinity};
+};
+
 /// @param seen  how many depths are of a surface
 template <class Scalar>
 ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnprojection &unprojection,
@@ -60,9 +98,12 @@ ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnpr
     sink.write(plyHeader<Scalar>(count));
     ProgressBar progress(pixelsOf(g), ProgressBar::Unit::Points);
     std::size_t filled = 0;
+    Extent extent;
     for (std::size_t j = 0; j < image.height && sink.state() == ByteSink::State::Open; ++j) {
         filled += 3 * cloud.row(j, buffer.data() + filled);
         if (filled + rowNumbers > buffer.size() || j + 1 == image.height) {
+            if constexpr (std::is_same_v<Scalar, float>)
+                extent.add(std::span<const Scalar>(buffer.data(), filled));
             makeLittleEndian(std::span<Scalar>(buffer.data(), filled));
             sink.write({reinterpret_cast<const char *>(buffer.data()), filled * sizeof(Scalar)});
             filled = 0;
@@ -82,6 +123,12 @@ ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnpr
                       seen - count));
         return ExitCode::SomeRowsBad;
     }
+    if (const double rounding = extent.floatRounding(); rounding > 0.0)
+        complain(
+            options.depth + ": "
+            + tr(
+                "so far from the origin single precision rounds coordinates by up to %1; --precision double keeps them",
+                shortestText(rounding, 0.1 * rounding)));
     if (options.output != "-") // in a pipe the next program has the word
         complain(options.output + ": "
                  + tr(count == 1 ? "%1 point of %2 pixels" : "%1 points of %2 pixels", count, pixelsOf(g)));

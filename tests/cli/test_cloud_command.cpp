@@ -93,6 +93,7 @@ private slots:
     void numbersMeanTheSameInEveryFormat();
     void backgroundAndNonsenseAreLeftOut();
     void aLargeWorldNeedsDoubles();
+    void whatFloatsRoundIsSaid();
     void whatIsBeyondFloatsIsSaid();
     void standardStreams();
     void unusableInput_data();
@@ -199,6 +200,20 @@ void TestCloudCommand::aLargeWorldNeedsDoubles()
     QCOMPARE(points.size(), qsizetype(6));
     QCOMPARE(points[0], 5000000.0 - 0.5);
     QVERIFY(std::abs(points[3] - 5000003.0) < 1e-6 && std::abs(points[5] - 3.0) < 1e-6); // the depth is a float's 2/3
+}
+
+void TestCloudCommand::whatFloatsRoundIsSaid()
+{
+    QByteArray scene = kScene;
+    scene.replace("[0, 0, 5]", "[5000000, 0, 5]").replace("[0, 0, 0]", "[5000000, 0, 0]");
+    const QString file = m_folder.write("map.json", scene), image = m_folder.write("depth", pfm(depths(), true));
+    const Run run = runCommand({"cloud", file, image, "-o", "-"});
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.errors, image.toUtf8()
+                             + ": so far from the origin single precision rounds coordinates by up to 0.25; "
+                               "--precision double keeps them\n");
+    QCOMPARE(runCommand({"cloud", "--precision", "double", file, image, "-o", "-"}).errors, QByteArray());
+    QCOMPARE(runCommand({"cloud", m_scene, image, "-o", "-"}).errors, QByteArray());
 }
 
 void TestCloudCommand::whatIsBeyondFloatsIsSaid()
