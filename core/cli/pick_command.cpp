@@ -153,7 +153,7 @@ ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint
         if (options.isJson)
             sink.write(pickJson(position, *hit, name));
         else
-            sink.print(pickText(position, *hit, opened.objects));
+            sink.print(pickText(position, options.snap, *hit, opened.objects));
     }
     const ExitCode written = sink.finish();
     return written == ExitCode::Done ? code : written;

@@ -42,6 +42,18 @@ glm::dvec3 halfGapOf(const SceneObject &object, std::uint32_t vertex)
     return halfGapAt(object.model->meshes[place.mesh], place.vertex, glm::dmat3(worldFromObject(object.transform)));
 }
 
+/// What was not found.
+std::string nothingText(Snap snap)
+{
+    switch (snap) {
+    case Snap::Surface: break;
+    case Snap::Vertex: return tr("no vertex is in sight within %1 pixels", shortestText(kSnapPixels));
+    case Snap::Edge: return tr("no edge is in sight within %1 pixels", shortestText(kSnapPixels));
+    case Snap::Face: return tr("no face is in sight within %1 pixels", shortestText(kSnapPixels));
+    }
+    return tr("nothing is met");
+}
+
 /// How far an object's own coordinates may be off.
 glm::dvec3 objectBounds(const SceneObject &object, const WorldVector &uncertainty)
 {
@@ -62,12 +74,12 @@ std::string pickJson(const DevicePoint &position, const std::optional<SceneHit> 
     return jsonLine(json) + '\n';
 }
 
-std::string pickText(const DevicePoint &position, const std::optional<SceneHit> &hit,
+std::string pickText(const DevicePoint &position, Snap snap, const std::optional<SceneHit> &hit,
                      const std::vector<SceneObject> &objects)
 {
     std::string text = tr("pixel %1 %2", shortestText(position.x), shortestText(position.y)) + '\n';
     if (!hit)
-        return text + "  " + tr("nothing is met") + '\n';
+        return text + "  " + nothingText(snap) + '\n';
     const auto add = [&text](const std::string &name, const std::string &value) {
         text += "  " + padded(name, 13) + value + '\n';
     };

@@ -15,7 +15,7 @@ std::string pickJson(const geometry::DevicePoint &position, const std::optional<
                      const std::string &name);
 /// The same in words, several lines, without the digits that say nothing: a vertex has as many as are held as the same
 /// floats, what is computed has them to a tenth of its ±.
-std::string pickText(const geometry::DevicePoint &position, const std::optional<ray::SceneHit> &hit,
+std::string pickText(const geometry::DevicePoint &position, ray::Snap snap, const std::optional<ray::SceneHit> &hit,
                      const std::vector<scene::SceneObject> &objects);
 
 /// The columns of a pick in rows.

@@ -1,8 +1,25 @@
 #include "core/ray/ray_comparison.h"
 
+#include <algorithm>
+
 namespace unprojector::ray {
 
 using Kind = RayComparison::Kind;
+
+namespace {
+
+/// Whether the depth buffer of a click cannot tell a point from the far plane.
+bool isKeptAsFar(const Pick &pick, const WorldPoint &world)
+{
+    const Result<WindowPoint> window = windowFromWorld(pick.geometry, world);
+    const auto &[atNear, atFar] = pick.geometry.depthRange;
+    if (!window || atNear == atFar)
+        return false;
+    const double depth = std::clamp((window->z - atNear) / (atFar - atNear), 0.0, 1.0);
+    return pick.sample.format.kept(depth) == 1.0;
+}
+
+} // namespace
 
 RayComparison compared(const Pick &pick, const std::optional<SceneHit> &hit, bool isSameObject)
 {
@@ -21,7 +38,7 @@ RayComparison compared(const Pick &pick, const std::optional<SceneHit> &hit, boo
     } else if (!hit->triangle) {
         comparison.kind = Kind::CloudPoint;
     } else if (!hasBoth) {
-        comparison.kind = Kind::OnlyRay;
+        comparison.kind = isKeptAsFar(pick, hit->world) ? Kind::TooFar : Kind::OnlyRay;
     } else {
         const bool isOne = comparison.distance <= length(pick.uncertainty.world) + length(hit->uncertainty);
         comparison.kind = isSameObject ? (isOne ? Kind::SameSurface : Kind::OtherPart)

@@ -17,6 +17,7 @@ struct RayComparison {
         SameDepth,   ///< so it has, but as deep as what the ray meets: two surfaces at one place
         OnlyFrame,   ///< the ray meets nothing
         OnlyRay,     ///< the frame has the background
+        TooFar,      ///< so it has, as the depth buffer rounds the depth of what the ray meets to that of the far plane
         Nothing,     ///< both
         CloudPoint,  ///< the ray has taken a point near by, which need not be behind the pixel
     };

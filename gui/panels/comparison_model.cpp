@@ -231,6 +231,14 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
     }
 }
 
+QString ComparisonModel::copied(const QModelIndex &index) const
+{
+    const Row &row = m_rows[static_cast<std::size_t>(index.row())];
+    const std::optional<double> formula = by(Method::Formula, row);
+    return index.column() == Certain && formula ? certainText(*formula, row.uncertainty)
+                                                : CoordinatesModel::copied(index);
+}
+
 std::vector<double> ComparisonModel::pointAt(const QModelIndex &index) const
 {
     std::vector<double> point;

@@ -36,6 +36,7 @@ public:
     /// The points that rows are named by, also those that are not there now, for whoever reserves room for their names.
     static QStringList pointNames();
 
+    QString copied(const QModelIndex &index) const override;
     std::vector<double> pointAt(const QModelIndex &index) const override;
     QString pointNameAt(const QModelIndex &index) const override;
 

@@ -67,9 +67,8 @@ QString windowText(const WindowPoint &window)
     return ComparisonPanel::tr("%1, the pixel's centre").arg(positionText(window.x, window.y));
 }
 
-QString clickedDepthText(double depth, bool isRead)
+QString clickedDepthText(const QString &text, bool isRead)
 {
-    const QString text = depthText(depth);
     return isRead ? ComparisonPanel::tr("%1, as read").arg(text)
                   : ComparisonPanel::tr("%1, the far plane's: nothing to read").arg(text);
 }
@@ -103,7 +102,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
                     {windowText(WindowPoint(kWidest, kWidest, 0.0))});
     m_depth = steadyLabel(
         tr("Depth"), tr("From the depth buffer, in the depth range: by default 0 is the near plane, 1 the far plane"),
-        {clickedDepthText(0.888888888888, true), clickedDepthText(0.8, false)});
+        {clickedDepthText(depthText(0.888888888888), true), clickedDepthText(depthText(0.8), false)});
     auto *chain = new QGridLayout; // names and values begin on one line, however many the value takes
     chain->setVerticalSpacing(2);
     chain->setColumnStretch(1, 1);
@@ -332,7 +331,7 @@ void ComparisonPanel::showPick()
     m_widget->setText(widgetText(pick->widget));
     m_devicePixel->setText(devicePixelText(pick->devicePixel, pick->geometry.surface));
     m_window->setText(windowText(pick->window));
-    m_depth->setText(clickedDepthText(pick->window.z, pick->hit()));
+    m_depth->setText(clickedDepthText(depthText(pick->window.z), pick->hit()));
     m_widget->setValue({QStringLiteral("widget"), {pick->widget.x, pick->widget.y}});
     m_devicePixel->setValue(
         {QStringLiteral("devicePixel"), {double(pick->devicePixel.i), double(pick->devicePixel.j)}});
@@ -356,8 +355,12 @@ void ComparisonPanel::setShowsFloat(bool shows)
 QString ComparisonPanel::text() const
 {
     QString text = m_heading->fullText() + u'\n' + m_sinceClick->text() + u'\n';
-    for (const SteadyLabel *link : {m_widget, m_devicePixel, m_window, m_depth})
-        text += link->accessibleName() + u'\t' + link->text() + u'\n';
+    const std::optional<Pick> &pick = m_document.pick();
+    for (const SteadyLabel *link : {m_widget, m_devicePixel, m_window, m_depth}) {
+        const bool isDepth = link == m_depth && pick;
+        text += link->accessibleName() + u'\t'
+                + (isDepth ? clickedDepthText(shortestText(pick->window.z), pick->hit()) : link->text()) + u'\n';
+    }
     text += m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n';
     text += m_rayModel->text() + m_ray->text() + u'\n' + m_rayDetail->text() + u'\n';
     text += m_others->text() + m_apis->text();

@@ -4,6 +4,12 @@
 
 namespace unprojector::gui {
 
+QString CoordinatesModel::copied(const QModelIndex &index) const
+{
+    const QVariant value = data(index, kValueRole);
+    return value.isValid() ? shortestText(value.toDouble()) : QString();
+}
+
 QString CoordinatesModel::text() const
 {
     QString text;
@@ -11,10 +17,8 @@ QString CoordinatesModel::text() const
         text += u'\t' + headerData(column, Qt::Horizontal).toString();
     for (int row = 0; row < rowCount(); ++row) {
         text += u'\n' + headerData(row, Qt::Vertical).toString();
-        for (int column = 0; column < columnCount(); ++column) {
-            const QVariant v = data(index(row, column), kValueRole);
-            text += u'\t' + (v.isValid() ? shortestText(v.toDouble()) : QString());
-        }
+        for (int column = 0; column < columnCount(); ++column)
+            text += u'\t' + copied(index(row, column));
     }
     return text + u'\n';
 }

@@ -23,7 +23,9 @@ public:
     /// What that point is called in code: "world", "worldDifference".
     virtual QString pointNameAt(const QModelIndex &index) const = 0;
 
-    /// The whole table with all digits, tab-separated.
+    /// A cell as it is copied: all digits; of what is certain those that are.
+    virtual QString copied(const QModelIndex &index) const;
+    /// The whole table so, tab-separated.
     QString text() const;
 };
 

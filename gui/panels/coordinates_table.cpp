@@ -5,7 +5,6 @@
 #include "gui/panels/copy_menu.h"
 #include "gui/panels/digits_font.h"
 #include "gui/panels/quiet_selection.h"
-#include "gui/text/number_text.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -137,8 +136,8 @@ QString CoordinatesTable::selectedText() const
         if (!text.isEmpty())
             text += index.row() == row ? u'\t' : u'\n';
         row = index.row();
-        const QVariant value = index.data(CoordinatesModel::kValueRole);
-        text += value.isValid() ? shortestText(value.toDouble()) : index.data().toString();
+        const QString copied = m_model->copied(index);
+        text += copied.isEmpty() ? index.data().toString() : copied;
     }
     return text;
 }

@@ -106,6 +106,10 @@ QString rayComparisonText(const RayComparison &comparison, const QString &shown,
                    "The ray meets %1, nothing is drawn: an outline passes the pixel's centre, or a sliver that "
                    "the GPU leaves out. Trust the ray.")
             .arg(ray);
+    case Kind::TooFar:
+        return RayTexts::tr("The ray meets %1, nothing is drawn: the depth buffer rounds its depth to that of the far "
+                            "plane. Trust the ray, or move near and far closer together.")
+            .arg(ray);
     case Kind::Nothing: return RayTexts::tr("The ray meets no mesh either.");
     case Kind::CloudPoint:
         return comparison.distance > 0.0

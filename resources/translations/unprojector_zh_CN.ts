@@ -741,6 +741,10 @@
         <translation>什么也没有绘出，射线却与 %1 相交：轮廓经过像素中心，或是 GPU 漏掉的狭长三角形。应信射线。</translation>
     </message>
     <message>
+        <source>The ray meets %1, nothing is drawn: the depth buffer rounds its depth to that of the far plane. Trust the ray, or move near and far closer together.</source>
+        <translation>什么也没有绘出，射线却与 %1 相交：深度缓冲把它的深度舍入成了远平面的深度。应信射线，或使近、远平面靠近一些。</translation>
+    </message>
+    <message>
         <source>The ray takes the nearest point, %1 from the formula, which has the pixel&apos;s centre. Trust the point: it is the file&apos;s.</source>
         <translation>射线取最近的点，与公式相差 %1（公式算的是像素中心）。应信该点：它就是文件中的点。</translation>
     </message>

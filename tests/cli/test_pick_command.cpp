@@ -288,6 +288,8 @@ void TestPickCommand::words()
     QCOMPARE(run.exitCode, 1);
     QVERIFY2(run.output.contains("object       face\n"), run.output.constData());
     QVERIFY(run.output.contains("nothing is met"));
+    const Run snapped = runCommand({"pick", m_scene, "--snap", "vertex", "--at", "500,150"});
+    QVERIFY2(snapped.output.contains("no vertex is in sight within 8 pixels"), snapped.output.constData());
 }
 
 /// Noise behind the digits that are certain is left to JSON.

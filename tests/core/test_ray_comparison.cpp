@@ -56,6 +56,7 @@ private slots:
     void eachCaseIsToldFromTheOthers_data();
     void eachCaseIsToldFromTheOthers();
     void theMeshIsSureOfItselfToSomeExtent();
+    void whatTheDepthBufferTakesForTheFarPlane();
     void aPointOfACloudIsNoSurface();
 };
 
@@ -96,7 +97,7 @@ void TestRayComparison::eachCaseIsToldFromTheOthers()
     const Pick pick = picked(isDrawn, degrees);
     const bool hasBoth = isDrawn && share;
     const double farther = hasBoth ? *share * length(pick.uncertainty.world) : 0.0;
-    const std::optional<SceneHit> hit = share ? std::optional(hitAt(pick, farther)) : std::nullopt;
+    const std::optional<SceneHit> hit = share ? std::optional(hitAt(picked(true, degrees), farther)) : std::nullopt;
     const RayComparison comparison = compared(pick, hit, isSameObject);
     QCOMPARE(static_cast<int>(comparison.kind), static_cast<int>(kind));
     const double apart = hasBoth ? distance(hit->world, *pick.point.world[Method::Formula]) : 0.0;
@@ -115,6 +116,17 @@ void TestRayComparison::theMeshIsSureOfItselfToSomeExtent()
     QVERIFY(compared(pick, hit, true).kind == Kind::OtherPart);
     hit.uncertainty = {0.0, 0.0, 0.6 * stated};
     QVERIFY(compared(pick, hit, true).kind == Kind::SameSurface);
+}
+
+/// Half a step of the depth buffer before the far plane is 1.2e-6 there.
+void TestRayComparison::whatTheDepthBufferTakesForTheFarPlane()
+{
+    SceneHit hit;
+    hit.triangle = TriangleDetail();
+    hit.world = WorldPoint(0.0, 0.0, -5.0 + 1e-6);
+    QCOMPARE(static_cast<int>(compared(picked(false), hit, false).kind), static_cast<int>(Kind::TooFar));
+    hit.world = WorldPoint(0.0, 0.0, -5.0 + 1.5e-6);
+    QCOMPARE(static_cast<int>(compared(picked(false), hit, false).kind), static_cast<int>(Kind::OnlyRay));
 }
 
 void TestRayComparison::aPointOfACloudIsNoSurface()

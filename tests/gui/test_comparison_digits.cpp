@@ -24,6 +24,7 @@ private slots:
     void whatIsBlackAgreesWithWhatIsCertain();
     void allThatIsCertainIsShownWhereThereIsRoom_data();
     void allThatIsCertainIsShownWhereThereIsRoom();
+    void whatIsCopiedHasAllDigits();
     void eachAxisHasItsOwnUncertainty();
     void coordinatesOfASurveyCanBeReadAtAnyWidth();
     void signsFitWhereDigitsAreNoWholeNumberOfPixels();
@@ -167,6 +168,17 @@ void TestComparisonDigits::allThatIsCertainIsShownWhereThereIsRoom()
         model.setCapacity(capacity);
         QCOMPARE(cell(model, 0, ComparisonModel::Certain).toString(), certain);
     }
+}
+
+/// Zeros that are certain are digits too.
+void TestComparisonDigits::whatIsCopiedHasAllDigits()
+{
+    ComparisonModel model;
+    model.setPick(pickWith({-0.5, 5412349.529786, 1.0 / 3.0}, {-0.5, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1e-6));
+    QCOMPARE(model.copied(model.index(0, ComparisonModel::Certain)), QStringLiteral("-0.500000"));
+    QCOMPARE(model.copied(model.index(1, ComparisonModel::Certain)), QStringLiteral("5412349.529786"));
+    QCOMPARE(model.copied(model.index(2, ComparisonModel::Formula)), QStringLiteral("0.3333333333333333"));
+    QVERIFY(model.text().contains(QStringLiteral("\t-0.500000\t-0.5\t-0.5\t")));
 }
 
 void TestComparisonDigits::eachAxisHasItsOwnUncertainty()
