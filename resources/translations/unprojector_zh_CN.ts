@@ -769,16 +769,16 @@
         <translation>“%2”的面 %1 上的点</translation>
     </message>
     <message>
-        <source>The vertex taken is certain to ± %1: it is the file&apos;s. The table above is of the surface under the pixel.</source>
-        <translation>所取顶点的可靠程度为 ± %1：它是文件中的顶点。上表是该像素下表面的数值。</translation>
+        <source>The vertex taken is certain to ± %1: it is the file&apos;s. The table above is of the pixel that was clicked.</source>
+        <translation>所取顶点的可靠程度为 ± %1：它是文件中的顶点。上表是所点击像素的数值。</translation>
     </message>
     <message>
-        <source>The point taken on the edge is certain to ± %1: it does not go through the depth buffer. The table above is of the surface under the pixel.</source>
-        <translation>边上所取的点的可靠程度为 ± %1：它不经过深度缓冲。上表是该像素下表面的数值。</translation>
+        <source>The point taken on the edge is certain to ± %1: it does not go through the depth buffer. The table above is of the pixel that was clicked.</source>
+        <translation>边上所取的点的可靠程度为 ± %1：它不经过深度缓冲。上表是所点击像素的数值。</translation>
     </message>
     <message>
-        <source>The point taken on the face is certain to ± %1: it does not go through the depth buffer. The table above is of the surface under the pixel.</source>
-        <translation>面上所取的点的可靠程度为 ± %1：它不经过深度缓冲。上表是该像素下表面的数值。</translation>
+        <source>The point taken on the face is certain to ± %1: it does not go through the depth buffer. The table above is of the pixel that was clicked.</source>
+        <translation>面上所取的点的可靠程度为 ± %1：它不经过深度缓冲。上表是所点击像素的数值。</translation>
     </message>
 </context>
 <context>
