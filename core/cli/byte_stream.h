@@ -25,7 +25,7 @@ using InputFiles = std::vector<std::string>;
 /// Bytes as they are (no line ends translated) from a file, or from stdin for "-".
 class ByteSource {
 public:
-    /// What could not be opened is said on stderr, and `isOpen` is false.
+    /// Errors are printed on stderr, and `isOpen` is false.
     explicit ByteSource(const std::string &file);
 
     bool isOpen() const { return m_file != nullptr; }

@@ -43,7 +43,7 @@ public:
             m_writer.header();
     }
 
-    /// Writes the row of a click. What is wrong with it is said on stderr.
+    /// Writes the row of a click. Errors are printed on stderr.
     /// @return false where a click cannot be computed at all
     bool add(std::size_t place, const Click &click)
     {

@@ -54,7 +54,7 @@ std::function<std::vector<KnownPoint>(const Box &)> verticesOnceRead(const std::
     };
 }
 
-/// The case without any mesh. What is wrong is said on stderr.
+/// The case without any mesh. Errors are printed on stderr.
 std::optional<CaseRead> withoutMesh(const std::string &file)
 {
     const std::optional<SceneInput> input = sceneInput(file);
@@ -104,7 +104,7 @@ std::optional<CaseRead> caseOf(const std::string &file, bool isDepthMissing)
     return result;
 }
 
-/// Sets the space of the points. What is wrong is said on stderr.
+/// Sets the space of the points. Errors are printed on stderr.
 bool setSpace(std::vector<WrongPoint> &points, const std::string &space, const Case &scene)
 {
     PointSpace named = PointSpace::World;

@@ -49,7 +49,7 @@ bool hasSuffix(std::string_view name, std::string_view suffix)
                          [&isSame](char wanted, char given) { return isSame(given, wanted); });
 }
 
-/// Whether a map can go there; what is wrong with it is said on stderr.
+/// Whether a map can go there; prints errors on stderr.
 bool isOutputUsable(const MapOptions &options, const OpenedScene &opened)
 {
     if (hasSuffix(options.output, ".png")) {

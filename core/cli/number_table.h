@@ -27,7 +27,7 @@ struct NumberColumns {
 };
 
 /// Reads the first line and finds the columns by their names, whatever others there are. Blanks around names and quotes
-/// around them are taken off; a comma in quotes separates nothing. What is wrong is said on stderr.
+/// around them are taken off; a comma in quotes separates nothing. Errors are printed on stderr.
 /// @param alternatives  names that the three may have, the preferred ones first; at least one
 std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &source,
                                         const std::vector<ColumnNames> &alternatives);

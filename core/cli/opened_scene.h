@@ -33,7 +33,7 @@ InputFiles filesOf(const std::filesystem::path &file, const Model &model);
 /// @param file  UTF-8; "-" is a scene
 bool isMeantAsScene(const std::string &file);
 
-/// Opens a model file, a scene file or clicks on one scene; what cannot be read is said on stderr. Models are read once a file.
+/// Opens a model file, a scene file or clicks on one scene; prints errors on stderr. Models are read once a file.
 /// @param file  UTF-8; "-" is a scene from standard input
 std::optional<OpenedScene> openScene(const std::string &file);
 
@@ -49,7 +49,7 @@ constexpr int kUsualWidth = 800, kUsualHeight = 600;
 /// The picture of an opened scene: of a scene file its own, to the last digit; of a model what the window starts with. With
 /// a size, what the window shows in that size.
 /// @param size  device pixels; "800x600", or empty
-/// What is wrong is said on stderr.
+/// Errors are printed on stderr.
 std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &size);
 
 } // namespace unprojector::cli

@@ -22,7 +22,7 @@ namespace {
 
 const ColumnNames kPositionColumns{"px", "py", ""};
 
-/// "X,Y"; what is wrong with it is said on stderr.
+/// "X,Y"; prints errors on stderr.
 std::optional<DevicePoint> positionGiven(const std::string &text)
 {
     DevicePoint position;

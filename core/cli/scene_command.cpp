@@ -62,7 +62,7 @@ bool namesOpenCv(const std::string &text)
            || names.contains("tvec");
 }
 
-/// What was pasted: the words themselves, or a file's text. What is wrong is said on stderr.
+/// What was pasted: the words themselves, or a file's text. Errors are printed on stderr.
 std::optional<Pasted> pasted(const std::vector<std::string> &words)
 {
     std::string text;
@@ -124,7 +124,7 @@ bool isOriginTop(const SceneOptions &options)
 }
 
 /// Viewport, depth range and window.
-/// @return whether there are such; what is wrong is said on stderr
+/// @return whether there are such; prints errors on stderr
 bool setViewport(const SceneOptions &options, const MatrixTaker &taker, const PastedScene &pasted,
                  const std::string &name, SceneFile &scene)
 {

@@ -28,7 +28,7 @@ struct SceneInput {
     InputFiles files;              ///< see filesOf
 };
 
-/// Reads a scene file, or the clicks that the window prints; what is wrong with it is said on stderr.
+/// Reads a scene file, or the clicks that the window prints; prints errors on stderr.
 /// @param file  UTF-8; "-" for stdin
 std::optional<SceneOrClicks> sceneOrClicks(const std::string &file);
 
@@ -38,7 +38,7 @@ InputFiles filesOf(const SceneFile &scene, const std::string &file);
 InputFiles filesOf(const SceneOrClicks &given, const std::string &file);
 
 SceneInput sceneInput(const SceneFile &scene);
-/// The scene of a file, or the one that all its clicks show. What is wrong is said on stderr.
+/// The scene of a file, or the one that all its clicks show. Errors are printed on stderr.
 std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file);
 std::optional<SceneInput> sceneInput(const std::string &file);
 
@@ -48,7 +48,7 @@ std::optional<SceneFile> sceneFile(const std::string &file);
 /// The object of a name; where there is none, stderr says which there are, and where there are several, which those are.
 const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name);
 
-/// What --space says: eye, world or object:NAME. What is wrong with it is said on stderr.
+/// What --space says: eye, world or object:NAME. Errors are printed on stderr.
 std::optional<BatchSpace> batchSpace(const std::string &space, const SceneInput &scene);
 
 } // namespace unprojector::cli

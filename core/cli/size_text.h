@@ -11,7 +11,7 @@ struct SizeGiven {
     int height;
 };
 
-/// What an option says as in 800x600; whether any picture has that size is not asked. What is wrong with it is said on stderr.
+/// What an option says as in 800x600; whether any picture has that size is not asked. Errors are printed on stderr.
 std::optional<SizeGiven> sizeGiven(const std::string &option, const std::string &text);
 
 } // namespace unprojector::cli

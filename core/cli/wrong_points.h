@@ -8,7 +8,7 @@
 
 namespace unprojector::cli {
 
-/// The point of the options --pixel, --depth and --got. What is wrong with them is said on stderr.
+/// The point of the options --pixel, --depth and --got. Errors are printed on stderr.
 /// @param depth  empty where it is not known
 std::optional<doctor::WrongPoint> wrongPoint(const std::string &pixel, const std::string &depth,
                                              const std::string &got);
@@ -26,7 +26,7 @@ constexpr std::size_t kMostWrongPoints = 100;
 /// Far more than so many points need.
 constexpr std::size_t kMostPointBytes = std::size_t{1} << 24;
 
-/// CSV with the columns px,py,depth,x,y,z, found by their names; without a header in this order. What is wrong is said on stderr.
+/// CSV with the columns px,py,depth,x,y,z, found by their names; without a header in this order. Errors are printed on stderr.
 /// @param file  UTF-8; "-" for stdin
 /// @return nothing where there is no point to look at
 std::optional<WrongPoints> wrongPoints(const std::string &file);
