@@ -55,7 +55,8 @@ void TestFreshFiles::whatAKilledProgramLeftIsRemoved()
                              ".unprojector-0123456789abcdef.tmp.bak", "unprojector-0123456789abcdef.tmp"};
     const auto age = [&](const QString &name) {
         const auto hourAgo = std::filesystem::file_time_type::clock::now() - std::chrono::hours(1);
-        std::filesystem::last_write_time(folder / name, hourAgo);
+        std::error_code refused; // Windows refuses it of an open file, which nobody can remove there anyway
+        std::filesystem::last_write_time(folder / name, hourAgo, refused);
     };
     for (const QString &name : QStringList{ours, fresh} + others)
         folder.write(name, "left");

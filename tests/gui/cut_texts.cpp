@@ -99,8 +99,9 @@ QStringList cutTexts(const QWidget &widget)
         if (!child->isVisible() || qobject_cast<const QScrollBar *>(child))
             continue;
         const Text text = textOf(*child);
+        constexpr int kAboveLetters = 1; // a line is higher than its letters by that much at least
         if (!text.text.isEmpty()
-            && (text.needed.width() > text.room.width() || text.needed.height() > text.room.height()))
+            && (text.needed.width() > text.room.width() || text.needed.height() > text.room.height() + kAboveLetters))
             found << QStringLiteral("“%1” (%2) needs %3 x %4 of %5 x %6")
                          .arg(text.text, nameOf(*child))
                          .arg(text.needed.width())
