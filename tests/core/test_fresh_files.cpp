@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <chrono>
+#include <system_error>
 #include <utility>
 
 #ifndef Q_OS_WIN
