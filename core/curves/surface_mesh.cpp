@@ -80,23 +80,21 @@ std::shared_ptr<const SurfaceMesh> SurfaceMesh::build(const Model &model, const 
     const std::size_t triangles = model.triangleCount();
     surface->m_corners.reserve(triangles);
     PlaceNumbers numbers(surface->m_places, std::min<std::size_t>(vertices, 3 * triangles));
-    std::size_t before = 0;
-    for (const Mesh &mesh : model.meshes) {
+    for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+        const Mesh &mesh = model.meshes[m];
         for (std::size_t i = 0; i < mesh.triangleCount(); ++i) {
             if (i % kStep == 0 && !goesOn(0.7 * double(surface->m_corners.size()) / double(triangles)))
                 return nullptr;
             std::array<std::uint32_t, 3> corners{};
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::size_t vertex = mesh.vertexAt(3 * i + k);
-                const std::size_t number = mesh.vertexNumbers.empty() ? before + vertex : mesh.vertexNumbers[vertex];
-                std::uint32_t &corner = surface->m_ofVertex[number];
+                std::uint32_t &corner = surface->m_ofVertex[model.vertexNumber(m, vertex)];
                 if (corner == kNone)
                     corner = numbers.of(mesh.position(vertex));
                 corners[k] = corner;
             }
             surface->m_corners.push_back(corners);
         }
-        before += mesh.positions.size();
     }
     if (!goesOn(0.7))
         return nullptr;

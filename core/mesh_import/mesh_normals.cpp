@@ -1,5 +1,6 @@
 #include "core/mesh_import/mesh_normals.h"
 
+#include "core/scene/position_hash.h"
 #include "core/threads/parallel.h"
 
 #include <glm/geometric.hpp>
@@ -22,20 +23,6 @@ constexpr std::uint32_t kEmpty = 0xffffffffu;
 constexpr std::size_t kTrianglesBetweenReports = 1 << 16;
 /// Some milliseconds of work.
 constexpr std::size_t kTrianglesInTask = 1 << 15;
-
-std::uint64_t mixed(std::uint64_t hash, std::uint32_t word)
-{
-    hash = (hash ^ word) * 0x9e3779b97f4a7c15ull;
-    return hash ^ (hash >> 29);
-}
-
-std::uint64_t hashOf(const glm::vec3 &v, std::uint64_t hash = 0x2545f4914f6cdd1dull)
-{
-    // Adding 0 turns -0 into 0: equal numbers must hash alike.
-    hash = mixed(hash, std::bit_cast<std::uint32_t>(v.x + 0.0f));
-    hash = mixed(hash, std::bit_cast<std::uint32_t>(v.y + 0.0f));
-    return mixed(hash, std::bit_cast<std::uint32_t>(v.z + 0.0f));
-}
 
 std::size_t slotCountFor(std::size_t count)
 {

@@ -3,6 +3,7 @@
 #include "core/mesh_import/mesh_normals.h"
 #include "core/mesh_import/mesh_reader.h"
 #include "core/mesh_import/text_scanner.h"
+#include "core/scene/soup_numbers.h"
 #include "core/text/translation.h"
 #include "core/threads/parallel.h"
 
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -47,17 +49,6 @@ glm::vec3 vectorAt(const std::uint8_t *bytes)
 /// Beyond this many triangles their corners stay as they are, without neighbours and drawn flat: finding the equal ones
 /// would take longer than everything else.
 constexpr std::size_t kMostTrianglesToWeld = 300000;
-
-/// Numbers the vertices by their places: a vertex where two colours meet is two here, and one of the file's.
-/// @return how many places there are
-std::size_t numberPlaces(Mesh &mesh)
-{
-    PositionIndex places(mesh.positions.size() / 6);
-    mesh.vertexNumbers.reserve(mesh.positions.size());
-    for (const glm::vec3 &position : mesh.positions)
-        mesh.vertexNumbers.push_back(places.add(position));
-    return places.size();
-}
 
 [[noreturn]] void failAtCorner(std::size_t corner)
 {
@@ -375,9 +366,12 @@ Model readStl(const Source &source)
     // The facets' normals are left out: they say nothing that the corners don't.
     // STL repeats each vertex in every triangle around it.
     if (mesh.triangleCount() <= kMostTrianglesToWeld) {
+        // A vertex where two colours meet is two here, and one of the file's.
         if (!mesh.colors.empty())
-            model.fileVertices = numberPlaces(mesh);
+            model.fileVertices = numberPlaces(mesh, mesh.vertexNumbers);
         mergeEqualVertices(mesh);
+    } else {
+        model.soupNumbers = std::make_shared<SoupNumbers>();
     }
     model.meshes.push_back(std::move(mesh));
     return model;

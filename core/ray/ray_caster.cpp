@@ -32,6 +32,9 @@ std::shared_ptr<const RayCaster> RayCaster::build(std::shared_ptr<const Model> m
     }
     if (triangles == 0)
         return caster;
+    // No click waits for the names of vertices.
+    if (caster->m_model->soupNumbers)
+        caster->m_model->vertexNumber(0, 0);
     const Progress rest = partOf(shareOfPoints, 1.0 - shareOfPoints);
     bool isCancelled = false;
     if (tree == Tree::Fastest)

@@ -1,6 +1,7 @@
 #include "core/scene/measures.h"
 
 #include "core/geometry/double_double.h"
+#include "core/scene/soup_numbers.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -116,8 +117,10 @@ Measures measuresOf(const SceneObject &object)
     const glm::dmat3 linear(worldFromSource);
     const glm::dvec3 center = object.model->bounds.isEmpty() ? glm::dvec3(0.0) : object.model->bounds.center();
     Measures measures;
-    const std::size_t known = object.model->fileVertices;
-    measures.vertices = known > 0 ? known : placesOf(object.model->meshes);
+    const Model &model = *object.model;
+    measures.vertices = model.fileVertices > 0 ? model.fileVertices
+                        : model.soupNumbers    ? model.soupNumbers->placeCount(model.meshes.front())
+                                               : placesOf(model.meshes);
     Sum area, volume;
     glm::dvec3 areaVector(0.0);
     for (const Mesh &mesh : object.model->meshes) {

@@ -1,5 +1,7 @@
 #include "core/scene/mesh.h"
 
+#include "core/scene/soup_numbers.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -58,10 +60,15 @@ std::size_t Model::vertexCount() const
     return count;
 }
 
+const std::vector<std::uint32_t> &Model::numbersIn(std::size_t mesh) const
+{
+    return soupNumbers ? soupNumbers->of(meshes[mesh]) : meshes[mesh].vertexNumbers;
+}
+
 std::uint32_t Model::vertexNumber(std::size_t mesh, std::size_t vertex) const
 {
-    if (!meshes[mesh].vertexNumbers.empty())
-        return meshes[mesh].vertexNumbers[vertex];
+    if (const std::vector<std::uint32_t> &numbers = numbersIn(mesh); !numbers.empty())
+        return numbers[vertex];
     std::size_t number = vertex;
     for (std::size_t i = 0; i < mesh; ++i)
         number += meshes[i].positions.size();
@@ -72,7 +79,7 @@ std::optional<Model::VertexPlace> Model::vertexOf(std::uint32_t number) const
 {
     std::size_t before = 0;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-        const std::vector<std::uint32_t> &numbers = meshes[i].vertexNumbers;
+        const std::vector<std::uint32_t> &numbers = numbersIn(i);
         const std::size_t count = meshes[i].positions.size(), place = number - before;
         if (numbers.empty() ? number < before + count : number < count && numbers[number] == number)
             return VertexPlace{i, numbers.empty() ? place : number};

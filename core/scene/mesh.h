@@ -121,6 +121,8 @@ struct ModelNote {
     friend bool operator==(const ModelNote &, const ModelNote &) = default;
 };
 
+class SoupNumbers;
+
 /// What one model file holds.
 struct Model {
     std::string name;
@@ -130,6 +132,8 @@ struct Model {
     /// Of the file, before any were split for their normals or the like. 0: of a soup, whose triangles have theirs alone. Those
     /// of the meshes have smaller numbers.
     std::size_t fileVertices = 0;
+    /// Of a soup read from a file, which is one mesh; else null. Its places have the numbers that vertices have elsewhere.
+    std::shared_ptr<SoupNumbers> soupNumbers;
     std::vector<ModelNote> notes; ///< what is not as in the file
     /// The other files that were read for it: libraries of materials, buffers. Those of textures are at the textures.
     std::vector<std::filesystem::path> otherFiles;
@@ -147,6 +151,10 @@ struct Model {
     /// The first vertex of a number; nothing where the file has no such vertex, or none that is used. Looks through all of
     /// them where the file's were split.
     std::optional<VertexPlace> vertexOf(std::uint32_t number) const;
+
+private:
+    /// Of a mesh's vertices; empty where they are as they come.
+    const std::vector<std::uint32_t> &numbersIn(std::size_t mesh) const;
 };
 
 /// The origin that keeps the digits of positions in a box: along each axis on which the box is farther from zero than it

@@ -2,6 +2,8 @@
 
 #include "imported.h"
 
+#include "core/scene/measures.h"
+
 #include <cmath>
 
 using namespace unprojector;
@@ -17,6 +19,7 @@ private slots:
     void aVertexOfTwoColoursIsOneOfTheFile();
     void keepsLargeMeshesAsTheyAre_data();
     void keepsLargeMeshesAsTheyAre();
+    void aLargeOneHasTheNumbersOfASmallOne();
     void keepsTheMillimetresOfASurvey();
     void keepsFloatsThatLieFarAway();
     void saysWhatIsBehindTheTriangles_data();
@@ -98,6 +101,27 @@ void TestImportStl::keepsLargeMeshesAsTheyAre()
     }
     QVERIFY(std::abs(areaOf(mesh) - count / 2.0) < 1e-6 * count);
     QVERIFY(result.value()->bounds.highest == glm::dvec3(1000, (count - 1) / 1000 + 1, 0));
+}
+
+void TestImportStl::aLargeOneHasTheNumbersOfASmallOne()
+{
+    const int most = 300000; // which are joined
+    const auto joined = m_folder.imported("small.stl", cells(most));
+    const auto soup = m_folder.imported("large.stl", cells(most + 1));
+    REQUIRE_MODEL(joined);
+    REQUIRE_MODEL(soup);
+    const Mesh &one = (*joined)->meshes.front(), &other = (*soup)->meshes.front();
+    QVERIFY(other.indices.empty());
+    const std::size_t vertices = measuresOf({"large", {}, *soup, {}}).vertices;
+    for (std::size_t corner = 0; corner < one.indices.size(); ++corner) {
+        const std::uint32_t number = (*soup)->vertexNumber(0, corner);
+        QCOMPARE(number, (*joined)->vertexNumber(0, one.vertexAt(corner)));
+        QVERIFY(number < vertices);
+    }
+    QCOMPARE(vertices, measuresOf({"small", {}, *joined, {}}).vertices + 1); // of a row of its own
+    const auto last = (*soup)->vertexOf(static_cast<std::uint32_t>(vertices - 1));
+    QVERIFY(last && other.position(last->vertex) == glm::dvec3(0, 301, 0));
+    QVERIFY(!(*soup)->vertexOf(static_cast<std::uint32_t>(vertices)));
 }
 
 void TestImportStl::keepsTheMillimetresOfASurvey()
