@@ -2,6 +2,7 @@
 
 #include "core/cli/progress_bar.h"
 #include "core/files/path_text.h"
+#include "core/mesh_import/named_files.h"
 #include "core/text/printable.h"
 #include "core/text/system_error.h"
 #include "core/text/translation.h"
@@ -183,7 +184,16 @@ void ByteSink::check(const Written &written)
 
 bool isOverInput(const std::string &output, const InputFiles &inputs)
 {
-    for (const std::string &input : inputs) {
+    InputFiles kept = inputs;
+    std::error_code error;
+    // An empty file holds nothing to destroy: the models are read for their names only where one could be lost.
+    if (const auto size = std::filesystem::file_size(namedPath(output, "/dev/stdout"), error); !error && size > 0) {
+        for (const std::string &input : inputs) {
+            for (const std::filesystem::path &named : mesh_import::namedFiles(namedPath(input, "/dev/stdin")))
+                kept.push_back(utf8FromPath(named));
+        }
+    }
+    for (const std::string &input : kept) {
         if (!isSameFile(namedPath(output, "/dev/stdout"), namedPath(input, "/dev/stdin")))
             continue;
         complain(tr("%1: this is the input %2 too and would be destroyed; give another name",

@@ -87,7 +87,7 @@ private:
     State m_state = State::Open;
 };
 
-/// Whether writing an output would destroy one of the inputs; if so, stderr has been told.
+/// Whether writing an output would destroy one of the inputs, or a file that a model among them names; if so, stderr has been told.
 /// @param output  UTF-8; "-" stands for stdout
 bool isOverInput(const std::string &output, const InputFiles &inputs);
 

@@ -222,16 +222,6 @@ void gatherFilesOutside(std::vector<ModelNote> &notes)
     notes.erase(std::remove_if(first + 1, notes.end(), isOutside), notes.end());
 }
 
-std::string lowerCaseSuffix(const std::filesystem::path &file)
-{
-    std::string suffix = utf8FromPath(file.extension());
-    if (!suffix.empty())
-        suffix.erase(0, 1);
-    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return suffix;
-}
-
 using Reader = Model (*)(const Source &);
 
 Reader readerFor(const std::string &suffix)
@@ -262,22 +252,6 @@ std::string startOf(const std::filesystem::path &file)
     stream.read(start.data(), static_cast<std::streamsize>(start.size()));
     start.resize(static_cast<std::size_t>(stream.gcount()));
     return start;
-}
-
-/// The file as UTF-8, where a mark at its beginning says which UTF it is in; else as it is.
-/// @param converted  holds the text of a file in UTF-16
-std::span<const std::uint8_t> withoutByteOrderMark(std::span<const std::uint8_t> bytes, std::string &converted)
-{
-    const auto begins = [&bytes](std::initializer_list<std::uint8_t> mark) {
-        return bytes.size() >= mark.size() && std::equal(mark.begin(), mark.end(), bytes.begin());
-    };
-    if (begins({0xef, 0xbb, 0xbf}))
-        return bytes.subspan(3);
-    const bool isLittle = begins({0xff, 0xfe});
-    if (!isLittle && !begins({0xfe, 0xff}))
-        return bytes;
-    converted = text::utf8FromUtf16(bytes.subspan(2), isLittle ? std::endian::little : std::endian::big);
-    return {reinterpret_cast<const std::uint8_t *>(converted.data()), converted.size()};
 }
 
 /// Throws also where the contents are of another kind than the name says; then it says so.
@@ -324,6 +298,30 @@ Model import(const std::filesystem::path &file, ProgressReporter &progress)
 }
 
 } // namespace
+
+std::string lowerCaseSuffix(const std::filesystem::path &file)
+{
+    std::string suffix = utf8FromPath(file.extension());
+    if (!suffix.empty())
+        suffix.erase(0, 1);
+    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return suffix;
+}
+
+std::span<const std::uint8_t> withoutByteOrderMark(std::span<const std::uint8_t> bytes, std::string &converted)
+{
+    const auto begins = [&bytes](std::initializer_list<std::uint8_t> mark) {
+        return bytes.size() >= mark.size() && std::equal(mark.begin(), mark.end(), bytes.begin());
+    };
+    if (begins({0xef, 0xbb, 0xbf}))
+        return bytes.subspan(3);
+    const bool isLittle = begins({0xff, 0xfe});
+    if (!isLittle && !begins({0xfe, 0xff}))
+        return bytes;
+    converted = text::utf8FromUtf16(bytes.subspan(2), isLittle ? std::endian::little : std::endian::big);
+    return {reinterpret_cast<const std::uint8_t *>(converted.data()), converted.size()};
+}
 
 void ProgressReporter::beginStage(double from, double to)
 {

@@ -72,6 +72,11 @@ struct Source {
     }
 };
 
+std::string lowerCaseSuffix(const std::filesystem::path &file); ///< without the dot
+/// The file as UTF-8, where a mark at its beginning says which UTF it is in; else as it is.
+/// @param converted  holds the text of a file in UTF-16
+std::span<const std::uint8_t> withoutByteOrderMark(std::span<const std::uint8_t> bytes, std::string &converted);
+
 /// The readers. Meshes may lack normals; their indices and values are checked by finishModel.
 /// Each throws Failure, or std::bad_alloc.
 Model readStl(const Source &source);

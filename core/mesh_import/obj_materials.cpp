@@ -12,11 +12,14 @@ namespace {
 /// What a material without a "Kd" is said to have.
 constexpr glm::vec3 kDiffuseByDefault(0.6f);
 
-/// The words before the picture's name in "map_Kd -o 1 2 -clamp on my picture.png".
-struct PictureOptions {
-    std::string_view name;
-    bool wrapRepeat = true;
-};
+} // namespace
+
+bool namesPicture(std::string_view keyword)
+{
+    constexpr std::string_view kMap = "map_";
+    constexpr std::string_view kOthers[] = {"bump", "decal", "disp", "norm", "refl"};
+    return keyword.starts_with(kMap) || std::find(std::begin(kOthers), std::end(kOthers), keyword) != std::end(kOthers);
+}
 
 PictureOptions pictureOptions(std::string_view rest)
 {
@@ -52,8 +55,6 @@ PictureOptions pictureOptions(std::string_view rest)
         scanner = ahead;
     }
 }
-
-} // namespace
 
 void ObjMaterials::readLibraries(std::string_view names)
 {

@@ -9,12 +9,12 @@
 namespace {
 
 const QByteArray kTriangle = "mtllib face.mtl\nusemtl skin\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-const QByteArray kMaterials = "newmtl skin\nmap_Kd skin.jpg\n";
+const QByteArray kMaterials = "newmtl skin\nmap_Kd skin.jpg\nmap_Bump -bm 1 bumps.jpg\n";
 const QByteArray kGltf =
     R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
   "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
   "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
-  "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"uri": "face.bin", "byteLength": 36}]})";
+  "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"uri": "face.bin", "byteLength": 36}, {"uri": "motion.bin", "byteLength": 4}]})";
 const QByteArray kPoints = "x,y,z\n0,0,0\n";
 
 QByteArray bytesOf(const QString &file)
@@ -61,6 +61,16 @@ void TestKeptInputs::init()
     m_folder->write("face.gltf", kGltf);
     m_folder->write("face.bin", QByteArray(12, '\0') + QByteArray("\0\0\x80\x3f\0\0\0\0\0\0\0\0", 12)
                                     + QByteArray("\0\0\0\0\0\0\x80\x3f\0\0\0\0", 12));
+    m_folder->write("bumps.jpg", "no picture");
+    m_folder->write("motion.bin", "1234");
+    m_folder->write("face.ply",
+                    "ply\nformat ascii 1.0\ncomment TextureFile skin.jpg\nelement vertex 3\nproperty float x\n"
+                    "property float y\nproperty float z\nelement face 1\n"
+                    "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    for (const QByteArray suffix : {"gltf", "ply"}) {
+        QByteArray scene = kFrustumScene;
+        m_folder->write(QString::fromLatin1(suffix + ".json"), scene.replace("face.obj", "face." + suffix));
+    }
     m_folder->write("depth.raw", QByteArray(qsizetype(800) * 600 * 4, '\0'));
     m_folder->write("points.csv", kPoints);
     m_folder->write("rows.csv", "px,py,depth\n1,2,0.5\n");
@@ -90,6 +100,15 @@ void TestKeptInputs::anInputIsRefused_data()
     add("code over the scene", code, "scene.json");
     add("code over the model", code, "face.obj");
     add("code over the model by another way", code, "folder/../face.obj");
+    const QStringList gltf{"code", "--for", "glm", "gltf.json", "-o"};
+    add("cloud over the model's materials", cloud, "face.mtl");
+    add("code over the model's materials", code, "face.mtl");
+    add("code over a picture", code, "skin.jpg");
+    add("code over a picture that is not shown", code, "bumps.jpg");
+    add("code over a buffer", gltf, "face.bin");
+    add("code over a buffer that is not read", gltf, "motion.bin");
+    add("code over the picture of a PLY", {"code", "--for", "glm", "ply.json", "-o"}, "skin.jpg");
+    add("map over a picture that is not shown", map + QStringList{"face.obj", "-o"}, "bumps.jpg");
     add("map over the scene", map + QStringList{"scene.json", "-o"}, "scene.json");
     add("map over the model", map + QStringList{"scene.json", "-o"}, "face.obj");
     add("map over the scene's materials", map + QStringList{"scene.json", "-o"}, "face.mtl");
