@@ -1,6 +1,7 @@
 #include "core/cli/number_table.h"
 
 #include "core/cli/csv_line.h"
+#include "core/text/printable.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -16,11 +17,7 @@ namespace {
 std::string shown(std::string_view cell)
 {
     constexpr std::size_t kMost = 40;
-    cell = trimmed(cell);
-    std::string text(cell.substr(0, kMost));
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
-    return tr("\"%1\"", cell.size() > kMost ? text + "…" : text);
+    return tr("\"%1\"", text::printableBeginning(trimmed(cell), kMost));
 }
 
 /// The number of a cell, or nothing with the reason.

@@ -1,5 +1,6 @@
 #include "core/mesh_import/text_scanner.h"
 
+#include "core/text/printable.h"
 #include "core/text/translation.h"
 
 #include <charconv>
@@ -131,10 +132,7 @@ std::optional<long long> integerFromWord(std::string_view word)
 
 std::string quoted(std::string_view word)
 {
-    std::string printable;
-    for (const char c : word.substr(0, 40))
-        printable.push_back(c >= ' ' && c <= '~' ? c : '?');
-    return text::tr("\"%1\"", printable);
+    return text::tr("\"%1\"", text::printableBeginning(word, 40));
 }
 
 } // namespace unprojector::mesh_import

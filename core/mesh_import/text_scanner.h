@@ -45,7 +45,7 @@ std::optional<double> doubleFromWord(std::string_view word);
 std::optional<float> floatFromWord(std::string_view word);
 std::optional<long long> integerFromWord(std::string_view word);
 
-/// A word for a message: in quotes, cut at 40 characters, what is not printable ASCII shown as "?".
+/// A word for a message: in quotes, cut at 40 characters, what cannot be printed written out (see text::printableBeginning).
 std::string quoted(std::string_view word);
 
 } // namespace unprojector::mesh_import

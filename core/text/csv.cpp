@@ -1,6 +1,8 @@
 #include "core/text/csv.h"
 
+#include "core/text/printable.h"
 #include "core/text/translation.h"
+#include "core/text/utf8.h"
 
 #include <algorithm>
 #include <charconv>
@@ -204,10 +206,9 @@ bool CsvReader::readQuoted(CsvCell &cell)
         --m_at; // one of the blanks is the separator
         return true;
     }
-    const char c = m_text[m_at];
     m_error = CsvError{m_line, tr("behind the closing quote stands \"%1\"; put the whole cell in quotes and double "
                                   "those in it",
-                                  std::string(1, c >= ' ' && c <= '~' ? c : '?'))};
+                                  printableLine(firstCharacters(m_text.substr(m_at), 1)))};
     return false;
 }
 

@@ -31,7 +31,23 @@ std::string writtenOut(std::string_view character)
     return code < 0x10000 ? "\\u" + hexadecimal(code, 4) : "\\U" + hexadecimal(code, 8);
 }
 
-std::string printable(std::string_view text, bool areLineEndsKept)
+/// How many bytes at a place are a blank that is not ASCII's.
+std::size_t blankAt(std::string_view text, std::size_t at)
+{
+    constexpr std::string_view kBlanks[] = {"\xc2\xa0", "\xe1\x9a\x80", "\xe2\x80\xaf", "\xe2\x81\x9f", "\xe3\x80\x80"};
+    const std::string_view rest = text.substr(at);
+    for (const std::string_view blank : kBlanks) {
+        if (rest.starts_with(blank))
+            return blank.size();
+    }
+    const bool isSpace =
+        rest.size() >= 3 && rest.starts_with("\xe2\x80") && static_cast<unsigned char>(rest[2]) <= 0x8a;
+    return isSpace ? 3 : 0; // U+2000 to U+200A
+}
+
+enum class Kept { Tabs, LineEnds, AsciiBlanks };
+
+std::string printable(std::string_view text, Kept kept)
 {
     std::string result;
     result.reserve(text.size());
@@ -44,8 +60,10 @@ std::string printable(std::string_view text, bool areLineEndsKept)
             bad = next == text.npos ? next : at + next;
             continue;
         }
-        const std::size_t control = std::min(controlAt(text, at), bad - at);
-        const bool isKept = text[at] == '\t' || (text[at] == '\n' && areLineEndsKept);
+        std::size_t control = std::min(controlAt(text, at), bad - at);
+        if (kept == Kept::AsciiBlanks && control == 0)
+            control = blankAt(text, at);
+        const bool isKept = text[at] == '\t' || (text[at] == '\n' && kept == Kept::LineEnds);
         if (control > 0 && !isKept)
             result += writtenOut(text.substr(at, control));
         else
@@ -59,12 +77,18 @@ std::string printable(std::string_view text, bool areLineEndsKept)
 
 std::string printableLine(std::string_view line)
 {
-    return printable(line, false);
+    return printable(line, Kept::Tabs);
+}
+
+std::string printableBeginning(std::string_view text, std::size_t most)
+{
+    const std::string_view beginning = firstCharacters(text, most);
+    return printable(beginning, Kept::AsciiBlanks) + (beginning.size() < text.size() ? "\xe2\x80\xa6" : "");
 }
 
 std::string printableLines(std::string_view text)
 {
-    return printable(text, true);
+    return printable(text, Kept::LineEnds);
 }
 
 } // namespace unprojector::text

@@ -36,6 +36,18 @@ std::size_t firstNotUtf8(std::string_view text)
     return text.npos;
 }
 
+std::string_view firstCharacters(std::string_view text, std::size_t count)
+{
+    const auto continues = [text](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xc0U) == 0x80U; };
+    std::size_t end = 0;
+    for (; count > 0 && end < text.size(); --count) {
+        const std::size_t begin = end++;
+        while (end < text.size() && end < begin + 4 && continues(end))
+            ++end;
+    }
+    return text.substr(0, end);
+}
+
 std::string utf8FromUtf16(std::span<const std::uint8_t> bytes, std::endian order)
 {
     const std::size_t high = order == std::endian::big ? 0 : 1;

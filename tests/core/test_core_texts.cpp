@@ -146,6 +146,7 @@ private slots:
     void aTextIsSaidAgain();
     void controlsAreWrittenOut_data();
     void controlsAreWrittenOut();
+    void quotedBeginningsShowWhatIsWrong();
     void wideCharactersTakeTwoColumns();
     void linesAreWrappedBetweenCharacters_data();
     void linesAreWrappedBetweenCharacters();
@@ -304,6 +305,17 @@ void TestCoreTexts::controlsAreWrittenOut()
     const auto bytes = [](const std::string &printed) { return QByteArray::fromStdString(printed); };
     QCOMPARE(bytes(printableLine(text.toStdString())), line);
     QCOMPARE(bytes(printableLines(text.toStdString())), line.replace("\\x0a", "\n"));
+}
+
+void TestCoreTexts::quotedBeginningsShowWhatIsWrong()
+{
+    const auto shown = [](const char *text) { return QByteArray::fromStdString(printableBeginning(text, 5)); };
+    QCOMPARE(shown("\u22125"), QByteArray("\u22125")); // a minus that is no hyphen
+    QCOMPARE(shown("\u0661\u0662"), QByteArray("\u0661\u0662"));
+    QCOMPARE(shown("a b"), QByteArray("a b"));
+    QCOMPARE(shown("\u00a05\u2009\u3000"), QByteArray("\\u00a05\\u2009\\u3000"));
+    QCOMPARE(shown("\xe9\x1b"), QByteArray("\\xe9\\x1b"));
+    QCOMPARE(shown("\u9762\u8138\u9762\u8138\u9762\u8138"), QByteArray("\u9762\u8138\u9762\u8138\u9762\u2026"));
 }
 
 void TestCoreTexts::wideCharactersTakeTwoColumns()
