@@ -1,6 +1,7 @@
 #include "core/cli/depth_image.h"
 
 #include "core/cli/byte_stream.h"
+#include "core/text/number_text.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -105,7 +106,7 @@ struct Layout {
     enum class Kind { Raw, Pfm, Pgm } kind = Kind::Raw;
     Size size;
     bool isLittleEndian = true;
-    double greatest = 0.0; ///< PGM: the value that stands for 1
+    double greatest = 0.0; ///< PGM: the value that stands for 1; PFM: the scale, negative for little-endian
 };
 
 /// Nothing where the header is broken. Without one, the layout is raw and has no size.
@@ -164,7 +165,14 @@ bool readFloats(Bytes &bytes, const Layout &layout, const std::optional<DepthEnd
     return true;
 }
 
-bool readIntegers(Bytes &bytes, const Layout &layout, const DepthEnds &ends, std::span<float> depths)
+/// A pixel whose value is greater than the header allows.
+struct Excess {
+    std::size_t pixel; ///< from the first of those read
+    unsigned value;
+};
+
+bool readIntegers(Bytes &bytes, const Layout &layout, const DepthEnds &ends, std::span<float> depths,
+                  std::optional<Excess> &excess)
 {
     const std::size_t pixelBytes = layout.greatest > 255.0 ? 2 : 1;
     std::string pixels(depths.size() * pixelBytes, '\0');
@@ -174,6 +182,8 @@ bool readIntegers(Bytes &bytes, const Layout &layout, const DepthEnds &ends, std
         unsigned value = static_cast<unsigned char>(pixels[i * pixelBytes]);
         if (pixelBytes == 2)
             value = value << 8 | static_cast<unsigned char>(pixels[i * pixelBytes + 1]);
+        if (value > layout.greatest && !excess)
+            excess = {i, value};
         depths[i] = static_cast<float>(stretched(value / layout.greatest, ends));
     }
     return true;
@@ -234,13 +244,23 @@ std::optional<DepthImage> readDepthImage(const std::string &file, const std::str
 
     DepthImage image{size.width, size.height, std::make_unique_for_overwrite<float[]>(size.width * size.height),
                      layout->kind == Layout::Kind::Pfm};
+    if (layout->kind == Layout::Kind::Pfm && std::abs(layout->greatest) != 1.0)
+        complain(source.name() + ": "
+                 + tr("the header has the scale %1, which is not applied: the depths are taken as they stand",
+                      text::shortestText(std::abs(layout->greatest))));
+    std::optional<Excess> excess;
     const std::span<float> all(image.depths.get(), size.width * size.height);
     for (std::size_t start = 0; start < all.size(); start += kBlock) {
         const std::span<float> block = all.subspan(start, std::min(kBlock, all.size() - start));
         if (!(layout->kind == Layout::Kind::Pgm
-                  ? readIntegers(bytes, *layout, stretchedOver.value_or(DepthEnds()), block)
+                  ? readIntegers(bytes, *layout, stretchedOver.value_or(DepthEnds()), block, excess)
                   : readFloats(bytes, *layout, stretchedOver, block)))
             return refuse(tr("the file is too short for %1 pixels", shown(size)));
+        if (excess)
+            return refuse(tr("the pixel in column %1 and row %2 has the value %3, and the header says that %4 is the "
+                             "greatest (both counted from 0, from the upper left)",
+                             (start + excess->pixel) % size.width, (start + excess->pixel) / size.width, excess->value,
+                             text::shortestText(layout->greatest)));
         onRead(block);
     }
     char more = 0;

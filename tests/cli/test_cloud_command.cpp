@@ -96,6 +96,7 @@ private slots:
     void whatFloatsRoundIsSaid();
     void whatIsBeyondFloatsIsSaid();
     void standardStreams();
+    void aScaleIsNotApplied();
     void unusableInput_data();
     void unusableInput();
 
@@ -237,6 +238,20 @@ void TestCloudCommand::standardStreams()
     QVERIFY(isClose(pointsOf(run.output), kPoints));
 }
 
+void TestCloudCommand::aScaleIsNotApplied()
+{
+    const QByteArray image = pfm(depths(), true);
+    const Run one = runCommand({"cloud", m_scene, m_folder.write("one.pfm", image), "-o", "-"});
+    const QString scaled = m_folder.write("scaled.pfm", QByteArray(image).replace("-1.0", "-2.5"));
+    const Run other = runCommand({"cloud", m_scene, scaled, "-o", "-"});
+    QCOMPARE(one.errors, QByteArray());
+    QCOMPARE(other.errors, scaled.toUtf8()
+                               + ": the header has the scale 2.5, which is not applied: the depths are taken as they "
+                                 "stand\n");
+    QCOMPARE(other.output, one.output);
+    QCOMPARE(other.exitCode, 0);
+}
+
 void TestCloudCommand::unusableInput_data()
 {
     QTest::addColumn<QByteArray>("image");
@@ -252,6 +267,10 @@ void TestCloudCommand::unusableInput_data()
     QTest::newRow("empty") << QByteArray() << QStringList{"--size", "4x3"} << QByteArray("too short");
     QTest::newRow("broken header") << QByteArray("Pf\n4 x\n-1\n") << QStringList{} << QByteArray("header");
     QTest::newRow("PFM of scale 0") << QByteArray("Pf\n4 3\n0\n") << QStringList{} << QByteArray("header");
+    QTest::newRow("PGM with more than the greatest value")
+        << QByteArray("P5\n4 3\n100\n") + QByteArray(6, '\x64') + '\x65' + QByteArray(5, '\0') << QStringList{}
+        << QByteArray("depth: the pixel in column 2 and row 1 has the value 101, and the header says that 100 is the "
+                      "greatest");
     QTest::newRow("enormous") << QByteArray("P5\n65000 65000\n65535\n") << QStringList{} << QByteArray("window 4x3");
     QTest::newRow("size against the header")
         << pfm(depths(), true) << QStringList{"--size", "3x4"} << QByteArray("not 3x4");
