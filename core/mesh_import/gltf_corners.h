@@ -18,6 +18,13 @@ public:
     {
         return !areTriangles() || m_count < 3 ? 0 : m_mode == Triangles ? m_count / 3 : m_count - 2;
     }
+    /// The corners at the end that make no whole triangle.
+    std::size_t leftOver() const
+    {
+        const std::size_t triangles = triangleCount();
+        const std::size_t used = m_mode == Triangles ? 3 * triangles : triangles > 0 ? triangles + 2 : 0;
+        return areTriangles() ? m_count - used : 0;
+    }
     /// Points, or lines.
     std::size_t otherCount() const
     {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace unprojector::mesh_import::mesh_reader {
@@ -43,21 +44,30 @@ struct Chunks {
     std::span<const std::uint8_t> binary;
 };
 
-Chunks chunksOfGlb(const Source &source)
+Chunks chunksOfGlb(const Source &source, std::vector<ModelNote> &notes)
 {
-    const std::span<const std::uint8_t> bytes = source.bytes;
+    std::span<const std::uint8_t> bytes = source.bytes;
     if (bytes.size() < 4 || wordAt(bytes, 0) != kGlbMagic)
         failMalformed(tr("the file does not begin with a GLB header"));
     if (bytes.size() < 20)
         failMalformed(tr("the file ends within the header"));
     if (wordAt(bytes, 4) != 2)
         failOtherVersion(std::to_string(wordAt(bytes, 4)) + ".0");
-    if (wordAt(bytes, 8) > bytes.size())
-        failMalformed(tr("the header declares %1 bytes, the file has %2", wordAt(bytes, 8), bytes.size()));
+    const std::size_t declared = wordAt(bytes, 8);
+    const auto failOtherSize = [&] {
+        failMalformed(tr("the header declares %1 bytes, the file has %2", declared, source.bytes.size()));
+    };
+    if (declared > bytes.size() || declared < 20)
+        failOtherSize();
+    if (const std::size_t more = bytesThatMean(bytes.subspan(declared)); more > 0)
+        notes.push_back({ModelNote::Kind::BytesLeftOut, more, {}});
+    bytes = bytes.first(declared);
     Chunks chunks;
     for (std::size_t at = 12; at + 8 <= bytes.size();) {
         const std::size_t length = wordAt(bytes, at);
         const std::uint32_t kind = wordAt(bytes, at + 4);
+        if (length > bytes.size() - at - 8 && length <= source.bytes.size() - at - 8)
+            failOtherSize();
         if (length > bytes.size() - at - 8)
             failMalformed(tr("a chunk of %1 bytes goes beyond the end of the file", length));
         if (kind == kJsonChunk && chunks.json.empty())
@@ -74,8 +84,8 @@ Chunks chunksOfGlb(const Source &source)
     return chunks;
 }
 
-/// Finds what cannot be read as a tree: JSON that is broken, and JSON so deep that its reader, which calls itself for each
-/// level, would have no memory for it.
+/// Finds what cannot be read as a tree: JSON that is broken, an object with one key twice, and JSON so deep that its reader,
+/// which calls itself for each level, would have no memory for it.
 struct JsonCheck : nlohmann::json_sax<Json> {
     explicit JsonCheck(std::string_view jsonText) : text(jsonText) {}
 
@@ -86,9 +96,23 @@ struct JsonCheck : nlohmann::json_sax<Json> {
     bool number_float(number_float_t, const string_t &) override { return true; }
     bool string(string_t &) override { return true; }
     bool binary(binary_t &) override { return true; }
-    bool start_object(std::size_t) override { return open(); }
-    bool key(string_t &) override { return true; }
-    bool end_object() override { return close(); }
+    bool start_object(std::size_t) override
+    {
+        keys.emplace_back();
+        return open();
+    }
+    bool key(string_t &name) override
+    {
+        if (keys.back().insert(name).second)
+            return true;
+        twice = name;
+        return false;
+    }
+    bool end_object() override
+    {
+        keys.pop_back();
+        return close();
+    }
     bool start_array(std::size_t) override { return open(); }
     bool end_array() override { return close(); }
     bool parse_error(std::size_t position, const std::string &lastToken,
@@ -106,6 +130,8 @@ struct JsonCheck : nlohmann::json_sax<Json> {
 
     std::string_view text;
     std::optional<text::JsonMistake> mistake;
+    std::optional<std::string> twice;        ///< a key
+    std::vector<std::set<std::string>> keys; ///< of the objects that are open
     std::size_t depth = 0;
 };
 
@@ -120,6 +146,8 @@ Json parsed(std::string_view text)
     Json::sax_parse(text, &check);
     if (check.depth > kDeepestJson)
         failMalformed(tr("the JSON is nested too deeply"));
+    if (check.twice)
+        failMalformed(tr("\"%1\" stands twice in one object", *check.twice));
     if (check.mistake) {
         const std::string_view before = text.substr(0, check.mistake->at);
         const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -200,7 +228,7 @@ std::optional<std::vector<std::uint8_t>> dataFromUri(std::string_view uri)
 GltfFile::GltfFile(const Source &source, std::vector<ModelNote> &notes) : m_source(source), m_notes(notes)
 {
     m_isGlb = isGlb(source);
-    const Chunks chunks = m_isGlb ? chunksOfGlb(source) : Chunks{source.text(), {}};
+    const Chunks chunks = m_isGlb ? chunksOfGlb(source, m_notes) : Chunks{source.text(), {}};
     m_root = parsed(chunks.json);
     m_binary = chunks.binary;
     const std::string version = versionOf(m_root);
@@ -293,7 +321,7 @@ std::span<const std::uint8_t> GltfFile::bufferBytes(std::uint64_t buffer)
         slot = std::make_unique<Buffer>(readBuffer(uri->get_ref<const std::string &>()));
     if (declared > slot->bytes().size())
         failMalformed(tr("a buffer of %1 bytes is declared as %2", slot->bytes().size(), declared));
-    return slot->bytes();
+    return slot->bytes().first(static_cast<std::size_t>(declared));
 }
 
 std::span<const std::uint8_t> GltfFile::bytesOf(const Json &view)

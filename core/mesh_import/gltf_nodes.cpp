@@ -6,6 +6,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -93,6 +94,11 @@ PreciseMatrix GltfNodes::parentFromNode(std::size_t number) const
     const auto at = [](const Json *list, std::size_t place) { return GltfFile::real((*list)[place]); };
     const auto vector = [&at](const Json *list) { return glm::dvec3(at(list, 0), at(list, 1), at(list, 2)); };
     if (const Json *given = numbers(node, "matrix", 16)) {
+        for (const char *other : {"translation", "rotation", "scale"}) {
+            if (GltfFile::find(node, other))
+                failMalformed(tr("node %1 has both \"matrix\" and \"%2\", of which it may have one only",
+                                 nameOf(number, node), other));
+        }
         glm::dmat4 matrix(1.0);
         for (int i = 0; i < 16; ++i)
             matrix[i / 4][i % 4] = at(given, static_cast<std::size_t>(i));
@@ -153,10 +159,12 @@ GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_fi
     const Json &scenes = m_file.array("scenes");
     if (GltfFile::find(m_file.root(), "scene")) {
         m_roots = nodeList(m_file.reference(m_file.root(), "scene", "scenes"), "nodes");
+        checkRoots();
         return;
     }
     if (!scenes.empty()) {
         m_roots = nodeList(scenes[0], "nodes");
+        checkRoots();
         return;
     }
     notes.push_back({ModelNote::Kind::SceneMissing, 0, {}});
@@ -166,6 +174,49 @@ GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_fi
     }
     if (m_roots.empty() && !nodes.empty())
         failNoTree();
+}
+
+void GltfNodes::checkRoots() const
+{
+    std::vector<bool> areListed(m_parents.size());
+    for (const std::size_t root : m_roots) {
+        if (areListed[root])
+            failMalformed(tr("the scene lists node %1 twice", nameOf(root, m_file.array("nodes")[root])));
+        if (topOf(root) == kNone)
+            failNoTree();
+        if (m_parents[root] != kNone)
+            failMalformed(tr("the scene lists node %1, which is a child of node %2 already",
+                             nameOf(root, m_file.array("nodes")[root]), m_parents[root]));
+        areListed[root] = true;
+    }
+}
+
+std::size_t GltfNodes::topOf(std::size_t node) const
+{
+    for (std::size_t depth = 0; m_parents[node] != kNone; node = m_parents[node]) {
+        if (++depth > kDeepestNode)
+            return kNone;
+    }
+    return node;
+}
+
+std::size_t GltfNodes::meshesElsewhere() const
+{
+    std::vector<bool> areRoots(m_parents.size());
+    for (const std::size_t root : m_roots)
+        areRoots[root] = true;
+    std::vector<bool> haveNode(m_file.array("meshes").size());
+    std::size_t count = 0;
+    const Json &nodes = m_file.array("nodes");
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const std::uint64_t mesh = GltfFile::number(nodes[n], "mesh", haveNode.size());
+        if (mesh >= haveNode.size())
+            continue;
+        haveNode[static_cast<std::size_t>(mesh)] = true;
+        const std::size_t top = topOf(n);
+        count += top != kNone && areRoots[top] ? 0U : 1U;
+    }
+    return count + static_cast<std::size_t>(std::count(haveNode.begin(), haveNode.end(), false));
 }
 
 std::size_t

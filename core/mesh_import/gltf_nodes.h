@@ -26,6 +26,9 @@ public:
     /// @return how many nodes with meshes are hidden
     std::size_t visit(const std::function<void(const Json &node, const PreciseMatrix &worldFromNode)> &visit) const;
 
+    /// How many meshes the nodes outside the scene have, and how many no node has.
+    std::size_t meshesElsewhere() const;
+
     /// Of any node, shown or not.
     PreciseMatrix worldFromNode(std::size_t node) const;
     /// The nodes that an object's array refers to.
@@ -35,6 +38,9 @@ private:
     static constexpr std::size_t kNone = ~std::size_t{0};
 
     PreciseMatrix parentFromNode(std::size_t node) const;
+    void checkRoots() const;
+    /// The node above all that a node is below; kNone where there is a circle instead.
+    std::size_t topOf(std::size_t node) const;
 
     const GltfFile &m_file;
     std::vector<std::size_t> m_roots;

@@ -118,6 +118,18 @@ std::string noteText(const ModelNote &note)
         return tr(note.count == 1 ? "%1 mesh is hidden by the file (KHR_node_visibility) and is not shown"
                                   : "%1 meshes are hidden by the file (KHR_node_visibility) and are not shown",
                   note.count);
+    case ModelNote::Kind::ElementsLeftOut:
+        return tr(note.count == 1 ? "%1 element %2 of the file is not read" : "%1 elements %2 of the file are not read",
+                  note.count, quotedDetail(note));
+    case ModelNote::Kind::NodesLeftOut:
+        return tr(note.count == 1 ? "%1 mesh is not in the scene that the file opens with and is not shown"
+                                  : "%1 meshes are not in the scene that the file opens with and are not shown",
+                  note.count);
+    case ModelNote::Kind::CornersLeftOut:
+        return tr(note.count == 1
+                      ? "%1 corner at the end of a part of a mesh makes no whole triangle and is not used"
+                      : "%1 corners at the ends of parts of meshes make no whole triangles and are not used",
+                  note.count);
     case ModelNote::Kind::ReadOutside:
         return note.count > 1
                    ? tr(note.count == 2 ? "the file %1 and %2 other one outside the model's folder were read"

@@ -22,10 +22,13 @@ constexpr int kMostVertexWords = 9;
 
 /// Statements that say nothing about what is shown: groups, parts of curves, looks, commands. Some programs add their own.
 constexpr std::string_view kWithoutGeometry[] = {
-    "vp",       "cstype", "deg",    "bmat",   "step",       "parm",      "trim",       "hole",  "scrv",
-    "sp",       "end",    "con",    "g",      "s",          "mg",        "o",          "bevel", "c_interp",
-    "d_interp", "lod",    "usemap", "maplib", "shadow_obj", "trace_obj", "ctech",      "stech", "call",
-    "csh",      "res",    "bsp",    "bzp",    "cdc",        "cdp",       "vertexcolor"};
+    "vp",     "cstype", "deg",        "bmat",      "step",  "parm",  "trim",  "hole",       "scrv",     "sp",
+    "end",    "con",    "g",          "s",         "mg",    "o",     "bevel", "c_interp",   "d_interp", "lod",
+    "usemap", "maplib", "shadow_obj", "trace_obj", "ctech", "stech", "res",   "vertexcolor"};
+
+/// Statements that stand for what is not shown: curves and surfaces, those of the format's older versions too, another file, and
+/// what a command of the system prints.
+constexpr std::string_view kNotShown[] = {"curv", "curv2", "surf", "bsp", "bzp", "cdc", "cdp", "call", "csh"};
 
 std::uint8_t byteFromShare(double share)
 {
@@ -229,8 +232,8 @@ void ObjChunk::readOther(ObjCursor &cursor, std::string_view keyword)
     } else if (keyword == "p") {
         while (!cursor.word().empty())
             ++points;
-    } else if (keyword == "curv" || keyword == "curv2" || keyword == "surf") {
-        ++curves[std::string(keyword)];
+    } else if (std::find(std::begin(kNotShown), std::end(kNotShown), keyword) != std::end(kNotShown)) {
+        ++notShown[std::string(keyword)];
     } else if (std::find(std::begin(kWithoutGeometry), std::end(kWithoutGeometry), keyword)
                == std::end(kWithoutGeometry)) {
         if (unknownLines++ == 0) {

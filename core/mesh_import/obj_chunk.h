@@ -79,14 +79,14 @@ public:
     // What is left out.
     std::size_t lines = 0;
     std::size_t points = 0;
-    std::size_t verticesWithMore = 0;          ///< words than mean something there
-    std::size_t verticesWithWeight = 0;        ///< of rational curves
-    std::size_t unknownLines = 0;              ///< that begin with a word which the format does not have
-    std::size_t firstUnknownLine = 0;          ///< lines of the chunk before it
-    std::string firstUnknown;                  ///< its first word, quoted
-    std::size_t facesWithoutTexcoords = 0;     ///< though they name some
-    std::size_t facesWithoutNormals = 0;       ///< though they name some
-    std::map<std::string, std::size_t> curves; ///< free-form curves and surfaces, by keyword
+    std::size_t verticesWithMore = 0;            ///< words than mean something there
+    std::size_t verticesWithWeight = 0;          ///< of rational curves
+    std::size_t unknownLines = 0;                ///< that begin with a word which the format does not have
+    std::size_t firstUnknownLine = 0;            ///< lines of the chunk before it
+    std::string firstUnknown;                    ///< its first word, quoted
+    std::size_t facesWithoutTexcoords = 0;       ///< though they name some
+    std::size_t facesWithoutNormals = 0;         ///< though they name some
+    std::map<std::string, std::size_t> notShown; ///< free-form curves and the like, by keyword
 
 private:
     struct Corner {

@@ -1,12 +1,15 @@
 #include "core/mesh_import/ply_body.h"
 
 #include "core/mesh_import/line_ranges.h"
+#include "core/text/number_text.h"
 #include "core/text/translation.h"
 #include "core/threads/parallel.h"
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace unprojector::mesh_import::mesh_reader {
@@ -18,6 +21,14 @@ namespace {
 constexpr std::size_t kElementsBetweenReports = 1 << 14;
 /// Some milliseconds of work.
 constexpr std::size_t kBytesInTask = 1 << 20;
+
+/// Of an integer's type: the least and the greatest number.
+std::pair<double, double> integerRange(PlyType type)
+{
+    const auto count = static_cast<double>(std::uint64_t{1} << (8 * byteCount(type)));
+    const bool isSigned = type == PlyType::Int8 || type == PlyType::Int16 || type == PlyType::Int32;
+    return isSigned ? std::pair{-count / 2.0, count / 2.0 - 1.0} : std::pair{0.0, count - 1.0};
+}
 
 } // namespace
 
@@ -113,14 +124,25 @@ double PlyBody::asciiValue(PlyType type)
             failTruncated();
         failAtLine(tr("the line ends before all that the header declares for %1", where()));
     }
-    if (!isFloating(type)) {
-        if (const std::optional<long long> integer = integerFromWord(word))
-            return static_cast<double>(*integer);
-    }
-    const std::optional<double> number = doubleFromWord(word);
+    const std::optional<long long> integer = isFloating(type) ? std::nullopt : integerFromWord(word);
+    const std::optional<double> number = integer ? std::optional(static_cast<double>(*integer)) : doubleFromWord(word);
     if (!number)
         failAtLine(tr("%1 is no number", quoted(word)));
+    if (!isFloating(type)) {
+        const auto [least, most] = integerRange(type);
+        if (!(*number >= least && *number <= most) || *number != std::floor(*number))
+            failAtLine(tr("%1 is no whole number from %2 to %3, which the header declares for %4", quoted(word),
+                          text::shortestText(least), text::shortestText(most), where()));
+    }
     return *number;
+}
+
+std::int64_t PlyBody::corner(PlyType type)
+{
+    const double number = value(type);
+    if (number != std::floor(number))
+        failMalformed(tr("%1 refers to vertex %2, which is no whole number", where(), text::shortestText(number)));
+    return number >= -1.0 && number <= 4294967295.0 ? static_cast<std::int64_t>(number) : -2;
 }
 
 std::size_t PlyBody::listLength(const PlyProperty &list)

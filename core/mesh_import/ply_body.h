@@ -24,6 +24,9 @@ public:
     /// Before an element's values; in text it begins a line.
     void beginElement(const PlyElement &element, std::size_t number);
     double value(PlyType type);
+    /// The number of a vertex, -1 where a strip begins anew; -2 where it is none that a file could have. Throws for what is no
+    /// whole number.
+    std::int64_t corner(PlyType type);
     /// A list's length, checked against what is left of the file.
     std::size_t listLength(const PlyProperty &list);
     void skip(const PlyProperty &property);

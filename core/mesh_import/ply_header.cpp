@@ -150,6 +150,8 @@ PlyHeader readPlyHeader(std::string_view file)
             if (!value || *value < 0)
                 failAtLine(scanner.line(), tr("%1 is no number of elements", quoted(count)));
             element.count = static_cast<std::size_t>(*value);
+            if (header.find(element.name))
+                failAtLine(scanner.line(), tr("the element %1 stands twice", quoted(std::string_view(element.name))));
             header.elements.push_back(std::move(element));
         } else if (word == "property") {
             if (header.elements.empty())

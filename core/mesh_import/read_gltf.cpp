@@ -108,7 +108,13 @@ public:
                 tr("the nodes show %1 vertices, of which at most %2 can be read", m_totalVertices, kMostVertices));
         unpackDraco(m_file, shown);
         m_hidden = nodes.visit(
+<<<<<<< HEAD
             [&](const Json &node, const PreciseMatrix &worldFromNode) { addNode(node, worldFromNode, skins); });
+=======
+            [&](const Json &node, const glm::dmat4 &worldFromNode) { addNode(node, worldFromNode, skins); });
+        if (const std::size_t elsewhere = nodes.meshesElsewhere(); elsewhere > 0)
+            m_model.notes.push_back({ModelNote::Kind::NodesLeftOut, elsewhere, {}});
+>>>>>>> bc79b94 (import: what PLY, glTF, OBJ and OFF files hold and is not shown is said, and contradictions are refused)
         noteWhatIsLeftOut();
         return finished();
     }
@@ -249,6 +255,7 @@ private:
         }
         const GltfCorners corners(mode, indices ? indices->count() : positions.count());
         const bool arePoints = mode == GltfCorners::Points;
+        m_leftCorners += corners.leftOver();
         if (!corners.areTriangles() && !arePoints) {
             m_lineCount += corners.otherCount();
             return;
@@ -381,6 +388,7 @@ private:
                 m_model.notes.push_back({kind, count, detail});
         };
         note(ModelNote::Kind::FacesLeftOut, m_brokenCount, "");
+        note(ModelNote::Kind::CornersLeftOut, m_leftCorners, "");
         note(ModelNote::Kind::SkinsApplied, m_posed, "");
         note(ModelNote::Kind::PartLeftOut, m_unusedSkins, "skin");
         note(ModelNote::Kind::MeshesHidden, m_hidden, "");
@@ -473,6 +481,7 @@ private:
     std::size_t m_totalVertices = 0;
     std::size_t m_doneVertices = 0;
     std::size_t m_brokenCount = 0;
+    std::size_t m_leftCorners = 0;
     std::size_t m_lineCount = 0; ///< and points beside triangles
     std::size_t m_posed = 0;     ///< nodes whose meshes are where their joints are
     std::size_t m_unusedSkins = 0;

@@ -227,7 +227,7 @@ void ObjReader::addNotes()
     std::size_t lines = 0, points = 0, more = 0, weights = 0, texcoords = 0, normals = 0;
     ModelNote unknown{ModelNote::Kind::LinesUnknown, 0, {}};
     std::size_t linesBefore = 0;
-    std::map<std::string, std::size_t> curves;
+    std::map<std::string, std::size_t> notShown;
     for (const ObjChunk &chunk : m_chunks) {
         lines += chunk.lines;
         points += chunk.points;
@@ -239,8 +239,8 @@ void ObjReader::addNotes()
         linesBefore += chunk.lineCount();
         texcoords += chunk.facesWithoutTexcoords;
         normals += chunk.facesWithoutNormals;
-        for (const auto &[keyword, count] : chunk.curves)
-            curves[keyword] += count;
+        for (const auto &[keyword, count] : chunk.notShown)
+            notShown[keyword] += count;
     }
     const auto note = [this](ModelNote::Kind kind, std::size_t count) {
         if (count > 0)
@@ -253,7 +253,7 @@ void ObjReader::addNotes()
         m_model.notes.push_back(unknown);
     note(ModelNote::Kind::TexcoordsLeftOut, texcoords);
     note(ModelNote::Kind::NormalsLeftOut, normals);
-    for (const auto &[keyword, count] : curves)
+    for (const auto &[keyword, count] : notShown)
         m_model.notes.push_back({ModelNote::Kind::PartLeftOut, count, keyword});
 }
 

@@ -408,6 +408,15 @@ std::endian byteOrderOf(const Source &source, std::size_t offset)
                                                                                       : std::endian::big;
 }
 
+/// Whether what follows the first line cannot be the counts of a binary file: each would be above 500 million.
+bool isText(std::string_view start)
+{
+    constexpr std::size_t kBytesOfCounts = 12;
+    const std::string_view counts = start.substr(0, kBytesOfCounts);
+    return std::all_of(counts.begin(), counts.end(),
+                       [](char c) { return (c >= ' ' && c <= '~') || c == '\t' || c == '\n' || c == '\r'; });
+}
+
 } // namespace
 
 Model readOff(const Source &source)
@@ -431,6 +440,8 @@ Model readOff(const Source &source)
             line = ahead.line();
             kind.isBinary = true;
             kind.byteOrder = byteOrderOf(source, offset);
+            if (isText(source.text().substr(offset)))
+                failMalformed(tr("the first line says BINARY and text follows; take the word BINARY away"));
         }
     } else if (!integerFromWord(word)) { // the word is optional: the file may begin with the counts
         failMalformed(tr("the file does not begin with \"OFF\""));

@@ -30,12 +30,6 @@ std::uint32_t uint32At(const std::uint8_t *bytes, PlyFormat format)
            | std::uint32_t{bytes[0]} << 24;
 }
 
-/// A vertex, -1 where a strip begins anew, or what no file has.
-std::int64_t cornerFrom(double value)
-{
-    return value >= -1.0 && value <= 4294967295.0 ? static_cast<std::int64_t>(value) : -2;
-}
-
 bool isVertexList(const PlyProperty &property)
 {
     return property.isList && (property.name == "vertex_indices" || property.name == "vertex_index");
@@ -102,7 +96,7 @@ bool readFaceLines(const PlyElement &element, PlyBody &body, PolygonMesh &polygo
             const std::size_t size = lines.listLength(list);
             part.sizes.push_back(static_cast<std::uint32_t>(size));
             for (std::size_t i = 0; i < size; ++i)
-                part.corners.push_back(cornerFrom(lines.value(list.type)));
+                part.corners.push_back(lines.corner(list.type));
             lines.endElement();
         }
         const std::lock_guard lock(mutex);
@@ -147,7 +141,7 @@ void readFaces(const PlyElement &element, PlyBody &body, PolygonMesh &polygons)
             } else if (static_cast<int>(p) == vertices) {
                 corners.resize(body.listLength(property));
                 for (std::int64_t &corner : corners)
-                    corner = cornerFrom(body.value(property.type));
+                    corner = body.corner(property.type);
             } else if (static_cast<int>(p) == texcoords) {
                 const std::size_t length = body.listLength(property);
                 for (std::size_t i = 0; i + 1 < length; i += 2) {
@@ -216,6 +210,8 @@ Model readPly(const Source &source)
             body.skipAll(element);
             if (element.name == "edge" && element.count > 0)
                 model.notes.push_back({ModelNote::Kind::LinesLeftOut, element.count, {}});
+            else if (element.count > 0)
+                model.notes.push_back({ModelNote::Kind::ElementsLeftOut, element.count, element.name});
         }
     }
     if (const std::size_t more = body.end(); more > 0)

@@ -100,6 +100,15 @@ QString noteText(const ModelNote &note)
     case ModelNote::Kind::MeshesHidden:
         return NoteTexts::tr("Meshes that the file hides (KHR_node_visibility), and that are not shown: %1.")
             .arg(count);
+    case ModelNote::Kind::ElementsLeftOut:
+        return NoteTexts::tr("Elements %1 of the file, which are not read: %2.").arg(detail, count);
+    case ModelNote::Kind::NodesLeftOut:
+        return NoteTexts::tr("Meshes that are not in the scene that the file opens with, and are not shown: %1.")
+            .arg(count);
+    case ModelNote::Kind::CornersLeftOut:
+        return NoteTexts::tr("Corners at the ends of parts of meshes, which make no whole triangles and are not used: "
+                             "%1.")
+            .arg(count);
     case ModelNote::Kind::ReadOutside:
         return note.count > 1 ? NoteTexts::tr("Files outside the model's folder were read: %1 and others, %2 in all.")
                                     .arg(detail, count)

@@ -4907,6 +4907,18 @@ Both are as large as fits.</source>
         <translation>被文件隐藏（KHR_node_visibility）而未显示的网格：%1。</translation>
     </message>
     <message>
+        <source>Elements %1 of the file, which are not read: %2.</source>
+        <translation>文件中未读取的 %1 元素：%2。</translation>
+    </message>
+    <message>
+        <source>Meshes that are not in the scene that the file opens with, and are not shown: %1.</source>
+        <translation>不在文件所打开的场景中而未显示的网格：%1。</translation>
+    </message>
+    <message>
+        <source>Corners at the ends of parts of meshes, which make no whole triangles and are not used: %1.</source>
+        <translation>网格部分末尾不足一个三角形而未使用的角点：%1。</translation>
+    </message>
+    <message>
         <source>Files outside the model&apos;s folder were read: %1 and others, %2 in all.</source>
         <translation>读取了模型文件夹以外的文件：%1 等，共 %2 个。</translation>
     </message>

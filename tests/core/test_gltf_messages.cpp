@@ -71,6 +71,26 @@ void TestGltfMessages::saysWhatIsLeftOut_data()
                      {"mesh":0,"extensions":{"KHR_node_visibility":{"visible":true}}})");
         QTest::newRow("hidden nodes") << json << 2 << int(Kind::MeshesHidden) << 2 << QString();
     }
+    QTest::newRow("another scene") << quad()
+                                          .replace(R"({"mesh":0})", R"({"mesh":0},{"mesh":0})")
+                                          .replace(R"("scenes":[{"nodes":[0]}])",
+                                                   R"("scenes":[{"nodes":[0]},{"nodes":[1]}])")
+                                   << 2 << int(Kind::NodesLeftOut) << 1 << QString();
+    QTest::newRow("nodes in no scene") << quad().replace(R"({"mesh":0})",
+                                                         R"({"mesh":0},{"children":[2,3]},{"mesh":0},{"mesh":0})")
+                                       << 2 << int(Kind::NodesLeftOut) << 2 << QString();
+    QTest::newRow("a mesh of no node")
+        << quad().replace(R"("meshes":[)", R"("meshes":[{"primitives":[]},)").replace(R"({"mesh":0})", R"({"mesh":1})")
+        << 2 << int(Kind::NodesLeftOut) << 1 << QString();
+    {
+        GltfBuilder file;
+        file.add(kQuadCorners, "VEC3", kFloat);
+        file.add(std::vector<quint16>{0, 1, 2, 2, 1}, "SCALAR", kUshort);
+        QTest::newRow("indices of half a triangle") << file.json(shown(R"("attributes":{"POSITION":0},"indices":1)"))
+                                                    << 1 << int(Kind::CornersLeftOut) << 2 << QString();
+        QTest::newRow("vertices of a third")
+            << file.json(shown(R"("attributes":{"POSITION":0})")) << 1 << int(Kind::CornersLeftOut) << 1 << QString();
+    }
     QTest::newRow("animations") << quad({}, R"(,"animations":[{},{}])") << 2 << int(Kind::PartLeftOut) << 2
                                 << "animation";
     QTest::newRow("no scene") << quad().replace(R"("scenes":[{"nodes":[0]}],)", "") << 2 << int(Kind::SceneMissing) << 0
@@ -141,6 +161,23 @@ void TestGltfMessages::refuses_data()
                                            << "the matrix of node 0 \"arm\" has the last row 0 0 0 2";
     QTest::newRow("a matrix of rows") << quad(R"(,"matrix":[1,0,0,5,0,1,0,6,0,0,1,7,0,0,0,1])")
                                       << "the matrix of node 0 has the last row 5 6 7 1";
+    QTest::newRow("a matrix and a translation")
+        << quad(R"(,"translation":[1,2,3],"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])")
+        << "node 0 has both \"matrix\" and \"translation\"";
+    QTest::newRow("a node twice in the scene")
+        << quad().replace(R"("nodes":[0])", R"("nodes":[0,0])") << "the scene lists node 0 twice";
+    QTest::newRow("a child in the scene") << quad()
+                                                 .replace(R"("nodes":[0])", R"("nodes":[0,1])")
+                                                 .replace(R"({"mesh":0})", R"({"children":[1]},{"mesh":0})")
+                                          << "the scene lists node 1, which is a child of node 0 already";
+    QTest::newRow("a key twice") << quad(R"(,"scale":[1,1,1],"scale":[2,2,2])")
+                                 << "\"scale\" stands twice in one object";
+    QTest::newRow("a stride that is too small")
+        << quad().replace(R"("byteOffset":0)", R"("byteOffset":0,"byteStride":4)")
+        << "\"byteStride\" is 4, less than the 12 bytes of one element";
+    QTest::newRow("a view beyond what its buffer declares")
+        << quad().replace(R"("buffers":[{"byteLength":60)", R"("buffers":[{"byteLength":52)")
+        << "a buffer view goes beyond its buffer of 52 bytes";
     QTest::newRow("a rotation that is none")
         << quad(R"(,"rotation":[0,0,0,0])") << "the rotation of node 0 has the length 0";
     QTest::newRow("instances without a mesh's numbers")

@@ -263,9 +263,19 @@ void TestImportGltf::chunksNeedNoPadding()
         QByteArray(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":48}],"bufferViews":[{"buffer":0,
            "byteLength":48}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"}])")
         + shown(R"("attributes":{"POSITION":0},"mode":5)") + '}';
-    const auto result = imported(glb(json, isPadded), QStringLiteral("model.glb"));
+    const QByteArray whole = glb(json, isPadded);
+    const auto result = imported(whole, QStringLiteral("model.glb"));
     REQUIRE_MODEL(result);
     QCOMPARE((*result)->triangleCount(), std::size_t(2));
+    QCOMPARE(notesOf(**result), QByteArray());
+
+    const auto longer = imported(whole + "more", QStringLiteral("model.glb"));
+    REQUIRE_MODEL(longer);
+    QCOMPARE(notesOf(**longer), QByteArray("4 bytes behind all that the file declares are not used"));
+
+    const auto shorter = imported(QByteArray(whole).replace(8, 4, little(quint32(whole.size() - 4))), "model.glb");
+    VERIFY_REFUSED(shorter, ImportErrorCode::Malformed,
+                   QString("the header declares %1 bytes, the file has %2").arg(whole.size() - 4).arg(whole.size()));
 }
 
 void TestImportGltf::manyNodesTakeNoTime()

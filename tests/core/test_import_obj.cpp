@@ -174,11 +174,13 @@ void TestImportObj::saysWhatIsLeftOut_data()
     row("an unknown word", "V 9 9 9\n",
         "not used: 1 line that begins with a word unknown to the format, \"V\" in line 7");
     row("unknown words", "\xc2\xa0v 9 9 9\nvt 1 1\nvv 1\ng a\no b\ns off\nvp 1\n",
-        "not used: 2 lines that begin with words unknown to the format, the first is \"??v\" in line 7");
+        "not used: 2 lines that begin with words unknown to the format, the first is \"\\u00a0v\" in line 7");
     row("words behind a vertex", "v 1 2 3 red\nv 1 2 3 # red\n",
         "1 vertex has words behind the coordinates that are not used");
     row("curves and surfaces", "curv 0 1 1 2\nsurf 0 1 0 1 1 2\nsurf 0 1 0 1 1 2\n",
         "\"curv\" is not shown; \"surf\" is not shown (2 times)");
+    row("another file and surfaces of older versions", "call other.obj\nbsp 1 2 3\ncdc 1 2 3 4\nbzp 1 2\nbzp 1 2\n",
+        "\"bsp\" is not shown; \"bzp\" is not shown (2 times); \"call\" is not shown; \"cdc\" is not shown");
     row("no library", "mtllib nowhere.mtl\n",
         "the materials \"nowhere.mtl\" are not there or cannot be read: their surfaces are shown without colours and "
         "pictures");

@@ -245,6 +245,9 @@ void TestImportPly::saysWhatIsLeftOut_data()
         << plyText().replace("\n4 0 3", "\ncomment the faces\n# more\n4 0 3").replace("\n2 1 2\n", "\ncomment\n2 1 2\n")
         << QByteArray();
     QTest::newRow("zeros behind") << plyText() + QByteArray(5, '\0') << QByteArray();
+    QTest::newRow("elements that are not read") << QByteArray(edges).replace("element edge 2", "element polygon 2")
+                                                << QByteArray("2 elements \"polygon\" of the file are not read");
+    QTest::newRow("whole numbers as decimals") << plyText().replace("4 3 0 4 7", "4 3.0 0 4e0 7") << QByteArray();
     QTest::newRow("edges") << edges << QByteArray("2 lines and points are not shown");
     QTest::newRow("binary, zeros behind") << plyLittle() + QByteArray(5, '\0') << QByteArray();
     QTest::newRow("binary, more behind") << plyLittle() + "more"
@@ -289,6 +292,25 @@ void TestImportPly::saysWhyAFileCannotBeOpened_data()
                                        << "line 16: \"7\" follows all that the header declares for vertex 6";
     QTest::newRow("a number too few") << plyText().replace("\n2 1 2\n", "\n2 1\n") << Malformed
                                       << "line 16: the line ends before all that the header declares for vertex 6";
+    QTest::newRow("half a vertex") << plyText().replace("4 3 0 4 7", "4 3 0 4 6.9999") << Malformed
+                                   << "line 23: \"6.9999\" is no whole number from -2147483648 to 2147483647, which "
+                                      "the header declares for face 5";
+    QTest::newRow("half a vertex, declared as float")
+        << plyText().replace("uchar int vertex", "uchar float vertex").replace("4 3 0 4 7", "4 3 0 4 6.9999")
+        << Malformed << "face 5 refers to vertex 6.9999, which is no whole number";
+    QTest::newRow("more corners than its type has")
+        << plyText().replace("4 3 0 4 7", "300 3 0 4 7") << Malformed
+        << "line 23: \"300\" is no whole number from 0 to 255, which the header declares for face 5";
+    QTest::newRow("a negative length") << plyText().replace("4 3 0 4 7", "-1 3 0 4 7") << Malformed
+                                       << "line 23: \"-1\"";
+    QTest::newRow("an element twice") << plyText().replace("element face",
+                                                           "element vertex 1\nproperty int a\nelement face")
+                                      << Malformed << "line 7: the element \"vertex\" stands twice";
+    QTest::newRow("a minus that is none") << plyText().replace("\n2 1 2\n", "\n\xe2\x88\x92"
+                                                                            "2 1 2\n")
+                                          << Malformed
+                                          << QString::fromUtf8("line 16: \"\xe2\x88\x92"
+                                                               "2\" is no number");
     QTest::newRow("a corner too many") << plyText().replace("4 3 0 4 7", "4 3 0 4 7 1") << Malformed
                                        << "line 23: \"1\"";
     QTest::newRow("a line too many") << plyText() + "3 0 1 2\n"

@@ -75,6 +75,16 @@ void TestNoteText::saysWhatIsNotAsInTheFile_data()
     row("a hidden mesh", MeshesHidden, 1, "", "1 mesh is hidden by the file (KHR_node_visibility) and is not shown");
     row("hidden meshes", MeshesHidden, 4, "",
         "4 meshes are hidden by the file (KHR_node_visibility) and are not shown");
+    row("an element", ElementsLeftOut, 1, "polygon", "1 element \"polygon\" of the file is not read");
+    row("elements", ElementsLeftOut, 3, "polygon", "3 elements \"polygon\" of the file are not read");
+    row("a mesh elsewhere", NodesLeftOut, 1, "",
+        "1 mesh is not in the scene that the file opens with and is not shown");
+    row("meshes elsewhere", NodesLeftOut, 2, "",
+        "2 meshes are not in the scene that the file opens with and are not shown");
+    row("a corner", CornersLeftOut, 1, "",
+        "1 corner at the end of a part of a mesh makes no whole triangle and is not used");
+    row("corners", CornersLeftOut, 2, "",
+        "2 corners at the ends of parts of meshes make no whole triangles and are not used");
     row("a file elsewhere", ReadOutside, 1, "../a.png", "the file \"../a.png\" outside the model's folder was read");
     row("two files elsewhere", ReadOutside, 2, "../a.png",
         "the file \"../a.png\" and 1 other one outside the model's folder were read");
