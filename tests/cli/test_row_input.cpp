@@ -86,7 +86,7 @@ void TestRowInput::badCells_data()
         "stdin:2:11: the quote is not closed; quotes in quotes are doubled");
     row("behind a line break in quotes", "name,px,py,depth\n\"a\n\nb\",1,2,0\na,x,2,0\n",
         "stdin:5:3: px: \"x\" is not a number");
-    row("a zero byte", header + QByteArray("4\0,300,0\n", 9), "stdin:2:1: px: \"4?\" is not a number");
+    row("a zero byte", header + QByteArray("4\0,300,0\n", 9), "stdin:2:1: px: \"4\\x00\" is not a number");
     row("beyond any double", header + "-1e999,300,0\n",
         "stdin:2:1: px: \"-1e999\" is beyond the range of double precision");
     row("the header once more", header + "px,py,depth\n", "stdin:2:1: px: \"px\" is not a number");

@@ -120,8 +120,9 @@ void TestSceneCodeWindow::filesOfTheSceneAreNotWrittenOver()
         QFile file(folder.filePath(name));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
     };
-    write(QStringLiteral("t.mtl"), "newmtl m\nmap_Kd t.jpg\n");
+    write(QStringLiteral("t.mtl"), "newmtl m\nmap_Kd t.jpg\nmap_Bump bumps.jpg\n");
     write(QStringLiteral("t.jpg"), "no picture");
+    write(QStringLiteral("bumps.jpg"), "no picture");
     write(QStringLiteral("t.obj"), "mtllib t.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     write(QStringLiteral("scene.json"), R"({"unprojector": 1, "window": {"width": 800, "height": 600},
         "projection": {"type": "ortho", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 100},
@@ -129,7 +130,7 @@ void TestSceneCodeWindow::filesOfTheSceneAreNotWrittenOver()
     std::filesystem::create_hard_link(pathOf(QStringLiteral("t.obj")), pathOf(QStringLiteral("other.obj")));
     m_window->session().openScene(pathOf(QStringLiteral("scene.json")));
     QTRY_COMPARE_WITH_TIMEOUT(m_window->session().file(), pathOf(QStringLiteral("scene.json")), kPatienceMilliseconds);
-    for (const char *name : {"scene.json", "t.obj", "t.mtl", "t.jpg", "other.obj"}) {
+    for (const char *name : {"scene.json", "t.obj", "t.mtl", "t.jpg", "bumps.jpg", "other.obj"}) {
         const std::filesystem::path file = pathOf(QString::fromLatin1(name));
         const auto before = std::filesystem::file_size(file);
         const QString problem = m_code->exportTo(file);
