@@ -18,6 +18,8 @@
 #include <charconv>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -294,22 +296,66 @@ ExitCode makeTable(const LandmarksOptions &options)
 
 /// The sets of several files as placings of specimens. Where each file has one, they are of one, whatever it is called;
 /// else those of one name belong together, or without names those at one place.
+/// @param names  of the files
 std::vector<RepeatedSpecimen> specimensOf(const std::vector<std::vector<LandmarkSet>> &files,
-                                          const std::string &firstName)
+                                          const std::vector<std::string> &names)
 {
+    const std::string firstName = specimenOf(pathFromUtf8(names.front()));
     const bool isOne = std::all_of(files.begin(), files.end(), [](const auto &sets) { return sets.size() == 1; });
     std::vector<RepeatedSpecimen> specimens;
-    for (const std::vector<LandmarkSet> &sets : files) {
+    for (std::size_t file = 0; file < files.size(); ++file) {
+        const std::vector<LandmarkSet> &sets = files[file];
         for (std::size_t i = 0; i < sets.size(); ++i) {
             const std::string name = !sets[i].name.empty() ? sets[i].name : isOne ? firstName : std::to_string(i + 1);
             auto known = std::find_if(specimens.begin(), specimens.end(),
                                       [&](const RepeatedSpecimen &specimen) { return isOne || specimen.name == name; });
             if (known == specimens.end())
-                known = specimens.insert(known, RepeatedSpecimen{name, {}});
+                known = specimens.insert(known, RepeatedSpecimen{name, {}, {}});
             known->placings.push_back(sets[i]);
+            known->files.push_back(names[file]);
         }
     }
     return specimens;
+}
+
+/// Whether each specimen was placed in one unit: a mean of others would be of none. What is not known is said on stderr.
+bool haveOneUnit(const std::vector<RepeatedSpecimen> &specimens)
+{
+    std::set<std::string> said;
+    for (const RepeatedSpecimen &specimen : specimens) {
+        const auto unitOf = [&specimen](std::size_t i) { return specimen.placings[i].unit; };
+        std::optional<std::size_t> with, without;
+        for (std::size_t i = 0; i < specimen.placings.size(); ++i) {
+            std::optional<std::size_t> &first = unitOf(i).empty() ? without : with;
+            first = first.value_or(i);
+            if (!unitOf(i).empty() && unitOf(i) != unitOf(*with)) {
+                complain(tr("%1 is in %2 and %3 in %4; write both in the same unit, and compare them then",
+                            specimen.files[*with], unitOf(*with), specimen.files[i], unitOf(i)));
+                return false;
+            }
+        }
+        if (!with || !without)
+            continue;
+        const std::string line = tr("%1 is in %2, and %3 does not say its unit; it is taken for the same",
+                                    specimen.files[*with], unitOf(*with), specimen.files[*without]);
+        if (said.insert(line).second)
+            complain(line);
+    }
+    return true;
+}
+
+/// A file that is compared with itself has no scatter.
+void tellSameFiles(const std::vector<std::string> &files)
+{
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            if (!isSameFile(pathFromUtf8(files[k]), pathFromUtf8(files[i])))
+                continue;
+            complain(tr("%1: this is %2 again; the same placing counts once more, and the scatter is too small",
+                        files[i], files[k]));
+            break;
+        }
+    }
 }
 
 ExitCode makeRepeats(const LandmarksOptions &options)
@@ -324,8 +370,10 @@ ExitCode makeRepeats(const LandmarksOptions &options)
             return ExitCode::UnusableInput;
         files.push_back(std::move(read->sets));
     }
-    const std::vector<RepeatedSpecimen> specimens =
-        specimensOf(files, specimenOf(pathFromUtf8(options.repeats.front())));
+    tellSameFiles(options.repeats);
+    const std::vector<RepeatedSpecimen> specimens = specimensOf(files, options.repeats);
+    if (!haveOneUnit(specimens))
+        return ExitCode::UnusableInput;
     for (const RepeatedSpecimen &specimen : specimens) {
         if (specimen.placings.size() < 2)
             complain(tr("the specimen \"%1\" is in one file only: there is nothing to compare it with", specimen.name));

@@ -2,6 +2,7 @@
 
 #include "core/landmark_files/csv_columns.h"
 #include "core/landmark_files/lines.h"
+#include "core/landmarks/distinct_names.h"
 #include "core/scene_file/json_text.h"
 #include "core/text/number_text.h"
 
@@ -90,7 +91,8 @@ std::vector<std::array<std::string, kWrittenCount>> rowsOf(const LandmarkSet &se
         if (!curve.points.empty())
             cells[CurvePoints] = Json(curve.points).dump(-1, ' ', false, Json::error_handler_t::replace);
         cells[CurveWay] = kCurveKinds[static_cast<std::size_t>(curve.kind)];
-        cells[CurveCount] = std::to_string(curve.count);
+        const std::size_t count = curve.semilandmarks.empty() ? curve.count : rows.size();
+        cells[CurveCount] = std::to_string(std::min<std::size_t>(count, kMostSemilandmarks));
     }
     return rows;
 }
@@ -213,27 +215,12 @@ WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens, text::CellTex
 {
     Notes notes;
     const std::vector<LandmarkSet> sets = withCurvesAsPoints(specimens, notes);
-    std::vector<std::string> names;
-    std::map<std::string, std::size_t> places;
-    std::vector<std::map<std::size_t, const Landmark *>> rows;
-    for (const LandmarkSet &set : sets) {
-        auto &row = rows.emplace_back();
-        std::map<std::string, std::size_t> counts;
-        for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
-            std::string name = set.landmarks[i].name.empty() ? std::to_string(i + 1) : set.landmarks[i].name;
-            if (const std::size_t count = ++counts[name]; count > 1)
-                name += " (" + std::to_string(count) + ')';
-            const auto [place, isNew] = places.try_emplace(name, names.size());
-            if (isNew)
-                names.push_back(name);
-            row[place->second] = &set.landmarks[i];
-        }
-    }
+    const DistinctNames distinct = distinctNames(sets);
     Holds held;
     held.names = held.specimenName = true;
     addLosses(notes, sets, held);
     std::string text = "specimen";
-    for (const std::string &name : names) {
+    for (const std::string &name : distinct.names) {
         for (const char *axis : {"_x", "_y", "_z"}) {
             text += ',';
             appendCell(text, name + axis, texts);
@@ -242,10 +229,12 @@ WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens, text::CellTex
     text += '\n';
     for (std::size_t i = 0; i < sets.size(); ++i) {
         appendCell(text, sets[i].name, texts);
-        for (std::size_t k = 0; k < names.size(); ++k) {
-            const auto found = rows[i].find(k);
-            if (found != rows[i].end() && found->second->world)
-                appendNumbers(text, found->second->world->coordinates(), ',');
+        std::vector<const Landmark *> row(distinct.names.size());
+        for (std::size_t k = 0; k < sets[i].landmarks.size(); ++k)
+            row[distinct.places[i][k]] = &sets[i].landmarks[k];
+        for (const Landmark *landmark : row) {
+            if (landmark && landmark->world)
+                appendNumbers(text, landmark->world->coordinates(), ',');
             else
                 text += ",,,";
         }

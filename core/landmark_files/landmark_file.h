@@ -162,8 +162,8 @@ geometry::Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<co
                                                                     text::CellTexts texts = text::CellTexts::AsTheyAre);
 
 /// A table with one row a specimen: specimen,A_x,A_y,A_z,B_x,… The columns are the landmarks of all specimens by name, in
-/// the order in which they first appear; what a specimen lacks stays empty. A landmark without a name has its number, and
-/// of two that share one the second is "NAME (2)". Semilandmarks are further points, "CURVE:01".
+/// the order in which they first appear; what a specimen lacks stays empty. Names are those of
+/// landmarks::distinctNames. Semilandmarks are further points, "CURVE:01".
 WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens, text::CellTexts texts = text::CellTexts::AsTheyAre);
 
 /// Takes the last points out that are named as the semilandmarks of curves are where a format knows no curves, "NAME:01",

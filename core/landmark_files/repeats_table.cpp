@@ -4,6 +4,8 @@
 #include "core/landmarks/repeats.h"
 #include "core/text/number_text.h"
 
+#include <cmath>
+
 namespace unprojector::landmark_files {
 using landmarks::RepeatedLandmark;
 
@@ -25,7 +27,7 @@ std::string repeatsTable(std::span<const RepeatedSpecimen> specimens, text::Cell
             if (repeated.error)
                 text::appendNumber(text, *repeated.error);
             text += ',';
-            if (repeated.mean)
+            if (repeated.mean && std::isfinite(repeated.farthest))
                 text::appendNumber(text, repeated.farthest);
             text += '\n';
         }

@@ -13,6 +13,7 @@ namespace unprojector::landmark_files {
 struct RepeatedSpecimen {
     std::string name; ///< UTF-8
     std::vector<landmarks::LandmarkSet> placings;
+    std::vector<std::string> files; ///< that the placings are of, where somebody asks for them
 };
 
 /// A table of comma-separated values with a row a landmark: specimen,name,placings,x,y,z,error,farthest. The mean of its

@@ -1,39 +1,55 @@
 #include "core/landmarks/repeats.h"
 
+#include "core/landmarks/distinct_names.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace unprojector::landmarks {
+namespace {
+
+/// The exponent of the power of two that the largest of several coordinates is divided by, so that neither sums nor squares
+/// of them overflow.
+int exponentOf(const std::vector<glm::dvec3> &places)
+{
+    double largest = 0.0;
+    for (const glm::dvec3 &place : places) {
+        for (int axis = 0; axis < 3; ++axis)
+            largest = std::max(largest, std::abs(place[axis]));
+    }
+    return largest > 0.0 ? std::ilogb(largest) : 0;
+}
+
+glm::dvec3 scaled(const glm::dvec3 &place, int exponent)
+{
+    return {std::ldexp(place.x, exponent), std::ldexp(place.y, exponent), std::ldexp(place.z, exponent)};
+}
+
+} // namespace
 
 std::vector<RepeatedLandmark> repeatsOf(std::span<const LandmarkSet> placings)
 {
-    std::vector<RepeatedLandmark> repeats;
-    std::vector<std::vector<glm::dvec3>> places;
-    std::map<std::pair<std::string, std::size_t>, std::size_t> known; ///< a name and which of that name
-    for (const LandmarkSet &placing : placings) {
-        std::map<std::string, std::size_t> sameName;
-        for (std::size_t i = 0; i < placing.landmarks.size(); ++i) {
-            const Landmark &landmark = placing.landmarks[i];
-            const std::string name = landmark.name.empty() ? std::to_string(i + 1) : landmark.name;
-            const std::size_t number = ++sameName[name];
-            const auto [at, isNew] = known.try_emplace({name, number}, repeats.size());
-            if (isNew) {
-                repeats.emplace_back().name = number > 1 ? name + " (" + std::to_string(number) + ')' : name;
-                places.emplace_back();
-            }
-            if (landmark.world)
-                places[at->second].push_back(landmark.world->coordinates());
+    const DistinctNames distinct = distinctNames(placings);
+    std::vector<RepeatedLandmark> repeats(distinct.names.size());
+    std::vector<std::vector<glm::dvec3>> places(repeats.size());
+    for (std::size_t i = 0; i < placings.size(); ++i) {
+        for (std::size_t k = 0; k < placings[i].landmarks.size(); ++k) {
+            if (const auto &world = placings[i].landmarks[k].world)
+                places[distinct.places[i][k]].push_back(world->coordinates());
         }
     }
     for (std::size_t i = 0; i < repeats.size(); ++i) {
         RepeatedLandmark &repeated = repeats[i];
+        repeated.name = distinct.names[i];
         repeated.count = places[i].size();
         if (places[i].empty())
             continue;
+        const int exponent = exponentOf(places[i]);
+        for (glm::dvec3 &place : places[i])
+            place = scaled(place, -exponent);
         // About the first one: far from the origin the sum of many would lose digits.
         const glm::dvec3 first = places[i].front();
         const auto count = static_cast<double>(places[i].size());
@@ -41,15 +57,19 @@ std::vector<RepeatedLandmark> repeatsOf(std::span<const LandmarkSet> placings)
         for (const glm::dvec3 &place : places[i])
             sum += place - first;
         const glm::dvec3 mean = first + sum / count;
-        double squares = 0.0;
+        double squares = 0.0, farthest = 0.0;
         for (const glm::dvec3 &place : places[i]) {
             const double distance = glm::distance(place, mean);
             squares += distance * distance;
-            repeated.farthest = std::max(repeated.farthest, distance);
+            farthest = std::max(farthest, distance);
         }
-        repeated.mean = WorldPoint(mean);
-        if (places[i].size() > 1)
-            repeated.error = std::sqrt(squares / (count - 1.0));
+        repeated.mean = WorldPoint(scaled(mean, exponent));
+        repeated.farthest = std::ldexp(farthest, exponent);
+        if (places[i].size() < 2)
+            continue;
+        const double error = std::ldexp(std::sqrt(squares / (count - 1.0)), exponent);
+        if (std::isfinite(error))
+            repeated.error = error;
     }
     return repeats;
 }

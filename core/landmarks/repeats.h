@@ -16,13 +16,13 @@ struct RepeatedLandmark {
     std::size_t count = 0;          ///< how often it was placed
     std::optional<WorldPoint> mean; ///< nothing: never
     /// The standard deviation of one placing, of all three coordinates together: the root of the sum of the squares of the
-    /// distances from the mean, divided by one less than their number. Nothing before it was placed twice.
+    /// distances from the mean, divided by one less than their number. Nothing before it was placed twice, and
+    /// where that is beyond the largest double.
     std::optional<double> error;
-    double farthest = 0.0; ///< from the mean
+    double farthest = 0.0; ///< from the mean; infinite beyond the largest double
 };
 
-/// By name, in the order in which names first appear; what has no name goes by its number. Of two that share a name in one set,
-/// the second is the second of the others too.
+/// By name, as distinctNames tells them apart.
 std::vector<RepeatedLandmark> repeatsOf(std::span<const LandmarkSet> placings);
 
 } // namespace unprojector::landmarks

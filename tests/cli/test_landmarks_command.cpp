@@ -35,6 +35,7 @@ private slots:
     void tablesOfAllKinds();
     void specimensOfOneName();
     void repeatedPlacings();
+    void repeatsInOtherUnits();
     void repeatedSpecimens();
     void formulasOfASpreadsheet();
     void refused_data();
@@ -233,8 +234,30 @@ void TestLandmarksCommand::repeatedPlacings()
                                     "skull,N,2,2,2,3,1.4142135623730951,1\n"
                                     "skull,once,1,5,5,5,,0\nskull,never,0,,,,,\n"));
     const QString table = m_folder.path("error.csv");
-    VERIFY_SUCCEEDED(runCommand({"landmarks", "-o", table, "--repeats", first, second, first}));
+    const Run same = runCommand({"landmarks", "-o", table, "--repeats", first, second, first});
+    QCOMPARE(same.exitCode, 0);
+    QCOMPARE(same.errors, (first + ": this is " + first
+                           + " again; the same placing counts once more, and the scatter is too small\n")
+                              .toUtf8());
     QVERIFY(bytesOf(table).contains("\nskull,N,3,1.6666666666666665,2,3,"));
+}
+
+void TestLandmarksCommand::repeatsInOtherUnits()
+{
+    const QString mm = m_folder.write("mm.csv", "name,x,y,z,unit\nN,10,20,30,mm\n"),
+                  cm = m_folder.write("cm.csv", "name,x,y,z,unit\nN,1,2,3,cm\n"),
+                  none = m_folder.write("none.csv", "name,x,y,z\nN,10,20,30\n");
+    const Run run = runCommand({"landmarks", "--repeats", none, mm, cm, "-o", "-"});
+    QCOMPARE(run.exitCode, 2);
+    QCOMPARE(run.errors,
+             (mm + " is in mm and " + cm + " in cm; write both in the same unit, and compare them then\n").toUtf8());
+    QCOMPARE(run.output, QByteArray());
+    const Run noted = runCommand({"landmarks", "--repeats", none, mm, mm, "-o", "-"});
+    QCOMPARE(noted.exitCode, 0);
+    QVERIFY2(noted.errors.contains(
+                 (mm + " is in mm, and " + none + " does not say its unit; it is taken for the same\n").toUtf8()),
+             noted.errors.constData());
+    QVERIFY(noted.output.contains("none,N,3,10,20,30,0,0\n"));
 }
 
 void TestLandmarksCommand::repeatedSpecimens()

@@ -1,6 +1,7 @@
 // Templates, repeated placings, landmarks tied to objects, and what files beside scans are called.
 
 #include "core/landmark_files/landmark_folder.h"
+#include "core/landmark_files/repeats_table.h"
 #include "core/landmarks/point_template.h"
 #include "core/landmarks/repeats.h"
 #include "core/ray/tie_landmark.h"
@@ -185,6 +186,12 @@ void TestLandmarkSets::repeatsOfThreePlacings()
     QVERIFY(!repeats[2].mean && repeats[2].count == 0);
     QCOMPARE(repeats[3].name, std::string("a (2)"));
     QVERIFY(repeatsOf({}).empty());
+    // Two of a name, and one that is called as the second of them would be.
+    placings[1].landmarks = {named("a (2)", glm::dvec3(1, 1, 1)), named("", glm::dvec3(2, 2, 2)), named("2")};
+    QStringList names;
+    for (const RepeatedLandmark &repeated : repeatsOf(placings))
+        names << QString::fromStdString(repeated.name);
+    QCOMPARE(names, QStringList({"a", "b", "c", "a (2)", "2 (2)", "2", "a (3)"}));
 }
 
 void TestLandmarkSets::farFromTheOriginRepeatsAreAsSure()
@@ -195,6 +202,20 @@ void TestLandmarkSets::farFromTheOriginRepeatsAreAsSure()
     const RepeatedLandmark repeated = repeatsOf(placings).front();
     QCOMPARE(repeated.mean->coordinates().x, 1e15 + 1.0);
     QCOMPARE(*repeated.error, std::sqrt(2.0));
+    // Neither their difference nor its square is a double.
+    placings[0].landmarks = {named("a", glm::dvec3(-1e308, 0, 0)), named("b", glm::dvec3(-1.7e308)),
+                             named("c", glm::dvec3(1e-300, 0, 0))};
+    placings[1].landmarks = {named("a", glm::dvec3(1e308, 0, 0)), named("b", glm::dvec3(1.7e308)),
+                             named("c", glm::dvec3(3e-300, 0, 0))};
+    const std::vector<RepeatedLandmark> repeats = repeatsOf(placings);
+    QCOMPARE(repeats[0].mean->coordinates(), glm::dvec3(0.0));
+    QCOMPARE(*repeats[0].error, std::sqrt(2.0) * 1e308);
+    QCOMPARE(repeats[0].farthest, 1e308);
+    QCOMPARE(repeats[1].mean->coordinates(), glm::dvec3(0.0));
+    QVERIFY(!repeats[1].error && std::isinf(repeats[1].farthest));
+    QCOMPARE(*repeats[2].error / 1e-300, std::sqrt(2.0));
+    const std::vector<RepeatedSpecimen> specimens{{"s", placings, {}}};
+    QVERIFY(repeatsTable(specimens).find("\ns,b,2,0,0,0,,\n") != std::string::npos);
 }
 
 void TestLandmarkSets::tiedToTheClosest()

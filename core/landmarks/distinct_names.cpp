@@ -1,0 +1,45 @@
+#include "core/landmarks/distinct_names.h"
+
+#include <map>
+#include <set>
+#include <utility>
+
+namespace unprojector::landmarks {
+
+DistinctNames distinctNames(std::span<const LandmarkSet> sets)
+{
+    std::set<std::string> taken;
+    for (const LandmarkSet &set : sets) {
+        for (const Landmark &landmark : set.landmarks)
+            taken.insert(landmark.name);
+    }
+    DistinctNames distinct;
+    std::map<std::pair<std::string, std::size_t>, std::size_t> known; ///< a name and which of that name
+    std::map<std::string, std::size_t> next;                          ///< number behind a name that was given before
+    const auto freeName = [&](const std::string &name) {
+        std::size_t &number = next.try_emplace(name, 2).first->second;
+        std::string candidate;
+        do
+            candidate = name + " (" + std::to_string(number++) + ')';
+        while (!taken.insert(candidate).second);
+        return candidate;
+    };
+    for (const LandmarkSet &set : sets) {
+        std::vector<std::size_t> &places = distinct.places.emplace_back();
+        std::map<std::string, std::size_t> counts;
+        for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
+            const std::string &name = set.landmarks[i].name;
+            const std::size_t number = name.empty() ? i + 1 : ++counts[name];
+            const auto [place, isNew] = known.try_emplace({name, number}, distinct.names.size());
+            if (isNew) {
+                const std::string shown = name.empty() ? std::to_string(number) : name;
+                const bool isFree = name.empty() ? taken.insert(shown).second : number == 1;
+                distinct.names.push_back(isFree ? shown : freeName(shown));
+            }
+            places.push_back(place->second);
+        }
+    }
+    return distinct;
+}
+
+} // namespace unprojector::landmarks
