@@ -150,8 +150,12 @@ public:
         for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
             Landmark &landmark = set.landmarks[i];
             const std::optional<ray::Tied> tied = ray::tieToMesh(landmark, {&m_target, 1});
-            if (!tied)
+            if (!tied) {
+                if (landmark.world)
+                    complain(tr("%1: %2 is left where it was: its distance from the mesh is no finite number", m_mesh,
+                                nameOf(landmark, i)));
                 continue;
+            }
             ++m_count;
             if (m_count == 1 || tied->distance > m_farthest) {
                 m_farthest = tied->distance;

@@ -136,6 +136,13 @@ void TestLandmarksCommand::ontoAMeshOfOthers()
                  + mesh.toUtf8() + ": 2 points moved onto the mesh, by at most 3 (point 1)\n"),
              run.errors.constData());
     QVERIFY(run.output.contains("\nN 2 1 0\n"));
+    const Run beyond = runCommand({"landmarks", "--from", "csv", "--to", "pts", "--mesh", mesh, "-", "-"},
+                                  "name,x,y,z\nN,1e160,1,0\nP,2,1,0\n");
+    QCOMPARE(beyond.exitCode, 0);
+    QVERIFY2(beyond.errors.startsWith(
+                 mesh.toUtf8() + ": \"N\" is left where it was: its distance from the mesh is no finite number\n"),
+             beyond.errors.constData());
+    QVERIFY(beyond.output.contains("\nN 1e+160 1 0\n"));
     const Run none = runCommand(
         {"landmarks", "--from", "csv", "--to", "csv", "--mesh", m_folder.path("none.obj"), "-", "-"}, "x,y,z\n1,2,3\n");
     QCOMPARE(none.exitCode, 2);
