@@ -4,6 +4,7 @@
 #include "core/landmark_files/lines.h"
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/strict_json.h"
+#include "core/text/number_text.h"
 #include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
@@ -11,7 +12,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
+#include <optional>
+#include <system_error>
+#include <utility>
 
 namespace unprojector::landmark_files {
 using namespace csv;
@@ -99,6 +104,9 @@ private:
     const CsvRow &m_row;
 };
 
+/// How much the sum of barycentric coordinates may miss 1: what single precision and six digits leave.
+constexpr double kBarycentricSum = 1e-5;
+
 Hold holdOf(const Cells &cells)
 {
     const bool isFace = !cells[Face].empty(), isVertex = !cells[Vertex].empty(), isEdge = !cells[EdgeFrom].empty();
@@ -108,6 +116,9 @@ Hold holdOf(const Cells &cells)
     if (isFace != barycentric.has_value())
         throw Failure{cells.line(), tr("face and u, v, w belong together; give all of them, or none")};
     if (isFace) {
+        const double sum = barycentric->x + barycentric->y + barycentric->z;
+        if (!(std::abs(sum - 1.0) <= kBarycentricSum))
+            throw Failure{cells.line(), tr("the sum of u, v and w is %1; it must be 1", text::shortestText(sum))};
         OnTriangle held; // in one piece GCC 12 calls its padding uninitialized
         held.triangle = countOf(cells[Face], cells.line(), "face");
         held.barycentric = *barycentric;
@@ -194,30 +205,137 @@ std::vector<std::string> namesOf(std::string_view text, std::size_t line)
     return names;
 }
 
-/// Takes a row that says of a curve what it is, and where one of its semilandmarks.
-void addToCurve(LandmarkSet &set, const Cells &cells)
+/// What the rows of a table say of one curve.
+struct CurveRows {
+    struct Row {
+        std::size_t line = 0, number = 0; ///< the second: of the semilandmark, from 1; 0: the row's name gives none
+        std::optional<WorldPoint> place;
+    };
+    std::size_t set = 0; ///< the specimen's place
+    Curve curve;         ///< without its semilandmarks; its count is 0 as long as no row gives it
+    bool hasKind = false;
+    std::vector<Row> rows;
+};
+
+/// The number of "NAME:03"; 0 of an empty name and of the curve's own. Throws Failure.
+std::size_t semilandmarkNumber(std::string_view name, const std::string &curve, std::size_t line)
 {
-    const std::string name(cells[CurveName]);
-    auto curve = std::find_if(set.curves.begin(), set.curves.end(), [&](const Curve &c) { return c.name == name; });
-    if (curve == set.curves.end()) {
-        curve = set.curves.insert(curve, Curve());
-        curve->name = name;
-        curve->points = namesOf(cells[CurvePoints], cells.line());
-        const auto kind = std::find(kCurveKinds.begin(), kCurveKinds.end(), cells[CurveWay]);
-        if (kind == kCurveKinds.end() && !cells[CurveWay].empty())
-            throw Failure{cells.line(), tr("curveKind is \"%1\"; write geodesic or planeSection", cells[CurveWay])};
-        if (kind != kCurveKinds.end())
-            curve->kind = static_cast<CurveKind>(kind - kCurveKinds.begin());
-        curve->count = 0;
-        if (!cells[CurveCount].empty()) {
-            curve->count = countOf(cells[CurveCount], cells.line(), "curveCount");
-            if (curve->count < 2 || curve->count > kMostSemilandmarks)
-                throw Failure{cells.line(),
-                              tr("curveCount is %1; write 2 to %2", cells[CurveCount], kMostSemilandmarks)};
-        }
+    if (name.empty() || name == curve)
+        return 0;
+    std::size_t number = 0;
+    if (name.size() > curve.size() && name.starts_with(curve) && name[curve.size()] == ':') {
+        const char *end = name.data() + name.size();
+        const auto read = std::from_chars(name.data() + curve.size() + 1, end, number);
+        if (read.ec != std::errc() || read.ptr != end)
+            number = 0;
     }
+    if (number == 0)
+        throw Failure{line,
+                      tr("\"%1\" is no semilandmark of the curve \"%2\"; their names are \"%3\", \"%4\" and so on",
+                         name, curve, semilandmarkName(curve, 0, 2), semilandmarkName(curve, 1, 2))};
+    return number;
+}
+
+/// Throws Failure where a row of a curve says something else than the rows before it.
+void checkSame(bool isSame, std::size_t line, const char *column, const std::string &curve)
+{
+    if (!isSame)
+        throw Failure{line,
+                      tr("%1 of the curve \"%2\" is not that of the rows before; give it once, or the same in each row",
+                         column, curve)};
+}
+
+/// Takes a row that says of a curve what it is, and where one of its semilandmarks.
+void addToCurve(CurveRows &known, const Cells &cells, Axes axes)
+{
+    Curve &curve = known.curve;
+    if (std::vector<std::string> points = namesOf(cells[CurvePoints], cells.line()); !points.empty()) {
+        checkSame(curve.points.empty() || curve.points == points, cells.line(), "curvePoints", curve.name);
+        curve.points = std::move(points);
+    }
+    if (!cells[CurveWay].empty()) {
+        const auto found = std::find(kCurveKinds.begin(), kCurveKinds.end(), cells[CurveWay]);
+        if (found == kCurveKinds.end())
+            throw Failure{cells.line(), tr("curveKind is \"%1\"; write geodesic or planeSection", cells[CurveWay])};
+        const auto kind = static_cast<CurveKind>(found - kCurveKinds.begin());
+        checkSame(!known.hasKind || curve.kind == kind, cells.line(), "curveKind", curve.name);
+        curve.kind = kind;
+        known.hasKind = true;
+    }
+    if (!cells[CurveCount].empty()) {
+        const std::uint32_t count = countOf(cells[CurveCount], cells.line(), "curveCount");
+        if (count < 2 || count > kMostSemilandmarks)
+            throw Failure{cells.line(), tr("curveCount is %1; write 2 to %2", cells[CurveCount], kMostSemilandmarks)};
+        checkSame(curve.count == 0 || curve.count == count, cells.line(), "curveCount", curve.name);
+        curve.count = count;
+    }
+    CurveRows::Row &row = known.rows.emplace_back();
+    row.line = cells.line();
+    row.number = semilandmarkNumber(cells[Name], curve.name, row.line);
     if (const auto place = cells.numbers(X))
-        curve->semilandmarks.push_back(WorldPoint(*place));
+        row.place = turned(WorldPoint(*place), axes);
+}
+
+/// The rows of a curve in the order of their numbers, or where none has one in that of the table. Throws Failure.
+void sortRows(CurveRows &known)
+{
+    std::vector<CurveRows::Row> &rows = known.rows;
+    const std::string &curve = known.curve.name;
+    const bool isNumbered = rows.front().number > 0;
+    for (const CurveRows::Row &row : rows) {
+        if ((row.number > 0) != isNumbered)
+            throw Failure{row.line, tr("the curve \"%1\" has rows with a number in their names and rows without; name "
+                                       "them \"%2\", \"%3\" and so on",
+                                       curve, semilandmarkName(curve, 0, 2), semilandmarkName(curve, 1, 2))};
+    }
+    if (!isNumbered)
+        return;
+    std::stable_sort(rows.begin(), rows.end(), [](const auto &a, const auto &b) { return a.number < b.number; });
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].number == i)
+            throw Failure{rows[i].line, tr("the semilandmark \"%1\" stands in line %2 already; remove one of them",
+                                           semilandmarkName(curve, i - 1, rows.size()), rows[i - 1].line)};
+        if (rows[i].number > i + 1)
+            throw Failure{rows[i].line,
+                          tr("the curve \"%1\" has this row and no \"%2\"; give each of its semilandmarks a row", curve,
+                             semilandmarkName(curve, i, rows.size()))};
+    }
+}
+
+/// A curve of which all semilandmarks are given, or none. Throws Failure.
+Curve curveOf(CurveRows known)
+{
+    sortRows(known);
+    Curve curve = std::move(known.curve);
+    const auto isGiven = [](const CurveRows::Row &row) { return row.place.has_value(); };
+    const std::vector<CurveRows::Row> &rows = known.rows;
+    const bool hasPlaces = std::any_of(rows.begin(), rows.end(), isGiven);
+    if (const auto missing = std::find_if_not(rows.begin(), rows.end(), isGiven); hasPlaces && missing != rows.end())
+        throw Failure{missing->line,
+                      tr("this semilandmark has no coordinates, and others of the curve \"%1\" have; give "
+                         "all of them, or none",
+                         curve.name)};
+    const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(rows.size(), kMostSemilandmarks));
+    const bool isCounted = hasPlaces || rows.front().number > 0; // else one row says what the curve is
+    if (isCounted && count != (curve.count > 0 ? curve.count : std::max(count, std::uint32_t{2})))
+        throw Failure{
+            rows.back().line,
+            curve.count > 0
+                ? tr("the curve \"%1\" has %2 semilandmarks here, and curveCount is %3; give all of them, or one "
+                     "row without coordinates",
+                     curve.name, rows.size(), curve.count)
+                : tr("the curve \"%1\" has one semilandmark; a curve has 2 at least", curve.name)};
+    if (!isCounted && rows.size() > 1)
+        throw Failure{rows[1].line, tr("the curve \"%1\" has a second row without coordinates; remove it, or give the "
+                                       "coordinates of its semilandmarks",
+                                       curve.name)};
+    if (curve.count == 0)
+        curve.count = std::max(count, std::uint32_t{2});
+    for (const CurveRows::Row &row : rows) {
+        if (row.place)
+            curve.semilandmarks.push_back(*row.place);
+    }
+    return curve;
 }
 
 /// Whether a row of a curve has what is kept of landmarks only.
@@ -248,6 +366,16 @@ std::size_t trimmedTexts(const Header &header, const CsvRow &row)
     return count;
 }
 
+/// Whether a table has all columns that ours always have: there an apostrophe before a formula is no part of a text.
+bool isOurs(const Header &header)
+{
+    for (std::size_t column = Name; column <= Note; ++column) {
+        if (!header.has(Column(column)))
+            return false;
+    }
+    return true;
+}
+
 /// What is not kept of a table as a whole.
 void addTableNotes(Notes &notes, const Table &table)
 {
@@ -271,9 +399,12 @@ ReadLandmarks readCsv(std::string_view text)
     Notes notes;
     addTableNotes(notes, table);
     std::map<std::string, std::size_t, std::less<>> places;
-    std::size_t rowNames = 0;
+    std::map<std::pair<std::size_t, std::string>, std::size_t> curvePlaces; ///< by specimen and name
+    std::vector<CurveRows> curves;
+    std::size_t rowNames = 0, apostrophes = 0;
     for (TableRows rows(table); rows.next();) {
         const CsvRow &row = rows.row();
+        apostrophes += rows.apostropheCount();
         if (const std::size_t count = trimmedTexts(header, row); count > 0)
             notes.add(LandmarkNote::Kind::BlanksLeftOut, count);
         const Cells cells(table, row);
@@ -300,20 +431,27 @@ ReadLandmarks readCsv(std::string_view text)
         if (cells[CurveName].empty()) {
             set.landmarks.push_back(landmarkOf(table, row, notes));
         } else {
-            addToCurve(set, cells);
+            const auto [known, isNewCurve] =
+                curvePlaces.try_emplace({place->second, std::string(cells[CurveName])}, curves.size());
+            if (isNewCurve) {
+                CurveRows &rowsOfCurve = curves.emplace_back();
+                rowsOfCurve.set = place->second;
+                rowsOfCurve.curve.name = cells[CurveName];
+                rowsOfCurve.curve.count = 0;
+            }
+            addToCurve(curves[known->second], cells, header.axes);
             if (saysMore(cells, header, row))
                 notes.add(LandmarkNote::Kind::CurveCellsLeftOut);
         }
     }
+    if (apostrophes > 0 && !isOurs(header))
+        notes.add(LandmarkNote::Kind::ApostrophesLeftOut, apostrophes);
     if (rowNames > 0)
         notes.add(LandmarkNote::Kind::RowNamesLeftOut, rowNames);
     read.notes = notes.take();
-    for (LandmarkSet &set : read.sets) {
-        for (Curve &curve : set.curves) {
-            if (curve.count == 0) // the table has semilandmarks alone
-                curve.count = static_cast<std::uint32_t>(
-                    std::clamp<std::size_t>(curve.semilandmarks.size(), 2, kMostSemilandmarks));
-        }
+    for (CurveRows &rowsOfCurve : curves) {
+        LandmarkSet &set = read.sets[rowsOfCurve.set];
+        set.curves.push_back(curveOf(std::move(rowsOfCurve)));
     }
     if (read.sets.empty())
         read.sets.emplace_back();

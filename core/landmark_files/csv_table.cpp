@@ -22,12 +22,17 @@ constexpr std::array<Column, 10> kNumberColumns{X, Y, Z, U, V, W, Dx, Dy, Dz, Ed
 }
 
 /// Those that keep spreadsheets from taking texts for formulas.
-void takeApostrophesOff(CsvRow &row)
+/// @return how many
+std::size_t takeApostrophesOff(CsvRow &row)
 {
+    std::size_t count = 0;
     for (text::CsvCell &cell : row.cells) {
-        if (text::isQuotedFormula(cell.text))
-            cell.text.erase(0, 1);
+        if (!text::isQuotedFormula(cell.text))
+            continue;
+        cell.text.erase(0, 1);
+        ++count;
     }
+    return count;
 }
 
 std::string nameOfCell(const text::CsvCell &cell)
@@ -183,7 +188,7 @@ void readHeader(Table &table, std::optional<char> separator)
             first = reader.row();
         takeSlashesOff(reader.row());
         if (isHeader(reader.row())) {
-            takeApostrophesOff(reader.row());
+            static_cast<void>(takeApostrophesOff(reader.row()));
             table.separator = candidate;
             table.header = headerOf(reader.row());
             return;
@@ -307,7 +312,7 @@ bool TableRows::next()
     CsvRow &row = m_reader.row();
     const std::size_t count = m_table.header.count;
     row.trimPadding(count);
-    takeApostrophesOff(row);
+    m_apostrophes = takeApostrophesOff(row);
     if (row.cells.size() > count)
         throw Failure{row.line,
                       tr("this row has %1 cells, and the first line names %2 columns; put a cell that has the "

@@ -47,11 +47,13 @@ public:
     /// @return false behind the last row. Throws Failure.
     bool next();
     const text::CsvRow &row() const { return m_reader.row(); }
+    /// How many cells of the row had an apostrophe before a formula, which is taken off.
+    std::size_t apostropheCount() const { return m_apostrophes; }
 
 private:
     const Table &m_table;
     text::CsvReader m_reader;
-    std::size_t m_read = 0;
+    std::size_t m_read = 0, m_apostrophes = 0;
 };
 
 } // namespace unprojector::landmark_files::csv

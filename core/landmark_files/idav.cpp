@@ -2,10 +2,10 @@
 
 #include "core/landmark_files/lines.h"
 #include "core/mesh_import/text_scanner.h"
+#include "core/text/number_text.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace unprojector::landmark_files {
 using text::marked;
@@ -13,6 +13,46 @@ using text::tr;
 namespace {
 
 constexpr double kMissing = 9999.0;
+
+bool isVersion(std::string_view line)
+{
+    const std::vector<std::string_view> words = wordsOf(line);
+    return words.size() == 2 && lowerCase(words[0]) == "version" && mesh_import::doubleFromWord(words[1]) == 1.0;
+}
+
+/// Whether a word stands for no number. Our own writer gives a coordinate that really is 9999 an exponent.
+bool isMissing(std::string_view word)
+{
+    return isMissingWord(word)
+           || (mesh_import::doubleFromWord(word) == kMissing && word.find_first_of("eE") == word.npos);
+}
+
+/// Of a row "name x y z". Throws Failure.
+Landmark landmarkOf(std::string_view row, std::size_t line)
+{
+    const std::vector<std::string_view> words = wordsOf(row);
+    if (words.size() < 4)
+        throw Failure{line, tr("%1 is no point; write its name, x, y and z", mesh_import::quoted(row))};
+    // A name with blanks in it is one all the same: the coordinates are the last three.
+    const std::string_view lastOfName = words[words.size() - 4];
+    if (words.size() > 4 && mesh_import::doubleFromWord(lastOfName))
+        throw Failure{line,
+                      tr("%1 has more than three numbers behind its name; write name, x, y and z, and _ for a blank "
+                         "in a name that ends in a number",
+                         mesh_import::quoted(row))};
+    Landmark landmark;
+    landmark.name = row.substr(0, static_cast<std::size_t>(lastOfName.data() + lastOfName.size() - row.data()));
+    const auto missing = std::count_if(words.end() - 3, words.end(), isMissing);
+    if (missing > 0 && missing < 3)
+        throw Failure{line, tr("some coordinates of a point are missing and some are not; a point is missing as "
+                               "a whole")};
+    glm::dvec3 v(0.0);
+    for (int i = 0; i < 3 && missing == 0; ++i)
+        v[i] = numberOf(words[words.size() - 3 + std::size_t(i)], line, i == 0 ? "x" : i == 1 ? "y" : "z");
+    if (missing == 0)
+        landmark.world = WorldPoint(v);
+    return landmark;
+}
 
 } // namespace
 
@@ -31,6 +71,11 @@ ReadLandmarks readIdav(std::string_view text)
                          "do; a point cloud of a scanner is not read: save it as .ply, and open that as a "
                          "model",
                          mesh_import::quoted(lines.text()))};
+    if (!isVersion(lines.text()))
+        throw Failure{lines.number(),
+                      tr("this .pts begins with %1, and only \"Version 1.0\" is known; write that there if "
+                         "its rows are name, x, y and z",
+                         mesh_import::quoted(lines.text()))};
     if (!lines.nextFilled())
         throw Failure{lines.number(), tr("the number of points is missing; it stands behind \"Version 1.0\"")};
     const std::size_t countLine = lines.number();
@@ -42,25 +87,7 @@ ReadLandmarks readIdav(std::string_view text)
             throw Failure{
                 lines.number(),
                 tr("line %1 says %2 points, and here is one more; write the right number there", countLine, count)};
-        const std::vector<std::string_view> words = wordsOf(lines.text());
-        if (words.size() < 4)
-            throw Failure{lines.number(),
-                          tr("%1 is no point; write its name, x, y and z", mesh_import::quoted(lines.text()))};
-        Landmark landmark;
-        // A name with blanks in it is one all the same: the coordinates are the last three.
-        const std::string_view lastOfName = words[words.size() - 4];
-        landmark.name = lines.text().substr(
-            0, static_cast<std::size_t>(lastOfName.data() + lastOfName.size() - lines.text().data()));
-        glm::dvec3 v(kMissing);
-        const bool isMissing = std::all_of(words.end() - 3, words.end(), isMissingWord);
-        for (int i = 0; i < 3 && !isMissing; ++i)
-            v[i] = numberOf(words[words.size() - 3 + std::size_t(i)], lines.number(),
-                            i == 0   ? "x"
-                            : i == 1 ? "y"
-                                     : "z");
-        if (v != glm::dvec3(kMissing))
-            landmark.world = WorldPoint(v);
-        set.landmarks.push_back(std::move(landmark));
+        set.landmarks.push_back(landmarkOf(lines.text(), lines.number()));
     }
     if (set.landmarks.size() < count)
         throw Failure{lines.number(),
@@ -80,7 +107,13 @@ std::string idavText(const LandmarkSet &set, Notes &notes)
         const glm::dvec3 v = landmark.world ? landmark.world->coordinates() : glm::dvec3(kMissing);
         if (landmark.world && (v.x == kMissing || v.y == kMissing || v.z == kMissing))
             notes.add(LandmarkNote::Kind::LooksMissing, 1, landmark.name);
-        appendNumbers(text, v, ' ');
+        for (int axis = 0; axis < 3; ++axis) {
+            text += ' ';
+            if (landmark.world && v[axis] == kMissing)
+                text += "9.999e3"; // "9999" would be missing
+            else
+                text::appendNumber(text, v[axis]);
+        }
         text += '\n';
     }
     return text + '\n'; // one reader drops the last line

@@ -89,6 +89,7 @@ struct LandmarkNote {
         DecimalCommas,      ///< the table's numbers have a decimal comma
         EmptyRowsLeftOut,   ///< count: rows of a table behind its last point that have nothing but separators
         RowNamesLeftOut,    ///< count: row names of R that are no numbers, beside a column of names
+        ApostrophesLeftOut, ///< count: texts of a table of others that have one before what looks like a formula
         NegativeIsMissing,  ///< count: points whose coordinates are all -1, as tpsDig writes missing ones
         LinksLeftOut,       ///< count: pairs of points that a file joins by lines
     };

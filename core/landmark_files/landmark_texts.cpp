@@ -138,6 +138,10 @@ std::string noteText(const LandmarkNote &note)
     case Kind::RowNamesLeftOut:
         return said(marked("%1 row name beside the names of the points is left out"),
                     marked("%1 row names beside the names of the points are left out"));
+    case Kind::ApostrophesLeftOut:
+        return said(
+            marked("the apostrophe before %1 text is left out; it keeps spreadsheets from computing what follows"),
+            marked("the apostrophes before %1 texts are left out; they keep spreadsheets from computing what follows"));
     case Kind::NegativeIsMissing:
         return said(marked("%1 point has only coordinates of -1, as tpsDig writes a missing point; it is missing here"),
                     marked("%1 points have only coordinates of -1, as tpsDig writes missing points; they are missing "

@@ -2,11 +2,13 @@
 
 #include "core/landmark_files/lines.h"
 #include "core/mesh_import/text_scanner.h"
+#include "core/text/number_text.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 
 namespace unprojector::landmark_files {
 using text::marked;
@@ -215,13 +217,13 @@ ReadLandmarks readNts(std::string_view text)
 
 std::string ntsText(std::span<const LandmarkSet> sets, Notes &notes)
 {
-    constexpr double kMissing = 9999.0;
     addLosses(notes, sets, {.specimenName = true});
     if (sets.empty() || sets.front().landmarks.empty())
         throw Failure{0, tr(".nts is a table, and there are no points; place some first"),
                       LandmarkFileError::Code::CannotHold};
     const std::size_t points = sets.front().landmarks.size();
     bool hasMissing = false;
+    std::set<double> coordinates;
     for (const LandmarkSet &set : sets) {
         if (set.landmarks.size() != points)
             throw Failure{0,
@@ -229,21 +231,27 @@ std::string ntsText(std::span<const LandmarkSet> sets, Notes &notes)
                              "%4; take .tps, or leave one of them out",
                              set.name, set.landmarks.size(), sets.front().name, points),
                           LandmarkFileError::Code::CannotHold};
-        for (const Landmark &landmark : set.landmarks)
+        for (const Landmark &landmark : set.landmarks) {
             hasMissing = hasMissing || landmark.isMissing();
+            for (int axis = 0; axis < 3 && landmark.world; ++axis)
+                coordinates.insert((*landmark.world)[axis]);
+        }
     }
+    double missing = 9999.0; // which stands for it in most files
+    while (hasMissing && coordinates.contains(missing))
+        missing += 10000.0;
     std::string text = "1 " + std::to_string(sets.size()) + "L " + std::to_string(3 * points);
-    text += hasMissing ? " 1 9999 DIM=3\n" : " 0 DIM=3\n";
+    text += hasMissing ? " 1 " : " 0";
+    if (hasMissing)
+        text::appendNumber(text, missing);
+    text += " DIM=3\n";
     PlainNames names(" \"'", true, notes);
     for (std::size_t i = 0; i < sets.size(); ++i)
         text += names.of(sets[i].name, std::to_string(i + 1)) + '\n';
     for (const LandmarkSet &set : sets) {
         std::string row;
         for (const Landmark &landmark : set.landmarks) {
-            const glm::dvec3 v = landmark.world ? landmark.world->coordinates() : glm::dvec3(kMissing);
-            if (hasMissing && landmark.world && (v.x == kMissing || v.y == kMissing || v.z == kMissing))
-                notes.add(LandmarkNote::Kind::LooksMissing, 1, landmark.name);
-            appendNumbers(row, v, ' ');
+            appendNumbers(row, landmark.world ? landmark.world->coordinates() : glm::dvec3(missing), ' ');
         }
         text += row.substr(1) + '\n';
     }

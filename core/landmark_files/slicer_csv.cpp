@@ -52,6 +52,25 @@ std::optional<std::string_view> valueOf(std::string_view comment, std::string_vi
     return trimmed(value.substr(0, value.find_last_not_of(",; \t\r") + 1));
 }
 
+constexpr std::string_view kColumns = "id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID",
+                           kOldColumns = "label,x,y,z,sel,vis";
+
+/// How many columns a comment names: the first of those that are known, in their order. A spreadsheet separates them
+/// otherwise. Throws Failure.
+std::size_t columnCount(std::string_view names, bool hasVersion, std::size_t line)
+{
+    std::string list = lowerCase(names);
+    list.erase(std::remove_if(list.begin(), list.end(), [](char c) { return c == ' ' || c == '"'; }), list.end());
+    std::replace_if(
+        list.begin(), list.end(), [](char c) { return c == ';' || c == '\t'; }, ',');
+    const auto begins = [&list](std::string_view columns) {
+        return (lowerCase(columns) + ',').starts_with(list + ',');
+    };
+    if (!begins(kColumns) && (hasVersion || !begins(kOldColumns)))
+        throw Failure{line, tr("the columns are %1; put them in the order %2", mesh_import::quoted(names), kColumns)};
+    return static_cast<std::size_t>(std::count(list.begin(), list.end(), ',')) + 1;
+}
+
 Axes axesOf(std::string_view word, std::size_t line)
 {
     if (word == "LPS" || word == "1")
@@ -177,6 +196,12 @@ Dialect dialectOf(std::string_view text)
     return dialect;
 }
 
+/// Whether a row ends where the text does, without a line end.
+bool isLastLine(std::string_view row, std::string_view text)
+{
+    return row.data() + row.size() == text.data() + text.size();
+}
+
 } // namespace
 
 ReadLandmarks readSlicerCsv(std::string_view text)
@@ -186,21 +211,34 @@ ReadLandmarks readSlicerCsv(std::string_view text)
     LandmarkSet &set = read.sets.emplace_back();
     set.axes = Axes::Ras; // of files that do not say
     bool hasVersion = false;
+    std::optional<Axes> said;
+    std::size_t fewest = 0; ///< cells of a row so far, or of the columns' names
     const Dialect dialect = dialectOf(text);
     text::CsvReader rows(text, dialect.separator);
     while (rows.next()) {
         text::CsvRow &row = rows.row();
         if (const auto comment = commentOf(row)) {
-            if (const auto system = valueOf(*comment, "CoordinateSystem"))
-                set.axes = axesOf(*system, row.line);
-            else if (valueOf(*comment, "Markups fiducial file version"))
+            if (const auto system = valueOf(*comment, "CoordinateSystem")) {
+                const Axes axes = axesOf(*system, row.line);
+                if ((said || !set.landmarks.empty()) && axes != set.axes)
+                    throw Failure{row.line, tr("the coordinate system is %1 here and another one before; keep one such "
+                                               "line, before the points",
+                                               mesh_import::quoted(*system))};
+                said = set.axes = axes;
+            } else if (valueOf(*comment, "Markups fiducial file version"))
                 hasVersion = true;
-            else if (!valueOf(*comment, "columns"))
+            else if (const auto columns = valueOf(*comment, "columns"))
+                fewest = columnCount(*columns, hasVersion, row.line);
+            else
                 notes.add(LandmarkNote::Kind::CommentsLeftOut);
             continue;
         }
         if (row.isPadding())
             continue;
+        if (row.cells.size() < fewest && isLastLine(row.source, text))
+            throw Failure{row.line, tr("the file ends within this row, which has %1 of %2 cells; is it cut off?",
+                                       row.cells.size(), fewest)};
+        fewest = set.landmarks.empty() ? row.cells.size() : std::min(fewest, row.cells.size());
         const std::size_t most = hasVersion ? kFieldCount : kOldFieldCount;
         row.trimPadding(most);
         if (row.cells.size() < 4 || row.cells.size() > most)
@@ -247,6 +285,11 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
     text += set.axes == Axes::Ras ? "RAS" : "LPS";
     text += "\n# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n";
     PlainNames names("#", false, notes); // readers count the lines that hold one
+    // Rows of one length: one that is shorter is cut off.
+    const bool hasStatus = std::any_of(set.landmarks.begin(), set.landmarks.end(), [](const Landmark &landmark) {
+        const Json &extra = landmark.extra.json();
+        return landmark.isMissing() || (extra.is_object() && extra.contains("autoCreated"));
+    });
     Notes unused;
     PlainNames plain("#", false, unused);
     for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
@@ -273,13 +316,10 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
             notes.add(LandmarkNote::Kind::NoteChanged, 1, landmark.name);
         text += ',';
         appendCell(text, extra("associatedNodeID", ""));
-        const std::string autoCreated = extra("autoCreated", "0");
-        if (landmark.isMissing()) {
-            text += ",0," + autoCreated;
+        if (hasStatus)
+            text += (landmark.isMissing() ? ",0," : ",2,") + extra("autoCreated", "0");
+        if (landmark.isMissing())
             notes.add(LandmarkNote::Kind::MissingAtOrigin);
-        } else if (autoCreated != "0") {
-            text += ",2," + autoCreated;
-        }
         text += '\n';
     }
     return text;

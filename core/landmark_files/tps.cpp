@@ -133,6 +133,8 @@ ReadLandmarks readTps(std::string_view text)
             set.mesh = value;
         } else if (key == "SCALE") {
             const double scale = numberOf(value, lines.number(), "SCALE");
+            if (!(scale > 0.0))
+                throw Failure{lines.number(), tr("SCALE is %1; it must be greater than 0", value)};
             // By name: Clang 14 does not let a structured binding be captured otherwise.
             const auto enlarge = [&lines, scale, given = value](WorldPoint &point) {
                 point = WorldPoint(point.coordinates() * scale);

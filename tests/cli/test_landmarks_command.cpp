@@ -105,7 +105,7 @@ void TestLandmarksCommand::curvesAreLedOnTheMesh()
     const auto led = [&](const QByteArray &row) {
         return runCommand({"landmarks", "--from", "csv", "--to", "csv", "--mesh", mesh, "-", "-"}, points + row);
     };
-    const Run run = led(",7,7,7,rim,\"[\"\"A\"\",\"\"B\"\"]\",geodesic,3\n");
+    const Run run = led(",,,,rim,\"[\"\"A\"\",\"\"B\"\"]\",geodesic,3\n");
     QCOMPARE(run.exitCode, 0);
     QList<QList<double>> places;
     for (const QByteArray &line : run.lines()) {
@@ -114,7 +114,7 @@ void TestLandmarksCommand::curvesAreLedOnTheMesh()
             places << QList<double>{cells[1].toDouble(), cells[2].toDouble(), cells[3].toDouble()};
     }
     QCOMPARE(places, QList<QList<double>>({{1, 1, 0}, {0, 1, 0}, {0, 1, 1}}));
-    const Run unknown = led(",7,7,7,rim,\"[\"\"A\"\",\"\"Z\"\"]\",geodesic,3\n");
+    const Run unknown = led(",7,7,7,rim,\"[\"\"A\"\",\"\"Z\"\"]\",geodesic,2\n,7,7,7,rim,,,\n");
     QVERIFY2(unknown.errors.contains("the curve \"rim\" has no semilandmarks: not all of its points are there"),
              unknown.errors);
     QVERIFY(!unknown.output.contains("7,7,7"));

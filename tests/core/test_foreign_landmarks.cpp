@@ -91,8 +91,8 @@ void TestForeignLandmarks::filesOfOtherPrograms_data()
     QTest::newRow("IDAV: missing, tabs, no blank line at the end")
         << Format::Idav << QByteArray("Version 1.0\n3\nS000 1 2 3\nS001\t9999\t9999\t9999\nleft eye 4 5 6")
         << head + "\nS000,1,2,3" + empty + "S001,,,,,,,,,\nleft eye,4,5,6" + empty << QStringList();
-    QTest::newRow("IDAV: names that look like numbers, one coordinate of 9999")
-        << Format::Idav << QByteArray("Version 1.0\n2\n0x1F 9999 2 3\n12 -1 1e5 +3\n\n")
+    QTest::newRow("IDAV: names that look like numbers, a coordinate that really is 9999")
+        << Format::Idav << QByteArray("Version 1.0\n2\n0x1F 9.999e3 2 3\n12 -1 1e5 +3\n\n")
         << head + "\n0x1F,9999,2,3" + empty + "12,-1,1e+05,3" + empty << QStringList();
     QTest::newRow("TPS: small letters, SCALE, IMAGE, curves")
         << Format::Tps
@@ -149,7 +149,8 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
     add("csv: half a point", Format::Csv, "name,x,y,z\na,1,,3\n",
         "f:2: y is empty and its neighbours are not; give all three, or none");
     add("csv: too many cells", Format::Csv, "name,x,y,z\na,b,1,2,3\n",
-        "f:2: this row has 5 cells, and the first line names 4 columns; put a cell that has the separator in it in quotes");
+        "f:2: this row has 5 cells, and the first line names 4 columns; put a cell that has the separator in it in "
+        "quotes");
     add("csv: an open quote", Format::Csv, "name,x,y,z\na,1,2,3\n\"b,1,2,3\n",
         "f:3: a quote is opened here and never closed; close it, or double it within quotes");
     add("csv: not finite", Format::Csv, "name,x,y,z\n\na,nan,2,3\n",
@@ -170,6 +171,12 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
         "f:2: the cell \"5\" stands in a column without a name; give it one in the first line");
     add("tps: SCALE twice", Format::Tps, "LM3=1\n1 2 3\nSCALE=2\nscale=2\n",
         "f:4: SCALE stands here for the second time in a specimen; remove one of them");
+    add("csv: no barycentric coordinates", Format::Csv, "x,y,z,face,u,v,w\n1,2,3,7,0.25,0.25,1\n",
+        "f:2: the sum of u, v and w is 1.5; it must be 1");
+    add("tps: SCALE of 0", Format::Tps, "LM3=1\n1 2 3\nSCALE=0\n", "f:3: SCALE is 0; it must be greater than 0");
+    add("tps: SCALE that is 0 in double precision", Format::Tps, "LM3=1\n1 2 3\nSCALE=1e-400\n", "f:3: SCALE is ");
+    add("tps: SCALE that mirrors", Format::Tps, "LM3=1\n1 2 3\nSCALE=-2\n",
+        "f:3: SCALE is -2; it must be greater than 0");
     add("csv: UTF-16", Format::Csv, QByteArray("\xff\xfen\0a\0", 6), "f: this is no text in UTF-8; save it as UTF-8");
     add("csv: Latin-1", Format::Csv, "name,x,y,z\na,1,2,3\n\xe9t\xe9,1,2,3\n",
         "f:3: this is not UTF-8; save the file as UTF-8");
@@ -200,6 +207,30 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
         "f:3: \"0,1,2,3,0,0,0,1,1,1,0,F-1, left,,,2,0\" is no point; write id,x,y,z");
     add("fcsv: other axes", Format::SlicerCsv, "# Markups fiducial file version = 5.8\n# CoordinateSystem = IJK\n",
         "f:2: the coordinate system is \"IJK\"; it must be LPS or RAS (1 or 0)");
+    const QByteArray fiducials = "# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n";
+    add("fcsv: another order", Format::SlicerCsv, fiducials + "# columns = id,y,x,z\n0,1,2,3,0,0,0,1,1,1,0,a,,\n",
+        "f:3: the columns are \"id,y,x,z\"; put them in the order id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,"
+        "associatedNodeID");
+    add("fcsv: two axes", Format::SlicerCsv, fiducials + "# CoordinateSystem = RAS\n0,1,2,3,0,0,0,1,1,1,0,a,,\n",
+        "f:3: the coordinate system is \"RAS\" here and another one before; keep one such line, before the points");
+    add("fcsv: axes behind points", Format::SlicerCsv,
+        "# Markups fiducial file version = 5.8\n0,1,2,3,0,0,0,1,1,1,0,a,,\n# CoordinateSystem = 1\n",
+        "f:3: the coordinate system is \"1\" here and another one before");
+    add("fcsv: cut off", Format::SlicerCsv, fiducials + "0,1,2,3,0,0,0,1,1,1,0,a,,,2,0\n1,1,2,3,0,0,0,1,1,1,0,b,,",
+        "f:4: the file ends within this row, which has 14 of 16 cells; is it cut off?");
+    add("fcsv: cut off in the only row", Format::SlicerCsv,
+        fiducials + "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n0,1,2,3,0,0",
+        "f:4: the file ends within this row, which has 6 of 14 cells; is it cut off?");
+    add("pts: another version", Format::Idav, "Version 2.0\n1\na 1 2 3\n",
+        "f:1: this .pts begins with \"Version 2.0\", and only \"Version 1.0\" is known; write that there if its rows "
+        "are "
+        "name, x, y and z");
+    add("pts: four numbers", Format::Idav, "Version 1.0\n1\nb 4 5 6 7\n",
+        "f:3: \"b 4 5 6 7\" has more than three numbers behind its name; write name, x, y and z, and _ for a blank in "
+        "a "
+        "name that ends in a number");
+    add("pts: half a point", Format::Idav, "Version 1.0\n1\na 9999 5 9999\n",
+        "f:3: some coordinates of a point are missing and some are not; a point is missing as a whole");
     add("pts: dlib", Format::Idav, "version: 1\nn_points: 68\n{\n1 2\n}\n",
         "f:1: this is a .pts of dlib, points in a picture; only those of IDAV Landmark, which begin with \"Version "
         "1.0\", are points in space");

@@ -84,7 +84,7 @@ LandmarkSet setFor(Format format)
             landmark.object = i % 2 == 0 ? "skull, left" : "";
             landmark.note += i % 4 == 0 ? "line\nbreak\r\n" : "";
             if (i % 4 == 1)
-                landmark.hold = OnTriangle{0xffffffffu - std::uint32_t(i), anyPlace(engine)};
+                landmark.hold = OnTriangle{0xffffffffu - std::uint32_t(i), {0.001 * i, 0.5 - 0.001 * i, 0.5}};
             else if (i % 4 == 2)
                 landmark.hold = AtVertex{std::uint32_t(i)};
             else if (i % 4 == 3)
@@ -288,8 +288,7 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
                                         unit,
                                         keys,
                                         more,
-                                        "the name \"skull 7\" as \"skull_7\"",
-                                        "\"N\" has a coordinate of 9999, which readers take for a missing point"};
+                                        "the name \"skull 7\" as \"skull_7\""};
 }
 
 void TestLandmarkFiles::whatHasNoPlaceIsSaid()
@@ -331,11 +330,45 @@ void TestLandmarkFiles::manySpecimens()
     QVERIFY(parseLandmarks(csv, Format::Csv, "f").value().sets == sets);
     QCOMPARE(wideTable(sets).text, std::string("specimen,N_x,N_y,N_z,P_x,P_y,P_z,P (2)_x,P (2)_y,P (2)_z\n"
                                                "a,1,2,3,4,5,6,,,\nb,,,,7,8,9.5,,,\n"));
+    // Names that are taken, in whatever specimen.
+    b.landmarks[1].name.clear();
+    b.landmarks[1].world = WorldPoint(1, 1, 1);
+    for (const char *name : {"P", "P", "P (2)", "2"}) {
+        b.landmarks.push_back(b.landmarks[0]);
+        b.landmarks.back().name = name;
+    }
+    QCOMPARE(
+        wideTable(std::vector{a, b}).text,
+        std::string("specimen,N_x,N_y,N_z,P_x,P_y,P_z,2 (2)_x,2 (2)_y,2 (2)_z,P (3)_x,P (3)_y,P (3)_z,P (4)_x,P (4)_y,"
+                    "P (4)_z,P (2)_x,P (2)_y,P (2)_z,2_x,2_y,2_z\n"
+                    "a,1,2,3,4,5,6,,,,,,,,,,,,,,,\n"
+                    "b,,,,7,8,9.5,1,1,1,7,8,9.5,7,8,9.5,7,8,9.5,7,8,9.5\n"));
     QCOMPARE(written(sets, Format::Tps),
              std::string("LM3=2\n1 2 3\n4 5 6\nID=a\n\nLM3=2\n7 8 9.5\nNA NA NA\nID=b\n\n"));
     QCOMPARE(written(sets, Format::Nts),
              std::string("1 2L 6 1 9999 DIM=3\na\nb\n1 2 3 4 5 6\n7 8 9.5 9999 9999 9999\n"));
     QCOMPARE(written({sets.data(), 1}, Format::Nts), std::string("1 1L 6 0 DIM=3\na\n1 2 3 4 5 6\n"));
+    const auto reread = [](const std::vector<LandmarkSet> &those, Format format) {
+        std::vector<std::optional<WorldPoint>> places;
+        const auto read = parseLandmarks(written(those, format), format, "f");
+        for (const LandmarkSet &set : read ? read->sets : std::vector<LandmarkSet>()) {
+            for (const Landmark &landmark : set.landmarks)
+                places.push_back(landmark.world);
+        }
+        return places;
+    };
+    // A real coordinate that is the usual word for a missing one.
+    std::vector<LandmarkSet> full = sets;
+    full[0].landmarks[0].world = WorldPoint(9999, 19999, 9999);
+    const std::vector<std::optional<WorldPoint>> all{WorldPoint(9999, 19999, 9999), WorldPoint(4, 5, 6),
+                                                     WorldPoint(7, 8, 9.5), std::nullopt};
+    QVERIFY(written(full, Format::Nts).starts_with("1 2L 6 1 29999 DIM=3\n"));
+    QVERIFY(reread(full, Format::Nts) == all);
+    full.pop_back();
+    full[0].landmarks[0].world = WorldPoint(9999, 9999, 9999);
+    QCOMPARE(written(full, Format::Idav), std::string("Version 1.0\n2\nN 9.999e3 9.999e3 9.999e3\nP 4 5 6\n\n"));
+    QVERIFY(reread(full, Format::Idav)
+            == (std::vector<std::optional<WorldPoint>>{WorldPoint(9999, 9999, 9999), WorldPoint(4, 5, 6)}));
     QCOMPARE(parseLandmarks(written(sets, Format::SlicerJson), Format::SlicerJson, "f").value().sets.size(),
              std::size_t(2));
 }
@@ -486,6 +519,17 @@ void TestLandmarkFiles::curvesComeBackFromTheFormatsThatHoldThem()
     QCOMPARE(textsOf(more->notes),
              QStringList("2 rows of curves say more than where a semilandmark is, which is left out"));
 
+    // Semilandmarks stand where their numbers say; those that nobody has worked out are none.
+    const auto sorted = parseLandmarks("name,x,y,z,curve,curveCount\nc:2,4,5,6,c,2\nc:01,1,2,3,c,\n"
+                                       "e:1,,,,e,2\ne:2,,,,e,\nf,7,7,7,f,\nf,8,8,8,f,\n",
+                                       Format::Csv, "x.csv");
+    QVERIFY2(sorted, sorted ? "" : errorText(sorted.error()).c_str());
+    const std::vector<Curve> &curves = sorted->sets.front().curves;
+    QCOMPARE(curves.size(), std::size_t(3));
+    QVERIFY(curves[0].semilandmarks == (std::vector{WorldPoint(1, 2, 3), WorldPoint(4, 5, 6)}));
+    QVERIFY(curves[1].semilandmarks.empty() && curves[1].count == 2);
+    QVERIFY(curves[2].semilandmarks == (std::vector{WorldPoint(7, 7, 7), WorldPoint(8, 8, 8)}));
+
     const auto tps = landmarksText({&set, 1}, Format::Tps);
     const auto back = parseLandmarks(tps->text, Format::Tps, "x.tps");
     QVERIFY(back);
@@ -527,6 +571,34 @@ void TestLandmarkFiles::badCurvesAreRefused_data()
                               << "x:2: curveKind is \"bent\"; write geodesic or planeSection";
     QTest::newRow("csv-count") << int(Format::Csv) << QByteArray("x,y,z,curve,curveCount\n1,2,3,c,1\n")
                                << "x:2: curveCount is 1; write 2 to 1000";
+    const auto row = [](const char *name, const QByteArray &rows, const char *message) {
+        QTest::newRow(name) << int(Format::Csv) << "name,x,y,z,curve,curvePoints,curveKind,curveCount\n" + rows
+                            << QString(message);
+    };
+    row("csv-hole", "c:01,1,2,3,c,,,\nc:02,,,,c,,,\nc:03,1,2,3,c,,,\n",
+        "x:3: this semilandmark has no coordinates, and others of the curve \"c\" have; give all of them, or none");
+    row("csv-gap", "c:03,1,2,3,c,,,\nc:01,1,2,3,c,,,\n",
+        "x:2: the curve \"c\" has this row and no \"c:02\"; give each of its semilandmarks a row");
+    row("csv-twice", "c:01,1,2,3,c,,,\nc:02,1,2,3,c,,,\nc:1,1,2,3,c,,,\n",
+        "x:4: the semilandmark \"c:01\" stands in line 2 already; remove one of them");
+    const char *const other =
+        "x:3: \"%1\" is no semilandmark of the curve \"c\"; their names are \"c:01\", \"c:02\" and so on";
+    for (const char *name : {"foo", "c:", "c:00", "c:1x", "c:-1", "d:02", "c:99999999999999999999"})
+        row(qPrintable(QString("csv-name ") + name), QByteArray("c:01,1,2,3,c,,,\n") + name + ",1,2,3,c,,,\n",
+            qPrintable(QString(other).arg(name)));
+    row("csv-some-names", "c:01,1,2,3,c,,,\nc,1,2,3,c,,,\n",
+        "x:3: the curve \"c\" has rows with a number in their names and rows without; name them \"c:01\", \"c:02\" and "
+        "so on");
+    row("csv-fewer", "c:01,1,2,3,c,,,5\n",
+        "x:2: the curve \"c\" has 1 semilandmarks here, and curveCount is 5; give all of them, or one row without "
+        "coordinates");
+    row("csv-one", "c:01,1,2,3,c,,,\n", "x:2: the curve \"c\" has one semilandmark; a curve has 2 at least");
+    row("csv-nothing-twice", "c,,,,c,,,\nc,,,,c,,,\n", "x:3: the curve \"c\" has a second row without coordinates");
+    const QByteArray first = "c:01,1,2,3,c,\"[\"\"A\"\",\"\"B\"\"]\",geodesic,2\n";
+    row("csv-other-points", first + "c:02,1,2,3,c,\"[\"\"B\"\",\"\"A\"\"]\",,\n",
+        "x:3: curvePoints of the curve \"c\" is not that of the rows before; give it once, or the same in each row");
+    row("csv-other-kind", first + "c:02,1,2,3,c,,planeSection,\n", "x:3: curveKind of the curve \"c\" is not that of");
+    row("csv-other-count", first + "c:02,1,2,3,c,,,3\n", "x:3: curveCount of the curve \"c\" is not that of");
     QTest::newRow("tps-missing")
         << int(Format::Tps) << QByteArray("LM3=0\nCURVES=1\nPOINTS=2\n1 2 3\nNA NA NA\n")
         << "x:5: a point of a curve is NA NA NA, which stands for a missing one; a curve has all its points";
@@ -544,7 +616,7 @@ void TestLandmarkFiles::badCurvesAreRefused()
     QFETCH(QString, message);
     const auto read = parseLandmarks(text.toStdString(), Format(format), "x");
     QVERIFY(!read);
-    QCOMPARE(QString::fromStdString(errorText(read.error())), message);
+    QCOMPARE(QString::fromStdString(errorText(read.error())).left(message.size()), message);
 }
 
 void TestLandmarkFiles::largeFilesAreReadOrNotWritten_data()

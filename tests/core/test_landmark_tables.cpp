@@ -85,6 +85,8 @@ void TestLandmarkTables::tables_data()
     csv("padding of the rows alone", "name,x,y,z\na,1.5,2,-3,,\nb,4,5,6,,\n", two);
     csv("an empty row among others is a missing point", "name,x,y,z\na,1.5,2,-3\n,,,\nb,4,5,6\n",
         {"a 1.5 2 -3 |  missing | b 4 5 6"});
+    csv("apostrophes of a table of others", "name,x,y,z\n'=1,1.5,2,-3\nb,4,5,6\n", {"=1 1.5 2 -3 | b 4 5 6"},
+        {"the apostrophe before 1 text is left out; it keeps spreadsheets from computing what follows"});
     csv("lone CR as line ends", "name,x,y,z\ra,1.5,2,-3\rb,4,5,6\r", two);
     csv("a CR inside a row", "name,x,y,z\na,1.5,\r2,-3\nb,4,5,6\r\n", two);
     csv("other words for a name", "Landmark,x,y,z\na,1.5,2,-3\nb,4,5,6\n", two);
