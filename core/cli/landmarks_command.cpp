@@ -19,7 +19,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <set>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -322,32 +321,6 @@ std::vector<RepeatedSpecimen> specimensOf(const std::vector<std::vector<Landmark
     return specimens;
 }
 
-/// Whether each specimen was placed in one unit: a mean of others would be of none. What is not known is said on stderr.
-bool haveOneUnit(const std::vector<RepeatedSpecimen> &specimens)
-{
-    std::set<std::string> said;
-    for (const RepeatedSpecimen &specimen : specimens) {
-        const auto unitOf = [&specimen](std::size_t i) { return specimen.placings[i].unit; };
-        std::optional<std::size_t> with, without;
-        for (std::size_t i = 0; i < specimen.placings.size(); ++i) {
-            std::optional<std::size_t> &first = unitOf(i).empty() ? without : with;
-            first = first.value_or(i);
-            if (!unitOf(i).empty() && unitOf(i) != unitOf(*with)) {
-                complain(tr("%1 is in %2 and %3 in %4; write both in the same unit, and compare them then",
-                            specimen.files[*with], unitOf(*with), specimen.files[i], unitOf(i)));
-                return false;
-            }
-        }
-        if (!with || !without)
-            continue;
-        const std::string line = tr("%1 is in %2, and %3 does not say its unit; it is taken for the same",
-                                    specimen.files[*with], unitOf(*with), specimen.files[*without]);
-        if (said.insert(line).second)
-            complain(line);
-    }
-    return true;
-}
-
 /// A file that is compared with itself has no scatter.
 void tellSameFiles(const std::vector<std::string> &files)
 {
@@ -376,13 +349,11 @@ ExitCode makeRepeats(const LandmarksOptions &options)
     }
     tellSameFiles(options.repeats);
     const std::vector<RepeatedSpecimen> specimens = specimensOf(files, options.repeats);
-    if (!haveOneUnit(specimens))
-        return ExitCode::UnusableInput;
     for (const RepeatedSpecimen &specimen : specimens) {
         if (specimen.placings.size() < 2)
             complain(tr("the specimen \"%1\" is in one file only: there is nothing to compare it with", specimen.name));
     }
-    return write(options.output, WrittenLandmarks{repeatsTable(specimens, textsOf(options)), {}}, options.repeats);
+    return write(options.output, repeatsTable(specimens, textsOf(options)), options.repeats);
 }
 
 } // namespace

@@ -75,6 +75,7 @@ struct LandmarkNote {
         MissingAtOrigin,      ///< count: older readers take them to be at 0, 0, 0
         CurvesAsPoints,       ///< count: semilandmarks
         CurvesUnnamed,        ///< count: curves, of which only the semilandmarks are kept
+        UnitUnknown,          ///< detail: which file's, beside one that has a unit
         CurveUnknown,         ///< detail: its name; nobody has worked out where it goes
         // Reading: what is not kept as it was.
         AxesTurned,         ///< the file is in RAS

@@ -3,14 +3,49 @@
 #include "core/landmark_files/lines.h"
 #include "core/landmarks/repeats.h"
 #include "core/text/number_text.h"
+#include "core/text/translation.h"
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace unprojector::landmark_files {
 using landmarks::RepeatedLandmark;
+using text::tr;
+namespace {
 
-std::string repeatsTable(std::span<const RepeatedSpecimen> specimens, text::CellTexts texts)
+/// A mean of coordinates in several units would be in none. Throws Failure.
+void checkUnits(const RepeatedSpecimen &specimen, Notes &notes)
 {
+    const auto unitOf = [&specimen](std::size_t i) { return specimen.placings[i].unit; };
+    std::optional<std::size_t> with, without;
+    for (std::size_t i = 0; i < specimen.placings.size(); ++i) {
+        std::optional<std::size_t> &first = unitOf(i).empty() ? without : with;
+        first = first.value_or(i);
+        if (!unitOf(i).empty() && unitOf(i) != unitOf(*with))
+            throw Failure{0,
+                          tr("%1 is in %2 and %3 in %4; write both in the same unit, and compare them then",
+                             specimen.files[*with], unitOf(*with), specimen.files[i], unitOf(i)),
+                          LandmarkFileError::Code::CannotHold};
+    }
+    if (with && without)
+        notes.add(LandmarkNote::Kind::UnitUnknown, 1,
+                  tr("%1 is in %2, and %3 does not say its unit", specimen.files[*with], unitOf(*with),
+                     specimen.files[*without]));
+}
+
+} // namespace
+
+geometry::Result<WrittenLandmarks, LandmarkFileError> repeatsTable(std::span<const RepeatedSpecimen> specimens,
+                                                                   text::CellTexts texts)
+{
+    Notes notes;
+    try {
+        for (const RepeatedSpecimen &specimen : specimens)
+            checkUnits(specimen, notes);
+    } catch (const Failure &failure) {
+        return LandmarkFileError{failure.code, {}, failure.line, failure.text};
+    }
     std::string text = "specimen,name,placings,x,y,z,error,farthest\n";
     for (const RepeatedSpecimen &specimen : specimens) {
         for (const RepeatedLandmark &repeated : landmarks::repeatsOf(specimen.placings)) {
@@ -32,7 +67,7 @@ std::string repeatsTable(std::span<const RepeatedSpecimen> specimens, text::Cell
             text += '\n';
         }
     }
-    return text;
+    return WrittenLandmarks{std::move(text), notes.take()};
 }
 
 } // namespace unprojector::landmark_files

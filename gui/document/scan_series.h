@@ -13,6 +13,10 @@
 #include <optional>
 #include <vector>
 
+namespace unprojector::landmark_files {
+struct RepeatedSpecimen;
+}
+
 namespace unprojector::gui {
 
 class SceneDocument;
@@ -120,7 +124,7 @@ private:
     std::vector<landmarks::LandmarkSet> alignedSets() const;
     /// @param problems  what could not be read
     /// @param said      of what it is made
-    std::string repeatsText(QStringList &problems, QString &said) const;
+    std::vector<landmark_files::RepeatedSpecimen> repeatedScans(QStringList &problems, QString &said) const;
     /// What a table lacks.
     QStringList leftOut() const;
     /// Whether a file is a scan of the series or has the points of one.

@@ -51,7 +51,7 @@ std::vector<landmarks::LandmarkSet> ScanSeries::alignedSets() const
     return sets;
 }
 
-std::string ScanSeries::repeatsText(QStringList &problems, QString &said) const
+std::vector<RepeatedSpecimen> ScanSeries::repeatedScans(QStringList &problems, QString &said) const
 {
     std::size_t repeated = 0;
     int most = 0;
@@ -66,10 +66,12 @@ std::string ScanSeries::repeatsText(QStringList &problems, QString &said) const
             most = std::max(most, placing);
             Scan placed{scan.file, {}, {}};
             readKept(placed, placing);
-            if (placed.isDamaged)
+            if (placed.isDamaged) {
                 problems << placed.problem;
-            else
-                specimen.placings.push_back(std::move(placed.points));
+                continue;
+            }
+            specimen.placings.push_back(std::move(placed.points));
+            specimen.files.push_back(files::utf8FromPath(landmarksBeside(scan.file, placing).filename()));
         }
         if (specimen.placings.size() > 1)
             ++repeated;
@@ -78,7 +80,7 @@ std::string ScanSeries::repeatsText(QStringList &problems, QString &said) const
                ? tr("Scans that were placed more than once: %1; placings up to number %2.").arg(repeated).arg(most)
                : tr("No scan was placed more than once, so there is no scatter: set Placing to 2 and go through the "
                     "scans again.");
-    return repeatsTable(specimens);
+    return specimens;
 }
 
 QStringList ScanSeries::leftOut() const
@@ -123,7 +125,7 @@ bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
         case Table::Wide: return wideTable(sets);
         case Table::Tps: return landmarksText(sets, Format::Tps);
         case Table::Nts: return landmarksText(sets, Format::Nts);
-        case Table::Repeats: return WrittenLandmarks{repeatsText(problems, ofRepeats), {}};
+        case Table::Repeats: return repeatsTable(repeatedScans(problems, ofRepeats));
         }
         return WrittenLandmarks{};
     };

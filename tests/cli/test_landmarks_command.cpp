@@ -257,12 +257,14 @@ void TestLandmarksCommand::repeatsInOtherUnits()
     const Run run = runCommand({"landmarks", "--repeats", none, mm, cm, "-o", "-"});
     QCOMPARE(run.exitCode, 2);
     QCOMPARE(run.errors,
-             (mm + " is in mm and " + cm + " in cm; write both in the same unit, and compare them then\n").toUtf8());
+             ("stdout: " + mm + " is in mm and " + cm + " in cm; write both in the same unit, and compare them then\n")
+                 .toUtf8());
     QCOMPARE(run.output, QByteArray());
     const Run noted = runCommand({"landmarks", "--repeats", none, mm, mm, "-o", "-"});
     QCOMPARE(noted.exitCode, 0);
     QVERIFY2(noted.errors.contains(
-                 (mm + " is in mm, and " + none + " does not say its unit; it is taken for the same\n").toUtf8()),
+                 ("stdout: " + mm + " is in mm, and " + none + " does not say its unit; it is taken for the same\n")
+                     .toUtf8()),
              noted.errors.constData());
     QVERIFY(noted.output.contains("none,N,3,10,20,30,0,0\n"));
 }

@@ -102,6 +102,14 @@ void TestScanTables::whatATableLacksIsSaid()
     }
     QVERIFY2(read(QStringLiteral("all.csv")).contains("other,a,2,3,4.5,0,"),
              read(QStringLiteral("all.csv")).constData());
+    // Nor are centimetres and millimetres averaged.
+    QString failure;
+    connect(m_series.get(), &ScanSeries::failed, this, [&failure](const QString &text) { failure = text; });
+    write(QStringLiteral("other.obj.points-3.csv"), "name,x,y,z,unit\na,3,5,0,mm\n");
+    write(QStringLiteral("other.obj.points-4.csv"), "name,x,y,z,unit\na,0.3,0.5,0,cm\n");
+    QVERIFY(!m_series->exportTable(file(QStringLiteral("all.csv")), ScanSeries::Table::Repeats));
+    QVERIFY2(failure.contains(QStringLiteral("other.obj.points-3.csv is in mm and other.obj.points-4.csv in cm")),
+             qPrintable(failure));
 }
 
 /// Each scan is a triangle of its own size, on which three points have been placed; one file is broken, and so are the points of
