@@ -108,13 +108,9 @@ public:
                 tr("the nodes show %1 vertices, of which at most %2 can be read", m_totalVertices, kMostVertices));
         unpackDraco(m_file, shown);
         m_hidden = nodes.visit(
-<<<<<<< HEAD
             [&](const Json &node, const PreciseMatrix &worldFromNode) { addNode(node, worldFromNode, skins); });
-=======
-            [&](const Json &node, const glm::dmat4 &worldFromNode) { addNode(node, worldFromNode, skins); });
         if (const std::size_t elsewhere = nodes.meshesElsewhere(); elsewhere > 0)
             m_model.notes.push_back({ModelNote::Kind::NodesLeftOut, elsewhere, {}});
->>>>>>> bc79b94 (import: what PLY, glTF, OBJ and OFF files hold and is not shown is said, and contradictions are refused)
         noteWhatIsLeftOut();
         return finished();
     }
