@@ -189,7 +189,7 @@ windows() {
     cmake -S . -B build/windows -G Ninja -DCMAKE_BUILD_TYPE=Release -DUNPROJECTOR_WARNINGS_AS_ERRORS=ON \
         -DCMAKE_TOOLCHAIN_FILE="$MINGW_SYSROOT/mingw-toolchain.cmake" -Dnlohmann_json_DIR="$headers/share/cmake/nlohmann_json" \
         -DUNPROJECTOR_CLI11_INCLUDE_DIR="$headers/include" -DUNPROJECTOR_BOOST_INCLUDE_DIR="$headers/include" >/dev/null &&
-        cmake --build build/windows && onVirtualDisplay ctest --test-dir build/windows --output-on-failure
+        cmake --build build/windows && onVirtualDisplay env -u QT_QPA_PLATFORM ctest --test-dir build/windows --output-on-failure
 }
 
 # Files that are in a root folder, but for dpkg's own.
