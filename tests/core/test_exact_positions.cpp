@@ -57,8 +57,8 @@ QByteArray objOf(const Places &places)
     for (const glm::dvec3 &place : places)
         text += "v " + written(place) + '\n';
     for (std::size_t i = 1; i <= places.size(); i += 3)
-        text += "f " + QByteArray::number(qulonglong(i)) + ' ' + QByteArray::number(qulonglong(i + 1)) + ' '
-                + QByteArray::number(qulonglong(i + 2)) + '\n';
+        text += "f " + QByteArray::number(qulonglong{i}) + ' ' + QByteArray::number(qulonglong{i} + 1) + ' '
+                + QByteArray::number(qulonglong{i} + 2) + '\n';
     return text;
 }
 
@@ -66,8 +66,8 @@ QByteArray faceLines(const Places &places)
 {
     QByteArray text;
     for (std::size_t i = 0; i < places.size(); i += 3)
-        text += "3 " + QByteArray::number(qulonglong(i)) + ' ' + QByteArray::number(qulonglong(i + 1)) + ' '
-                + QByteArray::number(qulonglong(i + 2)) + '\n';
+        text += "3 " + QByteArray::number(qulonglong{i}) + ' ' + QByteArray::number(qulonglong{i} + 1) + ' '
+                + QByteArray::number(qulonglong{i} + 2) + '\n';
     return text;
 }
 
