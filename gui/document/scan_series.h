@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/files/file_stamp.h"
+#include "core/landmark_files/repeats_table.h"
 #include "core/landmarks/landmark.h"
 #include "core/scene/scene.h"
 
@@ -12,10 +13,6 @@
 #include <filesystem>
 #include <optional>
 #include <vector>
-
-namespace unprojector::landmark_files {
-struct RepeatedSpecimen;
-}
 
 namespace unprojector::gui {
 

@@ -4,7 +4,6 @@
 #include "core/files/replace_file.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
-#include "core/landmark_files/repeats_table.h"
 #include "core/landmarks/point_template.h"
 #include "gui/document/scan_series.h"
 #include "gui/text/error_text.h"
