@@ -17,6 +17,7 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <system_error>
@@ -324,14 +325,13 @@ std::vector<RepeatedSpecimen> specimensOf(const std::vector<std::vector<Landmark
 /// A file that is compared with itself has no scatter.
 void tellSameFiles(const std::vector<std::string> &files)
 {
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        for (std::size_t k = 0; k < i; ++k) {
-            if (!isSameFile(pathFromUtf8(files[k]), pathFromUtf8(files[i])))
-                continue;
-            complain(tr("%1: this is %2 again; the same placing counts once more, and the scatter is too small",
-                        files[i], files[k]));
-            break;
-        }
+    std::map<std::filesystem::path, std::string> known;
+    for (const std::string &file : files) {
+        std::error_code error;
+        const auto [first, isNew] = known.emplace(std::filesystem::weakly_canonical(pathFromUtf8(file), error), file);
+        if (!isNew && !error)
+            complain(tr("%1: this is %2 again; the same placing counts once more, and the scatter is too small", file,
+                        first->second));
     }
 }
 

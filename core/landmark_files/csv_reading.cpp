@@ -296,9 +296,10 @@ void sortRows(CurveRows &known)
             throw Failure{rows[i].line, tr("the semilandmark \"%1\" stands in line %2 already; remove one of them",
                                            semilandmarkName(curve, i - 1, rows.size()), rows[i - 1].line)};
         if (rows[i].number > i + 1)
-            throw Failure{rows[i].line,
-                          tr("the curve \"%1\" has this row and no \"%2\"; give each of its semilandmarks a row", curve,
-                             semilandmarkName(curve, i, rows.size()))};
+            throw Failure{
+                rows[i].line,
+                tr("the semilandmark \"%2\" of the curve \"%1\" is missing; give each of its semilandmarks a row",
+                   curve, semilandmarkName(curve, i, rows.size()))};
     }
 }
 

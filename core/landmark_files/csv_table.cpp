@@ -92,6 +92,9 @@ Header headerOf(const CsvRow &row)
     }
     if (!hasAll(row, kPlain) && (hasAll(row, kLps) || hasAll(row, kRas)))
         takeSlicerColumns(header, row);
+    // Without what our tables say of a curve, a column of that name is something of another program's.
+    if (!header.has(CurvePoints) && !header.has(CurveWay) && !header.has(CurveCount))
+        header.places[CurveName] = Header::npos;
     for (const char *name : {"label", "landmark", "point", "marker"}) { // other words for a name
         if (!header.has(Name))
             header.places[Name] = placeOf(row, name);

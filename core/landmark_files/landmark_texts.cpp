@@ -123,7 +123,7 @@ std::string noteText(const LandmarkNote &note)
         return tr(
             "the curve \"%1\" has no semilandmarks and is left out: where it goes is worked out where its mesh is open",
             note.detail);
-    case Kind::UnitUnknown: return tr("%1; it is taken for the same", note.detail);
+    case Kind::UnitUnknown: return tr("%1; its coordinates are taken to be in that unit", note.detail);
     case Kind::MissingHadPosition:
         return said(marked("%1 point is marked as not placed and had coordinates, which are left out"),
                     marked("%1 points are marked as not placed and had coordinates, which are left out"));

@@ -14,6 +14,12 @@ using landmarks::RepeatedLandmark;
 using text::tr;
 namespace {
 
+/// "mm" and " MM" are one unit.
+bool isSameUnit(const std::string &a, const std::string &b)
+{
+    return lowerCase(trimmed(a)) == lowerCase(trimmed(b));
+}
+
 /// A mean of coordinates in several units would be in none. Throws Failure.
 void checkUnits(const RepeatedSpecimen &specimen, Notes &notes)
 {
@@ -22,7 +28,7 @@ void checkUnits(const RepeatedSpecimen &specimen, Notes &notes)
     for (std::size_t i = 0; i < specimen.placings.size(); ++i) {
         std::optional<std::size_t> &first = unitOf(i).empty() ? without : with;
         first = first.value_or(i);
-        if (!unitOf(i).empty() && unitOf(i) != unitOf(*with))
+        if (!unitOf(i).empty() && !isSameUnit(unitOf(i), unitOf(*with)))
             throw Failure{0,
                           tr("%1 is in %2 and %3 in %4; write both in the same unit, and compare them then",
                              specimen.files[*with], unitOf(*with), specimen.files[i], unitOf(i)),

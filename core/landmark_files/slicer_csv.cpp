@@ -235,7 +235,10 @@ ReadLandmarks readSlicerCsv(std::string_view text)
         }
         if (row.isPadding())
             continue;
-        if (row.cells.size() < fewest && isLastLine(row.source, text))
+        // Of a single row only the end of the description and of the node may be left out.
+        const std::size_t whole = hasVersion ? Label + 1 : std::size_t{4};
+        if (row.cells.size() < (set.landmarks.empty() ? std::min(fewest, whole) : fewest)
+            && isLastLine(row.source, text))
             throw Failure{row.line, tr("the file ends within this row, which has %1 of %2 cells; is it cut off?",
                                        row.cells.size(), fewest)};
         fewest = set.landmarks.empty() ? row.cells.size() : std::min(fewest, row.cells.size());

@@ -262,9 +262,9 @@ void TestLandmarksCommand::repeatsInOtherUnits()
     QCOMPARE(run.output, QByteArray());
     const Run noted = runCommand({"landmarks", "--repeats", none, mm, mm, "-o", "-"});
     QCOMPARE(noted.exitCode, 0);
-    QVERIFY2(noted.errors.contains(
-                 ("stdout: " + mm + " is in mm, and " + none + " does not say its unit; it is taken for the same\n")
-                     .toUtf8()),
+    QVERIFY2(noted.errors.contains(("stdout: " + mm + " is in mm, and " + none
+                                    + " does not say its unit; its coordinates are taken to be in that unit\n")
+                                       .toUtf8()),
              noted.errors.constData());
     QVERIFY(noted.output.contains("none,N,3,10,20,30,0,0\n"));
 }

@@ -93,6 +93,13 @@ void TestLandmarkTables::tables_data()
     csv("a name beside a label", "label,name,x,y,z\nq,a,1.5,2,-3\nr,b,4,5,6\n", two);
     csv("picks of CloudCompare", "Point #0,1.5,2,-3\nPoint #1,4,5,6\n", {"Point #0 1.5 2 -3 | Point #1 4 5 6"},
         {"the table has no first line that names its columns; they are taken for name,x,y,z"});
+    QTest::newRow("3D Slicer's, one row that ends early")
+        << Format::SlicerCsv
+        << QByteArray("# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n# columns = "
+                      "id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n0,1.5,2,-3,0,0,0,1,1,1,0,a,")
+        << QStringList{"a 1.5 2 -3"} << QStringList();
+    csv("another program's column of curves", "name,x,y,z,curve\n1,1.5,2,-3,0\n2,4,5,6,0\n", {"1 1.5 2 -3 | 2 4 5 6"},
+        {});
     csv("a cloud of CloudCompare", "//X Y Z\n1.5 2 -3\n4 5 6\n", {" 1.5 2 -3 |  4 5 6"}, {});
     csv("a cloud of CloudCompare, with colours", "// X,Y,Z,R\n1.5,2,-3,9\n4,5,6,8\n", {" 1.5 2 -3 |  4 5 6"}, {});
     csv("picks of CloudCompare by index", "0,1.5,2,-3\n1,4,5,6\n", {"0 1.5 2 -3 | 1 4 5 6"},
