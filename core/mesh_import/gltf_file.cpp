@@ -6,6 +6,8 @@
 #include "core/text/translation.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
@@ -84,10 +86,49 @@ Chunks chunksOfGlb(const Source &source, std::vector<ModelNote> &notes)
     return chunks;
 }
 
+/// Goes through a text and tells how far the parser is, which the parser itself only does where the syntax is wrong.
+struct WatchedText {
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char *;
+    using reference = const char &;
+
+    reference operator*() const { return *place; }
+    WatchedText &operator++()
+    {
+        *reached = ++place;
+        return *this;
+    }
+    WatchedText operator++(int)
+    {
+        const WatchedText before = *this;
+        ++*this;
+        return before;
+    }
+    bool operator==(const WatchedText &other) const { return place == other.place; }
+
+    const char *place = nullptr;
+    const char **reached = nullptr;
+};
+
+/// Whether the value of a key means nothing here, so that it may hold anything.
+/// @param object  the key whose value is the object that the key is in
+bool isUnread(std::string_view object, std::string_view key)
+{
+    return key == "extras" || key == "asset"
+           || (object == "extensions" && gltfExtension(key) == GltfExtension::Unknown);
+}
+
 /// Finds what cannot be read as a tree: JSON that is broken, an object with one key twice, and JSON so deep that its reader,
 /// which calls itself for each level, would have no memory for it.
 struct JsonCheck : nlohmann::json_sax<Json> {
-    explicit JsonCheck(std::string_view jsonText) : text(jsonText) {}
+    explicit JsonCheck(std::string_view jsonText) : text(jsonText), reached(jsonText.data()) {}
+
+    void run()
+    {
+        Json::sax_parse(WatchedText{text.data(), &reached}, WatchedText{text.data() + text.size(), &reached}, this);
+    }
 
     bool null() override { return true; }
     bool boolean(bool) override { return true; }
@@ -98,19 +139,28 @@ struct JsonCheck : nlohmann::json_sax<Json> {
     bool binary(binary_t &) override { return true; }
     bool start_object(std::size_t) override
     {
-        keys.emplace_back();
+        objects.emplace_back();
         return open();
     }
     bool key(string_t &name) override
     {
-        if (keys.back().insert(name).second)
+        if (unread && objects.size() > *unread)
             return true;
-        twice = name;
+        Object &object = objects.back();
+        const bool isUnreadHere = isUnread(objects.size() > 1 ? objects[objects.size() - 2].key : std::string(), name);
+        unread = isUnreadHere ? std::optional(objects.size()) : std::nullopt;
+        object.key = name;
+        if (object.keys.insert(name).second)
+            return true;
+        const std::string_view before = text.substr(0, static_cast<std::size_t>(reached - text.data()) - 1);
+        twice = before.rfind('"');
         return false;
     }
     bool end_object() override
     {
-        keys.pop_back();
+        objects.pop_back();
+        if (unread && objects.size() < *unread)
+            unread.reset();
         return close();
     }
     bool start_array(std::size_t) override { return open(); }
@@ -128,10 +178,18 @@ struct JsonCheck : nlohmann::json_sax<Json> {
         return true;
     }
 
+    struct Object {
+        std::set<std::string> keys;
+        std::string key; ///< the latest
+    };
+
     std::string_view text;
+    const char *reached; ///< what the parser reads next
     std::optional<text::JsonMistake> mistake;
-    std::optional<std::string> twice;        ///< a key
-    std::vector<std::set<std::string>> keys; ///< of the objects that are open
+    std::optional<std::size_t> twice; ///< where a key is that its object has already
+    std::vector<Object> objects;      ///< that are open
+    /// How many objects are open where the latest value of isUnread() is.
+    std::optional<std::size_t> unread;
     std::size_t depth = 0;
 };
 
@@ -143,17 +201,19 @@ Json parsed(std::string_view text)
     if (text.starts_with("\xef\xbb\xbf"))
         text.remove_prefix(3);
     JsonCheck check(text);
-    Json::sax_parse(text, &check);
+    check.run();
     if (check.depth > kDeepestJson)
         failMalformed(tr("the JSON is nested too deeply"));
-    if (check.twice)
-        failMalformed(tr("\"%1\" stands twice in one object", *check.twice));
-    if (check.mistake) {
-        const std::string_view before = text.substr(0, check.mistake->at);
+    const auto failAt = [text](std::size_t at, const std::string &what) {
+        const std::string_view before = text.substr(0, at);
         const auto line = 1 + std::count(before.begin(), before.end(), '\n');
         const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1; // npos + 1 is 0
-        failMalformed(tr("line %1, column %2: %3", line, column, text::jsonMistakeText(check.mistake->english)));
-    }
+        failMalformed(tr("line %1, column %2: %3", line, column, what));
+    };
+    if (check.twice)
+        failAt(*check.twice, tr("the key \"%1\" occurs twice in one JSON object", check.objects.back().key));
+    if (check.mistake)
+        failAt(check.mistake->at, text::jsonMistakeText(check.mistake->english));
     return Json::parse(text);
 }
 

@@ -30,10 +30,12 @@ std::string nameOf(std::size_t number, const Json &node)
            + (name && name->is_string() ? " \"" + name->get<std::string>() + '"' : std::string());
 }
 
-/// An array of so many numbers, or null.
+/// An array of so many numbers; null where the node has none.
 const Json *numbers(const Json &node, const char *key, std::size_t count)
 {
     const Json *found = GltfFile::find(node, key);
+    if (found && found->is_null())
+        return nullptr;
     if (found && (!found->is_array() || found->size() != count))
         failMalformed(tr("\"%1\" of a node has not %2 numbers", key, count));
     return found;
@@ -54,6 +56,15 @@ bool Placement::isRotationUnit() const
 {
     constexpr double kFewDigits = 0.01;
     return std::abs(glm::length(rotation) - 1.0) <= kFewDigits;
+}
+
+const char *Placement::firstThatMoves() const
+{
+    if (translation != glm::dvec3(0.0))
+        return "translation";
+    if (rotation.x != 0.0 || rotation.y != 0.0 || rotation.z != 0.0)
+        return "rotation";
+    return scale != glm::dvec3(1.0) ? "scale" : nullptr;
 }
 
 PreciseMatrix Placement::matrix() const
@@ -93,20 +104,15 @@ PreciseMatrix GltfNodes::parentFromNode(std::size_t number) const
     const Json &node = m_file.array("nodes")[number];
     const auto at = [](const Json *list, std::size_t place) { return GltfFile::real((*list)[place]); };
     const auto vector = [&at](const Json *list) { return glm::dvec3(at(list, 0), at(list, 1), at(list, 2)); };
+    glm::dmat4 matrix(1.0);
     if (const Json *given = numbers(node, "matrix", 16)) {
-        for (const char *other : {"translation", "rotation", "scale"}) {
-            if (GltfFile::find(node, other))
-                failMalformed(tr("node %1 has both \"matrix\" and \"%2\", of which it may have one only",
-                                 nameOf(number, node), other));
-        }
-        glm::dmat4 matrix(1.0);
         for (int i = 0; i < 16; ++i)
             matrix[i / 4][i % 4] = at(given, static_cast<std::size_t>(i));
         const std::string lastRow = wrongLastRow(matrix);
         if (!lastRow.empty())
             failMalformed(
                 tr("the matrix of node %1 has the last row %2; it must be 0 0 0 1", nameOf(number, node), lastRow));
-        return PreciseMatrix(withLastRow(matrix));
+        matrix = withLastRow(matrix);
     }
     Placement placement;
     if (const Json *moved = numbers(node, "translation", 3))
@@ -118,7 +124,12 @@ PreciseMatrix GltfNodes::parentFromNode(std::size_t number) const
     if (!placement.isRotationUnit())
         failMalformed(tr("the rotation of node %1 has the length %2; it must be 1", nameOf(number, node),
                          text::shortestText(glm::length(placement.rotation))));
-    return placement.matrix();
+    if (matrix == glm::dmat4(1.0))
+        return placement.matrix();
+    if (const char *other = placement.firstThatMoves())
+        failMalformed(
+            tr("node %1 has both \"matrix\" and \"%2\", of which it may have one only", nameOf(number, node), other));
+    return PreciseMatrix(matrix);
 }
 
 PreciseMatrix GltfNodes::worldFromNode(std::size_t node) const
@@ -157,14 +168,10 @@ GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_fi
         }
     }
     const Json &scenes = m_file.array("scenes");
-    if (GltfFile::find(m_file.root(), "scene")) {
-        m_roots = nodeList(m_file.reference(m_file.root(), "scene", "scenes"), "nodes");
-        checkRoots();
-        return;
-    }
-    if (!scenes.empty()) {
-        m_roots = nodeList(scenes[0], "nodes");
-        checkRoots();
+    const bool isChosen = GltfFile::find(m_file.root(), "scene");
+    if (isChosen || !scenes.empty()) {
+        const Json &scene = isChosen ? m_file.reference(m_file.root(), "scene", "scenes") : scenes[0];
+        setRoots(nodeList(scene, "nodes"), notes);
         return;
     }
     notes.push_back({ModelNote::Kind::SceneMissing, 0, {}});
@@ -176,19 +183,24 @@ GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_fi
         failNoTree();
 }
 
-void GltfNodes::checkRoots() const
+void GltfNodes::setRoots(const std::vector<std::size_t> &listed, std::vector<ModelNote> &notes)
 {
-    std::vector<bool> areListed(m_parents.size());
-    for (const std::size_t root : m_roots) {
-        if (areListed[root])
-            failMalformed(tr("the scene lists node %1 twice", nameOf(root, m_file.array("nodes")[root])));
-        if (topOf(root) == kNone)
+    std::vector<bool> areListed(m_parents.size()), areRoots(m_parents.size());
+    for (const std::size_t node : listed)
+        areListed[node] = true;
+    for (const std::size_t node : listed) {
+        const std::size_t top = topOf(node);
+        if (top == kNone)
             failNoTree();
-        if (m_parents[root] != kNone)
-            failMalformed(tr("the scene lists node %1, which is a child of node %2 already",
-                             nameOf(root, m_file.array("nodes")[root]), m_parents[root]));
-        areListed[root] = true;
+        if (!areListed[top])
+            failMalformed(tr("the scene lists node %1, but not node %2 that it is below; list node %2 instead",
+                             nameOf(node, m_file.array("nodes")[node]), top));
+        if (node == top && !areRoots[node])
+            m_roots.push_back(node);
+        areRoots[node] = node == top;
     }
+    if (m_roots.size() < listed.size())
+        notes.push_back({ModelNote::Kind::NodesListedAgain, listed.size() - m_roots.size(), {}});
 }
 
 std::size_t GltfNodes::topOf(std::size_t node) const
@@ -205,18 +217,17 @@ std::size_t GltfNodes::meshesElsewhere() const
     std::vector<bool> areRoots(m_parents.size());
     for (const std::size_t root : m_roots)
         areRoots[root] = true;
-    std::vector<bool> haveNode(m_file.array("meshes").size());
-    std::size_t count = 0;
+    std::vector<bool> areHere(m_file.array("meshes").size());
     const Json &nodes = m_file.array("nodes");
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-        const std::uint64_t mesh = GltfFile::number(nodes[n], "mesh", haveNode.size());
-        if (mesh >= haveNode.size())
-            continue;
-        haveNode[static_cast<std::size_t>(mesh)] = true;
         const std::size_t top = topOf(n);
-        count += top != kNone && areRoots[top] ? 0U : 1U;
+        if (top == kNone || !areRoots[top])
+            continue;
+        const std::uint64_t mesh = GltfFile::number(nodes[n], "mesh", areHere.size());
+        if (mesh < areHere.size())
+            areHere[static_cast<std::size_t>(mesh)] = true;
     }
-    return count + static_cast<std::size_t>(std::count(haveNode.begin(), haveNode.end(), false));
+    return static_cast<std::size_t>(std::count(areHere.begin(), areHere.end(), false));
 }
 
 std::size_t

@@ -18,7 +18,7 @@ namespace unprojector::mesh_import::mesh_reader {
 /// Throws Failure (Malformed) where they form no tree.
 class GltfNodes {
 public:
-    /// @param notes  gets one where the file has no scene
+    /// @param notes  gets one where the file has no scene, or where its scene lists a node twice or beside its parent
     GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes);
 
     /// Calls `visit` with every node and its worldFromNode, parents first, in the file's order; not with nodes that the
@@ -26,7 +26,7 @@ public:
     /// @return how many nodes with meshes are hidden
     std::size_t visit(const std::function<void(const Json &node, const PreciseMatrix &worldFromNode)> &visit) const;
 
-    /// How many meshes the nodes outside the scene have, and how many no node has.
+    /// How many meshes no node of the scene has, shown or hidden.
     std::size_t meshesElsewhere() const;
 
     /// Of any node, shown or not.
@@ -38,7 +38,8 @@ private:
     static constexpr std::size_t kNone = ~std::size_t{0};
 
     PreciseMatrix parentFromNode(std::size_t node) const;
-    void checkRoots() const;
+    /// @param listed  the nodes that the scene lists; some programs list nodes below others too
+    void setRoots(const std::vector<std::size_t> &listed, std::vector<ModelNote> &notes);
     /// The node above all that a node is below; kNone where there is a circle instead.
     std::size_t topOf(std::size_t node) const;
 
@@ -55,6 +56,8 @@ struct Placement {
 
     /// But for the few digits that some programs write.
     bool isRotationUnit() const;
+    /// The glTF key of the first part that is not neutral; null where the placement is the identity.
+    const char *firstThatMoves() const;
     /// translation * rotation * scale, of the rotation made a unit.
     PreciseMatrix matrix() const;
 };

@@ -65,7 +65,9 @@ GltfValues::GltfValues(GltfFile &file, const Json &accessor)
     if (GltfFile::find(accessor, "bufferView")) {
         const Json &view = file.reference(accessor, "bufferView", "bufferViews");
         m_bytes = file.viewBytes(accessor);
-        m_stride = static_cast<std::size_t>(GltfFile::number(view, "byteStride", elementBytes));
+        // Some programs write 0 where the elements follow one another.
+        if (const std::uint64_t stride = GltfFile::number(view, "byteStride", 0); stride > 0)
+            m_stride = static_cast<std::size_t>(stride);
         if (m_stride < elementBytes)
             failMalformed(tr("\"byteStride\" is %1, less than the %2 bytes of one element", m_stride, elementBytes));
         const std::uint64_t offset = GltfFile::number(accessor, "byteOffset", 0);

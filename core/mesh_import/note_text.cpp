@@ -125,6 +125,10 @@ std::string noteText(const ModelNote &note)
         return tr(note.count == 1 ? "%1 mesh is not in the scene that the file opens with and is not shown"
                                   : "%1 meshes are not in the scene that the file opens with and are not shown",
                   note.count);
+    case ModelNote::Kind::NodesListedAgain:
+        return tr(note.count == 1 ? "the scene lists %1 node twice or beside its parent: it is shown once"
+                                  : "the scene lists %1 nodes twice or beside their parents: each is shown once",
+                  note.count);
     case ModelNote::Kind::CornersLeftOut:
         return tr(note.count == 1
                       ? "%1 corner at the end of a part of a mesh makes no whole triangle and is not used"

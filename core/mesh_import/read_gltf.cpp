@@ -109,8 +109,7 @@ public:
         unpackDraco(m_file, shown);
         m_hidden = nodes.visit(
             [&](const Json &node, const PreciseMatrix &worldFromNode) { addNode(node, worldFromNode, skins); });
-        if (const std::size_t elsewhere = nodes.meshesElsewhere(); elsewhere > 0)
-            m_model.notes.push_back({ModelNote::Kind::NodesLeftOut, elsewhere, {}});
+        m_elsewhere = nodes.meshesElsewhere();
         noteWhatIsLeftOut();
         return finished();
     }
@@ -383,6 +382,7 @@ private:
             if (count > 0)
                 m_model.notes.push_back({kind, count, detail});
         };
+        note(ModelNote::Kind::NodesLeftOut, m_elsewhere, "");
         note(ModelNote::Kind::FacesLeftOut, m_brokenCount, "");
         note(ModelNote::Kind::CornersLeftOut, m_leftCorners, "");
         note(ModelNote::Kind::SkinsApplied, m_posed, "");
@@ -420,6 +420,8 @@ private:
             return tr("it holds lines only, and lines are not shown here: %1", m_lineCount);
         if (m_hidden > 0)
             return tr("the file hides all nodes that have meshes");
+        if (m_elsewhere == m_file.array("meshes").size())
+            return tr("no mesh is in the scene that the file opens with; meshes in the file: %1", m_elsewhere);
         return {};
     }
 
@@ -481,7 +483,8 @@ private:
     std::size_t m_lineCount = 0; ///< and points beside triangles
     std::size_t m_posed = 0;     ///< nodes whose meshes are where their joints are
     std::size_t m_unusedSkins = 0;
-    std::size_t m_hidden = 0; ///< nodes with meshes that the file hides
+    std::size_t m_elsewhere = 0; ///< meshes outside the scene
+    std::size_t m_hidden = 0;    ///< nodes with meshes that the file hides
 };
 
 } // namespace

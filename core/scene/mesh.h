@@ -105,7 +105,8 @@ struct ModelNote {
         BytesLeftOut,      ///< count: bytes behind all that the file declares
         PartLeftOut,       ///< detail: what the format calls it, such as an extension; count: how many, or 0
         ElementsLeftOut,   ///< detail: an element of a PLY file that is not read; count: how many the file has
-        NodesLeftOut,      ///< count: nodes with meshes that are not in the scene that is shown
+        NodesLeftOut,      ///< count: meshes that no node of the shown scene has
+        NodesListedAgain,  ///< count: nodes that the scene lists a second time, or beside a node that they are below
         CornersLeftOut,    ///< count: corners behind the last whole triangle of a part of a mesh
         FlatTriangles,     ///< count: triangles that have no area in single precision
         TooSmallToDraw,    ///< detail: what the model measures, less than graphics cards can draw

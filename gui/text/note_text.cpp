@@ -105,6 +105,9 @@ QString noteText(const ModelNote &note)
     case ModelNote::Kind::NodesLeftOut:
         return NoteTexts::tr("Meshes that are not in the scene that the file opens with, and are not shown: %1.")
             .arg(count);
+    case ModelNote::Kind::NodesListedAgain:
+        return NoteTexts::tr("Nodes that the scene lists twice or beside their parents, and that are shown once: %1.")
+            .arg(count);
     case ModelNote::Kind::CornersLeftOut:
         return NoteTexts::tr("Corners at the ends of parts of meshes, which make no whole triangles and are not used: "
                              "%1.")

@@ -4883,6 +4883,10 @@ Both are as large as fits.</source>
         <translation>文件没有场景：显示其所有节点。</translation>
     </message>
     <message>
+        <source>Nodes that the scene lists twice or beside their parents, and that are shown once: %1.</source>
+        <translation>被场景重复列出或与父节点一同列出而只显示一次的节点：%1。</translation>
+    </message>
+    <message>
         <source>Parts of meshes that have no positions, and are not shown: %1.</source>
         <translation>没有位置而未显示的网格部分：%1。</translation>
     </message>

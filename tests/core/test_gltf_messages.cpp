@@ -72,13 +72,24 @@ void TestGltfMessages::saysWhatIsLeftOut_data()
         QTest::newRow("hidden nodes") << json << 2 << int(Kind::MeshesHidden) << 2 << QString();
     }
     QTest::newRow("another scene") << quad()
-                                          .replace(R"({"mesh":0})", R"({"mesh":0},{"mesh":0})")
+                                          .replace(R"("meshes":[)", R"("meshes":[{"primitives":[]},)")
+                                          .replace(R"({"mesh":0})", R"({"mesh":1},{"mesh":0})")
                                           .replace(R"("scenes":[{"nodes":[0]}])",
                                                    R"("scenes":[{"nodes":[0]},{"nodes":[1]}])")
                                    << 2 << int(Kind::NodesLeftOut) << 1 << QString();
-    QTest::newRow("nodes in no scene") << quad().replace(R"({"mesh":0})",
-                                                         R"({"mesh":0},{"children":[2,3]},{"mesh":0},{"mesh":0})")
-                                       << 2 << int(Kind::NodesLeftOut) << 2 << QString();
+    QTest::newRow("meshes in no scene")
+        << quad()
+               .replace(R"("meshes":[)", R"("meshes":[{"primitives":[]},{"primitives":[]},)")
+               .replace(R"({"mesh":0})",
+                        R"({"mesh":2},{"children":[2,3,4]},{"mesh":0},{"mesh":0},{"mesh":2},{"mesh":-1})")
+        << 2 << int(Kind::NodesLeftOut) << 2 << QString();
+    QTest::newRow("a node twice in the scene")
+        << quad().replace(R"("nodes":[0])", R"("nodes":[0,0,0])") << 2 << int(Kind::NodesListedAgain) << 2 << QString();
+    QTest::newRow("all nodes in the scene")
+        << quad()
+               .replace(R"("nodes":[0])", R"("nodes":[2,0,1,1])")
+               .replace(R"({"mesh":0})", R"({"children":[1]},{"children":[2]},{"mesh":0})")
+        << 2 << int(Kind::NodesListedAgain) << 3 << QString();
     QTest::newRow("a mesh of no node")
         << quad().replace(R"("meshes":[)", R"("meshes":[{"primitives":[]},)").replace(R"({"mesh":0})", R"({"mesh":1})")
         << 2 << int(Kind::NodesLeftOut) << 1 << QString();
@@ -162,16 +173,21 @@ void TestGltfMessages::refuses_data()
     QTest::newRow("a matrix of rows") << quad(R"(,"matrix":[1,0,0,5,0,1,0,6,0,0,1,7,0,0,0,1])")
                                       << "the matrix of node 0 has the last row 5 6 7 1";
     QTest::newRow("a matrix and a translation")
-        << quad(R"(,"translation":[1,2,3],"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])")
+        << quad(R"(,"translation":[1,2,3],"matrix":[2,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])")
         << "node 0 has both \"matrix\" and \"translation\"";
-    QTest::newRow("a node twice in the scene")
-        << quad().replace(R"("nodes":[0])", R"("nodes":[0,0])") << "the scene lists node 0 twice";
-    QTest::newRow("a child in the scene") << quad()
-                                                 .replace(R"("nodes":[0])", R"("nodes":[0,1])")
-                                                 .replace(R"({"mesh":0})", R"({"children":[1]},{"mesh":0})")
-                                          << "the scene lists node 1, which is a child of node 0 already";
-    QTest::newRow("a key twice") << quad(R"(,"scale":[1,1,1],"scale":[2,2,2])")
-                                 << "\"scale\" stands twice in one object";
+    QTest::newRow("a child in the scene without its parent")
+        << quad()
+               .replace(R"("nodes":[0])", R"("nodes":[2])")
+               .replace(R"({"mesh":0})", R"({"children":[1]},{"children":[2]},{"mesh":0})")
+        << "the scene lists node 2, but not node 0 that it is below; list node 0 instead";
+    QTest::newRow("a circle in the scene") << quad()
+                                                  .replace(R"("nodes":[0])", R"("nodes":[0,1])")
+                                                  .replace(R"({"mesh":0})", R"({"children":[1]},{"children":[0]})")
+                                           << "the nodes form a circle";
+    QTest::newRow("a key twice") << quad(R"(,"scale":[1,1,1],)"
+                                         "\n"
+                                         R"("scale":[2,2,2])")
+                                 << "line 2, column 1: the key \"scale\" occurs twice in one JSON object";
     QTest::newRow("a stride that is too small")
         << quad().replace(R"("byteOffset":0)", R"("byteOffset":0,"byteStride":4)")
         << "\"byteStride\" is 4, less than the 12 bytes of one element";
@@ -272,6 +288,9 @@ void TestGltfMessages::whatCannotBeShownIsNamed_data()
     }
     QTest::newRow("all is hidden") << quad(R"(,"extensions":{"KHR_node_visibility":{"visible":false}})") << gltf
                                    << ImportErrorCode::NoTriangles << "hides all nodes";
+    QTest::newRow("an empty scene") << quad().replace(R"("nodes":[0])", R"("nodes":[])") << gltf
+                                    << ImportErrorCode::NoTriangles
+                                    << "no mesh is in the scene that the file opens with; meshes in the file: 1";
     QTest::newRow("nothing") << QByteArray(R"({"asset":{"version":"2.0"}})") << gltf << ImportErrorCode::NoTriangles
                              << QString();
 }

@@ -22,6 +22,7 @@ class TestImportGltf : public QObject {
 private slots:
     void readsTriangles_data();
     void readsTriangles();
+    void placesByWhatSaysSomething();
     void keepsTheDigitsOfFarNodes();
     void appliesMorphWeights();
     void showsInstances();
@@ -52,6 +53,15 @@ void TestImportGltf::readsTriangles_data()
                 R"(,"extensionsRequired":["KHR_node_visibility"])");
     QTest::newRow("a matrix of few digits") << quad(R"(,"matrix":[1,0,0,1e-9,0,1,0,0,0,0,1,0,5,6,7,0.9999999])");
     QTest::newRow("a rotation of few digits") << quad(R"(,"rotation":[0,0,0.707,0.707])");
+    QTest::newRow("a matrix, and a placement that says nothing")
+        << quad(R"(,"matrix":[0,1,0,0,-1,0,0,0,0,0,1,0,5,6,7,1],"rotation":[0,0,0,1],"scale":[1,1,1],
+                   "translation":[0,0,0])");
+    QTest::newRow("a matrix, and null") << quad(R"(,"matrix":[0,1,0,0,-1,0,0,0,0,0,1,0,5,6,7,1],"scale":null)");
+    QTest::newRow("no matrix but null") << quad(R"(,"matrix":null,"translation":[1,2,3])");
+    QTest::newRow("a stride of 0") << quad().replace(R"("byteOffset":0)", R"("byteOffset":0,"byteStride":0)");
+    QTest::newRow("a key twice in what is not used")
+        << quad(R"(,"extras":{"id":1,"id":2},"extensions":{"ACME_x":{"id":1,"id":2}})")
+               .replace(R"("version":"2.0")", R"("version":"2.0","copyright":"a","copyright":"b")");
     QTest::newRow("a version as a number") << quad().replace(R"("version":"2.0")", R"("version":2.0)");
     {
         GltfBuilder file;
@@ -113,6 +123,13 @@ void TestImportGltf::readsTriangles()
         area += glm::length(normal) / 2.0;
     }
     QVERIFY(std::abs(area - 1.0) < 1e-6);
+}
+
+void TestImportGltf::placesByWhatSaysSomething()
+{
+    const auto result = imported(quad(R"(,"translation":[1,2,3],"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])"));
+    REQUIRE_MODEL(result);
+    QVERIFY((*result)->bounds.lowest == glm::dvec3(1.0, 2.0, 3.0));
 }
 
 void TestImportGltf::keepsTheDigitsOfFarNodes()

@@ -72,6 +72,10 @@ void TestNoteText::saysWhatIsNotAsInTheFile_data()
         "the glTF extension \"KHR_x\" is not supported: the shape that the file has without it is shown");
     row("a skin", SkinsApplied, 1, "", "1 mesh has a skin: it is shown where the file's nodes have its joints");
     row("skins", SkinsApplied, 2, "", "2 meshes have skins: they are shown where the file's nodes have their joints");
+    row("a node listed again", NodesListedAgain, 1, "",
+        "the scene lists 1 node twice or beside its parent: it is shown once");
+    row("nodes listed again", NodesListedAgain, 2, "",
+        "the scene lists 2 nodes twice or beside their parents: each is shown once");
     row("a hidden mesh", MeshesHidden, 1, "", "1 mesh is hidden by the file (KHR_node_visibility) and is not shown");
     row("hidden meshes", MeshesHidden, 4, "",
         "4 meshes are hidden by the file (KHR_node_visibility) and are not shown");
