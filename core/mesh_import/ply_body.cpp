@@ -116,7 +116,7 @@ const std::uint8_t *PlyBody::take(std::size_t size)
     return begin;
 }
 
-double PlyBody::asciiValue(PlyType type)
+double PlyBody::asciiNumber(PlyType type)
 {
     const std::string_view word = m_scanner.nextWordInLine();
     if (word.empty()) {
@@ -128,13 +128,21 @@ double PlyBody::asciiValue(PlyType type)
     const std::optional<double> number = integer ? std::optional(static_cast<double>(*integer)) : doubleFromWord(word);
     if (!number)
         failAtLine(tr("%1 is no number", quoted(word)));
+    return *number;
+}
+
+double PlyBody::asciiValue(PlyType type)
+{
+    TextScanner ahead = m_scanner;
+    const double number = asciiNumber(type);
     if (!isFloating(type)) {
         const auto [least, most] = integerRange(type);
-        if (!(*number >= least && *number <= most) || *number != std::floor(*number))
-            failAtLine(tr("%1 is no whole number from %2 to %3, which the header declares for %4", quoted(word),
-                          text::shortestText(least), text::shortestText(most), where()));
+        if (!(number >= least && number <= most) || number != std::floor(number))
+            failAtLine(tr("%1 is no whole number from %2 to %3, which the header declares for %4",
+                          quoted(ahead.nextWordInLine()), text::shortestText(least), text::shortestText(most),
+                          where()));
     }
-    return *number;
+    return number;
 }
 
 std::int64_t PlyBody::corner(PlyType type)
@@ -159,8 +167,12 @@ std::size_t PlyBody::listLength(const PlyProperty &list)
 void PlyBody::skip(const PlyProperty &property)
 {
     const std::size_t count = property.isList ? listLength(property) : 1;
-    for (std::size_t i = 0; i < count; ++i)
-        value(property.type);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (m_format == PlyFormat::Ascii)
+            asciiNumber(property.type); // nobody reads it, so its size does not matter
+        else
+            take(byteCount(property.type));
+    }
 }
 
 void PlyBody::skipAll(const PlyElement &element)

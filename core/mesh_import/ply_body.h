@@ -57,6 +57,9 @@ private:
     std::string where() const { return m_element->name + ' ' + std::to_string(m_number); }
     [[noreturn]] void failTruncated() const;
     [[noreturn]] void failAtLine(const std::string &what) const;
+    /// The next word of a line of text, of any size.
+    double asciiNumber(PlyType type);
+    /// The same, which must be a number of its type.
     double asciiValue(PlyType type);
 
     const Source &m_source;

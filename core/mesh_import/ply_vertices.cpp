@@ -46,6 +46,12 @@ std::uint8_t channelFromValue(double value, PlyType type)
     return share > 0.0 ? static_cast<std::uint8_t>(std::lround(std::min(share, 1.0) * 255.0)) : std::uint8_t{0};
 }
 
+template <class Numbers>
+bool isAmong(const Numbers &properties, std::size_t property)
+{
+    return std::find(properties.begin(), properties.end(), static_cast<int>(property)) != properties.end();
+}
+
 /// What the properties of a vertex mean.
 struct VertexLayout {
     explicit VertexLayout(const PlyElement &vertices)
@@ -61,6 +67,13 @@ struct VertexLayout {
         hasTexcoords = texcoord[0] >= 0 && texcoord[1] >= 0;
     }
 
+    bool isPosition(std::size_t property) const { return isAmong(position, property); }
+    /// Whether set() uses a property.
+    bool isUsed(std::size_t property) const
+    {
+        return (hasNormals && isAmong(normal, property)) || (hasTexcoords && isAmong(texcoord, property))
+               || (color.isComplete() && isAmong(color.channels, property));
+    }
     /// Sets all of a vertex but its position; the arrays have their sizes.
     void set(Mesh &mesh, std::size_t vertex, const std::vector<double> &values) const
     {
@@ -108,10 +121,10 @@ void readOneByOne(const VertexLayout &layout, PlyBody &body, Mesh &mesh)
         for (std::size_t v = first; v < first + count; ++v) {
             part.beginElement(element, v);
             for (std::size_t p = 0; p < values.size(); ++p) {
-                if (element.properties[p].isList)
-                    part.skip(element.properties[p]);
-                else
+                if (layout.isPosition(p) || layout.isUsed(p))
                     values[p] = part.value(element.properties[p].type);
+                else
+                    part.skip(element.properties[p]);
             }
             part.endElement();
             positions[v] = layout.positionIn(values);
@@ -141,9 +154,6 @@ void readRecords(const VertexLayout &layout, PlyBody &body, PlyFormat format, Me
     };
     std::vector<Field> fields; // that mean something
     std::vector<Field> axes(3);
-    const auto isAmong = [](const auto &numbers, std::size_t property) {
-        return std::find(numbers.begin(), numbers.end(), static_cast<int>(property)) != numbers.end();
-    };
     std::size_t offset = 0;
     for (std::size_t p = 0; p < element.properties.size(); ++p) {
         const Field field{p, offset, element.properties[p].type};
@@ -151,8 +161,7 @@ void readRecords(const VertexLayout &layout, PlyBody &body, PlyFormat format, Me
             if (layout.position[axis] == static_cast<int>(p))
                 axes[axis] = field;
         }
-        if ((layout.hasNormals && isAmong(layout.normal, p)) || (layout.hasTexcoords && isAmong(layout.texcoord, p))
-            || (layout.color.isComplete() && isAmong(layout.color.channels, p)))
+        if (layout.isUsed(p))
             fields.push_back(field);
         offset += byteCount(field.type);
     }

@@ -136,7 +136,9 @@ void readFaces(const PlyElement &element, PlyBody &body, PolygonMesh &polygons)
         cornerTexcoords.clear();
         for (std::size_t p = 0; p < element.properties.size(); ++p) {
             const PlyProperty &property = element.properties[p];
-            if (!property.isList) {
+            const auto &channels = colors.channels;
+            const bool isColor = std::find(channels.begin(), channels.end(), static_cast<int>(p)) != channels.end();
+            if (usesColors && isColor) {
                 values[p] = body.value(property.type);
             } else if (static_cast<int>(p) == vertices) {
                 corners.resize(body.listLength(property));

@@ -2,6 +2,8 @@
 
 #include "imported.h"
 
+#include <QRegularExpression>
+
 #include <utility>
 
 using namespace unprojector;
@@ -248,6 +250,14 @@ void TestImportPly::saysWhatIsLeftOut_data()
     QTest::newRow("elements that are not read") << QByteArray(edges).replace("element edge 2", "element polygon 2")
                                                 << QByteArray("2 elements \"polygon\" of the file are not read");
     QTest::newRow("whole numbers as decimals") << plyText().replace("4 3 0 4 7", "4 3.0 0 4e0 7") << QByteArray();
+    QTest::newRow("numbers beyond types that are not read") << plyText(
+        {}, "property uchar quality\nproperty int flags\nproperty list uchar uchar more\n", " 300 4294967295 1 -7")
+                                                            << QByteArray();
+    QTest::newRow("numbers of faces beyond types that are not read")
+        << QString(plyText().replace("end_header\n", "property uchar quality\nproperty int flags\nend_header\n"))
+               .replace(QRegularExpression("\n(4 . . . .)(?=\n)"), "\n\\1 300 4294967295")
+               .toUtf8()
+        << QByteArray();
     QTest::newRow("edges") << edges << QByteArray("2 lines and points are not shown");
     QTest::newRow("binary, zeros behind") << plyLittle() + QByteArray(5, '\0') << QByteArray();
     QTest::newRow("binary, more behind") << plyLittle() + "more"
@@ -301,6 +311,11 @@ void TestImportPly::saysWhyAFileCannotBeOpened_data()
     QTest::newRow("more corners than its type has")
         << plyText().replace("4 3 0 4 7", "300 3 0 4 7") << Malformed
         << "line 23: \"300\" is no whole number from 0 to 255, which the header declares for face 5";
+    QTest::newRow("a colour beyond its type")
+        << plyText({}, "property uchar red\nproperty uchar green\nproperty uchar blue\n", " 300 0 0") << Malformed
+        << "line 13: \"300\" is no whole number from 0 to 255, which the header declares for vertex 0";
+    QTest::newRow("an unread list longer than its type has")
+        << plyText({}, "property list uchar uchar more\n", " 300 0 0") << Malformed << "\"300\" is no whole number";
     QTest::newRow("a negative length") << plyText().replace("4 3 0 4 7", "-1 3 0 4 7") << Malformed
                                        << "line 23: \"-1\"";
     QTest::newRow("an element twice") << plyText().replace("element face",
