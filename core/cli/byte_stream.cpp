@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -184,13 +185,21 @@ void ByteSink::check(const Written &written)
 
 bool isOverInput(const std::string &output, const InputFiles &inputs)
 {
-    InputFiles kept = inputs;
+    // Many objects of a scene may have one model.
+    InputFiles kept;
+    std::set<std::string> known;
+    const auto keep = [&](const std::string &file) {
+        if (known.insert(file).second)
+            kept.push_back(file);
+    };
+    for (const std::string &input : inputs)
+        keep(input);
     std::error_code error;
     // An empty file holds nothing to destroy: the models are read for their names only where one could be lost.
     if (const auto size = std::filesystem::file_size(namedPath(output, "/dev/stdout"), error); !error && size > 0) {
-        for (const std::string &input : inputs) {
+        for (const std::string &input : InputFiles(kept)) {
             for (const std::filesystem::path &named : mesh_import::namedFiles(namedPath(input, "/dev/stdin")))
-                kept.push_back(utf8FromPath(named));
+                keep(utf8FromPath(named));
         }
     }
     for (const std::string &input : kept) {

@@ -6,8 +6,8 @@
 #include "core/mesh_import/obj_materials.h"
 #include "core/mesh_import/text_scanner.h"
 
-#include <algorithm>
 #include <exception>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -70,7 +70,7 @@ private:
         const std::filesystem::path file = resolveReference(m_modelFile, std::string(name));
         if (file.empty())
             return false;
-        if (std::find(m_files.begin(), m_files.end(), file) == m_files.end())
+        if (m_known.insert(file.native()).second)
             m_files.push_back(file);
         return true;
     }
@@ -100,8 +100,11 @@ private:
     {
         if (!add(name))
             return false;
+        const std::filesystem::path file = resolveReference(m_modelFile, std::string(name));
+        if (!m_libraries.insert(file.native()).second)
+            return true;
         try {
-            const FileBytes contents(resolveReference(m_modelFile, std::string(name)));
+            const FileBytes contents(file);
             const std::string_view text(reinterpret_cast<const char *>(contents.bytes().data()),
                                         contents.bytes().size());
             for (TextScanner scanner(text); !scanner.isAtEnd(); scanner.skipLine()) {
@@ -115,8 +118,12 @@ private:
         return true;
     }
 
+    using Paths = std::set<std::filesystem::path::string_type>;
+
     std::filesystem::path m_modelFile;
     std::vector<std::filesystem::path> m_files;
+    Paths m_known;     ///< those in m_files
+    Paths m_libraries; ///< of materials, that are read
 };
 
 } // namespace

@@ -84,6 +84,8 @@ bool ObjMaterials::readLibrary(const std::string &name)
     const std::filesystem::path file = resolveReference(m_source.file, name);
     if (file.empty())
         return false;
+    if (m_libraries.contains(file.native()))
+        return true;
     try {
         const FileBytes contents(file);
         parse({reinterpret_cast<const char *>(contents.bytes().data()), contents.bytes().size()});
@@ -91,6 +93,7 @@ bool ObjMaterials::readLibrary(const std::string &name)
     } catch (const Failure &) {
         return false;
     }
+    m_libraries.insert(file.native());
     noteIfOutside(m_model.notes, m_source.file, file, name);
     return true;
 }

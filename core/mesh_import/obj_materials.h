@@ -5,8 +5,10 @@
 
 #include <glm/vec4.hpp>
 
+#include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +52,7 @@ private:
     Model &m_model;
     std::map<std::string, Written, std::less<>> m_written;
     std::map<std::pair<std::string, bool>, int> m_textures;
+    std::set<std::filesystem::path::string_type> m_libraries; ///< that are read
 };
 
 } // namespace unprojector::mesh_import::mesh_reader

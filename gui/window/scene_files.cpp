@@ -9,6 +9,8 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <filesystem>
+#include <set>
 #include <system_error>
 #include <vector>
 
@@ -19,20 +21,26 @@ struct SceneFiles {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::SceneFiles)
 };
 
-bool isOf(const scene::SceneObject &object, const std::filesystem::path &file)
+/// Whether a model is read from a file, or names it. Many objects may have one model.
+bool isOfAny(const std::vector<scene::SceneObject> &objects, const std::filesystem::path &file)
 {
-    const scene::Model &model = *object.model;
+    std::set<std::filesystem::path> models, read;
+    for (const scene::SceneObject &object : objects) {
+        models.insert(object.file);
+        read.insert(object.model->otherFiles.begin(), object.model->otherFiles.end());
+        for (const scene::Texture &texture : object.model->textures)
+            read.insert(texture.file);
+    }
     const auto isIt = [&file](const std::filesystem::path &other) { return files::isSameFile(other, file); };
-    // The model is read for the names in it only where one of these could be lost.
-    const auto isNamed = [&] {
-        const std::vector<std::filesystem::path> named = mesh_import::namedFiles(object.file);
-        return std::any_of(named.begin(), named.end(), isIt);
-    };
+    const auto isAmong = [&isIt](const auto &list) { return std::any_of(list.begin(), list.end(), isIt); };
+    if (isAmong(models) || isAmong(read))
+        return true;
+    // The models are read for the names in them only where one of these could be lost.
     std::error_code error;
-    return isIt(object.file) || std::any_of(model.otherFiles.begin(), model.otherFiles.end(), isIt)
-           || std::any_of(model.textures.begin(), model.textures.end(),
-                          [&isIt](const scene::Texture &texture) { return isIt(texture.file); })
-           || (std::filesystem::is_regular_file(file, error) && isNamed());
+    return std::filesystem::is_regular_file(file, error)
+           && std::any_of(models.begin(), models.end(), [&isAmong](const std::filesystem::path &model) {
+                  return isAmong(mesh_import::namedFiles(model));
+              });
 }
 
 } // namespace
@@ -41,9 +49,7 @@ QString overwritingText(const SceneDocument &document, const Session &session, c
 {
     const std::vector<scene::SceneObject> &objects = document.objects();
     const bool isScene = files::isSameFile(session.file(), file);
-    const bool isOfObject = std::any_of(objects.begin(), objects.end(),
-                                        [&file](const scene::SceneObject &object) { return isOf(object, file); });
-    return isScene || isOfObject
+    return isScene || isOfAny(objects, file)
                ? SceneFiles::tr(
                      "%1: the scene that is open uses this file, which would be destroyed. Give another name.")
                      .arg(pathText(file))

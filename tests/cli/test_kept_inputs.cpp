@@ -3,6 +3,7 @@
 #include "tests/cli/command.h"
 
 #include <QDir>
+#include <QElapsedTimer>
 
 #include <filesystem>
 
@@ -32,6 +33,7 @@ private slots:
     void init();
     void anInputIsRefused_data();
     void anInputIsRefused();
+    void aLibraryNamedManyTimesTakesNoTime();
     void nothingIsAddedToAnInput_data();
     void nothingIsAddedToAnInput();
     void anEarlierTableOfAFolderIsReplaced();
@@ -138,6 +140,18 @@ void TestKeptInputs::anInputIsRefused()
     QCOMPARE(run.exitCode, 2);
     QCOMPARE(bytesOf(file), before);
     QCOMPARE(names(), namesBefore);
+}
+
+void TestKeptInputs::aLibraryNamedManyTimesTakesNoTime()
+{
+    m_folder->write("face.obj", QByteArray("mtllib face.mtl\n").repeated(3000) + kTriangle);
+    m_folder->write("face.mtl", QByteArray("# oak\n").repeated(50000) + kMaterials);
+    QElapsedTimer timer;
+    timer.start();
+    const Run run =
+        runCommand(located({"map", "--what", "formula-matrix", "--size", "4x3", "face.obj", "-o", "bumps.jpg"}));
+    QVERIFY2(run.errors.contains("bumps.jpg: this is the input "), run.errors.constData());
+    QVERIFY2(timer.elapsed() < 10000, qPrintable(QString::number(timer.elapsed())));
 }
 
 void TestKeptInputs::nothingIsAddedToAnInput_data()
