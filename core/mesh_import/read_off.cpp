@@ -408,13 +408,14 @@ std::endian byteOrderOf(const Source &source, std::size_t offset)
                                                                                       : std::endian::big;
 }
 
-/// Whether what follows the first line cannot be the counts of a binary file: each would be above 500 million.
+/// Whether something follows the first line that cannot be the counts of a binary file: each would be above 500 million.
 bool isText(std::string_view start)
 {
     constexpr std::size_t kBytesOfCounts = 12;
     const std::string_view counts = start.substr(0, kBytesOfCounts);
-    return std::all_of(counts.begin(), counts.end(),
-                       [](char c) { return (c >= ' ' && c <= '~') || c == '\t' || c == '\n' || c == '\r'; });
+    return counts.find_first_not_of(" \t\r\n") != counts.npos && std::all_of(counts.begin(), counts.end(), [](char c) {
+               return (c >= ' ' && c <= '~') || c == '\t' || c == '\n' || c == '\r';
+           });
 }
 
 } // namespace

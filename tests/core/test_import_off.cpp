@@ -144,6 +144,7 @@ void TestImportOff::saysWhyAFileCannotBeOpened_data()
                                      << "face 5 refers to vertex 8";
     QTest::newRow("binary that is text") << offBox().replace("OFF\n", "OFF BINARY\n") << Malformed
                                          << "the first line says BINARY and text follows; take the word BINARY away";
+    QTest::newRow("binary of nothing") << QByteArray("OFF BINARY\n") << Malformed << "the file ends";
     QTest::newRow("truncated") << offBox().chopped(4) << Malformed << "face 5 declares 4 corners";
     QTest::newRow("more faces than declared") << offBox().replace("8 6 12", "8 5 12") << Malformed
                                               << "line 17: \"4\" follows all that the header declares; correct";
