@@ -114,9 +114,10 @@ ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnpr
     progress.finish();
     if (written != ExitCode::Done)
         return written;
+    const std::string source = options.depth == "-" ? "stdin" : options.depth;
     if (count < seen) {
         constexpr bool isDouble = std::is_same_v<Scalar, double>;
-        complain(options.depth + ": "
+        complain(source + ": "
                  + tr(isDouble
                           ? "%1 points lie beyond the range of double precision"
                           : "%1 points lie beyond the range of single precision; --precision double reaches further",
@@ -125,7 +126,7 @@ ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnpr
     }
     if (const double rounding = extent.floatRounding(); rounding > 0.0)
         complain(
-            options.depth + ": "
+            source + ": "
             + tr(
                 "so far from the origin single precision rounds coordinates by up to %1; --precision double keeps them",
                 shortestText(rounding, 0.1 * rounding)));

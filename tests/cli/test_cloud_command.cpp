@@ -213,6 +213,8 @@ void TestCloudCommand::whatFloatsRoundIsSaid()
     QCOMPARE(run.errors, image.toUtf8()
                              + ": so far from the origin single precision rounds coordinates by up to 0.25; "
                                "--precision double keeps them\n");
+    const Run piped = runCommand({"cloud", file, "-", "-o", "-"}, pfm(depths(), true));
+    QVERIFY2(piped.errors.startsWith("stdin: so far from the origin"), piped.errors.constData());
     QCOMPARE(runCommand({"cloud", "--precision", "double", file, image, "-o", "-"}).errors, QByteArray());
     QCOMPARE(runCommand({"cloud", m_scene, image, "-o", "-"}).errors, QByteArray());
 }
@@ -226,6 +228,8 @@ void TestCloudCommand::whatIsBeyondFloatsIsSaid()
     QCOMPARE(run.exitCode, 1);
     QVERIFY(run.errors.contains("2 points lie beyond the range of single precision"));
     QVERIFY(run.output.contains("element vertex 0\n"));
+    const Run piped = runCommand({"cloud", file, "-", "-o", "-"}, pfm(depths(), true));
+    QVERIFY2(piped.errors.contains("stdin: 2 points lie beyond the range"), piped.errors.constData());
     const Run inDouble = runCommand({"cloud", "--precision", "double", file, image, "-o", "-"});
     QCOMPARE(inDouble.exitCode, 0);
     QCOMPARE(pointsOf<double>(inDouble.output).value(0), -5e38);
