@@ -114,7 +114,7 @@ void takeSlashesOff(CsvRow &row)
 {
     std::string &cell = row.cells.front().text;
     if (cell.starts_with("//"))
-        cell.erase(0, cell.find_first_not_of(" \t", 2) == cell.npos ? cell.size() : cell.find_first_not_of(" \t", 2));
+        cell.erase(0, std::min(cell.find_first_not_of(" \t", 2), cell.size()));
 }
 
 bool isNumber(std::string_view cell, const text::DecimalMark &mark)
