@@ -1782,7 +1782,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
     <message>
         <source>from the runner-up, at pixel %1: the answers are %2 or more apart</source>
-        <translation>与其次者：在像素 %1 处，各结果至少相差 %2</translation>
+        <translation>与次优候选区分：在像素 %1 处，各结果至少相差 %2</translation>
     </message>
     <message>
         <source>at pixel %1 the answers are %2 or more apart</source>
