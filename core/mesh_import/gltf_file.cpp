@@ -147,7 +147,8 @@ struct JsonCheck : nlohmann::json_sax<Json> {
         if (unread && objects.size() > *unread)
             return true;
         Object &object = objects.back();
-        const bool isUnreadHere = isUnread(objects.size() > 1 ? objects[objects.size() - 2].key : std::string(), name);
+        const bool isUnreadHere =
+            isUnread(objects.size() > 1 ? std::string_view(objects[objects.size() - 2].key) : std::string_view(), name);
         unread = isUnreadHere ? std::optional(objects.size()) : std::nullopt;
         object.key = name;
         if (object.keys.insert(name).second)
