@@ -3,7 +3,6 @@
 #include "tests/cli/command.h"
 
 #include <QDir>
-#include <QElapsedTimer>
 
 #include <filesystem>
 
@@ -142,16 +141,14 @@ void TestKeptInputs::anInputIsRefused()
     QCOMPARE(names(), namesBefore);
 }
 
+/// Read once for each time that it is named, it would take longer than any test may.
 void TestKeptInputs::aLibraryNamedManyTimesTakesNoTime()
 {
-    m_folder->write("face.obj", QByteArray("mtllib face.mtl\n").repeated(20000) + kTriangle);
-    m_folder->write("face.mtl", QByteArray("# oak\n").repeated(200000) + kMaterials);
-    QElapsedTimer timer;
-    timer.start();
+    m_folder->write("face.obj", QByteArray("mtllib face.mtl\n").repeated(200000) + kTriangle);
+    m_folder->write("face.mtl", QByteArray("# oak\n").repeated(400000) + kMaterials);
     const Run run =
         runCommand(located({"map", "--what", "formula-matrix", "--size", "4x3", "face.obj", "-o", "bumps.jpg"}));
     QVERIFY2(run.errors.contains("bumps.jpg: this is the input "), run.errors.constData());
-    QVERIFY2(timer.elapsed() < 10000, qPrintable(QString::number(timer.elapsed())));
 }
 
 void TestKeptInputs::nothingIsAddedToAnInput_data()
