@@ -177,6 +177,31 @@ struct Dialect {
     text::DecimalMark mark{','};
 };
 
+/// Whether a row divided so has coordinates where they belong.
+bool hasPlace(std::string_view source, char separator)
+{
+    text::CsvReader reader(source, separator);
+    if (!reader.next() || reader.row().cells.size() <= Z)
+        return false;
+    const auto &cells = reader.row().cells;
+    text::DecimalMark mark(separator);
+    for (std::size_t i = X; i <= Z; ++i)
+        mark.see(cells[i].text);
+    return std::all_of(cells.begin() + X, cells.begin() + Z + 1, [&mark](const CsvCell &cell) {
+        return cell.text.empty() || isMissingWord(cell.text) || mesh_import::doubleFromWord(mark.withPoint(cell.text));
+    });
+}
+
+/// The first separator by which a row is a point: a label may hold more of the others.
+char separatorOf(std::string_view source)
+{
+    for (const char separator : text::kCsvSeparators) {
+        if (hasPlace(source, separator))
+            return separator;
+    }
+    return text::csvSeparatorOf(source);
+}
+
 /// By the first row that is no comment.
 Dialect dialectOf(std::string_view text)
 {
@@ -185,7 +210,7 @@ Dialect dialectOf(std::string_view text)
     for (text::CsvReader rows(text); rows.next() && !hasSeparator;) {
         hasSeparator = !commentOf(rows.row());
         if (hasSeparator)
-            dialect.separator = text::csvSeparatorOf(rows.row().source);
+            dialect.separator = separatorOf(rows.row().source);
     }
     dialect.mark = text::DecimalMark(dialect.separator);
     for (text::CsvReader rows(text, dialect.separator); rows.next();) {

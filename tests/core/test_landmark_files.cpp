@@ -200,9 +200,12 @@ void TestLandmarkFiles::aNameFullOfSeparatorsDividesNothing_data()
 {
     QTest::addColumn<Format>("format");
     QTest::addColumn<char>("separator");
+    QTest::addColumn<bool>("hasQuotes");
     for (const Format format : {Format::Csv, Format::SlicerCsv}) {
-        for (const char separator : {',', ';', ' '})
-            QTest::addRow("%s %c", suffixOf(format), separator) << format << separator;
+        for (const char separator : {',', ';', ' '}) {
+            for (const bool hasQuotes : {false, true})
+                QTest::addRow("%s %c %d", suffixOf(format), separator, hasQuotes) << format << separator << hasQuotes;
+        }
     }
 }
 
@@ -213,8 +216,9 @@ void TestLandmarkFiles::aNameFullOfSeparatorsDividesNothing()
     QFETCH(char, separator);
     LandmarkSet set;
     set.landmarks.resize(1);
+    QFETCH(bool, hasQuotes);
     for (int i = 0; i < 40; ++i)
-        set.landmarks[0].name += std::string("\"") + separator;
+        set.landmarks[0].name += (hasQuotes ? "\"" : ".") + std::string(1, separator);
     set.landmarks[0].name += '!';
     set.landmarks[0].world = WorldPoint(3, 1, 1);
     const auto read = parseLandmarks(written({&set, 1}, format), format, "points");
