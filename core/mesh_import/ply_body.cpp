@@ -159,7 +159,8 @@ std::size_t PlyBody::listLength(const PlyProperty &list)
     const std::size_t bytesEach = m_format == PlyFormat::Ascii ? 2 : byteCount(list.type);
     if (!(length >= 0.0))
         failMalformed(tr("%1 has a list of negative length", where()));
-    if (length > static_cast<double>((bytesLeft() + 1) / bytesEach))
+    const std::size_t most = (bytesLeft() + 1) / bytesEach;
+    if (length > static_cast<double>(most))
         failTruncated();
     return static_cast<std::size_t>(length);
 }

@@ -186,8 +186,10 @@ static QByteArray grid(int rows)
                        + "\nproperty float x\nproperty float y\nproperty float z\nelement face "
                        + QByteArray::number(2 * 999 * (rows - 1))
                        + "\nproperty list uchar uint vertex_indices\nend_header\n";
-    for (int i = 0; i < 1000 * rows; ++i)
-        bytes += little(float(i % 1000)) + little(float(i / 1000)) + little(0.5f);
+    for (int row = 0; row < rows; ++row) {
+        for (int column = 0; column < 1000; ++column)
+            bytes += little(float(column)) + little(float(row)) + little(0.5f);
+    }
     for (int row = 0; row + 1 < rows; ++row) {
         for (int column = 0; column < 999; ++column) {
             const auto a = quint32(1000 * row + column);
@@ -205,8 +207,10 @@ void TestImportPly::readsLargeFiles()
     REQUIRE_MODEL(result);
     const Mesh &mesh = result.value()->meshes.front();
     QCOMPARE(mesh.positions.size(), std::size_t(1000 * rows));
-    for (std::size_t v = 0; v < mesh.positions.size(); v += 89)
-        QVERIFY(mesh.position(v) == glm::dvec3(double(v % 1000), double(v / 1000), 0.5));
+    for (std::size_t v = 0; v < mesh.positions.size(); v += 89) {
+        const std::size_t column = v % 1000, row = v / 1000;
+        QVERIFY(mesh.position(v) == glm::dvec3(double(column), double(row), 0.5));
+    }
     QCOMPARE(mesh.triangleCount(), std::size_t(2 * 999 * (rows - 1)));
     QVERIFY(std::abs(areaOf(mesh) - 999.0 * (rows - 1)) < 1e-6);
     QVERIFY(std::all_of(mesh.normals.begin(), mesh.normals.end(),
