@@ -42,7 +42,7 @@ glm::dvec3 halfGapOf(const SceneObject &object, std::uint32_t vertex)
     return halfGapAt(object.model->meshes[place.mesh], place.vertex, glm::dmat3(worldFromObject(object.transform)));
 }
 
-/// What was not found.
+/// The sentence for a pick that found nothing.
 std::string nothingText(Snap snap)
 {
     switch (snap) {

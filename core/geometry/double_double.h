@@ -98,9 +98,9 @@ inline constexpr DoubleDouble kPrecisePi(3.14159265358979323846, 1.2246467991473
 struct SineCosine {
     DoubleDouble sine, cosine;
 };
-/// Of an angle in radians, inside (-pi, pi).
+/// Sine and cosine of an angle in radians, inside (-pi, pi).
 SineCosine preciseSineCosine(const DoubleDouble &radians);
-/// Of an angle in radians, inside (-pi, pi).
+/// Tangent of an angle in radians, inside (-pi, pi).
 DoubleDouble preciseTangent(const DoubleDouble &radians);
 
 using DoubleDouble3 = std::array<DoubleDouble, 3>;

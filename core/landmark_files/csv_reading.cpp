@@ -105,7 +105,7 @@ private:
 };
 
 /// How much the sum of barycentric coordinates may miss 1: what single precision and six digits leave.
-constexpr double kBarycentricSum = 1e-5;
+constexpr double kBarycentricSum = 1e-3; // other programs write few digits
 
 Hold holdOf(const Cells &cells)
 {
@@ -205,7 +205,7 @@ std::vector<std::string> namesOf(std::string_view text, std::size_t line)
     return names;
 }
 
-/// What the rows of a table say of one curve.
+/// The rows of one curve.
 struct CurveRows {
     struct Row {
         std::size_t line = 0, number = 0; ///< the second: of the semilandmark, from 1; 0: the row's name gives none

@@ -27,7 +27,7 @@ bool isMissing(std::string_view word)
            || (mesh_import::doubleFromWord(word) == kMissing && word.find_first_of("eE") == word.npos);
 }
 
-/// Of a row "name x y z". Throws Failure.
+/// Parses a row "name x y z". Throws Failure.
 Landmark landmarkOf(std::string_view row, std::size_t line)
 {
     const std::vector<std::string_view> words = wordsOf(row);

@@ -15,8 +15,8 @@ struct DistinctNames {
     std::vector<std::vector<std::size_t>> places; ///< of each set, of each of its landmarks: the index of its name
 };
 
-/// A landmark without a name has its number. Of two that share a name in one set the second is "NAME (2)", as the second of
-/// the other sets is; a name that a landmark of any set has already is passed over, and the next number taken.
+/// Gives each landmark of a set a name of its own. A landmark without a name gets its number. The second landmark "NAME" of a
+/// set gets "NAME (2)", in all sets alike; where some landmark has that name already, the next free number.
 DistinctNames distinctNames(std::span<const LandmarkSet> sets);
 
 } // namespace unprojector::landmarks

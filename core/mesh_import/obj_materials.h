@@ -18,7 +18,7 @@ namespace unprojector::mesh_import::mesh_reader {
 /// Whether what follows a word of a library of materials is a picture's name, as after "map_Kd".
 bool namesPicture(std::string_view keyword);
 
-/// What follows such a word, as in "map_Kd -o 1 2 -clamp on my picture.png".
+/// The arguments of a picture statement, as in "map_Kd -o 1 2 -clamp on my picture.png".
 struct PictureOptions {
     std::string_view name;
     bool wrapRepeat = true;

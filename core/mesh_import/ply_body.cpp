@@ -22,7 +22,7 @@ constexpr std::size_t kElementsBetweenReports = 1 << 14;
 /// Some milliseconds of work.
 constexpr std::size_t kBytesInTask = 1 << 20;
 
-/// Of an integer's type: the least and the greatest number.
+/// The least and the greatest number of an integer type.
 std::pair<double, double> integerRange(PlyType type)
 {
     const auto count = static_cast<double>(std::uint64_t{1} << (8 * byteCount(type)));
@@ -170,7 +170,7 @@ void PlyBody::skip(const PlyProperty &property)
     const std::size_t count = property.isList ? listLength(property) : 1;
     for (std::size_t i = 0; i < count; ++i) {
         if (m_format == PlyFormat::Ascii)
-            asciiNumber(property.type); // nobody reads it, so its size does not matter
+            asciiNumber(property.type); // unused values may be out of range
         else
             take(byteCount(property.type));
     }

@@ -136,7 +136,7 @@ struct Model {
     /// Of the file, before any were split for their normals or the like. 0: of a soup, whose triangles have theirs alone. Those
     /// of the meshes have smaller numbers.
     std::size_t fileVertices = 0;
-    /// Of a soup read from a file, which is one mesh; else null. Its places have the numbers that vertices have elsewhere.
+    /// Numbers the vertices of a triangle soup, which is one mesh; null for other models.
     std::shared_ptr<SoupNumbers> soupNumbers;
     std::vector<ModelNote> notes; ///< what is not as in the file
     /// The other files that were read for it: libraries of materials, buffers. Those of textures are at the textures.
@@ -157,7 +157,7 @@ struct Model {
     std::optional<VertexPlace> vertexOf(std::uint32_t number) const;
 
 private:
-    /// Of a mesh's vertices; empty where they are as they come.
+    /// The file's numbers of a mesh's vertices; empty where they follow the mesh's order.
     const std::vector<std::uint32_t> &numbersIn(std::size_t mesh) const;
 };
 

@@ -14,8 +14,8 @@ namespace unprojector::text {
 /// Source: The Unicode Standard, table 3-7.
 std::size_t firstNotUtf8(std::string_view text);
 
-/// The beginning of a text: so many characters of UTF-8, or all. Of what is no UTF-8, a byte and up to three that continue one
-/// count as a character.
+/// Returns the first `count` UTF-8 characters of a text. Outside valid UTF-8, a byte and up to three continuation bytes count
+/// as one character.
 std::string_view firstCharacters(std::string_view text, std::size_t count);
 
 /// A text in UTF-16 as UTF-8. What is no UTF-16, as half a pair of surrogates or a single last byte, becomes U+FFFD.

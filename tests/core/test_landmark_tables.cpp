@@ -93,6 +93,8 @@ void TestLandmarkTables::tables_data()
     csv("a name beside a label", "label,name,x,y,z\nq,a,1.5,2,-3\nr,b,4,5,6\n", two);
     csv("picks of CloudCompare", "Point #0,1.5,2,-3\nPoint #1,4,5,6\n", {"Point #0 1.5 2 -3 | Point #1 4 5 6"},
         {"the table has no first line that names its columns; they are taken for name,x,y,z"});
+    csv("barycentric coordinates of four digits", "name,x,y,z,face,u,v,w\na,1.5,2,-3,7,0.3333,0.3333,0.3333\n",
+        {"a 1.5 2 -3"});
     QTest::newRow("3D Slicer's, one row that ends early")
         << Format::SlicerCsv
         << QByteArray("# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n# columns = "
