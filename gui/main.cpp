@@ -1,15 +1,15 @@
 #include "core/files/standard_streams.h"
 #include "core/threads/parallel.h"
 #include "gui/document/portable.h"
+#include "gui/shell/appearance.h"
+#include "gui/shell/main_window.h"
+#include "gui/shell/place_ids.h"
+#include "gui/shell/screenshot_run.h"
+#include "gui/shell/work_places.h"
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
 #include "gui/text/translation.h"
 #include "gui/view/opengl_check.h"
-#include "gui/window/appearance.h"
-#include "gui/window/main_window.h"
-#include "gui/window/place_ids.h"
-#include "gui/window/screenshot_run.h"
-#include "gui/window/work_places.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

@@ -1,9 +1,9 @@
 #include "core/cli/command_line.h"
 
-#include "core/cli/byte_stream.h"
-#include "core/cli/console.h"
-#include "core/cli/help_formatter.h"
-#include "core/cli/usage.h"
+#include "core/cli/commands/usage.h"
+#include "core/cli/rows/byte_stream.h"
+#include "core/cli/terminal/console.h"
+#include "core/cli/terminal/help_formatter.h"
 #include "core/text/translation.h"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/cli/exit_code.h"
+#include "core/cli/terminal/exit_code.h"
 
 #include <string>
 #include <vector>

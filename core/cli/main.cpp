@@ -1,6 +1,6 @@
 #include "core/cli/command_line.h"
-#include "core/cli/console.h"
-#include "core/cli/language_choice.h"
+#include "core/cli/terminal/console.h"
+#include "core/cli/terminal/language_choice.h"
 #include "core/files/standard_streams.h"
 #include "core/text/printable.h"
 #include "core/text/translation.h"

@@ -1,8 +1,8 @@
 #include "gui/view/corner_shift.h"
 
 #include "core/unproject/depth_sample.h"
-#include "gui/painters/gl_errors.h"
-#include "gui/painters/shader.h"
+#include "gui/view/painters/gl_errors.h"
+#include "gui/view/painters/shader.h"
 
 #include <QOpenGLBuffer>
 #include <QOpenGLShaderProgram>

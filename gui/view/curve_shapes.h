@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/painters/line_painter.h"
+#include "gui/view/painters/line_painter.h"
 
 #include <vector>
 

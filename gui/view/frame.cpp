@@ -1,7 +1,7 @@
 #include "gui/view/frame.h"
 
-#include "gui/painters/gl_errors.h"
 #include "gui/view/corner_shift.h"
+#include "gui/view/painters/gl_errors.h"
 
 #include <algorithm>
 #include <bit>

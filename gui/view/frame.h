@@ -2,7 +2,7 @@
 
 #include "core/geometry/drawable.h"
 #include "core/unproject/pick.h"
-#include "gui/painters/object_ids.h"
+#include "gui/view/painters/object_ids.h"
 
 #include <QColor>
 #include <QOpenGLExtraFunctions>

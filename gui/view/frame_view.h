@@ -1,10 +1,10 @@
 #pragma once
 
 #include "gui/document/model_store.h"
-#include "gui/painters/background_painter.h"
-#include "gui/painters/frame_painter.h"
-#include "gui/painters/mesh_painter.h"
 #include "gui/view/frame.h"
+#include "gui/view/painters/background_painter.h"
+#include "gui/view/painters/frame_painter.h"
+#include "gui/view/painters/mesh_painter.h"
 
 #include <QElapsedTimer>
 #include <QOpenGLExtraFunctions>

@@ -1,7 +1,7 @@
 #include "gui/view/highlight_marks.h"
 
-#include "gui/painters/scene_lines.h"
 #include "gui/view/letter_places.h"
+#include "gui/view/painters/scene_lines.h"
 
 #include <glm/gtc/quaternion.hpp>
 

@@ -1,9 +1,9 @@
 #include "gui/view/scene_overlay.h"
 
-#include "gui/painters/clip_plane_shapes.h"
-#include "gui/painters/scene_lines.h"
 #include "gui/view/curve_shapes.h"
 #include "gui/view/frame.h"
+#include "gui/view/painters/clip_plane_shapes.h"
+#include "gui/view/painters/scene_lines.h"
 #include "gui/view/wrong_point_marks.h"
 
 #include <algorithm>

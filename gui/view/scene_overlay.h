@@ -2,10 +2,10 @@
 
 #include "core/geometry/drawable.h"
 #include "gui/document/scene_document.h"
-#include "gui/painters/face_painter.h"
-#include "gui/painters/line_painter.h"
-#include "gui/painters/pick_painter.h"
-#include "gui/painters/snap_shapes.h"
+#include "gui/view/painters/face_painter.h"
+#include "gui/view/painters/line_painter.h"
+#include "gui/view/painters/pick_painter.h"
+#include "gui/view/painters/snap_shapes.h"
 
 #include <QOpenGLExtraFunctions>
 

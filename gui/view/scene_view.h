@@ -2,10 +2,10 @@
 
 #include "core/lessons/lesson.h"
 #include "gui/document/scene_document.h"
-#include "gui/painters/snap_mark.h"
 #include "gui/view/axis_dragger.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/lifecycle_event.h"
+#include "gui/view/painters/snap_mark.h"
 #include "gui/view/point_marks.h"
 
 #include <QImage>

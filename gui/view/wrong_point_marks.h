@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gui/document/scene_document.h"
-#include "gui/painters/line_painter.h"
-#include "gui/painters/pick_painter.h"
+#include "gui/view/painters/line_painter.h"
+#include "gui/view/painters/pick_painter.h"
 
 #include <span>
 

@@ -1,8 +1,8 @@
 // A depth image of 3840 x 2160 to world points on one core: the computing beside OpenCV's depthTo3d and transform, and
 // the command beside the writing of the same bytes. Compare only numbers of one run.
 
-#include "core/cli/cloud_command.h"
-#include "core/cli/depth_cloud.h"
+#include "core/cli/commands/cloud_command.h"
+#include "core/cli/rows/depth_cloud.h"
 
 #include <benchmark/benchmark.h>
 #include <nlohmann/json.hpp>

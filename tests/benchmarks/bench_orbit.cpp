@@ -7,8 +7,8 @@
 
 #include "core/geometry/camera_motion.h"
 #include "gui/document/scene_document.h"
+#include "gui/shell/main_window.h"
 #include "gui/view/scene_view.h"
-#include "gui/window/main_window.h"
 
 #include <benchmark/benchmark.h>
 

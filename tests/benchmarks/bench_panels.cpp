@@ -3,11 +3,11 @@
 
 #include "core/geometry/camera_motion.h"
 #include "core/scene/bundled_scene.h"
+#include "gui/click/comparison_panel.h"
 #include "gui/document/scene_document.h"
-#include "gui/panels/comparison_panel.h"
-#include "gui/panels/parameters_panel.h"
-#include "gui/panels/pipeline_panel.h"
-#include "gui/panels/viewport_inspector.h"
+#include "gui/parameters/parameters_panel.h"
+#include "gui/pipeline/pipeline_panel.h"
+#include "gui/pipeline/viewport_inspector.h"
 
 #include <benchmark/benchmark.h>
 

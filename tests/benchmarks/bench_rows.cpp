@@ -1,8 +1,8 @@
 // `unproject points` beside the reading and writing of the same numbers without computing anything, one thread each.
 
-#include "core/cli/number_table.h"
-#include "core/cli/points_command.h"
-#include "core/cli/row_writer.h"
+#include "core/cli/commands/points_command.h"
+#include "core/cli/rows/number_table.h"
+#include "core/cli/rows/row_writer.h"
 #include "core/unproject/batch/click_batch.h"
 
 #include <benchmark/benchmark.h>

@@ -3,7 +3,7 @@
 #include "tests/cli/command.h"
 #include "tests/support/patience.h"
 
-#include "core/cli/block_pipeline.h"
+#include "core/cli/rows/block_pipeline.h"
 
 #include <atomic>
 #include <chrono>

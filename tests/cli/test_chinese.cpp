@@ -1,5 +1,5 @@
 // The command in Chinese: who gets it, that nothing is left in English, and that what programs read stays as it is.
-#include "core/cli/language_choice.h"
+#include "core/cli/terminal/language_choice.h"
 #include "tests/cli/command.h"
 
 #include <QRegularExpression>

@@ -2,7 +2,7 @@
 
 #include "tests/cli/command.h"
 
-#include "core/cli/distribution.h"
+#include "core/cli/rows/distribution.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -3,7 +3,7 @@
 #include "tests/cli/command.h"
 #include "tests/support/patience.h"
 
-#include "core/cli/progress_bar.h"
+#include "core/cli/terminal/progress_bar.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>

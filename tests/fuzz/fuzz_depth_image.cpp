@@ -1,6 +1,6 @@
 // A depth image: PFM, PGM or raw floats.
 
-#include "core/cli/depth_image.h"
+#include "core/cli/rows/depth_image.h"
 #include "tests/fuzz/fuzzing.h"
 
 #include <span>

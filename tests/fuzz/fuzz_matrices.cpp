@@ -1,6 +1,6 @@
 // Matrices as other programs print them, pasted behind `unproject scene --from-matrices`.
 
-#include "core/cli/scene_command.h"
+#include "core/cli/commands/scene_command.h"
 #include "core/scene_file/scene_file.h"
 #include "tests/fuzz/fuzzing.h"
 

@@ -1,6 +1,6 @@
 // Rows of points: a header and comma-separated values.
 
-#include "core/cli/number_table.h"
+#include "core/cli/rows/number_table.h"
 #include "tests/fuzz/fuzzing.h"
 
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/unproject/pick.h"
+#include "gui/click/comparison_model.h"
+#include "gui/click/comparison_panel.h"
 #include "gui/document/scene_document.h"
-#include "gui/panels/comparison_model.h"
-#include "gui/panels/comparison_panel.h"
 #include "tests/support/unprojecting.h"
 
 #include <QRegularExpression>

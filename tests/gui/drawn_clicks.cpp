@@ -3,9 +3,9 @@
 #include "core/ray/drawn_surface.h"
 #include "core/ray/scene_rays.h"
 #include "core/unproject/pick.h"
-#include "gui/painters/mesh_painter.h"
 #include "gui/view/corner_shift.h"
 #include "gui/view/frame.h"
+#include "gui/view/painters/mesh_painter.h"
 #include "tests/support/mesh_model.h"
 
 #include <QOffscreenSurface>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gui/document/scene_document.h"
+#include "gui/shell/main_window.h"
 #include "gui/view/scene_view.h"
-#include "gui/window/main_window.h"
 
 #include <QColor>
 #include <QImage>

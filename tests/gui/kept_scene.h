@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gui/document/autosave.h"
-#include "gui/window/main_window.h"
+#include "gui/shell/main_window.h"
 
 #include "gui_scene.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "gui/lessons/lesson_panel.h"
 #include "gui/view/scene_view.h"
-#include "gui/window/lesson_panel.h"
 #include "window_user.h"
 
 #include <QEventLoop>

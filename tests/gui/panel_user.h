@@ -2,8 +2,8 @@
 
 #include "core/scene/scene.h"
 #include "gui/document/scene_document.h"
-#include "gui/panels/parameters/parameter_group.h"
-#include "gui/panels/parameters_panel.h"
+#include "gui/parameters/parameter_group.h"
+#include "gui/parameters/parameters_panel.h"
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/panels/comparison_panel.h"
+#include "gui/click/comparison_panel.h"
 #include "gui_scene.h"
 
 #include <QLabel>

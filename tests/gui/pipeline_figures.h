@@ -2,7 +2,7 @@
 
 #include "core/scene_file/scene_file.h"
 #include "gui/document/scene_document.h"
-#include "gui/panels/pipeline_model.h"
+#include "gui/pipeline/pipeline_model.h"
 
 #include <QTest>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "gui/document/point_files.h"
-#include "gui/document/scan_series.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
+#include "gui/landmarks/scan_series.h"
 #include "tests/support/patience.h"
 
 #include <QFile>

@@ -1,10 +1,10 @@
 // What stands around a lesson: panels, places, switches and the window are after it as they were before.
 
-#include "gui/document/lesson_player.h"
 #include "gui/document/scene_document.h"
-#include "gui/panels/pipeline_panel.h"
+#include "gui/lessons/lesson_panel.h"
+#include "gui/lessons/lesson_player.h"
+#include "gui/pipeline/pipeline_panel.h"
 #include "gui/view/scene_view.h"
-#include "gui/window/lesson_panel.h"
 #include "tests/support/patience.h"
 #include "window_user.h"
 

@@ -1,8 +1,8 @@
 // Which digits of a coordinate the comparison shows as certain, which are grey, and how many there are.
 
-#include "gui/panels/comparison_model.h"
-#include "gui/panels/comparison_panel.h"
-#include "gui/panels/contrast.h"
+#include "gui/click/comparison_model.h"
+#include "gui/click/comparison_panel.h"
+#include "gui/widgets/contrast.h"
 
 #include "comparison_picks.h"
 

@@ -1,12 +1,12 @@
 // What the panel shows of a pick: the numbers, which of their digits are certain, and what is copied. No window of OpenGL
 // is needed.
 
-#include "gui/panels/api_clicks_view.h"
-#include "gui/panels/comparison_model.h"
-#include "gui/panels/comparison_panel.h"
-#include "gui/panels/formula_view.h"
+#include "gui/click/api_clicks_view.h"
+#include "gui/click/comparison_model.h"
+#include "gui/click/comparison_panel.h"
 #include "gui/text/formula_text.h"
 #include "gui/text/number_text.h"
+#include "gui/widgets/formula_view.h"
 
 #include "comparison_picks.h"
 #include "depth_ranges.h"

@@ -1,11 +1,11 @@
 // What is written of a pick: its numbers, the formulas with numbers put in, the cause of a difference, and the wording of
 // every error.
 
-#include "gui/panels/comparison_panel.h"
-#include "gui/panels/formula_view.h"
+#include "gui/click/comparison_panel.h"
 #include "gui/text/error_text.h"
 #include "gui/text/formula_text.h"
 #include "gui/text/number_text.h"
+#include "gui/widgets/formula_view.h"
 
 #include "comparison_picks.h"
 

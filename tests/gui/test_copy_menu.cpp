@@ -1,15 +1,15 @@
 // Every value of the panels has a menu that copies it with all its digits, as text and for code.
 
-#include "gui/panels/comparison_model.h"
-#include "gui/panels/comparison_table.h"
-#include "gui/panels/formula_view.h"
-#include "gui/panels/help_link.h"
-#include "gui/panels/matrix_section.h"
-#include "gui/panels/number_grid.h"
-#include "gui/panels/pipeline_panel.h"
-#include "gui/panels/steady_label.h"
-#include "gui/panels/viewport_inspector.h"
+#include "gui/click/comparison_model.h"
+#include "gui/click/comparison_table.h"
+#include "gui/pipeline/matrix_section.h"
+#include "gui/pipeline/pipeline_panel.h"
+#include "gui/pipeline/viewport_inspector.h"
 #include "gui/text/number_text.h"
+#include "gui/widgets/formula_view.h"
+#include "gui/widgets/help_link.h"
+#include "gui/widgets/number_grid.h"
+#include "gui/widgets/steady_label.h"
 
 #include "comparison_picks.h"
 

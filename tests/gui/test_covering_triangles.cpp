@@ -2,9 +2,9 @@
 // bit. And that most are left out, or the whole thing would be in vain.
 
 #include "core/scene/covering_triangles.h"
-#include "gui/painters/mesh_painter.h"
 #include "gui/view/frame.h"
 #include "gui/view/frame_view.h"
+#include "gui/view/painters/mesh_painter.h"
 #include "tests/support/cube_sphere.h"
 
 #include <QOffscreenSurface>

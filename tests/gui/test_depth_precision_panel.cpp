@@ -1,7 +1,7 @@
 // What rounding a depth leaves open, in its panel: computed of this picture, and no advice that would cut anything off.
 
-#include "gui/panels/depth_precision_panel.h"
-#include "gui/panels/depth_precision_plot.h"
+#include "gui/pipeline/depth_precision_panel.h"
+#include "gui/pipeline/depth_precision_plot.h"
 #include "gui_scene.h"
 
 #include <QTest>

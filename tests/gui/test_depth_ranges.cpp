@@ -1,8 +1,8 @@
 // Both views under every kind of depth range: what is seen, read and moved is what it is under [0, 1], but for the depths
 // themselves.
 
-#include "gui/panels/observer_panel.h"
-#include "gui/view/observer_view.h"
+#include "gui/outside/observer_panel.h"
+#include "gui/outside/observer_view.h"
 #include "tests/gui/depth_ranges.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"

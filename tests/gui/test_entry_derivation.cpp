@@ -3,10 +3,10 @@
 #include "pipeline_figures.h"
 
 #include "core/text/expression.h"
-#include "gui/panels/entry_derivation.h"
-#include "gui/panels/number_grid.h"
-#include "gui/panels/pipeline_panel.h"
-#include "gui/panels/steady_label.h"
+#include "gui/pipeline/entry_derivation.h"
+#include "gui/pipeline/pipeline_panel.h"
+#include "gui/widgets/number_grid.h"
+#include "gui/widgets/steady_label.h"
 
 #include <QRegularExpression>
 

@@ -3,10 +3,10 @@
 #include "core/geometry/api_conventions.h"
 #include "core/scene/examples.h"
 #include "gui/document/scene_document.h"
-#include "gui/panels/pipeline_model.h"
+#include "gui/lessons/formulas_window.h"
+#include "gui/pipeline/pipeline_model.h"
+#include "gui/shell/appearance.h"
 #include "gui/text/formula_markup.h"
-#include "gui/window/appearance.h"
-#include "gui/window/formulas_window.h"
 #include "tests/support/errata.h"
 #include "tests/support/patience.h"
 

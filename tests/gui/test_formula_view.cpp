@@ -1,7 +1,7 @@
 // The formulas as they are set: fractions on bars, symbols above numbers, terms that are found under the pointer.
 
-#include "gui/panels/formula_view.h"
 #include "gui/text/formula_text.h"
+#include "gui/widgets/formula_view.h"
 
 #include "comparison_picks.h"
 

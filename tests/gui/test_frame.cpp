@@ -1,10 +1,10 @@
 // What the views draw and what is read back: surface or background, the object, the depth, under every kind of depth
 // range; and what is cut away. Run once more with object ids as colours.
 
-#include "gui/painters/frame_painter.h"
-#include "gui/painters/mesh_painter.h"
-#include "gui/panels/observer_panel.h"
-#include "gui/view/observer_view.h"
+#include "gui/outside/observer_panel.h"
+#include "gui/outside/observer_view.h"
+#include "gui/view/painters/frame_painter.h"
+#include "gui/view/painters/mesh_painter.h"
 #include "tests/gui/depth_ranges.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"

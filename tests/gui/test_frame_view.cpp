@@ -1,7 +1,7 @@
 // How often the views draw, what of it the screen shows, and when the pointer is told. Run once more with object ids as
 // colours.
 
-#include "gui/view/observer_view.h"
+#include "gui/outside/observer_view.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
 

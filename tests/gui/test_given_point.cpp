@@ -2,9 +2,9 @@
 
 #include "pipeline_figures.h"
 
-#include "gui/panels/number_grid.h"
-#include "gui/panels/pipeline_panel.h"
+#include "gui/pipeline/pipeline_panel.h"
 #include "gui/text/typed_numbers.h"
+#include "gui/widgets/number_grid.h"
 #include "tests/support/patience.h"
 
 #include <QClipboard>

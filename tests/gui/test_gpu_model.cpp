@@ -1,8 +1,8 @@
 // A model on its way into the graphics memory, which may take less than the model has.
 
 #include "core/scene/solids.h"
-#include "gui/painters/gpu_model.h"
 #include "gui/view/frame_view.h"
+#include "gui/view/painters/gpu_model.h"
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>

@@ -1,9 +1,9 @@
 // The figures of Help: named by its pages, drawn in every size and colour.
 
+#include "gui/lessons/formulas_window.h"
 #include "gui/text/figures/help_figures.h"
 #include "gui/text/formula_layout.h"
 #include "gui/text/translation.h"
-#include "gui/window/formulas_window.h"
 #include "tests/support/patience.h"
 
 #include <QFile>

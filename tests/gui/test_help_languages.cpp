@@ -1,8 +1,8 @@
 // The page of formulas in the other languages: the same page as the English one, and shown where the program speaks it.
 
+#include "gui/lessons/formulas_window.h"
 #include "gui/text/formula_markup.h"
 #include "gui/text/translation.h"
-#include "gui/window/formulas_window.h"
 #include "tests/support/errata.h"
 #include "tests/support/patience.h"
 

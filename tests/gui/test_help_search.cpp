@@ -1,9 +1,9 @@
 // Finding words in Help.
 
+#include "gui/lessons/find_bar.h"
+#include "gui/lessons/formulas_window.h"
+#include "gui/shell/appearance.h"
 #include "gui/text/translation.h"
-#include "gui/window/appearance.h"
-#include "gui/window/find_bar.h"
-#include "gui/window/formulas_window.h"
 #include "tests/support/patience.h"
 
 #include <QLabel>

@@ -6,9 +6,9 @@
 
 #include "core/ray/closest_place.h"
 #include "core/scene/solids.h"
-#include "gui/document/diagnoser.h"
-#include "gui/document/map_maker.h"
+#include "gui/doctor/diagnoser.h"
 #include "gui/document/scene_curves.h"
+#include "gui/map/map_maker.h"
 #include "tests/support/mesh_model.h"
 #include "tests/support/patience.h"
 

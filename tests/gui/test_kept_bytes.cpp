@@ -1,7 +1,7 @@
 // What is kept of the window from one run to the next, and read back only where it is what was written.
 
-#include "gui/window/kept_bytes.h"
-#include "gui/window/work_places.h"
+#include "gui/shell/kept_bytes.h"
+#include "gui/shell/work_places.h"
 #include "tests/gui/gui_scene.h"
 
 #include <QDockWidget>

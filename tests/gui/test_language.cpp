@@ -4,13 +4,13 @@
 
 #include "core/scene/bundled_models.h"
 #include "core/scene_file/scene_file.h"
+#include "gui/lessons/find_bar.h"
+#include "gui/lessons/formulas_window.h"
+#include "gui/lessons/lesson_panel.h"
+#include "gui/shell/appearance.h"
 #include "gui/text/bundled_names.h"
 #include "gui/text/translation.h"
 #include "gui/view/scene_view.h"
-#include "gui/window/appearance.h"
-#include "gui/window/find_bar.h"
-#include "gui/window/formulas_window.h"
-#include "gui/window/lesson_panel.h"
 #include "tests/support/patience.h"
 
 #include <QAbstractButton>

@@ -2,7 +2,7 @@
 
 #include "core/scene/solids.h"
 #include "gui/document/model_store.h"
-#include "gui/window/overlay_bars.h"
+#include "gui/shell/overlay_bars.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
 

@@ -1,6 +1,6 @@
 // What a lesson asks in the window: answers are checked and shown, and what has them waits.
 
-#include "gui/document/lesson_player.h"
+#include "gui/lessons/lesson_player.h"
 #include "gui/view/lifecycle_log.h"
 #include "gui/view/scene_view.h"
 #include "lessons_user.h"

@@ -1,10 +1,10 @@
 // A lesson's links in the window: every one of every step leads somewhere, and does what it says.
 
 #include "core/lessons/lesson.h"
-#include "gui/document/lesson_player.h"
-#include "gui/panels/factor_shares.h"
-#include "gui/panels/factors_view.h"
-#include "gui/panels/pipeline_panel.h"
+#include "gui/lessons/lesson_player.h"
+#include "gui/pipeline/factor_shares.h"
+#include "gui/pipeline/factors_view.h"
+#include "gui/pipeline/pipeline_panel.h"
 #include "gui/text/formula_markup.h"
 #include "lessons_user.h"
 #include "tests/support/patience.h"

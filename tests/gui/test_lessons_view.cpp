@@ -1,8 +1,8 @@
 // The view in a lesson: it gets the size of the step's numbers, shows what the step highlights, and is clicked where the step says.
 
-#include "gui/document/lesson_player.h"
+#include "gui/lessons/lesson_player.h"
+#include "gui/outside/observer_view.h"
 #include "gui/view/highlight_marks.h"
-#include "gui/view/observer_view.h"
 #include "gui/view/scene_overlay.h"
 #include "gui/view/scene_view.h"
 #include "lessons_user.h"

@@ -1,9 +1,9 @@
 // Lessons in the window: from step to step, and what was shown before them comes back.
 
-#include "gui/document/lesson_player.h"
-#include "gui/panels/pipeline_panel.h"
+#include "gui/lessons/lesson_player.h"
+#include "gui/pipeline/pipeline_panel.h"
+#include "gui/shell/first_steps.h"
 #include "gui/view/scene_view.h"
-#include "gui/window/first_steps.h"
 #include "lessons_user.h"
 #include "tests/support/patience.h"
 

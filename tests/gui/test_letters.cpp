@@ -1,9 +1,9 @@
 // Letters of lessons in both views: each is seen to be of its own arrow, and covers nothing.
 
 #include "core/lessons/lesson.h"
-#include "gui/document/lesson_player.h"
+#include "gui/lessons/lesson_player.h"
+#include "gui/outside/observer_view.h"
 #include "gui/view/highlight_marks.h"
-#include "gui/view/observer_view.h"
 #include "gui/view/scene_view.h"
 #include "window_user.h"
 

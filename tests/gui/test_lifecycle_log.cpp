@@ -2,10 +2,10 @@
 
 #include "core/scene/bundled_scene.h"
 #include "gui/document/scene_document.h"
-#include "gui/panels/digits_font.h"
-#include "gui/panels/lifecycle_panel.h"
+#include "gui/pipeline/lifecycle_panel.h"
 #include "gui/view/lifecycle_log.h"
 #include "gui/view/scene_view.h"
+#include "gui/widgets/digits_font.h"
 #include "tests/support/patience.h"
 
 #include <QApplication>

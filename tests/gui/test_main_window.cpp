@@ -2,15 +2,15 @@
 
 #include "window_user.h"
 
-#include "gui/panels/help_link.h"
-#include "gui/panels/observer_panel.h"
-#include "gui/view/observer_view.h"
+#include "gui/lessons/formulas_window.h"
+#include "gui/outside/observer_panel.h"
+#include "gui/outside/observer_view.h"
+#include "gui/shell/appearance.h"
+#include "gui/shell/first_steps.h"
+#include "gui/shell/key_sheet.h"
+#include "gui/shell/place_ids.h"
 #include "gui/view/scene_view.h"
-#include "gui/window/appearance.h"
-#include "gui/window/first_steps.h"
-#include "gui/window/formulas_window.h"
-#include "gui/window/key_sheet.h"
-#include "gui/window/place_ids.h"
+#include "gui/widgets/help_link.h"
 #include "tests/support/patience.h"
 
 #include <QAbstractButton>

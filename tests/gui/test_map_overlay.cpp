@@ -1,11 +1,11 @@
 // The map over the view: what it shows is what the view shows, and it is gone as soon as that is another picture.
 
 #include "gui/document/scene_document.h"
-#include "gui/panels/map_panel.h"
-#include "gui/view/map_colors.h"
+#include "gui/map/map_colors.h"
+#include "gui/map/map_overlay.h"
+#include "gui/map/map_panel.h"
 #include "gui/view/point_loupe.h"
 #include "gui/view/scene_view.h"
-#include "gui/window/map_overlay.h"
 #include "tests/gui/job_faults.h"
 #include "tests/gui/window_user.h"
 #include "tests/support/patience.h"

@@ -1,8 +1,8 @@
 // A field for one number, by itself: what it reads, what it shows, how it steps, and when it leaves the user's text alone.
 
 #include "core/geometry/angle.h"
-#include "gui/panels/parameters/digit_step.h"
-#include "gui/panels/parameters/number_field.h"
+#include "gui/parameters/digit_step.h"
+#include "gui/parameters/number_field.h"
 #include "tests/support/patience.h"
 
 #include <QTest>

@@ -2,8 +2,8 @@
 
 #include "core/scene/bundled_scene.h"
 #include "gui/document/scene_document.h"
-#include "gui/panels/objects_model.h"
-#include "gui/panels/objects_panel.h"
+#include "gui/objects/objects_model.h"
+#include "gui/objects/objects_panel.h"
 
 #include <QHeaderView>
 #include <QLabel>

@@ -4,8 +4,8 @@
 #include "core/geometry/drawable.h"
 #include "core/geometry/view_volume.h"
 #include "core/scene/bundled_scene.h"
-#include "gui/panels/observer_panel.h"
-#include "gui/view/observer_view.h"
+#include "gui/outside/observer_panel.h"
+#include "gui/outside/observer_view.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
 

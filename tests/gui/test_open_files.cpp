@@ -4,9 +4,9 @@
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
 
+#include "gui/click/comparison_panel.h"
 #include "gui/document/recent_files.h"
-#include "gui/panels/comparison_panel.h"
-#include "gui/window/overlay_bars.h"
+#include "gui/shell/overlay_bars.h"
 
 #include <QDir>
 #include <QDragEnterEvent>

@@ -1,17 +1,17 @@
 // The panels of numbers at the fonts of the desktops, in both languages and at every width from the least one: no text is
 // cut off, and nothing that is picked, of tiny or of huge models, changes how small a panel can be or where its parts stand.
 
+#include "gui/click/comparison_panel.h"
+#include "gui/click/comparison_table.h"
 #include "gui/document/scene_document.h"
-#include "gui/panels/comparison_panel.h"
-#include "gui/panels/comparison_table.h"
-#include "gui/panels/elided_label.h"
-#include "gui/panels/lifecycle_panel.h"
-#include "gui/panels/number_grid.h"
-#include "gui/panels/pipeline_panel.h"
-#include "gui/panels/steady_label.h"
-#include "gui/panels/viewport_inspector.h"
+#include "gui/pipeline/lifecycle_panel.h"
+#include "gui/pipeline/pipeline_panel.h"
+#include "gui/pipeline/viewport_inspector.h"
 #include "gui/text/translation.h"
 #include "gui/view/lifecycle_log.h"
+#include "gui/widgets/elided_label.h"
+#include "gui/widgets/number_grid.h"
+#include "gui/widgets/steady_label.h"
 
 #include <QAbstractButton>
 #include <QApplication>

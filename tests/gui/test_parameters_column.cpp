@@ -3,8 +3,8 @@
 
 #include "panel_user.h"
 
-#include "gui/panels/parameters/group_heading.h"
-#include "gui/panels/parameters/number_slider.h"
+#include "gui/parameters/group_heading.h"
+#include "gui/parameters/number_slider.h"
 
 #include <QLineEdit>
 #include <QPushButton>

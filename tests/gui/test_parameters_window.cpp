@@ -2,12 +2,12 @@
 
 #include "gui_scene.h"
 
-#include "gui/document/lesson_player.h"
-#include "gui/panels/objects_panel.h"
-#include "gui/panels/parameters/number_field.h"
-#include "gui/panels/parameters/parameter_group.h"
-#include "gui/panels/parameters_panel.h"
-#include "gui/window/work_places.h"
+#include "gui/lessons/lesson_player.h"
+#include "gui/objects/objects_panel.h"
+#include "gui/parameters/number_field.h"
+#include "gui/parameters/parameter_group.h"
+#include "gui/parameters/parameters_panel.h"
+#include "gui/shell/work_places.h"
 #include "tests/support/patience.h"
 
 #include <QFile>

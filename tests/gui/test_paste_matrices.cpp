@@ -4,10 +4,10 @@
 #include "gui_scene.h"
 
 #include "core/scene_file/scene_file.h"
-#include "gui/panels/number_grid.h"
-#include "gui/panels/paste_matrices_dialog.h"
-#include "gui/panels/pasted_matrix_box.h"
-#include "gui/panels/pipeline_panel.h"
+#include "gui/pipeline/paste_matrices_dialog.h"
+#include "gui/pipeline/pasted_matrix_box.h"
+#include "gui/pipeline/pipeline_panel.h"
+#include "gui/widgets/number_grid.h"
 #include "tests/support/patience.h"
 
 #include <QClipboard>

@@ -1,6 +1,6 @@
 // What the view says where there is nothing to be seen.
 
-#include "gui/window/picture_note.h"
+#include "gui/shell/picture_note.h"
 #include "tests/gui/gui_scene.h"
 
 #include <functional>

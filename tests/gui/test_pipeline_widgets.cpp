@@ -2,12 +2,12 @@
 
 #include "pipeline_figures.h"
 
-#include "gui/panels/factor_drawing.h"
-#include "gui/panels/factor_shares.h"
-#include "gui/panels/factors_view.h"
-#include "gui/panels/matrix_section.h"
-#include "gui/panels/number_grid.h"
-#include "gui/panels/pipeline_panel.h"
+#include "gui/pipeline/factor_drawing.h"
+#include "gui/pipeline/factor_shares.h"
+#include "gui/pipeline/factors_view.h"
+#include "gui/pipeline/matrix_section.h"
+#include "gui/pipeline/pipeline_panel.h"
+#include "gui/widgets/number_grid.h"
 
 #include <QApplication>
 #include <QClipboard>

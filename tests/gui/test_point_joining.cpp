@@ -1,6 +1,6 @@
 // Points from files beside those that are there: joined by their names or their order, or instead of them.
 
-#include "gui/document/point_templates.h"
+#include "gui/landmarks/point_templates.h"
 #include "point_desk.h"
 
 #include <nlohmann/json.hpp>

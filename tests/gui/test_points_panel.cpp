@@ -1,13 +1,13 @@
 // The table of placed points, the one that is placed next, and what they measure, as a user handles them.
 
 #include "core/scene/bundled_scene.h"
-#include "gui/document/point_templates.h"
 #include "gui/document/scene_document.h"
-#include "gui/panels/measure_rows.h"
-#include "gui/panels/measures_view.h"
-#include "gui/panels/points_model.h"
-#include "gui/panels/points_panel.h"
-#include "gui/panels/points_table.h"
+#include "gui/landmarks/measure_rows.h"
+#include "gui/landmarks/measures_view.h"
+#include "gui/landmarks/point_templates.h"
+#include "gui/landmarks/points_model.h"
+#include "gui/landmarks/points_panel.h"
+#include "gui/landmarks/points_table.h"
 #include "gui/text/point_text.h"
 #include "gui/text/short_name.h"
 

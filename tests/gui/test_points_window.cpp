@@ -4,13 +4,13 @@
 
 #include "gui/document/landmark_objects.h"
 #include "gui/document/point_files.h"
-#include "gui/document/scan_series.h"
 #include "gui/document/scene_curves.h"
-#include "gui/panels/curves_view.h"
-#include "gui/panels/points_model.h"
-#include "gui/panels/points_table.h"
+#include "gui/landmarks/curves_view.h"
+#include "gui/landmarks/points_model.h"
+#include "gui/landmarks/points_table.h"
+#include "gui/landmarks/scan_series.h"
+#include "gui/shell/overlay_bars.h"
 #include "gui/view/point_marks.h"
-#include "gui/window/overlay_bars.h"
 #include "tests/support/patience.h"
 
 #include <QApplication>

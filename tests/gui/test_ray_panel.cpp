@@ -4,9 +4,9 @@
 #include "told_changes.h"
 
 #include "core/scene/solids.h"
-#include "gui/panels/comparison_panel.h"
-#include "gui/panels/ray_model.h"
-#include "gui/panels/ray_table.h"
+#include "gui/click/comparison_panel.h"
+#include "gui/click/ray_model.h"
+#include "gui/click/ray_table.h"
 #include "gui/text/ray_text.h"
 #include "tests/support/mesh_model.h"
 #include "tests/support/patience.h"

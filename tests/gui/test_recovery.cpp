@@ -6,7 +6,7 @@
 #include "gui/document/portable.h"
 #include "gui/document/recovery_file.h"
 #include "gui/document/scene_document.h"
-#include "gui/window/overlay_bars.h"
+#include "gui/shell/overlay_bars.h"
 
 #include <QApplication>
 #include <QComboBox>

@@ -2,7 +2,7 @@
 
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
-#include "gui/document/lesson_player.h"
+#include "gui/lessons/lesson_player.h"
 #include "gui/text/error_text.h"
 #include "point_desk.h"
 #include "tests/support/patience.h"

@@ -1,7 +1,7 @@
 // The tables that are written of a series of scans.
 
 #include "core/landmark_files/landmark_file.h"
-#include "gui/document/point_templates.h"
+#include "gui/landmarks/point_templates.h"
 #include "point_desk.h"
 #include "tests/support/patience.h"
 

@@ -1,10 +1,10 @@
 // The scene as code in its window: it is that of the scene as it is now, copied and saved as it is read.
 
 #include "gui/document/scene_document.h"
-#include "gui/panels/elided_label.h"
-#include "gui/window/plain_tool_tip.h"
-#include "gui/window/scene_code_window.h"
-#include "gui/window/window_questions.h"
+#include "gui/shell/plain_tool_tip.h"
+#include "gui/shell/scene_code_window.h"
+#include "gui/shell/window_questions.h"
+#include "gui/widgets/elided_label.h"
 #include "tests/support/patience.h"
 #include "window_user.h"
 

@@ -1,7 +1,7 @@
 // A lesson over a session without a window: what becomes of the scene that was shown before it.
 
 #include "broken_texts.h"
-#include "gui/document/lesson_player.h"
+#include "gui/lessons/lesson_player.h"
 #include "session_desk.h"
 #include "tests/support/patience.h"
 

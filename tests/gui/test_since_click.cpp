@@ -1,9 +1,9 @@
 // What is said of a pick when the document is another one since, and that it can be picked anew.
 
-#include "gui/panels/comparison_model.h"
-#include "gui/panels/comparison_panel.h"
-#include "gui/panels/pipeline_panel.h"
-#include "gui/panels/since_click_text.h"
+#include "gui/click/comparison_model.h"
+#include "gui/click/comparison_panel.h"
+#include "gui/document/since_click_text.h"
+#include "gui/pipeline/pipeline_panel.h"
 #include "tests/gui/gui_scene.h"
 
 #include <QLabel>

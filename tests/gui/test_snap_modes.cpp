@@ -1,7 +1,7 @@
 // Clicks that take a vertex, an edge or a face: chosen by key, marked under the pointer, exact.
 
+#include "gui/click/comparison_panel.h"
 #include "gui/document/ray_casters.h"
-#include "gui/panels/comparison_panel.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
 

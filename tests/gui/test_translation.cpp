@@ -1,8 +1,8 @@
+#include "gui/shell/main_window.h"
 #include "gui/text/error_text.h"
 #include "gui/text/mistake_text.h"
 #include "gui/text/sentences.h"
 #include "gui/text/translation.h"
-#include "gui/window/main_window.h"
 
 #include <QDir>
 #include <QFile>

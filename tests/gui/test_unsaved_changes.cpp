@@ -1,8 +1,8 @@
 // What counts as an unsaved change, what is asked about, and what the answers do.
 
-#include "gui/document/lesson_player.h"
 #include "gui/document/scene_document.h"
-#include "gui/window/main_window.h"
+#include "gui/lessons/lesson_player.h"
+#include "gui/shell/main_window.h"
 
 #include "gui_scene.h"
 #include "tests/support/patience.h"

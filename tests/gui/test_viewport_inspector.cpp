@@ -2,8 +2,8 @@
 
 #include "core/scene/bundled_scene.h"
 #include "gui/document/scene_document.h"
-#include "gui/panels/corners_model.h"
-#include "gui/panels/viewport_inspector.h"
+#include "gui/pipeline/corners_model.h"
+#include "gui/pipeline/viewport_inspector.h"
 #include "gui/text/proportion_text.h"
 #include "tests/gui/depth_ranges.h"
 #include "tests/support/patience.h"

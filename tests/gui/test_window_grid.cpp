@@ -4,9 +4,9 @@
 #include "cut_texts.h"
 #include "gui_scene.h"
 
+#include "gui/shell/work_places.h"
 #include "gui/text/translation.h"
 #include "gui/view/scene_view.h"
-#include "gui/window/work_places.h"
 #include "tests/support/patience.h"
 
 #include <QApplication>

@@ -3,13 +3,13 @@
 
 #include "window_user.h"
 
-#include "gui/document/lesson_player.h"
-#include "gui/panels/observer_panel.h"
-#include "gui/view/observer_view.h"
-#include "gui/window/first_steps.h"
-#include "gui/window/observer_inset.h"
-#include "gui/window/overlay_bars.h"
-#include "gui/window/place_ids.h"
+#include "gui/lessons/lesson_player.h"
+#include "gui/outside/observer_inset.h"
+#include "gui/outside/observer_panel.h"
+#include "gui/outside/observer_view.h"
+#include "gui/shell/first_steps.h"
+#include "gui/shell/overlay_bars.h"
+#include "gui/shell/place_ids.h"
 #include "tests/support/patience.h"
 
 #include <QLabel>

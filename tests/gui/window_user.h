@@ -2,7 +2,7 @@
 
 #include "gui_scene.h"
 
-#include "gui/window/work_places.h"
+#include "gui/shell/work_places.h"
 
 #include <QAction>
 #include <QDockWidget>

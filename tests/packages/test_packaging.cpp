@@ -1,8 +1,8 @@
 // What is installed beside the programs: one version, the manual and the completions that name what there is, the icon.
 
 #include "core/scene_file/scene_file.h"
-#include "gui/panels/icons.h"
-#include "gui/window/about_dialog.h"
+#include "gui/shell/about_dialog.h"
+#include "gui/widgets/icons.h"
 #include "tests/support/patience.h"
 
 #include <QFile>

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/cli/commands/points_command.h"
+
+namespace unprojector::cli {
+
+/// `unproject points` of clicks: each computed again with its own scene, one row a click. A click on the background has
+/// no point and counts as a bad row.
+ExitCode runClicks(const PointsOptions &options, const std::vector<Click> &clicks);
+
+} // namespace unprojector::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/cli/commands/points_command.h"
+#include "core/cli/terminal/exit_code.h"
+
+#include <string>
+
+namespace unprojector::cli {
+
+/// What the file holds. Computed in double either way.
+enum class PointPrecision { Float, Double };
+
+/// What the numbers of a depth image are, in every format of it: depths of the window as they are, or 0 to 1 over the
+/// scene's depth range, from its lower end on.
+enum class DepthNumbers { Window, Range };
+
+/// `unproject cloud`: a whole depth image to a point cloud in world space.
+struct CloudOptions {
+    std::string scene;
+    std::string depth;  ///< raw floats, PFM or PGM
+    std::string size;   ///< "WxH", for raw floats
+    std::string output; ///< a PLY file, "-" for stdout
+    DepthNumbers depths = DepthNumbers::Window;
+    Method method = Method::Formula;
+    PointPrecision precision = PointPrecision::Float;
+};
+
+ExitCode runCloud(const CloudOptions &options);
+
+} // namespace unprojector::cli

@@ -1,0 +1,270 @@
+#include "core/cli/commands/compare_command.h"
+
+#include "core/cli/commands/exact_unprojection.h"
+#include "core/cli/rows/byte_stream.h"
+#include "core/cli/rows/distribution.h"
+#include "core/cli/rows/scene_input.h"
+#include "core/cli/terminal/progress_bar.h"
+#include "core/geometry/unit_in_last_place.h"
+#include "core/text/columns.h"
+#include "core/text/error_text.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+#include "core/unproject/unprojector.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace unprojector::cli {
+using namespace unproject;
+using namespace text;
+namespace {
+
+constexpr double kShare = 0.9999;
+
+/// One way to compute, and how it did.
+struct Way {
+    using Function = std::function<Result<WorldPoint>(const WindowPoint &)>;
+
+    const char *method, *precision;
+    bool isFloat = false;
+    Function by;
+    std::vector<Distribution> of; ///< x, y, z in world units; units in the last place of the largest coordinate
+    std::size_t withoutAnswer = 0;
+    std::string reason; ///< of the first point without an answer
+
+    Way(const char *methodName, const char *precisionName, bool isInFloat, std::size_t points, Function function)
+        : method(methodName), precision(precisionName), isFloat(isInFloat), by(std::move(function)),
+          of(4, Distribution(kShare, points))
+    {
+    }
+
+    void add(const std::array<Extended, 3> &exact, const Result<WorldPoint> &point)
+    {
+        if (!point)
+            return addNoAnswer(errorText(point.error()));
+        std::array<double, 3> differences{};
+        double largest = 0.0, farthest = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            differences[k] = std::abs(static_cast<double>((*point)[static_cast<int>(k)] - exact[k]));
+            if (!std::isfinite(differences[k]))
+                return addNoAnswer(tr("the numbers leave the range of %1", precision));
+            farthest = std::max(farthest, differences[k]);
+            largest = std::max(largest, std::abs(static_cast<double>(exact[k])));
+        }
+        const double ulps = farthest / ulpOf(largest);
+        if (!std::isfinite(ulps))
+            return addNoAnswer(tr("the numbers leave the range of %1", precision));
+        for (std::size_t k = 0; k < 3; ++k)
+            of[k].add(differences[k]);
+        of[3].add(ulps);
+    }
+
+    void addNoAnswer(const std::string &why)
+    {
+        if (withoutAnswer++ == 0)
+            reason = why;
+    }
+
+    /// Of the precision that it computes in.
+    double ulpOf(double value) const
+    {
+        return isFloat ? static_cast<double>(unitInLastPlace(static_cast<float>(value))) : unitInLastPlace(value);
+    }
+};
+
+/// The closed form wholly in single precision, as a program does it that stores its numbers so.
+class FormulaInFloat {
+public:
+    explicit FormulaInFloat(const Picture &geometry)
+    {
+        const Result<Picture> view = byParameters(geometry);
+        m_problem = view ? std::nullopt : std::optional(view.error());
+        if (!view)
+            return;
+        m_geometry = *view;
+        const Result<EyeFrame> frame = eyeFrame(view->camera());
+        if (frame)
+            m_frame = *frame;
+        else
+            m_problem = frame.error();
+    }
+
+    Result<WorldPoint> operator()(const WindowPoint &window) const
+    {
+        if (m_problem)
+            return *m_problem;
+        const Picture &g = m_geometry;
+        const ProjectionWindow w = projectionWindow(g.projection());
+        const bool perspective = isPerspective(g.projection());
+        const auto n = float(w.nearDistance), f = float(w.farDistance);
+        const auto dn = float(g.depthRange.atNear), df = float(g.depthRange.atFar);
+        const float d = (float(window.z) - dn) / (df - dn);
+        const float z = perspective ? n * f / (f * (1.0f - d) + n * d) : n * (1.0f - d) + f * d;
+        const auto between = [&](double low, double high, double position, double start, double size) {
+            const float span = (float(position) - float(start)) * (float(high) - float(low));
+            return perspective ? span * z / (float(size) * n) + float(low) * z / n : span / float(size) + float(low);
+        };
+        float x = between(w.left, w.right, window.x, g.viewport.x, g.viewport.width);
+        float y = between(w.bottom, w.top, window.y, g.viewport.y, g.viewport.height);
+        if (const auto *oblique = std::get_if<Oblique>(&g.projection())) {
+            x += float(cotangent(oblique->thetaRadians)) * z;
+            y += float(cotangent(oblique->phiRadians)) * z;
+        }
+        WorldPoint world;
+        for (int k = 0; k < 3; ++k) {
+            world[k] = double(float(m_frame.eye[k]) + x * float(m_frame.side[k]) + y * float(m_frame.upward[k])
+                              + z * float(m_frame.forward[k]));
+        }
+        return world;
+    }
+
+private:
+    Picture m_geometry;
+    EyeFrame m_frame;
+    std::optional<Error> m_problem;
+};
+
+/// Where in [0, 1] the middle of the i-th of so many equal parts lies.
+double middleOfPart(int i, int parts)
+{
+    return (i + 0.5) / parts;
+}
+
+/// The centres of pixels spread over the viewport, times depths from one end to the other.
+template <class Function>
+void forEachPoint(const Picture &g, const CompareOptions &options, Function function)
+{
+    const auto spread = [&](double start, double size, int i) {
+        return start + std::floor(middleOfPart(i, options.pixels) * size) + kHalfPixel;
+    };
+    for (int k = 0; k < options.depths; ++k) {
+        const double share = options.depths == 1 ? middleOfPart(0, 1) : double(k) / (options.depths - 1);
+        const double depth = share == 1.0 ? g.depthRange.atFar
+                                          : g.depthRange.atNear + share * (g.depthRange.atFar - g.depthRange.atNear);
+        for (int j = 0; j < options.pixels; ++j) {
+            for (int i = 0; i < options.pixels; ++i) {
+                function(WindowPoint(spread(g.viewport.x, g.viewport.width, i),
+                                     spread(g.viewport.y, g.viewport.height, j), depth));
+            }
+        }
+    }
+}
+
+constexpr const char *kQuantities[] = {"x", "y", "z", "ulps"};
+
+std::string table(const std::vector<Way> &ways, std::size_t points)
+{
+    std::string text =
+        tr("Differences from extended precision over %1 points, world units; ulps of the largest coordinate", points)
+        + "\n\n";
+    const auto line = [&](const std::string &method, const std::string &precision, const char *what,
+                          const std::string &a, const std::string &b, const std::string &c) {
+        text += padded(method, 8) + ' ' + padded(precision, 7) + ' ' + padded(what, 5);
+        for (const std::string *number : {&a, &b, &c})
+            text += ' ' + paddedLeft(*number, 10);
+        text += '\n';
+    };
+    const auto number = [](double value) {
+        std::array<char, 32> buffer;
+        std::snprintf(buffer.data(), buffer.size(), "%.3g", value);
+        return std::string(buffer.data());
+    };
+    line(tr("method|column"), tr("in|column"), "", tr("largest|column"), tr("mean|column"), "99.99 %");
+    for (const Way &way : ways) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Distribution &d = way.of[k];
+            const bool isThere = !d.isEmpty();
+            line(k == 0 ? tr(way.method) : std::string(), k == 0 ? way.precision : "", kQuantities[k],
+                 isThere ? number(d.largest()) : "-", isThere ? number(d.mean()) : "-",
+                 isThere ? number(d.percentile()) : "-");
+        }
+        if (way.withoutAnswer > 0)
+            text += "         " + tr("%1 points without an answer: %2", way.withoutAnswer, way.reason) + '\n';
+    }
+    return text;
+}
+
+std::string json(const std::vector<Way> &ways, std::size_t points)
+{
+    const InEnglish english;
+    std::string text = "{\n  \"points\": " + std::to_string(points) + ",\n  \"methods\": [";
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        const Way &way = ways[i];
+        text += std::string(i == 0 ? "" : ",") + "\n    {\"method\": \"" + tr(way.method) + "\", \"precision\": \""
+                + way.precision + "\", \"withoutAnswer\": " + std::to_string(way.withoutAnswer);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Distribution &d = way.of[k];
+            text += std::string(",\n     \"") + kQuantities[k] + "\": ";
+            if (d.isEmpty()) {
+                text += "null";
+                continue;
+            }
+            text += "{\"largest\": ";
+            appendNumber(text, d.largest());
+            text += ", \"mean\": ";
+            appendNumber(text, d.mean());
+            text += ", \"percentile99.99\": ";
+            appendNumber(text, d.percentile());
+            text += '}';
+        }
+        text += '}';
+    }
+    return text + "\n  ]\n}\n";
+}
+
+} // namespace
+
+ExitCode runCompare(const CompareOptions &options)
+{
+    const std::optional<SceneInput> scene = sceneInput(options.scene);
+    if (!scene)
+        return ExitCode::UnusableInput;
+    const std::optional<ExactUnprojection> exact = ExactUnprojection::of(scene->geometry);
+    if (!exact) {
+        complain(options.scene + ": " + errorText(Error{ErrorCode::SingularMatrix}));
+        return ExitCode::UnusableInput;
+    }
+    const Result<Unprojector> unprojector = Unprojector::of(scene->geometry);
+    if (!unprojector) {
+        complain(options.scene + ": " + errorText(unprojector.error()));
+        return ExitCode::UnusableInput;
+    }
+    ByteSink sink("-", scene->files);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    const FormulaInFloat formulaInFloat(scene->geometry);
+    const auto by = [&](Method method) {
+        return [&, method](const WindowPoint &window) { return unprojector->worldAt(method, window); };
+    };
+    const std::size_t most = static_cast<std::size_t>(options.pixels) * static_cast<std::size_t>(options.pixels)
+                             * static_cast<std::size_t>(options.depths);
+    std::vector<Way> ways{{marked("formula|method"), "double", false, most, by(Method::Formula)},
+                          {marked("matrix|method"), "double", false, most, by(Method::Matrix)},
+                          {marked("formula|method"), "float", true, most, std::cref(formulaInFloat)},
+                          {marked("matrix|method"), "float", true, most, by(Method::MatrixInFloat)}};
+    ProgressBar progress(most, ProgressBar::Unit::Points);
+    std::size_t points = 0;
+    forEachPoint(scene->geometry, options, [&](const WindowPoint &window) {
+        progress.advance(1);
+        const std::optional<std::array<Extended, 3>> world = exact->world(window);
+        if (!world)
+            return; // a far plane at infinity
+        ++points;
+        for (Way &way : ways)
+            way.add(*world, way.by(window));
+    });
+    progress.finish();
+    if (options.isJson)
+        sink.write(json(ways, points));
+    else
+        sink.print(table(ways, points));
+    return sink.finish();
+}
+
+} // namespace unprojector::cli

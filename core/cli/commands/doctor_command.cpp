@@ -1,0 +1,230 @@
+#include "core/cli/commands/doctor_command.h"
+
+#include "core/cli/commands/doctor_texts.h"
+#include "core/cli/commands/opened_scene.h"
+#include "core/cli/commands/size_text.h"
+#include "core/cli/commands/wrong_points.h"
+#include "core/cli/rows/byte_stream.h"
+#include "core/cli/rows/scene_input.h"
+#include "core/doctor/mesh_vertices.h"
+#include "core/files/path_text.h"
+#include "core/ray/mesh_depth.h"
+#include "core/text/error_text.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace unprojector::cli {
+using namespace doctor;
+using namespace text;
+namespace {
+
+/// A case, and the files of its scene.
+struct CaseRead {
+    Case scene;
+    InputFiles files;
+};
+
+/// Whether all models of a scene are there to be read.
+bool areModelsThere(const std::string &file)
+{
+    const std::optional<SceneFile> scene = file == "-" ? std::nullopt : sceneFile(file);
+    return scene && std::all_of(scene->objects.begin(), scene->objects.end(), [&](const SceneFileObject &object) {
+               std::error_code ignored;
+               return !object.bundled.empty()
+                      || std::filesystem::exists(objectFile(object, files::pathFromUtf8(file)), ignored);
+           });
+}
+
+/// The vertices of a scene's models, which are read once they are asked for; none where a model is missing.
+std::function<std::vector<KnownPoint>(const Box &)> verticesOnceRead(const std::string &file)
+{
+    return [file, opened = std::optional<OpenedScene>(), isRead = false](const Box &world) mutable {
+        if (!isRead && areModelsThere(file))
+            opened = openScene(file);
+        isRead = true;
+        return opened ? verticesIn(opened->objects, world) : std::vector<KnownPoint>();
+    };
+}
+
+/// The case without any mesh. Errors are printed on stderr.
+std::optional<CaseRead> withoutMesh(const std::string &file)
+{
+    const std::optional<SceneInput> input = sceneInput(file);
+    if (!input)
+        return std::nullopt;
+    Case result{input->geometry, {}, {}, {}, verticesOnceRead(file)};
+    for (const PlacedObject &object : input->objects)
+        result.models.push_back({object.name, object.worldFromObject});
+    return CaseRead{std::move(result), input->files};
+}
+
+std::optional<CaseRead> withMesh(const std::string &file)
+{
+    const std::optional<OpenedScene> opened = openScene(file);
+    const std::optional<Picture> picture = opened ? pictureOf(*opened, {}) : std::nullopt;
+    if (!picture)
+        return std::nullopt;
+    Case result{*picture, {}, {}, {}, {}};
+    for (const SceneObject &object : opened->objects)
+        result.models.push_back({object.name, worldFromObject(object.transform)});
+    const Result<Unprojector> unprojector = Unprojector::of(*picture);
+    if (!unprojector) {
+        complain(opened->name + ": " + errorText(unprojector.error()));
+        return std::nullopt;
+    }
+    if (!opened->objects.empty()) {
+        result.depthOnMesh = ray::MeshDepth(std::make_shared<ray::SceneRays>(
+            *unprojector, opened->objects, castersOf(opened->objects), opened->clipPlanes()));
+        result.verticesIn = [objects = opened->objects](const Box &world) { return verticesIn(objects, world); };
+    }
+    return CaseRead{std::move(result), opened->files};
+}
+
+/// The mesh is asked for only where a depth is missing: a scene without its models will do otherwise.
+std::optional<CaseRead> caseOf(const std::string &file, bool isDepthMissing)
+{
+    if (!isMeantAsScene(file))
+        return withMesh(file);
+    if (!isDepthMissing)
+        return withoutMesh(file);
+    std::optional<CaseRead> result = withMesh(file);
+    if (result || file == "-")
+        return result;
+    result = withoutMesh(file);
+    if (result)
+        complain(tr("%1: without its models, pixels without a depth are judged by their rays alone", file));
+    return result;
+}
+
+/// Sets the space of the points. Errors are printed on stderr.
+bool setSpace(std::vector<WrongPoint> &points, const std::string &space, const Case &scene)
+{
+    PointSpace named = PointSpace::World;
+    std::size_t model = 0;
+    constexpr std::string_view kObject = "object";
+    if (space == "eye") {
+        named = PointSpace::Eye;
+    } else if (space.starts_with(kObject)) {
+        named = PointSpace::Object;
+        std::string name = space.size() > kObject.size() ? space.substr(kObject.size() + 1) : std::string();
+        std::string names;
+        for (const PlacedModel &placed : scene.models)
+            names += (names.empty() ? "" : ", ") + placed.name;
+        if (space == kObject && scene.models.size() == 1)
+            name = scene.models.front().name;
+        const auto found = std::find_if(scene.models.begin(), scene.models.end(),
+                                        [&](const PlacedModel &placed) { return placed.name == name; });
+        if (found == scene.models.end()) {
+            complain(scene.models.empty()
+                         ? tr("--got-space %1: the scene has no objects", space)
+                         : tr("--got-space %1: give object:NAME with one of the scene's objects: %2", space, names));
+            return false;
+        }
+        model = std::size_t(found - scene.models.begin());
+    }
+    for (WrongPoint &point : points) {
+        point.space = named;
+        point.model = model;
+    }
+    return true;
+}
+
+/// Leaves out the points of pixels outside the picture, which stderr is told.
+void leaveOutside(WrongPoints &given, const Surface &surface)
+{
+    WrongPoints inside{{}, {}, given.isComplete};
+    for (std::size_t i = 0; i < given.points.size(); ++i) {
+        const DevicePoint &at = given.points[i].pixel;
+        if (at.x >= 0.0 && at.y >= 0.0 && at.x <= surface.widthPixels && at.y <= surface.heightPixels) {
+            inside.points.push_back(given.points[i]);
+            inside.names.push_back(given.names[i]);
+            continue;
+        }
+        inside.isComplete = false;
+        complain(tr("%1: %2,%3 lies outside the picture of %4x%5; device pixels from its top left corner are meant",
+                    given.names[i], shortestText(at.x), shortestText(at.y), surface.widthPixels, surface.heightPixels));
+    }
+    given = std::move(inside);
+}
+
+/// Which of the points has a depth that is refused, and what to do about it.
+std::string depthRefused(const WrongPoints &given, double depth, const Picture &picture)
+{
+    const auto refused = std::find_if(given.points.begin(), given.points.end(),
+                                      [depth](const WrongPoint &point) { return point.depth == depth; });
+    const std::string place = refused == given.points.end() || given.names.front() == "--pixel"
+                                  ? "--depth"
+                                  : given.names[std::size_t(refused - given.points.begin())] + ": depth";
+    return tr("%1: lies outside the depth range; the scene's go from %2 to %3. A distance is no depth: leave it out",
+              place + ' ' + shortestText(depth), shortestText(picture.depthRange.atNear),
+              shortestText(picture.depthRange.atFar));
+}
+
+} // namespace
+
+ExitCode runDoctor(const DoctorOptions &options)
+{
+    WrongPoints given;
+    if (options.points.empty()) {
+        const std::optional<WrongPoint> point = wrongPoint(options.pixel, options.depth, options.got);
+        if (!point)
+            return ExitCode::UnusableInput;
+        given = {{*point}, {"--pixel"}};
+    } else {
+        if (options.points == "-" && options.scene == "-") {
+            complain(tr("the scene and the points cannot both come from standard input; give a file for one of them"));
+            return ExitCode::UnusableInput;
+        }
+        std::optional<WrongPoints> table = wrongPoints(options.points);
+        if (!table)
+            return ExitCode::UnusableInput;
+        given = std::move(*table);
+    }
+    const bool isDepthMissing =
+        std::any_of(given.points.begin(), given.points.end(), [](const WrongPoint &p) { return !p.depth; });
+    std::optional<SizeGiven> otherSize;
+    if (!options.otherSize.empty() && !(otherSize = sizeGiven("--other-size", options.otherSize)))
+        return ExitCode::UnusableInput;
+    std::optional<CaseRead> read = caseOf(options.scene, isDepthMissing);
+    if (!read || !setSpace(given.points, options.gotSpace, read->scene))
+        return ExitCode::UnusableInput;
+    if (!options.points.empty())
+        read->files.push_back(options.points);
+    ByteSink sink("-", read->files);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    Case &scene = read->scene;
+    if (otherSize) {
+        scene.otherSize = Surface{otherSize->width, otherSize->height, 1.0};
+        if (const Check valid = check(*scene.otherSize); !valid) {
+            complain("--other-size " + options.otherSize + ": " + errorText(valid.error()));
+            return ExitCode::UnusableInput;
+        }
+    }
+    leaveOutside(given, scene.picture.surface);
+    if (given.points.empty())
+        return ExitCode::UnusableInput;
+    const Result<Diagnosis> diagnosis = diagnose(scene, given.points);
+    if (!diagnosis) {
+        const Error &error = diagnosis.error();
+        complain(error.code == ErrorCode::DepthOutsideRange ? depthRefused(given, error.value, scene.picture)
+                                                            : options.scene + ": " + errorText(error));
+        return ExitCode::UnusableInput;
+    }
+    if (options.isJson)
+        sink.write(doctorJson(*diagnosis));
+    else
+        sink.print(doctorText(*diagnosis, given.points.front()));
+    const ExitCode written = sink.finish();
+    return written == ExitCode::Done && !given.isComplete ? ExitCode::SomeRowsBad : written;
+}
+
+} // namespace unprojector::cli

@@ -1,0 +1,148 @@
+#include "core/cli/commands/info_command.h"
+
+#include "core/cli/commands/opened_scene.h"
+#include "core/cli/rows/byte_stream.h"
+#include "core/cli/rows/csv_line.h"
+#include "core/mesh_import/note_text.h"
+#include "core/scene/measures.h"
+#include "core/text/columns.h"
+#include "core/text/number_text.h"
+#include "core/text/printable.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace unprojector::cli {
+using namespace text;
+namespace {
+
+/// JSON has no infinity.
+std::string jsonOfNumber(double value)
+{
+    return std::isfinite(value) ? shortestText(value) : "null";
+}
+
+std::string tableText(double value)
+{
+    return std::isfinite(value) ? shortestText(value) : tr("missing|number");
+}
+
+/// In as few digits as are held as the same floats: those of the file, most often.
+std::string tableText(const glm::dvec3 &v, const glm::dvec3 &halfGap)
+{
+    std::string text;
+    for (int axis = 0; axis < 3; ++axis)
+        text += (axis > 0 ? " " : "")
+                + (std::isfinite(v[axis]) ? shortestText(v[axis], halfGap[axis]) : tr("missing|number"));
+    return text;
+}
+
+std::string jsonOfPoint(const glm::dvec3 &point)
+{
+    return '[' + jsonOfNumber(point.x) + ", " + jsonOfNumber(point.y) + ", " + jsonOfNumber(point.z) + ']';
+}
+
+/// The members that a scene and an object have alike, without brackets.
+std::string json(const Measures &m)
+{
+    std::string text =
+        "\"vertices\": " + std::to_string(m.vertices) + ", \"triangles\": " + std::to_string(m.triangles);
+    text += ", \"area\": " + jsonOfNumber(m.area) + ", \"volume\": " + jsonOfNumber(m.volume) + ", \"box\": ";
+    if (m.box.isEmpty())
+        return text + "null";
+    return text + "{\"min\": " + jsonOfPoint(m.box.lowest) + ", \"max\": " + jsonOfPoint(m.box.highest) + '}';
+}
+
+std::string line(const std::string &name, const std::string &value)
+{
+    return "  " + padded(name, 11) + value + '\n';
+}
+
+std::string lines(const Measures &m)
+{
+    return line(tr("vertices|row"), std::to_string(m.vertices)) + line(tr("triangles|row"), std::to_string(m.triangles))
+           + line(tr("area|row"), tableText(m.area)) + line(tr("volume|row"), tableText(m.volume))
+           + line(tr("box|row"), m.box.isEmpty() ? tr("empty|box")
+                                                 : tr("%1  to  %2", tableText(m.box.lowest, m.lowestHalfGap),
+                                                      tableText(m.box.highest, m.highestHalfGap)));
+}
+
+/// One of each, in the order of the objects; with the object's name where there are several.
+std::vector<std::string> notesOf(const std::vector<SceneObject> &objects)
+{
+    std::vector<std::string> notes;
+    for (const SceneObject &object : objects) {
+        for (const ModelNote &note : object.model->notes) {
+            const std::string text =
+                (objects.size() > 1 ? object.name + ": " : std::string()) + mesh_import::noteText(note);
+            if (std::find(notes.begin(), notes.end(), text) == notes.end())
+                notes.push_back(text);
+        }
+    }
+    return notes;
+}
+
+bool isFinite(const Measures &m)
+{
+    const auto isFinitePoint = [](const glm::dvec3 &p) {
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    };
+    return std::isfinite(m.area) && std::isfinite(m.volume)
+           && (m.box.isEmpty() || (isFinitePoint(m.box.lowest) && isFinitePoint(m.box.highest)));
+}
+
+} // namespace
+
+ExitCode runInfo(const InfoOptions &options)
+{
+    const std::optional<OpenedScene> opened = openScene(options.file);
+    if (!opened)
+        return ExitCode::UnusableInput;
+    // Programs read the notes too.
+    std::optional<InEnglish> english;
+    if (options.isJson)
+        english.emplace();
+    Measures all;
+    std::string objects, table;
+    std::vector<std::string> openOnes;
+    for (const SceneObject &object : opened->objects) {
+        const Measures measures = measuresOf(object);
+        all.add(measures);
+        if (measures.isOpen)
+            openOnes.push_back(
+                (opened->objects.size() > 1 ? object.name + ": " : std::string())
+                + tr("the surface is open, so that the volume means nothing: about another origin it is another"));
+        objects += objects.empty() ? "" : ", ";
+        objects += "{\"name\": " + jsonOfText(object.name) + ", " + json(measures) + '}';
+        const std::string name = printableLine(object.name);
+        table += (object.isHidden ? tr("%1 (hidden)", name) : name) + '\n' + lines(measures);
+    }
+    std::vector<std::string> notes = notesOf(opened->objects);
+    notes.insert(notes.end(), openOnes.begin(), openOnes.end());
+    if (!isFinite(all))
+        notes.push_back(tr("what is missing is beyond what a double holds; look at the scales of the objects"));
+    std::string text;
+    if (options.isJson) {
+        text = '{' + json(all) + ", \"objects\": [" + objects + "], \"notes\": [";
+        for (const std::string &note : notes)
+            text += (&note == notes.data() ? "" : ", ") + jsonOfText(note);
+        text += "]}\n";
+    } else {
+        text = opened->objects.size() == 1 ? table : tr("all|objects") + '\n' + lines(all) + table;
+        for (const std::string &note : notes)
+            text += tr("note: %1", printableLine(note)) + '\n';
+    }
+    ByteSink sink("-", opened->files);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    if (options.isJson)
+        sink.write(text);
+    else
+        sink.print(text);
+    return sink.finish();
+}
+
+} // namespace unprojector::cli

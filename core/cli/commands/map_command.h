@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/cli/terminal/exit_code.h"
+#include "core/maps/pixel_map.h"
+
+#include <string>
+
+namespace unprojector::cli {
+
+/// `unproject map`: a number for each pixel of the picture of a scene or a model.
+struct MapOptions {
+    std::string scene; ///< a model, a scene or clicks; "-" is a scene from stdin
+    maps::Quantity quantity = maps::Quantity::FormulaMatrix;
+    std::string convention; ///< of a displacement; empty for the others
+    maps::Unit unit = maps::Unit::World;
+    std::string size; ///< of the picture, "WxH"; empty: its own
+    bool isDepthGiven = false;
+    double depth = 0.0;
+    unproject::DepthFormat format; ///< of the surfaces' depths
+    bool isJson = false;
+    std::string output; ///< a PFM file, "-" for stdout
+};
+
+ExitCode runMap(const MapOptions &options);
+
+} // namespace unprojector::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/cli/terminal/exit_code.h"
+#include "core/geometry/api_conventions.h"
+#include "core/matrices/matrix_format.h"
+
+#include <optional>
+#include <string>
+
+namespace unprojector::cli {
+using namespace matrices;
+using namespace geometry;
+
+enum class MatricesFormat { Text, Json, C, NumPy, Latex };
+
+/// `unproject matrices`: all matrices of a scene.
+struct MatricesOptions {
+    std::string scene;
+    std::optional<Api> conventions;     ///< none: the scene's
+    std::optional<MatrixLayout> layout; ///< none: as the conventions have it
+    MatricesFormat format = MatricesFormat::Text;
+};
+
+ExitCode runMatrices(const MatricesOptions &options);
+
+} // namespace unprojector::cli

@@ -1,0 +1,187 @@
+#include "core/cli/commands/matrix_taker.h"
+
+#include "core/cli/rows/byte_stream.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace unprojector::cli {
+using text::tr;
+namespace {
+
+/// What can be done about a finding, by an option or by hand.
+/// @param hasConventions  an option names the matrices' API, which settles depths and y
+std::string adviceFor(const MatrixFinding &finding, NumberOrder order, bool hasConventions)
+{
+    switch (finding.fault) {
+    case MatrixFault::Transposed:
+    case MatrixFault::OtherOrder:
+    case MatrixFault::OrderOfOthers:
+        return tr(order == NumberOrder::ByColumns ? "; read by columns, --order row reads it by rows"
+                                                  : "; read by rows, --order column reads it by columns");
+    case MatrixFault::OrderOpen: return tr("; --order row or --order column says which is meant");
+    case MatrixFault::Inverse: return tr("; if it is, give its inverse");
+    case MatrixFault::Exchanged: return tr("; give each behind its name, modelview and projection");
+    case MatrixFault::DepthZeroToOne:
+        return tr(hasConventions ? "; --conventions of an API with such depths takes it so"
+                                 : "; --depth zero-to-one takes it so, --depth minus-one-to-one does not");
+    case MatrixFault::DepthReversed: return tr("; --reversed says that they are");
+    case MatrixFault::YDown:
+        return tr(hasConventions ? "; it stays so: if it is not meant, give --conventions of the API that it is for"
+                                 : "; --y down turns it back, --y up leaves it so");
+    case MatrixFault::Rounded: return tr("; --orthonormal takes the nearest that are, more decimals are better");
+    case MatrixFault::Negated: return tr("; its signs are turned round");
+    case MatrixFault::Mirrored:
+    case MatrixFault::Scaled:
+    case MatrixFault::UnknownForm:
+    case MatrixFault::FarAtInfinity:
+    case MatrixFault::LeftHanded: break;
+    }
+    return {};
+}
+
+/// A matrix of a text, and what a scene makes of it.
+struct Part {
+    PastedMatrix *matrix;
+    PastedPart part;
+    MatrixRole role;
+    bool isNeeded;
+};
+
+/// Those whose order counts; the model is left out in any case.
+std::vector<Part> partsOf(PastedScene &pasted)
+{
+    const bool isWhole = pasted.projection && (pasted.view || pasted.modelView);
+    std::vector<Part> parts;
+    const auto add = [&parts](std::optional<PastedMatrix> &matrix, PastedPart part, MatrixRole role, bool isNeeded) {
+        if (matrix)
+            parts.push_back({&*matrix, part, role, isNeeded});
+    };
+    add(pasted.view, PastedPart::View, MatrixRole::View, isWhole);
+    add(pasted.modelView, PastedPart::ModelView, MatrixRole::View, isWhole && !pasted.view);
+    add(pasted.projection, PastedPart::Projection, MatrixRole::Projection, isWhole);
+    add(pasted.product, PastedPart::Product, MatrixRole::Product, !isWhole);
+    // Its last row is 0 0 0 1, as a view's.
+    add(pasted.viewportMatrix, PastedPart::Viewport, MatrixRole::View, true);
+    return parts;
+}
+
+} // namespace
+
+MatrixTaker::MatrixTaker(const SceneOptions &options, std::string name) : m_options(options), m_name(std::move(name)) {}
+
+bool MatrixTaker::tellOrders(PastedScene &pasted) const
+{
+    if (m_options.order)
+        return true;
+    const std::vector<Part> parts = partsOf(pasted);
+    std::vector<BothOrders> both;
+    for (const Part &part : parts) {
+        const auto read = [&](const PastedMatrix &matrix) {
+            return part.part == PastedPart::Viewport ? matrixAsGiven(matrix) : this->matrix(matrix, part.role);
+        };
+        PastedMatrix other = *part.matrix;
+        other.order = opposite(order(*part.matrix));
+        both.push_back({part.role, part.matrix->form, read(*part.matrix), read(other)});
+    }
+    const std::optional<double> aspect = pasted.viewport && pasted.viewport->height > 0.0
+                                             ? std::optional(pasted.viewport->width / pasted.viewport->height)
+                                             : std::nullopt;
+    const std::vector<ToldOrder> told = toldOrders(both, aspect);
+    bool isKnown = true;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::optional<MatrixFinding> finding = findingOf(told[i]);
+        const bool isOpen = told[i] == ToldOrder::Open;
+        if (!finding || (isOpen && !parts[i].isNeeded))
+            continue;
+        if (!isOpen)
+            parts[i].matrix->order = opposite(order(*parts[i].matrix));
+        isKnown = isKnown && !isOpen;
+        say(parts[i].part, findingText(*finding, parts[i].role)
+                               + adviceFor(*finding, order(*parts[i].matrix), m_options.conventions.has_value()));
+    }
+    return isKnown;
+}
+
+glm::dmat4 MatrixTaker::matrix(const PastedMatrix &pasted, MatrixRole role) const
+{
+    const glm::dmat4 given = matrixAsGiven(pasted);
+    switch (role) {
+    case MatrixRole::View: return oursFromView(given, api());
+    case MatrixRole::Projection: return oursFromApi({given, {}}, api()).clipFromEye;
+    case MatrixRole::Product: break;
+    }
+    // The eye between the two may look either way.
+    return oursFromApi({given * viewFromOurs(glm::dmat4(1.0), api()), {}}, api()).clipFromEye;
+}
+
+ViewportAndDepths MatrixTaker::viewport(const PastedMatrix &pasted) const
+{
+    // The window's height is not known yet: 0.
+    const ApiSpaces spaces = apiSpaces(Picture(), api());
+    AxisChange window = spaces.window;
+    window.scale.z = 1.0;
+    window.shift.z = 0.0;
+    const glm::dmat4 ours = window.inverse().matrix() * matrixAsGiven(pasted) * spaces.clip.matrix();
+    ViewportAndDepths result =
+        viewportOf(ours, conventionsOf(api()).hasOnlyThatDepth ? NdcDepth::MinusOneToOne : m_options.depth);
+    if (conventionsOf(api()).isDepthReversed)
+        std::swap(result.depthRange.atNear, result.depthRange.atFar);
+    return result;
+}
+
+std::optional<NdcDepth> MatrixTaker::depth() const
+{
+    return conventionsOf(api()).hasOnlyThatDepth ? conventionsOf(api()).ndcDepth : m_options.depth;
+}
+
+void MatrixTaker::say(PastedPart part, const std::string &what) const
+{
+    complain(m_name + ": " + nameOf(part) + ": " + what);
+}
+
+bool MatrixTaker::lookAt(const PastedMatrix &pasted, PastedPart part, MatrixRole role,
+                         const std::optional<glm::dmat4> &clipFromEye) const
+{
+    bool isReversed = false;
+    if (pasted.isInverse)
+        say(part,
+            tr(lacksInverse(pasted) ? "by its name it is an inverse, but it has none itself: it is taken as it stands"
+                                    : "by its name it is an inverse: its own inverse is taken"));
+    for (const MatrixFinding &finding : findings(matrix(pasted, role), role, depth(), clipFromEye)) {
+        const bool isAboutDepth = finding.fault == MatrixFault::DepthReversed;
+        isReversed = isReversed || isAboutDepth;
+        if ((isAboutDepth && m_options.isReversed) || (finding.fault == MatrixFault::YDown && m_options.isYDown))
+            continue;
+        if (finding.fault == MatrixFault::Rounded && m_options.isOrthonormal)
+            continue;
+        say(part,
+            taken(findingText(finding, role)) + adviceFor(finding, order(pasted), m_options.conventions.has_value()));
+        if (finding.fault == MatrixFault::Scaled && m_options.isOrthonormal)
+            say(part, tr(finding.repair == MatrixRepair::None
+                             ? "--orthonormal is for axes that were rounded: of these it makes another camera's; give "
+                               "the view without the model's scale"
+                             : "--orthonormal takes that scale out; near, far and the eye stay as they are, so what "
+                               "comes out is in units of the eye"));
+    }
+    return isReversed;
+}
+
+std::string MatrixTaker::taken(const std::string &finding) const
+{
+    return api() == Api::OpenGl
+               ? finding
+               : tr("taken from %1's conventions to OpenGL's, it %2", conventionsOf(api()).name, finding);
+}
+
+NumberOrder MatrixTaker::order(const PastedMatrix &pasted) const
+{
+    // Rows of row vectors are columns.
+    const NumberOrder usual = conventionsOf(api()).areVectorsRows ? NumberOrder::ByColumns : orderOf(pasted.form);
+    return m_options.order.value_or(pasted.order.value_or(usual));
+}
+
+} // namespace unprojector::cli

@@ -1,0 +1,182 @@
+#include "core/cli/commands/opened_scene.h"
+
+#include "core/cli/commands/import_error_text.h"
+#include "core/cli/commands/size_text.h"
+#include "core/cli/rows/scene_input.h"
+#include "core/files/path_text.h"
+#include "core/scene/bundled_models.h"
+#include "core/scene/opening_view.h"
+#include "core/scene/reach.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/text/error_text.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace unprojector::cli {
+using namespace files;
+using namespace text;
+namespace {
+
+using ModelPointer = std::shared_ptr<const Model>;
+
+/// @param asker  in front of what is wrong with it
+ModelPointer readModel(const std::filesystem::path &file, const std::string &asker = {})
+{
+    auto model = importModel(file, {});
+    if (model)
+        return std::move(model).value();
+    complain(asker + importErrorText(model.error()));
+    return nullptr;
+}
+
+std::optional<OpenedScene> openModel(const std::string &file)
+{
+    const std::filesystem::path path = pathFromUtf8(file);
+    const ModelPointer model = readModel(path);
+    if (!model)
+        return std::nullopt;
+    return OpenedScene{{{utf8FromPath(path.filename()), path, model, {}}}, std::nullopt, file, filesOf(path, *model)};
+}
+
+} // namespace
+
+InputFiles filesOf(const std::filesystem::path &file, const Model &model)
+{
+    InputFiles files{utf8FromPath(file)};
+    for (const std::filesystem::path &other : model.otherFiles)
+        files.push_back(utf8FromPath(other));
+    for (const Texture &texture : model.textures)
+        files.push_back(utf8FromPath(texture.file));
+    return files;
+}
+
+bool isMeantAsScene(const std::string &file)
+{
+    constexpr std::string_view kSuffix = ".json";
+    const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+    return file == "-"
+           || (file.size() >= kSuffix.size()
+               && std::equal(file.end() - static_cast<std::ptrdiff_t>(kSuffix.size()), file.end(), kSuffix.begin(),
+                             isSame))
+           || isSceneFile(pathFromUtf8(file));
+}
+
+std::vector<glm::dvec4> OpenedScene::clipPlanes() const
+{
+    return file ? file->clipPlanes : std::vector<glm::dvec4>();
+}
+
+std::optional<OpenedScene> openScene(const std::string &file)
+{
+    if (!isMeantAsScene(file))
+        return openModel(file);
+    std::optional<SceneFile> scene = sceneFile(file);
+    if (!scene)
+        return std::nullopt;
+    OpenedScene opened{{}, std::move(scene), file == "-" ? "stdin" : file, {file}};
+    std::map<std::filesystem::path, ModelPointer> read;
+    std::map<std::string, ModelPointer> bundled;
+    for (const SceneFileObject &object : opened.file->objects) {
+        const std::filesystem::path path =
+            objectFile(object, file == "-" ? std::filesystem::path() : pathFromUtf8(file));
+        ModelPointer model;
+        if (object.bundled.empty()) {
+            ModelPointer &kept = read[path];
+            if (!kept)
+                kept = readModel(path, opened.name + ": " + object.name + ": ");
+            model = kept;
+        } else {
+            if (bundled.empty())
+                bundled = bundledModels();
+            if (const auto found = bundled.find(object.bundled); found != bundled.end())
+                model = found->second;
+            else
+                complain(opened.name + ": " + tr("there is no bundled model \"%1\"", object.bundled));
+        }
+        if (!model)
+            return std::nullopt;
+        if (object.bundled.empty())
+            for (std::string &named : filesOf(path, *model))
+                opened.files.push_back(std::move(named));
+        opened.objects.push_back({object.name, path, model, object.transform, object.isHidden});
+    }
+    return opened;
+}
+
+bool areReachable(const OpenedScene &opened)
+{
+    for (const SceneObject &object : opened.objects) {
+        if (const Check valid = reachable(object); !valid) {
+            complain(opened.name + ": " + object.name + ": " + errorText(valid.error()));
+            return false;
+        }
+    }
+    return true;
+}
+
+std::vector<std::shared_ptr<const ray::RayCaster>> castersOf(const std::vector<SceneObject> &objects)
+{
+    std::map<const Model *, std::shared_ptr<const ray::RayCaster>> built;
+    std::vector<std::shared_ptr<const ray::RayCaster>> casters;
+    for (const SceneObject &object : objects) {
+        if (object.isHidden) {
+            casters.push_back(nullptr);
+            continue;
+        }
+        std::shared_ptr<const ray::RayCaster> &caster = built[object.model.get()];
+        if (!caster)
+            caster = ray::RayCaster::build(object.model, {});
+        casters.push_back(caster);
+    }
+    return casters;
+}
+
+std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &size)
+{
+    const std::optional<SizeGiven> given =
+        size.empty() ? SizeGiven{kUsualWidth, kUsualHeight} : sizeGiven("--size", size);
+    if (!given)
+        return std::nullopt;
+    if (opened.file && size.empty())
+        return scene_file::pictureOf(*opened.file);
+
+    Surface surface{given->width, given->height, 1.0};
+    if (const Check valid = check(surface); !valid) {
+        complain("--size " + size + ": " + errorText(valid.error()));
+        return std::nullopt;
+    }
+    Result<Scene> scene = Scene{};
+    if (opened.file) {
+        surface.devicePixelRatio = opened.file->devicePixelRatio;
+        std::vector<ModelPointer> models;
+        for (const SceneObject &object : opened.objects)
+            models.push_back(object.model);
+        Result<Scene, SceneFileError> shown = sceneFromFile(*opened.file, pathFromUtf8(opened.name), models);
+        if (!shown) {
+            SceneFileError error = shown.error();
+            error.file = opened.name;
+            complain(sceneErrorText(error));
+            return std::nullopt;
+        }
+        scene = std::move(shown).value();
+    } else {
+        Scene first;
+        first.objects = opened.objects;
+        first.camera = first.home = openingCamera(opened.objects, surface);
+        first.projection = openingProjection();
+        scene = std::move(first);
+    }
+    const Result<Picture> picture =
+        scene ? scene::pictureOf(*scene, surface, groundUnder(boundsOf(*scene)).box) : scene.error();
+    if (picture)
+        return *picture;
+    complain(opened.name + ": " + errorText(picture.error()));
+    return std::nullopt;
+}
+
+} // namespace unprojector::cli

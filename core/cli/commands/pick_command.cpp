@@ -1,0 +1,204 @@
+#include "core/cli/commands/pick_command.h"
+
+#include "core/cli/commands/opened_scene.h"
+#include "core/cli/commands/pick_texts.h"
+#include "core/cli/rows/block_pipeline.h"
+#include "core/cli/rows/number_table.h"
+#include "core/cli/rows/row_layout.h"
+#include "core/text/error_text.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cmath>
+#include <thread>
+#include <utility>
+
+namespace unprojector::cli {
+using namespace ray;
+using namespace text;
+namespace {
+
+const ColumnNames kPositionColumns{"px", "py", ""};
+
+/// "X,Y"; prints errors on stderr.
+std::optional<DevicePoint> positionGiven(const std::string &text)
+{
+    DevicePoint position;
+    const char *end = text.data() + text.size();
+    const auto x = std::from_chars(text.data(), end, position.x);
+    const bool hasComma = x.ec == std::errc{} && x.ptr != end && *x.ptr == ',';
+    const auto y = std::from_chars(hasComma ? x.ptr + 1 : end, end, position.y);
+    if (hasComma && y.ec == std::errc{} && y.ptr == end && std::isfinite(position.x) && std::isfinite(position.y))
+        return position;
+    complain(tr("--at %1: give device pixels from the top left corner, as in 400.5,300.5", text));
+    return std::nullopt;
+}
+
+/// Everything that is the same for all rows.
+struct Task {
+    const PickOptions &options;
+    const OpenedScene &opened;
+    const SceneRays &rays;
+    NumberReader reader;
+    RowLayout layout;
+    std::atomic<std::size_t> &outside; ///< rows whose pixels no ray goes through
+};
+
+/// Where the viewport is, for those who look outside it.
+std::string viewportText(const Picture &picture)
+{
+    return tr("the viewport of the picture of %1x%2", shortestText(picture.surface.widthPixels),
+              shortestText(picture.surface.heightPixels));
+}
+
+/// The scratch memory of a thread.
+class Worker {
+public:
+    explicit Worker(const Task &task) : m_task(task) {}
+
+    void operator()(const LineBlock &block, BlockResult &result)
+    {
+        m_task.reader.read(block, m_rows, result.messages);
+        RowWriter writer(m_task.options.format, m_task.layout.names(), result.output);
+        result.badRows = m_rows.bad.size();
+        auto bad = m_rows.bad.begin();
+        for (std::size_t i = 0; i < m_rows.count(); ++i) {
+            if (bad != m_rows.bad.end() && *bad == i) {
+                m_task.layout.writeBad(writer, block, m_rows, *bad++);
+                writePick(writer, std::nullopt, {});
+            } else {
+                m_task.layout.writeInput(writer, block, m_rows, i);
+                pick(i, block, writer, result);
+            }
+            writer.endRow();
+        }
+    }
+
+private:
+    void pick(std::size_t row, const LineBlock &block, RowWriter &writer, BlockResult &result)
+    {
+        const DevicePoint position(m_rows.values[0][row], m_rows.values[1][row]);
+        if (!m_task.rays.rays().isInPicture(position))
+            ++m_task.outside;
+        const Result<std::optional<SceneHit>> hit = m_task.rays.at(position, m_task.options.snap);
+        if (!hit) {
+            ++result.badRows;
+            m_task.reader.complainOf(block, m_rows.places[row], NumberReader::kNoColumn, errorText(hit.error()),
+                                     result.messages);
+        }
+        const std::optional<SceneHit> &met = hit ? *hit : std::optional<SceneHit>();
+        writePick(writer, met, met ? m_task.opened.objects[met->object].name : std::string());
+    }
+
+    const Task &m_task;
+    NumberRows m_rows;
+};
+
+ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const SceneRays &rays, ByteSink &sink)
+{
+    ByteSource source(options.input);
+    if (!source.isOpen())
+        return ExitCode::UnusableInput;
+    LineBlocks blocks(source);
+    const std::optional<NumberColumns> columns = readHeader(blocks, source, {kPositionColumns});
+    if (!columns)
+        return ExitCode::UnusableInput;
+    std::atomic<std::size_t> outside = 0;
+    const Task task{options,
+                    opened,
+                    rays,
+                    NumberReader(source.name(), *columns),
+                    RowLayout(*columns, pickColumns(), options.format),
+                    outside};
+    if (!options.isHeaderless) {
+        std::string header;
+        RowWriter(options.format, task.layout.names(), header).header();
+        sink.write(header);
+    }
+    const unsigned threads = options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+    ExitCode code = runBlocks(blocks, source, sink, threads, [&] { return BlockWorker(Worker(task)); });
+    if (outside > 0 && code == ExitCode::Done)
+        code = ExitCode::SomeRowsBad;
+    // Empty cells alone would read as background.
+    if (outside > 0)
+        complain(source.name() + ": "
+                 + tr(outside == 1 ? "%1 pixel lies outside %2, where nothing is met"
+                                   : "%1 pixels lie outside %2, where nothing is met",
+                      outside.load(), viewportText(rays.rays().picture())));
+    return code;
+}
+
+ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint> &positions, const OpenedScene &opened,
+                       const SceneRays &rays, ByteSink &sink)
+{
+    ExitCode code = ExitCode::Done;
+    const Picture &picture = rays.rays().picture();
+    for (const DevicePoint &position : positions) {
+        // Nothing is met there, for a reason that a wrong size gives away.
+        if (!rays.rays().isInPicture(position)) {
+            complain(tr("--at %1,%2: lies outside %3", shortestText(position.x), shortestText(position.y),
+                        viewportText(picture)));
+            code = ExitCode::SomeRowsBad;
+        }
+        const Result<std::optional<SceneHit>> hit = rays.at(position, options.snap);
+        if (!hit) {
+            complain("--at " + shortestText(position.x) + ',' + shortestText(position.y) + ": "
+                     + errorText(hit.error()));
+            code = ExitCode::SomeRowsBad;
+            continue;
+        }
+        const std::string name = *hit ? opened.objects[(*hit)->object].name : std::string();
+        if (options.isJson)
+            sink.write(pickJson(position, *hit, name));
+        else
+            sink.print(pickText(position, options.snap, *hit, opened.objects));
+    }
+    const ExitCode written = sink.finish();
+    return written == ExitCode::Done ? code : written;
+}
+
+} // namespace
+
+ExitCode runPick(const PickOptions &options)
+{
+    std::vector<DevicePoint> positions;
+    for (const std::string &text : options.positions) {
+        const std::optional<DevicePoint> position = positionGiven(text);
+        if (!position)
+            return ExitCode::UnusableInput;
+        positions.push_back(*position);
+    }
+    if (positions.empty() && options.scene == "-" && options.input == "-") {
+        complain(tr("the scene and the pixels cannot both come from standard input; give a file for one of them"));
+        return ExitCode::UnusableInput;
+    }
+    const std::optional<OpenedScene> opened = openScene(options.scene);
+    if (!opened)
+        return ExitCode::UnusableInput;
+    if (!areReachable(*opened))
+        return ExitCode::UnusableInput;
+    InputFiles inputs = opened->files;
+    if (positions.empty())
+        inputs.push_back(options.input);
+    // What is added to the input would be read as input, without end.
+    ByteSink sink("-", inputs);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    const std::optional<Picture> picture = pictureOf(*opened, options.size);
+    if (!picture)
+        return ExitCode::UnusableInput;
+    const Result<Unprojector> unprojector = Unprojector::of(*picture);
+    if (!unprojector) {
+        complain(opened->name + ": " + errorText(unprojector.error()));
+        return ExitCode::UnusableInput;
+    }
+    if (opened->objects.empty())
+        complain(tr("%1: the scene has no objects; nothing will be met", opened->name));
+    const SceneRays rays(*unprojector, opened->objects, castersOf(opened->objects), opened->clipPlanes());
+    return positions.empty() ? pickRows(options, *opened, rays, sink)
+                             : pickPositions(options, positions, *opened, rays, sink);
+}
+
+} // namespace unprojector::cli

@@ -1,0 +1,156 @@
+#include "core/cli/commands/pick_texts.h"
+
+#include "core/scene/measures.h"
+#include "core/scene_file/json_text.h"
+#include "core/scene_file/ray_on_mesh.h"
+#include "core/text/columns.h"
+#include "core/text/number_text.h"
+#include "core/text/printable.h"
+#include "core/text/translation.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+#include <nlohmann/json.hpp>
+
+namespace unprojector::cli {
+using namespace geometry;
+using namespace ray;
+using namespace scene;
+using namespace scene_file;
+using namespace text;
+namespace {
+
+std::string spaced(const glm::dvec3 &v, const glm::dvec3 &off = glm::dvec3(0.0))
+{
+    return shortestText(v.x, off.x) + ' ' + shortestText(v.y, off.y) + ' ' + shortestText(v.z, off.z);
+}
+
+/// What is left out of digits is so much of what they may be off.
+constexpr double kLeftOut = 0.1;
+
+std::string boundsText(const WorldVector &uncertainty)
+{
+    const auto withWhatIsLeftOut = [](double bound) { return boundText((1.0 + kLeftOut) * bound); };
+    return withWhatIsLeftOut(uncertainty.x) + ' ' + withWhatIsLeftOut(uncertainty.y) + ' '
+           + withWhatIsLeftOut(uncertainty.z);
+}
+
+/// @param vertex  its number in the file
+glm::dvec3 halfGapOf(const SceneObject &object, std::uint32_t vertex)
+{
+    const Model::VertexPlace place = object.model->vertexOf(vertex).value();
+    return halfGapAt(object.model->meshes[place.mesh], place.vertex, glm::dmat3(worldFromObject(object.transform)));
+}
+
+/// The sentence for a pick that found nothing.
+std::string nothingText(Snap snap)
+{
+    switch (snap) {
+    case Snap::Surface: break;
+    case Snap::Vertex: return tr("no vertex is in sight within %1 pixels", shortestText(kSnapPixels));
+    case Snap::Edge: return tr("no edge is in sight within %1 pixels", shortestText(kSnapPixels));
+    case Snap::Face: return tr("no face is in sight within %1 pixels", shortestText(kSnapPixels));
+    }
+    return tr("nothing is met");
+}
+
+/// How far an object's own coordinates may be off.
+glm::dvec3 objectBounds(const SceneObject &object, const WorldVector &uncertainty)
+{
+    const glm::dmat3 objectFromWorld = glm::inverse(glm::dmat3(worldFromObject(object.transform)));
+    glm::dvec3 bounds(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+        bounds += glm::abs(objectFromWorld[axis]) * uncertainty[axis];
+    return bounds;
+}
+
+} // namespace
+
+std::string pickJson(const DevicePoint &position, const std::optional<SceneHit> &hit, const std::string &name)
+{
+    nlohmann::ordered_json json;
+    json["pixel"] = nlohmann::ordered_json::array({jsonNumber(position.x), jsonNumber(position.y)});
+    json.update(jsonOf(RayOnMesh{hit, name}));
+    return jsonLine(json) + '\n';
+}
+
+std::string pickText(const DevicePoint &position, Snap snap, const std::optional<SceneHit> &hit,
+                     const std::vector<SceneObject> &objects)
+{
+    std::string text = tr("pixel %1 %2", shortestText(position.x), shortestText(position.y)) + '\n';
+    if (!hit)
+        return text + "  " + nothingText(snap) + '\n';
+    const auto add = [&text](const std::string &name, const std::string &value) {
+        text += "  " + padded(name, 13) + value + '\n';
+    };
+    const SceneObject &object = objects[hit->object];
+    const auto rounded = [](const WorldPoint &point, const WorldVector &uncertainty) {
+        return spaced(point.coordinates(), kLeftOut * uncertainty.coordinates());
+    };
+    const auto distanceText = [&hit](double distance) {
+        return shortestText(distance, kLeftOut * length(hit->uncertainty));
+    };
+    add(tr("object|row"), printableLine(object.name));
+    if (hit->triangle)
+        add(tr("triangle|row"), tr("%1, at %2", hit->triangle->triangle, spaced(hit->triangle->barycentric)));
+    add(tr("world|row"), rounded(hit->world, hit->uncertainty));
+    add("+-", boundsText(hit->uncertainty));
+    add(tr("object point"), spaced(hit->objectPoint.coordinates(), kLeftOut * objectBounds(object, hit->uncertainty)));
+    if (hit->triangle)
+        add(tr("normal|row"), spaced(hit->triangle->normal.coordinates()));
+    add(tr("distance|row"), distanceText(hit->distance));
+    add(tr("vertex|row"), tr("%1 at %2, %3 away", hit->vertex.id,
+                             spaced(hit->vertex.world.coordinates(), halfGapOf(object, hit->vertex.id)),
+                             distanceText(hit->vertex.distance)));
+    if (hit->triangle) {
+        const NearEdge &edge = hit->triangle->edge;
+        add(tr("edge|row"), tr("%1 to %2, at %3, %4 away", edge.ids[0], edge.ids[1],
+                               rounded(edge.world, edge.uncertainty), distanceText(edge.distance)));
+    }
+    return text;
+}
+
+std::vector<std::string> pickColumns()
+{
+    return {"x",        "y",        "z",         "object",   "triangle", "u",        "v",
+            "w",        "object_x", "object_y",  "object_z", "normal_x", "normal_y", "normal_z",
+            "distance", "vertex",   "edge_from", "edge_to",  "dx",       "dy",       "dz"};
+}
+
+void writePick(RowWriter &writer, const std::optional<SceneHit> &hit, const std::string &name)
+{
+    const auto three = [&writer](const glm::dvec3 &v) {
+        for (int k = 0; k < 3; ++k)
+            writer.numberOrNothing(v[k]);
+    };
+    const auto nothing = [&writer](std::size_t cells) {
+        for (std::size_t k = 0; k < cells; ++k)
+            writer.nothing();
+    };
+    if (!hit)
+        return nothing(pickColumns().size());
+    three(hit->world.coordinates());
+    writer.text(name);
+    if (hit->triangle) {
+        writer.number(hit->triangle->triangle);
+        three(hit->triangle->barycentric);
+    } else {
+        nothing(4);
+    }
+    three(hit->objectPoint.coordinates());
+    if (hit->triangle)
+        three(hit->triangle->normal.coordinates());
+    else
+        nothing(3);
+    writer.numberOrNothing(hit->distance);
+    writer.number(hit->vertex.id);
+    if (hit->triangle) {
+        for (const std::uint32_t id : hit->triangle->edge.ids)
+            writer.number(id);
+    } else {
+        nothing(2);
+    }
+    three(hit->uncertainty.coordinates());
+}
+
+} // namespace unprojector::cli

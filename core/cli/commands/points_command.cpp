@@ -1,0 +1,253 @@
+#include "core/cli/commands/points_command.h"
+
+#include "core/cli/commands/clicks_command.h"
+#include "core/cli/rows/row_layout.h"
+#include "core/text/error_text.h"
+#include "core/text/translation.h"
+#include "core/unproject/batch/click_batch.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace unprojector::cli {
+using namespace unproject;
+using namespace text;
+namespace {
+
+/// Why a method does not hold for the scene, and what to do.
+std::string noMethodText(Method method, const Error &error)
+{
+    const std::string text = std::string(keyOf(method)) + ": " + errorText(error);
+    return tr(
+        error.code == ErrorCode::ViewNotRigid
+            ? "%1. Its cells stay empty; 'unproject scene --from-matrices ... --orthonormal' takes the nearest view "
+              "that only turns and moves"
+            : "%1. Its cells stay empty",
+        text);
+}
+
+/// Where the formulas and the matrix are among the methods, if both are: their difference is told.
+std::optional<std::pair<std::size_t, std::size_t>> comparedPlaces(const std::vector<Method> &methods)
+{
+    const auto formula = std::find(methods.begin(), methods.end(), Method::Formula);
+    const auto matrix = std::find(methods.begin(), methods.end(), Method::Matrix);
+    if (formula == methods.end() || matrix == methods.end())
+        return std::nullopt;
+    return std::pair(static_cast<std::size_t>(formula - methods.begin()),
+                     static_cast<std::size_t>(matrix - methods.begin()));
+}
+
+/// Everything that is the same for all rows.
+struct Task {
+    PointsOptions options;
+    NumberReader reader;
+    DepthRange depthRange;
+    std::vector<std::optional<ClickBatch>>
+        batches; ///< by options.methods; nothing where one does not hold for the scene
+    RowLayout layout;
+    std::size_t results; ///< columns of them
+};
+
+/// The scratch memory of a thread.
+class Worker {
+public:
+    explicit Worker(const Task &task) : m_task(task) {}
+
+    void operator()(const LineBlock &block, BlockResult &result)
+    {
+        m_task.reader.read(block, m_rows, result.messages);
+        refuseUnusable(block, result.messages);
+        compute();
+        write(block, result);
+    }
+
+private:
+    using Columns = std::array<std::vector<double>, 3>;
+
+    /// Why a row of three numbers means nothing here; empty where it does, else `column` is the one at fault.
+    std::string fault(std::size_t row, std::size_t &column) const
+    {
+        const double low = std::min(m_task.depthRange.atNear, m_task.depthRange.atFar);
+        const double high = std::max(m_task.depthRange.atNear, m_task.depthRange.atFar);
+        const double depth = m_rows.values[2][row];
+        if (!(depth >= low && depth <= high)) {
+            column = 2;
+            return "depth: "
+                   + tr("%1 lies outside the depth range %2 to %3", shortestText(depth), shortestText(low),
+                        shortestText(high));
+        }
+        for (column = 0; m_task.options.isPixel && column < 2; ++column) {
+            const double index = m_rows.values[column][row];
+            if (index != std::floor(index))
+                return (column == 0 ? "px: " : "py: ")
+                       + tr("%1 is not the index of a pixel: it has a fraction", shortestText(index));
+        }
+        return {};
+    }
+
+    void refuseUnusable(const LineBlock &block, std::vector<LineMessage> &messages)
+    {
+        m_bad.clear();
+        auto known = m_rows.bad.begin();
+        for (std::size_t i = 0; i < m_rows.count(); ++i) {
+            if (known != m_rows.bad.end() && *known == i) {
+                m_bad.push_back(*known++);
+                continue;
+            }
+            std::size_t column = 0;
+            const std::string what = fault(i, column);
+            if (what.empty())
+                continue;
+            m_task.reader.complainOf(block, m_rows.places[i], column, what, messages);
+            m_bad.push_back(i);
+        }
+    }
+
+    void compute()
+    {
+        const std::size_t count = m_rows.count();
+        const double *px = m_rows.values[0].data(), *py = m_rows.values[1].data();
+        if (m_task.options.isPixel) {
+            for (std::size_t k = 0; k < 2; ++k) {
+                m_centres[k].resize(count);
+                std::transform(m_rows.values[k].begin(), m_rows.values[k].end(), m_centres[k].begin(),
+                               [](double index) { return index + kHalfPixel; });
+            }
+            px = m_centres[0].data();
+            py = m_centres[1].data();
+        }
+        const BatchInput<double> input{px, py, m_rows.values[2].data()};
+        m_results.resize(m_task.batches.size());
+        for (std::size_t method = 0; method < m_results.size(); ++method) {
+            if (!m_task.batches[method])
+                continue;
+            Columns &points = m_results[method];
+            for (auto &column : points)
+                column.resize(count);
+            (*m_task.batches[method])(input, BatchOutput<double>{points[0].data(), points[1].data(), points[2].data()},
+                                      count);
+        }
+    }
+
+    void write(const LineBlock &block, BlockResult &result)
+    {
+        RowWriter writer(m_task.options.rows.format, m_task.layout.names(), result.output);
+        result.badRows = m_bad.size();
+        auto bad = m_bad.begin();
+        for (std::size_t i = 0; i < m_rows.count(); ++i) {
+            if (bad != m_bad.end() && *bad == i) {
+                writeBad(block, *bad++, writer);
+                continue;
+            }
+            m_task.layout.writeInput(writer, block, m_rows, i);
+            if (!writeResults(i, writer)) {
+                ++result.badRows;
+                m_task.reader.complainOf(block, m_rows.places[i], NumberReader::kNoColumn,
+                                         errorText(Error{ErrorCode::PointAtInfinity}), result.messages);
+            }
+            writer.endRow();
+        }
+    }
+
+    bool writeResults(std::size_t row, RowWriter &writer)
+    {
+        m_points.clear();
+        for (std::size_t method = 0; method < m_results.size(); ++method) {
+            const Columns &columns = m_results[method];
+            if (m_task.batches[method])
+                m_points.emplace_back(glm::dvec3(columns[0][row], columns[1][row], columns[2][row]));
+            else
+                m_points.emplace_back();
+        }
+        return writePoints(writer, m_task.options.methods, m_points);
+    }
+
+    void writeBad(const LineBlock &block, std::size_t row, RowWriter &writer) const
+    {
+        m_task.layout.writeBad(writer, block, m_rows, row);
+        for (std::size_t k = 0; k < m_task.results; ++k)
+            writer.nothing();
+        writer.endRow();
+    }
+
+    const Task &m_task;
+    NumberRows m_rows;
+    std::vector<std::size_t> m_bad; ///< rows
+    std::array<std::vector<double>, 2> m_centres;
+    std::vector<Columns> m_results;                  ///< of each method
+    std::vector<std::optional<glm::dvec3>> m_points; ///< of one row
+};
+
+} // namespace
+
+std::vector<std::string> pointColumns(const std::vector<Method> &methods)
+{
+    std::vector<std::string> names;
+    for (const Method method : methods) {
+        for (const std::string &coordinate : pointColumnsOf(keyOf(method)))
+            names.push_back(coordinate);
+    }
+    if (comparedPlaces(methods))
+        names.emplace_back("difference");
+    return names;
+}
+
+bool writePoints(RowWriter &writer, const std::vector<Method> &methods,
+                 const std::vector<std::optional<glm::dvec3>> &points)
+{
+    bool isAllFinite = true;
+    const auto write = [&](double value) {
+        isAllFinite = isAllFinite && std::isfinite(value);
+        writer.numberOrNothing(value);
+    };
+    for (const std::optional<glm::dvec3> &point : points) {
+        for (int k = 0; k < 3; ++k) {
+            if (point)
+                write((*point)[k]);
+            else
+                writer.nothing();
+        }
+    }
+    if (const auto compared = comparedPlaces(methods)) {
+        const std::optional<glm::dvec3> &a = points[compared->first], &b = points[compared->second];
+        if (a && b)
+            write(glm::length(*a - *b));
+        else
+            writer.nothing();
+    }
+    return isAllFinite;
+}
+
+ExitCode runPoints(const PointsOptions &options)
+{
+    const std::optional<SceneOrClicks> given = sceneOrClicks(options.rows.scene);
+    if (!given)
+        return ExitCode::UnusableInput;
+    if (const auto *clicks = std::get_if<std::vector<Click>>(&*given); clicks && !options.rows.isInputGiven)
+        return runClicks(options, *clicks);
+    const std::unique_ptr<RowStream> rows = openRows(options.rows, *given, {kClickColumns});
+    if (!rows)
+        return ExitCode::UnusableInput;
+    const Picture &geometry = rows->scene.geometry;
+    const std::vector<std::string> results = pointColumns(options.methods);
+    Task task{options, NumberReader(rows->source.name(), rows->columns),       geometry.depthRange,
+              {},      RowLayout(rows->columns, results, options.rows.format), results.size()};
+    bool isUsable = false;
+    for (const Method method : options.methods) {
+        const Result<ClickBatch> batch = ClickBatch::of(method, geometry, rows->space);
+        isUsable = isUsable || batch;
+        // The cells of a method that does not hold for the scene stay empty.
+        task.batches.push_back(batch ? std::optional(*batch) : std::nullopt);
+        if (!batch)
+            complain(options.rows.scene + ": " + noMethodText(method, batch.error()));
+    }
+    if (!isUsable)
+        return ExitCode::UnusableInput;
+
+    return runRows(*rows, options.rows, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
+}
+
+} // namespace unprojector::cli

@@ -1,0 +1,180 @@
+#include "core/cli/commands/project_command.h"
+
+#include "core/cli/rows/row_layout.h"
+#include "core/geometry/way_forward.h"
+#include "core/text/error_text.h"
+#include "core/text/translation.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace unprojector::cli {
+using namespace text;
+namespace {
+
+const std::vector<std::string> kResults{"eye_x",    "eye_y",    "eye_z",    "clip_x", "clip_y",   "clip_z",
+                                        "clip_w",   "ndc_x",    "ndc_y",    "ndc_z",  "window_x", "window_y",
+                                        "window_z", "widget_x", "widget_y", "px",     "py",       "depth"};
+
+/// Everything that is the same for all rows.
+struct Task {
+    RowFormat format;
+    NumberReader reader;
+    RowLayout layout;
+    Picture geometry;
+    WayForward way;
+    BatchSpace space;
+    glm::dmat4 clipFromEye;
+    glm::dmat4 eyeMagnitudes; ///< of what the eye coordinates are added up from
+};
+
+glm::dmat4 magnitudes(glm::dmat4 m)
+{
+    for (int column = 0; column < 4; ++column)
+        m[column] = glm::abs(m[column]);
+    return m;
+}
+
+/// Of a view matrix: the entries of its translation are sums of products as large as it is long.
+glm::dmat4 viewMagnitudes(const glm::dmat4 &eyeFromWorld)
+{
+    glm::dmat4 m = magnitudes(eyeFromWorld);
+    m[3] = glm::dvec4(glm::dvec3(glm::length(glm::dvec3(m[3]))), m[3].w);
+    return m;
+}
+
+/// How far rounding can have moved the depth of a point, which was computed in double before it came here: a few units in the
+/// last place of everything that is added up on the way, carried through the rest of the way. 0 in the plane of the eye, where rounding decides everything: the planes are
+/// elsewhere.
+double depthUncertainty(const Task &task, const glm::dvec4 &point, const glm::dvec4 &eye, const glm::dvec4 &clip)
+{
+    constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+    const glm::dvec4 ofEye = kRounding * (task.eyeMagnitudes * glm::abs(point));
+    const glm::dvec4 ofClip = magnitudes(task.clipFromEye) * (kRounding * glm::abs(eye) + ofEye);
+    if (!(1000.0 * ofClip.w <= std::abs(clip.w)))
+        return 0.0;
+    const double ofNdc = (ofClip.z + std::abs(clip.z / clip.w) * ofClip.w) / std::abs(clip.w);
+    const auto &[atNear, atFar] = task.geometry.depthRange;
+    return ofNdc * std::abs(atFar - atNear) + kRounding * std::max(std::abs(atNear), std::abs(atFar));
+}
+
+/// The depth, or the end of the depth range where it is outside by no more than the uncertainty.
+double depthWithin(const DepthRange &range, double depth, double uncertainty)
+{
+    const double nearest = std::clamp(depth, std::min(range.atNear, range.atFar), std::max(range.atNear, range.atFar));
+    return std::abs(depth - nearest) <= uncertainty ? nearest : depth;
+}
+
+/// The cells of a point, as many as there are: behind a stage without an answer there is nothing.
+struct Stages {
+    std::array<double, 18> numbers{};
+    std::size_t count = 0;
+
+    bool add(std::span<const DoubleDouble> values)
+    {
+        if (!std::all_of(values.begin(), values.end(), [](const DoubleDouble &v) { return std::isfinite(v.value); }))
+            return false;
+        for (const DoubleDouble &v : values)
+            numbers[count++] = v.value;
+        return true;
+    }
+};
+
+glm::dvec4 rounded(const DoubleDouble4 &v)
+{
+    return {v[0].value, v[1].value, v[2].value, v[3].value};
+}
+
+/// @return whether every stage has an answer
+bool project(const Task &task, const glm::dvec3 &point, Stages &stages)
+{
+    const Picture &g = task.geometry;
+    const PreciseStages way = task.space.kind == BatchSpace::Kind::Eye
+                                  ? task.way.fromEye(precise(point))
+                                  : task.way.fromWorld(product(task.space.worldFromObject, precise(point)));
+    if (!stages.add(way.eye) || !stages.add(way.clip) || way.clip[3].value == 0.0)
+        return false;
+    const auto &[x, y, windowDepth] = way.window;
+    const DoubleDouble py = flippedY(g.surface, y), ratio = g.surface.devicePixelRatio;
+    const glm::dvec4 eye = rounded({way.eye[0], way.eye[1], way.eye[2], 1.0});
+    const double depth = depthWithin(g.depthRange, windowDepth.value,
+                                     depthUncertainty(task, glm::dvec4(point, 1.0), eye, rounded(way.clip)));
+    return stages.add(way.ndc) && stages.add(way.window) && stages.add(std::array{x / ratio, py / ratio})
+           && stages.add(std::array{x, py, DoubleDouble(depth)});
+}
+
+class Worker {
+public:
+    explicit Worker(const Task &task) : m_task(task) {}
+
+    void operator()(const LineBlock &block, BlockResult &result)
+    {
+        m_task.reader.read(block, m_rows, result.messages);
+        RowWriter writer(m_task.format, m_task.layout.names(), result.output);
+        result.badRows = m_rows.bad.size();
+        auto bad = m_rows.bad.begin();
+        for (std::size_t i = 0; i < m_rows.count(); ++i) {
+            Stages stages;
+            if (bad != m_rows.bad.end() && *bad == i) {
+                m_task.layout.writeBad(writer, block, m_rows, *bad++);
+            } else {
+                m_task.layout.writeInput(writer, block, m_rows, i);
+                if (!project(m_task, {m_rows.values[0][i], m_rows.values[1][i], m_rows.values[2][i]}, stages)) {
+                    ++result.badRows;
+                    m_task.reader.complainOf(
+                        block, m_rows.places[i], NumberReader::kNoColumn,
+                        tr("the point has no place in the window: it lies in the plane of the eye, or too far away"),
+                        result.messages);
+                }
+            }
+            for (std::size_t k = 0; k < stages.numbers.size(); ++k) {
+                if (k < stages.count)
+                    writer.number(stages.numbers[k]);
+                else
+                    writer.nothing();
+            }
+            writer.endRow();
+        }
+    }
+
+private:
+    const Task &m_task;
+    NumberRows m_rows;
+};
+
+} // namespace
+
+ExitCode runProject(const RowOptions &options)
+{
+    const std::optional<SceneOrClicks> given = sceneOrClicks(options.scene);
+    if (!given)
+        return ExitCode::UnusableInput;
+    // The preferred ones first: as a person writes them, or as `unproject points` has written them.
+    const std::unique_ptr<RowStream> rows = openRows(options, *given, {{"x", "y", "z"}, pointColumnsOf("formula")});
+    if (!rows)
+        return ExitCode::UnusableInput;
+    const Picture &geometry = rows->scene.geometry;
+    const Result<WayForward> way = WayForward::of(geometry);
+    if (!way) {
+        complain(options.scene + ": " + errorText(way.error()));
+        return ExitCode::UnusableInput;
+    }
+    const bool isInEye = rows->space.kind == BatchSpace::Kind::Eye;
+    const Task task{options.format,
+                    NumberReader(rows->source.name(), rows->columns),
+                    RowLayout(rows->columns, kResults, options.format),
+                    geometry,
+                    *way,
+                    rows->space,
+                    clipFromEye(geometry).value(),
+                    isInEye ? glm::dmat4(1.0)
+                            : viewMagnitudes(eyeFromWorld(geometry).value()) * magnitudes(rows->space.worldFromObject)};
+    return runRows(*rows, options, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
+}
+
+} // namespace unprojector::cli

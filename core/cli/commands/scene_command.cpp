@@ -1,0 +1,338 @@
+#include "core/cli/commands/scene_command.h"
+
+#include "core/cli/commands/matrix_taker.h"
+#include "core/cli/commands/size_text.h"
+#include "core/cli/rows/byte_stream.h"
+#include "core/files/path_text.h"
+#include "core/matrices/matrix_format.h"
+#include "core/matrices/taken_apart.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/scene_file.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace unprojector::cli {
+using namespace scene_file;
+using namespace files;
+using text::tr;
+namespace {
+
+struct Pasted {
+    std::string text, name;
+    bool isFile = false; ///< or stdin
+};
+
+std::string pasteErrorText(const PasteError &error, const std::string &name)
+{
+    if (!error.word.empty())
+        return name + ':' + std::to_string(error.line) + ':' + std::to_string(error.column) + ": "
+               + tr("\"%1\" is not a finite number", error.word);
+    return name + ": " + nameOf(error.part) + ": "
+           + tr(error.found == 1 ? "%1 number found, %2 are needed" : "%1 numbers found, %2 are needed", error.found,
+                error.wanted)
+           + (error.part == PastedPart::Viewport ? ": x y width height" : "");
+}
+
+/// Whether a text has OpenCV's camera: K, R and t, by these names or those of its functions.
+bool namesOpenCv(const std::string &text)
+{
+    std::set<std::string> names;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto isLetter = [&](std::size_t i) {
+            return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
+        };
+        std::size_t end = at;
+        while (isLetter(end))
+            ++end;
+        if (end > at)
+            names.insert(text.substr(at, end - at));
+        at = end + 1;
+    }
+    const bool hasTurn = names.contains("R") || names.contains("t") || names.contains("T");
+    return (names.contains("K") && hasTurn) || names.contains("cameraMatrix") || names.contains("rvec")
+           || names.contains("tvec");
+}
+
+/// What was pasted: the words themselves, or a file's text. Errors are printed on stderr.
+std::optional<Pasted> pasted(const std::vector<std::string> &words)
+{
+    std::string text;
+    for (const std::string &word : words)
+        text += word + ' ';
+    std::error_code ignored;
+    const bool isFile =
+        words.size() == 1 && (words[0] == "-" || std::filesystem::exists(pathFromUtf8(words[0]), ignored));
+    if (!isFile)
+        return Pasted{text, "--from-matrices"};
+    ByteSource source(words[0]);
+    if (!source.isOpen())
+        return std::nullopt;
+    constexpr std::size_t kMost = 1 << 20;
+    text.resize(kMost);
+    text.resize(source.read(text.data(), kMost));
+    if (text.size() == kMost || source.hasFailed()) {
+        complain(tr(source.hasFailed() ? "%1: cannot be read" : "%1: too long for two matrices and a viewport",
+                    source.name()));
+        return std::nullopt;
+    }
+    return Pasted{text, source.name(), true};
+}
+
+/// The window's size: asked for, or up to where the viewport reaches.
+/// @param viewport   in pixels from the bottom left; where they count from the top, from the window's top left corner with y up
+/// @return in pixels from the bottom left; nothing where there is no such window, which is said
+std::optional<Viewport> setWindow(const SceneOptions &options, Viewport viewport, bool isFromTop, SceneFile &scene)
+{
+    const double bottomFromTop = -viewport.y;
+    if (!options.window.empty()) {
+        const std::optional<SizeGiven> size = sizeGiven("--window", options.window);
+        if (!size)
+            return std::nullopt;
+        scene.windowWidth = size->width;
+        scene.windowHeight = size->height;
+    } else {
+        const double width = std::ceil(viewport.x + viewport.width),
+                     height = std::ceil(isFromTop ? bottomFromTop : viewport.y + viewport.height);
+        if (!(width >= 1.0 && height >= 1.0 && width <= kMostWindowPixels && height <= kMostWindowPixels)) {
+            complain(tr("viewport: it reaches beyond any window; give four numbers, x y width height, in pixels"));
+            return std::nullopt;
+        }
+        scene.windowWidth = static_cast<int>(width);
+        scene.windowHeight = static_cast<int>(height);
+        if (viewport.x > 0.0 || (isFromTop ? bottomFromTop - viewport.height : viewport.y) > 0.0)
+            complain(tr("the window is taken to end where the viewport does, at %1x%2; py counts from its top: "
+                        "--window says its size",
+                        scene.windowWidth, scene.windowHeight));
+    }
+    if (isFromTop)
+        viewport.y += scene.windowHeight;
+    return viewport;
+}
+
+bool isOriginTop(const SceneOptions &options)
+{
+    return conventionsOf(options.conventions.value_or(Api::OpenGl)).isOriginTop;
+}
+
+/// Viewport, depth range and window.
+/// @return whether there are such; prints errors on stderr
+bool setViewport(const SceneOptions &options, const MatrixTaker &taker, const PastedScene &pasted,
+                 const std::string &name, SceneFile &scene)
+{
+    if (!pasted.viewportMatrix) {
+        scene.viewport = setWindow(options, *pasted.viewport, false, scene);
+        return scene.viewport.has_value();
+    }
+    const auto &[viewport, depthRange] = taker.viewport(*pasted.viewportMatrix);
+    if (viewport.height < 0.0) {
+        complain(
+            name + ": viewport: "
+            + tr(isOriginTop(options)
+                     ? "its matrix turns y round, as where pixels count from the bottom: --conventions says whose it is"
+                     : "its matrix turns y round, as where pixels count from the top: --conventions says whose it is"));
+        return false;
+    }
+    if (!isWindowsOwn(depthRange))
+        complain(
+            name + ": viewport: "
+            + tr(options.depth || options.conventions
+                     ? "its depths go from %1 to %2, beyond the 0 to 1 of a window; the depths of clicks must be such "
+                       "ones"
+                     : "its depths go from %1 to %2, beyond the 0 to 1 of a window; --depth says by which NDC depths "
+                       "they are to be read",
+                 numberText(depthRange.atNear, Digits::Double, 5), numberText(depthRange.atFar, Digits::Double, 5)));
+    scene.depthRange = depthRange;
+    scene.viewport = setWindow(options, viewport, isOriginTop(options), scene);
+    return scene.viewport.has_value();
+}
+
+double largestEntry(const glm::dmat4 &m)
+{
+    double largest = 0.0;
+    for (int i = 0; i < 16; ++i)
+        largest = std::max(largest, std::abs(m[i / 4][i % 4]));
+    return largest;
+}
+
+/// How far a matrix is from another one times any number, over its largest entry; 1 where either is 0 or beyond doubles.
+double offUpToScale(const glm::dmat4 &given, const glm::dmat4 &other)
+{
+    const double ofGiven = largestEntry(given), ofOther = largestEntry(other);
+    if (!(ofGiven > 0.0 && ofOther > 0.0 && std::isfinite(ofGiven) && std::isfinite(ofOther)))
+        return 1.0;
+    const glm::dmat4 a = given / ofGiven, b = other / ofOther;
+    double ab = 0.0, bb = 0.0, off = 0.0;
+    for (int i = 0; i < 16; ++i) {
+        ab += a[i / 4][i % 4] * b[i / 4][i % 4];
+        bb += b[i / 4][i % 4] * b[i / 4][i % 4];
+    }
+    for (int i = 0; i < 16; ++i)
+        off = std::max(off, std::abs(a[i / 4][i % 4] - ab / bb * b[i / 4][i % 4]));
+    return off;
+}
+
+constexpr double kSame = 1e-3; // as three printed digits leave it
+
+/// What of a product beside a projection and a view does not go with them; empty where it does.
+std::string contradiction(const MatrixTaker &taker, const PastedScene &pasted)
+{
+    const glm::dmat4 product = taker.matrixAsGiven(*pasted.product),
+                     clipFromEye = taker.matrixAsGiven(*pasted.projection);
+    if (largestEntry(product) == 0.0)
+        return tr(", and it is not their product, but all zeros");
+    std::vector<glm::dmat4> others;
+    for (const auto &view : {pasted.view, pasted.modelView}) {
+        if (!view)
+            continue;
+        const glm::dmat4 eyeFromWorld = taker.matrixAsGiven(*view);
+        const glm::dmat4 model = pasted.model ? taker.matrixAsGiven(*pasted.model) : glm::dmat4(1.0);
+        // All of them may be read in the wrong order, which is said of each.
+        others.insert(others.end(), {clipFromEye * eyeFromWorld, eyeFromWorld * clipFromEye,
+                                     clipFromEye * eyeFromWorld * model, model * eyeFromWorld * clipFromEye});
+    }
+    double off = std::numeric_limits<double>::infinity();
+    for (const glm::dmat4 &other : others)
+        off = std::min(off, offUpToScale(product, other));
+    return off <= kSame
+               ? ""
+               : tr(", and it is not their product, but off by %1 of its largest entry: one of them is of another "
+                    "picture, or has an object's own matrix in it",
+                    numberText(off, Digits::Double, 2));
+}
+
+/// Says that a matrix beside a product counts for nothing, and whether it goes with it.
+void sayLeftOut(const MatrixTaker &taker, const PastedScene &pasted, PastedPart part,
+                const std::optional<TakenApart> &apart)
+{
+    const bool isProjection = part == PastedPart::Projection;
+    const auto &given = isProjection ? pasted.projection : part == PastedPart::View ? pasted.view : pasted.modelView;
+    if (!given)
+        return;
+    const bool isSame = apart
+                        && offUpToScale(isProjection ? apart->clipFromEye : apart->eyeFromWorld,
+                                        taker.matrix(*given, isProjection ? MatrixRole::Projection : MatrixRole::View))
+                               <= kSame;
+    taker.say(part, tr(isProjection ? "left out, since no view is beside it: the product alone counts"
+                                    : "left out, since no projection is beside it: the product alone counts")
+                        + (isSame || !apart ? "" : tr(", and the product's own is another one")));
+}
+
+/// Projection and view as pasted; what options ask for is done to them, and what else is to be seen of them is said.
+void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const PastedScene &pasted, SceneFile &scene)
+{
+    const bool isWhole = pasted.projection && (pasted.view || pasted.modelView);
+    const PastedMatrix &lens = isWhole ? *pasted.projection : *pasted.product;
+    glm::dmat4 clipFromEye = taker.matrix(lens, isWhole ? MatrixRole::Projection : MatrixRole::Product);
+    bool isReversed = false;
+    if (isWhole) {
+        const PastedMatrix &view = pasted.view ? *pasted.view : *pasted.modelView;
+        const PastedPart viewPart = pasted.view ? PastedPart::View : PastedPart::ModelView;
+        glm::dmat4 eyeFromWorld = taker.matrix(view, MatrixRole::View);
+        if (eyeFromWorld[3][3] < 0.0)
+            eyeFromWorld = repaired(eyeFromWorld, {MatrixFault::Negated, MatrixRepair::Negate});
+        if (options.isOrthonormal && eyeFromWorld[3][3] != 0.0)
+            eyeFromWorld = repaired(eyeFromWorld, {MatrixFault::Rounded, MatrixRepair::Orthonormal});
+        scene.view = eyeFromWorld;
+        taker.lookAt(view, viewPart, MatrixRole::View, clipFromEye);
+        isReversed = taker.lookAt(lens, PastedPart::Projection, MatrixRole::Projection);
+        for (const MatrixFinding &finding : findings(clipFromEye, MatrixRole::Projection, taker.depth())) {
+            if (finding.fault == MatrixFault::Negated)
+                clipFromEye = repaired(clipFromEye, finding);
+        }
+        if (pasted.product)
+            taker.say(PastedPart::Product, tr("left out, since the projection and the %1 are there", nameOf(viewPart))
+                                               + contradiction(taker, pasted));
+        if (pasted.view && pasted.modelView)
+            taker.say(PastedPart::ModelView, tr("left out, since the view is there"));
+    } else {
+        isReversed = taker.lookAt(lens, PastedPart::Product, MatrixRole::Product);
+        const auto apart = takenApart(clipFromEye);
+        for (const PastedPart part : {PastedPart::Projection, PastedPart::View, PastedPart::ModelView})
+            sayLeftOut(taker, pasted, part, apart);
+        scene.view = apart ? apart->eyeFromWorld : glm::dmat4(1.0);
+        clipFromEye = apart ? apart->clipFromEye : clipFromEye;
+        taker.say(
+            PastedPart::Product,
+            !apart
+                ? tr("lens and eye cannot be taken apart: only the inverted matrix will answer, the formulas need "
+                     "projection and view")
+                : tr(apart->isBox
+                         ? "taken apart into projection and view, which make it again up to %1 of its largest entry; "
+                           "of a box the eye may be anywhere along the view: it is put on the near plane"
+                         : "taken apart into projection and view, which make it again up to %1 of its largest entry",
+                     numberText(apart->off, Digits::Double, 1)));
+    }
+    for (const PastedPart part : pasted.inversesLeft)
+        taker.say(part, tr("its inverse is left out, since the matrices that are needed are there themselves"));
+    for (const PastedPart part : pasted.more)
+        taker.say(part, tr("there are several, of which the first counts"));
+    if (pasted.model)
+        taker.say(PastedPart::Model, tr("left out: world coordinates have no need of it"));
+    if (options.isYDown.value_or(false))
+        clipFromEye = repaired(clipFromEye, {MatrixFault::YDown, MatrixRepair::TurnY});
+    if (options.isReversed && !isReversed)
+        scene.depthRange = {1.0, 0.0};
+    // As it is read, so that whoever opens the scene reads it so as well.
+    const MatrixProjection asRead{clipFromEye, taker.depth()};
+    scene.projection = MatrixProjection{clipFromEye, recognised(asRead) ? ndcDepthOf(asRead) : taker.depth()};
+    scene.conventions = options.conventions;
+}
+
+} // namespace
+
+ExitCode runScene(const SceneOptions &options)
+{
+    const std::optional<Pasted> given = pasted(options.fromMatrices);
+    if (!given)
+        return ExitCode::UnusableInput;
+    ByteSink sink(options.output, given->isFile ? InputFiles{options.fromMatrices[0]} : InputFiles());
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    Result<PastedScene, PasteError> read = pastedScene(given->text);
+    if (!read) {
+        const PasteError &error = read.error();
+        const bool isFileMeant =
+            error.word.empty() && error.all == 0 && !given->isFile && options.fromMatrices.size() == 1;
+        if (isFileMeant)
+            complain(tr("%1: there is no such file", options.fromMatrices[0]));
+        else
+            complain(namesOpenCv(given->text) ? tr(
+                         "%1. K, R and t are not read: give a 4 x 4 view and projection instead; the README says under "
+                         "Conventions how they are made of these",
+                         pasteErrorText(error, given->name))
+                                              : pasteErrorText(error, given->name));
+        return ExitCode::UnusableInput;
+    }
+
+    SceneFile scene;
+    const MatrixTaker taker(options, given->name);
+    PastedScene numbers = std::move(read).value();
+    if (!taker.tellOrders(numbers) || !setViewport(options, taker, numbers, given->name, scene))
+        return ExitCode::UnusableInput;
+    setMatrices(options, taker, numbers, scene);
+
+    // What is written must be read again: the reader says what a scene may not be.
+    const auto written = sceneText(scene);
+    const std::string name = options.output == "-" ? "scene" : options.output;
+    if (!written) {
+        complain(sceneErrorText(written.error()));
+        return ExitCode::UnusableInput;
+    }
+    if (const auto readAgain = parseScene(*written, name); !readAgain) {
+        complain(sceneErrorText(readAgain.error()));
+        return ExitCode::UnusableInput;
+    }
+    sink.write(*written);
+    return sink.finish();
+}
+
+} // namespace unprojector::cli

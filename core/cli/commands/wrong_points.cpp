@@ -1,0 +1,145 @@
+#include "core/cli/commands/wrong_points.h"
+
+#include "core/cli/rows/byte_stream.h"
+#include "core/doctor/written_points.h"
+#include "core/text/translation.h"
+
+#include <array>
+#include <cstddef>
+
+namespace unprojector::cli {
+using namespace doctor;
+using text::tr;
+namespace {
+
+std::optional<std::string> allOf(ByteSource &source)
+{
+    std::string text;
+    std::array<char, 16384> buffer;
+    for (std::size_t size = 1; size > 0 && text.size() <= kMostPointBytes;) {
+        size = source.read(buffer.data(), buffer.size());
+        text.append(buffer.data(), size);
+    }
+    if (source.hasFailed()) {
+        complain(tr("%1: cannot be read", source.name()));
+        return std::nullopt;
+    }
+    if (text.size() > kMostPointBytes) {
+        complain(tr("%1: larger than %2 MB; give the points to look at alone, of which the first %3 count",
+                    source.name(), kMostPointBytes >> 20, kMostWrongPoints));
+        return std::nullopt;
+    }
+    return text;
+}
+
+std::string tableErrorText(const PointTableError &error)
+{
+    const std::string column(error.column);
+    switch (error.kind) {
+    case PointTableError::Kind::NoColumn:
+        return tr("there is no column \"%1\"; give px,py,depth,x,y,z, where depth may be left out", column);
+    case PointTableError::Kind::DoubledColumn:
+        return tr("the column \"%1\" stands there twice; leave one of them out", column);
+    case PointTableError::Kind::OpenQuote: return tr("a quote is opened here and not closed at the end of its cell");
+    }
+    return {};
+}
+
+std::string rowErrorText(const PointRow &row, std::size_t place)
+{
+    if (place >= kPointColumns.size())
+        return tr("the row has more than six cells; give px,py,depth,x,y,z, with a point for the decimals");
+    return std::string(kPointColumns[place]) + ": " + tr("\"%1\" is no number", row.cells[place]);
+}
+
+/// What is wrong with numbers that were given, and what to do.
+std::string faultText(const NumbersFault &fault, const std::string &wanted)
+{
+    if (!fault.word.empty())
+        return fault.isNotFinite()
+                   ? tr("\"%1\" is no finite number: nothing can be told from it; give a click for which "
+                        "the program has a point",
+                        fault.word)
+                   : tr("\"%1\" is no number; give %2", fault.word, wanted);
+    if (fault.areCommasMixed)
+        return tr("commas stand between some of its numbers and not between others; for decimals give a point, %1",
+                  wanted);
+    return tr(fault.found == 1 ? "it has %1 number; give %2" : "it has %1 numbers; give %2", fault.found, wanted);
+}
+
+} // namespace
+
+std::optional<WrongPoint> wrongPoint(const std::string &pixel, const std::string &depth, const std::string &got)
+{
+    WrongPoint point;
+    const auto position = numbersOrFault(pixel, 2);
+    if (!position) {
+        complain("--pixel " + pixel + ": "
+                 + faultText(position.error(), tr("device pixels from the top left corner, as in 400.5,300.5")));
+        return std::nullopt;
+    }
+    point.pixel = DevicePoint((*position)[0].value, (*position)[1].value);
+    if (!depth.empty()) {
+        const std::optional<WrittenNumber> number = writtenNumber(depth);
+        if (!number) {
+            complain(tr("--depth %1: give a depth in the scene's depth range, as in 0.838331, or leave it out", depth));
+            return std::nullopt;
+        }
+        point.depth = number->value;
+        point.depthLastDigit = depthLastDigit(*number);
+    }
+    const auto coordinates = numbersOrFault(got, 3);
+    if (!coordinates) {
+        complain("--got " + got + ": "
+                 + faultText(coordinates.error(), tr("the three coordinates as the program has printed them, as in "
+                                                     "0.7051,-0.4122,0.0918 or vec3(0.7051, -0.4122, 0.0918)")));
+        return std::nullopt;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        point.got[axis] = (*coordinates)[std::size_t(axis)].value;
+        point.lastDigit[axis] = (*coordinates)[std::size_t(axis)].lastDigit;
+    }
+    return point;
+}
+
+std::optional<WrongPoints> wrongPoints(const std::string &file)
+{
+    ByteSource source(file);
+    if (!source.isOpen())
+        return std::nullopt;
+    const std::optional<std::string> text = allOf(source);
+    if (!text)
+        return std::nullopt;
+    const auto where = [&](std::size_t line) { return source.name() + ':' + std::to_string(line) + ": "; };
+    const Result<std::vector<PointRow>, PointTableError> rows = pointRows(*text);
+    if (!rows) {
+        complain(where(rows.error().line) + tableErrorText(rows.error()));
+        return std::nullopt;
+    }
+    WrongPoints result;
+    std::size_t surplus = 0;
+    for (const PointRow &row : *rows) {
+        if (result.points.size() == kMostWrongPoints) {
+            ++surplus;
+            continue;
+        }
+        if (const auto point = pointOf(row)) {
+            result.points.push_back(*point);
+            result.names.push_back(source.name() + ':' + std::to_string(row.line));
+        } else {
+            complain(where(row.line) + rowErrorText(row, point.error()));
+            result.isComplete = false;
+        }
+    }
+    if (surplus > 0)
+        complain(tr(surplus == 1 ? "%1: the first %2 points are looked at; %3 more is not"
+                                 : "%1: the first %2 points are looked at; %3 more are not",
+                    source.name(), kMostWrongPoints, surplus));
+    if (result.points.empty()) {
+        complain(tr("%1: there is no point in it; give rows of px,py,depth,x,y,z", source.name()));
+        return std::nullopt;
+    }
+    return result;
+}
+
+} // namespace unprojector::cli

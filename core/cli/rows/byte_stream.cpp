@@ -1,0 +1,215 @@
+#include "core/cli/rows/byte_stream.h"
+
+#include "core/cli/terminal/progress_bar.h"
+#include "core/files/path_text.h"
+#include "core/mesh_import/named_files.h"
+#include "core/text/printable.h"
+#include "core/text/system_error.h"
+#include "core/text/translation.h"
+
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace unprojector::cli {
+using namespace files;
+using geometry::Result;
+using text::tr;
+namespace {
+
+/// What is written to goes on behind what others have written there.
+std::FILE *opened(const std::string &file, bool isWriting)
+{
+#ifdef _WIN32
+    return _wfopen(pathFromUtf8(file).c_str(), isWriting ? L"ab" : L"rb");
+#else
+    return std::fopen(file.c_str(), isWriting ? "ab" : "rb");
+#endif
+}
+
+/// The standard streams have names where they can be files.
+std::filesystem::path namedPath(const std::string &file, const char *standardStream)
+{
+    return file == "-" ? std::filesystem::path(standardStream) : pathFromUtf8(file);
+}
+
+} // namespace
+
+void complain(std::string_view line)
+{
+    std::string text = text::printableLine(line);
+    text += '\n';
+    withoutProgressBar([&text] { std::fwrite(text.data(), 1, text.size(), stderr); });
+}
+
+void ByteSource::Close::operator()(std::FILE *file) const
+{
+    if (file != stdin)
+        std::fclose(file);
+}
+
+ByteSource::ByteSource(const std::string &file) : m_name(file == "-" ? "stdin" : file)
+{
+    if (file == "-") {
+        setBinary(stdin);
+        m_file.reset(stdin);
+        return;
+    }
+    std::error_code ignored;
+    if (std::filesystem::is_directory(pathFromUtf8(file), ignored)) {
+        complain(tr("%1: this is a folder; give a file", file));
+        return;
+    }
+    errno = 0;
+    m_file.reset(opened(file, false));
+    if (!m_file)
+        complain(tr("%1: cannot be read: %2", file, text::systemErrorText(errno)));
+}
+
+std::size_t ByteSource::read(char *buffer, std::size_t size)
+{
+    const std::size_t count = std::fread(buffer, 1, size, m_file.get());
+    m_hasFailed = std::ferror(m_file.get()) != 0;
+    return count;
+}
+
+std::size_t ByteSource::readSome(char *buffer, std::size_t size)
+{
+    const std::optional<std::size_t> count = readAvailable(m_file.get(), buffer, size);
+    m_hasFailed = !count;
+    return count.value_or(0);
+}
+
+std::optional<std::uint64_t> ByteSource::size() const
+{
+    return regularFileSize(m_file.get());
+}
+
+void ByteSink::Close::operator()(std::FILE *file) const
+{
+    if (file != stdout)
+        std::fclose(file);
+}
+
+ByteSink::ByteSink(const std::string &file, const InputFiles &inputs) : m_name(file == "-" ? "stdout" : file)
+{
+    if (isOverInput(file, inputs))
+        return;
+        // Writing to a closed pipe or beyond a limit then fails, and is seen here.
+#ifdef SIGPIPE
+    std::signal(SIGPIPE, SIG_IGN);
+#endif
+#ifdef SIGXFSZ
+    std::signal(SIGXFSZ, SIG_IGN);
+#endif
+    if (file == "-") {
+        m_stream.reset(stdout);
+        setBinary(stdout);
+        return;
+    }
+    const std::filesystem::path path = pathFromUtf8(file);
+    if (isStream(path)) {
+        errno = 0;
+        m_stream.reset(opened(file, true));
+        if (!m_stream)
+            complain(tr("%1: cannot be written: %2", file, text::systemErrorText(errno)));
+        return;
+    }
+    const InterruptionsWait untilItIsGuarded;
+    Result<ReplacingFile, FileError> replacing = ReplacingFile::open(path);
+    if (!replacing) {
+        complain(file + ": " + fileErrorText(replacing.error()));
+        return;
+    }
+    m_file = std::move(replacing).value();
+    m_guard.emplace(m_file->freshFile());
+}
+
+bool ByteSink::isTerminal() const
+{
+    return m_stream != nullptr && cli::isTerminal(m_stream.get());
+}
+
+void ByteSink::write(std::string_view bytes)
+{
+    if (m_state != State::Open)
+        return;
+    if (m_file)
+        check(m_file->write(bytes));
+    else if (std::fwrite(bytes.data(), 1, bytes.size(), m_stream.get()) != bytes.size())
+        failStream();
+}
+
+void ByteSink::print(std::string_view text)
+{
+    write(text::printableLines(text));
+}
+
+void ByteSink::flush()
+{
+    if (m_state == State::Open && m_stream != nullptr && std::fflush(m_stream.get()) != 0)
+        failStream();
+}
+
+ExitCode ByteSink::finish()
+{
+    flush();
+    if (m_state == State::Open && m_file)
+        check(m_file->commit());
+    return m_state == State::Failed ? ExitCode::UnusableInput : ExitCode::Done;
+}
+
+void ByteSink::failStream()
+{
+    const int error = errno;
+    bool isReaderGone = error == EPIPE;
+#ifdef _WIN32
+    // The C library knows some of the system's words for a closed pipe, and calls the others invalid.
+    isReaderGone = isReaderGone || (error == EINVAL && !regularFileSize(m_stream.get()));
+#endif
+    m_state = isReaderGone ? State::ReaderGone : State::Failed;
+    if (!isReaderGone)
+        complain(tr("%1: cannot be written: %2", m_name, text::systemErrorText(error)));
+}
+
+void ByteSink::check(const Written &written)
+{
+    if (written)
+        return;
+    m_state = State::Failed;
+    complain(m_name + ": " + fileErrorText(written.error()));
+}
+
+bool isOverInput(const std::string &output, const InputFiles &inputs)
+{
+    // Many objects of a scene may have one model.
+    InputFiles kept;
+    std::set<std::string> known;
+    const auto keep = [&](const std::string &file) {
+        if (known.insert(file).second)
+            kept.push_back(file);
+    };
+    for (const std::string &input : inputs)
+        keep(input);
+    std::error_code error;
+    // An empty file holds nothing to destroy: the models are read for their names only where one could be lost.
+    if (const auto size = std::filesystem::file_size(namedPath(output, "/dev/stdout"), error); !error && size > 0) {
+        for (const std::string &input : InputFiles(kept)) {
+            for (const std::filesystem::path &named : mesh_import::namedFiles(namedPath(input, "/dev/stdin")))
+                keep(utf8FromPath(named));
+        }
+    }
+    for (const std::string &input : kept) {
+        if (!isSameFile(namedPath(output, "/dev/stdout"), namedPath(input, "/dev/stdin")))
+            continue;
+        complain(tr("%1: this is the input %2 too and would be destroyed; give another name",
+                    output == "-" ? "stdout" : output, input == "-" ? "stdin" : input));
+        return true;
+    }
+    return false;
+}
+
+} // namespace unprojector::cli

@@ -1,0 +1,137 @@
+#pragma once
+
+#include "core/cli/rows/csv_line.h"
+#include "core/text/csv.h"
+#include "core/text/number_text.h"
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace unprojector::cli {
+using namespace text;
+
+enum class RowFormat {
+    Csv,
+    SafeCsv, ///< with texts as text::CellTexts::SpreadsheetSafe has them
+    Jsonl
+};
+
+/// A cell as passedCell has it, behind an apostrophe where its text is a formula.
+inline std::string safeCell(std::string cell)
+{
+    if (isFormula(unquoted(cell)))
+        cell.insert(cell.find_first_not_of(" \t\""), 1, '\'');
+    return cell;
+}
+
+/// Writes rows of numbers, cell by cell: comma-separated values, or one JSON object a line. Names are as the format writes
+/// them: in JSON they have their escapes.
+class RowWriter {
+public:
+    RowWriter(RowFormat format, const std::vector<std::string> &names, std::string &output)
+        : m_format(format), m_names(names), m_output(output)
+    {
+    }
+
+    void header()
+    {
+        if (m_format == RowFormat::Jsonl)
+            return;
+        for (const std::string &name : m_names) {
+            startCell();
+            m_output += name;
+        }
+        endRow();
+    }
+
+    void number(double value)
+    {
+        startCell();
+        appendNumber(m_output, value);
+    }
+
+    /// An empty cell for NaN and infinity.
+    void numberOrNothing(double value)
+    {
+        if (std::isfinite(value))
+            number(value);
+        else
+            nothing();
+    }
+
+    void nothing()
+    {
+        startCell();
+        if (m_format == RowFormat::Jsonl)
+            m_output += "null";
+    }
+
+    /// A text of any letters.
+    void text(std::string_view text)
+    {
+        startCell();
+        if (m_format == RowFormat::Jsonl) {
+            m_output += jsonOfText(text);
+            return;
+        }
+        const std::string_view apostrophe = m_format == RowFormat::SafeCsv && isFormula(text) ? "'" : "";
+        if (text.find_first_of(",\"\r\n") == std::string_view::npos && trimmed(text).size() == text.size()) {
+            m_output.append(apostrophe).append(text);
+            return;
+        }
+        m_output.append("\"").append(apostrophe);
+        for (const char c : text)
+            m_output.append(c == '"' ? 2 : 1, c == '\n' || c == '\r' ? ' ' : c);
+        m_output += '"';
+    }
+
+    /// A cell of the input, as it stands there.
+    void passed(std::string_view cell)
+    {
+        startCell();
+        m_output += m_format == RowFormat::Jsonl     ? jsonOfCell(cell)
+                    : m_format == RowFormat::SafeCsv ? safeCell(passedCell(cell))
+                                                     : passedCell(cell);
+    }
+
+    /// The same of a cell where a number is wanted: in JSON null where it is none.
+    void passedNumber(std::string_view cell)
+    {
+        if (m_format != RowFormat::Jsonl)
+            return passed(cell);
+        const std::string json = jsonOfCell(trimmed(unquoted(cell)));
+        startCell();
+        m_output += json.starts_with('"') ? "null" : json;
+    }
+
+    void endRow()
+    {
+        if (m_format == RowFormat::Jsonl)
+            m_output += '}';
+        m_output += '\n';
+        m_column = 0;
+    }
+
+private:
+    void startCell()
+    {
+        if (m_format != RowFormat::Jsonl) {
+            if (m_column > 0)
+                m_output += ',';
+        } else {
+            m_output += m_column > 0 ? ",\"" : "{\"";
+            m_output += m_names[m_column];
+            m_output += "\":";
+        }
+        ++m_column;
+    }
+
+    RowFormat m_format;
+    const std::vector<std::string> &m_names;
+    std::string &m_output;
+    std::size_t m_column = 0;
+};
+
+} // namespace unprojector::cli

@@ -1,0 +1,201 @@
+#include "core/cli/rows/scene_input.h"
+
+#include "core/files/path_text.h"
+#include "core/mesh_import/file_contents.h"
+#include "core/scene_file/scene_error_text.h"
+#include "core/scene_file/scene_file.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace unprojector::cli {
+using namespace scene_file;
+using namespace files;
+using namespace mesh_import;
+using text::tr;
+
+namespace {
+
+/// As readSceneText, from stdin.
+Result<std::string, SceneFileError> standardInput(const std::string &name)
+{
+    ByteSource source("-");
+    std::string text;
+    std::array<char, 65536> block;
+    for (std::size_t got = 1; source.isOpen() && got > 0 && text.size() <= kMostSceneBytes;) {
+        got = source.read(block.data(), block.size());
+        text.append(block.data(), got);
+    }
+    if (source.isOpen() && !source.hasFailed())
+        return text;
+    SceneFileError error;
+    error.code = SceneFileErrorCode::NotReadable;
+    error.file = name;
+    return error;
+}
+
+bool haveOneScene(const std::vector<Click> &clicks)
+{
+    const Result<std::string, SceneFileError> first = sceneText(clicks.front().scene);
+    return std::all_of(clicks.begin() + 1, clicks.end(), [&first](const Click &click) {
+        const Result<std::string, SceneFileError> text = sceneText(click.scene);
+        return text && first && *text == *first;
+    });
+}
+
+} // namespace
+
+std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
+{
+    const std::string name = file == "-" ? "stdin" : file;
+    const Result<std::string, SceneFileError> text =
+        file == "-" ? standardInput(name) : readSceneText(pathFromUtf8(file));
+    if (!text) {
+        complain(sceneErrorText(text.error()));
+        return std::nullopt;
+    }
+    Result<SceneOrClicks, SceneFileError> given = parseSceneOrClicks(*text, name);
+    constexpr std::size_t kStart = 512;
+    std::string advice = given ? std::string() : mesh_reader::adviceByContents(text->substr(0, kStart), "json");
+    if (!advice.empty()) {
+        if (const std::size_t dot = file.rfind('.'); dot != file.npos && advice.ends_with(file.substr(dot)))
+            advice = tr("it is a model; open it in the window, and give the scene that File > Save Scene writes");
+        if (file == "-")
+            advice = tr("a model is not read from standard input, give it by its name");
+        complain(tr("%1: is no scene; %2", name, advice));
+        return std::nullopt;
+    }
+    if (!given) {
+        complain(sceneErrorText(given.error()));
+        return std::nullopt;
+    }
+    return std::move(given).value();
+}
+
+InputFiles filesOf(const SceneFile &scene, const std::string &file)
+{
+    InputFiles files{file};
+    for (const SceneFileObject &object : scene.objects) {
+        if (object.bundled.empty())
+            files.push_back(
+                utf8FromPath(objectFile(object, file == "-" ? std::filesystem::path() : pathFromUtf8(file))));
+    }
+    return files;
+}
+
+InputFiles filesOf(const SceneOrClicks &given, const std::string &file)
+{
+    if (const auto *scene = std::get_if<SceneFile>(&given))
+        return filesOf(*scene, file);
+    InputFiles files{file};
+    for (const Click &click : std::get<std::vector<Click>>(given)) {
+        for (std::string &named : filesOf(click.scene, file)) {
+            if (std::find(files.begin(), files.end(), named) == files.end())
+                files.push_back(std::move(named));
+        }
+    }
+    return files;
+}
+
+SceneInput sceneInput(const SceneFile &scene)
+{
+    SceneInput input{pictureOf(scene), {}, scene.conventions.value_or(Api::OpenGl), {}};
+    for (const SceneFileObject &object : scene.objects)
+        input.objects.push_back({object.name, worldFromObject(object.transform)});
+    return input;
+}
+
+namespace {
+
+std::optional<SceneInput> withoutFiles(const SceneOrClicks &given, const std::string &file)
+{
+    if (const auto *scene = std::get_if<SceneFile>(&given)) {
+        const ApiConventions &api = conventionsOf(scene->conventions.value_or(Api::OpenGl));
+        if (api.isWorldMirrored)
+            complain(
+                (file == "-" ? "stdin" : file) + ": conventions: "
+                + tr("%1's own world has z negated; world coordinates here are the scene's, right-handed", api.name));
+        return sceneInput(*scene);
+    }
+    const auto &clicks = std::get<std::vector<Click>>(given);
+    if (!clicks.empty() && haveOneScene(clicks))
+        return sceneInput(clicks.front().scene);
+    complain((file == "-" ? "stdin: " : file + ": ")
+             + tr(clicks.empty() ? "no click is in it, and so no scene; give a scene file"
+                                 : "its clicks have different scenes; give one click, or the scene of one"));
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file)
+{
+    std::optional<SceneInput> input = withoutFiles(given, file);
+    if (input)
+        input->files = filesOf(given, file);
+    return input;
+}
+
+std::optional<SceneInput> sceneInput(const std::string &file)
+{
+    const std::optional<SceneOrClicks> given = sceneOrClicks(file);
+    return given ? sceneInput(*given, file) : std::nullopt;
+}
+
+std::optional<SceneFile> sceneFile(const std::string &file)
+{
+    const std::optional<SceneOrClicks> given = sceneOrClicks(file);
+    if (!given || !sceneInput(*given, file)) // which says what is wrong with clicks
+        return std::nullopt;
+    if (const auto *scene = std::get_if<SceneFile>(&*given))
+        return *scene;
+    return std::get<std::vector<Click>>(*given).front().scene;
+}
+
+const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name)
+{
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (scene.objects[i].name == name)
+            places.push_back(i);
+    }
+    if (places.size() == 1)
+        return &scene.objects[places[0]];
+    if (!places.empty()) {
+        std::string alike;
+        for (const std::size_t place : places)
+            alike += (alike.empty() ? "objects[" : ", objects[") + std::to_string(place) + ']';
+        complain(tr("the scene has several objects called \"%1\": %2; give each a name of its own", name, alike));
+        return nullptr;
+    }
+    std::string names;
+    for (const PlacedObject &object : scene.objects)
+        names += (names.empty() ? "" : ", ") + object.name;
+    complain(
+        tr(names.empty() ? "the scene has no object \"%1\"; it has none" : "the scene has no object \"%1\"; it has: %2",
+           name, names));
+    return nullptr;
+}
+
+std::optional<BatchSpace> batchSpace(const std::string &space, const SceneInput &scene)
+{
+    const std::string_view object = "object:";
+    if (space == "eye")
+        return BatchSpace{BatchSpace::Kind::Eye, glm::dmat4(1.0)};
+    if (space == "world")
+        return BatchSpace{};
+    if (!space.starts_with(object)) {
+        complain(tr("--space %1: give world, eye or object:NAME", space));
+        return std::nullopt;
+    }
+    const PlacedObject *placed = objectNamed(scene, space.substr(object.size()));
+    if (placed == nullptr)
+        return std::nullopt;
+    return BatchSpace{BatchSpace::Kind::Object, placed->worldFromObject};
+}
+
+} // namespace unprojector::cli

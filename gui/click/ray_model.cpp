@@ -1,0 +1,161 @@
+#include "gui/click/ray_model.h"
+
+namespace unprojector::gui {
+using namespace ray;
+namespace {
+
+constexpr int kDigits = 16;
+
+bool isPoint(int column)
+{
+    return column == RayModel::Met || column == RayModel::Taken;
+}
+
+} // namespace
+
+RayModel::RayModel(QObject *parent) : CoordinatesModel(parent) {}
+
+QStringList RayModel::rowNames()
+{
+    return {tr("World x"), tr("World y"), tr("World z")};
+}
+
+QStringList RayModel::takenNames()
+{
+    return {tr("Vertex"), tr("On edge"), tr("On face")};
+}
+
+void RayModel::setRay(const Pick *pick, const PickedRay *ray)
+{
+    m_points = {};
+    m_snap = ray ? ray->snap : Snap::Surface;
+    if (pick && ray && ray->met) {
+        const SceneHit &met = ray->met->hit;
+        m_points[Met] = Point{met.world, met.uncertainty};
+        if (const Result<WorldPoint> &formula = pick->point.world[Method::Formula]; pick->hit() && formula)
+            m_points[OffBy] = Point{*formula - met.world, {}};
+        if (met.triangle)
+            m_points[Normal] = Point{met.triangle->normal, {}};
+        if (m_snap == Snap::Surface)
+            m_points[Taken] = Point{met.vertex.world, met.vertex.uncertainty};
+    }
+    if (pick && ray && ray->taken && m_snap != Snap::Surface) {
+        const SceneHit &taken = ray->taken->hit;
+        m_points[Taken] = Point{m_snap == Snap::Vertex ? taken.vertex.world : taken.world, taken.uncertainty};
+        if (taken.triangle)
+            m_points[Normal] = Point{taken.triangle->normal, {}};
+    }
+    emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    emit headerDataChanged(Qt::Horizontal, Taken, Taken);
+}
+
+void RayModel::setCapacity(int characters)
+{
+    if (characters == m_capacity)
+        return;
+    m_capacity = characters;
+    emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+int RayModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : 3;
+}
+
+int RayModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant RayModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const std::optional<Point> &point = this->point(index.column());
+    const double value = point ? point->at[index.row()] : 0.0;
+    switch (role) {
+    case Qt::DisplayRole:
+        if (!point)
+            return QStringLiteral("–");
+        if (isPoint(index.column()))
+            return notationOf(point->at, value, kDigits, m_capacity).text(value);
+        return index.column() == Normal ? fixedText(value, 5) : significantText(value, 2);
+    case kCertainLengthRole:
+        return point && isPoint(index.column())
+                   ? QVariant(static_cast<int>(notationOf(point->at, value, kDigits, m_capacity)
+                                                   .certainLength(value, point->uncertainty[index.row()])))
+                   : QVariant();
+    case kValueRole: return point ? QVariant(value) : QVariant();
+    case Qt::ToolTipRole:
+        if (!point)
+            return {};
+        return isPoint(index.column())
+                   ? tr("%1 ± %2").arg(shortestText(value), readableText(point->uncertainty[index.row()]))
+                   : shortestText(value);
+    case Qt::TextAlignmentRole: return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    default: return {};
+    }
+}
+
+QString RayModel::toolTip(int column) const
+{
+    switch (column) {
+    case Met:
+        return tr(
+            "Where the ray through the pixel's centre meets the mesh itself, in double, without the depth buffer; "
+            "world units");
+    case OffBy: return tr("Formula minus ray; world units");
+    case Normal: return tr("The normal of the triangle, of length 1, world space");
+    default: break;
+    }
+    switch (m_snap) {
+    case Snap::Surface: return tr("The nearest corner of the triangle; world units");
+    case Snap::Vertex: return tr("The vertex that the click takes; world units");
+    case Snap::Edge: return tr("The point of an edge that the click takes; world units");
+    case Snap::Face: return tr("The point of the face that the click takes; world units");
+    }
+    Q_UNREACHABLE();
+}
+
+QVariant RayModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation == Qt::Vertical && role == Qt::DisplayRole && section >= 0 && section < rowCount())
+        return rowNames().at(section);
+    if (orientation == Qt::Horizontal && role == Qt::DisplayRole) {
+        switch (section) {
+        case Met: return tr("Ray on mesh");
+        case OffBy: return tr("Off by");
+        case Normal: return tr("Normal");
+        case Taken: return takenNames().at(m_snap == Snap::Edge ? 1 : m_snap == Snap::Face ? 2 : 0);
+        default: return {};
+        }
+    }
+    if (orientation == Qt::Horizontal && role == Qt::ToolTipRole)
+        return toolTip(section);
+    return CoordinatesModel::headerData(section, orientation, role);
+}
+
+std::vector<double> RayModel::pointAt(const QModelIndex &index) const
+{
+    const std::optional<Point> &point = this->point(index.column());
+    return point ? std::vector<double>{point->at[0], point->at[1], point->at[2]} : std::vector<double>();
+}
+
+QString RayModel::pointNameAt(const QModelIndex &index) const
+{
+    switch (index.column()) {
+    case Met: return QStringLiteral("rayOnMesh");
+    case OffBy: return QStringLiteral("rayDifference");
+    case Normal: return QStringLiteral("normal");
+    default: break;
+    }
+    switch (m_snap) {
+    case Snap::Edge: return QStringLiteral("edgePoint");
+    case Snap::Face: return QStringLiteral("facePoint");
+    case Snap::Surface:
+    case Snap::Vertex: break;
+    }
+    return QStringLiteral("vertex");
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "gui/document/picked_ray.h"
+#include "gui/text/number_text.h"
+#include "gui/widgets/coordinates_model.h"
+
+#include <array>
+#include <optional>
+
+namespace unprojector::gui {
+
+/// What a click's ray meets on the meshes as a table: x, y and z, world space, of the point, of what the formula is off it, of
+/// the surface's normal, and of the vertex that is nearest or of what the click takes.
+class RayModel : public CoordinatesModel {
+    Q_OBJECT
+public:
+    enum Column { Met, OffBy, Normal, Taken, ColumnCount };
+
+    explicit RayModel(QObject *parent = nullptr);
+
+    /// @param pick, ray  null: nothing is picked
+    void setRay(const Pick *pick, const PickedRay *ray);
+    /// Characters that the columns of points have room for; longer numbers are rounded.
+    void setCapacity(int characters);
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+
+    std::vector<double> pointAt(const QModelIndex &index) const override;
+    QString pointNameAt(const QModelIndex &index) const override;
+
+    static QStringList rowNames();
+    /// All that the last column is ever called.
+    static QStringList takenNames();
+
+private:
+    struct Point {
+        Components<3> at;
+        Components<3> uncertainty; ///< meaningful where it is a point
+    };
+    const std::optional<Point> &point(int column) const { return m_points[static_cast<std::size_t>(column)]; }
+    QString toolTip(int column) const;
+
+    std::array<std::optional<Point>, ColumnCount> m_points;
+    ray::Snap m_snap = ray::Snap::Surface;
+    int m_capacity = 18;
+};
+
+} // namespace unprojector::gui

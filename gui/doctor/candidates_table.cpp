@@ -1,0 +1,69 @@
+#include "gui/doctor/candidates_table.h"
+
+#include "gui/text/doctor_text.h"
+#include "gui/text/error_text.h"
+#include "gui/text/number_text.h"
+#include "gui/widgets/digits_font.h"
+
+#include <QHeaderView>
+#include <QScrollBar>
+#include <QSignalBlocker>
+
+namespace unprojector::gui {
+using namespace doctor;
+namespace {
+
+enum Column { Name, Answer, Digits, Off, ColumnCount };
+constexpr int kRowsSeen = 5;
+
+} // namespace
+
+CandidatesTable::CandidatesTable(QWidget *parent) : QTableWidget(0, ColumnCount, parent)
+{
+    setHorizontalHeaderLabels({tr("Mistake"), tr("Its answer"), tr("Digits"), tr("Off by")});
+    horizontalHeaderItem(Off)->setToolTip(tr("Units of the last digit given: the greatest difference of a coordinate"));
+    horizontalHeaderItem(Digits)->setToolTip(tr("How many of the digits given it explains"));
+    horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    for (const int column : {Answer, Digits, Off})
+        horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    verticalHeader()->hide();
+    setSelectionBehavior(SelectRows);
+    setSelectionMode(SingleSelection);
+    setEditTriggers(NoEditTriggers);
+    setTabKeyNavigation(false);
+    setWordWrap(false);
+    setAccessibleName(tr("Candidates"));
+    setToolTip(tr("What could have made the point, the best first. The code to change is that of the chosen one"));
+    const int row = lineHeight(font(), tr("Mistake")) + 6;
+    verticalHeader()->setDefaultSectionSize(row);
+    setFixedHeight(kRowsSeen * row + horizontalHeader()->sizeHint().height() + 2 * frameWidth());
+    connect(this, &QTableWidget::currentCellChanged, this, [this](int current) {
+        if (current >= 0)
+            emit chosen(current);
+    });
+}
+
+void CandidatesTable::setDiagnosis(const Diagnosis &diagnosis, const WrongPoint &first)
+{
+    const QSignalBlocker blocker(this);
+    const int count = static_cast<int>(diagnosis.candidates.size());
+    setRowCount(count);
+    for (int row = 0; row < count; ++row) {
+        const Candidate &candidate = diagnosis.candidates[static_cast<std::size_t>(row)];
+        const auto put = [&](int column, const QString &text, Qt::Alignment alignment) {
+            auto *item = new QTableWidgetItem(text);
+            item->setTextAlignment(alignment | Qt::AlignVCenter);
+            if (column == Answer)
+                item->setFont(digitsFont(font()));
+            item->setToolTip(plainToolTip(text));
+            setItem(row, column, item);
+        };
+        put(Name, candidateName(candidate), Qt::AlignLeft);
+        put(Answer, pointText(candidate.point, first.lastDigit), Qt::AlignRight);
+        put(Digits, QString::number(candidate.digits), Qt::AlignRight);
+        put(Off, significantText(candidate.distance, 3), Qt::AlignRight);
+    }
+    setCurrentCell(diagnosis.namesMistake() ? 0 : -1, 0);
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,132 @@
+#include "gui/doctor/code_changes_view.h"
+
+#include "core/doctor/remedies.h"
+#include "gui/text/mistake_text.h"
+#include "gui/widgets/contrast.h"
+#include "gui/widgets/copy_menu.h"
+#include "gui/widgets/digits_font.h"
+#include "gui/widgets/segmented_switch.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <array>
+
+namespace unprojector::gui {
+namespace {
+
+constexpr std::array<const char *, 5> kLibraries{"GLU", "GLM", "Qt", "three.js", "NumPy"};
+
+// Told apart by their signs, and by orange and blue, which the colour-blind tell apart too.
+constexpr QColor kWrongColor(0xd5, 0x5e, 0x00), kRightColor(0x00, 0x72, 0xb2);
+constexpr double kShareOfColor = 0.22;
+
+QString lineOf(const QString &sign, std::string_view code, const QColor &color, const QPalette &palette)
+{
+    const QColor ground = mixed(palette.color(QPalette::Base), color, kShareOfColor);
+    return QStringLiteral(
+               "<tr><td style='background:%1; padding:2px 4px'><b>%2</b></td><td style='background:%1; padding:2px "
+               "4px'>%3</td></tr>")
+        .arg(ground.name(), sign, QString::fromUtf8(code.data(), static_cast<qsizetype>(code.size())).toHtmlEscaped());
+}
+
+} // namespace
+
+CodeChangesView::CodeChangesView(QWidget *parent)
+    : QWidget(parent), m_title(new QLabel), m_copy(new QPushButton(tr("Copy these &lines"))), m_lines(new QLabel)
+{
+    QList<SegmentedSwitch::Choice> choices;
+    for (const char *library : kLibraries)
+        choices << SegmentedSwitch::Choice{QLatin1String(library), tr("Lines for %1").arg(QLatin1String(library))};
+    m_library = new SegmentedSwitch(tr("Library"), choices);
+    m_title->setWordWrap(true);
+    m_title->setTextFormat(Qt::PlainText);
+    m_lines->setTextFormat(Qt::RichText);
+    m_lines->setWordWrap(true);
+    m_lines->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_lines->setAccessibleName(tr("Code to change"));
+    m_lines->setFont(digitsFont(font()));
+    m_copy->setToolTip(tr("Copy the lines as they stand and as they should"));
+    auto *tools = new QHBoxLayout;
+    tools->addWidget(m_library);
+    tools->addStretch();
+    tools->addWidget(m_copy);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(m_title);
+    layout->addLayout(tools);
+    layout->addWidget(m_lines);
+    connect(m_library, &SegmentedSwitch::chosen, this, &CodeChangesView::showLines);
+    connect(m_copy, &QPushButton::clicked, this, [this] { copyToClipboard(m_text); });
+    hide();
+}
+
+void CodeChangesView::setMistake(const std::string &id)
+{
+    if (m_id != id) {
+        m_id = id;
+        showLines();
+    }
+    setVisible(!m_id.empty());
+}
+
+QString CodeChangesView::library() const
+{
+    return QLatin1String(kLibraries[static_cast<std::size_t>(m_library->choice())]);
+}
+
+void CodeChangesView::setLibrary(const QString &library)
+{
+    for (std::size_t i = 0; i < kLibraries.size(); ++i) {
+        if (library == QLatin1String(kLibraries[i]))
+            m_library->setChoice(static_cast<int>(i));
+    }
+}
+
+void CodeChangesView::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange)
+        m_lines->setFont(digitsFont(font()));
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        showLines();
+}
+
+void CodeChangesView::showLines()
+{
+    m_text.clear();
+    QString rows;
+    const QStringList parts = QString::fromStdString(m_id).split(u'+', Qt::SkipEmptyParts);
+    for (const QString &part : parts) {
+        bool hasLine = false;
+        for (const doctor::CodeChange &change : doctor::remedyOf(part.toStdString()).code) {
+            if (library() != QLatin1String(change.library.data(), static_cast<qsizetype>(change.library.size())))
+                continue;
+            hasLine = true;
+            rows += lineOf(QStringLiteral("−"), change.wrong, kWrongColor, palette())
+                    + lineOf(QStringLiteral("+"), change.right, kRightColor, palette());
+            m_text += QStringLiteral("- %1\n+ %2\n")
+                          .arg(QString::fromUtf8(change.wrong.data(), static_cast<qsizetype>(change.wrong.size())),
+                               QString::fromUtf8(change.right.data(), static_cast<qsizetype>(change.right.size())));
+        }
+        if (!hasLine)
+            rows += QStringLiteral("<tr><td></td><td>%1</td></tr>")
+                        .arg(tr("%1: no line of this library makes it; the other libraries show where it is made.")
+                                 .arg(mistakeName(part.toStdString()))
+                                 .toHtmlEscaped());
+    }
+    QString title = tr("To change: %1").arg(mistakeName(m_id));
+    if (parts.size() == 2)
+        title += u'\n'
+                 + tr("First “%1”, then “%2” in what that leaves; each is written here as if it were the only one.")
+                       .arg(mistakeName(parts[0].toStdString()), mistakeName(parts[1].toStdString()));
+    m_title->setText(title);
+    m_lines->setText(QStringLiteral("<table width='100%' cellspacing='2'>%1</table>").arg(rows));
+    m_copy->setEnabled(!m_text.isEmpty());
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,472 @@
+#include "gui/doctor/doctor_panel.h"
+
+#include "core/doctor/mesh_vertices.h"
+#include "core/doctor/written_points.h"
+#include "core/ray/mesh_depth.h"
+#include "gui/doctor/candidates_table.h"
+#include "gui/doctor/code_changes_view.h"
+#include "gui/doctor/diagnoser.h"
+#include "gui/doctor/diagnosis_view.h"
+#include "gui/doctor/wrong_points_form.h"
+#include "gui/text/bundled_names.h"
+#include "gui/text/error_text.h"
+#include "gui/widgets/contrast.h"
+#include "gui/widgets/help_link.h"
+#include "gui/widgets/typing_pause.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace unprojector::gui {
+using namespace doctor;
+namespace {
+
+// Of the combo box of spaces, behind the world; then come the objects.
+constexpr int kEyeItem = 1;
+constexpr int kFirstObjectItem = 2;
+
+/// "1000 x 700": a window's size in whole device pixels; nothing where the text is something else.
+std::optional<Surface> sizeOf(QString text)
+{
+    text.replace(u'x', u' ').replace(u'×', u' ').replace(u'X', u' ').replace(u'*', u' ');
+    const auto numbers = writtenNumbers(text.toStdString(), 2);
+    constexpr double kMost = 1e6;
+    if (!numbers)
+        return std::nullopt;
+    for (const WrittenNumber &number : *numbers) {
+        if (!(number.value >= 1.0 && number.value <= kMost) || std::floor(number.value) != number.value)
+            return std::nullopt;
+    }
+    return Surface{static_cast<int>((*numbers)[0].value), static_cast<int>((*numbers)[1].value), 1.0};
+}
+
+QString sizeText(const Surface &surface)
+{
+    return QStringLiteral("%1 × %2").arg(surface.widthPixels).arg(surface.heightPixels);
+}
+
+QLineEdit *sizeField(const QString &name, const QString &help)
+{
+    auto *field = new QLineEdit;
+    field->setAccessibleName(name);
+    field->setToolTip(help);
+    return field;
+}
+
+} // namespace
+
+DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
+    : QWidget(parent), m_document(document), m_diagnoser(new Diagnoser(this)), m_form(new WrongPointsForm),
+      m_space(new QComboBox), m_pictureText(new QLabel), m_pictureNow(new QPushButton(tr("As it is &now"))),
+      m_answer(new DiagnosisView), m_code(new CodeChangesView), m_candidates(new CandidatesTable)
+{
+    auto *spaceLine = new QHBoxLayout;
+    auto *spaceLabel = new QLabel(tr("&In the space:"));
+    spaceLabel->setBuddy(m_space);
+    m_space->setAccessibleName(tr("Space of the points that the program got"));
+    m_space->setToolTip(tr("The space that the program means its points in"));
+    m_space->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_space->setMinimumContentsLength(8);
+    spaceLine->addWidget(spaceLabel);
+    spaceLine->addWidget(m_space, 1);
+
+    m_pictureText->setWordWrap(true);
+    m_pictureText->setTextFormat(Qt::PlainText); // it repeats what was typed
+    m_pictureText->setAccessibleName(tr("The picture of the pixels"));
+    m_pictureNow->setToolTip(tr("Take the pixels for those of the view as it is now"));
+    // What is below stays where it is when this comes.
+    QSizePolicy policy = m_pictureNow->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_pictureNow->setSizePolicy(policy);
+    auto *pictureLine = new QHBoxLayout;
+    pictureLine->addWidget(m_pictureText, 1);
+    pictureLine->addWidget(m_pictureNow);
+
+    // Counted in digits, as the comparison's.
+    constexpr int kLeastDigits = 48;
+    setMinimumWidth(kLeastDigits * fontMetrics().horizontalAdvance(u'0'));
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 6, 8, 6);
+    layout->addWidget(m_form);
+    layout->addLayout(spaceLine);
+    layout->addLayout(pictureLine);
+    layout->addWidget(createProgram());
+    auto *line = new QFrame;
+    line->setFrameShape(QFrame::HLine);
+    line->setFrameShadow(QFrame::Sunken);
+    layout->addWidget(line);
+    layout->addWidget(m_answer);
+    layout->addWidget(m_code);
+    layout->addWidget(m_candidates);
+    layout->addStretch();
+    m_candidates->hide();
+
+    connect(m_form, &WrongPointsForm::changed, this, &DoctorPanel::refresh);
+    connect(m_space, &QComboBox::activated, this, &DoctorPanel::ask);
+    connect(m_pictureNow, &QPushButton::clicked, this, [this] {
+        m_picture = pictureNow();
+        refresh();
+    });
+    connect(m_answer, &DiagnosisView::clickRequested, this, &DoctorPanel::goToPixel);
+    connect(m_candidates, &CandidatesTable::chosen, this, [this](int place) {
+        const std::string &id = m_diagnosis->candidates[static_cast<std::size_t>(place)].id;
+        m_code->setMistake(id == "right" ? std::string() : id);
+    });
+    connect(m_diagnoser, &Diagnoser::answered, this, [this](const Result<Diagnosis> &answer) {
+        if (answer)
+            showDiagnosis(*answer);
+        else
+            showNothing(errorText(answer.error()));
+    });
+    connect(m_diagnoser, &Diagnoser::jobFailed, this, [this](const JobFailure &failure) {
+        showNothing(
+            tr("The mistakes could not be tried: %1. Close other programs, then ask again.").arg(failureText(failure)));
+    });
+    connect(&document, &SceneDocument::opened, this, [this] {
+        m_picture.reset();
+        m_taken.reset();
+        m_takenBefore.reset();
+    });
+    connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (!isVisible())
+            return;
+        if (changes & Change::Pick)
+            takePick();
+        if (!(changes & (kSeen | Change::Names)))
+            return;
+        // Points with a picture of their own are not asked for again while the view turns: a chosen candidate stays.
+        if (m_picture && !(changes & ((kSeen & ~Changes(Change::Picture)) | Change::Names)))
+            showPicture();
+        else
+            refresh();
+    });
+    connect(&document.rayCasters(), &RayCasters::built, this, [this] {
+        if (isVisible())
+            ask();
+    });
+    showSpaces();
+    showPicture();
+    ask();
+}
+
+DoctorPanel::~DoctorPanel() = default;
+
+QWidget *DoctorPanel::createProgram()
+{
+    m_fold = new QToolButton;
+    m_fold->setText(tr("More about your program"));
+    m_fold->setToolTip(tr("The size of its window, and another size that it may still go by"));
+    m_fold->setCheckable(true);
+    m_fold->setAutoRaise(true);
+    m_fold->setArrowType(Qt::RightArrow);
+    m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_window = sizeField(tr("Its window"), tr("Device pixels, such as 1000 x 700. Empty: as large as the view"));
+    m_otherSize =
+        sizeField(tr("Another size"),
+                  tr("Device pixels, such as 640 x 480: that of the window before, or of another framebuffer"));
+    m_otherSize->setPlaceholderText(tr("none"));
+    m_sizeFault = new QLabel;
+    m_sizeFault->setWordWrap(true);
+    m_sizeFault->setTextFormat(Qt::PlainText);
+    m_sizeFault->hide();
+    m_program = new QWidget;
+    auto *form = new QFormLayout(m_program);
+    form->setContentsMargins(16, 0, 0, 0);
+    form->addRow(tr("Its &window:"), m_window);
+    form->addRow(tr("Another &size it may go by:"), m_otherSize);
+    form->addRow(m_sizeFault);
+    m_program->hide();
+    auto *whole = new QWidget;
+    auto *layout = new QVBoxLayout(whole);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_fold);
+    head->addStretch();
+    head->addWidget(new HelpLink(QStringLiteral("wrong")));
+    layout->addLayout(head);
+    layout->addWidget(m_program);
+    connect(m_fold, &QToolButton::toggled, this, [this](bool isOpen) {
+        m_fold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+        m_program->setVisible(isOpen);
+    });
+    const auto finish = [this] {
+        QString fault;
+        for (QLineEdit *field : {m_window, m_otherSize}) {
+            const QString text = field->text().trimmed();
+            const bool isBad = !text.isEmpty() && !sizeOf(text);
+            field->setPalette(isBad ? refusedPalette() : QPalette());
+            if (isBad && fault.isEmpty())
+                fault = tr("“%1” is no size: type width and height in whole pixels, such as 1000 x 700.").arg(text);
+        }
+        m_sizeFault->setText(fault);
+        m_sizeFault->setVisible(!fault.isEmpty());
+    };
+    auto *pause = new QTimer(whole);
+    pause->setSingleShot(true);
+    pause->setInterval(kTypingPause);
+    connect(pause, &QTimer::timeout, this, finish);
+    for (const QLineEdit *field : {m_window, m_otherSize})
+        connect(field, &QLineEdit::textEdited, pause, qOverload<>(&QTimer::start));
+    connect(m_window, &QLineEdit::editingFinished, this, [this, finish] {
+        finish();
+        if (m_window->isModified() && !m_form->isEmpty())
+            m_picture = pictureNow();
+        m_window->setModified(false);
+        refresh();
+    });
+    connect(m_otherSize, &QLineEdit::editingFinished, this, [this, finish] {
+        finish();
+        ask();
+    });
+    return whole;
+}
+
+std::optional<Picture> DoctorPanel::pictureNow() const
+{
+    std::optional<Surface> own = sizeOf(m_window->text());
+    if (!own)
+        return m_document.geometry();
+    own->devicePixelRatio = m_document.geometry().surface.devicePixelRatio; // a window on the same screen
+    const Result<Picture> picture = pictureOf(m_document.scene(), *own, m_document.ground());
+    return picture ? std::optional(*picture) : std::nullopt;
+}
+
+std::optional<Picture> DoctorPanel::picture() const
+{
+    return m_picture ? m_picture : pictureNow();
+}
+
+std::shared_ptr<const ray::SceneRays> DoctorPanel::raysOf(const Picture &picture) const
+{
+    const auto casters = m_document.rayCasters().of(m_document.objects());
+    const Result<Unprojector> unprojector = Unprojector::of(picture);
+    if (m_document.objects().empty() || !casters || !unprojector)
+        return nullptr;
+    return std::make_shared<const ray::SceneRays>(*unprojector, m_document.objects(), *casters,
+                                                  m_document.scene().clipPlanes);
+}
+
+void DoctorPanel::takePick()
+{
+    const std::optional<Pick> &pick = m_document.pick();
+    const std::optional<Taken> taken = pick ? std::optional(Taken{pick->devicePixel, pick->geometry}) : std::nullopt;
+    if (taken == m_taken)
+        return;
+    if (taken == m_takenBefore) {
+        m_taken = taken;
+        const std::optional<Picture> since = std::exchange(m_picture, m_pictureBefore);
+        if (!m_form->takeBackClick())
+            m_picture = since;
+        showPicture();
+        return;
+    }
+    if (!taken)
+        return;
+    m_takenBefore = std::exchange(m_taken, taken);
+    m_pictureBefore = m_picture;
+    m_form->forgetClick(); // of the pick before: this one may fill nothing in
+    const bool isOfView = !sizeOf(m_window->text());
+    const std::optional<Picture> own = !m_form->points().empty() ? picture() : isOfView ? pick->geometry : pictureNow();
+    if (!own)
+        return; // showPicture says why
+    if (*own == pick->geometry) {
+        m_picture = own;
+        m_form->addClick(pixelCenter(pick->devicePixel), pick->window.z);
+        return;
+    }
+    // Where the clicked point is in the program's own picture.
+    const std::optional<WorldPoint> world = m_document.pickedPoint();
+    if (!world) {
+        m_pictureText->setText(tr("Not taken: the background is at no pixel of another picture."));
+        return;
+    }
+    const Result<WindowPoint> window = windowFromWorld(*own, *world);
+    if (!window) {
+        m_pictureText->setText(tr("Not taken: %1").arg(errorText(window.error())));
+        return;
+    }
+    m_picture = own;
+    const DevicePoint at = deviceFromWindow(own->surface, *window);
+    m_form->addClick(DevicePoint(std::floor(at.x) + kHalfPixel, std::floor(at.y) + kHalfPixel), {});
+}
+
+void DoctorPanel::takeOver(const DoctorPanel &other)
+{
+    m_taken = other.m_taken;
+    m_takenBefore = other.m_takenBefore;
+    m_window->setText(other.m_window->text());
+    m_otherSize->setText(other.m_otherSize->text());
+    m_fold->setChecked(other.m_fold->isChecked());
+    m_picture = other.m_picture;
+    m_form->takeOver(*other.m_form);
+    m_picture = other.m_picture;
+    m_space->setCurrentIndex(other.m_space->currentIndex());
+    refresh();
+}
+
+void DoctorPanel::goToPixel(const DevicePoint &pixel)
+{
+    if (picture() == m_document.geometry()) {
+        emit pickRequested({static_cast<int>(std::floor(pixel.x)), static_cast<int>(std::floor(pixel.y))});
+    } else {
+        m_form->addClick(pixel, {});
+    }
+    m_form->focusWaiting();
+}
+
+void DoctorPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    if (m_form->points().empty())
+        takePick();
+    refresh();
+}
+
+void DoctorPanel::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    m_diagnoser->cancel();
+    m_document.markWrongPoints({});
+}
+
+void DoctorPanel::refresh()
+{
+    if (m_form->isEmpty())
+        m_picture.reset();
+    else if (!m_picture)
+        m_picture = pictureNow();
+    if (const std::optional<Picture> own = picture())
+        m_form->setPicture(*own);
+    showSpaces();
+    showPicture();
+    ask();
+}
+
+void DoctorPanel::showPicture()
+{
+    m_window->setPlaceholderText(tr("as the view, %1").arg(sizeText(m_document.geometry().surface)));
+    const std::optional<Picture> own = picture(), now = pictureNow();
+    if (!own) {
+        m_pictureText->setText(tr("The scene has no picture in a window of %1.").arg(m_window->text()));
+        m_pictureNow->hide();
+        return;
+    }
+    const QString size = sizeText(own->surface);
+    const bool isPast = now && *own != *now;
+    m_pictureText->setText(isPast ? tr("Pixels of %1, of the view as it was when they were given").arg(size)
+                           : sizeOf(m_window->text()) ? tr("Pixels of your program's window, %1").arg(size)
+                                                      : tr("Pixels of the view, %1").arg(size));
+    m_pictureNow->setVisible(isPast);
+}
+
+void DoctorPanel::showSpaces()
+{
+    QStringList names{tr("World"), tr("Eye")};
+    for (const SceneObject &object : m_document.objects())
+        names << tr("Object: %1").arg(readName(object.name, m_document.objects()));
+    QStringList shown;
+    for (int i = 0; i < m_space->count(); ++i)
+        shown << m_space->itemText(i);
+    if (names == shown)
+        return;
+    const QString current = m_space->currentText();
+    m_space->clear();
+    m_space->addItems(names);
+    m_space->setCurrentIndex(std::max(0, static_cast<int>(names.indexOf(current))));
+}
+
+void DoctorPanel::ask()
+{
+    m_asked = m_form->points();
+    const int space = m_space->currentIndex();
+    for (WrongPoint &point : m_asked) {
+        point.space = space == kEyeItem           ? PointSpace::Eye
+                      : space >= kFirstObjectItem ? PointSpace::Object
+                                                  : PointSpace::World;
+        point.model = static_cast<std::size_t>(std::max(0, space - kFirstObjectItem));
+    }
+    const std::optional<Picture> own = picture();
+    if (m_asked.empty() || !own) {
+        m_diagnoser->cancel();
+        showNothing(m_form->isEmpty() ? tr("Click the pixel in the view that your program was asked for, and type the "
+                                           "wrong coordinate that it got.")
+                                      : tr("Give the pixel, and the three coordinates that your program got for it."));
+        return;
+    }
+    Case scene;
+    scene.picture = *own;
+    for (const SceneObject &object : m_document.objects())
+        scene.models.push_back({object.name, worldFromObject(object.transform)});
+    scene.otherSize = sizeOf(m_otherSize->text());
+    if (auto rays = raysOf(*own))
+        scene.depthOnMesh = ray::MeshDepth(std::move(rays));
+    scene.verticesIn = [objects = m_document.objects()](const Box &world) { return verticesIn(objects, world); };
+    m_diagnoser->ask(std::move(scene), m_asked);
+}
+
+void DoctorPanel::showDiagnosis(const Diagnosis &diagnosis)
+{
+    m_diagnosis = diagnosis;
+    m_answer->setDiagnosis(diagnosis, m_asked.front());
+    m_candidates->setDiagnosis(diagnosis, m_asked.front());
+    m_candidates->show();
+    m_code->setMistake(diagnosis.namesMistake() ? diagnosis.verdict : std::string());
+    mark();
+}
+
+void DoctorPanel::showNothing(const QString &why)
+{
+    m_diagnosis.reset();
+    m_answer->setMessage(why);
+    m_code->setMistake({});
+    m_candidates->hide();
+    mark();
+}
+
+void DoctorPanel::mark()
+{
+    std::vector<WrongPointMark> marks;
+    const std::optional<Picture> own = picture();
+    if (isVisible() && own && m_diagnosis) {
+        const Result<glm::dmat4> eye = eyeFromWorld(*own);
+        const Result<Unprojector> unprojector = Unprojector::of(*own);
+        const auto rays = raysOf(*own);
+        for (const WrongPoint &point : m_asked) {
+            glm::dmat4 worldFromSpace(1.0);
+            if (point.space == PointSpace::Eye && eye)
+                worldFromSpace = glm::inverse(*eye);
+            else if (point.space == PointSpace::Object && point.model < m_document.objects().size())
+                worldFromSpace = worldFromObject(m_document.objects()[point.model].transform);
+            WrongPointMark mark{WorldPoint(glm::dvec3(worldFromSpace * glm::dvec4(point.got, 1.0))), std::nullopt};
+            std::optional<double> depth = point.depth;
+            if (!depth && rays)
+                depth = ray::MeshDepth(rays)(point.pixel);
+            if (depth && unprojector) {
+                const auto right =
+                    unprojector->worldAt(Method::Formula, windowFromDevice(own->surface, point.pixel, *depth));
+                if (right)
+                    mark.right = *right;
+            }
+            marks.push_back(mark);
+        }
+    }
+    m_document.markWrongPoints(std::move(marks));
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,209 @@
+#include "gui/landmarks/measures_view.h"
+
+#include "gui/document/scene_curves.h"
+#include "gui/document/scene_document.h"
+#include "gui/landmarks/measure_rows.h"
+#include "gui/text/error_text.h"
+#include "gui/widgets/copy_menu.h"
+#include "gui/widgets/segmented_switch.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace unprojector::gui {
+
+MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
+    : QWidget(parent), m_document(document),
+      m_what(new SegmentedSwitch(tr("What is measured"),
+                                 {{tr("Selected"), tr("Distances, angles and heights of the points that are selected")},
+                                  {tr("Left and Right"), tr("Points whose names are the same but for left and right, "
+                                                            "and the plane that mirrors them best")}})),
+      m_unit(new QComboBox), m_rows(new QTreeWidget), m_empty(new QLabel)
+{
+    m_rows->setAccessibleName(tr("Measures"));
+    m_rows->setRootIsDecorated(false);
+    m_rows->setUniformRowHeights(true);
+    m_rows->setHeaderLabels({tr("Measure"), tr("Points"), tr("Value")});
+    m_rows->setTextElideMode(Qt::ElideMiddle);
+    m_rows->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_rows->setToolTip(tr("The measure that is chosen here is shown in the view; once more, and it is not"));
+    connect(m_rows, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem *item) {
+        const QString kind = item->text(0);
+        const bool isAgain = m_chosen && *m_chosen == m_rows->indexOfTopLevelItem(item);
+        m_chosenKind = isAgain ? QString() : kind;
+        m_chosen = isAgain ? std::nullopt : std::optional(m_rows->indexOfTopLevelItem(item));
+        showChosen();
+    });
+    connect(m_rows, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem *item) { // Enter
+        m_chosenKind = item->text(0);
+        m_chosen = m_rows->indexOfTopLevelItem(item);
+        showChosen();
+    });
+    m_rows->setFocusPolicy(Qt::StrongFocus);
+    m_rows->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_rows->header()->setStretchLastSection(false);
+    m_rows->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_rows->header()->setSectionResizeMode(1, QHeaderView::Stretch);
+    m_rows->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+    connect(m_rows, &QWidget::customContextMenuRequested, this, &MeasuresView::showMenu);
+    m_empty->setWordWrap(true);
+    m_unit->setAccessibleName(tr("Unit of the scene"));
+    m_unit->setToolTip(tr("What a world unit of this scene is; nothing is converted"));
+    connect(m_unit, &QComboBox::activated, this, &MeasuresView::setUnit);
+    connect(m_what, &SegmentedSwitch::chosen, this, [this] { showRows(); });
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Landmarks)
+            showUnit();
+        if (changes & Change::LandmarkSelection)
+            m_chosen.reset();
+        if ((changes & (Change::Landmarks | Change::LandmarkSelection | Change::Objects | Change::Placement))
+            || ((changes & Change::Curves) && !m_isShowing))
+            showRows();
+    });
+
+    auto *line = new QHBoxLayout;
+    line->addWidget(m_what);
+    line->addStretch();
+    line->addWidget(m_unit);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addLayout(line);
+    layout->addWidget(m_empty);
+    layout->addWidget(m_rows, 1);
+    layout->addStretch(); // what is less than a row
+    showUnit();
+    showRows();
+}
+
+void MeasuresView::showUnit()
+{
+    const QSignalBlocker blocker(m_unit);
+    const QString unit = QString::fromStdString(m_document.landmarkSet().unit);
+    m_unit->clear();
+    m_unit->addItem(tr("world units"), QString());
+    for (const char *known : {"mm", "cm", "m", "in"})
+        m_unit->addItem(QLatin1String(known), QLatin1String(known));
+    if (m_unit->findData(unit) < 0)
+        m_unit->addItem(unit, unit);
+    m_unit->setCurrentIndex(m_unit->findData(unit));
+}
+
+void MeasuresView::setUnit(int index)
+{
+    landmarks::LandmarkSet set = m_document.landmarkSet();
+    set.unit = m_unit->itemData(index).toString().toStdString();
+    static_cast<void>(m_document.editLandmarkSet(std::move(set), {tr("Unit")}));
+}
+
+std::vector<MeasureRow> MeasuresView::rows() const
+{
+    const landmarks::LandmarkSet &set = m_document.landmarkSet();
+    if (m_what->choice() == OfSides)
+        return sidesOf(set);
+    const std::vector<std::size_t> &selection = m_document.points().selection();
+    std::vector<MeasureRow> rows = measuresOf(set, selection);
+    if (const SceneCurves::Line *line = m_document.curves().throughSelected())
+        rows.push_back(surfaceLengthOf(set, selection, *line));
+    return rows;
+}
+
+void MeasuresView::showRows()
+{
+    const bool isSides = m_what->choice() == OfSides;
+    const QSignalBlocker blocker(m_rows);
+    constexpr int kPlaneRows = 2; // the plane, and what it is made from
+    m_listed = rows();
+    m_rows->clear();
+    for (const MeasureRow &row : m_listed) {
+        auto *item = new QTreeWidgetItem(m_rows, {row.kind, row.points, row.value});
+        item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+        QString tip =
+            tr("%1 %2: %3", "what is measured, of which points, its value").arg(row.kind, row.points, row.value);
+        if (row.shown && row.shown->shape == ShownMeasure::Shape::Surface)
+            tip +=
+                QStringLiteral(". ")
+                + tr(
+                    "From point to point a geodesic of the mesh: as a thread pulled tight over its triangles, exact to "
+                    "rounding for these. Which way around a hole or a hill it goes, is that of the shortest of the "
+                    "ways over "
+                    "places on the edges.");
+        if (isSides && m_rows->topLevelItemCount() <= kPlaneRows)
+            tip += QStringLiteral(". ")
+                   + tr("A point whose name says neither left nor right is taken to be in the middle. One that is "
+                        "hidden is left "
+                        "out.");
+        for (int column = 0; column < 3; ++column)
+            item->setToolTip(column, plainToolTip(tip));
+    }
+    m_empty->setText(isSides
+                         ? tr("No pairs: name points alike but for “left” and “right”, as “eye left” and “eye right”.")
+                         : tr("Select two points or more to measure between them."));
+    m_empty->setVisible(m_listed.empty());
+    m_rows->setVisible(!m_listed.empty());
+    layout()->activate();
+    showWholeRows();
+    showChosen();
+}
+
+void MeasuresView::showWholeRows()
+{
+    const int row = m_rows->sizeHintForRow(0);
+    if (row <= 0)
+        return;
+    const int around = m_rows->header()->sizeHint().height() + 2 * m_rows->frameWidth();
+    const int room = height() - m_rows->y() - around;
+    m_rows->setMaximumHeight(around + std::max(1, room / row) * row);
+}
+
+void MeasuresView::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    showWholeRows();
+}
+
+void MeasuresView::showChosen()
+{
+    const auto count = static_cast<int>(m_listed.size());
+    if (m_chosen && (*m_chosen >= count || m_listed[static_cast<std::size_t>(*m_chosen)].kind != m_chosenKind))
+        m_chosen.reset();
+    for (int i = 0; i < count && !m_chosen && !m_chosenKind.isEmpty(); ++i) { // the first of that kind
+        if (m_listed[static_cast<std::size_t>(i)].kind == m_chosenKind)
+            m_chosen = i;
+    }
+    std::optional<ShownMeasure> shown;
+    if (m_chosen) {
+        const MeasureRow &row = m_listed[static_cast<std::size_t>(*m_chosen)];
+        shown = row.shown;
+        if (shown)
+            shown->text = row.value;
+    }
+    m_rows->clearSelection();
+    if (m_chosen)
+        m_rows->topLevelItem(*m_chosen)->setSelected(true);
+    m_isShowing = true; // what follows from it is no other measure
+    m_document.curves().showMeasure(std::move(shown));
+    m_isShowing = false;
+}
+
+QString MeasuresView::csv() const
+{
+    return csvOf(rows(), QString::fromStdString(m_document.landmarkSet().unit));
+}
+
+void MeasuresView::showMenu(const QPoint &place)
+{
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Copy as C&SV"), this, [this] { copyToClipboard(csv()); });
+    menu->popup(m_rows->viewport()->mapToGlobal(place));
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,472 @@
+#include "gui/landmarks/scan_series.h"
+
+#include "core/files/path_text.h"
+#include "core/landmark_files/landmark_file.h"
+#include "core/landmark_files/landmark_folder.h"
+#include "core/landmarks/point_template.h"
+#include "gui/document/landmark_objects.h"
+#include "gui/document/scene_curves.h"
+#include "gui/document/scene_document.h"
+#include "gui/document/session.h"
+#include "gui/text/error_text.h"
+#include "gui/text/note_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+using namespace landmark_files;
+
+bool isScan(const std::filesystem::path &file)
+{
+    // "Models (*.obj … *.glb)"
+    const QString pattern = u'*' + pathText(file.extension()).toLower(), all = modelFileFilter();
+    return file.has_extension() && (all.contains(pattern + u' ') || all.contains(pattern + u')'));
+}
+
+std::string nameOrNumber(const LandmarkSet &set, std::size_t place)
+{
+    return set.landmarks[place].name.empty() ? std::to_string(place + 1) : set.landmarks[place].name;
+}
+
+/// A scan as its file has it.
+SceneObject asInItsFile(const std::filesystem::path &file, const SceneObject &shown)
+{
+    return {files::utf8FromPath(file.filename()), file, shown.model, {}};
+}
+
+/// Whether a landmark is where it was, but for what rounding leaves of it.
+bool isStill(const Landmark &now, const Landmark &was)
+{
+    constexpr double kRounding = 1e-12;
+    if (!now.world || !was.world || now.hold != was.hold)
+        return false;
+    const auto &[a, b] = std::pair(now.world->coordinates(), was.world->coordinates());
+    const double size = std::max({std::abs(b.x), std::abs(b.y), std::abs(b.z)});
+    return std::abs(a.x - b.x) <= kRounding * size && std::abs(a.y - b.y) <= kRounding * size
+           && std::abs(a.z - b.z) <= kRounding * size;
+}
+
+} // namespace
+
+std::size_t ScanSeries::Scan::placedCount() const
+{
+    return static_cast<std::size_t>(std::count_if(points.landmarks.begin(), points.landmarks.end(),
+                                                  [](const Landmark &point) { return !point.isMissing(); }));
+}
+
+ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *parent)
+    : QObject(parent), m_document(document), m_session(session)
+{
+    // Told before the points of the other scene are, which are not this scan's.
+    connect(&m_document, &SceneDocument::opened, this, [this] {
+        if (m_inView)
+            m_aside = Aside{*m_inView, m_shown.has_value(), m_placing};
+        m_inView = m_shown = std::nullopt;
+    });
+    connect(&m_session, &Session::opened, this, [this](const QString &lesson, bool isBack) {
+        if (isBack && m_aside) {
+            comeBack();
+            return;
+        }
+        if (lesson.isEmpty())
+            m_aside.reset();
+        if (m_isOpening && isBack) { // only to be saved
+            if (const auto aside = m_former ? std::exchange(m_former->aside, std::nullopt) : std::nullopt;
+                aside && aside->placing == m_former->placing) {
+                m_former->inView = aside->inView;
+                m_former->shown = aside->isShown ? m_former->inView : std::nullopt;
+            }
+        } else if (m_isOpening) {
+            m_former.reset();
+            takeShown();
+        } else if (m_current) { // another scene
+            m_current = std::nullopt;
+            emit changed();
+        }
+    });
+    // Given up: the scan that is shown still is, and its points are kept.
+    connect(&m_session, &Session::loadingEnded, this, [this] {
+        if (!std::exchange(m_isOpening, false))
+            return;
+        m_current = m_inView;
+        if (m_former && m_wasAsked) // somebody would rather have stayed
+            goBack();
+        emit changed();
+    });
+    connect(&m_session, &Session::failed, this, [this](const QString &reason) {
+        if (!m_isOpening || !m_current || m_session.isLoading()) // while it is loaded, something else has failed
+            return;
+        m_isOpening = false;
+        m_scans[*m_current].problem = reason;
+        emit changed();
+    });
+    connect(&m_session, &Session::aboutToSaveOrLeave, this, [this] {
+        m_wasAsked = m_isOpening;
+        keep();
+    });
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (!(changes & Change::Landmarks) || !m_shown)
+            return;
+        takePoints(m_document.landmarkSet()); // what follows from them is waited for when they are kept
+        emit this->changed();
+    });
+}
+
+void ScanSeries::readKept(Scan &scan, int placing) const
+{
+    const std::filesystem::path file = landmarksBeside(scan.file, placing);
+    scan.points = {};
+    scan.problem.clear();
+    scan.isDamaged = false;
+    std::error_code error;
+    scan.isKept = std::filesystem::exists(file, error);
+    if (!scan.isKept)
+        return;
+    auto read = readLandmarkFile(file);
+    if (!read)
+        scan.problem = QString::fromStdString(errorText(read.error()));
+    else if (read->sets.size() > 1)
+        scan.problem =
+            tr("%1: the points of %2 specimens stand here; a scan is one specimen, so put each into a file of "
+               "its own.")
+                .arg(pathText(file))
+                .arg(read->sets.size());
+    else
+        scan.points = std::move(std::move(read).value().sets.front());
+    scan.isDamaged = !scan.problem.isEmpty();
+}
+
+bool ScanSeries::open(const std::filesystem::path &folder)
+{
+    if (!keep())
+        return false;
+    std::vector<Scan> scans;
+    std::error_code error;
+    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        std::error_code ignored;
+        if (isScan(it->path()) && it->is_regular_file(ignored))
+            scans.push_back({it->path(), {}, {}});
+    }
+    if (error || scans.empty()) {
+        emit failed(
+            error
+                ? tr("%1: the folder cannot be read: %2").arg(pathText(folder), QString::fromStdString(error.message()))
+                : tr("%1: there is no model file in this folder. %2 are read.")
+                      .arg(pathText(folder), modelFileFilter()));
+        return false;
+    }
+    std::sort(scans.begin(), scans.end(), [](const Scan &a, const Scan &b) { return a.file < b.file; });
+    Former former{m_folder, m_scans, m_names, m_curves, m_inView, m_shown, m_aside, m_placing};
+    m_aside.reset();
+    m_folder = folder;
+    m_scans = std::move(scans);
+    m_current = m_inView = m_shown = std::nullopt;
+    m_isOpening = false;
+    m_placing = 1;
+    m_names.clear();
+    m_curves.clear();
+    for (Scan &scan : m_scans) {
+        readKept(scan, m_placing);
+        m_names = landmarks::withTemplate(std::move(m_names), scan.points.landmarks);
+    }
+    if (m_names.empty()) // those that wait in the scene are what is to be placed
+        m_names = landmarks::withTemplate({}, m_document.landmarks());
+    const auto unfinished = std::find_if(m_scans.begin(), m_scans.end(), [this](const Scan &scan) {
+        return !scan.isKept || scan.placedCount() < m_names.size();
+    });
+    emit changed();
+    show(unfinished == m_scans.end() ? 0 : static_cast<std::size_t>(unfinished - m_scans.begin()));
+    if (m_isOpening)
+        m_former = std::move(former);
+    return true;
+}
+
+bool ScanSeries::close()
+{
+    if (!keep())
+        return false;
+    m_folder.clear();
+    m_scans.clear();
+    m_names.clear();
+    m_curves.clear();
+    m_current = m_inView = m_shown = std::nullopt;
+    m_former.reset();
+    m_aside.reset();
+    m_isOpening = false;
+    m_placing = 1;
+    emit changed();
+    return true;
+}
+
+void ScanSeries::goBack()
+{
+    m_folder = std::move(m_former->folder);
+    m_scans = std::move(m_former->scans);
+    m_names = std::move(m_former->names);
+    m_curves = std::move(m_former->curves);
+    m_current = m_inView = m_former->inView;
+    m_shown = m_former->shown;
+    m_aside = m_former->aside;
+    m_placing = m_former->placing;
+    m_former.reset();
+}
+
+QStringList ScanSeries::pointNames() const
+{
+    QStringList names;
+    for (const Landmark &name : m_names)
+        names << QString::fromStdString(name.name);
+    for (const Scan &scan : m_scans) {
+        for (std::size_t i = 0; i < scan.points.landmarks.size(); ++i) {
+            const QString name = QString::fromStdString(nameOrNumber(scan.points, i));
+            if (!names.contains(name, Qt::CaseInsensitive))
+                names << name;
+        }
+    }
+    return names;
+}
+
+void ScanSeries::step(int by)
+{
+    if (m_scans.empty())
+        return;
+    const auto count = static_cast<int>(m_scans.size());
+    const int from = place() ? static_cast<int>(*place()) : by > 0 ? -1 : count;
+    if (const int to = from + by; to >= 0 && to < count)
+        show(static_cast<std::size_t>(to));
+}
+
+void ScanSeries::show(std::size_t place)
+{
+    Q_ASSERT(place < m_scans.size());
+    if (!keep())
+        return;
+    if (m_shown || (m_aside && m_aside->isShown)) {
+        const landmarks::LandmarkSet &before = m_scans[m_shown.value_or(m_aside ? m_aside->inView : 0)].points;
+        m_names = landmarks::withTemplate(std::move(m_names), before.landmarks);
+        m_curves = before.curves;
+        std::erase_if(m_curves, [](const landmarks::Curve &curve) { return curve.points.empty(); });
+    }
+    m_isOpening = true;
+    m_wasAsked = false;
+    m_former.reset();
+    m_current = place;
+    m_session.openFiles({m_scans[place].file});
+    if (m_session.isLoading()) { // what was loaded before it has been given up, and told so
+        m_isOpening = true;
+        m_current = place;
+    }
+    emit changed();
+}
+
+void ScanSeries::takeShown()
+{
+    m_isOpening = false;
+    m_inView = m_current;
+    Scan &scan = m_scans[*m_current];
+    m_stamp = files::stampOf(landmarksBeside(scan.file, m_placing));
+    readKept(scan, m_placing);
+    if (scan.isDamaged) { // not written over: somebody may want to mend it
+        emit failed(
+            scan.problem + u'\n'
+            + tr("It is not written over: what is placed now is kept only by saving the scene. Mend the file, or "
+                 "move it away, and open the scan again."));
+        emit changed();
+        return;
+    }
+    const auto &objects = m_document.objects();
+    const auto object = std::find_if(objects.begin(), objects.end(), [&](const SceneObject &each) {
+        return each.file.filename() == scan.file.filename();
+    });
+    m_object = object != objects.end() ? *object : objects.empty() ? SceneObject() : objects.front();
+    landmarks::LandmarkSet set = scan.points;
+    set.landmarks = landmarks::withTemplate(std::move(set.landmarks), m_names);
+    for (const landmarks::Curve &curve : m_curves) {
+        const auto hasName = [&curve](const landmarks::Curve &other) { return other.name == curve.name; };
+        if (std::none_of(set.curves.begin(), set.curves.end(), hasName))
+            set.curves.push_back(curve);
+    }
+    const SceneObject inFile = asInItsFile(scan.file, m_object);
+    const auto tie = [&] { // they are this scan's, and go with it
+        for (Landmark &point : set.landmarks) {
+            if (point.world && point.object.empty())
+                point.object = inFile.name;
+        }
+    };
+    tie();
+    const QString loose = letGo(set.landmarks, {inFile});
+    tie();
+    m_kept = set;
+    scan.points = set;
+    if (std::optional<landmarks::LandmarkSet> placed = carried(set, inFile, m_object))
+        set = std::move(*placed);
+    static_cast<void>(m_document.editLandmarkSet(std::move(set), {tr("Points of the scan")}));
+    // What was kept is where one begins: undoing leads no further back.
+    m_document.undoStack().clear();
+    m_document.markSaved();
+    m_shown = m_current;
+    m_document.points().waitForNext(std::nullopt);
+    if (!loose.isEmpty())
+        emit warned(QStringLiteral("%1: %2").arg(pathText(landmarksBeside(scan.file, m_placing).filename()), loose));
+    emit changed();
+}
+
+void ScanSeries::comeBack()
+{
+    const Aside aside = *std::exchange(m_aside, std::nullopt);
+    if (aside.placing != m_placing) {
+        m_placing = aside.placing;
+        for (Scan &scan : m_scans)
+            readKept(scan, m_placing);
+    }
+    m_inView = aside.inView;
+    if (!m_isOpening) // else it is back only to be saved
+        m_current = m_inView;
+    if (aside.isShown) {
+        m_shown = m_inView;
+        takePoints(m_document.landmarkSet());
+    }
+    emit changed();
+}
+
+bool ScanSeries::takePoints(landmarks::LandmarkSet set)
+{
+    Scan &scan = m_scans[*m_shown];
+    for (const SceneObject &object : m_document.objects()) {
+        if (object.file == m_object.file) {
+            m_object = object;
+            break;
+        }
+    }
+    auto points = carried(std::move(set), m_object, asInItsFile(scan.file, m_object));
+    if (!points)
+        return false;
+    for (std::size_t i = 0; i < std::min(points->landmarks.size(), m_kept.landmarks.size()); ++i) {
+        Landmark &point = points->landmarks[i];
+        if (isStill(point, m_kept.landmarks[i])) { // there and back a turn leaves rounding
+            point.world = m_kept.landmarks[i].world;
+            point.uncertainty = m_kept.landmarks[i].uncertainty;
+        }
+    }
+    scan.points = std::move(*points);
+    return true;
+}
+
+bool ScanSeries::isScanAlone() const
+{
+    const Scene &scene = m_document.scene();
+    return m_session.file().empty() && scene.clipPlanes.empty() && scene.objects.size() == 1
+           && scene.objects.front().transform.empty() && !scene.objects.front().isHidden;
+}
+
+bool ScanSeries::isAsKept() const
+{
+    landmarks::LandmarkSet now = m_scans[*m_shown].points;
+    if (!m_scans[*m_shown].isKept || now.curves.size() != m_kept.curves.size())
+        return false;
+    for (std::size_t i = 0; i < now.curves.size(); ++i) { // they follow from the rest
+        if (m_kept.curves[i].semilandmarks.empty())
+            return false;
+        now.curves[i].semilandmarks = m_kept.curves[i].semilandmarks;
+    }
+    return now == m_kept;
+}
+
+bool ScanSeries::keep()
+{
+    emit m_session.typedToCount();
+    if (!m_shown)
+        return true;
+    if (takePoints(m_document.landmarkSet()) && isAsKept()) {
+        m_scans[*m_shown].points = m_kept;
+        if (isScanAlone())
+            m_document.markSaved();
+        return true;
+    }
+    const std::optional<std::size_t> shown = m_shown;
+    geometry::Result<landmarks::LandmarkSet, QString> known = m_document.curves().withSemilandmarks();
+    if (m_shown != shown) // another scan came while they were waited for, and before it these were kept
+        return true;
+    if (!known) {
+        emit failed(tr("The points of %1 are not kept yet: %2.")
+                        .arg(pathText(m_scans[*m_shown].file.filename()), known.error()));
+        return false;
+    }
+    Scan &scan = m_scans[*m_shown];
+    if (!takePoints(std::move(known).value())) {
+        emit failed(
+            tr("The points of %1 cannot be kept: by the scale of the object they have no coordinates in its file. "
+               "Set its glScale back.")
+                .arg(pathText(scan.file.filename())));
+        return false;
+    }
+    // A scan on which nothing is placed has nothing to keep, and gets no file.
+    if (scan.isKept ? scan.points != m_kept : scan.placedCount() > 0) {
+        const std::filesystem::path file = landmarksBeside(scan.file, m_placing);
+        std::error_code error;
+        if (std::filesystem::exists(file, error) && !files::isAsAt(m_stamp, file)) {
+            emit failed(tr("%1 has been changed by another window or program since it was read here. It is not written "
+                           "over; move it away to keep the points that are shown.")
+                            .arg(pathText(file)));
+            return false;
+        }
+        const auto written = writeLandmarkFile(file, {&scan.points, 1});
+        if (!written) {
+            emit failed(QString::fromStdString(errorText(written.error())));
+            return false;
+        }
+        scan.isKept = true;
+        m_kept = scan.points;
+        m_stamp = files::stampOf(file);
+        if (!written->empty())
+            emit warned(pointNotesText(pathText(file.filename()), *written));
+        emit noticed(tr("Points of %1 kept beside it.").arg(pathText(scan.file.filename())));
+    }
+    // Whoever did something to the scene is asked about it as ever.
+    if (isScanAlone())
+        m_document.markSaved();
+    return true;
+}
+
+void ScanSeries::setPlacing(int placing)
+{
+    if (placing == m_placing || placing < 1 || placing > kMostPlacings)
+        return;
+    if (!mayPlaceAs(placing)) {
+        emit changed(); // whoever shows the placing has it as it is
+        return;
+    }
+    m_placing = placing;
+    for (Scan &scan : m_scans)
+        readKept(scan, placing);
+    m_shown = std::nullopt;
+    if (m_inView) {
+        m_current = m_inView;
+        takeShown();
+    }
+    emit changed();
+}
+
+bool ScanSeries::mayPlaceAs(int placing)
+{
+    if (!keep())
+        return false;
+    if (!m_inView)
+        return true;
+    Scan other{m_scans[*m_inView].file, {}, {}};
+    readKept(other, placing);
+    if (other.isDamaged) {
+        emit failed(other.problem + u'\n'
+                    + tr("Placing %1 is gone on with. Mend the file, or move it away.").arg(m_placing));
+        return false;
+    }
+    // What is not kept beside the scan would be gone.
+    return m_shown || !m_document.isEdited() || m_session.mayLeave();
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,96 @@
+#include "gui/landmarks/series_model.h"
+
+#include "gui/landmarks/scan_series.h"
+#include "gui/text/error_text.h"
+
+#include <QFont>
+#include <QGuiApplication>
+#include <QPalette>
+
+#include <algorithm>
+#include <utility>
+
+namespace unprojector::gui {
+
+SeriesModel::SeriesModel(ScanSeries &series, QObject *parent)
+    : QAbstractTableModel(parent), m_series(series), m_names(series.pointNames()),
+      m_rows(static_cast<int>(series.scans().size()))
+{
+    connect(&m_series, &ScanSeries::changed, this, [this] {
+        QStringList names = m_series.pointNames();
+        const int rows = static_cast<int>(m_series.scans().size());
+        if (names == m_names && rows == m_rows) {
+            if (rows > 0)
+                emit dataChanged(index(0, 0), index(rows - 1, columnCount() - 1));
+            return;
+        }
+        beginResetModel();
+        m_names = std::move(names);
+        m_rows = rows;
+        endResetModel();
+    });
+}
+
+int SeriesModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : m_rows;
+}
+
+int SeriesModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : FirstPoint + static_cast<int>(m_names.size());
+}
+
+QVariant SeriesModel::text(const QModelIndex &index) const
+{
+    const ScanSeries::Scan &scan = m_series.scans()[static_cast<std::size_t>(index.row())];
+    if (index.column() == Scan)
+        return pathText(scan.file.filename());
+    if (index.column() == Placed)
+        return scan.problem.isEmpty() ? tr("%1 of %2").arg(scan.placedCount()).arg(m_names.size()) : tr("not read");
+    const QString &name = m_names[index.column() - FirstPoint];
+    const auto &points = scan.points.landmarks;
+    const auto found = std::find_if(points.begin(), points.end(), [&](const landmarks::Landmark &point) {
+        const QString own =
+            point.name.empty() ? QString::number(&point - points.data() + 1) : QString::fromStdString(point.name);
+        return own.compare(name, Qt::CaseInsensitive) == 0;
+    });
+    return found == points.end() || found->isMissing() ? QStringLiteral("–") : QStringLiteral("●");
+}
+
+QVariant SeriesModel::data(const QModelIndex &index, int role) const
+{
+    // Another folder may have fewer before the rows follow.
+    if (!index.isValid() || static_cast<std::size_t>(index.row()) >= m_series.scans().size())
+        return {};
+    const ScanSeries::Scan &scan = m_series.scans()[static_cast<std::size_t>(index.row())];
+    const bool isCurrent = m_series.current() == static_cast<std::size_t>(index.row());
+    switch (role) {
+    case Qt::DisplayRole: return text(index);
+    case Qt::ToolTipRole:
+        return plainToolTip(scan.problem.isEmpty() ? pathText(scan.file) : pathText(scan.file) + u'\n' + scan.problem);
+    case Qt::FontRole: {
+        QFont font = QGuiApplication::font();
+        font.setBold(isCurrent);
+        return isCurrent ? QVariant(font) : QVariant();
+    }
+    case Qt::TextAlignmentRole: return index.column() >= FirstPoint ? QVariant(Qt::AlignCenter) : QVariant();
+    case Qt::ForegroundRole:
+        return scan.placedCount() == 0 ? QVariant(QGuiApplication::palette().brush(QPalette::PlaceholderText))
+                                       : QVariant();
+    default: return {};
+    }
+}
+
+QVariant SeriesModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || (role != Qt::DisplayRole && role != Qt::ToolTipRole))
+        return {};
+    if (section == Scan)
+        return tr("Scan");
+    if (section == Placed)
+        return tr("Placed");
+    return m_names.value(section - FirstPoint);
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,135 @@
+#include "gui/landmarks/series_panel.h"
+
+#include "gui/landmarks/save_name.h"
+#include "gui/landmarks/scan_series.h"
+#include "gui/landmarks/series_model.h"
+#include "gui/text/error_text.h"
+#include "gui/widgets/elided_label.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include <array>
+#include <utility>
+
+namespace unprojector::gui {
+
+SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
+    : QWidget(parent), m_series(series), m_model(new SeriesModel(series, this)), m_scans(new QTreeView),
+      m_folder(new ElidedLabel), m_open(new QToolButton), m_previous(new QToolButton), m_next(new QToolButton),
+      m_export(new QToolButton), m_repeats(new QToolButton), m_placing(new QSpinBox)
+{
+    m_scans->setModel(m_model);
+    m_scans->setAccessibleName(tr("Scans of the series"));
+    m_scans->setRootIsDecorated(false);
+    m_scans->setUniformRowHeights(true);
+    m_scans->setTextElideMode(Qt::ElideMiddle);
+    m_scans->header()->setStretchLastSection(false);
+    connect(m_scans, &QTreeView::activated, this, [this](const QModelIndex &index) {
+        if (index.isValid())
+            m_series.show(static_cast<std::size_t>(index.row()));
+    });
+    const auto set = [](QToolButton *button, const QString &text, const QString &tip) {
+        button->setText(text);
+        button->setToolTip(tip);
+        button->setFocusPolicy(Qt::StrongFocus);
+    };
+    set(m_open, tr("Folder…"), tr("Open a folder of scans, to place the same points on each"));
+    set(m_previous, tr("Previous"), tr("Keep the points and show the scan before (Ctrl+PgUp)"));
+    set(m_next, tr("Next"), tr("Keep the points and show the next scan (Ctrl+PgDown)"));
+    set(m_export, tr("Export…"), tr("Write the points of all scans to one table"));
+    set(m_repeats, tr("Repeats…"), tr("Write the mean of each point's placings, and how far they scatter, to a table"));
+    connect(m_repeats, &QToolButton::clicked, this, &SeriesPanel::exportRepeats);
+    connect(m_open, &QToolButton::clicked, this, &SeriesPanel::chooseFolder);
+    connect(m_previous, &QToolButton::clicked, &m_series, &ScanSeries::previous);
+    connect(m_next, &QToolButton::clicked, &m_series, &ScanSeries::next);
+    connect(m_export, &QToolButton::clicked, this, &SeriesPanel::exportTable);
+    m_placing->setRange(1, ScanSeries::kMostPlacings);
+    m_placing->setKeyboardTracking(false); // on the way to 12 nobody means 1
+    m_placing->setAccessibleName(tr("Placing"));
+    m_placing->setToolTip(
+        tr("Which time the series is gone through, or by which observer: the points of each are kept by "
+           "themselves, and Repeats tells how far they scatter"));
+    connect(m_placing, &QSpinBox::valueChanged, &m_series, &ScanSeries::setPlacing);
+    connect(&m_series, &ScanSeries::changed, this, &SeriesPanel::refresh);
+
+    auto *first = new QHBoxLayout;
+    first->addWidget(m_open);
+    first->addWidget(m_folder, 1);
+    auto *placing = new QLabel(tr("Placing:"));
+    placing->setBuddy(m_placing);
+    first->addWidget(placing);
+    first->addWidget(m_placing);
+    auto *buttons = new QHBoxLayout;
+    for (QToolButton *button : {m_previous, m_next, m_export, m_repeats})
+        buttons->addWidget(button);
+    buttons->addStretch();
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(first);
+    layout->addWidget(m_scans, 1);
+    layout->addLayout(buttons);
+    const int digit = fontMetrics().horizontalAdvance(u'0');
+    m_scans->header()->resizeSection(SeriesModel::Scan, 20 * digit);
+    refresh();
+}
+
+QSize SeriesPanel::minimumSizeHint() const
+{
+    constexpr int kDigits = 24, kLines = 8;
+    return {kDigits * fontMetrics().horizontalAdvance(u'0'), kLines * fontMetrics().lineSpacing()};
+}
+
+void SeriesPanel::refresh()
+{
+    const bool isOpen = m_series.isOpen();
+    m_folder->setFullText(isOpen ? pathText(m_series.folder()) : tr("No series is open"));
+    const std::optional<std::size_t> current = m_series.current();
+    m_previous->setEnabled(m_series.hasPrevious());
+    m_next->setEnabled(m_series.hasNext());
+    m_export->setEnabled(isOpen);
+    m_repeats->setEnabled(isOpen);
+    m_placing->setEnabled(isOpen);
+    const QSignalBlocker blocker(m_placing);
+    m_placing->setValue(m_series.placing());
+    if (current)
+        m_scans->scrollTo(m_model->index(static_cast<int>(*current), SeriesModel::Scan));
+}
+
+bool SeriesPanel::chooseFolder()
+{
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a Series of Scans"));
+    return !folder.isEmpty() && m_series.open(std::filesystem::path(folder.toStdU16String()));
+}
+
+void SeriesPanel::exportTable()
+{
+    using Table = ScanSeries::Table;
+    const std::array<std::pair<Table, QString>, 4> kinds{
+        {{Table::Wide, tr("A row a scan (%1)").arg(QStringLiteral("*.csv"))},
+         {Table::Long, tr("A row a point (%1)").arg(QStringLiteral("*.csv"))},
+         {Table::Tps, tr("TPS of geomorph and tpsDig (%1)").arg(QStringLiteral("*.tps"))},
+         {Table::Nts, tr("NTSYS (%1)").arg(QStringLiteral("*.nts"))}}};
+    QStringList filters;
+    for (const auto &[table, filter] : kinds)
+        filters << filter;
+    const SaveName named = askSaveName(*this, tr("Export Points of All Scans"), filters);
+    if (!named.file.empty())
+        m_series.exportTable(named.file, kinds[static_cast<std::size_t>(named.filter)].first);
+}
+
+void SeriesPanel::exportRepeats()
+{
+    const SaveName named = askSaveName(*this, tr("Repeats: Mean and Error of All Placings"),
+                                       {tr("Table (%1)").arg(QStringLiteral("*.csv"))});
+    if (!named.file.empty())
+        m_series.exportTable(named.file, ScanSeries::Table::Repeats);
+}
+
+} // namespace unprojector::gui

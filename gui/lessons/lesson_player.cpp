@@ -1,0 +1,232 @@
+#include "gui/lessons/lesson_player.h"
+
+#include "core/lessons/set_link.h"
+#include "core/lessons/step_numbers.h"
+#include "core/scene/bundled_models.h"
+#include "gui/document/scene_document.h"
+#include "gui/lessons/lesson_text.h"
+#include "gui/text/error_text.h"
+
+#include <QFile>
+
+#include <algorithm>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+std::optional<std::string> resource(const QString &name)
+{
+    QFile file(QStringLiteral(":/lessons/") + name);
+    return file.open(QIODevice::ReadOnly) ? std::optional(file.readAll().toStdString()) : std::nullopt;
+}
+
+bool haveSameTransforms(const Scene &a, const Scene &b)
+{
+    return std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(),
+                      [](const SceneObject &one, const SceneObject &other) {
+                          return one.model == other.model && one.transform == other.transform
+                                 && one.isHidden == other.isHidden;
+                      });
+}
+
+} // namespace
+
+LessonPlayer::LessonPlayer(SceneDocument &document, Session &session, QObject *parent)
+    : QObject(parent), m_document(document), m_session(session)
+{
+    connect(&session, &Session::opened, this, [this](const QString &lesson) {
+        if (lesson.isEmpty())
+            end(); // another scene has taken its place, or the one before it is back
+    });
+}
+
+void LessonPlayer::end()
+{
+    if (!m_lesson)
+        return;
+    m_lesson = nullptr;
+    m_shown.reset();
+    emit changed();
+}
+
+void LessonPlayer::retranslate()
+{
+    const std::string name = m_lesson ? m_lesson->name : std::string();
+    m_lesson = nullptr;
+    m_lessons.clear();
+    m_areRead = false;
+    if (name.empty())
+        return;
+    const std::vector<Lesson> &all = lessons();
+    const auto found = std::find_if(all.begin(), all.end(), [&name](const Lesson &one) { return one.name == name; });
+    if (found == all.end()) { // it cannot be read in that language, which has been said
+        m_shown.reset();
+        if (m_session.mayLeaveStep())
+            m_session.comeBack();
+        emit changed();
+        return;
+    }
+    m_lesson = &*found;
+    m_session.nameStep(lessonTitle(step().title));
+}
+
+const std::vector<Lesson> &LessonPlayer::lessons()
+{
+    if (std::exchange(m_areRead, true))
+        return m_lessons;
+    //: The file of a lesson in this language, in resources/lessons; %1 is its name.
+    const QString fileName = tr("%1.json");
+    const auto names = lessons::parseLessonNames(resource(QStringLiteral("lessons.json")).value_or(std::string()));
+    if (!names)
+        emit failed(QString::fromStdString(names.error().text));
+    for (const std::string &name : names ? *names : std::vector<std::string>()) {
+        const QString english = QString::fromStdString(name) + QStringLiteral(".json"),
+                      own = fileName.arg(QString::fromStdString(name));
+        const std::optional<std::string> texts = own == english ? std::nullopt : resource(own);
+        auto lesson = lessons::parseLesson(name, resource(english).value_or(std::string()), texts);
+        if (lesson)
+            m_lessons.push_back(std::move(lesson).value());
+        else
+            emit failed(QString::fromStdString(lesson.error().text));
+    }
+    return m_lessons;
+}
+
+bool LessonPlayer::start(const std::string &name)
+{
+    const std::vector<Lesson> &all = lessons();
+    const auto found = std::find_if(all.begin(), all.end(), [&name](const Lesson &one) { return one.name == name; });
+    return found != all.end() && show(*found, 0);
+}
+
+bool LessonPlayer::goTo(std::size_t place)
+{
+    return show(*m_lesson, place);
+}
+
+bool LessonPlayer::show(const Lesson &lesson, std::size_t place)
+{
+    const lessons::Step &step = lesson.steps.at(place);
+    // What is done in a scene that the next step goes on with stays.
+    const bool goesOn = m_lesson == &lesson && this->step().scene == step.scene;
+    if (goesOn)
+        m_session.nameStep(lessonTitle(step.title));
+    else if (!open(lesson, step))
+        return false;
+    m_lesson = &lesson;
+    m_place = place;
+    m_isRevealed = false;
+    emit changed();
+    return true;
+}
+
+bool LessonPlayer::open(const Lesson &lesson, const lessons::Step &step)
+{
+    auto scene = lessons::sceneOf(step, bundledModels());
+    if (!scene) {
+        emit failed(QString::fromStdString(scene.error().text));
+        return false;
+    }
+    if (!m_session.mayLeaveStep())
+        return false;
+    if (!m_session.openLesson(std::move(scene).value(), lessonTitle(step.title), QString::fromStdString(lesson.name)))
+        return false;
+    m_shown = m_document.scene();
+    m_clicked.clear();
+    return true;
+}
+
+bool LessonPlayer::leave()
+{
+    return m_lesson && m_session.mayLeaveStep() && m_session.comeBack();
+}
+
+bool LessonPlayer::isAsTheStep() const
+{
+    if (!m_shown)
+        return false;
+    const Scene &now = m_document.scene();
+    const Result<Picture> picture = pictureOf(*m_shown, m_document.geometry().surface, m_document.ground());
+    return picture && *picture == m_document.geometry() && now.clipPlanes == m_shown->clipPlanes
+           && haveSameTransforms(now, *m_shown);
+}
+
+bool LessonPlayer::restart()
+{
+    const std::string clicked = m_clicked;
+    if (!m_lesson || !open(*m_lesson, step()))
+        return false;
+    if (!clicked.empty())
+        emit clickWanted(clicked);
+    return true;
+}
+
+bool LessonPlayer::hasViewOfStep() const
+{
+    const Surface &surface = m_document.geometry().surface;
+    return !step().view || *step().view == glm::ivec2(surface.widthPixels, surface.heightPixels);
+}
+
+std::optional<double> LessonPlayer::answer() const
+{
+    // Of the step as it is written, whatever was done to its scene.
+    const auto numbers = lessons::LessonNumbers::of(*m_lesson, m_document.geometry().surface);
+    if (!numbers)
+        return std::nullopt;
+    const auto values = numbers->values(step().id, step().question->answer);
+    return values && values->size() == 1 ? std::optional(values->front()) : std::nullopt;
+}
+
+void LessonPlayer::reveal()
+{
+    m_isRevealed = true;
+    emit revealed();
+}
+
+std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const
+{
+    const Surface &surface = m_document.geometry().surface;
+    std::map<std::string, lessons::StepPoint> points;
+    if (const auto found = step().points.find(point); found != step().points.end()) {
+        points.insert(*found);
+        // A pixel is one of the step's own view. What it shows there may lie at another pixel of this one.
+        if (std::holds_alternative<lessons::ClickedPixel>(found->second)) {
+            const auto own = lessons::StepNumbers::of(*m_shown, lessons::surfaceOf(step(), surface), points);
+            const std::vector<double> world = own ? own->at(point + ".world") : std::vector<double>();
+            if (world.size() != 3)
+                return std::nullopt;
+            points[point] = GivenPoint{WorldPoint(world[0], world[1], world[2])};
+        }
+    }
+    // In the picture as it is now.
+    const auto numbers = lessons::StepNumbers::of(m_document.scene(), surface, points);
+    return numbers ? numbers->pixelOf(point) : std::nullopt;
+}
+
+std::optional<DevicePixel> LessonPlayer::clickedPixel(const std::string &point)
+{
+    const auto pixel = pixelOf(point);
+    if (pixel)
+        m_clicked = point;
+    return pixel;
+}
+
+bool LessonPlayer::change(const std::string &name)
+{
+    const auto found = step().changes.find(name);
+    if (found == step().changes.end())
+        return false;
+    const auto refuse = [this](const QString &reason) {
+        emit failed(
+            tr("The scene as it is now cannot be changed so. Put it back as the step has it. (%1)").arg(reason));
+        return false;
+    };
+    const auto settings = lessons::settingsWith(m_document.scene(), m_document.geometry(), found->second);
+    if (!settings)
+        return refuse(QString::fromStdString(settings.error().text));
+    const Check done = m_document.editSettings(*settings, {tr("Change by the Lesson")});
+    return done ? true : refuse(errorText(done.error()));
+}
+
+} // namespace unprojector::gui

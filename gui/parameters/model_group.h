@@ -1,0 +1,61 @@
+#pragma once
+
+#include "gui/document/followed_object.h"
+#include "gui/parameters/parameter_group.h"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace unprojector::gui {
+
+/// The OpenGL call of a step: "glRotated(30, 0, 1, 0)", its numbers with at most five digits.
+QString callText(const TransformStep &step);
+
+/// How one object is placed: an ordered list of glTranslate, glRotate and glScale, in the order of the calls.
+class ModelGroup : public ParameterGroup {
+    Q_OBJECT
+public:
+    explicit ModelGroup(SceneDocument &document, QWidget *parent = nullptr);
+
+    /// Takes over which object another group of the same document shows.
+    void takeOver(const ModelGroup &other);
+
+protected:
+    void showScene() override;
+    Check edit(const Scene &next, const Deed &deed) override;
+    Scene withDefaults(Scene scene) const override;
+
+private:
+    struct Row {
+        QWidget *widget;
+        QLabel *call;
+        QToolButton *up;
+        QToolButton *down;
+        QToolButton *remove;
+        NumberField *first;
+    };
+
+    const std::vector<TransformStep> &steps() const;
+    void addStep(const TransformStep &step, const QString &text, bool byKeyboard);
+    void moveStep(std::size_t from, std::size_t to, bool byKeyboard);
+    void removeStep(std::size_t step, bool byKeyboard);
+    void removeObject();
+    void showObjects();
+    void rebuildRows();
+    Row makeRow(std::size_t step);
+
+    QComboBox *m_object;
+    QToolButton *m_removeObject;
+    QLabel *m_hint;
+    QVBoxLayout *m_list;
+    std::vector<QPushButton *> m_adds;
+    std::vector<Row> m_rows;
+    FollowedObject *m_shown;
+    QStringList m_names;                   ///< those in the combo box
+    std::vector<std::size_t> m_shownKinds; ///< of the steps that the rows were made for
+    std::optional<std::size_t> m_rowsOf;   ///< the object that the rows were made for
+};
+
+} // namespace unprojector::gui

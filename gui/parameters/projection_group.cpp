@@ -1,0 +1,276 @@
+#include "gui/parameters/projection_group.h"
+#include "core/geometry/angle.h"
+
+#include "gui/document/scene_document.h"
+#include "gui/parameters/group_heading.h"
+#include "gui/text/help_anchors.h"
+#include "gui/widgets/wheel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace unprojector::gui {
+using namespace geometry;
+
+ProjectionGroup::ProjectionGroup(SceneDocument &document, QWidget *parent)
+    : ParameterGroup(document, Change::Picture,
+                     {tr("Projection"), tr("glFrustum, gluPerspective, glOrtho, oblique"),
+                      tr("A perspective of 45°, its aspect the viewport's, near and far around the objects")},
+                     parent)
+{
+    m_kind = new QComboBox;
+    m_kind->setObjectName(QStringLiteral("projectionKind"));
+    m_kind->setAccessibleName(tr("Kind of projection"));
+    m_kind->setToolTip(tr(
+        "Another kind shows the same picture as nearly as it can: what lies at the center's distance keeps its place "
+        "and its size"));
+    m_kind->addItem(tr("Frustum (glFrustum)"), static_cast<int>(ProjectionKind::Frustum));
+    m_kind->addItem(tr("Perspective (gluPerspective)"), static_cast<int>(ProjectionKind::Perspective));
+    m_kind->addItem(tr("Orthographic (glOrtho)"), static_cast<int>(ProjectionKind::Ortho));
+    m_kind->addItem(tr("Oblique (glOrtho, sheared)"), static_cast<int>(ProjectionKind::Oblique));
+    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    ignoreWheelWithoutFocus(m_kind);
+    content()->addWidget(m_kind);
+
+    addNumber(Number::Fovy, tr("Field of view"), QStringLiteral("fovy"),
+              tr("Vertical angle of view in degrees, between 0 and 180 (gluPerspective: fovy)"));
+    addNumber(Number::Aspect, tr("Aspect"), QStringLiteral("aspect"),
+              tr("Width divided by height of the picture (gluPerspective: aspect)"));
+    addNumber(Number::Left, tr("Left"), QStringLiteral("left"),
+              tr("Left edge of the view volume, eye units; of a frustum on its near plane"));
+    addNumber(Number::Right, tr("Right"), QStringLiteral("right"),
+              tr("Right edge of the view volume, eye units; of a frustum on its near plane"));
+    addNumber(Number::Bottom, tr("Bottom"), QStringLiteral("bottom"),
+              tr("Lower edge of the view volume, eye units; of a frustum on its near plane"));
+    addNumber(Number::Top, tr("Top"), QStringLiteral("top"),
+              tr("Upper edge of the view volume, eye units; of a frustum on its near plane"));
+    addNumber(Number::Near, tr("Near"), QStringLiteral("nearDistance"),
+              tr("Distance of the near plane in front of the eye, eye units; smaller than far, and above 0 in a "
+                 "perspective"));
+    addNumber(Number::Far, tr("Far"), QStringLiteral("farDistance"),
+              tr("Distance of the far plane in front of the eye, eye units; greater than near"));
+    addNumber(
+        Number::Theta, tr("θ"), QStringLiteral("theta"),
+        tr("Angle of the shear in x, degrees, more than 0 and less than 180: x grows by cot θ · z. 45 moves a point as "
+           "far to the side as it lies deep, 90 is no shear"));
+    addNumber(
+        Number::Phi, tr("φ"), QStringLiteral("phi"),
+        tr("Angle of the shear in y, degrees, more than 0 and less than 180: y grows by cot φ · z. 45 moves a point as "
+           "far down as it lies deep, 90 is no shear"));
+
+    m_followsViewport = new QCheckBox;
+    m_followsViewport->setObjectName(QStringLiteral("followsViewport"));
+    m_followsViewport->setToolTip(
+        tr("The width is always that of the viewport for this height, so that a circle stays a circle. "
+           "Typing left, right or the aspect switches this off"));
+    m_fitsObjects = new QCheckBox(tr("Fit near and far to the objects"));
+    m_fitsObjects->setObjectName(QStringLiteral("fitsObjects"));
+    m_fitsObjects->setToolTip(
+        tr("The near and far planes hold the objects tightly, which makes the depth as exact as it can be. "
+           "Typing one of them switches this off"));
+    content()->addWidget(m_followsViewport);
+    content()->addWidget(m_fitsObjects);
+
+    connect(m_kind, &QComboBox::activated, this,
+            [this](int index) { choose(static_cast<ProjectionKind>(m_kind->itemData(index).toInt())); });
+    connect(m_followsViewport, &QCheckBox::clicked, this, [this](bool follows) {
+        Scene next = this->document().scene();
+        next.projectionFollowsViewport = follows;
+        change(next, m_followsViewport->text());
+    });
+    connect(m_fitsObjects, &QCheckBox::clicked, this, [this](bool fits) {
+        Scene next = this->document().scene();
+        next.clipDistancesFitObjects = fits;
+        change(next, m_fitsObjects->text());
+    });
+}
+
+double *ProjectionGroup::numberIn(Projection &projection, Number number)
+{
+    const auto inBox = [number](auto &box) -> double * {
+        switch (number) {
+        case Number::Left: return &box.left;
+        case Number::Right: return &box.right;
+        case Number::Bottom: return &box.bottom;
+        case Number::Top: return &box.top;
+        case Number::Near: return &box.nearDistance;
+        case Number::Far: return &box.farDistance;
+        case Number::Fovy:
+        case Number::Aspect:
+        case Number::Theta:
+        case Number::Phi: break;
+        }
+        return nullptr;
+    };
+    if (auto *frustum = std::get_if<Frustum>(&projection))
+        return inBox(*frustum);
+    if (auto *box = std::get_if<Ortho>(&projection))
+        return inBox(*box);
+    if (auto *oblique = std::get_if<Oblique>(&projection)) {
+        if (isAngle(number) && number != Number::Fovy)
+            return number == Number::Theta ? &oblique->thetaRadians : &oblique->phiRadians;
+        return inBox(oblique->box);
+    }
+    if (auto *perspective = std::get_if<Perspective>(&projection)) {
+        switch (number) {
+        case Number::Fovy: return &perspective->verticalFovRadians;
+        case Number::Aspect: return &perspective->aspect;
+        case Number::Near: return &perspective->nearDistance;
+        case Number::Far: return &perspective->farDistance;
+        case Number::Left:
+        case Number::Right:
+        case Number::Bottom:
+        case Number::Top:
+        case Number::Theta:
+        case Number::Phi: break;
+        }
+    }
+    return nullptr;
+}
+
+bool ProjectionGroup::isAngle(Number number)
+{
+    return number == Number::Fovy || number == Number::Theta || number == Number::Phi;
+}
+
+void ProjectionGroup::addNumber(Number number, const QString &name, const QString &objectName, const QString &help)
+{
+    ParameterRow *row = addRow(content(), name);
+    NumberField *field =
+        addField(row, {}, unitOf(number),
+                 {name, help,
+                  [number](const Scene &scene) -> std::optional<double> {
+                      Projection projection = scene.projection;
+                      const double *value = numberIn(projection, number);
+                      if (!value)
+                          return std::nullopt;
+                      return isAngle(number) ? degreesFromRadians(*value) : *value;
+                  },
+                  [number](Scene &scene, double value) {
+                      double *place = numberIn(scene.projection, number);
+                      if (!place)
+                          return;
+                      *place = isAngle(number) ? radiansFromDegrees(value) : value;
+                      // What follows something else would take the number back at once.
+                      if (number == Number::Left || number == Number::Right || number == Number::Aspect)
+                          scene.projectionFollowsViewport = false;
+                      if (number == Number::Near || number == Number::Far)
+                          scene.clipDistancesFitObjects = false;
+                  }});
+    field->setObjectName(objectName);
+    if (isAngle(number))
+        field->setFixedStep(1.0);
+    m_rows.push_back({number, row, sliderFor(number, row)});
+}
+
+QString ProjectionGroup::unitOf(Number number)
+{
+    if (number == Number::Aspect)
+        return ratio();
+    return isAngle(number) ? degrees() : eyeUnits();
+}
+
+NumberSlider *ProjectionGroup::sliderFor(Number number, ParameterRow *row)
+{
+    using Scale = NumberSlider::Scale;
+    constexpr double kApart = 0.01; // of one of them, what a slider leaves between near and far
+    switch (number) {
+    case Number::Fovy: {
+        NumberSlider *slider = addSlider(row, Scale::Linear, [](const Scene &, double fovy) { return fovy; });
+        slider->setNumbers(1.0, 179.0);
+        return slider;
+    }
+    case Number::Near:
+        return addSlider(row, Scale::Logarithmic, [](const Scene &scene, double distance) {
+            const double farDistance = projectionWindow(scene.projection).farDistance;
+            return std::min(distance, farDistance - kApart * std::abs(farDistance));
+        });
+    case Number::Far:
+        return addSlider(row, Scale::Logarithmic, [](const Scene &scene, double distance) {
+            const double nearDistance = projectionWindow(scene.projection).nearDistance;
+            return std::max(distance, nearDistance + kApart * std::abs(nearDistance));
+        });
+    case Number::Left:
+    case Number::Right:
+    case Number::Bottom:
+    case Number::Top:
+    case Number::Aspect:
+    case Number::Theta:
+    case Number::Phi: break;
+    }
+    return nullptr;
+}
+
+void ProjectionGroup::rangeSliders()
+{
+    // By the size of what is looked at: it stays while the camera moves.
+    const Box &bounds = document().bounds();
+    const double size = bounds.diagonal();
+    const double unit = size > 0.0 && std::isfinite(size) ? std::pow(10.0, std::round(std::log10(size))) : 1.0;
+    const bool isBox = !isPerspective(document().scene().projection);
+    const bool isSameUnit = std::exchange(m_sliderUnit, unit) == unit;
+    if (std::exchange(m_areBoxSliders, isBox) == isBox && isSameUnit)
+        return;
+    for (const Row &row : m_rows) {
+        if (row.number != Number::Near && row.number != Number::Far)
+            continue;
+        const bool isNear = row.number == Number::Near;
+        row.slider->setScale(isBox ? NumberSlider::Scale::Linear : NumberSlider::Scale::Logarithmic);
+        if (isBox) // which may begin, and even end, behind the eye
+            row.slider->setNumbers(-10.0 * unit, (isNear ? 10.0 : 30.0) * unit, 0.05 * unit);
+        else
+            row.slider->setNumbers((isNear ? 1e-3 : 0.1) * unit, (isNear ? 10.0 : 1000.0) * unit);
+    }
+}
+
+void ProjectionGroup::choose(ProjectionKind kind)
+{
+    Scene next = document().scene();
+    if (kindOf(next.projection) == kind)
+        return;
+    restoreFields(); // a refused number of one kind means nothing to another
+    next.projection = converted(next.projection, kind, document().centerDistance());
+    change(next, m_kind->currentText());
+}
+
+Check ProjectionGroup::edit(const Scene &next, const Deed &deed)
+{
+    return document().editProjection({next.projection, next.projectionFollowsViewport, next.clipDistancesFitObjects},
+                                     deed);
+}
+
+Scene ProjectionGroup::withDefaults(Scene scene) const
+{
+    scene.projection = openingProjection();
+    scene.projectionFollowsViewport = scene.clipDistancesFitObjects = true;
+    return scene;
+}
+
+void ProjectionGroup::showScene()
+{
+    rangeSliders();
+    const Scene &scene = document().scene();
+    m_followsViewport->setChecked(scene.projectionFollowsViewport);
+    m_fitsObjects->setChecked(scene.clipDistancesFitObjects);
+    const ProjectionKind kind = kindOf(scene.projection);
+    const int index = m_kind->findData(static_cast<int>(kind));
+    if (index != m_kind->currentIndex())
+        m_kind->setCurrentIndex(index);
+    if (kind == m_shownKind)
+        return;
+    m_shownKind = kind;
+    heading().setHelp(helpAnchorOf(kind));
+    restoreFields();
+    Projection projection = scene.projection;
+    for (const Row &row : m_rows)
+        row.row->setVisible(numberIn(projection, row.number) != nullptr);
+    m_followsViewport->setText(kind == ProjectionKind::Perspective ? tr("Aspect follows the viewport")
+                                                                   : tr("Keep proportions"));
+}
+
+} // namespace unprojector::gui

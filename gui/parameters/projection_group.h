@@ -1,0 +1,48 @@
+#pragma once
+
+#include "gui/parameters/parameter_group.h"
+
+class QCheckBox;
+class QComboBox;
+
+namespace unprojector::gui {
+
+/// The projection: its kind and the arguments of glFrustum, gluPerspective, glOrtho or the sheared box.
+class ProjectionGroup : public ParameterGroup {
+    Q_OBJECT
+public:
+    explicit ProjectionGroup(SceneDocument &document, QWidget *parent = nullptr);
+
+protected:
+    void showScene() override;
+    Check edit(const Scene &next, const Deed &deed) override;
+    Scene withDefaults(Scene scene) const override;
+
+private:
+    enum class Number { Left, Right, Bottom, Top, Near, Far, Fovy, Aspect, Theta, Phi };
+    /// Where a projection keeps a number, angles in radians; null where it has none such.
+    static double *numberIn(Projection &projection, Number number);
+    static bool isAngle(Number number);
+
+    struct Row {
+        Number number;
+        ParameterRow *row;
+        NumberSlider *slider; ///< or none
+    };
+    static QString unitOf(Number number);
+    void addNumber(Number number, const QString &name, const QString &objectName, const QString &help);
+    /// For what one explores: the field of view, near and far; null for the others.
+    NumberSlider *sliderFor(Number number, ParameterRow *row);
+    void rangeSliders();
+    void choose(ProjectionKind kind);
+
+    QComboBox *m_kind;
+    std::vector<Row> m_rows;
+    double m_sliderUnit = 0.0;
+    bool m_areBoxSliders = false; ///< whose near and far may be anything
+    QCheckBox *m_followsViewport;
+    QCheckBox *m_fitsObjects;
+    std::optional<ProjectionKind> m_shownKind;
+};
+
+} // namespace unprojector::gui

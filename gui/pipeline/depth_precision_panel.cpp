@@ -1,0 +1,209 @@
+#include "gui/pipeline/depth_precision_panel.h"
+
+#include "gui/document/scene_document.h"
+#include "gui/pipeline/depth_precision_plot.h"
+#include "gui/text/number_text.h"
+#include "gui/text/sentences.h"
+#include "gui/widgets/help_link.h"
+#include "gui/widgets/steady_label.h"
+
+#include <QBoxLayout>
+#include <QResizeEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+constexpr int kMargin = 8;
+/// Less than that many times as good is not worth a word.
+constexpr double kWorthwhile = 1.5;
+
+QString formatName(const DepthFormat &format)
+{
+    return format.isFloat ? DepthPrecisionPanel::tr("32-bit floats")
+                          : DepthPrecisionPanel::tr("%1 bits").arg(format.bits);
+}
+
+/// An error in the scene's units.
+QString errorText(double error)
+{
+    return significantText(error, 2).replace(u'-', u'−');
+}
+
+/// Two digits, written out: "31", "8200".
+QString timesText(double times)
+{
+    const double unit = std::pow(10.0, std::floor(std::log10(times)) - 1.0);
+    return writtenText(std::round(times / unit) * unit, 2);
+}
+
+/// Of the words before any click.
+QString assumedText()
+{
+    return DepthPrecisionPanel::tr("24 bits are assumed: the first click tells what the depth buffer has.");
+}
+
+/// Where the words and the mark are about.
+struct Place {
+    double distance;
+    bool isPoint; ///< the clicked one; else the middle of the picture
+};
+
+Place placeOf(const SceneDocument &document, const DepthScale &scale)
+{
+    if (document.pick() && document.pick()->hit()) {
+        if (const std::optional<WorldPoint> point = document.pickedPoint()) {
+            const double distance = -eyeFromWorld(eyeFrame(document.geometry().camera()).value(), *point).z;
+            if (distance >= scale.nearDistance && distance <= scale.farDistance)
+                return {distance, true};
+        }
+    }
+    return {std::clamp(document.centerDistance(), scale.nearDistance, scale.farDistance), false};
+}
+
+} // namespace
+
+DepthPrecisionPanel::DepthPrecisionPanel(const SceneDocument &document, QWidget *parent)
+    : QWidget(parent), m_document(document), m_plot(new DepthPrecisionPlot),
+      m_help(new HelpLink(QStringLiteral("certainty")))
+{
+    const QString error = errorText(1.2e-5), distance = writtenText(12345.6, 6);
+    m_words = new SteadyLabel(
+        {inARow({tr("In the middle of the picture, %1 in front of the eye, rounding the depth leaves ±%2 open.")
+                     .arg(distance, error),
+                 tr("Near %1 instead of %2 makes this %3 times better here (±%4).")
+                     .arg(distance, distance, timesText(1234.0), error),
+                 tr("A buffer of floats, with NDC depths from 0 to 1 (glClipControl) and a projection that "
+                    "has 1 at near, would make it %1 "
+                    "times better (±%2).")
+                     .arg(timesText(12e6), error),
+                 assumedText()})});
+    m_layout = new QBoxLayout(QBoxLayout::TopToBottom, this);
+    m_layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+    m_layout->setSpacing(kMargin);
+    // The panel says itself how small it can be: what is shown now must not keep it from becoming narrow.
+    m_layout->setSizeConstraint(QLayout::SetNoConstraint);
+    m_layout->addWidget(m_plot, 3);
+    auto *words = new QHBoxLayout;
+    words->setSpacing(kMargin / 2);
+    words->addWidget(m_words, 1, Qt::AlignTop);
+    words->addWidget(m_help, 0, Qt::AlignTop);
+    m_layout->addLayout(words, 2);
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (isVisible()
+            && changes
+                   & (Changes(Change::Objects) | Change::Placement | Change::Visibility | Change::Picture
+                      | Change::Pick))
+            refresh();
+    });
+    refresh();
+}
+
+QString DepthPrecisionPanel::text() const
+{
+    return m_words->text();
+}
+
+QSize DepthPrecisionPanel::minimumSizeHint() const
+{
+    return {m_plot->minimumSizeHint().width() + 2 * kMargin, minimumHeight()};
+}
+
+void DepthPrecisionPanel::arrange()
+{
+    const QSize plot = m_plot->minimumSizeHint();
+    const int room = width() - 2 * kMargin;
+    const bool isBeside = room >= 2 * plot.width();
+    m_layout->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_layout->setStretch(1, isBeside ? 2 : 0);
+    const int words =
+        m_words->heightAt((isBeside ? 2 * (room - kMargin) / 5 : room) - m_help->sizeHint().width() - kMargin / 2);
+    setMinimumHeight(2 * kMargin + (isBeside ? std::max(plot.height(), words) : plot.height() + kMargin + words));
+}
+
+void DepthPrecisionPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        arrange();
+}
+
+void DepthPrecisionPanel::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange)
+        arrange();
+}
+
+void DepthPrecisionPanel::showEvent(QShowEvent *event)
+{
+    refresh();
+    QWidget::showEvent(event);
+}
+
+void DepthPrecisionPanel::refresh()
+{
+    const Picture &picture = m_document.geometry();
+    const DepthScale scale = depthScaleOf(picture);
+    // Which format the driver has given is told by a click.
+    const DepthFormat format = m_document.pick() ? m_document.pick()->sample.format : DepthFormat();
+    const Place place = placeOf(m_document, scale);
+    const double now = halfDepthStepAt(scale, format, place.distance);
+    const QString drawn = m_document.pick() ? tr("as drawn: %1") : tr("as drawn: %1, assumed");
+    std::vector<DepthPrecisionPlot::Curve> curves{{drawn.arg(formatName(format)), scale, format}};
+
+    QStringList said{
+        (place.isPoint
+             ? tr("At the point, %1 in front of the eye, rounding the depth leaves ±%2 open.")
+             : tr("In the middle of the picture, %1 in front of the eye, rounding the depth leaves ±%2 open."))
+            .arg(writtenText(place.distance, 4), errorText(now))};
+    if (!scale.isPerspective) {
+        said << tr("In a box, as of glOrtho, that is so at every distance; only less room between near and far "
+                   "makes it less.");
+    } else {
+        std::vector<Box> boxes;
+        for (const SceneObject &object : m_document.objects()) {
+            if (!object.isHidden)
+                boxes.push_back(boundsOf(object));
+        }
+        if (const std::optional<double> better = betterNear(picture, boxes); better && *better < place.distance) {
+            DepthScale nearer = scale;
+            nearer.nearDistance = *better;
+            const double then = halfDepthStepAt(nearer, format, place.distance);
+            if (now / then >= kWorthwhile) {
+                const QString name = writtenText(*better, 4);
+                curves.push_back({tr("with near %1").arg(name), nearer, format});
+                said << tr("Near %1 instead of %2 makes this %3 times better here (±%4).")
+                            .arg(name, writtenText(scale.nearDistance, 4), timesText(now / then), errorText(then));
+            }
+        } else if (nearestDistance(picture, boxes)) {
+            said << tr("Near is about as far away as the objects let it be.");
+        }
+        DepthScale reversed = scale;
+        reversed.range = {1.0, 0.0};
+        const DepthFormat floats = DepthFormat::floatingPoint();
+        const double then = halfDepthStepAt(reversed, floats, place.distance);
+        // At another place they may be better than here: the curve stays.
+        if (!(format == floats && scale == reversed))
+            curves.push_back({tr("floats, reversed"), reversed, floats});
+        if (now / then >= kWorthwhile) {
+            said << tr("A buffer of floats, with NDC depths from 0 to 1 (glClipControl) and a projection that has 1 "
+                       "at near, would make it "
+                       "%1 times better (±%2).")
+                        .arg(timesText(now / then), errorText(then));
+        } else if (curves.size() > 1 && curves.back().format == floats) {
+            said << tr("A buffer of floats with 1 at near would change little here (±%1).").arg(errorText(then));
+        }
+    }
+    if (!m_document.pick())
+        said << assumedText();
+    const QString words = inARow(said);
+    m_words->setPlain(words);
+    m_plot->setAccessibleDescription(words);
+    m_plot->show(std::move(curves), place.isPoint ? std::optional(place.distance) : std::nullopt);
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,283 @@
+#include "gui/pipeline/entry_derivation.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace unprojector::gui {
+namespace {
+
+using Space = PointModel::Space;
+
+/// As many as the grids show of a double.
+constexpr int kSignificantDigits = 9;
+
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::EntryDerivation)
+};
+
+/// Numbers as the panel writes them.
+class Numbers {
+public:
+    explicit Numbers(const MatrixView &view) : m_view(view) {}
+
+    QString text(double value, int significant = kSignificantDigits) const
+    {
+        const bool isWhole = m_view.isWhole || m_view.digits == Digits::Float;
+        return QString::fromStdString(
+            numberText(value, m_view.digits, isWhole && significant >= kSignificantDigits ? 0 : significant));
+    }
+    /// Behind another sign.
+    QString factor(double value) const
+    {
+        const QString number = text(value);
+        return number.startsWith(u'-') ? QStringLiteral("(%1)").arg(number) : number;
+    }
+    /// " + 5" or " - 5"
+    QString summand(double value) const
+    {
+        const QString number = text(value);
+        return number.startsWith(u'-') ? QStringLiteral(" - ") + number.mid(1) : QStringLiteral(" + ") + number;
+    }
+
+private:
+    MatrixView m_view;
+};
+
+struct Sum {
+    QString text; ///< "0 · 2.2 + 0.1 · (-4.2)"
+    double value = 0.0;
+    double size = 0.0; ///< of all terms together, without their signs
+};
+
+/// The coordinate's own name and its space's: "clip y"; before the way back's division it is "y′".
+QString entryName(const PointModel &point, int coordinate)
+{
+    const QString axis = point.indexOf(coordinate).data(NumberGridModel::kLabelRole).toString();
+    return axis.size() > 1 ? axis : QStringLiteral("%1 %2").arg(point.name(), axis);
+}
+
+double valueAt(const QModelIndex &index)
+{
+    const QVariant value = index.data(NumberGridModel::kValueRole);
+    return value.isValid() ? value.toDouble() : std::numeric_limits<double>::quiet_NaN();
+}
+
+Space spaceBefore(Space space, PipelineDirection direction)
+{
+    return static_cast<Space>(static_cast<int>(space) + (direction == PipelineDirection::Forward ? -1 : 1));
+}
+
+/// The stage between a space and the next one forward; none where it is a division or the way to the widget.
+std::optional<PipelineStage> stageAfter(Space space)
+{
+    switch (space) {
+    case Space::Object: return PipelineStage::ModelMatrix;
+    case Space::World: return PipelineStage::ViewMatrix;
+    case Space::Eye: return PipelineStage::ProjectionMatrix;
+    case Space::Ndc: return PipelineStage::ViewportMatrix;
+    case Space::Clip:
+    case Space::Window:
+    case Space::Widget: break;
+    }
+    return std::nullopt;
+}
+
+/// The stage that a space's point comes by.
+std::optional<PipelineStage> stageOf(Space space, PipelineDirection direction)
+{
+    if (direction == PipelineDirection::Forward)
+        return stageAfter(spaceBefore(space, direction));
+    // Before its division the way back's point stands in the place of the clip point: the projection leads there.
+    if (space == Space::Clip)
+        return PipelineStage::ProjectionMatrix;
+    return space == Space::Eye ? std::nullopt : stageAfter(space);
+}
+
+/// What follows the equals sign after the terms: the number that is shown, or what is to be said beside it.
+QString resultText(const Numbers &numbers, const Sum &sum, double shown)
+{
+    // Four products and three sums, each half a unit in the last place, and as much again in what they are made of.
+    const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * sum.size;
+    // What nine digits can tell.
+    constexpr double kSame = 1e-9;
+    if (std::abs(sum.value - shown) > kSame * sum.size)
+        return Texts::tr("%1; the number shown, %2, was given, and what leads to it was computed back from there")
+            .arg(numbers.text(sum.value), numbers.text(shown));
+    if (shown != 0.0 && std::abs(shown) <= rounding)
+        return Texts::tr("0: the %1 shown is no more than rounding leaves").arg(numbers.text(shown, 2));
+    if (shown == 0.0 || rounding == 0.0)
+        return numbers.text(shown);
+    const double certain = std::floor(std::log10(std::abs(shown) / rounding)) + 1.0;
+    return numbers.text(shown, std::clamp(static_cast<int>(certain), 1, kSignificantDigits));
+}
+
+Sum productSum(const Numbers &numbers, const MatrixModel &matrix, const PointModel &source, int row)
+{
+    const bool isColumns = matrix.view().layout == MatrixLayout::Column;
+    Sum sum;
+    for (int i = 0; i < 4; ++i) {
+        const double entry = valueAt(matrix.indexOf(row, i)), coordinate = valueAt(source.indexOf(i));
+        const double first = isColumns ? entry : coordinate, second = isColumns ? coordinate : entry;
+        sum.text += i == 0 ? numbers.text(first) : numbers.summand(first);
+        sum.text += QStringLiteral(" · ") + numbers.factor(second);
+        sum.value += entry * coordinate;
+        sum.size += std::abs(entry * coordinate);
+    }
+    return sum;
+}
+
+/// "row 2 of clipFromEye · eye"
+QString productName(const MatrixModel &matrix, const PointModel &source, int row)
+{
+    return matrix.view().layout == MatrixLayout::Column
+               ? Texts::tr("row %1 of %2 · %3").arg(row + 1).arg(matrix.variableName(), source.name())
+               : Texts::tr("%3 · column %1 of %2").arg(row + 1).arg(matrix.variableName(), source.name());
+}
+
+/// "(NDC x + 1) · w/2 + vx = (0.22 + 1) · 25 + 0"
+QString viewportText(const Numbers &numbers, const Picture &picture, const PointModel &ndc, int axis)
+{
+    const Viewport &v = picture.viewport;
+    const DepthRange &range = picture.depthRange;
+    const std::array scale{v.width / 2.0, v.height / 2.0, (range.atFar - range.atNear) / 2.0};
+    const std::array shift{v.x, v.y, range.atNear};
+    const std::array names{QStringLiteral("w/2 + vx"), QStringLiteral("h/2 + vy"), QStringLiteral("(df − dn)/2 + dn")};
+    const auto i = static_cast<std::size_t>(axis);
+    return QStringLiteral("(%1 + 1) · %2 = (%3 + 1) · %4%5")
+        .arg(entryName(ndc, axis), names[i], numbers.text(valueAt(ndc.indexOf(axis))), numbers.factor(scale[i]),
+             numbers.summand(shift[i]));
+}
+
+/// What a position of the window or the widget becomes on the other side, of a name or of a number.
+QString flipText(const Numbers &numbers, const Picture &picture, const PipelineModel &model, bool isY,
+                 const QString &position)
+{
+    const ApiConventions &api = conventionsOf(model.api());
+    const bool isForward = model.direction() == PipelineDirection::Forward;
+    const double ratio = api.areLogicalPixels ? 1.0 : picture.surface.devicePixelRatio;
+    QString text = position;
+    if (!isForward && ratio != 1.0)
+        text += QStringLiteral(" · ") + numbers.text(ratio);
+    if (isY && !api.isOriginTop)
+        text = QStringLiteral("%1 - %2").arg(picture.surface.heightPixels).arg(text);
+    if (api.pixelCentre == 0.0)
+        text += isForward ? QStringLiteral(" + 0.5") : QStringLiteral(" - 0.5");
+    if (isForward && ratio != 1.0)
+        text =
+            (text == position ? text : QStringLiteral("(%1)").arg(text)) + QStringLiteral(" / ") + numbers.text(ratio);
+    return text;
+}
+
+EntryDerivation divided(const Numbers &numbers, const PointModel &source, const PointModel &point, int coordinate)
+{
+    EntryDerivation result;
+    result.source = source.space();
+    result.coordinates = {coordinate, 3};
+    const double of = valueAt(source.indexOf(coordinate)), by = valueAt(source.indexOf(3));
+    result.text = QStringLiteral("%1 = %2 / %3\n= %4 / %5 = %6")
+                      .arg(entryName(point, coordinate), entryName(source, coordinate), entryName(source, 3),
+                           numbers.text(of), numbers.factor(by),
+                           resultText(numbers, {{}, of / by, std::abs(of / by)}, valueAt(point.indexOf(coordinate))));
+    return result;
+}
+
+EntryDerivation flipped(const Numbers &numbers, const Picture &picture, const PipelineModel &model,
+                        const PointModel &source, const PointModel &point, int coordinate)
+{
+    EntryDerivation result;
+    const QString name = entryName(point, coordinate);
+    if (coordinate > 1) { // of a window point, on the way back
+        result.text = coordinate == 3       ? Texts::tr("%1 = 1, as of every point").arg(name)
+                      : model.isDepthRead() ? Texts::tr("%1 is the depth that was read at the click").arg(name)
+                                            : Texts::tr("%1 was computed: a widget position has no depth").arg(name);
+        return result;
+    }
+    result.source = source.space();
+    result.coordinates = {coordinate};
+    const QString number = numbers.text(valueAt(source.indexOf(coordinate)));
+    const bool isNegative = number.startsWith(u'-');
+    const QString formula = flipText(numbers, picture, model, coordinate == 1, entryName(source, coordinate));
+    const QString given =
+        flipText(numbers, picture, model, coordinate == 1, isNegative ? QStringLiteral("(%1)").arg(number) : number);
+    const QString shown = numbers.text(valueAt(point.indexOf(coordinate)));
+    result.text = given == shown ? QStringLiteral("%1 = %2\n= %3").arg(name, formula, shown)
+                                 : QStringLiteral("%1 = %2\n= %3 = %4").arg(name, formula, given, shown);
+    return result;
+}
+
+} // namespace
+
+EntryDerivation entryDerivation(const PipelineModel &model, const Picture &picture, PointModel::Space space,
+                                int coordinate)
+{
+    const PipelineDirection direction = model.direction();
+    const PointModel &point = *model.point(space);
+    const Numbers numbers(model.view());
+    if (space == (direction == PipelineDirection::Forward ? Space::Object : Space::Widget))
+        return {direction == PipelineDirection::Forward
+                    ? Texts::tr("%1: this way begins here; Backward shows how it comes from world.")
+                          .arg(entryName(point, coordinate))
+                    : Texts::tr("%1: this way begins here; Forward shows how it comes from window.")
+                          .arg(entryName(point, coordinate)),
+                {},
+                0,
+                {},
+                {}};
+    const PointModel &source = *model.point(spaceBefore(space, direction));
+    if (std::isnan(valueAt(point.indexOf(coordinate))) || std::isnan(valueAt(source.indexOf(0))))
+        return {
+            Texts::tr("%1 has no number to show how it comes about.").arg(entryName(point, coordinate)), {}, 0, {}, {}};
+    const std::optional<PipelineStage> stage = stageOf(space, direction);
+    if (!stage)
+        return source.space() == Space::Clip ? divided(numbers, source, point, coordinate)
+                                             : flipped(numbers, picture, model, source, point, coordinate);
+    const MatrixModel &matrix = *model.matrix(*stage);
+    EntryDerivation result{{}, stage, coordinate, source.space(), {0, 1, 2, 3}};
+    const Sum sum = productSum(numbers, matrix, source, coordinate);
+    result.text = QStringLiteral("%1 = %2\n= %3 = %4")
+                      .arg(entryName(point, coordinate), productName(matrix, source, coordinate), sum.text,
+                           resultText(numbers, sum, valueAt(point.indexOf(coordinate))));
+    if (space == Space::Window && coordinate < 3 && model.api() == Api::OpenGl)
+        result.text += QStringLiteral("\n= ") + viewportText(numbers, picture, source, coordinate);
+    return result;
+}
+
+QString entryHint()
+{
+    return Texts::tr(
+        "Click a number of a vector, or go to it with Tab and the arrow keys: how it comes about then stands "
+        "here.");
+}
+
+QString unbrokenTerms(QString text)
+{
+    const QChar blank(QChar::Nbsp);
+    for (const QChar sign : {u'·', u'/'})
+        text.replace(QStringLiteral(" %1 ").arg(sign), QString(blank) + sign + blank);
+    for (const QChar sign : {u'+', u'-'})
+        text.replace(QStringLiteral(" %1 ").arg(sign), QString(blank) + sign + u' ');
+    return text.replace(QStringLiteral("= "), u'=' + QString(blank));
+}
+
+QStringList longestDerivations(bool isWhole)
+{
+    const QString number = isWhole ? QStringLiteral("-0.12345678901234567") : QStringLiteral("-0.123456789");
+    const auto sum = [&number](const QString &entry, const QString &zero) {
+        return QStringLiteral("\n= %1 · (%3) + %2 · (%3) + %2 · (%3) + %1 · (%3) = %3").arg(entry, zero, number);
+    };
+    const auto product = [](const char *matrix, const QString &source) {
+        return Texts::tr("row %1 of %2 · %3").arg(1).arg(QString::fromLatin1(matrix), source);
+    };
+    const QString window = QStringLiteral("window x = %1%2\n= (NDC x + 1) · (df − dn)/2 + dn = (%3 + 1) · %4 + %4");
+    const QString pixels = QStringLiteral("1234.5");
+    return {unbrokenTerms(QStringLiteral("world x = ") + product("worldFromObject", QStringLiteral("object"))
+                          + sum(number, number)),
+            unbrokenTerms(window.arg(product("windowFromNdc", QStringLiteral("NDC")), sum(pixels, QStringLiteral("0")),
+                                     number, pixels))};
+}
+
+} // namespace unprojector::gui

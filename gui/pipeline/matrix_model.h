@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/matrices/pipeline.h"
+#include "gui/pipeline/matrix_view.h"
+#include "gui/widgets/number_grid_model.h"
+
+namespace unprojector::gui {
+using namespace matrices;
+
+/// The matrix of one stage: four by four, or its memory. A tooltip names the entry by the formula's symbols.
+class MatrixModel : public NumberGridModel {
+    Q_OBJECT
+public:
+    explicit MatrixModel(PipelineStage stage, QObject *parent = nullptr);
+
+    /// @param isNamed  whether its entries are those that the formulas' symbols stand for
+    void setMatrix(const glm::dmat4 &matrix, PipelineDirection direction, ProjectionKind kind, bool isNamed = true);
+    void setView(const MatrixView &view);
+    /// In place of the one that the stage has.
+    void setVariableName(const QString &name) { m_variableName = name; }
+
+    PipelineStage stage() const { return m_stage; }
+    const MatrixView &view() const { return m_view; }
+    /// For column vectors.
+    const glm::dmat4 &matrix() const { return m_matrix; }
+
+    /// Where the entry of a row and a column of the matrix for column vectors stands.
+    QModelIndex indexOf(int mathRow, int mathColumn) const;
+
+    /// "eyeFromWorld", as the matrix is named in code.
+    QString variableName() const;
+    /// The matrix for the clipboard, in the layout and digits shown.
+    QString copyText(MatrixSyntax syntax) const;
+
+protected:
+    QString label(int row, int column) const override;
+    QString toolTip(int row, int column) const override;
+
+private:
+    void show();
+    /// Where in memory the entry of a cell lies: m[index].
+    int memoryIndex(int row, int column) const;
+
+    PipelineStage m_stage;
+    PipelineDirection m_direction = PipelineDirection::Forward;
+    ProjectionKind m_kind = ProjectionKind::Perspective;
+    bool m_isNamed = true;
+    glm::dmat4 m_matrix{1.0};
+    MatrixView m_view;
+    QString m_variableName;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,152 @@
+#include "gui/pipeline/matrix_section.h"
+
+#include "gui/pipeline/factors_view.h"
+#include "gui/pipeline/matrix_model.h"
+#include "gui/widgets/copy_menu.h"
+#include "gui/widgets/help_link.h"
+#include "gui/widgets/number_grid.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace unprojector::gui {
+
+MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(parent), m_model(model)
+{
+    m_heading = new QToolButton;
+    m_heading->setAutoRaise(true);
+    m_heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_heading->setFocusPolicy(Qt::StrongFocus);
+    m_heading->setToolTip(tr("Show or hide the matrix"));
+
+    auto *menu = new QMenu(this);
+    const auto add = [&](const QString &text, const QString &toolTip, MatrixSyntax syntax) {
+        QAction *action = menu->addAction(text, this, [this, syntax] { copyToClipboard(m_model->copyText(syntax)); });
+        action->setToolTip(toolTip);
+    };
+    menu->setToolTipsVisible(true);
+    add(tr("&Text"), tr("Four aligned lines, as shown"), MatrixSyntax::Text);
+    add(tr("&C array"), tr("m[16] as OpenGL stores it, column after column"), MatrixSyntax::CArray);
+    add(tr("&GLM"), tr("A constructor, column after column"), MatrixSyntax::Glm);
+    add(tr("&NumPy"), tr("np.array, row after row as shown"), MatrixSyntax::NumPy);
+    add(tr("&LaTeX"), tr("A bmatrix, row after row as shown"), MatrixSyntax::Latex);
+    add(tr("C&SV"), tr("Four lines of numbers with commas, as shown"), MatrixSyntax::Csv);
+    m_copy = new QToolButton;
+    m_copy->setText(tr("Copy"));
+    m_copy->setAutoRaise(true);
+    m_copy->setFocusPolicy(Qt::StrongFocus);
+    m_copy->setPopupMode(QToolButton::InstantPopup);
+    m_copy->setMenu(menu);
+    m_copy->setToolTip(tr("Copy the matrix with all its digits"));
+
+    auto *line = new QHBoxLayout;
+    line->setContentsMargins(0, 0, 0, 0);
+    line->addWidget(m_heading);
+    line->addStretch();
+    line->addWidget(m_copy);
+    m_help = new HelpLink({});
+    m_help->hide();
+    line->addWidget(m_help);
+
+    auto *grid = new NumberGrid(model);
+    grid->setContextMenuPolicy(Qt::CustomContextMenu);
+    // The number under the pointer first, then the whole matrix.
+    connect(grid, &QWidget::customContextMenuRequested, menu, [this, grid, menu](const QPoint &position) {
+        const QPoint place = grid->viewport()->mapToGlobal(position);
+        auto *shown = new QMenu(this);
+        shown->setAttribute(Qt::WA_DeleteOnClose);
+        shown->setToolTipsVisible(true);
+        addCopyActions(*shown, grid->numberAt(place), {});
+        shown->addSeparator();
+        shown->addActions(menu->actions());
+        shown->popup(place);
+    });
+    m_product = new QLabel;
+    m_product->setIndent(4);
+    m_product->setWordWrap(true);
+    m_body = new QWidget;
+    auto *body = new QVBoxLayout(m_body);
+    body->setContentsMargins(0, 0, 0, 0);
+    body->setSpacing(2);
+    body->addWidget(m_product);
+    body->addWidget(grid);
+    grid->setAccessibleDescription(
+        tr("Rows and columns of the matrix; Copy takes the selected numbers with all digits"));
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(1);
+    layout->addLayout(line);
+    layout->addWidget(m_body);
+
+    connect(m_heading, &QToolButton::clicked, this, [this] { setOpen(!m_isOpen); });
+    setOpen(true);
+}
+
+FactorsView *MatrixSection::addFactors()
+{
+    m_takeApart = new QToolButton;
+    m_takeApart->setText(tr("Take apart"));
+    m_takeApart->setToolTip(tr("Show the factors that the matrix is made of, and what each of them does"));
+    m_takeApart->setObjectName(QStringLiteral("takeApart"));
+    m_takeApart->setAutoRaise(true);
+    m_takeApart->setCheckable(true);
+    m_takeApart->setFocusPolicy(Qt::StrongFocus);
+    m_factors = new FactorsView;
+    m_factors->hide();
+    m_body->layout()->addWidget(m_factors);
+    auto *line = static_cast<QHBoxLayout *>(layout()->itemAt(0)->layout());
+    line->insertWidget(line->indexOf(m_copy), m_takeApart);
+    connect(m_takeApart, &QToolButton::toggled, this, [this](bool isApart) {
+        if (isApart) {
+            setOpen(true);
+            emit factorsOpened();
+        }
+        m_factors->setVisible(isApart);
+    });
+    return m_factors;
+}
+
+void MatrixSection::setHelp(const QString &anchor)
+{
+    m_help->setAnchor(anchor);
+    m_help->show();
+}
+
+void MatrixSection::takeApart()
+{
+    setOpen(true);
+    m_takeApart->setChecked(true);
+}
+
+bool MatrixSection::showsFactors() const
+{
+    return m_isOpen && m_takeApart && m_takeApart->isChecked();
+}
+
+void MatrixSection::setTitle(const QString &name, const QString &variable, const QString &product)
+{
+    m_heading->setText(QStringLiteral("%1   %2").arg(name, variable));
+    m_heading->setAccessibleName(tr("%1, %2").arg(name, variable));
+    m_copy->setAccessibleName(tr("Copy %1").arg(variable));
+    if (m_takeApart)
+        m_takeApart->setAccessibleName(tr("Take %1 apart").arg(variable));
+    m_body->findChild<NumberGrid *>()->setAccessibleName(variable);
+    m_product->setText(product);
+    m_product->setVisible(!product.isEmpty());
+}
+
+void MatrixSection::setOpen(bool isOpen)
+{
+    m_isOpen = isOpen;
+    m_heading->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+    m_heading->setAccessibleDescription(isOpen ? tr("Open") : tr("Closed"));
+    m_body->setVisible(isOpen);
+    if (showsFactors())
+        emit factorsOpened();
+}
+
+} // namespace unprojector::gui

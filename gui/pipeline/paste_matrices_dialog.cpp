@@ -1,0 +1,204 @@
+#include "gui/pipeline/paste_matrices_dialog.h"
+
+#include "core/matrices/matrix_format.h"
+#include "gui/document/scene_document.h"
+#include "gui/pipeline/matrix_text.h"
+#include "gui/pipeline/pasted_matrix_box.h"
+#include "gui/text/error_text.h"
+#include "gui/text/number_text.h"
+#include "gui/text/sentences.h"
+#include "gui/widgets/segmented_switch.h"
+
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+constexpr std::array kRoles{MatrixRole::Projection, MatrixRole::View, MatrixRole::Product};
+
+} // namespace
+
+PasteMatricesDialog::PasteMatricesDialog(SceneDocument &document, QWidget *parent)
+    : QDialog(parent), m_document(document)
+{
+    setWindowTitle(tr("Paste Matrices"));
+    m_kind = new SegmentedSwitch(
+        tr("What is pasted"),
+        {{tr("Projection and view"), tr("The two matrices, or one of them; the other stays that of the scene")},
+         {tr("Product"), tr("Projection times view, or times modelview (MVP), taken apart into the two")}});
+    auto *boxes = new QWidget;
+    auto *columns = new QHBoxLayout(boxes);
+    columns->setContentsMargins(0, 0, 0, 0);
+    columns->setSpacing(2 * fontMetrics().horizontalAdvance(u'0'));
+    for (const MatrixRole role : kRoles) {
+        auto *one = new PastedMatrixBox(role);
+        m_boxes[std::size_t(role)] = one;
+        columns->addWidget(one, 1);
+        connect(one, &PastedMatrixBox::textChanged, this, [this, role](const QString &text) {
+            m_paste.setText(role, text.toStdString());
+            refresh();
+        });
+        connect(one, &PastedMatrixBox::orderChosen, this, [this, role](NumberOrder order) {
+            m_paste.setOrder(role, order);
+            refresh();
+        });
+        connect(one, &PastedMatrixBox::ndcDepthChosen, this, [this, role](const std::optional<NdcDepth> &depth) {
+            m_paste.setNdcDepth(role, depth);
+            refresh();
+        });
+        connect(one, &PastedMatrixBox::asPastedWanted, this, [this, role] {
+            m_paste.takeBack(role);
+            refresh();
+        });
+        connect(one, &PastedMatrixBox::repairWanted, this,
+                [this, role](const MatrixFinding &finding) { repair(role, finding); });
+    }
+    auto *scrolled = new QScrollArea;
+    scrolled->setWidgetResizable(true);
+    scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scrolled->setWidget(boxes);
+
+    m_meaning = new QLabel;
+    m_meaning->setWordWrap(true);
+    m_meaning->setTextFormat(Qt::PlainText);
+    m_meaning->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_meaning->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_meaning->setAccessibleName(tr("What the matrices mean"));
+    constexpr int kLines = 4;
+    m_meaning->setMinimumHeight(kLines * fontMetrics().lineSpacing());
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    m_ok = buttons->button(QDialogButtonBox::Ok);
+    m_ok->setToolTip(tr("Take the camera of the scene from these matrices; undone with Ctrl+Z"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &PasteMatricesDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &PasteMatricesDialog::reject);
+
+    auto *layout = new QVBoxLayout(this);
+    layout->addWidget(m_kind, 0, Qt::AlignLeft);
+    layout->addWidget(scrolled, 1);
+    layout->addWidget(m_meaning);
+    layout->addWidget(buttons);
+    connect(m_kind, &SegmentedSwitch::chosen, this, &PasteMatricesDialog::refresh);
+    constexpr int kDigits = 110, kHeight = 34;
+    resize(kDigits * fontMetrics().horizontalAdvance(u'0'), kHeight * fontMetrics().lineSpacing());
+    refresh();
+}
+
+void PasteMatricesDialog::open(SceneDocument &document, QWidget *parent, MatrixRole role, const QString &text)
+{
+    auto *dialog = new PasteMatricesDialog(document, parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setText(role, text);
+    dialog->QDialog::open();
+}
+
+bool PasteMatricesDialog::isProduct() const
+{
+    return m_kind->choice() == 1;
+}
+
+void PasteMatricesDialog::setText(MatrixRole role, const QString &text)
+{
+    m_kind->setChoice(role == MatrixRole::Product ? 1 : 0);
+    box(role)->setText(text);
+    box(role)->setFocus();
+}
+
+void PasteMatricesDialog::repair(MatrixRole role, const MatrixFinding &finding)
+{
+    if (finding.repair != MatrixRepair::Exchange) {
+        m_paste.repair(role, finding);
+        refresh();
+        return;
+    }
+    // Of one text that has both, each gets its own.
+    const auto textOf = [this](MatrixRole one) {
+        const PastedMatrix *pasted = m_paste.pasted(one);
+        if (!pasted || !box(one)->text().trimmed().isEmpty())
+            return box(one)->text();
+        return QString::fromStdString(formatted(meantMatrix(*pasted, m_paste.order(one)), {}, {}));
+    };
+    const QString projection = textOf(MatrixRole::Projection), view = textOf(MatrixRole::View);
+    box(MatrixRole::Projection)->setText(view);
+    box(MatrixRole::View)->setText(projection);
+}
+
+MatrixPaste::Camera PasteMatricesDialog::camera() const
+{
+    if (!isProduct())
+        return m_paste.camera();
+    MatrixPaste::Camera camera;
+    if (const auto apart = m_paste.apart()) {
+        camera.projection = MatrixProjection{apart->clipFromEye, m_paste.ndcDepth(MatrixRole::Product)};
+        camera.eyeFromWorld = apart->eyeFromWorld;
+    }
+    return camera;
+}
+
+QString PasteMatricesDialog::meaning(const MatrixPaste::Camera &camera, bool &isUsable) const
+{
+    isUsable = false;
+    if (isProduct() && m_paste.pasted(MatrixRole::Product) && !camera.isAnything())
+        return tr("The product cannot be taken apart into lens and eye: it is neither a perspective's nor a box's. "
+                  "Paste projection and view.");
+    if (!camera.isAnything())
+        return {};
+    Picture picture = m_document.geometry();
+    if (camera.projection)
+        picture.lens = *camera.projection;
+    if (camera.eyeFromWorld)
+        picture.pose = *camera.eyeFromWorld;
+    const Result<Picture> shown = byParameters(picture);
+    if (!shown)
+        return tr("No picture can be made of it: %1").arg(errorText(shown.error()));
+    isUsable = true;
+    QStringList said{cameraText(*shown, camera.projection)};
+    if (isProduct())
+        said << tr("Taken apart into projection and view, which make the product again up to %1 of its largest entry.")
+                    .arg(significantText(m_paste.apart()->off, 1));
+    if (isProduct() && m_paste.apart()->isBox)
+        said << tr("Of a box the eye may be anywhere along the view: it is put on the near plane.");
+    if (const auto viewport = m_paste.viewport())
+        said << tr("The viewport, %1 × %2, is left out: that of the view stays (Parameters, Viewport).")
+                    .arg(writtenText(viewport->width, 6), writtenText(viewport->height, 6));
+    return inARow(said);
+}
+
+void PasteMatricesDialog::refresh()
+{
+    for (const MatrixRole role : kRoles) {
+        box(role)->setVisible((role == MatrixRole::Product) == isProduct());
+        box(role)->showPaste(m_paste);
+    }
+    bool isUsable = false;
+    const QString text = meaning(camera(), isUsable);
+    m_meaning->setText(text);
+    // What a text has wrong is not passed over.
+    for (const MatrixRole role : kRoles) {
+        if ((role == MatrixRole::Product) == isProduct() && m_paste.error(role))
+            isUsable = false;
+    }
+    m_ok->setEnabled(isUsable);
+}
+
+void PasteMatricesDialog::accept()
+{
+    if (!m_ok->isEnabled())
+        return;
+    const MatrixPaste::Camera taken = camera();
+    const Check done = m_document.editMatrices(taken.projection, taken.eyeFromWorld, {tr("Paste Matrices")});
+    if (!done) {
+        m_meaning->setText(tr("No picture can be made of it: %1").arg(errorText(done.error())));
+        return;
+    }
+    QDialog::accept();
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,175 @@
+#include "gui/pipeline/pasted_matrix_box.h"
+
+#include "gui/pipeline/matrix_findings_view.h"
+#include "gui/pipeline/matrix_model.h"
+#include "gui/pipeline/matrix_text.h"
+#include "gui/text/sentences.h"
+#include "gui/widgets/digits_font.h"
+#include "gui/widgets/number_grid.h"
+#include "gui/widgets/segmented_switch.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+
+namespace unprojector::gui {
+namespace {
+
+constexpr int kTextLines = 5;
+
+/// In the order of the switch.
+constexpr std::array<std::optional<NdcDepth>, 3> kNdcDepths{std::nullopt, NdcDepth::MinusOneToOne, NdcDepth::ZeroToOne};
+
+QString variableName(MatrixRole role)
+{
+    switch (role) {
+    case MatrixRole::View: return QStringLiteral("eyeFromWorld");
+    case MatrixRole::Projection: return QStringLiteral("clipFromEye");
+    case MatrixRole::Product: break;
+    }
+    return QStringLiteral("clipFromWorld");
+}
+
+} // namespace
+
+PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(parent), m_role(role)
+{
+    auto *title = new QLabel(QStringLiteral("%1   %2").arg(roleName(role), variableName(role)));
+    QFont bold = title->font();
+    bold.setBold(true);
+    title->setFont(bold);
+
+    m_text = new QPlainTextEdit;
+    m_text->setFont(digitsFont(font()));
+    m_text->setTabChangesFocus(true);
+    m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
+    m_text->setPlaceholderText(tr("Paste 16 numbers here, as a program prints them:\nglm::to_string, NumPy, Eigen, "
+                                  "QMatrix4x4,\nm[0] … m[15], JSON, C, three.js"));
+    m_text->setAccessibleName(tr("Text of the matrix: %1").arg(roleName(role)));
+    m_text->setToolTip(tr("Sixteen numbers in a row are read column after column, four lines or brackets as rows"));
+    const int line = QFontMetrics(m_text->font()).lineSpacing();
+    m_text->setFixedHeight(kTextLines * line + 3 * m_text->frameWidth() + line);
+    title->setBuddy(m_text);
+    setFocusProxy(m_text);
+
+    m_said = new QLabel;
+    m_said->setWordWrap(true);
+    m_said->setTextFormat(Qt::PlainText);
+    m_order = new SegmentedSwitch(tr("Order of the numbers"),
+                                  {{tr("By columns"), tr("Column-major: the first four numbers are the first column")},
+                                   {tr("By rows"), tr("Row-major: the first four numbers are the first row")}});
+    m_ndcDepth = new SegmentedSwitch(
+        tr("NDC depths"),
+        {{tr("By default"), tr("By −1 to 1, but where the numbers can only be by 0 to 1")},
+         {tr("−1 to 1"), tr("The depths of NDC go from −1 at near to 1 at far: OpenGL")},
+         {tr("0 to 1"), tr("The depths of NDC go from 0 to 1: Vulkan, Direct3D, Metal, WebGPU, glClipControl")}});
+    auto *depths = new QWidget;
+    auto *depthLine = new QHBoxLayout(depths);
+    depthLine->setContentsMargins(0, 0, 0, 0);
+    depthLine->addWidget(new QLabel(tr("NDC depths:")));
+    depthLine->addWidget(m_ndcDepth);
+    depthLine->addStretch();
+    // A view has none; its grid stays beside that of the projection.
+    QSizePolicy keepsLine = depths->sizePolicy();
+    keepsLine.setRetainSizeWhenHidden(true);
+    depths->setSizePolicy(keepsLine);
+    depths->setHidden(role == MatrixRole::View);
+    m_asPasted = new QToolButton;
+    m_asPasted->setText(tr("As Pasted"));
+    m_asPasted->setToolTip(tr("Take back what was done to the matrix"));
+    QSizePolicy keepsRoom = m_asPasted->sizePolicy();
+    keepsRoom.setRetainSizeWhenHidden(true);
+    m_asPasted->setSizePolicy(keepsRoom);
+    m_asPasted->hide();
+    m_model = new MatrixModel(PipelineStage::WholeMatrix, this);
+    m_model->setVariableName(variableName(role));
+    m_grid = new NumberGrid(m_model);
+    m_grid->setAccessibleName(variableName(role));
+    m_findings = new MatrixFindingsView;
+
+    auto *how = new QHBoxLayout;
+    how->addWidget(m_order);
+    how->addStretch();
+    how->addWidget(m_asPasted);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(title);
+    layout->addWidget(m_text);
+    layout->addWidget(m_said);
+    layout->addLayout(how);
+    layout->addWidget(depths);
+    layout->addWidget(m_grid);
+    layout->addWidget(m_findings);
+    layout->addStretch();
+
+    connect(m_text, &QPlainTextEdit::textChanged, this, [this] { emit textChanged(text()); });
+    connect(m_order, &SegmentedSwitch::chosen, this,
+            [this](int index) { emit orderChosen(index == 0 ? NumberOrder::ByColumns : NumberOrder::ByRows); });
+    connect(m_ndcDepth, &SegmentedSwitch::chosen, this,
+            [this](int index) { emit ndcDepthChosen(kNdcDepths.at(std::size_t(index))); });
+    connect(m_asPasted, &QToolButton::clicked, this, &PastedMatrixBox::asPastedWanted);
+    connect(m_findings, &MatrixFindingsView::repairWanted, this, &PastedMatrixBox::repairWanted);
+}
+
+QString PastedMatrixBox::text() const
+{
+    return m_text->toPlainText();
+}
+
+void PastedMatrixBox::setText(const QString &text)
+{
+    m_text->setPlainText(text);
+}
+
+void PastedMatrixBox::showPaste(const MatrixPaste &paste)
+{
+    const PastedMatrix *pasted = paste.pasted(m_role);
+    const auto matrix = paste.matrix(m_role);
+    {
+        const QSignalBlocker blocker(m_order);
+        m_order->setChoice(paste.order(m_role) == NumberOrder::ByColumns ? 0 : 1);
+    }
+    m_order->setEnabled(pasted != nullptr);
+    {
+        const QSignalBlocker blocker(m_ndcDepth);
+        const auto chosen = std::find(kNdcDepths.cbegin(), kNdcDepths.cend(), paste.ndcDepth(m_role));
+        m_ndcDepth->setChoice(static_cast<int>(chosen - kNdcDepths.cbegin()));
+    }
+    m_ndcDepth->setEnabled(pasted != nullptr);
+    QStringList said;
+    if (const auto &error = paste.error(m_role))
+        said << errorText(*error, m_role);
+    else if (!pasted)
+        said << (m_role == MatrixRole::Product ? tr("Nothing yet.")
+                                               : tr("Nothing yet: without it, that of the scene stays."));
+    else if (text().trimmed().isEmpty())
+        said << tr("From the other text: %1.").arg(formName(pasted->form));
+    else
+        said << tr("Read as %1.").arg(formName(pasted->form));
+    if (pasted && pasted->isInverse)
+        said << (lacksInverse(*pasted)
+                     ? tr("By its name it is an inverse, but it has none itself: it is taken as it stands.")
+                     : tr("By its name it is an inverse: its own inverse is taken."));
+    if (paste.leavesInverseOut(m_role))
+        said << tr("Its inverse, beside it in the text, is left out.");
+    QStringList done;
+    for (const MatrixFinding &finding : paste.repairs(m_role))
+        done << repairName(finding, paste.order(m_role) == NumberOrder::ByColumns ? NumberOrder::ByRows
+                                                                                  : NumberOrder::ByColumns);
+    if (!done.isEmpty())
+        said << tr("Done: %1.").arg(done.join(QStringLiteral(", ")));
+    m_said->setText(inARow(said));
+    m_asPasted->setVisible(!done.isEmpty());
+    m_grid->setVisible(matrix.has_value());
+    if (matrix)
+        m_model->setMatrix(*matrix, PipelineDirection::Forward, ProjectionKind::Perspective);
+    m_findings->setFindings(paste.findings(m_role), m_role, paste.order(m_role));
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,121 @@
+#pragma once
+
+#include "core/matrices/matrix_factors.h"
+#include "core/matrices/matrix_findings.h"
+#include "core/matrices/pipeline.h"
+#include "gui/document/followed_object.h"
+#include "gui/pipeline/matrix_model.h"
+#include "gui/pipeline/point_model.h"
+
+#include <QObject>
+#include <QString>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace unprojector::gui {
+using namespace matrices;
+
+class SceneDocument;
+
+/// What the pipeline panel shows of a document: a point in every space, the picked one or one that the user gives in numbers;
+/// the matrices between them, and a sentence. It looks at the document when told to, so that a hidden panel costs nothing.
+class PipelineModel : public QObject {
+    Q_OBJECT
+public:
+    /// Whose object space: the index of one of the document's objects, or one of these.
+    static constexpr int kAutomaticObject = -1; ///< the one that was drawn at the picked pixel
+    static constexpr int kNoObject = -2;        ///< the identity: object coordinates are world coordinates
+
+    explicit PipelineModel(SceneDocument &document, QObject *parent = nullptr);
+
+    /// Takes over the document as it is now.
+    void update();
+    /// Takes over which point, and whose object space, another one of the same document follows.
+    void takeOver(const PipelineModel &other);
+
+    PipelineDirection direction() const { return m_direction; }
+    void setDirection(PipelineDirection direction);
+    /// A chosen object stays chosen while the list changes around it, until it is removed.
+    int object() const;
+    void setObject(int object);
+    const MatrixView &view() const { return m_view; }
+    void setView(const MatrixView &view);
+
+    MatrixModel *matrix(PipelineStage stage) const { return m_matrices[static_cast<std::size_t>(stage)]; }
+    /// The projection's matrix as the file gives it.
+    MatrixModel *given() const { return m_given; }
+    /// How it was read and what became of it; empty where the projection is not given as a matrix (any more).
+    const QString &givenNote() const { return m_givenNote; }
+    /// The view's matrix as it is given.
+    MatrixModel *givenView() const { return m_givenView; }
+    /// What is to be seen of the matrices that are given.
+    const std::vector<MatrixFinding> &givenFindings(MatrixRole role) const;
+    /// Does what a finding offers to the scene.
+    void repair(MatrixRole role, const MatrixFinding &finding);
+    /// The factors of the view's or the projection's matrix as it is shown forward.
+    /// @return nothing where it has none: of another stage, and backward
+    std::optional<std::vector<MatrixFactor>> factors(PipelineStage stage) const;
+    PointModel *point(PointModel::Space space) const { return m_points[static_cast<std::size_t>(space)]; }
+
+    /// Whether the given point is shown and not the picked one: since it was given, until the next click.
+    bool followsGiven() const;
+    /// Shows the one or the other. The given point stays the document's.
+    void followGiven(bool follows);
+    void removeGiven();
+
+    /// The object whose space is shown; nothing for the identity.
+    std::optional<std::size_t> shownObject() const;
+    /// Whose conventions points and matrices have: the scene's.
+    Api api() const { return m_api; }
+    /// Undoably.
+    void setApi(Api api);
+    /// What is otherwise there than in OpenGL, with the camera's numbers where they are no matrix; empty for OpenGL.
+    const QString &apiNote() const { return m_apiNote; }
+    /// Whether the window point's depth on the way back is the one that was read at the click; else it is computed.
+    bool isDepthRead() const;
+    /// Where the points come from, or why there are none.
+    const QString &status() const { return m_status; }
+    /// The longest that it can be, errors left out.
+    static QStringList longestStatusTexts();
+    /// Points and matrices with all digits.
+    QString text() const;
+
+signals:
+    /// Which point is shown, or whether there is a given one.
+    void followedChanged();
+    /// What was typed is no point, with the reason.
+    void refused(const QString &reason);
+
+private:
+    void showGiven();
+    /// Makes what was typed for a coordinate of a space, or for all of them, the given point.
+    void take(PointModel::Space space, int coordinate, const QString &typed);
+    void showGivenPoint(const Pipeline &pipeline);
+    void showAll(const PipelinePoints &points);
+    /// How the coordinates of a space follow from those of this program.
+    AxisChange changeOf(PointModel::Space space) const;
+    void showApi();
+    void showPoints(const Pipeline &pipeline);
+    void clearPoints();
+
+    SceneDocument &m_document;
+    bool m_followsGiven = false;
+    PipelineDirection m_direction = PipelineDirection::Forward;
+    FollowedObject *m_chosen;
+    bool m_isIdentity = false;
+    MatrixView m_view;
+    Api m_api = Api::OpenGl;
+    ApiSpaces m_spaces;
+    QString m_apiNote;
+    std::array<MatrixModel *, kPipelineStages.size()> m_matrices;
+    std::array<PointModel *, PointModel::kSpaces> m_points;
+    MatrixModel *m_given;
+    MatrixModel *m_givenView;
+    std::vector<MatrixFinding> m_projectionFindings, m_viewFindings;
+    QString m_givenNote;
+    QString m_status;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "core/geometry/api_conventions.h"
+#include "core/geometry/result.h"
+#include "core/geometry/spaces.h"
+#include "core/matrices/pipeline.h"
+#include "gui/pipeline/matrix_view.h"
+#include "gui/widgets/number_grid_model.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace unprojector::gui {
+using namespace geometry;
+
+/// One point of the pipeline: a column of x, y, z and w, or a row of them where vectors are rows. w is 1 in every space but
+/// clip, and on the way back before the division; a widget position has no more than x and y.
+class PointModel : public NumberGridModel {
+    Q_OBJECT
+public:
+    /// The points of the panel, as the way forward meets them.
+    enum class Space { Object, World, Eye, Clip, Ndc, Window, Widget };
+    static constexpr int kSpaces = 7;
+
+    explicit PointModel(Space space, QObject *parent = nullptr);
+
+    template <class Tag>
+    void setPoint(const Result<Point<Tag>> &point)
+    {
+        if (!point) {
+            clearPoint();
+            return;
+        }
+        Coordinates coordinates;
+        for (int i = 0; i < Tag::kDimension; ++i)
+            coordinates[static_cast<std::size_t>(i)] = (*point)[i];
+        if (Tag::kDimension == 3)
+            coordinates[3] = 1.0;
+        setCoordinates(coordinates);
+    }
+    /// In place of the clip point on the way back: the eye point before the division by its w'.
+    void setUndivided(const std::optional<glm::dvec4> &point);
+    /// No point: a dash for each coordinate.
+    void clearPoint();
+    void setView(const MatrixView &view);
+    void setDirection(PipelineDirection direction);
+    /// Whose the coordinates are, for what is said of them.
+    void setApi(Api api) { m_api = api; }
+
+    Space space() const { return m_space; }
+    /// How many coordinates a point of the space has.
+    std::size_t ownCount() const { return static_cast<std::size_t>(m_own); }
+    /// "world"
+    QString name() const;
+    /// Where a coordinate stands: 0 for x, 3 for w.
+    QModelIndex indexOf(int coordinate) const;
+    /// The coordinates that the space has: without a w that is 1 by itself. Empty without a point.
+    std::vector<double> coordinates() const;
+    /// "(1, 2.5, 3)" with all digits; "–" without a point.
+    QString fullText() const;
+    Copyable copyable() const override;
+
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+    /// What a user types for a coordinate, or for all of the space's at once: emits `typed`, and leaves the point as it is.
+    bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
+    bool isTypable() const override { return !isUndivided(); }
+    void typeAll(const QString &text) override { emit typed(0, text); }
+
+signals:
+    /// @param coordinate  0 for x, 3 for w
+    void typed(int coordinate, const QString &text);
+
+protected:
+    QString label(int row, int column) const override;
+    QString toolTip(int row, int column) const override;
+
+private:
+    using Coordinates = std::array<std::optional<double>, 4>;
+    void setCoordinates(const Coordinates &coordinates);
+    void show();
+    /// Whether these are the four numbers before the division on the way back.
+    bool isUndivided() const;
+
+    Space m_space;
+    int m_own;   ///< coordinates that a point in this space has
+    int m_shown; ///< with w
+    Coordinates m_coordinates;
+    MatrixView m_view;
+    Api m_api = Api::OpenGl;
+    PipelineDirection m_direction = PipelineDirection::Forward;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,59 @@
+#include "gui/shell/scene_files.h"
+
+#include "core/files/replace_file.h"
+#include "core/mesh_import/named_files.h"
+#include "gui/document/scene_document.h"
+#include "gui/document/session.h"
+#include "gui/text/error_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <vector>
+
+namespace unprojector::gui {
+namespace {
+
+struct SceneFiles {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::SceneFiles)
+};
+
+/// Whether a model is read from a file, or names it. Many objects may have one model.
+bool isOfAny(const std::vector<scene::SceneObject> &objects, const std::filesystem::path &file)
+{
+    std::set<std::filesystem::path> models, read;
+    for (const scene::SceneObject &object : objects) {
+        models.insert(object.file);
+        read.insert(object.model->otherFiles.begin(), object.model->otherFiles.end());
+        for (const scene::Texture &texture : object.model->textures)
+            read.insert(texture.file);
+    }
+    const auto isIt = [&file](const std::filesystem::path &other) { return files::isSameFile(other, file); };
+    const auto isAmong = [&isIt](const auto &list) { return std::any_of(list.begin(), list.end(), isIt); };
+    if (isAmong(models) || isAmong(read))
+        return true;
+    // The models are read for the names in them only where one of these could be lost.
+    std::error_code error;
+    return std::filesystem::is_regular_file(file, error)
+           && std::any_of(models.begin(), models.end(), [&isAmong](const std::filesystem::path &model) {
+                  return isAmong(mesh_import::namedFiles(model));
+              });
+}
+
+} // namespace
+
+QString overwritingText(const SceneDocument &document, const Session &session, const std::filesystem::path &file)
+{
+    const std::vector<scene::SceneObject> &objects = document.objects();
+    const bool isScene = files::isSameFile(session.file(), file);
+    return isScene || isOfAny(objects, file)
+               ? SceneFiles::tr(
+                     "%1: the scene that is open uses this file, which would be destroyed. Give another name.")
+                     .arg(pathText(file))
+               : QString();
+}
+
+} // namespace unprojector::gui

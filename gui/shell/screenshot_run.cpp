@@ -1,0 +1,178 @@
+#include "gui/shell/screenshot_run.h"
+
+#include "core/files/replace_file.h"
+#include "core/scene_file/clicks.h"
+#include "core/scene_file/scene_error_text.h"
+#include "gui/document/scene_curves.h"
+#include "gui/document/scene_document.h"
+#include "gui/shell/scene_files.h"
+#include "gui/shell/work_places.h"
+#include "gui/text/error_text.h"
+#include "gui/text/print.h"
+#include "gui/view/scene_view.h"
+
+#include <QBuffer>
+#include <QFileInfo>
+#include <QPixmap>
+#include <QTimer>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace unprojector::gui {
+using namespace scene_file;
+namespace {
+
+constexpr int kAgainMilliseconds = 20;
+
+std::optional<RayOnMesh> rayOf(const SceneDocument &document)
+{
+    const PickedRay *ray = document.pickedRay();
+    if (!ray || ray->state != PickedRay::State::Answered)
+        return std::nullopt;
+    return ray->met ? RayOnMesh{ray->met->hit, ray->met->objectName} : RayOnMesh{};
+}
+
+} // namespace
+
+ScreenshotRun::ScreenshotRun(Request request) : m_request(std::move(request)) {}
+
+ScreenshotRun::~ScreenshotRun() = default;
+
+void ScreenshotRun::start()
+{
+    const std::filesystem::path picture(m_request.picture.toStdU16String());
+    const auto isPicture = [&](const std::filesystem::path &file) { return files::isSameFile(picture, file); };
+    if (std::any_of(m_request.files.begin(), m_request.files.end(), isPicture)) {
+        fail(tr("%1 is opened too and would be overwritten; give the picture another name.").arg(m_request.picture));
+        return;
+    }
+    MainWindow::Options options;
+    options.smoothEdges = m_request.smoothEdges;
+    options.remembers = false;
+    m_window = std::make_unique<MainWindow>(options);
+    if (m_request.clicks.empty())
+        m_window->document().rayCasters().waitUntilAsked();
+    connect(m_window.get(), &MainWindow::openFailed, this, &ScreenshotRun::fail);
+    m_window->resize(m_request.windowSize);
+    if (!m_request.place.isEmpty())
+        m_window->places().enter(m_request.place.toUtf8().constData());
+    if (!m_request.hasPanels)
+        m_window->hidePanels(true);
+    if (m_request.files.empty())
+        m_window->session().openBundledScene();
+    else
+        m_window->session().openFiles(m_request.files);
+
+    // The window is laid out and drawn into the picture alone: nobody waits for a screen, and no window flashes up on it.
+    m_window->setAttribute(Qt::WA_DontShowOnScreen);
+    const auto finish = [this] { QTimer::singleShot(0, this, &ScreenshotRun::pressAndSave); };
+    connect(&m_window->session(), &Session::loadingEnded, this, finish);
+    m_window->show();
+    if (!m_request.lesson.isEmpty()) {
+        if (const QString problem = m_window->startLesson(m_request.lesson); !problem.isEmpty()) {
+            fail(problem);
+            return;
+        }
+    }
+    if (m_request.viewSize)
+        m_window->setViewSize(*m_request.viewSize);
+    if (!m_window->session().isLoading())
+        finish();
+}
+
+void ScreenshotRun::fail(const QString &reason)
+{
+    if (m_hasEnded)
+        return;
+    m_hasEnded = true;
+    std::fprintf(stderr, "unprojector: %s\n", printed(reason).constData());
+    emit ended(2);
+}
+
+QString ScreenshotRun::savePicture()
+{
+    // The whole picture is encoded first: a name that no picture format has must not cost the file of that name.
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    const QByteArray format = QFileInfo(m_request.picture).suffix().toLatin1();
+    // PNG loses nothing at any quality: at this one it takes a quarter of the time, and a few more bytes.
+    const int quality = format.toLower() == "png" ? 75 : -1;
+    if (!m_window->grab().save(&buffer, format.constData(), quality))
+        return tr("%1 is no picture's name; let it end in .png.").arg(m_request.picture);
+    const std::filesystem::path file(m_request.picture.toStdU16String());
+    if (QString refusal = overwritingText(m_window->document(), m_window->session(), file); !refusal.isEmpty())
+        return refusal;
+    const files::Written written =
+        files::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    return written ? QString()
+                   : m_request.picture + ": " + QString::fromStdString(files::fileErrorText(written.error()));
+}
+
+void ScreenshotRun::pressAndSave()
+{
+    if (m_hasEnded)
+        return;
+    if (!m_window->isSettled()) {
+        QTimer::singleShot(kAgainMilliseconds, this, &ScreenshotRun::pressAndSave);
+        return;
+    }
+    if (m_request.viewSize && m_window->view().size() != *m_request.viewSize) {
+        if (std::exchange(m_isSized, true)) {
+            fail(tr("The view is %1 × %2 logical pixels, not %3 × %4: the window cannot be made so here. --no-panels "
+                    "leaves it more room.")
+                     .arg(m_window->view().width())
+                     .arg(m_window->view().height())
+                     .arg(m_request.viewSize->width())
+                     .arg(m_request.viewSize->height()));
+            return;
+        }
+        m_window->setViewSize(*m_request.viewSize);
+        QTimer::singleShot(0, this, &ScreenshotRun::pressAndSave);
+        return;
+    }
+    // Rays say what a click meets, and which points are behind something.
+    if (!m_request.clicks.empty() || !m_window->document().landmarks().empty())
+        m_window->document().rayCasters().complete(m_window->document().objects());
+    m_window->document().curves().complete();
+    std::vector<Click> clicks;
+    for (const WidgetPoint &position : m_request.clicks) {
+        SceneView &view = m_window->view();
+        SceneDocument &document = m_window->document();
+        const Result<DevicePixel> pixel = devicePixelFromWidget(document.geometry().surface, position);
+        if (!pixel) {
+            fail(tr("The click %1,%2 lies outside the view, which is %3 × %4 logical pixels.")
+                     .arg(position.x)
+                     .arg(position.y)
+                     .arg(view.width())
+                     .arg(view.height()));
+            return;
+        }
+        document.clearPick();
+        view.onLButtonDown(position);
+        if (!document.pick()) {
+            fail(tr("The click %1,%2 could not be read.").arg(position.x).arg(position.y));
+            return;
+        }
+        clicks.push_back(clickOf(*document.pick(), document.scene(), rayOf(document)));
+    }
+    const Result<std::string, SceneFileError> text = clicksText(clicks);
+    if (!text) {
+        fail(QString::fromStdString(sceneErrorText(text.error())));
+        return;
+    }
+    if (const QString problem = savePicture(); !problem.isEmpty()) {
+        fail(problem);
+        return;
+    }
+    if (const std::string problem = print(*text); !problem.empty()) {
+        fail(tr("The clicks could not be written to standard output: %1.").arg(QString::fromStdString(problem)));
+        return;
+    }
+    m_hasEnded = true;
+    m_window->setUpdatesEnabled(false); // nobody sees what would still be drawn
+    emit ended(0);
+}
+
+} // namespace unprojector::gui

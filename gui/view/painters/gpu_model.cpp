@@ -1,0 +1,191 @@
+#include "gui/view/painters/gpu_model.h"
+
+#include "gui/view/painters/gl_errors.h"
+#include "gui/view/painters/mesh_attributes.h"
+
+#include <QImage>
+
+#include <algorithm>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+/// Copied in a few milliseconds.
+constexpr std::size_t kBytesAtOnce = std::size_t{8} << 20;
+
+/// Scaled down to what fits into a square of so many pixels.
+QImage fitting(const Image &image, int mostPixels)
+{
+    const QImage whole(image.rgba.data(), image.widthPixels, image.heightPixels, QImage::Format_RGBA8888);
+    const QSize size = whole.size();
+    if (size.width() <= mostPixels && size.height() <= mostPixels)
+        return whole;
+    const QSize smaller = size.scaled(mostPixels, mostPixels, Qt::KeepAspectRatio).expandedTo(QSize(1, 1));
+    return whole.scaled(smaller, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+        .convertToFormat(QImage::Format_RGBA8888);
+}
+
+std::unique_ptr<QOpenGLTexture> uploaded(const QImage &image, bool wrapRepeat)
+{
+    auto result = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
+    result->setFormat(QOpenGLTexture::RGBA8_UNorm);
+    result->setSize(image.width(), image.height());
+    result->setMipLevels(result->maximumMipLevels());
+    result->allocateStorage(QOpenGLTexture::RGBA, QOpenGLTexture::UInt8);
+    result->setData(QOpenGLTexture::RGBA, QOpenGLTexture::UInt8,
+                    image.constBits()); // rows of whole pixels have no gaps
+    result->setMinMagFilters(QOpenGLTexture::LinearMipMapLinear, QOpenGLTexture::Linear);
+    result->setWrapMode(wrapRepeat ? QOpenGLTexture::Repeat : QOpenGLTexture::ClampToEdge);
+    return result;
+}
+
+} // namespace
+
+bool fillBuffer(QOpenGLExtraFunctions &gl, unsigned target, std::size_t bytes, const void *data)
+{
+    clearErrors(gl);
+    // QOpenGLBuffer counts bytes in int, which ends at 2 GB; glBufferData does not.
+    gl.glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+    return gl.glGetError() == GL_NO_ERROR;
+}
+
+GpuModel::GpuModel(std::shared_ptr<const Model> source, int mostTexturePixels)
+    : m_source(std::move(source)), m_mostTexturePixels(mostTexturePixels)
+{
+    initializeOpenGLFunctions();
+}
+
+GpuModel::~GpuModel() = default;
+
+QStringList GpuModel::takeFailures()
+{
+    return std::exchange(m_failures, {});
+}
+
+void GpuModel::uploadTextures()
+{
+    GLint mostOfDriver = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &mostOfDriver);
+    for (const Texture &texture : m_source->textures) {
+        if (!texture.image) {
+            m_textures.push_back(nullptr);
+            continue;
+        }
+        const QImage image = fitting(*texture.image, std::min(mostOfDriver, m_mostTexturePixels));
+        if (image.width() != texture.image->widthPixels || image.height() != texture.image->heightPixels)
+            m_failures
+                << tr("The picture %1 is larger than OpenGL draws here and is shown scaled down to a width of %2 "
+                      "pixels.")
+                       .arg(QString::fromStdU16String(texture.file.filename().u16string()))
+                       .arg(image.width());
+        m_textures.push_back(uploaded(image, texture.wrapRepeat));
+    }
+    m_areTexturesUploaded = true;
+}
+
+bool GpuModel::begin(const Mesh &mesh)
+{
+    m_begun = std::make_unique<GpuMesh>();
+    m_begun->source = &mesh;
+    m_begun->vertexArray.create();
+    m_begun->vertexArray.bind();
+    bool fits = true;
+    const auto buffer = [&](QOpenGLBuffer::Type type, const auto &data) {
+        m_begun->buffers.push_back(std::make_unique<QOpenGLBuffer>(type));
+        QOpenGLBuffer &made = *m_begun->buffers.back();
+        made.create();
+        made.bind();
+        const std::size_t bytes = data.size() * sizeof(data[0]);
+        const bool isSmall = bytes <= kBytesAtOnce;
+        fits = fits && fillBuffer(*this, type, bytes, isSmall ? data.data() : nullptr);
+        if (!isSmall)
+            m_copies.push_back({&made, reinterpret_cast<const char *>(data.data()), bytes});
+    };
+    const auto attribute = [&](GLuint index, const auto &data, GLint size, GLenum type, GLboolean normalized) {
+        if (data.empty())
+            return;
+        buffer(QOpenGLBuffer::VertexBuffer, data);
+        glEnableVertexAttribArray(index);
+        glVertexAttribPointer(index, size, type, normalized, 0, nullptr);
+    };
+    attribute(MeshAttribute::Position, mesh.positions, 3, GL_FLOAT, GL_FALSE);
+    attribute(MeshAttribute::Normal, mesh.normals, 3, GL_FLOAT, GL_FALSE);
+    attribute(MeshAttribute::Color, mesh.colors, 4, GL_UNSIGNED_BYTE, GL_TRUE);
+    attribute(MeshAttribute::Texcoord, mesh.texcoords, 2, GL_FLOAT, GL_FALSE);
+    m_begun->isIndexed = !mesh.indices.empty();
+    if (m_begun->isIndexed) {
+        buffer(QOpenGLBuffer::IndexBuffer, mesh.indices);
+        m_begun->indexBuffer = m_begun->buffers.back()->bufferId();
+    }
+    m_begun->vertexArray.release();
+    m_begun->primitives = mesh.kind == Mesh::Kind::Points ? GL_POINTS : GL_TRIANGLES;
+    m_begun->elementCount = mesh.elementCount();
+    m_begun->isFlat = mesh.normals.empty();
+    m_begun->isColored = !mesh.colors.empty();
+    m_begun->origin = mesh.origin;
+    m_begun->baseColor = mesh.baseColor;
+    const bool isTextured = mesh.texture >= 0 && m_textures[static_cast<std::size_t>(mesh.texture)];
+    m_begun->texture = isTextured ? mesh.texture : -1;
+    return fits;
+}
+
+void GpuModel::copyOn(Copy &copy)
+{
+    const std::size_t bytes = std::min(kBytesAtOnce, copy.count - copy.done);
+    // Not into the target of indices, which belongs to a vertex array.
+    glBindBuffer(GL_COPY_WRITE_BUFFER, copy.buffer->bufferId());
+    glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(copy.done), static_cast<GLsizeiptr>(bytes),
+                    copy.bytes + copy.done);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    copy.done += bytes;
+}
+
+double GpuModel::uploadedShare() const
+{
+    std::size_t all = 0, there = 0;
+    for (std::size_t mesh = 0; mesh < m_source->meshes.size(); ++mesh) {
+        const std::size_t size = m_source->meshes[mesh].elementCount();
+        all += size;
+        there += mesh < m_next ? size : 0;
+    }
+    double share = all > 0 ? static_cast<double>(there) / static_cast<double>(all) : 1.0;
+    if (m_begun && all > 0) {
+        // Of its buffers those that are there already are not known any more: it is told a little too low.
+        const double ofMesh = static_cast<double>(m_begun->elementCount) / static_cast<double>(all);
+        const double left = m_begun->buffers.empty()
+                                ? 0.0
+                                : static_cast<double>(m_copies.size()) / static_cast<double>(m_begun->buffers.size());
+        share += ofMesh * (1.0 - left);
+    }
+    return share;
+}
+
+bool GpuModel::uploadOn(const Deadline &deadline)
+{
+    if (!m_areTexturesUploaded)
+        uploadTextures();
+    while (m_begun || m_next < m_source->meshes.size()) {
+        if (!m_begun && !begin(m_source->meshes[m_next])) {
+            m_failures << tr("The graphics memory does not hold %1, which is not drawn whole. Close other programs, or "
+                             "open a smaller model.")
+                              .arg(QString::fromStdString(m_source->name));
+            m_begun.reset();
+            m_copies.clear();
+            m_next = m_source->meshes.size();
+            return true;
+        }
+        while (!m_copies.empty()) {
+            if (deadline.isOver())
+                return false;
+            copyOn(m_copies.back());
+            if (m_copies.back().done == m_copies.back().count)
+                m_copies.pop_back();
+        }
+        m_meshes.push_back(std::move(m_begun));
+        ++m_next;
+    }
+    return true;
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,47 @@
+#include "gui/widgets/certain_digits_delegate.h"
+
+#include "gui/widgets/contrast.h"
+#include "gui/widgets/coordinates_model.h"
+
+#include <QApplication>
+#include <QPainter>
+
+#include <utility>
+
+namespace unprojector::gui {
+
+void CertainDigitsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
+{
+    const QVariant length = index.data(CoordinatesModel::kCertainLengthRole);
+    if (!length.isValid()) {
+        QStyledItemDelegate::paint(painter, option, index);
+        return;
+    }
+    QStyleOptionViewItem item = option;
+    initStyleOption(&item, index);
+    const QString text = item.text;
+    item.text.clear();
+    const QStyle *style = item.widget ? item.widget->style() : QApplication::style();
+    style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
+
+    const bool isSelected = item.state.testFlag(QStyle::State_Selected);
+    const QColor ink = item.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text);
+    const QColor grey = quietInk(ink, item.palette.color(isSelected ? QPalette::Highlight : QPalette::Base));
+    // A power of ten belongs to the certain digits before it.
+    const qsizetype power = length.toInt() > 0 && text.contains(u'e') ? text.indexOf(u'e') : text.size();
+    const qsizetype end = std::min<qsizetype>(length.toInt(), power);
+    const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, &item, item.widget) + 1;
+    QRectF area = item.rect.adjusted(margin, 0, -margin, 0);
+    const QFontMetricsF metrics(item.font);
+    painter->save();
+    painter->setFont(item.font);
+    for (const auto &[part, color] : {std::pair(text.mid(power), ink), std::pair(text.mid(end, power - end), grey),
+                                      std::pair(text.left(end), ink)}) {
+        painter->setPen(color);
+        painter->drawText(area, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, part);
+        area.setRight(area.right() - metrics.horizontalAdvance(part));
+    }
+    painter->restore();
+}
+
+} // namespace unprojector::gui

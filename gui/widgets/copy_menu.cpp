@@ -1,0 +1,61 @@
+#include "gui/widgets/copy_menu.h"
+
+#include "core/matrices/matrix_format.h"
+#include "gui/text/number_text.h"
+
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QMenu>
+
+namespace unprojector::gui {
+namespace {
+
+struct CopyMenu {
+    Q_DECLARE_TR_FUNCTIONS(CopyMenu)
+};
+
+} // namespace
+
+void copyToClipboard(const QString &text)
+{
+    QGuiApplication::clipboard()->setText(text);
+}
+
+void addCopyActions(QMenu &menu, const Copyable &number, const Copyable &whole)
+{
+    using matrices::MatrixSyntax;
+    if (!number.numbers.empty()) {
+        const QString text = shortestText(number.numbers.front());
+        menu.addAction(CopyMenu::tr("&Copy %1").arg(text), &menu, [text] { copyToClipboard(text); });
+    }
+    if (whole.numbers.empty())
+        return;
+    if (!number.numbers.empty())
+        menu.addSeparator();
+    const auto add = [&](const QString &format, MatrixSyntax syntax) {
+        const QString text =
+            QString::fromStdString(matrices::formatted(whole.numbers, syntax, whole.name.toStdString()));
+        QAction *action = menu.addAction(format.arg(whole.name), &menu, [text] { copyToClipboard(text); });
+        action->setToolTip(text.trimmed());
+    };
+    menu.setToolTipsVisible(true);
+    add(CopyMenu::tr("Copy %1 as &text"), MatrixSyntax::Text);
+    add(CopyMenu::tr("Copy %1 as C &array"), MatrixSyntax::CArray);
+    add(CopyMenu::tr("Copy %1 as &GLM"), MatrixSyntax::Glm);
+    add(CopyMenu::tr("Copy %1 as &NumPy"), MatrixSyntax::NumPy);
+    add(CopyMenu::tr("Copy %1 as &LaTeX"), MatrixSyntax::Latex);
+    add(CopyMenu::tr("Copy %1 as C&SV"), MatrixSyntax::Csv);
+}
+
+void showCopyMenu(QWidget &parent, const QPoint &globalPosition, const Copyable &number, const Copyable &whole)
+{
+    if (number.numbers.empty() && whole.numbers.empty())
+        return;
+    auto *menu = new QMenu(&parent);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    addCopyActions(*menu, number, whole);
+    menu->popup(globalPosition);
+}
+
+} // namespace unprojector::gui

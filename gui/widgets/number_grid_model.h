@@ -1,0 +1,79 @@
+#pragma once
+
+#include "core/matrices/matrix_format.h"
+#include "gui/widgets/copy_menu.h"
+
+#include <QAbstractTableModel>
+
+#include <optional>
+#include <vector>
+
+namespace unprojector::gui {
+using namespace matrices;
+
+/// Numbers in rows and columns, shown with as many digits as there is room for and copied with all of them. Texts are
+/// made when they are asked for, so that a grid nobody sees costs nothing.
+class NumberGridModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    /// The double itself (in float digits: the value rounded to float); invalid where there is no number.
+    static constexpr int kValueRole = Qt::UserRole;
+    /// What stands before the number: "m[12]".
+    static constexpr int kLabelRole = Qt::UserRole + 1;
+    /// Whether the number is marked.
+    static constexpr int kMarkedRole = Qt::UserRole + 2;
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    /// Characters that a number has room for: longer ones lose digits, not places.
+    void setCapacity(int characters);
+    /// The room that each column needs at least: that of a whole double where all digits are to be seen, else none.
+    int leastCapacity() const { return m_isWhole ? kWholeDouble : 0; }
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+
+    /// Marks these numbers and no others, until their arrangement changes.
+    void setMarked(const QModelIndexList &marked);
+
+    /// What a menu copies besides a number: the point, or nothing.
+    virtual Copyable copyable() const { return {}; }
+
+    /// Whether a user can type other numbers, or paste them all at once.
+    virtual bool isTypable() const { return false; }
+    virtual void typeAll([[maybe_unused]] const QString &text) {}
+
+    /// A number with all its digits, "–" where there is none.
+    QString fullText(int row, int column) const;
+
+protected:
+    using Numbers = std::vector<std::optional<double>>;
+
+    /// Row by row. The views keep their shape unless the numbers of rows and columns or `isWhole` change.
+    /// @param isWhole  all digits, instead of those that there is room for
+    void setNumbers(int rows, int columns, Numbers numbers, Digits digits, bool isWhole);
+
+    virtual QString label(int row, int column) const;
+    virtual QString toolTip(int row, int column) const = 0;
+
+private:
+    /// "-1.2345678901234567e-300"
+    static constexpr int kWholeDouble = 24;
+
+    std::size_t placeOf(int row, int column) const;
+    void makeTexts() const;
+    const std::optional<double> &number(int row, int column) const;
+
+    int m_rows = 0;
+    int m_columns = 0;
+    Numbers m_numbers;
+    Digits m_digits = Digits::Double;
+    bool m_isWhole = false;
+    QModelIndexList m_marked;
+    int m_capacity = 12;
+    mutable std::vector<QString> m_texts;
+    mutable bool m_textsAreStale = true;
+};
+
+} // namespace unprojector::gui
