@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/landmarks/landmark.h"
+#include "core/mesh/mesh.h"
 #include "core/ray/box_tree.h"
-#include "core/scene/mesh.h"
 
 #include <array>
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace unprojector::curves {
 using namespace landmarks;
-using namespace scene;
+using namespace mesh;
 using ray::Progress;
 
 /// The triangles of a model as one surface: corners at the very same coordinates are one corner, whether the file has them once

@@ -15,7 +15,7 @@ std::vector<KnownPoint> verticesIn(std::span<const scene::SceneObject> objects, 
             continue;
         const glm::dmat4 worldFromModel = worldFromObject(object.transform);
         for (std::size_t mesh = 0; mesh < object.model->meshes.size(); ++mesh) {
-            const scene::Mesh &own = object.model->meshes[mesh];
+            const mesh::Mesh &own = object.model->meshes[mesh];
             for (std::size_t vertex = 0; vertex < own.positions.size(); ++vertex) {
                 const glm::dvec3 at(worldFromModel * glm::dvec4(own.position(vertex), 1.0));
                 if (glm::clamp(at, world.lowest, world.highest) != at)

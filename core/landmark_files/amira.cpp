@@ -1,7 +1,7 @@
 // .landmarkAscii of Amira and Avizo: "# Avizo 3D ASCII 2.0", declarations, then sections of numbers, "@1" and so on.
 
 #include "core/landmark_files/lines.h"
-#include "core/mesh_import/text_scanner.h"
+#include "core/text/text_scanner.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ Landmark landmarkOf(const Lines &lines)
     constexpr std::array kAxes{"x", "y", "z"};
     const std::vector<std::string_view> words = wordsOf(lines.text());
     if (words.size() != kAxes.size())
-        throw Failure{lines.number(), tr("%1 is no point; write x, y and z", mesh_import::quoted(lines.text()))};
+        throw Failure{lines.number(), tr("%1 is no point; write x, y and z", text::quoted(lines.text()))};
     Landmark landmark;
     if (std::all_of(words.begin(), words.end(), isMissingWord))
         return landmark;
@@ -56,7 +56,7 @@ ReadLandmarks readAmira(std::string_view text)
         first.starts_with('#') && (first.find("amira") != first.npos || first.find("avizo") != first.npos);
     if (!isAmira)
         throw Failure{1, tr("the first line is %1; Amira and Avizo begin the file with \"# Avizo 3D ASCII 2.0\"",
-                            mesh_import::quoted(lines.text()))};
+                            text::quoted(lines.text()))};
     if (first.find("ascii") == first.npos)
         throw Failure{1, tr("this file is binary; save it as \"LandmarkSet Ascii\" in Amira or Avizo")};
     ReadLandmarks read;
@@ -94,7 +94,7 @@ ReadLandmarks readAmira(std::string_view text)
         } else if (!read.sets.empty() && !isOther && !lines.text().starts_with('#')) {
             throw Failure{lines.number(), tr("%1 stands behind the points; write the right number behind \"define "
                                              "Markers\"",
-                                             mesh_import::quoted(lines.text()))};
+                                             text::quoted(lines.text()))};
         }
     }
     if (read.sets.empty() || !sections.empty())

@@ -2,7 +2,7 @@
 
 #include "core/landmark_files/csv_table.h"
 
-#include "core/mesh_import/text_scanner.h"
+#include "core/text/text_scanner.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -119,7 +119,7 @@ void takeSlashesOff(CsvRow &row)
 
 bool isNumber(std::string_view cell, const text::DecimalMark &mark)
 {
-    return mesh_import::doubleFromWord(mark.withPoint(cell)).has_value();
+    return text::doubleFromWord(mark.withPoint(cell)).has_value();
 }
 
 bool isWholeNumber(std::string_view cell)

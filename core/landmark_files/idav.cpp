@@ -1,8 +1,8 @@
 // .pts of IDAV Landmark: "Version 1.0", the number of points, then one a line.
 
 #include "core/landmark_files/lines.h"
-#include "core/mesh_import/text_scanner.h"
 #include "core/text/number_text.h"
+#include "core/text/text_scanner.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -17,14 +17,13 @@ constexpr double kMissing = 9999.0;
 bool isVersion(std::string_view line)
 {
     const std::vector<std::string_view> words = wordsOf(line);
-    return words.size() == 2 && lowerCase(words[0]) == "version" && mesh_import::doubleFromWord(words[1]) == 1.0;
+    return words.size() == 2 && lowerCase(words[0]) == "version" && text::doubleFromWord(words[1]) == 1.0;
 }
 
 /// Whether a word stands for no number. Our own writer gives a coordinate that really is 9999 an exponent.
 bool isMissing(std::string_view word)
 {
-    return isMissingWord(word)
-           || (mesh_import::doubleFromWord(word) == kMissing && word.find_first_of("eE") == word.npos);
+    return isMissingWord(word) || (text::doubleFromWord(word) == kMissing && word.find_first_of("eE") == word.npos);
 }
 
 /// Parses a row "name x y z". Throws Failure.
@@ -32,14 +31,14 @@ Landmark landmarkOf(std::string_view row, std::size_t line)
 {
     const std::vector<std::string_view> words = wordsOf(row);
     if (words.size() < 4)
-        throw Failure{line, tr("%1 is no point; write its name, x, y and z", mesh_import::quoted(row))};
+        throw Failure{line, tr("%1 is no point; write its name, x, y and z", text::quoted(row))};
     // A name with blanks in it is one all the same: the coordinates are the last three.
     const std::string_view lastOfName = words[words.size() - 4];
-    if (words.size() > 4 && mesh_import::doubleFromWord(lastOfName))
+    if (words.size() > 4 && text::doubleFromWord(lastOfName))
         throw Failure{line,
                       tr("%1 has more than three numbers behind its name; write name, x, y and z, and _ for a blank "
                          "in a name that ends in a number",
-                         mesh_import::quoted(row))};
+                         text::quoted(row))};
     Landmark landmark;
     landmark.name = row.substr(0, static_cast<std::size_t>(lastOfName.data() + lastOfName.size() - row.data()));
     const auto missing = std::count_if(words.end() - 3, words.end(), isMissing);
@@ -70,12 +69,12 @@ ReadLandmarks readIdav(std::string_view text)
                       tr("this .pts begins with %1, not with \"Version 1.0\" as those of IDAV Landmark "
                          "do; a point cloud of a scanner is not read: save it as .ply, and open that as a "
                          "model",
-                         mesh_import::quoted(lines.text()))};
+                         text::quoted(lines.text()))};
     if (!isVersion(lines.text()))
         throw Failure{lines.number(),
                       tr("this .pts begins with %1, and only \"Version 1.0\" is known; write that there if "
                          "its rows are name, x, y and z",
-                         mesh_import::quoted(lines.text()))};
+                         text::quoted(lines.text()))};
     if (!lines.nextFilled())
         throw Failure{lines.number(), tr("the number of points is missing; it stands behind \"Version 1.0\"")};
     const std::size_t countLine = lines.number();

@@ -1,7 +1,7 @@
 #include "core/landmark_files/lines.h"
 
-#include "core/mesh_import/text_scanner.h"
 #include "core/text/number_text.h"
+#include "core/text/text_scanner.h"
 #include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@
 #include <limits>
 
 namespace unprojector::landmark_files {
-using mesh_import::quoted;
+using text::quoted;
 using text::tr;
 
 bool Lines::next()
@@ -64,7 +64,7 @@ std::vector<std::string_view> wordsOf(std::string_view line)
 
 double numberOf(std::string_view word, std::size_t line, std::string_view what)
 {
-    const std::optional<double> value = mesh_import::doubleFromWord(trimmed(word));
+    const std::optional<double> value = text::doubleFromWord(trimmed(word));
     if (value && std::isfinite(*value))
         return *value;
     throw Failure{line, tr(word.find(',') == word.npos ? "%1 is %2; write a number"
@@ -74,7 +74,7 @@ double numberOf(std::string_view word, std::size_t line, std::string_view what)
 
 std::uint32_t countOf(std::string_view word, std::size_t line, std::string_view what)
 {
-    const std::optional<long long> value = mesh_import::integerFromWord(trimmed(word));
+    const std::optional<long long> value = text::integerFromWord(trimmed(word));
     if (value && *value >= 0 && *value <= std::numeric_limits<std::uint32_t>::max())
         return static_cast<std::uint32_t>(*value);
     throw Failure{line, tr("%1 is %2; write a whole number, 0 or more", tr(what), quoted(word))};

@@ -1,8 +1,8 @@
 // .nts and .dta of NTSYS: a matrix, a row a specimen, or without labels a row a landmark of one specimen.
 
 #include "core/landmark_files/lines.h"
-#include "core/mesh_import/text_scanner.h"
 #include "core/text/number_text.h"
+#include "core/text/text_scanner.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ Parameters parametersOf(std::string_view line, std::size_t number)
     const std::size_t key = upper.find("DIM");
     const std::size_t equals = key == upper.npos ? key : upper.find('=', key);
     if (equals == upper.npos)
-        throw Failure{number, tr("%1 does not say DIM=3; this is no matrix of landmarks", mesh_import::quoted(line))};
+        throw Failure{number, tr("%1 does not say DIM=3; this is no matrix of landmarks", text::quoted(line))};
     const std::string_view behind = trimmed(std::string_view(upper).substr(equals + 1));
     const std::size_t end = std::min(behind.find_first_of(" \t"), behind.size());
     Parameters parameters;
@@ -60,7 +60,7 @@ Parameters parametersOf(std::string_view line, std::size_t number)
     std::vector<std::string_view> words = wordsOf(rest);
     if (words.size() < 3 || words.front() != "1")
         throw Failure{number, tr("%1 is no line of parameters; a matrix of landmarks begins with one like %2",
-                                 mesh_import::quoted(line), "1 12L 63 1 9999 DIM=3")};
+                                 text::quoted(line), "1 12L 63 1 9999 DIM=3")};
     parameters.rowLabels = takeLetter(words[1], "LBE");
     parameters.hasColumnLabels = takeLetter(words[2], "LBE") != 0;
     parameters.rows = countOf(words[1], number, marked("the number of rows"));
@@ -206,7 +206,7 @@ ReadLandmarks readNts(std::string_view text)
     if (const auto word = words.next())
         throw Failure{words.line(), tr("%1 stands behind the matrix; write the right numbers of rows and columns into "
                                        "the parameters",
-                                       mesh_import::quoted(*word))};
+                                       text::quoted(*word))};
     if (axes == 2)
         notes.add(LandmarkNote::Kind::FlatPoints, std::size_t{parameters.rows} * (parameters.columns / 2));
     if (read.sets.empty())

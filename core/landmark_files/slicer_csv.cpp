@@ -1,10 +1,10 @@
 // .fcsv of 3D Slicer: comments that say version and axes, then id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID.
 
 #include "core/landmark_files/lines.h"
-#include "core/mesh_import/text_scanner.h"
 #include "core/scene_file/json_text.h"
 #include "core/text/csv.h"
 #include "core/text/number_text.h"
+#include "core/text/text_scanner.h"
 #include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
@@ -67,7 +67,7 @@ std::size_t columnCount(std::string_view names, bool hasVersion, std::size_t lin
         return (lowerCase(columns) + ',').starts_with(list + ',');
     };
     if (!begins(kColumns) && (hasVersion || !begins(kOldColumns)))
-        throw Failure{line, tr("the columns are %1; put them in the order %2", mesh_import::quoted(names), kColumns)};
+        throw Failure{line, tr("the columns are %1; put them in the order %2", text::quoted(names), kColumns)};
     return static_cast<std::size_t>(std::count(list.begin(), list.end(), ',')) + 1;
 }
 
@@ -77,7 +77,7 @@ Axes axesOf(std::string_view word, std::size_t line)
         return Axes::Lps;
     if (word == "RAS" || word == "0")
         return Axes::Ras;
-    throw Failure{line, tr("the coordinate system is %1; it must be LPS or RAS (1 or 0)", mesh_import::quoted(word))};
+    throw Failure{line, tr("the coordinate system is %1; it must be LPS or RAS (1 or 0)", text::quoted(word))};
 }
 
 bool flagOf(const CsvCell &cell, bool usual, std::size_t line, const char *what)
@@ -87,7 +87,7 @@ bool flagOf(const CsvCell &cell, bool usual, std::size_t line, const char *what)
     if (cell.text == "0" || cell.text == "1")
         return cell.text == "1";
     throw Failure{line, tr("%1 is %2; it must be 0 or 1. Is there a comma in a label that is not in quotes?", tr(what),
-                           mesh_import::quoted(cell.text))};
+                           text::quoted(cell.text))};
 }
 
 /// Nothing where the row says NA.
@@ -188,7 +188,7 @@ bool hasPlace(std::string_view source, char separator)
     for (std::size_t i = X; i <= Z; ++i)
         mark.see(cells[i].text);
     return std::all_of(cells.begin() + X, cells.begin() + Z + 1, [&mark](const CsvCell &cell) {
-        return cell.text.empty() || isMissingWord(cell.text) || mesh_import::doubleFromWord(mark.withPoint(cell.text));
+        return cell.text.empty() || isMissingWord(cell.text) || text::doubleFromWord(mark.withPoint(cell.text));
     });
 }
 
@@ -248,7 +248,7 @@ ReadLandmarks readSlicerCsv(std::string_view text)
                 if ((said || !set.landmarks.empty()) && axes != set.axes)
                     throw Failure{row.line, tr("the coordinate system is %1 here and another one before; keep one such "
                                                "line, before the points",
-                                               mesh_import::quoted(*system))};
+                                               text::quoted(*system))};
                 said = set.axes = axes;
             } else if (valueOf(*comment, "Markups fiducial file version"))
                 hasVersion = true;
@@ -275,7 +275,7 @@ ReadLandmarks readSlicerCsv(std::string_view text)
                                           "associatedNodeID, with labels that have commas in quotes"
                                         : "%1 is no point; without a line \"# Markups fiducial file version = "
                                           "5.8\" points are label,x,y,z,sel,vis",
-                             mesh_import::quoted(trimmed(row.source)))};
+                             text::quoted(trimmed(row.source)))};
         for (std::size_t place = 0; place < row.cells.size(); ++place) {
             if (row.cells[place].hadBlanks && (hasVersion ? place == Label || place == Description : place == 0))
                 notes.add(LandmarkNote::Kind::BlanksLeftOut);

@@ -2,7 +2,7 @@
 
 #include "core/geometry/finite.h"
 #include "core/landmark_files/lines.h"
-#include "core/mesh_import/text_scanner.h"
+#include "core/text/text_scanner.h"
 #include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
@@ -36,7 +36,7 @@ std::optional<KeyValue> keyValueOf(std::string_view line)
 bool isMinusOnes(const std::vector<std::string_view> &words)
 {
     return std::all_of(words.begin(), words.end(), [](std::string_view word) {
-        return mesh_import::doubleFromWord(word) == -1.0 && word.find_first_of("eE") == word.npos;
+        return text::doubleFromWord(word) == -1.0 && word.find_first_of("eE") == word.npos;
     });
 }
 
@@ -66,7 +66,7 @@ std::vector<std::string_view> rowOf(Lines &lines, std::size_t size, const std::s
     if (words.size() != size || keyValueOf(lines.text()))
         throw Failure{lines.number(),
                       tr("%1 is no row of %2 numbers, which %3 announces; write the right number of points there",
-                         mesh_import::quoted(lines.text()), size, announced)};
+                         text::quoted(lines.text()), size, announced)};
     return words;
 }
 
@@ -99,7 +99,7 @@ ReadLandmarks readTps(std::string_view text)
         if (!entry)
             throw Failure{lines.number(), tr("%1 belongs to nothing; rows of numbers stand behind LM3= or LM= and "
                                              "their number, as many as it says",
-                                             mesh_import::quoted(lines.text()))};
+                                             text::quoted(lines.text()))};
         const std::string announced = tr("line %1", lines.number());
         const auto &[key, value] = *entry;
         if (key == "LM3" || key == "LM") {
@@ -120,8 +120,8 @@ ReadLandmarks readTps(std::string_view text)
             continue;
         }
         if (read.sets.empty())
-            throw Failure{lines.number(), tr("before %1 there must be points: LM3= and their number",
-                                             mesh_import::quoted(lines.text()))};
+            throw Failure{lines.number(),
+                          tr("before %1 there must be points: LM3= and their number", text::quoted(lines.text()))};
         LandmarkSet &set = read.sets.back();
         const bool isRepeated = key.starts_with("POINTS") || key.starts_with("CURVES");
         if (!isRepeated && !keys.insert(key).second)
@@ -162,7 +162,7 @@ ReadLandmarks readTps(std::string_view text)
                 const std::vector<std::string_view> words = wordsOf(lines.text());
                 if (words.size() != 2 && words.size() != 3)
                     throw Failure{lines.number(), tr("%1 is no point of a curve; write two or three numbers",
-                                                     mesh_import::quoted(lines.text()))};
+                                                     text::quoted(lines.text()))};
                 const Landmark place = landmarkOf(words, lines.number());
                 if (place.isMissing() || (words.size() == 2 && isMinusOnes(words)))
                     throw Failure{lines.number(),

@@ -1,9 +1,9 @@
 #include "core/lessons/lesson.h"
 
+#include "core/examples/examples.h"
 #include "core/geometry/drawable.h"
 #include "core/lessons/highlights.h"
 #include "core/lessons/set_link.h"
-#include "core/scene/examples.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_fields.h"
 #include "core/scene_file/strict_json.h"
@@ -122,9 +122,9 @@ StepPoint readPoint(LessonReader &reader, const JsonNode &node)
 /// The scene document of one of the program's own.
 std::optional<Json> bundledDocument(const std::string &name)
 {
-    const std::vector<scene::Example> all = scene::examples();
+    const std::vector<examples::Example> all = examples::examples();
     const auto found =
-        std::find_if(all.begin(), all.end(), [&name](const scene::Example &example) { return example.id == name; });
+        std::find_if(all.begin(), all.end(), [&name](const examples::Example &example) { return example.id == name; });
     if (found == all.end())
         return std::nullopt;
     constexpr Surface kSurface{800, 600, 1.0};

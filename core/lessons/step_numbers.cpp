@@ -1,10 +1,10 @@
 #include "core/lessons/step_numbers.h"
 
+#include "core/examples/bundled_models.h"
 #include "core/lessons/statements.h"
 #include "core/matrices/matrix_factors.h"
 #include "core/matrices/pipeline.h"
 #include "core/ray/mesh_depth.h"
-#include "core/scene/bundled_models.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 #include "core/text/error_text.h"
@@ -297,7 +297,7 @@ std::optional<DevicePixel> StepNumbers::pixelOf(const std::string &point) const
 Result<LessonNumbers, LessonError> LessonNumbers::of(const Lesson &lesson, const Surface &surface)
 {
     LessonNumbers numbers;
-    const auto &models = bundledModels();
+    const auto &models = examples::bundledModels();
     for (const Step &step : lesson.steps) {
         const std::string where = lesson.name + ".json: " + step.id;
         const Result<Scene, LessonError> scene = sceneOf(step, models);

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "core/landmarks/landmark.h"
+#include "core/mesh/mesh.h"
 #include "core/ray/box_tree.h"
 #include "core/ray/element_numbers.h"
 #include "core/ray/unit_space.h"
-#include "core/scene/mesh.h"
 
 #include <array>
 #include <memory>

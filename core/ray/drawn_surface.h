@@ -5,6 +5,7 @@
 #include "core/unproject/depth_error.h"
 
 namespace unprojector::ray {
+using namespace scene;
 
 /// What is known of the surface under a pixel when nothing but the object has been read: the space of its vertices. Where
 /// its meshes have different origins, that of the mesh whose origin is nearest to the point.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/mesh.h"
+#include "core/mesh/mesh.h"
 
 #include <algorithm>
 #include <cassert>
@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace unprojector::ray {
-using namespace scene;
+using namespace mesh;
 
 /// Triangles (or vertices, or points) of all meshes of a model, counted through from 0: those of the first mesh, then those
 /// of the next.

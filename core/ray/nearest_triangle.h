@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/mesh/mesh.h"
 #include "core/ray/ray.h"
 #include "core/ray/triangle_crossing.h"
-#include "core/scene/mesh.h"
 
 #include <glm/vec3.hpp>
 
@@ -11,7 +11,7 @@
 #include <optional>
 
 namespace unprojector::ray {
-using namespace scene;
+using namespace mesh;
 
 /// A triangle of a model that a ray meets.
 struct TriangleHit {

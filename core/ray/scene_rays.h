@@ -11,6 +11,7 @@
 #include <vector>
 
 namespace unprojector::ray {
+using namespace scene;
 
 /// What a click takes.
 enum class Snap {

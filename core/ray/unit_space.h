@@ -1,14 +1,14 @@
 #pragma once
 
+#include "core/mesh/mesh.h"
 #include "core/ray/ray.h"
-#include "core/scene/mesh.h"
 
 #include <glm/vec3.hpp>
 
 #include <optional>
 
 namespace unprojector::ray {
-using namespace scene;
+using namespace mesh;
 
 /// A ray in unit space, in single precision.
 struct UnitRay {

@@ -1,7 +1,7 @@
 #include "core/scene/measures.h"
 
 #include "core/geometry/double_double.h"
-#include "core/scene/soup_numbers.h"
+#include "core/mesh/soup_numbers.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -6,7 +6,7 @@
 #include "core/geometry/picture.h"
 #include "core/geometry/transform.h"
 #include "core/landmarks/landmark.h"
-#include "core/scene/mesh.h"
+#include "core/mesh/mesh.h"
 
 #include <filesystem>
 #include <memory>
@@ -15,6 +15,7 @@
 #include <vector>
 
 namespace unprojector::scene {
+using namespace mesh;
 using namespace geometry;
 
 /// One model placed in the world.

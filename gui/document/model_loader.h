@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh_import/mesh_import.h"
+#include "core/mesh/import/mesh_import.h"
 #include "gui/document/background.h"
 
 #include <QObject>
@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace mesh_import;
+using namespace mesh;
 
 class ModelStore;
 
@@ -40,7 +40,7 @@ signals:
     void progressed(const QString &fileName, double share);
     /// Those files that could be opened, in the order asked for, and why the others could not.
     void finished(const std::vector<unprojector::gui::LoadedModel> &models,
-                  const std::vector<unprojector::mesh_import::ImportError> &errors);
+                  const std::vector<unprojector::mesh::ImportError> &errors);
     /// None of the files could be opened, and why.
     void jobFailed(const unprojector::gui::JobFailure &failure);
     void cancelled();

@@ -1,6 +1,6 @@
 #include "gui/document/model_store.h"
 
-#include "core/scene/stand_in.h"
+#include "core/mesh/stand_in.h"
 
 #include <algorithm>
 #include <system_error>

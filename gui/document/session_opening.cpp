@@ -1,8 +1,8 @@
 // What a session opens: models, scenes, the bundled one, the lessons' steps.
 
+#include "core/examples/bundled_models.h"
+#include "core/examples/bundled_scene.h"
 #include "core/files/path_text.h"
-#include "core/scene/bundled_models.h"
-#include "core/scene/bundled_scene.h"
 #include "core/scene_file/scene_error_text.h"
 #include "gui/document/landmark_objects.h"
 #include "gui/document/point_files.h"
@@ -99,7 +99,8 @@ void Session::openBundledScene()
     if (!mayLeave())
         return;
     emit progressed();
-    m_document.setObjects(bundledScene(), {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
+    m_document.setObjects(examples::bundledScene(),
+                          {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
     setScene({QString(), 0, true});
 }
 
@@ -268,7 +269,7 @@ QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &mode
     for (const LoadedModel &loaded : models)
         read.emplace(loaded.file, loaded.model);
     const std::map<std::string, ModelPointer> bundled =
-        hasBundledModels(pending.contents) ? bundledModels() : std::map<std::string, ModelPointer>();
+        hasBundledModels(pending.contents) ? examples::bundledModels() : std::map<std::string, ModelPointer>();
     std::vector<ModelPointer> inOrder;
     for (const SceneFileObject &object : pending.contents.objects) {
         if (object.bundled.empty()) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/scene/mesh.h"
+#include "core/mesh/mesh.h"
 
 #include <functional>
 
 namespace unprojector::gui {
-using namespace scene;
+using namespace mesh;
 
 /// A texture is at most so wide and so high, in pixels; a larger one is scaled down.
 constexpr int kMostTexturePixels = 8192;

@@ -1,8 +1,8 @@
 #include "gui/lessons/lesson_player.h"
 
+#include "core/examples/bundled_models.h"
 #include "core/lessons/set_link.h"
 #include "core/lessons/step_numbers.h"
-#include "core/scene/bundled_models.h"
 #include "gui/document/scene_document.h"
 #include "gui/lessons/lesson_text.h"
 #include "gui/text/error_text.h"
@@ -123,7 +123,7 @@ bool LessonPlayer::show(const Lesson &lesson, std::size_t place)
 
 bool LessonPlayer::open(const Lesson &lesson, const lessons::Step &step)
 {
-    auto scene = lessons::sceneOf(step, bundledModels());
+    auto scene = lessons::sceneOf(step, examples::bundledModels());
     if (!scene) {
         emit failed(QString::fromStdString(scene.error().text));
         return false;

@@ -1,7 +1,7 @@
 #include "gui/shell/scene_files.h"
 
 #include "core/files/replace_file.h"
-#include "core/mesh_import/named_files.h"
+#include "core/mesh/import/named_files.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
 #include "gui/text/error_text.h"
@@ -28,7 +28,7 @@ bool isOfAny(const std::vector<scene::SceneObject> &objects, const std::filesyst
     for (const scene::SceneObject &object : objects) {
         models.insert(object.file);
         read.insert(object.model->otherFiles.begin(), object.model->otherFiles.end());
-        for (const scene::Texture &texture : object.model->textures)
+        for (const mesh::Texture &texture : object.model->textures)
             read.insert(texture.file);
     }
     const auto isIt = [&file](const std::filesystem::path &other) { return files::isSameFile(other, file); };
@@ -38,9 +38,8 @@ bool isOfAny(const std::vector<scene::SceneObject> &objects, const std::filesyst
     // The models are read for the names in them only where one of these could be lost.
     std::error_code error;
     return std::filesystem::is_regular_file(file, error)
-           && std::any_of(models.begin(), models.end(), [&isAmong](const std::filesystem::path &model) {
-                  return isAmong(mesh_import::namedFiles(model));
-              });
+           && std::any_of(models.begin(), models.end(),
+                          [&isAmong](const std::filesystem::path &model) { return isAmong(mesh::namedFiles(model)); });
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/result.h"
-#include "core/mesh_import/mesh_import.h"
+#include "core/mesh/import/mesh_import.h"
 #include "core/scene_file/scene_file_error.h"
 #include "core/text/expression.h"
 
@@ -9,7 +9,7 @@
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace mesh_import;
+using namespace mesh;
 
 /// The window's wording of what core reports: names the value and says what to do.
 QString errorText(const Error &error);

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "core/landmark_files/landmark_file.h"
-#include "core/scene/mesh.h"
+#include "core/mesh/mesh.h"
 
 #include <QString>
 
 #include <vector>
 
 namespace unprojector::gui {
-using namespace scene;
+using namespace mesh;
 
 /// The window's wording of what a model does not show as its file has it: a sentence.
 QString noteText(const ModelNote &note);

@@ -1,7 +1,7 @@
 // How well the certainty that a click states holds: random clicks on models, as OpenGL draws them here, against where the exact
 // ray of each pixel's centre meets the mesh:
 //   bench_certainty [clicks] [model …], 100000 in all without any, on meshes of its own
-#include "core/mesh_import/mesh_import.h"
+#include "core/mesh/import/mesh_import.h"
 #include "tests/gui/drawn_clicks.h"
 #include "tests/support/cube_sphere.h"
 
@@ -35,9 +35,9 @@ int main(int argc, char **argv)
     const QGuiApplication application(argc, argv);
     drawnclicks::Stage stage;
     const int clicks = argc > 1 ? std::max(1, std::atoi(argv[1])) : 100'000;
-    std::vector<std::shared_ptr<scene::Model>> models;
+    std::vector<std::shared_ptr<mesh::Model>> models;
     for (int i = 2; i < argc; ++i) {
-        if (const auto model = mesh_import::importModel(argv[i], {}))
+        if (const auto model = mesh::importModel(argv[i], {}))
             models.push_back(*model);
         else
             std::fprintf(stderr, "%s cannot be read.\n", argv[i]);

@@ -3,7 +3,7 @@
 //
 //   make_models models 913 && bench_loading models/*
 
-#include "core/mesh_import/mesh_import.h"
+#include "core/mesh/import/mesh_import.h"
 
 #include <algorithm>
 #include <chrono>
@@ -69,7 +69,7 @@ int main(int argumentCount, char **arguments)
             const Stopwatch watch;
             double last = 0.0;
             double silence = 0.0;
-            const auto result = mesh_import::importModel(file, [&](double) {
+            const auto result = mesh::importModel(file, [&](double) {
                 const double now = watch.seconds();
                 silence = std::max(silence, now - last);
                 last = now;

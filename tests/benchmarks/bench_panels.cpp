@@ -1,8 +1,8 @@
 // What the panels cost on the processor when the mouse moves: all of them shown, their update and their painting. The
 // limit is 1 ms a move, together; `of_limit` is the share of it.
 
+#include "core/examples/bundled_scene.h"
 #include "core/geometry/camera_motion.h"
-#include "core/scene/bundled_scene.h"
 #include "gui/click/comparison_panel.h"
 #include "gui/document/scene_document.h"
 #include "gui/parameters/parameters_panel.h"
@@ -33,7 +33,7 @@ struct Panels {
     Panels()
     {
         document.setSurface(surfaceFromWidget(600, 516, 1.0));
-        document.setObjects(bundledScene());
+        document.setObjects(examples::bundledScene());
         document.pickAt(WidgetPoint(300.0, 250.0), {0.5, 0, 24});
         comparison.resize(440, 700);
         parameters.resize(240, 700);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mesh_import/mesh_import.h"
-#include "core/mesh_import/note_text.h"
+#include "core/mesh/import/mesh_import.h"
+#include "core/mesh/import/note_text.h"
 #include "model_files.h"
 
 #include <QTest>
@@ -29,7 +29,7 @@ public:
     }
     auto imported(const QString &name, const QByteArray &content) const
     {
-        return unprojector::mesh_import::importModel(write(name, content), {});
+        return unprojector::mesh::importModel(write(name, content), {});
     }
     std::filesystem::path path() const { return pathOf(m_folder.path()); }
 
@@ -38,16 +38,16 @@ private:
 };
 
 /// The model's notes as commands print them.
-inline QByteArray notesOf(const unprojector::scene::Model &model)
+inline QByteArray notesOf(const unprojector::mesh::Model &model)
 {
     QByteArrayList texts;
-    for (const unprojector::scene::ModelNote &note : model.notes)
-        texts.append(QByteArray::fromStdString(unprojector::mesh_import::noteText(note)));
+    for (const unprojector::mesh::ModelNote &note : model.notes)
+        texts.append(QByteArray::fromStdString(unprojector::mesh::noteText(note)));
     return texts.join("; ");
 }
 
 /// The triangles' area in object space.
-inline double areaOf(const unprojector::scene::Mesh &mesh)
+inline double areaOf(const unprojector::mesh::Mesh &mesh)
 {
     double area = 0.0;
     for (std::size_t i = 0; i < 3 * mesh.triangleCount(); i += 3) {
@@ -89,7 +89,7 @@ inline QByteArray surveyWords(int i)
 }
 
 /// Whether all corners of the grid's triangles are where the file has them, in its order.
-inline bool hasSurveyDetail(const unprojector::scene::Mesh &mesh, double tolerance = 1e-5)
+inline bool hasSurveyDetail(const unprojector::mesh::Mesh &mesh, double tolerance = 1e-5)
 {
     const auto triangles = surveyTriangles();
     if (mesh.triangleCount() != triangles.size())
@@ -105,7 +105,7 @@ inline bool hasSurveyDetail(const unprojector::scene::Mesh &mesh, double toleran
 
 } // namespace model_files
 
-Q_DECLARE_METATYPE(unprojector::mesh_import::ImportErrorCode)
+Q_DECLARE_METATYPE(unprojector::mesh::ImportErrorCode)
 
 #define REQUIRE_MODEL(result) QVERIFY2((result).hasValue(), (result).hasValue() ? "" : (result).error().detail.c_str())
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/mesh.h"
+#include "core/mesh/mesh.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/epsilon.hpp>
@@ -17,7 +17,7 @@ namespace mesh_measures {
 
 using namespace unprojector;
 using namespace unprojector::geometry;
-using namespace unprojector::scene;
+using namespace unprojector::mesh;
 
 using Place = std::tuple<float, float, float>;
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/examples/examples.h"
 #include "core/geometry/picture.h"
 #include "core/matrices/pipeline.h"
 #include "core/ray/scene_rays.h"
-#include "core/scene/examples.h"
 #include "tests/support/mesh_model.h"
 #include "tests/support/unprojecting.h"
 
@@ -34,8 +34,8 @@ constexpr double kRightAngle = std::numbers::pi / 2.0;
 
 inline const Scene &exampleScene(const char *id)
 {
-    static const std::vector<scene::Example> all = scene::examples();
-    const auto found = std::find_if(all.begin(), all.end(), [id](const scene::Example &e) { return e.id == id; });
+    static const std::vector<examples::Example> all = examples::examples();
+    const auto found = std::find_if(all.begin(), all.end(), [id](const examples::Example &e) { return e.id == id; });
     if (found == all.end())
         qFatal("There is no example %s.", id);
     return found->scene;
@@ -73,7 +73,7 @@ inline std::optional<ray::SceneHit> hitOn(const std::vector<glm::vec3> &corners,
                                           const std::vector<TransformStep> &transform, const Picture &picture,
                                           const DevicePoint &position, const std::vector<glm::dvec4> &clipPlanes = {})
 {
-    scene::Mesh mesh;
+    mesh::Mesh mesh;
     mesh.positions = corners;
     mesh.indices = {0, 1, 2, 0, 2, 3};
     const std::array objects{SceneObject{"quadrilateral", {}, modelOf(std::move(mesh)), transform}};

@@ -344,7 +344,7 @@ void TestBadInput::anObjectOutOfReachIsRefused()
     QFETCH(TransformStep, step);
     QFETCH(std::optional<ErrorCode>, code);
     QFETCH(double, value);
-    const auto model = std::make_shared<scene::Model>();
+    const auto model = std::make_shared<mesh::Model>();
     model->bounds = {glm::dvec3(-1.0), glm::dvec3(1.0)};
     const Check reached = scene::reachable({"object", {}, model, {step}});
     QCOMPARE(reached.hasValue(), !code);

@@ -1,6 +1,6 @@
-#include "core/scene/bundled_scene.h"
-#include "core/scene/solids.h"
-#include "core/scene/utah_teapot.h"
+#include "core/examples/bundled_scene.h"
+#include "core/examples/solids.h"
+#include "core/examples/utah_teapot.h"
 
 #include "mesh_measures.h"
 
@@ -21,6 +21,7 @@
 #include <tuple>
 
 using namespace mesh_measures;
+using namespace unprojector::scene;
 
 namespace {
 
@@ -78,43 +79,48 @@ void addShapes()
 {
     constexpr double kPi = std::numbers::pi;
     QTest::addColumn<Shape>("shape");
-    QTest::newRow("cube") << Shape{[] { return cubeMesh(1.5); }, 12, glm::dvec3(-0.75), glm::dvec3(0.75), 3.375, 0.0};
-    QTest::newRow("torus") << Shape{[] { return torusMesh(2.0, 0.5, 96, 48); },
+    QTest::newRow("cube") << Shape{
+        [] { return examples::cubeMesh(1.5); }, 12, glm::dvec3(-0.75), glm::dvec3(0.75), 3.375, 0.0};
+    QTest::newRow("torus") << Shape{[] { return examples::torusMesh(2.0, 0.5, 96, 48); },
                                     9216,
                                     {-2.5, -2.5, -0.5},
                                     {2.5, 2.5, 0.5},
                                     2.0 * kPi * kPi * 2.0 * 0.25,
                                     kTessellationLoss};
-    QTest::newRow("coarsest-torus") << Shape{[] { return torusMesh(2.0, 0.5, 4, 4); },
+    QTest::newRow("coarsest-torus") << Shape{[] { return examples::torusMesh(2.0, 0.5, 4, 4); },
                                              32,
                                              {-2.5, -2.5, -0.5},
                                              {2.5, 2.5, 0.5},
                                              2.0 * kPi * kPi * 2.0 * 0.25,
                                              0.7};
-    QTest::newRow("sphere") << Shape{[] { return sphereMesh(1.25, 4); },
+    QTest::newRow("sphere") << Shape{[] { return examples::sphereMesh(1.25, 4); },
                                      5120,
                                      glm::dvec3(-1.25),
                                      glm::dvec3(1.25),
                                      4.0 / 3.0 * kPi * 1.25 * 1.25 * 1.25,
                                      kTessellationLoss};
-    QTest::newRow("cone") << Shape{
-        [] { return coneMesh(1.0, 3.0, 96); }, 192, {-1.0, -1.5, -1.0}, {1.0, 1.5, 1.0}, coneVolume(1.0, 3.0, 96), 0.0};
+    QTest::newRow("cone") << Shape{[] { return examples::coneMesh(1.0, 3.0, 96); },
+                                   192,
+                                   {-1.0, -1.5, -1.0},
+                                   {1.0, 1.5, 1.0},
+                                   coneVolume(1.0, 3.0, 96),
+                                   0.0};
     QTest::newRow("cone-of-four-sides") << Shape{
-        [] { return coneMesh(2.0, 3.0, 4); }, 8, {-2.0, -1.5, -2.0}, {2.0, 1.5, 2.0}, 8.0, 0.0};
+        [] { return examples::coneMesh(2.0, 3.0, 4); }, 8, {-2.0, -1.5, -2.0}, {2.0, 1.5, 2.0}, 8.0, 0.0};
 }
 
 void addMeshes()
 {
     QTest::addColumn<Mesh>("mesh");
-    QTest::newRow("cube") << cubeMesh(1.5);
-    QTest::newRow("torus") << torusMesh(2.0, 0.5, 96, 48);
-    QTest::newRow("sphere") << sphereMesh(1.25, 4);
-    QTest::newRow("icosahedron") << sphereMesh(1.0, 0);
-    QTest::newRow("cone") << coneMesh(1.0, 3.0, 96);
-    QTest::newRow("teapot") << utahTeapotMesh(kTeapotDivisions);
-    QTest::newRow("coarse-teapot") << utahTeapotMesh(8);
-    QTest::newRow("fine-teapot") << utahTeapotMesh(25);
-    for (const SceneObject &object : bundledScene())
+    QTest::newRow("cube") << examples::cubeMesh(1.5);
+    QTest::newRow("torus") << examples::torusMesh(2.0, 0.5, 96, 48);
+    QTest::newRow("sphere") << examples::sphereMesh(1.25, 4);
+    QTest::newRow("icosahedron") << examples::sphereMesh(1.0, 0);
+    QTest::newRow("cone") << examples::coneMesh(1.0, 3.0, 96);
+    QTest::newRow("teapot") << examples::utahTeapotMesh(kTeapotDivisions);
+    QTest::newRow("coarse-teapot") << examples::utahTeapotMesh(8);
+    QTest::newRow("fine-teapot") << examples::utahTeapotMesh(25);
+    for (const SceneObject &object : examples::bundledScene())
         QTest::addRow("scene: %s", object.name.c_str()) << object.model->meshes.front();
 }
 
@@ -229,7 +235,7 @@ void TestBundledScene::aSolidHoldsItsVolume()
 
 void TestBundledScene::torusVerticesLieOnTheTorus()
 {
-    const Mesh mesh = torusMesh(2.0, 0.5, 30, 14);
+    const Mesh mesh = examples::torusMesh(2.0, 0.5, 30, 14);
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         const glm::dvec3 p(mesh.positions[i]);
         const glm::dvec3 middle = 2.0 * glm::normalize(glm::dvec3(p.x, p.y, 0.0));
@@ -240,7 +246,7 @@ void TestBundledScene::torusVerticesLieOnTheTorus()
 
 void TestBundledScene::sphereVerticesLieOnTheSphere()
 {
-    const Mesh mesh = sphereMesh(1.25, 3);
+    const Mesh mesh = examples::sphereMesh(1.25, 3);
     QCOMPARE(mesh.positions.size(), std::size_t(642)); // 10 * 4^3 + 2: each vertex is shared
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         QVERIFY(std::abs(glm::length(glm::dvec3(mesh.positions[i])) - 1.25) < kFloatTolerance);
@@ -250,11 +256,11 @@ void TestBundledScene::sphereVerticesLieOnTheSphere()
 
 void TestBundledScene::cubeFacesComeInOrderAndAreFlat()
 {
-    const Mesh mesh = cubeMesh(2.0);
+    const Mesh mesh = examples::cubeMesh(2.0);
     const std::array<glm::dvec3, 6> outward{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
-    QCOMPARE(mesh.positions.size(), 6 * kVerticesPerCubeFace);
+    QCOMPARE(mesh.positions.size(), 6 * examples::kVerticesPerCubeFace);
     for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
-        const glm::dvec3 normal = outward[vertex / kVerticesPerCubeFace];
+        const glm::dvec3 normal = outward[vertex / examples::kVerticesPerCubeFace];
         QVERIFY(isNear(glm::dvec3(mesh.normals[vertex]), normal));
         QCOMPARE(glm::dot(glm::dvec3(mesh.positions[vertex]), normal), 1.0);
     }
@@ -263,7 +269,7 @@ void TestBundledScene::cubeFacesComeInOrderAndAreFlat()
 void TestBundledScene::objectsAreNamedApart()
 {
     std::set<std::string> names;
-    for (const SceneObject &object : bundledScene()) {
+    for (const SceneObject &object : examples::bundledScene()) {
         QVERIFY(!object.name.empty());
         QCOMPARE(object.model->name, object.name);
         names.insert(object.name);
@@ -273,7 +279,7 @@ void TestBundledScene::objectsAreNamedApart()
 
 void TestBundledScene::objectsHaveTheirBounds()
 {
-    for (const SceneObject &object : bundledScene()) {
+    for (const SceneObject &object : examples::bundledScene()) {
         const Box bounds = boundsOf(object.model->meshes);
         QCOMPARE(object.model->bounds.lowest, bounds.lowest);
         QCOMPARE(object.model->bounds.highest, bounds.highest);
@@ -284,7 +290,7 @@ void TestBundledScene::objectsHaveTheirBounds()
 
 void TestBundledScene::objectsStandOnTheGround()
 {
-    for (const SceneObject &object : bundledScene()) {
+    for (const SceneObject &object : examples::bundledScene()) {
         double lowest = 1.0;
         for (const glm::vec3 &position : object.model->meshes.front().positions)
             lowest = std::min(lowest, worldPosition(object, position).y);
@@ -294,7 +300,7 @@ void TestBundledScene::objectsStandOnTheGround()
 
 void TestBundledScene::objectsAreOnlyTurnedScaledAndMoved()
 {
-    for (const SceneObject &object : bundledScene()) {
+    for (const SceneObject &object : examples::bundledScene()) {
         const glm::dmat3 linear(worldFromObject(object.transform));
         const double scale = std::cbrt(glm::determinant(linear));
         QVERIFY(scale > 0.0);
@@ -308,7 +314,7 @@ void TestBundledScene::objectsAreOnlyTurnedScaledAndMoved()
 
 void TestBundledScene::coloursAreGivenOnce()
 {
-    for (const SceneObject &object : bundledScene()) {
+    for (const SceneObject &object : examples::bundledScene()) {
         const Mesh &mesh = object.model->meshes.front();
         QCOMPARE(mesh.texture, -1);
         QCOMPARE(mesh.baseColor == glm::vec4(1.0f), !mesh.colors.empty());
@@ -320,12 +326,12 @@ void TestBundledScene::coloursAreGivenOnce()
 
 void TestBundledScene::cubeFacesHaveSixColours()
 {
-    const std::vector<SceneObject> scene = bundledScene();
+    const std::vector<SceneObject> scene = examples::bundledScene();
     const Mesh &mesh = scene.at(1).model->meshes.front();
     std::set<std::tuple<int, int, int>> colors;
     for (std::size_t vertex = 0; vertex < mesh.colors.size(); ++vertex) {
         const glm::u8vec4 &color = mesh.colors[vertex];
-        QVERIFY(color == mesh.colors[vertex / kVerticesPerCubeFace * kVerticesPerCubeFace]);
+        QVERIFY(color == mesh.colors[vertex / examples::kVerticesPerCubeFace * examples::kVerticesPerCubeFace]);
         colors.insert({color.r, color.g, color.b});
     }
     QCOMPARE(colors.size(), std::size_t(6));
@@ -345,7 +351,7 @@ glm::dmat4 eyeFromWorld()
 void TestBundledScene::depthsDiffer()
 {
     std::vector<double> distances;
-    for (const SceneObject &object : bundledScene()) {
+    for (const SceneObject &object : examples::bundledScene()) {
         const glm::dvec3 center = object.model->bounds.transformed(worldFromObject(object.transform)).center();
         distances.push_back(-(eyeFromWorld() * glm::dvec4(center, 1.0)).z);
     }
@@ -357,7 +363,7 @@ void TestBundledScene::depthsDiffer()
 void TestBundledScene::allIsInViewAndNothingHidesAnother()
 {
     const glm::dmat4 clipFromWorld = glm::perspective(std::numbers::pi / 4.0, 1.3, 0.1, 100.0) * eyeFromWorld();
-    const std::vector<SceneObject> scene = bundledScene();
+    const std::vector<SceneObject> scene = examples::bundledScene();
     for (const SceneObject &seen : scene) {
         const std::vector<glm::vec3> &positions = seen.model->meshes.front().positions;
         const std::size_t step = std::max<std::size_t>(1, positions.size() / 150);

@@ -237,7 +237,7 @@ void TestDoctorVerdicts::aVertexHasToBeAlone()
 
 void TestDoctorVerdicts::theVerticesInABoxAreFound()
 {
-    scene::Mesh mesh;
+    mesh::Mesh mesh;
     mesh.origin = {1000, 0, 0};
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
     mesh.indices = {0, 1, 2, 1, 3, 2};

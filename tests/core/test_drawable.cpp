@@ -1,6 +1,6 @@
 // What OpenGL takes of a picture: the same numbers in integers and floats, or a refusal that names the value.
+#include "core/examples/bundled_scene.h"
 #include "core/geometry/drawable.h"
-#include "core/scene/bundled_scene.h"
 #include "core/scene/scene.h"
 
 #include <QTest>
@@ -96,7 +96,7 @@ void TestDrawable::whatOpenGlWouldChangeIsRefused()
 void TestDrawable::aScenesPictureIsTheOneDrawn()
 {
     Scene scene;
-    scene.objects = bundledScene();
+    scene.objects = examples::bundledScene();
     scene.projection = Frustum{-1, 1, -0.75, 0.75, 1, 100};
     scene.depthRange = {0.0, 0.65};
     const Result<Picture> picture = pictureOf(scene, {800, 600, 1.0}, {});

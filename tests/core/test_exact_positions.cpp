@@ -16,7 +16,8 @@
 #include <vector>
 
 using namespace unprojector;
-using namespace unprojector::mesh_import;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
 using namespace model_files;
 
 Q_DECLARE_METATYPE(glm::dvec3)

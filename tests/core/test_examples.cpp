@@ -1,8 +1,8 @@
 // The tutorials' examples as scenes: what is seen in them, in windows of every size, and what their notes say. The numbers
 // that the tutorials print are in test_source_numbers.
 
+#include "core/examples/examples.h"
 #include "core/matrices/pipeline.h"
-#include "core/scene/examples.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 #include "core/unproject/unprojector.h"
@@ -31,10 +31,10 @@ constexpr double kCorner = 1e-5;
 const Surface kSurfaces[] = {{50, 50, 1.0},    {300, 300, 1.0},  {800, 600, 1.0},
                              {1280, 720, 1.0}, {600, 1000, 2.0}, {1333, 900, 1.25}};
 
-const Example &example(const char *id)
+const examples::Example &example(const char *id)
 {
-    static const std::vector<Example> all = examples();
-    const auto found = std::find_if(all.begin(), all.end(), [id](const Example &e) { return e.id == id; });
+    static const std::vector<examples::Example> all = examples::examples();
+    const auto found = std::find_if(all.begin(), all.end(), [id](const examples::Example &e) { return e.id == id; });
     if (found == all.end())
         qFatal("There is no example %s.", id);
     return *found;
@@ -99,13 +99,13 @@ private slots:
 void TestExamples::idsAreUnique()
 {
     std::set<std::string> ids;
-    for (const Example &e : examples())
+    for (const examples::Example &e : examples::examples())
         QVERIFY2(ids.insert(e.id).second, e.id.c_str());
 }
 
 void TestExamples::everyExampleCanBeWrittenAndRead()
 {
-    for (const Example &e : examples()) {
+    for (const examples::Example &e : examples::examples()) {
         const Result<Picture> picture = pictureOf(e.scene, {800, 600, 1.0}, {});
         const auto text = scene_file::sceneText(scene_file::sceneFileFrom(e.scene, *picture, {}));
         QVERIFY2(text, e.id.c_str());
@@ -121,7 +121,7 @@ void TestExamples::everyExampleIsSeen_data()
 {
     QTest::addColumn<int>("index");
     QTest::addColumn<int>("surface");
-    const std::vector<Example> all = examples();
+    const std::vector<examples::Example> all = examples::examples();
     for (int index = 0; index < int(all.size()); ++index) {
         int number = 0;
         for (const Surface &s : kSurfaces)
@@ -134,7 +134,7 @@ void TestExamples::everyExampleIsSeen()
 {
     QFETCH(int, index);
     QFETCH(int, surface);
-    const Example e = examples().at(std::size_t(index));
+    const examples::Example e = examples::examples().at(std::size_t(index));
     QVERIFY(check(e.scene));
     const Result<Picture> geometry = pictureOf(e.scene, kSurfaces[surface], {});
     QVERIFY(geometry);

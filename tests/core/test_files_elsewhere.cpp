@@ -7,7 +7,7 @@
 #include <filesystem>
 
 using namespace unprojector;
-using namespace unprojector::mesh_import;
+using namespace unprojector::mesh;
 using namespace model_files;
 
 class TestFilesElsewhere : public QObject {

@@ -183,8 +183,8 @@ void TestFraming::aModelIsFramedByItsTriangles()
     QFETCH(int, count);
     QFETCH(bool, isSoup);
     const std::vector<WorldPoint> points = woundUp({1.0, 2.0, 3.0}, {1.0, 2.0, 0.5}, count, isSoup);
-    auto model = std::make_shared<scene::Model>();
-    scene::Mesh &mesh = model->meshes.emplace_back();
+    auto model = std::make_shared<mesh::Model>();
+    mesh::Mesh &mesh = model->meshes.emplace_back();
     for (const WorldPoint &point : points) {
         if (!isSoup && mesh.positions.size() % 500 == 2)
             mesh.positions.emplace_back(1000.0f, 0.0f, 0.0f); // of no triangle

@@ -18,8 +18,7 @@
 
 using namespace unprojector;
 using namespace unprojector::geometry;
-using namespace unprojector::mesh_import;
-using namespace unprojector::scene;
+using namespace unprojector::mesh;
 using namespace model_files;
 
 namespace {

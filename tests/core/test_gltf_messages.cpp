@@ -1,7 +1,7 @@
 // glTF and GLB: what is refused, and what is said about the rest.
 
-#include "core/mesh_import/draco_mesh.h"
-#include "core/mesh_import/meshopt_view.h"
+#include "core/mesh/import/draco_mesh.h"
+#include "core/mesh/import/meshopt_view.h"
 #include "gltf_builder.h"
 
 #include <QTest>
@@ -11,9 +11,9 @@
 
 using namespace unprojector;
 using namespace unprojector::geometry;
-using namespace unprojector::mesh_import;
-using namespace unprojector::mesh_import::mesh_reader;
-using namespace unprojector::scene;
+using namespace unprojector::mesh;
+using namespace unprojector::mesh::reader;
+using namespace unprojector::mesh;
 using namespace model_files;
 
 class TestGltfMessages : public QObject {

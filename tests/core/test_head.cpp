@@ -1,6 +1,6 @@
 // The head that comes with the program: closed, its two sides alike, and a face where a face is looked for.
 
-#include "core/scene/head.h"
+#include "core/examples/head.h"
 
 #include "mesh_measures.h"
 
@@ -28,7 +28,7 @@ private slots:
 
 void TestHead::isClosedAndSeenFromOutside()
 {
-    const Mesh head = headMesh();
+    const Mesh head = examples::headMesh();
     const auto edges = directedEdges(head);
     for (const auto &[edge, count] : edges) {
         QCOMPARE(count, 1);
@@ -57,7 +57,7 @@ void TestHead::leftMirrorsRight()
         }
         return false;
     };
-    const Mesh head = headMesh();
+    const Mesh head = examples::headMesh();
     std::set<std::array<long, 3>> places;
     for (std::size_t i = 0; i < head.positions.size(); ++i)
         places.insert(rounded(head.position(i)));
@@ -67,7 +67,7 @@ void TestHead::leftMirrorsRight()
 
 void TestHead::isAsLargeAsSaid()
 {
-    const Box box = boundsOf({headMesh()});
+    const Box box = boundsOf({examples::headMesh()});
     const glm::dvec3 size = box.highest - box.lowest;
     QVERIFY2(std::abs(size.x - 1.8) < 0.1, qPrintable(QString::number(size.x)));
     QVERIFY2(std::abs(size.y - 2.05) < 0.1, qPrintable(QString::number(size.y)));
@@ -75,7 +75,7 @@ void TestHead::isAsLargeAsSaid()
 
 void TestHead::noseIsForemostAndEyesLieDeep()
 {
-    const Mesh head = headMesh();
+    const Mesh head = examples::headMesh();
     // What is seen from in front at a place of the face.
     const auto depthAt = [&head](double x, double y) {
         double foremost = -1.0;
@@ -102,7 +102,7 @@ void TestHead::noseIsForemostAndEyesLieDeep()
 
 void TestHead::hasNoFoldsInItsFace()
 {
-    const Mesh head = headMesh();
+    const Mesh head = examples::headMesh();
     for (std::size_t number = 0; number < head.triangleCount(); ++number) {
         const auto t = triangle(head, number);
         const glm::dvec3 middle = (t[0] + t[1] + t[2]) / 3.0;

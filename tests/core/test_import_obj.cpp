@@ -11,8 +11,7 @@
 #include <vector>
 
 using namespace unprojector;
-using namespace unprojector::mesh_import;
-using namespace unprojector::scene;
+using namespace unprojector::mesh;
 using namespace model_files;
 
 class TestImportObj : public QObject {

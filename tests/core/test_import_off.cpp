@@ -3,8 +3,7 @@
 #include "imported.h"
 
 using namespace unprojector;
-using namespace unprojector::mesh_import;
-using namespace unprojector::scene;
+using namespace unprojector::mesh;
 using namespace model_files;
 
 class TestImportOff : public QObject {

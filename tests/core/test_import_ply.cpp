@@ -7,8 +7,7 @@
 #include <utility>
 
 using namespace unprojector;
-using namespace unprojector::mesh_import;
-using namespace unprojector::scene;
+using namespace unprojector::mesh;
 using namespace model_files;
 
 class TestImportPly : public QObject {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 using namespace unprojector;
-using namespace unprojector::mesh_import;
+using namespace unprojector::mesh;
 using namespace unprojector::scene;
 using namespace model_files;
 

@@ -15,12 +15,12 @@
 namespace {
 using namespace unprojector::landmarks;
 using namespace unprojector::landmark_files;
+using unprojector::mesh::Mesh;
+using unprojector::mesh::Model;
 using unprojector::ray::ClosestPlaces;
 using unprojector::ray::Tied;
 using unprojector::ray::tieToMesh;
 using unprojector::ray::TyingTarget;
-using unprojector::scene::Mesh;
-using unprojector::scene::Model;
 
 Landmark named(const char *name, std::optional<glm::dvec3> world = {}, const char *note = "")
 {

@@ -1,11 +1,11 @@
 // How a lesson is read: what its steps take from those before, what of its numbers is right, and what is said of one that cannot
 // be read.
 
+#include "core/examples/bundled_models.h"
 #include "core/lessons/lesson.h"
 #include "core/lessons/set_link.h"
 #include "core/lessons/statements.h"
 #include "core/lessons/step_numbers.h"
-#include "core/scene/bundled_models.h"
 #include "lesson_texts.h"
 
 #include <nlohmann/json.hpp>
@@ -296,7 +296,7 @@ void TestLessonReading::aChangeLeavesTheRest()
         "wrong": {"projection": {"near": -2}}})"));
     QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
     const Step &step = lesson->steps.front();
-    Scene scene = *sceneOf(step, bundledModels());
+    Scene scene = *sceneOf(step, examples::bundledModels());
     scene.camera.eye = WorldPoint(0.1, 1.0 / 3.0, 5.0);
     std::get<Perspective>(scene.projection).verticalFovRadians = 0.8; // of which degrees have other digits
     const Picture picture = *pictureOf(scene, {800, 600, 1.0}, {});

@@ -1,6 +1,6 @@
 // Meshes far from their object's origin: what is kept of their digits.
 
-#include "core/scene/mesh.h"
+#include "core/mesh/mesh.h"
 
 #include <QTest>
 
@@ -10,7 +10,7 @@
 
 using namespace unprojector;
 using namespace unprojector::geometry;
-using namespace unprojector::scene;
+using namespace unprojector::mesh;
 
 Q_DECLARE_METATYPE(glm::dvec3)
 

@@ -1,14 +1,13 @@
 // What commands say about a model file that is not shown as it is.
 
-#include "core/mesh_import/note_text.h"
+#include "core/mesh/import/note_text.h"
 #include "core/text/translation.h"
 
 #include <QRegularExpression>
 #include <QTest>
 
 using namespace unprojector;
-using namespace unprojector::mesh_import;
-using namespace unprojector::scene;
+using namespace unprojector::mesh;
 
 class TestNoteText : public QObject {
     Q_OBJECT

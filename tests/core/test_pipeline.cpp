@@ -1,9 +1,9 @@
 // The pipeline stage by stage: a point by hand, backward against forward, and what the entries mean.
 
+#include "core/examples/bundled_scene.h"
 #include "core/matrices/matrix_entry_name.h"
 #include "core/matrices/matrix_format.h"
 #include "core/matrices/pipeline.h"
-#include "core/scene/bundled_scene.h"
 #include "tests/support/is_near.h"
 
 #include <QTest>

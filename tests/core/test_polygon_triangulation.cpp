@@ -1,6 +1,6 @@
 // Polygons cut into triangles: the area that comes out is the polygon's, each triangle turns the same way.
 
-#include "core/mesh_import/polygon_triangulation.h"
+#include "core/mesh/import/polygon_triangulation.h"
 
 #include <QTest>
 
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-using namespace unprojector::mesh_import;
+using namespace unprojector::mesh;
 
 using Outline = std::vector<glm::vec3>;
 Q_DECLARE_METATYPE(Outline)

@@ -137,6 +137,8 @@ private slots:
     void cyclesAreFound();
     void noRoomKnowsItselfByAnother();
     void nothingPointsBack();
+    void noFeatureKnowsAnother();
+    void theCommandsRoomsAreInOrder();
     void everySourceLiesInARoom();
     void namespacesAreFolders();
     void waysToHeavyHeadersAreFound();
@@ -176,6 +178,44 @@ void TestRooms::nothingPointsBack()
                 QVERIFY2(!other.startsWith(QLatin1String("gui/")), qPrintable(file));
             else
                 QVERIFY2(!other.startsWith(QLatin1String("core/cli/")), qPrintable(file));
+        }
+    }
+}
+
+/// What a feature of the window needs of another one lies in a room that all of them know. The shell knows all features.
+void TestRooms::noFeatureKnowsAnother()
+{
+    const QStringList common{"gui/document", "gui/text", "gui/view", "gui/widgets"};
+    QSet<QString> features;
+    for (const QString &file : sourcesUnder({"gui"})) {
+        const QString room = roomOf(file);
+        if (room == QLatin1String("gui") || room == QLatin1String("gui/shell"))
+            continue;
+        if (!common.contains(room))
+            features.insert(room);
+        for (const QString &other : includesOf(textOf(file))) {
+            const QString known = roomOf(other);
+            QVERIFY2(!known.startsWith(QLatin1String("gui")) || known == room || common.contains(known),
+                     qPrintable(file + " includes " + other));
+        }
+    }
+    QVERIFY(features.size() > 5);
+    QVERIFY(features.contains(QStringLiteral("gui/landmarks")));
+}
+
+/// commands -> rows -> terminal.
+void TestRooms::theCommandsRoomsAreInOrder()
+{
+    const QStringList order{"core/cli/terminal/", "core/cli/rows/", "core/cli/commands/"};
+    const auto levelOf = [&order](const QString &file) {
+        const auto found =
+            std::find_if(order.begin(), order.end(), [&](const auto &room) { return file.startsWith(room); });
+        return found - order.begin();
+    };
+    for (const QString &file : sourcesUnder({"core/cli"})) {
+        for (const QString &other : includesOf(textOf(file))) {
+            if (other.startsWith(QLatin1String("core/cli/")))
+                QVERIFY2(levelOf(other) <= levelOf(file), qPrintable(file + " includes " + other));
         }
     }
 }
@@ -220,7 +260,7 @@ void TestRooms::heavyHeadersStayInTheirRooms_data()
 {
     QTest::addColumn<QString>("header");
     QTest::addColumn<QStringList>("rooms");
-    QTest::newRow("json") << "nlohmann/json.hpp" << QStringList{"core/scene_file", "core/mesh_import"};
+    QTest::newRow("json") << "nlohmann/json.hpp" << QStringList{"core/scene_file", "core/mesh"};
     QTest::newRow("cli11") << "CLI/CLI.hpp" << QStringList{"core/cli"};
     QTest::newRow("multiprecision") << "boost/multiprecision/cpp_bin_float.hpp" << QStringList{"core/cli"};
     QTest::newRow("property tree") << "boost/property_tree/xml_parser.hpp" << QStringList{};

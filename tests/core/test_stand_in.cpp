@@ -1,8 +1,8 @@
 // Coarse models that are drawn while the view moves.
 
+#include "core/examples/solids.h"
 #include "core/geometry/angle.h"
-#include "core/scene/solids.h"
-#include "core/scene/stand_in.h"
+#include "core/mesh/stand_in.h"
 #include "tests/support/mesh_model.h"
 
 #include <QTest>
@@ -16,7 +16,7 @@
 
 using namespace unprojector;
 using namespace unprojector::geometry;
-using namespace unprojector::scene;
+using namespace unprojector::mesh;
 
 namespace {
 
@@ -25,7 +25,7 @@ constexpr double kRadius = 2.0;
 /// 327,680 triangles.
 Mesh ball()
 {
-    return sphereMesh(kRadius, 7);
+    return examples::sphereMesh(kRadius, 7);
 }
 
 Mesh soupOf(const Mesh &mesh)
@@ -105,7 +105,7 @@ void TestStandIn::whatIsClosedStaysSo_data()
 {
     QTest::addColumn<std::vector<Mesh>>("pieces");
     QTest::addColumn<bool>("isClosed");
-    Mesh holed = ball(), insideOut = ball(), smallInsideOut = sphereMesh(kRadius / 4.0, 5);
+    Mesh holed = ball(), insideOut = ball(), smallInsideOut = examples::sphereMesh(kRadius / 4.0, 5);
     holed.indices.resize(holed.indices.size() * 9 / 10);
     for (Mesh *mesh : {&insideOut, &smallInsideOut}) {
         for (std::size_t i = 0; i < mesh->indices.size(); i += 3)

@@ -1,6 +1,6 @@
 // The teapot that comes with the program: its patches are the published ones, and its mesh is made of them.
 
-#include "core/scene/utah_teapot.h"
+#include "core/examples/utah_teapot.h"
 
 #include "mesh_measures.h"
 
@@ -48,8 +48,8 @@ void TestUtahTeapot::teapotHas32PatchesOf290DifferentPoints()
 {
     std::set<Place> points;
     Box box;
-    const std::vector<BezierPatch> patches = utahTeapotPatches();
-    for (const BezierPatch &patch : patches) {
+    const std::vector<examples::BezierPatch> patches = examples::utahTeapotPatches();
+    for (const examples::BezierPatch &patch : patches) {
         for (const auto &row : patch) {
             for (const glm::dvec3 &point : row) {
                 points.insert(place(point));
@@ -91,7 +91,7 @@ void TestUtahTeapot::teapotControlPointsAreThePublishedOnes()
     QFETCH(int, row);
     QFETCH(int, column);
     QFETCH(glm::dvec3, published);
-    const glm::dvec3 point = utahTeapotPatches().at(patchNumber - 1).at(row).at(column);
+    const glm::dvec3 point = examples::utahTeapotPatches().at(patchNumber - 1).at(row).at(column);
     QCOMPARE(point, glm::dvec3(published.x, published.z, -published.y)); // no arithmetic, no rounding
 }
 
@@ -113,12 +113,12 @@ void TestUtahTeapot::teapotPassesThrough_data()
 void TestUtahTeapot::teapotPassesThrough()
 {
     QFETCH(glm::dvec3, point);
-    QVERIFY(hasVertexAt(utahTeapotMesh(kTeapotDivisions), point));
+    QVERIFY(hasVertexAt(examples::utahTeapotMesh(kTeapotDivisions), point));
 }
 
 void TestUtahTeapot::teapotReachesAsFarAsPublished()
 {
-    const Box box = boundsOf({utahTeapotMesh(kTeapotDivisions)});
+    const Box box = boundsOf({examples::utahTeapotMesh(kTeapotDivisions)});
     QVERIFY(isNear(box.lowest, {-3.0, 0.0, -2.0}));
     // The spout's lip stays short of its control points, 3.525: its cubic at 4/10.
     QVERIFY(isNear(box.highest, {3.434, 3.15, 2.0}));
@@ -136,12 +136,12 @@ void TestUtahTeapot::teapotTriangleCount()
 {
     QFETCH(int, divisions);
     QFETCH(std::size_t, triangles);
-    QCOMPARE(utahTeapotMesh(divisions).triangleCount(), triangles);
+    QCOMPARE(examples::utahTeapotMesh(divisions).triangleCount(), triangles);
 }
 
 void TestUtahTeapot::teapotPointsUpAtTheKnobAndDownAtTheBottom()
 {
-    const Mesh mesh = utahTeapotMesh(kTeapotDivisions);
+    const Mesh mesh = examples::utahTeapotMesh(kTeapotDivisions);
     int tops = 0;
     int bottoms = 0;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -159,7 +159,7 @@ void TestUtahTeapot::teapotPointsUpAtTheKnobAndDownAtTheBottom()
 
 void TestUtahTeapot::teapotIsOpenOnlyWhereItWasIn1975()
 {
-    const auto edges = directedEdges(utahTeapotMesh(kTeapotDivisions));
+    const auto edges = directedEdges(examples::utahTeapotMesh(kTeapotDivisions));
     int slit = 0;
     int handleEnds = 0;
     int spoutEnds = 0;
@@ -186,7 +186,7 @@ void TestUtahTeapot::teapotIsOpenOnlyWhereItWasIn1975()
 
 void TestUtahTeapot::teapotNormalsPointAwayFromTheAxis()
 {
-    const Mesh mesh = utahTeapotMesh(kTeapotDivisions);
+    const Mesh mesh = examples::utahTeapotMesh(kTeapotDivisions);
     const std::size_t perPatch = std::size_t(kTeapotDivisions + 1) * (kTeapotDivisions + 1);
     for (std::size_t i = 4 * perPatch; i < 12 * perPatch; ++i) { // the body's eight patches
         const glm::dvec3 p(mesh.positions[i]);

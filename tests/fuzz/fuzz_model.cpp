@@ -1,7 +1,7 @@
 // A model file of one format, its suffix given by UNPROJECTOR_FUZZ_SUFFIX, as it comes from a disk.
 
 #include "core/geometry/finite.h"
-#include "core/mesh_import/mesh_import.h"
+#include "core/mesh/import/mesh_import.h"
 #include "tests/fuzz/fuzzing.h"
 
 #include <algorithm>
@@ -10,13 +10,13 @@ using namespace unprojector;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
-    const auto read = mesh_import::importModel(fuzz::fileOf("model." UNPROJECTOR_FUZZ_SUFFIX, data, size), {});
+    const auto read = mesh::importModel(fuzz::fileOf("model." UNPROJECTOR_FUZZ_SUFFIX, data, size), {});
     if (!read)
         return 0;
-    const scene::Model &model = **read;
+    const mesh::Model &model = **read;
     fuzz::require(!model.meshes.empty(), "a model that opens has something to show");
-    for (const scene::Mesh &mesh : model.meshes) {
-        const bool isPoints = mesh.kind == scene::Mesh::Kind::Points;
+    for (const mesh::Mesh &mesh : model.meshes) {
+        const bool isPoints = mesh.kind == mesh::Mesh::Kind::Points;
         fuzz::require(mesh.elementCount() > 0, "a mesh has something to show");
         fuzz::require(isPoints ? mesh.indices.empty() : mesh.elementCount() % 3 == 0, "faces are triangles");
         fuzz::require(std::all_of(mesh.indices.begin(), mesh.indices.end(),

@@ -1,6 +1,6 @@
 #include "tests/gui/gui_scene.h"
 
-#include "core/scene/solids.h"
+#include "core/examples/solids.h"
 #include "tests/support/mesh_model.h"
 #include "tests/support/patience.h"
 
@@ -46,10 +46,10 @@ const std::array<Face, 6> &cubeFaces()
 
 std::vector<SceneObject> cubeScene()
 {
-    Mesh mesh = cubeMesh(2.0);
+    Mesh mesh = examples::cubeMesh(2.0);
     mesh.baseColor = glm::vec4(1.0f);
     for (const Face &face : cubeFaces())
-        mesh.colors.insert(mesh.colors.end(), kVerticesPerCubeFace, glm::u8vec4(face.color, 255));
+        mesh.colors.insert(mesh.colors.end(), examples::kVerticesPerCubeFace, glm::u8vec4(face.color, 255));
     return {{"cube", {}, modelOf(std::move(mesh)), {Translate{kCubeCenter}}}};
 }
 

@@ -1,7 +1,7 @@
 // Fine meshes, drawn with all their triangles and with those alone that can cover a pixel's centre: the same picture, bit for
 // bit. And that most are left out, or the whole thing would be in vain.
 
-#include "core/scene/covering_triangles.h"
+#include "core/mesh/covering_triangles.h"
 #include "gui/view/frame.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/painters/mesh_painter.h"
@@ -24,7 +24,7 @@ using namespace unprojector::gui;
 using namespace unprojector::geometry;
 using namespace unprojector::scene;
 
-Q_DECLARE_METATYPE(std::shared_ptr<unprojector::scene::Model>)
+Q_DECLARE_METATYPE(std::shared_ptr<unprojector::mesh::Model>)
 
 namespace {
 

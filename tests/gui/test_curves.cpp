@@ -1,7 +1,7 @@
 // Curves between placed points: in the document, in files, in their list and in the view; and measures in the view.
 
+#include "core/examples/solids.h"
 #include "core/ray/closest_place.h"
-#include "core/scene/solids.h"
 #include "gui/document/point_files.h"
 #include "gui/document/scene_curves.h"
 #include "gui/landmarks/curves_view.h"
@@ -195,7 +195,7 @@ void TestCurves::largeModelsAreWorkedOutAside()
     SceneObject ball;
     ball.name = "ball";
     auto model = std::make_shared<Model>();
-    model->meshes.push_back(sphereMesh(1.0, 5));
+    model->meshes.push_back(examples::sphereMesh(1.0, 5));
     model->bounds = boundsOf(model->meshes);
     ball.model = model;
     document.setObjects({ball});
@@ -223,7 +223,7 @@ void TestCurves::whoWaitsForCurvesMayGiveUp()
     SceneObject ball;
     ball.name = "ball";
     auto model = std::make_shared<Model>();
-    model->meshes.push_back(sphereMesh(1.0, 5));
+    model->meshes.push_back(examples::sphereMesh(1.0, 5));
     model->bounds = boundsOf(model->meshes);
     ball.model = model;
     document.setObjects({ball});

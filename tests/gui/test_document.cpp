@@ -78,7 +78,7 @@ void TestDocument::everyVerbTellsItsKindOnceAndIsUndone_data()
         QCOMPARE(d.objects()[0].name, "other");
     });
     row("fitted object", Change::Picture, [](SceneDocument &d) { d.fitObject(1); });
-    row("added object", objects, [](SceneDocument &d) { QVERIFY(d.addObjects({bundledScene()[0]})); });
+    row("added object", objects, [](SceneDocument &d) { QVERIFY(d.addObjects({examples::bundledScene()[0]})); });
 }
 
 void TestDocument::everyVerbTellsItsKindOnceAndIsUndone()

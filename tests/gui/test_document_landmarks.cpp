@@ -296,7 +296,7 @@ void TestDocumentLandmarks::anotherSceneHasItsOwn()
     QVERIFY(told.all().testFlag(Change::Landmarks));
     QCOMPARE(pointNames(document), QStringList({"other", "missing"}));
     QVERIFY(document.points().selection().empty());
-    document.setObjects(bundledScene());
+    document.setObjects(examples::bundledScene());
     QVERIFY(document.landmarks().empty());
 }
 
@@ -322,7 +322,7 @@ void TestDocumentLandmarks::pointsGoWithTheirObject_data()
     QTest::newRow("removed") << Verb([](auto &d) { QVERIFY(d.removeObject(0)); }) << "" << held << free;
     QTest::newRow("hidden") << Verb([](auto &d) { QVERIFY(d.setObjectHidden(0, true)); }) << "triangle" << held << free;
     QTest::newRow("another added") << Verb([](auto &d) {
-        QVERIFY(d.addObjects({bundledScene()[0]}));
+        QVERIFY(d.addObjects({examples::bundledScene()[0]}));
         QVERIFY(d.moveObject(1, 0));
     }) << "triangle" << held << free;
 }

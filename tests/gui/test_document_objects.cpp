@@ -35,7 +35,7 @@ void TestDocumentObjects::objectsComeAndGoUndoably()
     QStringList others = all;
     others.removeAt(1);
     QCOMPARE(namesIn(document), others);
-    SceneObject another = bundledScene()[1];
+    SceneObject another = examples::bundledScene()[1];
     another.name = "another";
     QVERIFY(document.addObjects({another}));
     QCOMPARE(namesIn(document), others + QStringList(QStringLiteral("another")));
@@ -61,7 +61,7 @@ void TestDocumentObjects::aPickGoesWithItsObject()
     using Place = std::optional<std::size_t>;
     document.pickAt(WidgetPoint(400, 300), {0.5, 1, 24});
     QCOMPARE(place(), Place(1));
-    QVERIFY(document.addObjects({bundledScene()[0]}));
+    QVERIFY(document.addObjects({examples::bundledScene()[0]}));
     QCOMPARE(place(), Place(1));
     QVERIFY(document.removeObject(0));
     QCOMPARE(place(), Place(0));
@@ -111,7 +111,7 @@ void TestDocumentObjects::objectsAreMovedInTheirList()
 void TestDocumentObjects::hiddenObjectsAreOutOfSight()
 {
     SceneDocument document;
-    std::vector<SceneObject> objects = bundledScene();
+    std::vector<SceneObject> objects = examples::bundledScene();
     objects.resize(2);
     objects[1].transform = {Translate{{50.0, 0.0, 0.0}}};
     document.setObjects(objects);
@@ -153,7 +153,7 @@ void TestDocumentObjects::namesStayUnique()
     QFETCH(QString, name);
     QFETCH(int, fault);
     SceneDocument document;
-    std::vector<SceneObject> objects = bundledScene();
+    std::vector<SceneObject> objects = examples::bundledScene();
     objects.resize(2);
     objects[0].name = "0";
     objects[1].name = "1";
@@ -171,7 +171,7 @@ namespace {
 /// One of the bundled objects, so many times as large, with its middle there.
 SceneObject placed(const glm::dvec3 &middle, double scale)
 {
-    SceneObject object = bundledScene()[0];
+    SceneObject object = examples::bundledScene()[0];
     object.name = "placed";
     object.transform = {Translate{middle}, Scale{glm::dvec3(scale)}, Translate{-object.model->bounds.center()}};
     return object;

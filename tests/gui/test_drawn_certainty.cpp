@@ -25,7 +25,7 @@ private:
 };
 
 namespace {
-using ModelPointer = std::shared_ptr<const scene::Model>;
+using ModelPointer = std::shared_ptr<const mesh::Model>;
 }
 
 void TestDrawnCertainty::theMeshLiesInTheBox_data()

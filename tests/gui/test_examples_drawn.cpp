@@ -1,7 +1,7 @@
 // The tutorials' examples on the screen: each shows something, and a click on the point that its note speaks of reads
 // that point.
 
-#include "core/scene/examples.h"
+#include "core/examples/examples.h"
 #include "gui/document/scene_document.h"
 #include "gui/view/scene_view.h"
 #include "tests/support/patience.h"
@@ -18,10 +18,10 @@ using namespace unprojector::gui;
 
 namespace {
 
-const Example &example(const std::string &id)
+const examples::Example &example(const std::string &id)
 {
-    static const std::vector<Example> all = examples();
-    const auto found = std::find_if(all.begin(), all.end(), [&id](const Example &e) { return e.id == id; });
+    static const std::vector<examples::Example> all = examples::examples();
+    const auto found = std::find_if(all.begin(), all.end(), [&id](const examples::Example &e) { return e.id == id; });
     if (found == all.end())
         qFatal("There is no example %s.", id.c_str());
     return *found;
@@ -62,7 +62,7 @@ private slots:
 void TestExamplesDrawn::everyExampleShowsItsObjects_data()
 {
     QTest::addColumn<QString>("id");
-    for (const Example &e : examples())
+    for (const examples::Example &e : examples::examples())
         QTest::newRow(e.id.c_str()) << QString::fromStdString(e.id);
 }
 

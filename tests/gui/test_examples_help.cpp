@@ -1,7 +1,7 @@
 // The page of formulas: nothing of it is missing; and the pipeline panel shows the tutorials' numbers for their scenes.
 
+#include "core/examples/examples.h"
 #include "core/geometry/api_conventions.h"
-#include "core/scene/examples.h"
 #include "gui/document/scene_document.h"
 #include "gui/lessons/formulas_window.h"
 #include "gui/pipeline/pipeline_model.h"
@@ -103,7 +103,7 @@ void TestExamplesHelp::thePipelineShowsTheFigures()
     QFETCH(double, expected);
     SceneDocument document;
     document.setSurface({900, 600, 1.0});
-    for (const Example &example : examples()) {
+    for (const examples::Example &example : examples::examples()) {
         if (example.id == id.toStdString())
             QVERIFY(document.open(example.scene));
     }

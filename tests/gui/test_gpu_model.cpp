@@ -1,6 +1,6 @@
 // A model on its way into the graphics memory, which may take less than the model has.
 
-#include "core/scene/solids.h"
+#include "core/examples/solids.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/painters/gpu_model.h"
 
@@ -71,7 +71,7 @@ void TestGpuModel::aPictureThatIsTooLargeIsScaledDownAndSaid()
     QFETCH(int, most);
     QFETCH(QSize, uploaded);
     auto model = std::make_shared<Model>();
-    model->meshes.push_back(cubeMesh(1.0));
+    model->meshes.push_back(examples::cubeMesh(1.0));
     model->textures.push_back({"folder/skin.png", {}, picture(size.width(), size.height()), true});
     GpuModel onGpu(model, most);
     QVERIFY(onGpu.uploadOn(Deadline({})));

@@ -4,8 +4,8 @@
 #include "job_faults.h"
 #include "session_desk.h"
 
+#include "core/examples/solids.h"
 #include "core/ray/closest_place.h"
-#include "core/scene/solids.h"
 #include "gui/doctor/diagnoser.h"
 #include "gui/document/scene_curves.h"
 #include "gui/map/map_maker.h"
@@ -28,7 +28,7 @@ constexpr int kMany = 5, kVeryMany = 7;
 
 std::vector<SceneObject> ball(int subdivisions)
 {
-    return {{"ball", {}, modelOf(sphereMesh(1.0, subdivisions)), {}}};
+    return {{"ball", {}, modelOf(examples::sphereMesh(1.0, subdivisions)), {}}};
 }
 
 landmarks::Landmark pointOn(const SceneObject &object, const glm::dvec3 &place, const char *name)
@@ -141,7 +141,7 @@ void TestJobFailures::aMapIsNotMade()
     QFETCH(QString, reason);
     SceneDocument document;
     document.setSurface({40, 30, 1.0});
-    document.setObjects({{"cube", {}, modelOf(cubeMesh(2.0)), {}}});
+    document.setObjects({{"cube", {}, modelOf(examples::cubeMesh(2.0)), {}}});
     QVERIFY(document.rays());
     MapMaker maker(document);
     QSignalSpy failed(&maker, &MapMaker::jobFailed), made(&maker, &MapMaker::made);

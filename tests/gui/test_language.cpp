@@ -2,7 +2,7 @@
 
 #include "language_user.h"
 
-#include "core/scene/bundled_models.h"
+#include "core/examples/bundled_models.h"
 #include "core/scene_file/scene_file.h"
 #include "gui/lessons/find_bar.h"
 #include "gui/lessons/formulas_window.h"
@@ -381,7 +381,7 @@ void TestLanguage::hanziAreThoseOfChina()
 void TestLanguage::everyBundledNameIsChinese()
 {
     QStringList names;
-    for (const auto &[name, model] : scene::bundledModels())
+    for (const auto &[name, model] : examples::bundledModels())
         names << QString::fromStdString(name);
     QDirIterator lessons(QStringLiteral(":/lessons"), {QStringLiteral("*.json")});
     while (lessons.hasNext()) {

@@ -1,6 +1,6 @@
 // Models that take too long to be drawn while the view moves: stand-ins are shown, and nothing is ever read from them.
 
-#include "core/scene/solids.h"
+#include "core/examples/solids.h"
 #include "gui/document/model_store.h"
 #include "gui/shell/overlay_bars.h"
 #include "tests/gui/gui_scene.h"
@@ -23,7 +23,7 @@ std::vector<SceneObject> largeScene()
 {
     auto model = std::make_shared<Model>();
     model->name = "ball";
-    model->meshes.push_back(sphereMesh(1.0, 7));
+    model->meshes.push_back(examples::sphereMesh(1.0, 7));
     model->bounds = boundsOf(model->meshes);
     return {{"left", {}, model, {Translate{{-1.2, 0.0, 0.0}}}}, {"right", {}, model, {Translate{{1.2, 0.0, 0.0}}}}};
 }

@@ -1,6 +1,6 @@
 // The log by itself, and the life of a real view in it.
 
-#include "core/scene/bundled_scene.h"
+#include "core/examples/bundled_scene.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/lifecycle_panel.h"
 #include "gui/view/lifecycle_log.h"
@@ -238,7 +238,7 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
     QFETCH(QString, viewport);
 
     SceneDocument document;
-    document.setObjects(bundledScene());
+    document.setObjects(examples::bundledScene());
     ViewportRule rule;
     rule.kind = static_cast<ViewportRule::Kind>(kind);
     QVERIFY(document.editViewport(rule, document.scene().depthRange, {QStringLiteral("Viewport")}));

@@ -13,7 +13,7 @@
 #include <vector>
 
 using namespace unprojector::gui;
-using unprojector::mesh_import::ImportError;
+using unprojector::mesh::ImportError;
 
 namespace {
 

@@ -1,6 +1,6 @@
 // The list of the scene's objects, as a user handles it.
 
-#include "core/scene/bundled_scene.h"
+#include "core/examples/bundled_scene.h"
 #include "gui/document/scene_document.h"
 #include "gui/objects/objects_model.h"
 #include "gui/objects/objects_panel.h"
@@ -84,7 +84,7 @@ void TestObjectsPanel::init()
     m_panel.reset();
     m_document = std::make_unique<SceneDocument>();
     m_document->setSurface({800, 600, 1.0});
-    std::vector<SceneObject> objects = bundledScene();
+    std::vector<SceneObject> objects = examples::bundledScene();
     objects.resize(3);
     objects[0].name = "first";
     objects[1].name = "second";

@@ -1,9 +1,9 @@
 // The view from outside: it draws without errors, its hand moves what it says it moves, and nothing else.
 
+#include "core/examples/bundled_scene.h"
 #include "core/geometry/angle.h"
 #include "core/geometry/drawable.h"
 #include "core/geometry/view_volume.h"
-#include "core/scene/bundled_scene.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "tests/gui/gui_scene.h"
@@ -100,7 +100,8 @@ void TestObserverView::init()
 {
     m_document = std::make_unique<SceneDocument>();
     m_document->setSurface({900, 600, 1.0});
-    m_document->setObjects(bundledScene(), {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
+    m_document->setObjects(examples::bundledScene(),
+                           {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
     m_panel = std::make_unique<ObserverPanel>(*m_document);
     m_panel->resize(500, 600);
     m_panel->show();
@@ -287,7 +288,8 @@ void TestObserverView::theCubeStandsStillWhileTheCameraMoves()
 void TestObserverView::aNewSceneIsFitted()
 {
     drag(view(), QPointF(10.0, 10.0), QPointF(90.0, 40.0));
-    m_document->setObjects(bundledScene(), {WorldPoint(65.0, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
+    m_document->setObjects(examples::bundledScene(),
+                           {WorldPoint(65.0, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
     view().grabFramebuffer();
     for (const EyePoint &corner : viewVolumeCorners(m_document->geometry().projection()))
         QVERIFY(QRectF(view().rect()).contains(placeOfEye(corner)));

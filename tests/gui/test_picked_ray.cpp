@@ -3,8 +3,8 @@
 
 #include "told_changes.h"
 
+#include "core/examples/solids.h"
 #include "core/ray/drawn_surface.h"
-#include "core/scene/solids.h"
 #include "tests/support/mesh_model.h"
 #include "tests/support/patience.h"
 
@@ -26,7 +26,7 @@ using Happening = std::function<void(SceneDocument &)>;
 /// z = 1, -4 and -9.
 void openCubes(SceneDocument &document)
 {
-    const auto cube = modelOf(cubeMesh(2.0));
+    const auto cube = modelOf(examples::cubeMesh(2.0));
     document.setSurface({400, 300, 1.0});
     Scene scene;
     scene.camera = scene.home = {WorldPoint(0, 0, 12), WorldPoint(0, 0, 0), {0, 1, 0}};
@@ -260,7 +260,7 @@ void TestPickedRay::theAnswerComesWhenTheModelIsReady()
     SceneDocument document;
     openCubes(document);
     // Of 327,680 triangles; a vertex of it is at z = 1.
-    QVERIFY(document.addObjects({{"ball", {}, modelOf(sphereMesh(1.0, 7)), {}}}));
+    QVERIFY(document.addObjects({{"ball", {}, modelOf(examples::sphereMesh(1.0, 7)), {}}}));
     QVERIFY(document.setObjectHidden(0, true));
     QVERIFY(document.rayCasters().isPreparing());
     document.pickAt(WidgetPoint(199.5, 149.5), {0.3, 3, 24}); // the pixel at (-0.01, 0.01)
@@ -281,7 +281,7 @@ void TestPickedRay::aSceneThatIsLeftIsNotKept()
 {
     SceneDocument document;
     openCubes(document);
-    auto model = modelOf(sphereMesh(1.0, 7));
+    auto model = modelOf(examples::sphereMesh(1.0, 7));
     const std::weak_ptr<const Model> weak = model;
     QVERIFY(document.addObjects({{"ball", {}, std::move(model), {}}}));
     document.pickAt(WidgetPoint(199.5, 149.5), {0.3, 3, 24});

@@ -1,7 +1,7 @@
 // Points without faces: dots that can be seen and clicked, and what is claimed of a point that was clicked by its dot.
 
 #include "core/geometry/proportions.h"
-#include "core/mesh_import/mesh_import.h"
+#include "core/mesh/import/mesh_import.h"
 #include "core/scene/point_size.h"
 #include "gui/text/formula_text.h"
 #include "tests/gui/gui_scene.h"
@@ -63,7 +63,7 @@ void TestPointClouds::aPointIsADot()
     QFile file(folder.filePath(name));
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
     file.close();
-    const auto model = mesh_import::importModel(std::filesystem::path(file.fileName().toStdU16String()), {});
+    const auto model = mesh::importModel(std::filesystem::path(file.fileName().toStdU16String()), {});
     QVERIFY(model);
     QCOMPARE((*model)->pointCount(), kPoints.size());
 

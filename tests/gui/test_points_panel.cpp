@@ -1,6 +1,6 @@
 // The table of placed points, the one that is placed next, and what they measure, as a user handles them.
 
-#include "core/scene/bundled_scene.h"
+#include "core/examples/bundled_scene.h"
 #include "gui/document/scene_document.h"
 #include "gui/landmarks/measure_rows.h"
 #include "gui/landmarks/measures_view.h"
@@ -155,7 +155,7 @@ void TestPointsPanel::init()
     m_templates = std::make_unique<PointTemplates>();
     m_document = std::make_unique<SceneDocument>();
     m_document->setSurface({800, 600, 1.0});
-    std::vector<SceneObject> objects = bundledScene();
+    std::vector<SceneObject> objects = examples::bundledScene();
     objects.resize(1);
     m_document->setObjects(objects);
     std::vector<Landmark> points{point("nasion", glm::dvec3(1.25, -2.0, 3.0), 0.05),

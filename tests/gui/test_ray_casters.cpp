@@ -1,7 +1,7 @@
 // What prepares models for rays: at once or on a thread of its own, and never longer than somebody has them. No window: what
 // the thread sanitizer can follow.
 
-#include "core/scene/solids.h"
+#include "core/examples/solids.h"
 #include "gui/document/ray_casters.h"
 #include "tests/support/patience.h"
 
@@ -23,7 +23,7 @@ constexpr int kFew = 3, kMany = 7;
 SceneObject ball(int subdivisions)
 {
     auto model = std::make_shared<Model>();
-    model->meshes.push_back(sphereMesh(1.0, subdivisions));
+    model->meshes.push_back(examples::sphereMesh(1.0, subdivisions));
     model->bounds = boundsOf(model->meshes);
     return {"ball", {}, model, {}};
 }

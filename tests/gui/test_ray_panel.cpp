@@ -3,7 +3,7 @@
 
 #include "told_changes.h"
 
-#include "core/scene/solids.h"
+#include "core/examples/solids.h"
 #include "gui/click/comparison_panel.h"
 #include "gui/click/ray_model.h"
 #include "gui/click/ray_table.h"
@@ -35,7 +35,7 @@ Mesh pointAt(const glm::vec3 &position)
 /// and -4. A pixel is 0.02 wide.
 void openCubes(SceneDocument &document)
 {
-    const auto cube = modelOf(cubeMesh(2.0));
+    const auto cube = modelOf(examples::cubeMesh(2.0));
     document.setSurface({400, 300, 1.0});
     Scene scene;
     scene.camera = scene.home = {WorldPoint(0, 0, 12), WorldPoint(0, 0, 0), {0, 1, 0}};
@@ -214,7 +214,7 @@ void TestRayPanel::theAnswerComesByItself()
     SceneDocument document;
     openCubes(document);
     const ComparisonPanel panel(document);
-    QVERIFY(document.addObjects({{"ball", {}, modelOf(sphereMesh(1.5, 7)), {}}}));
+    QVERIFY(document.addObjects({{"ball", {}, modelOf(examples::sphereMesh(1.5, 7)), {}}}));
     document.pickAt(WidgetPoint(200, 150), at(1.5, 3));
     QCOMPARE(said(panel, "Ray on mesh"), rayPreparingText());
     QVERIFY(std::isnan(value(panel, 2, RayModel::Met)));

@@ -1,6 +1,6 @@
 // A session without a window: what it opens, saves and asks. Questions are answered by the test.
 
-#include "core/scene/bundled_scene.h"
+#include "core/examples/bundled_scene.h"
 #include "session_desk.h"
 #include "tests/support/patience.h"
 
@@ -316,7 +316,7 @@ void TestSession::aFileOfManyObjectsIsReadOnce()
     QByteArray objects;
     for (int i = 0; i < 5; ++i)
         objects += QByteArray(i ? ", " : "") + R"({"name": "a", "file": "triangle.obj"}, {"name": "b", "bundled": ")"
-                   + QByteArray::fromStdString(bundledScene()[0].model->name) + "\"}";
+                   + QByteArray::fromStdString(examples::bundledScene()[0].model->name) + "\"}";
     const auto desk = this->desk();
     QVERIFY(desk->openAndWait({write(QStringLiteral("many.json"), kHead + R"(, "objects": [)" + objects + "]}")}));
     QVERIFY2(desk->failures.isEmpty(), qPrintable(desk->failures.join(u' ')));

@@ -1,6 +1,6 @@
 // The numbers of the inspector, read from its table and its texts: literal, worked out by hand.
 
-#include "core/scene/bundled_scene.h"
+#include "core/examples/bundled_scene.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/corners_model.h"
 #include "gui/pipeline/viewport_inspector.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/bundled_scene.h"
+#include "core/examples/bundled_scene.h"
 #include "gui/document/scene_document.h"
 
 #include <QStringList>
@@ -43,7 +43,7 @@ inline const Deed kDeed{QStringLiteral("deed")};
 inline void openScene(SceneDocument &document)
 {
     document.setSurface({801, 601, 1.0});
-    document.setObjects(bundledScene());
+    document.setObjects(examples::bundledScene());
 }
 
 inline LookAt cameraAt(double z)

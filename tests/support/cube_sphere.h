@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/mesh.h"
+#include "core/mesh/mesh.h"
 
 #include <glm/geometric.hpp>
 
@@ -11,9 +11,9 @@
 
 /// A closed surface of 12 n^2 triangles, counter-clockwise from outside, every vertex shared: the six sides of a cube on
 /// a sphere of radius 1, with hills of a height.
-inline std::shared_ptr<unprojector::scene::Model> cubeSphere(std::uint32_t n, double hills = 0.05)
+inline std::shared_ptr<unprojector::mesh::Model> cubeSphere(std::uint32_t n, double hills = 0.05)
 {
-    using namespace unprojector::scene;
+    using namespace unprojector::mesh;
     auto model = std::make_shared<Model>();
     model->name = "cube sphere";
     Mesh mesh;

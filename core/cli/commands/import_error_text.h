@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/mesh_import/mesh_import.h"
+#include "core/mesh/import/mesh_import.h"
 
 #include <string>
 
 namespace unprojector::cli {
-using namespace mesh_import;
+using namespace mesh;
 
 /// The command's wording of why a model file is refused: names the file and says what to do.
 std::string importErrorText(const ImportError &error);

@@ -3,7 +3,7 @@
 #include "core/cli/commands/opened_scene.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/csv_line.h"
-#include "core/mesh_import/note_text.h"
+#include "core/mesh/import/note_text.h"
 #include "core/scene/measures.h"
 #include "core/text/columns.h"
 #include "core/text/number_text.h"
@@ -76,8 +76,7 @@ std::vector<std::string> notesOf(const std::vector<SceneObject> &objects)
     std::vector<std::string> notes;
     for (const SceneObject &object : objects) {
         for (const ModelNote &note : object.model->notes) {
-            const std::string text =
-                (objects.size() > 1 ? object.name + ": " : std::string()) + mesh_import::noteText(note);
+            const std::string text = (objects.size() > 1 ? object.name + ": " : std::string()) + mesh::noteText(note);
             if (std::find(notes.begin(), notes.end(), text) == notes.end())
                 notes.push_back(text);
         }

@@ -8,7 +8,7 @@
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/repeats_table.h"
-#include "core/mesh_import/mesh_import.h"
+#include "core/mesh/import/mesh_import.h"
 #include "core/ray/tie_landmark.h"
 #include "core/text/system_error.h"
 #include "core/text/translation.h"
@@ -136,7 +136,7 @@ public:
     static std::optional<Tying> to(const std::string &mesh)
     {
         const std::filesystem::path file = pathFromUtf8(mesh);
-        const auto model = mesh_import::importModel(file, {});
+        const auto model = mesh::importModel(file, {});
         if (!model) {
             complain(importErrorText(model.error()));
             return std::nullopt;

@@ -3,8 +3,8 @@
 #include "core/cli/commands/import_error_text.h"
 #include "core/cli/commands/size_text.h"
 #include "core/cli/rows/scene_input.h"
+#include "core/examples/bundled_models.h"
 #include "core/files/path_text.h"
-#include "core/scene/bundled_models.h"
 #include "core/scene/opening_view.h"
 #include "core/scene/reach.h"
 #include "core/scene_file/scene_error_text.h"
@@ -92,7 +92,7 @@ std::optional<OpenedScene> openScene(const std::string &file)
             model = kept;
         } else {
             if (bundled.empty())
-                bundled = bundledModels();
+                bundled = examples::bundledModels();
             if (const auto found = bundled.find(object.bundled); found != bundled.end())
                 model = found->second;
             else

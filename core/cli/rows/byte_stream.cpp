@@ -2,7 +2,7 @@
 
 #include "core/cli/terminal/progress_bar.h"
 #include "core/files/path_text.h"
-#include "core/mesh_import/named_files.h"
+#include "core/mesh/import/named_files.h"
 #include "core/text/printable.h"
 #include "core/text/system_error.h"
 #include "core/text/translation.h"
@@ -198,7 +198,7 @@ bool isOverInput(const std::string &output, const InputFiles &inputs)
     // An empty file holds nothing to destroy: the models are read for their names only where one could be lost.
     if (const auto size = std::filesystem::file_size(namedPath(output, "/dev/stdout"), error); !error && size > 0) {
         for (const std::string &input : InputFiles(kept)) {
-            for (const std::filesystem::path &named : mesh_import::namedFiles(namedPath(input, "/dev/stdin")))
+            for (const std::filesystem::path &named : mesh::namedFiles(namedPath(input, "/dev/stdin")))
                 keep(utf8FromPath(named));
         }
     }

@@ -1,7 +1,7 @@
 #include "core/cli/rows/scene_input.h"
 
 #include "core/files/path_text.h"
-#include "core/mesh_import/file_contents.h"
+#include "core/mesh/import/file_contents.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 #include "core/text/translation.h"
@@ -15,7 +15,7 @@
 namespace unprojector::cli {
 using namespace scene_file;
 using namespace files;
-using namespace mesh_import;
+using namespace mesh;
 using text::tr;
 
 namespace {
@@ -60,7 +60,7 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
     }
     Result<SceneOrClicks, SceneFileError> given = parseSceneOrClicks(*text, name);
     constexpr std::size_t kStart = 512;
-    std::string advice = given ? std::string() : mesh_reader::adviceByContents(text->substr(0, kStart), "json");
+    std::string advice = given ? std::string() : reader::adviceByContents(text->substr(0, kStart), "json");
     if (!advice.empty()) {
         if (const std::size_t dot = file.rfind('.'); dot != file.npos && advice.ends_with(file.substr(dot)))
             advice = tr("it is a model; open it in the window, and give the scene that File > Save Scene writes");

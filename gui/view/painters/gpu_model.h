@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/mesh.h"
+#include "core/mesh/mesh.h"
 #include "gui/view/painters/deadline.h"
 
 #include <QCoreApplication>
@@ -16,7 +16,7 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace scene;
+using namespace mesh;
 
 /// Gives a buffer object that is bound to a target its size, and its bytes where there are any.
 /// @return false when the graphics memory does not hold so much

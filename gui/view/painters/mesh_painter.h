@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/drawable.h"
-#include "core/scene/covering_triangles.h"
+#include "core/mesh/covering_triangles.h"
 #include "core/scene/scene.h"
 #include "gui/view/painters/gpu_model.h"
 #include "gui/view/painters/object_ids.h"

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "core/geometry/camera.h"
-#include "core/scene/mesh.h"
+#include "core/mesh/mesh.h"
 #include "gui/view/painters/line_painter.h"
 
 #include <vector>
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace scene;
+using namespace mesh;
 
 /// A grid on the bottom of the box, at whole multiples of the spacing, every tenth line stronger. World space.
 std::vector<LineSegment> groundLines(const Box &ground, double spacing);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace unprojector::examples {
+using namespace scene;
+
+/// A scene of one of the tutorials, with its literal parameters, for the lessons to show. Where the tutorial follows a point of
+/// its own, that is the scene's given point.
+struct Example {
+    std::string id; ///< "zhangci-ortho"
+    Scene scene;
+};
+
+/// All examples in the order of the tutorials. Each is a valid scene with something to see, and can be written to a file and
+/// read again. Their numbers hold in a window of any size: the projections are the tutorials' own and do not follow the
+/// window, and where a picture must stay square it is the viewport that does.
+///
+/// The three of projection-derivation share their objects, camera and viewport, so that switching between them changes
+/// nothing but the projection.
+///
+/// The meshes are built anew on every call.
+std::vector<Example> examples();
+
+} // namespace unprojector::examples

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/mesh/import/mesh_reader.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+
+namespace unprojector::mesh::reader {
+
+/// A regular file's bytes, read by all cores. Not mapped: a program that shortens a mapped file ends those that look at it.
+class FileBytes {
+public:
+    /// Throws Failure (NotReadable; Malformed where the file becomes shorter meanwhile; Cancelled).
+    explicit FileBytes(const std::filesystem::path &file, ProgressReporter *progress = nullptr);
+
+    std::span<const std::uint8_t> bytes() const { return {m_bytes.get(), m_size}; }
+
+private:
+    std::size_t m_size = 0;
+    std::unique_ptr<std::uint8_t[]> m_bytes;
+};
+
+} // namespace unprojector::mesh::reader

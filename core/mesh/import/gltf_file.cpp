@@ -1,0 +1,429 @@
+#include "core/mesh/import/gltf_file.h"
+
+#include "core/mesh/import/gltf_extensions.h"
+#include "core/mesh/import/meshopt_view.h"
+#include "core/text/json_syntax.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace unprojector::mesh::reader {
+using text::tr;
+
+namespace {
+
+/// Deep enough for every honest file.
+constexpr std::size_t kDeepestJson = 256;
+
+constexpr std::uint32_t kGlbMagic = 0x46546c67;
+constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
+constexpr std::uint32_t kBinChunk = 0x004e4942;
+
+std::uint32_t wordAt(std::span<const std::uint8_t> bytes, std::size_t at)
+{
+    return std::uint32_t{bytes[at]} | std::uint32_t{bytes[at + 1]} << 8 | std::uint32_t{bytes[at + 2]} << 16
+           | std::uint32_t{bytes[at + 3]} << 24;
+}
+
+bool isGlb(const Source &source)
+{
+    return source.suffix == "glb" || (source.bytes.size() >= 20 && wordAt(source.bytes, 0) == kGlbMagic);
+}
+
+[[noreturn]] void failOtherVersion(const std::string &version)
+{
+    throw Failure(ImportErrorCode::Unsupported,
+                  tr("it is glTF %1, and only glTF 2.0 can be read; convert it to glTF 2.0", version));
+}
+
+struct Chunks {
+    std::string_view json;
+    std::span<const std::uint8_t> binary;
+};
+
+Chunks chunksOfGlb(const Source &source, std::vector<ModelNote> &notes)
+{
+    std::span<const std::uint8_t> bytes = source.bytes;
+    if (bytes.size() < 4 || wordAt(bytes, 0) != kGlbMagic)
+        failMalformed(tr("the file does not begin with a GLB header"));
+    if (bytes.size() < 20)
+        failMalformed(tr("the file ends within the header"));
+    if (wordAt(bytes, 4) != 2)
+        failOtherVersion(std::to_string(wordAt(bytes, 4)) + ".0");
+    const std::size_t declared = wordAt(bytes, 8);
+    const auto failOtherSize = [&] {
+        failMalformed(tr("the header declares %1 bytes, the file has %2", declared, source.bytes.size()));
+    };
+    if (declared > bytes.size() || declared < 20)
+        failOtherSize();
+    if (const std::size_t more = bytesThatMean(bytes.subspan(declared)); more > 0)
+        notes.push_back({ModelNote::Kind::BytesLeftOut, more, {}});
+    bytes = bytes.first(declared);
+    Chunks chunks;
+    for (std::size_t at = 12; at + 8 <= bytes.size();) {
+        const std::size_t length = wordAt(bytes, at);
+        const std::uint32_t kind = wordAt(bytes, at + 4);
+        if (length > bytes.size() - at - 8 && length <= source.bytes.size() - at - 8)
+            failOtherSize();
+        if (length > bytes.size() - at - 8)
+            failMalformed(tr("a chunk of %1 bytes goes beyond the end of the file", length));
+        if (kind == kJsonChunk && chunks.json.empty())
+            chunks.json = source.text().substr(at + 8, length);
+        else if (kind == kBinChunk && chunks.binary.empty())
+            chunks.binary = bytes.subspan(at + 8, length);
+        at += 8 + length;
+        // A chunk ends at a multiple of four; some writers forget to fill it up.
+        const std::size_t padded = (at + 3) / 4 * 4;
+        const bool isUnpadded = at + 8 <= bytes.size() && wordAt(bytes, at + 4) == kBinChunk;
+        if (!isUnpadded)
+            at = padded;
+    }
+    return chunks;
+}
+
+/// Goes through a text and tells how far the parser is, which the parser itself only does where the syntax is wrong.
+struct WatchedText {
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char *;
+    using reference = const char &;
+
+    reference operator*() const { return *place; }
+    WatchedText &operator++()
+    {
+        *reached = ++place;
+        return *this;
+    }
+    WatchedText operator++(int)
+    {
+        const WatchedText before = *this;
+        ++*this;
+        return before;
+    }
+    bool operator==(const WatchedText &other) const { return place == other.place; }
+
+    const char *place = nullptr;
+    const char **reached = nullptr;
+};
+
+/// Whether the value of a key means nothing here, so that it may hold anything.
+/// @param object  the key whose value is the object that the key is in
+bool isUnread(std::string_view object, std::string_view key)
+{
+    return key == "extras" || key == "asset"
+           || (object == "extensions" && gltfExtension(key) == GltfExtension::Unknown);
+}
+
+/// Finds what cannot be read as a tree: JSON that is broken, an object with one key twice, and JSON so deep that its reader,
+/// which calls itself for each level, would have no memory for it.
+struct JsonCheck : nlohmann::json_sax<Json> {
+    explicit JsonCheck(std::string_view jsonText) : text(jsonText), reached(jsonText.data()) {}
+
+    void run()
+    {
+        Json::sax_parse(WatchedText{text.data(), &reached}, WatchedText{text.data() + text.size(), &reached}, this);
+    }
+
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t &) override { return true; }
+    bool string(string_t &) override { return true; }
+    bool binary(binary_t &) override { return true; }
+    bool start_object(std::size_t) override
+    {
+        objects.emplace_back();
+        return open();
+    }
+    bool key(string_t &name) override
+    {
+        if (unread && objects.size() > *unread)
+            return true;
+        Object &object = objects.back();
+        const bool isUnreadHere =
+            isUnread(objects.size() > 1 ? std::string_view(objects[objects.size() - 2].key) : std::string_view(), name);
+        unread = isUnreadHere ? std::optional(objects.size()) : std::nullopt;
+        object.key = name;
+        if (object.keys.insert(name).second)
+            return true;
+        const std::string_view before = text.substr(0, static_cast<std::size_t>(reached - text.data()) - 1);
+        twice = before.rfind('"');
+        return false;
+    }
+    bool end_object() override
+    {
+        objects.pop_back();
+        if (unread && objects.size() < *unread)
+            unread.reset();
+        return close();
+    }
+    bool start_array(std::size_t) override { return open(); }
+    bool end_array() override { return close(); }
+    bool parse_error(std::size_t position, const std::string &lastToken,
+                     const nlohmann::detail::exception &error) override
+    {
+        mistake = text::jsonMistake(text, position, lastToken, error.what());
+        return false;
+    }
+    bool open() { return ++depth <= kDeepestJson; }
+    bool close()
+    {
+        --depth;
+        return true;
+    }
+
+    struct Object {
+        std::set<std::string> keys;
+        std::string key; ///< the latest
+    };
+
+    std::string_view text;
+    const char *reached; ///< what the parser reads next
+    std::optional<text::JsonMistake> mistake;
+    std::optional<std::size_t> twice; ///< where a key is that its object has already
+    std::vector<Object> objects;      ///< that are open
+    /// How many objects are open where the latest value of isUnread() is.
+    std::optional<std::size_t> unread;
+    std::size_t depth = 0;
+};
+
+Json parsed(std::string_view text)
+{
+    // Some writers fill the chunk up with zeros instead of blanks.
+    while (!text.empty() && text.back() == '\0')
+        text.remove_suffix(1);
+    if (text.starts_with("\xef\xbb\xbf"))
+        text.remove_prefix(3);
+    JsonCheck check(text);
+    check.run();
+    if (check.depth > kDeepestJson)
+        failMalformed(tr("the JSON is nested too deeply"));
+    const auto failAt = [text](std::size_t at, const std::string &what) {
+        const std::string_view before = text.substr(0, at);
+        const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+        const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1; // npos + 1 is 0
+        failMalformed(tr("line %1, column %2: %3", line, column, what));
+    };
+    if (check.twice)
+        failAt(*check.twice, tr("the key \"%1\" occurs twice in one JSON object", check.objects.back().key));
+    if (check.mistake)
+        failAt(check.mistake->at, text::jsonMistakeText(check.mistake->english));
+    return Json::parse(text);
+}
+
+/// The beginning of a value as the file has it, for a sentence.
+std::string written(const Json &value)
+{
+    constexpr std::size_t kMost = 24;
+    const std::string all = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+    return all.size() > kMost ? all.substr(0, kMost) + "\xE2\x80\xA6" : all;
+}
+
+/// What a file says of its version: "2.0". Empty where it says nothing.
+std::string versionOf(const Json &root)
+{
+    const Json *asset = GltfFile::find(root, "asset");
+    const Json *version = asset ? GltfFile::find(*asset, "version") : nullptr;
+    if (version && version->is_string())
+        return version->get<std::string>();
+    if (version && version->is_number())
+        return written(*version);
+    // glTF 1.0 does not ask for a version; its objects have names instead of numbers.
+    const Json *meshes = GltfFile::find(root, "meshes");
+    return meshes && meshes->is_object() ? "1.0" : std::string();
+}
+
+/// The value of a digit of base64, or -1.
+int valueOf(char c)
+{
+    if (c >= 'A' && c <= 'Z')
+        return c - 'A';
+    if (c >= 'a' && c <= 'z')
+        return c - 'a' + 26;
+    if (c >= '0' && c <= '9')
+        return c - '0' + 52;
+    return c == '+' || c == '-' ? 62 : c == '/' || c == '_' ? 63 : -1;
+}
+
+std::vector<std::uint8_t> fromBase64(std::string_view text)
+{
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(text.size() / 4 * 3);
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        if (c == '=' || c == '\n' || c == '\r' || c == ' ')
+            continue;
+        const int value = valueOf(c);
+        if (value < 0)
+            failMalformed(tr("embedded data is no base64"));
+        bits = bits << 6 | static_cast<std::uint32_t>(value);
+        count += 6;
+        if (count >= 8) {
+            count -= 8;
+            bytes.push_back(static_cast<std::uint8_t>(bits >> count));
+        }
+    }
+    return bytes;
+}
+
+} // namespace
+
+std::optional<std::vector<std::uint8_t>> dataFromUri(std::string_view uri)
+{
+    if (!uri.starts_with("data:"))
+        return std::nullopt;
+    const std::size_t comma = uri.find(',');
+    if (comma == uri.npos || !uri.substr(0, comma).ends_with(";base64"))
+        failMalformed(tr("embedded data is no base64"));
+    return fromBase64(uri.substr(comma + 1));
+}
+
+GltfFile::GltfFile(const Source &source, std::vector<ModelNote> &notes) : m_source(source), m_notes(notes)
+{
+    m_isGlb = isGlb(source);
+    const Chunks chunks = m_isGlb ? chunksOfGlb(source, m_notes) : Chunks{source.text(), {}};
+    m_root = parsed(chunks.json);
+    m_binary = chunks.binary;
+    const std::string version = versionOf(m_root);
+    if (version.empty())
+        failMalformed(tr("it names no version of glTF: \"version\" in \"asset\" is missing"));
+    if (version.substr(0, version.find('.')) != "2")
+        failOtherVersion(version);
+    m_buffers.resize(array("buffers").size());
+}
+
+const Json *GltfFile::find(const Json &object, const char *key)
+{
+    if (!object.is_object())
+        failMalformed(tr("%1 stands where an object with \"%2\" belongs", written(object), key));
+    const auto found = object.find(key);
+    return found == object.end() ? nullptr : &*found;
+}
+
+const Json &GltfFile::array(const Json &object, const char *key)
+{
+    static const Json kNone = Json::array();
+    const Json *found = find(object, key);
+    if (found && !found->is_array())
+        failMalformed(tr("\"%1\" is %2, which is no array", key, written(*found)));
+    return found ? *found : kNone;
+}
+
+std::uint64_t GltfFile::number(const Json &object, const char *key, std::uint64_t otherwise)
+{
+    const Json *found = find(object, key);
+    if (!found)
+        return otherwise;
+    if (!found->is_number_unsigned() || found->get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
+        failMalformed(tr("\"%1\" is %2, which is no number of a fitting size", key, written(*found)));
+    return found->get<std::uint64_t>();
+}
+
+double GltfFile::real(const Json &value)
+{
+    if (!value.is_number())
+        failMalformed(tr("%1 stands where a number belongs", written(value)));
+    return value.get<double>();
+}
+
+const Json &GltfFile::reference(const Json &object, const char *key, const char *target) const
+{
+    const std::uint64_t index = number(object, key, std::numeric_limits<std::uint64_t>::max());
+    const Json &objects = array(target);
+    if (index >= objects.size())
+        failMalformed(tr("\"%1\" refers to number %2 of \"%3\", the file has %4", key, index, target, objects.size()));
+    return objects[static_cast<std::size_t>(index)];
+}
+
+GltfFile::Buffer GltfFile::readBuffer(const std::string &address)
+{
+    Buffer buffer;
+    if (std::optional<std::vector<std::uint8_t>> embedded = dataFromUri(address)) {
+        buffer.embedded = std::move(*embedded);
+        return buffer;
+    }
+    const std::filesystem::path file = resolveReference(m_source.file, address);
+    if (file.empty())
+        failMalformed(tr("the file \"%1\", which it needs, is not there", address));
+    try {
+        buffer.file = std::make_unique<FileBytes>(file);
+        m_bufferFiles.push_back(file);
+    } catch (const Failure &) {
+        failMalformed(tr("the file \"%1\", which it needs, cannot be read; look at its permissions", address));
+    }
+    noteIfOutside(m_notes, m_source.file, file, address);
+    return buffer;
+}
+
+std::span<const std::uint8_t> GltfFile::bufferBytes(std::uint64_t buffer)
+{
+    const Json &described = array("buffers")[static_cast<std::size_t>(buffer)];
+    const Json *uri = find(described, "uri");
+    const std::uint64_t declared = number(described, "byteLength", 0);
+    auto &slot = m_buffers[static_cast<std::size_t>(buffer)];
+    if (!uri && !slot) {
+        if (!m_isGlb || buffer != 0)
+            failMalformed(tr("buffer %1 has no bytes", buffer));
+        if (declared > m_binary.size())
+            failMalformed(tr("the binary chunk is shorter than the buffer"));
+        return m_binary.first(static_cast<std::size_t>(declared));
+    }
+    if (uri && !uri->is_string())
+        failMalformed(tr("the address of a buffer is no text"));
+    if (!slot)
+        slot = std::make_unique<Buffer>(readBuffer(uri->get_ref<const std::string &>()));
+    if (declared > slot->bytes().size())
+        failMalformed(tr("a buffer of %1 bytes is declared as %2", slot->bytes().size(), declared));
+    return slot->bytes().first(static_cast<std::size_t>(declared));
+}
+
+std::span<const std::uint8_t> GltfFile::bytesOf(const Json &view)
+{
+    reference(view, "buffer", "buffers");
+    const std::span<const std::uint8_t> buffer = bufferBytes(number(view, "buffer", 0));
+    const std::uint64_t offset = number(view, "byteOffset", 0), length = number(view, "byteLength", 0);
+    if (offset + length > buffer.size())
+        failMalformed(tr("a buffer view goes beyond its buffer of %1 bytes", buffer.size()));
+    return buffer.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
+}
+
+std::span<const std::uint8_t> GltfFile::viewBytes(const Json &object)
+{
+    const Json &view = reference(object, "bufferView", "bufferViews");
+    const Json *packed = extensionOf(view, kMeshoptExtension);
+    if (!packed)
+        return bytesOf(view);
+    if (!hasMeshopt()) {
+        // What stands in for the packed bytes may be nothing.
+        if (!find(reference(view, "buffer", "buffers"), "uri") && (!m_isGlb || number(view, "buffer", 0) != 0))
+            failWithoutLibrary(kMeshoptExtension);
+        return bytesOf(view);
+    }
+    const std::uint64_t place = number(object, "bufferView", 0);
+    auto unpacked = m_unpackedViews.find(place);
+    if (unpacked == m_unpackedViews.end())
+        unpacked = m_unpackedViews.emplace(place, unpackedView(view, *packed, bytesOf(*packed))).first;
+    return unpacked->second;
+}
+
+std::size_t GltfFile::addAccessor(Json accessor, std::vector<std::uint8_t> bytes)
+{
+    const std::size_t length = bytes.size();
+    m_buffers.push_back(std::make_unique<Buffer>());
+    m_buffers.back()->embedded = std::move(bytes);
+    m_root["buffers"].push_back({{"byteLength", length}});
+    m_root["bufferViews"].push_back({{"buffer", m_buffers.size() - 1}, {"byteLength", length}});
+    accessor["bufferView"] = m_root["bufferViews"].size() - 1;
+    m_root["accessors"].push_back(std::move(accessor));
+    return m_root["accessors"].size() - 1;
+}
+
+} // namespace unprojector::mesh::reader

@@ -1,0 +1,266 @@
+#include "core/mesh/import/gltf_nodes.h"
+
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace unprojector::mesh::reader {
+using text::tr;
+
+namespace {
+
+constexpr std::size_t kDeepestNode = 512;
+
+[[noreturn]] void failNoTree()
+{
+    failMalformed(tr("the nodes form a circle or are nested too deeply"));
+}
+
+/// A node in a sentence: its number, and its name where it has one.
+std::string nameOf(std::size_t number, const Json &node)
+{
+    const Json *name = GltfFile::find(node, "name");
+    return std::to_string(number)
+           + (name && name->is_string() ? " \"" + name->get<std::string>() + '"' : std::string());
+}
+
+/// An array of so many numbers; null where the node has none.
+const Json *numbers(const Json &node, const char *key, std::size_t count)
+{
+    const Json *found = GltfFile::find(node, key);
+    if (found && found->is_null())
+        return nullptr;
+    if (found && (!found->is_array() || found->size() != count))
+        failMalformed(tr("\"%1\" of a node has not %2 numbers", key, count));
+    return found;
+}
+
+/// Whether a node is hidden with all that is below it.
+bool isHidden(const Json &node)
+{
+    const Json *extensions = GltfFile::find(node, "extensions");
+    const Json *visibility = extensions ? GltfFile::find(*extensions, "KHR_node_visibility") : nullptr;
+    const Json *visible = visibility ? GltfFile::find(*visibility, "visible") : nullptr;
+    return visible && *visible == false;
+}
+
+} // namespace
+
+bool Placement::isRotationUnit() const
+{
+    constexpr double kFewDigits = 0.01;
+    return std::abs(glm::length(rotation) - 1.0) <= kFewDigits;
+}
+
+const char *Placement::firstThatMoves() const
+{
+    if (translation != glm::dvec3(0.0))
+        return "translation";
+    if (rotation.x != 0.0 || rotation.y != 0.0 || rotation.z != 0.0)
+        return "rotation";
+    return scale != glm::dvec3(1.0) ? "scale" : nullptr;
+}
+
+PreciseMatrix Placement::matrix() const
+{
+    const DoubleDouble x(rotation.x), y(rotation.y), z(rotation.z), w(rotation.w);
+    const DoubleDouble k = 2.0 / (x * x + y * y + z * z + w * w);
+    PreciseMatrix turned(glm::dmat4(1.0));
+    turned.columns[0] = {1.0 - k * (y * y + z * z), k * (x * y + w * z), k * (x * z - w * y), 0.0};
+    turned.columns[1] = {k * (x * y - w * z), 1.0 - k * (x * x + z * z), k * (y * z + w * x), 0.0};
+    turned.columns[2] = {k * (x * z + w * y), k * (y * z - w * x), 1.0 - k * (x * x + y * y), 0.0};
+    const glm::dmat4 identity(1.0);
+    return PreciseMatrix(glm::translate(identity, translation)) * turned * PreciseMatrix(glm::scale(identity, scale));
+}
+
+std::string wrongLastRow(const glm::dmat4 &matrix)
+{
+    constexpr double kRounding = 1e-6; // of single precision
+    const glm::dvec4 row(matrix[0][3], matrix[1][3], matrix[2][3], matrix[3][3]);
+    std::string text;
+    bool isRight = true;
+    for (int i = 0; i < 4; ++i) {
+        isRight = isRight && std::abs(row[i] - (i == 3 ? 1.0 : 0.0)) <= kRounding;
+        text += (i > 0 ? " " : "") + text::shortestText(row[i]);
+    }
+    return isRight ? std::string() : text;
+}
+
+glm::dmat4 withLastRow(glm::dmat4 matrix)
+{
+    for (int i = 0; i < 4; ++i)
+        matrix[i][3] = i == 3 ? 1.0 : 0.0;
+    return matrix;
+}
+
+PreciseMatrix GltfNodes::parentFromNode(std::size_t number) const
+{
+    const Json &node = m_file.array("nodes")[number];
+    const auto at = [](const Json *list, std::size_t place) { return GltfFile::real((*list)[place]); };
+    const auto vector = [&at](const Json *list) { return glm::dvec3(at(list, 0), at(list, 1), at(list, 2)); };
+    glm::dmat4 matrix(1.0);
+    if (const Json *given = numbers(node, "matrix", 16)) {
+        for (int i = 0; i < 16; ++i)
+            matrix[i / 4][i % 4] = at(given, static_cast<std::size_t>(i));
+        const std::string lastRow = wrongLastRow(matrix);
+        if (!lastRow.empty())
+            failMalformed(
+                tr("the matrix of node %1 has the last row %2; it must be 0 0 0 1", nameOf(number, node), lastRow));
+        matrix = withLastRow(matrix);
+    }
+    Placement placement;
+    if (const Json *moved = numbers(node, "translation", 3))
+        placement.translation = vector(moved);
+    if (const Json *turned = numbers(node, "rotation", 4))
+        placement.rotation = glm::dquat(at(turned, 3), at(turned, 0), at(turned, 1), at(turned, 2));
+    if (const Json *scaled = numbers(node, "scale", 3))
+        placement.scale = vector(scaled);
+    if (!placement.isRotationUnit())
+        failMalformed(tr("the rotation of node %1 has the length %2; it must be 1", nameOf(number, node),
+                         text::shortestText(glm::length(placement.rotation))));
+    if (matrix == glm::dmat4(1.0))
+        return placement.matrix();
+    if (const char *other = placement.firstThatMoves())
+        failMalformed(
+            tr("node %1 has both \"matrix\" and \"%2\", of which it may have one only", nameOf(number, node), other));
+    return PreciseMatrix(matrix);
+}
+
+PreciseMatrix GltfNodes::worldFromNode(std::size_t node) const
+{
+    PreciseMatrix worldFromNode = parentFromNode(node);
+    std::size_t depth = 1;
+    for (std::size_t parent = m_parents[node]; parent != kNone; parent = m_parents[parent]) {
+        if (++depth > kDeepestNode)
+            failNoTree();
+        worldFromNode = parentFromNode(parent) * worldFromNode;
+    }
+    return worldFromNode;
+}
+
+std::vector<std::size_t> GltfNodes::nodeList(const Json &object, const char *key) const
+{
+    std::vector<std::size_t> list;
+    const std::size_t count = m_file.array("nodes").size();
+    for (const Json &entry : GltfFile::array(object, key)) {
+        if (!entry.is_number_unsigned() || entry.get<std::uint64_t>() >= count)
+            failMalformed(tr("\"%1\" refers to a node that the file does not have", key));
+        list.push_back(entry.get<std::size_t>());
+    }
+    return list;
+}
+
+GltfNodes::GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes) : m_file(file)
+{
+    const Json &nodes = m_file.array("nodes");
+    m_parents.assign(nodes.size(), kNone);
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        for (const std::size_t child : nodeList(nodes[n], "children")) {
+            if (m_parents[child] != kNone)
+                failMalformed(tr("node %1 has two parents", child));
+            m_parents[child] = n;
+        }
+    }
+    const Json &scenes = m_file.array("scenes");
+    const bool isChosen = GltfFile::find(m_file.root(), "scene");
+    if (isChosen || !scenes.empty()) {
+        const Json &scene = isChosen ? m_file.reference(m_file.root(), "scene", "scenes") : scenes[0];
+        setRoots(nodeList(scene, "nodes"), notes);
+        return;
+    }
+    notes.push_back({ModelNote::Kind::SceneMissing, 0, {}});
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        if (m_parents[n] == kNone)
+            m_roots.push_back(n);
+    }
+    if (m_roots.empty() && !nodes.empty())
+        failNoTree();
+}
+
+void GltfNodes::setRoots(const std::vector<std::size_t> &listed, std::vector<ModelNote> &notes)
+{
+    std::vector<bool> areListed(m_parents.size()), areRoots(m_parents.size());
+    for (const std::size_t node : listed)
+        areListed[node] = true;
+    for (const std::size_t node : listed) {
+        const std::size_t top = topOf(node);
+        if (top == kNone)
+            failNoTree();
+        if (!areListed[top])
+            failMalformed(tr("the scene lists node %1, but not node %2 that it is below; list node %2 instead",
+                             nameOf(node, m_file.array("nodes")[node]), top));
+        if (node == top && !areRoots[node])
+            m_roots.push_back(node);
+        areRoots[node] = node == top;
+    }
+    if (m_roots.size() < listed.size())
+        notes.push_back({ModelNote::Kind::NodesListedAgain, listed.size() - m_roots.size(), {}});
+}
+
+std::size_t GltfNodes::topOf(std::size_t node) const
+{
+    for (std::size_t depth = 0; m_parents[node] != kNone; node = m_parents[node]) {
+        if (++depth > kDeepestNode)
+            return kNone;
+    }
+    return node;
+}
+
+std::size_t GltfNodes::meshesElsewhere() const
+{
+    std::vector<bool> areRoots(m_parents.size());
+    for (const std::size_t root : m_roots)
+        areRoots[root] = true;
+    std::vector<bool> areHere(m_file.array("meshes").size());
+    const Json &nodes = m_file.array("nodes");
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+        const std::size_t top = topOf(n);
+        if (top == kNone || !areRoots[top])
+            continue;
+        const std::uint64_t mesh = GltfFile::number(nodes[n], "mesh", areHere.size());
+        if (mesh < areHere.size())
+            areHere[static_cast<std::size_t>(mesh)] = true;
+    }
+    return static_cast<std::size_t>(std::count(areHere.begin(), areHere.end(), false));
+}
+
+std::size_t
+GltfNodes::visit(const std::function<void(const Json &node, const PreciseMatrix &worldFromNode)> &visit) const
+{
+    struct Waiting {
+        std::size_t node, depth;
+        bool isBelowHidden;
+        PreciseMatrix worldFromParent;
+    };
+    std::vector<Waiting> waiting;
+    const auto add = [&waiting](const std::vector<std::size_t> &list, std::size_t depth, bool isBelowHidden,
+                                const PreciseMatrix &parent) {
+        for (auto node = list.rbegin(); node != list.rend(); ++node)
+            waiting.push_back({*node, depth, isBelowHidden, parent});
+    };
+    std::size_t hiddenCount = 0;
+    add(m_roots, 1, false, PreciseMatrix(glm::dmat4(1.0)));
+    while (!waiting.empty()) {
+        const Waiting next = waiting.back();
+        waiting.pop_back();
+        if (next.depth > kDeepestNode)
+            failNoTree();
+        const Json &node = m_file.array("nodes")[next.node];
+        const PreciseMatrix worldFromNode = next.worldFromParent * parentFromNode(next.node);
+        const bool isNowHidden = next.isBelowHidden || isHidden(node);
+        if (!isNowHidden)
+            visit(node, worldFromNode);
+        else if (GltfFile::find(node, "mesh"))
+            ++hiddenCount;
+        add(nodeList(node, "children"), next.depth + 1, isNowHidden, worldFromNode);
+    }
+    return hiddenCount;
+}
+
+} // namespace unprojector::mesh::reader

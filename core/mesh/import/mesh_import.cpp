@@ -1,0 +1,376 @@
+#include "core/mesh/import/mesh_import.h"
+
+#include "core/geometry/finite.h"
+#include "core/mesh/import/file_bytes.h"
+#include "core/mesh/import/file_contents.h"
+#include "core/mesh/import/mesh_normals.h"
+#include "core/mesh/import/mesh_reader.h"
+#include "core/text/number_text.h"
+#include "core/text/system_error.h"
+#include "core/text/translation.h"
+#include "core/text/utf8.h"
+#include "core/threads/parallel.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <fstream>
+#include <initializer_list>
+#include <limits>
+#include <mutex>
+#include <new>
+#include <numeric>
+#include <stdexcept>
+#include <system_error>
+
+namespace unprojector::mesh {
+using namespace threads;
+using namespace geometry;
+using text::tr;
+
+namespace reader {
+
+namespace {
+
+/// Elements looked at in a task of some milliseconds.
+constexpr std::size_t kElementsInTask = 1 << 18;
+/// Normals take a second and a third of the memory for meshes beyond this, whose triangles are so small on the screen
+/// that they look no better smooth.
+constexpr std::size_t kMostTrianglesToSmooth = 3000000;
+
+bool hasUsableNormals(const Mesh &mesh)
+{
+    if (mesh.normals.size() != mesh.positions.size())
+        return false;
+    std::atomic<bool> isUsable = true;
+    inParallelRanges(mesh.elementCount(), kElementsInTask, {}, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t element = begin; element < end; ++element) {
+            const glm::vec3 &normal = mesh.normals[mesh.vertexAt(element)];
+            if (!isFinite(normal) || normal == glm::vec3(0.0f)) {
+                isUsable = false;
+                return;
+            }
+        }
+    });
+    return isUsable;
+}
+
+/// Checks what every reader must keep, so that drawing and ray casting need not.
+/// @param firstVertex  of the mesh in the model, for messages
+/// @return the box of what is shown of it
+Box checkMesh(Mesh &mesh, std::size_t firstVertex, const std::function<void(double)> &report)
+{
+    const std::size_t vertexCount = mesh.positions.size();
+    Box bounds;
+    std::mutex mutex;
+    const auto add = [&](const ShownBox &own) {
+        const std::lock_guard lock(mutex);
+        bounds.add(own.box());
+    };
+    const auto half = [&report](double from) { return [&report, from](double share) { report(from + share / 2.0); }; };
+    inParallelRanges(vertexCount, kElementsInTask, half(0.0), [&](std::size_t begin, std::size_t end) {
+        ShownBox own;
+        for (std::size_t v = begin; v < end; ++v) {
+            const glm::vec3 &position = mesh.positions[v];
+            // The sum of what is finite may overflow, but rarely does.
+            if (!std::isfinite(position.x + position.y + position.z) && !isFinite(position))
+                throw Failure(ImportErrorCode::NotFinite, {}, firstVertex + v);
+            if (mesh.indices.empty())
+                own.add(mesh, v);
+        }
+        add(own);
+    });
+    inParallelRanges(mesh.indices.size(), kElementsInTask, half(0.5), [&](std::size_t begin, std::size_t end) {
+        ShownBox own;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (mesh.indices[i] >= vertexCount)
+                failMalformed(tr("a face refers to vertex %1, the mesh has %2", mesh.indices[i], vertexCount));
+            own.add(mesh, mesh.indices[i]);
+        }
+        add(own);
+    });
+    if (mesh.colors.size() != vertexCount)
+        mesh.colors.clear();
+    if (mesh.texcoords.size() != vertexCount)
+        mesh.texcoords.clear();
+    for (glm::vec2 &texcoord : mesh.texcoords) {
+        if (!isFinite(texcoord))
+            texcoord = glm::vec2(0.0f);
+    }
+    return bounds;
+}
+
+/// Those whose corners are equal or on one line. Differences of singles are exact or nearly so in double, and so is what
+/// is made of them here: only what has no area is counted.
+std::size_t flatTriangles(const Mesh &mesh)
+{
+    std::atomic<std::size_t> count = 0;
+    inParallelRanges(mesh.triangleCount(), kElementsInTask / 3, {}, [&](std::size_t begin, std::size_t end) {
+        std::size_t own = 0;
+        for (std::size_t triangle = begin; triangle < end; ++triangle) {
+            const auto corner = [&](std::size_t k) {
+                return glm::dvec3(mesh.positions[mesh.vertexAt(3 * triangle + k)]);
+            };
+            const glm::dvec3 a = corner(0), u = corner(1) - a, v = corner(2) - a;
+            own += glm::cross(u, v) == glm::dvec3(0.0) ? 1U : 0U;
+        }
+        count += own;
+    });
+    return count;
+}
+
+/// Says what of a model that is right can be neither seen nor clicked.
+void noteWhatIsNotSeen(Model &model)
+{
+    std::size_t flat = 0;
+    for (const Mesh &mesh : model.meshes)
+        flat += flatTriangles(mesh);
+    if (flat > 0)
+        model.notes.push_back({ModelNote::Kind::FlatTriangles, flat, {}});
+    // Graphics cards take what is below 1.2e-38 as 0; so much more keeps the digits of singles.
+    constexpr double kLeastDrawn = 1e-30;
+    const glm::dvec3 size = model.bounds.highest - model.bounds.lowest;
+    const double largest = std::max({size.x, size.y, size.z});
+    if (largest > 0.0 && largest < kLeastDrawn)
+        model.notes.push_back({ModelNote::Kind::TooSmallToDraw, 0, text::shortestText(largest)});
+}
+
+/// Keeps normals that can be used, makes those that are missing where that pays.
+void finishNormals(Mesh &mesh, const std::function<void(double)> &report)
+{
+    if (mesh.kind == Mesh::Kind::Triangles && hasUsableNormals(mesh))
+        return;
+    mesh.normals = {};
+    if (mesh.kind == Mesh::Kind::Triangles && !mesh.indices.empty() && mesh.triangleCount() <= kMostTrianglesToSmooth)
+        makeNormals(mesh, 0.5f, report);
+}
+
+/// As they come, where a reader has said nothing else.
+void numberVertices(Model &model)
+{
+    if (std::any_of(model.meshes.begin(), model.meshes.end(),
+                    [](const Mesh &mesh) { return !mesh.vertexNumbers.empty(); }))
+        return;
+    std::uint32_t number = 0;
+    for (Mesh &mesh : model.meshes) {
+        mesh.vertexNumbers.resize(mesh.positions.size());
+        std::iota(mesh.vertexNumbers.begin(), mesh.vertexNumbers.end(), number);
+        number += static_cast<std::uint32_t>(mesh.positions.size());
+    }
+}
+
+/// Drops the vertices' numbers where they are as the vertices come.
+void dropPlainNumbers(Model &model)
+{
+    std::uint32_t number = 0;
+    for (const Mesh &mesh : model.meshes) {
+        for (const std::uint32_t own : mesh.vertexNumbers) {
+            if (own != number++)
+                return;
+        }
+    }
+    for (Mesh &mesh : model.meshes)
+        mesh.vertexNumbers = {};
+}
+
+void finishModel(Model &model, ProgressReporter &progress)
+{
+    std::erase_if(model.meshes, [](const Mesh &mesh) { return mesh.triangleCount() == 0 && mesh.pointCount() == 0; });
+    if (model.meshes.empty())
+        throw Failure(ImportErrorCode::NoTriangles);
+    std::size_t total = 0;
+    bool isSoup = false;
+    for (const Mesh &mesh : model.meshes) {
+        total += mesh.elementCount();
+        isSoup = isSoup || (mesh.kind == Mesh::Kind::Triangles && mesh.indices.empty());
+    }
+    if (model.meshes.size() > 1)
+        numberVertices(model);
+    std::size_t firstVertex = 0;
+    std::size_t done = 0;
+    for (Mesh &mesh : model.meshes) {
+        const auto reporting = [&](double from, double to) {
+            return [&progress, &mesh, done, total, from, to](double share) {
+                const double ofMesh = (from + share * (to - from)) * static_cast<double>(mesh.elementCount());
+                progress.report((static_cast<double>(done) + ofMesh) / static_cast<double>(total));
+            };
+        };
+        const std::size_t elements = mesh.elementCount();
+        model.bounds.add(checkMesh(mesh, firstVertex, reporting(0.0, 0.1)));
+        firstVertex += mesh.positions.size();
+        finishNormals(mesh, reporting(0.1, 1.0));
+        done += elements;
+    }
+    dropPlainNumbers(model);
+    if (model.fileVertices == 0 && !isSoup)
+        model.fileVertices = firstVertex;
+    noteWhatIsNotSeen(model);
+}
+
+/// Makes one note of those of files outside the model's folder: a model may have many pictures in a folder beside its own.
+void gatherFilesOutside(std::vector<ModelNote> &notes)
+{
+    const auto isOutside = [](const ModelNote &note) { return note.kind == ModelNote::Kind::ReadOutside; };
+    const auto first = std::find_if(notes.begin(), notes.end(), isOutside);
+    if (first == notes.end())
+        return;
+    first->count = static_cast<std::size_t>(std::count_if(first, notes.end(), isOutside));
+    notes.erase(std::remove_if(first + 1, notes.end(), isOutside), notes.end());
+}
+
+using Reader = Model (*)(const Source &);
+
+Reader readerFor(const std::string &suffix)
+{
+    if (suffix == "stl")
+        return readStl;
+    if (suffix == "ply")
+        return readPly;
+    if (suffix == "off")
+        return readOff;
+    if (suffix == "obj")
+        return readObj;
+    if (suffix == "gltf" || suffix == "glb")
+        return readGltf;
+    return nullptr;
+}
+
+constexpr std::size_t kStartBytes = 512;
+
+std::string startOf(const std::filesystem::path &file)
+{
+    std::error_code error;
+    std::string start;
+    if (!std::filesystem::is_regular_file(file, error))
+        return start;
+    start.resize(kStartBytes);
+    std::ifstream stream(file, std::ios::binary);
+    stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+    start.resize(static_cast<std::size_t>(stream.gcount()));
+    return start;
+}
+
+/// Throws also where the contents are of another kind than the name says; then it says so.
+Model readAs(Reader reader, const Source &source)
+{
+    try {
+        return reader(source);
+    } catch (Failure &failure) {
+        const std::string advice = adviceByContents(source.text().substr(0, kStartBytes), source.suffix);
+        if (failure.code == ImportErrorCode::Malformed && !advice.empty())
+            failure.detail += "; " + advice;
+        throw;
+    }
+}
+
+Model import(const std::filesystem::path &file, ProgressReporter &progress)
+{
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (status.type() == std::filesystem::file_type::not_found)
+        throw Failure(ImportErrorCode::NotFound);
+    if (status.type() == std::filesystem::file_type::directory)
+        throw Failure(ImportErrorCode::IsDirectory);
+    const std::string suffix = lowerCaseSuffix(file);
+    const Reader reader = readerFor(suffix);
+    if (!reader)
+        throw Failure(ImportErrorCode::UnknownFormat, adviceByContents(startOf(file), suffix));
+
+    progress.beginStage(0.0, 0.1);
+    const FileBytes contents(file, &progress);
+    if (contents.bytes().empty())
+        throw Failure(ImportErrorCode::EmptyFile);
+    progress.beginStage(0.1, 0.7);
+    std::string converted;
+    const std::span<const std::uint8_t> bytes =
+        reader == readGltf ? contents.bytes() : withoutByteOrderMark(contents.bytes(), converted);
+    Model model = readAs(reader, Source{file, suffix, bytes, progress});
+    gatherFilesOutside(model.notes);
+    progress.beginStage(0.7, 1.0);
+    finishModel(model, progress);
+    model.name = utf8FromPath(file.stem());
+    progress.report(1.0);
+    return model;
+}
+
+} // namespace
+
+std::string lowerCaseSuffix(const std::filesystem::path &file)
+{
+    std::string suffix = utf8FromPath(file.extension());
+    if (!suffix.empty())
+        suffix.erase(0, 1);
+    std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return suffix;
+}
+
+std::span<const std::uint8_t> withoutByteOrderMark(std::span<const std::uint8_t> bytes, std::string &converted)
+{
+    const auto begins = [&bytes](std::initializer_list<std::uint8_t> mark) {
+        return bytes.size() >= mark.size() && std::equal(mark.begin(), mark.end(), bytes.begin());
+    };
+    if (begins({0xef, 0xbb, 0xbf}))
+        return bytes.subspan(3);
+    const bool isLittle = begins({0xff, 0xfe});
+    if (!isLittle && !begins({0xfe, 0xff}))
+        return bytes;
+    converted = text::utf8FromUtf16(bytes.subspan(2), isLittle ? std::endian::little : std::endian::big);
+    return {reinterpret_cast<const std::uint8_t *>(converted.data()), converted.size()};
+}
+
+void ProgressReporter::beginStage(double from, double to)
+{
+    m_from = from;
+    m_to = to;
+    report(0.0);
+}
+
+void ProgressReporter::report(double share)
+{
+    m_last = std::max(m_last, m_from + (m_to - m_from) * std::clamp(share, 0.0, 1.0));
+    if (!m_cancelled && m_callback)
+        m_cancelled = !m_callback(std::min(m_last, 1.0));
+    if (m_cancelled)
+        throw Failure(ImportErrorCode::Cancelled);
+}
+
+std::size_t bytesThatMean(std::span<const std::uint8_t> bytes)
+{
+    const bool isFilling = std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) {
+        return byte == 0 || byte == ' ' || byte == '\n' || byte == '\r' || byte == '\t' || byte == 0x1a;
+    });
+    return isFilling ? 0 : bytes.size();
+}
+
+} // namespace reader
+
+Result<std::shared_ptr<Model>, ImportError> importModel(const std::filesystem::path &file,
+                                                        const ImportProgress &progress)
+{
+    reader::ProgressReporter reporter(progress);
+    ImportError error{ImportErrorCode::Malformed, file, {}, 0};
+    try {
+        return std::make_shared<Model>(reader::import(file, reporter));
+    } catch (const reader::Failure &failure) {
+        error.code = failure.code;
+        error.detail = failure.detail;
+        error.index = failure.index;
+    } catch (const std::bad_alloc &) {
+        error.code = ImportErrorCode::OutOfMemory;
+    } catch (const std::length_error &) {
+        error.code = ImportErrorCode::OutOfMemory;
+    } catch (const std::system_error &failure) {
+        error.code = ImportErrorCode::NotReadable;
+        error.detail = text::systemErrorText(failure.code());
+    } catch (const std::exception &) {
+        error.detail = tr("its reader fails at it, which is an error of this program");
+    }
+    return error;
+}
+
+} // namespace unprojector::mesh

@@ -1,0 +1,377 @@
+#include "core/mesh/import/mesh_normals.h"
+
+#include "core/mesh/position_hash.h"
+#include "core/threads/parallel.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <mutex>
+#include <numeric>
+#include <thread>
+#include <utility>
+
+namespace unprojector::mesh {
+using namespace threads;
+
+namespace {
+
+constexpr std::uint32_t kEmpty = 0xffffffffu;
+constexpr std::size_t kTrianglesBetweenReports = 1 << 16;
+/// Some milliseconds of work.
+constexpr std::size_t kTrianglesInTask = 1 << 15;
+
+std::size_t slotCountFor(std::size_t count)
+{
+    return std::bit_ceil(std::max<std::size_t>(16, count + count / 2));
+}
+
+/// A triangle's unit normal, and its area in units that keep the sums far from overflow.
+struct FaceNormal {
+    glm::vec3 direction{0.0f};
+    float weight = 0.0f;
+};
+
+glm::vec3 normalizedOrUp(const glm::vec3 &sum)
+{
+    // The square of a tiny area's normal underflows in single precision.
+    const double length = glm::length(glm::dvec3(sum));
+    return length > 0.0 ? glm::vec3(glm::dvec3(sum) / length) : glm::vec3(0.0f, 0.0f, 1.0f);
+}
+
+std::vector<FaceNormal> faceNormalsOf(const Mesh &mesh, const std::function<void(double)> &report)
+{
+    Box box;
+    for (const glm::vec3 &position : mesh.positions)
+        box.add(glm::dvec3(position));
+    const double scale = box.diagonal() > 0.0 ? 1.0 / box.diagonal() : 1.0;
+
+    std::vector<FaceNormal> faces(mesh.triangleCount());
+    std::function<void(double)> telling;
+    if (report)
+        telling = [&report](double share) { report(0.4 * share); };
+    inParallelRanges(faces.size(), kTrianglesInTask, telling, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const glm::dvec3 a(mesh.positions[mesh.indices[3 * t]]);
+            const glm::dvec3 b(mesh.positions[mesh.indices[3 * t + 1]]);
+            const glm::dvec3 c(mesh.positions[mesh.indices[3 * t + 2]]);
+            const glm::dvec3 normal = glm::cross((b - a) * scale, (c - a) * scale);
+            const double area = glm::length(normal);
+            if (area > 0.0)
+                faces[t] = {glm::vec3(normal / area), static_cast<float>(area)};
+        }
+    });
+    return faces;
+}
+
+/// The sum of the faces' normals around each position, which are added in the order of the faces however many cores do it:
+/// each adds those of its own positions.
+std::vector<glm::vec3> normalSums(const Mesh &mesh, const std::vector<FaceNormal> &faces,
+                                  const std::vector<std::uint32_t> &positionOfVertex, std::size_t positionCount)
+{
+    std::vector<glm::vec3> sums(positionCount, glm::vec3(0.0f));
+    // All of them look at all corners: more would gain little.
+    constexpr std::size_t kMostTasks = 4;
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t tasks = mesh.indices.size() < 3 * kTrianglesInTask ? 1 : std::min(cores, kMostTasks);
+    inParallel(tasks, {}, [&](std::size_t task) {
+        const std::size_t begin = positionCount * task / tasks, end = positionCount * (task + 1) / tasks;
+        for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
+            const std::size_t position = positionOfVertex[mesh.indices[c]];
+            if (position >= begin && position < end)
+                sums[position] += faces[c / 3].direction * faces[c / 3].weight;
+        }
+    });
+    inParallelRanges(positionCount, kTrianglesInTask, {}, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t position = begin; position < end; ++position)
+            sums[position] = normalizedOrUp(sums[position]);
+    });
+    return sums;
+}
+
+/// Of the positions, those around which a face turns from their mean by more than an angle.
+std::vector<std::uint32_t> creasedPositions(const Mesh &mesh, const std::vector<FaceNormal> &faces,
+                                            const std::vector<std::uint32_t> &positionOfVertex,
+                                            const std::vector<glm::vec3> &means, float cosine)
+{
+    std::vector<std::uint32_t> creased;
+    std::mutex mutex;
+    inParallelRanges(mesh.indices.size(), 3 * kTrianglesInTask, {}, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t> own;
+        for (std::size_t c = begin; c < end; ++c) {
+            const FaceNormal &face = faces[c / 3];
+            const std::uint32_t position = positionOfVertex[mesh.indices[c]];
+            if (face.weight > 0.0f && !(glm::dot(face.direction, means[position]) >= cosine))
+                own.push_back(position);
+        }
+        const std::lock_guard lock(mutex);
+        creased.insert(creased.end(), own.begin(), own.end());
+    });
+    return creased;
+}
+
+/// The corners around each creased position, sorted by position, in compressed rows.
+struct CornerRows {
+    std::vector<std::uint32_t> begin; ///< by creased position's number, one more than there are
+    std::vector<std::uint32_t> corners;
+};
+
+/// Groups the faces around one position: faces that share an edge there and turn by less than the crease angle.
+class CreaseGroups {
+public:
+    CreaseGroups(const std::vector<FaceNormal> &faces, const std::vector<std::uint32_t> &positionOfCorner,
+                 float cosineOfCrease)
+        : m_faces(faces), m_positionOfCorner(positionOfCorner), m_cosineOfCrease(cosineOfCrease)
+    {
+    }
+
+    /// Fills `groups` with the group of each corner, numbered from 0, and returns how many there are.
+    std::uint32_t group(const std::uint32_t *corners, std::uint32_t count, std::vector<std::uint32_t> &groups)
+    {
+        m_parents.resize(count);
+        std::iota(m_parents.begin(), m_parents.end(), 0u);
+        m_edges.clear();
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t first = corners[i] - corners[i] % 3;
+            m_edges.emplace_back(m_positionOfCorner[first + (corners[i] + 1 - first) % 3], i);
+            m_edges.emplace_back(m_positionOfCorner[first + (corners[i] + 2 - first) % 3], i);
+        }
+        std::sort(m_edges.begin(), m_edges.end());
+        for (std::size_t e = 1; e < m_edges.size(); ++e) {
+            if (m_edges[e - 1].first != m_edges[e].first)
+                continue;
+            const FaceNormal &one = m_faces[corners[m_edges[e - 1].second] / 3];
+            const FaceNormal &other = m_faces[corners[m_edges[e].second] / 3];
+            const bool isFlat = one.weight == 0.0f || other.weight == 0.0f;
+            if (isFlat || glm::dot(one.direction, other.direction) >= m_cosineOfCrease)
+                m_parents[root(m_edges[e - 1].second)] = root(m_edges[e].second);
+        }
+        groups.assign(count, kEmpty);
+        std::uint32_t groupCount = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const std::uint32_t top = root(i);
+            if (groups[top] == kEmpty)
+                groups[top] = groupCount++;
+            groups[i] = groups[top];
+        }
+        return groupCount;
+    }
+
+private:
+    std::uint32_t root(std::uint32_t i)
+    {
+        while (m_parents[i] != i)
+            i = m_parents[i] = m_parents[m_parents[i]];
+        return i;
+    }
+
+    const std::vector<FaceNormal> &m_faces;
+    const std::vector<std::uint32_t> &m_positionOfCorner;
+    float m_cosineOfCrease;
+    std::vector<std::uint32_t> m_parents;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> m_edges;
+};
+
+std::uint32_t appendCopy(Mesh &mesh, std::uint32_t vertex)
+{
+    mesh.positions.push_back(glm::vec3(mesh.positions[vertex]));
+    if (!mesh.remainders.empty())
+        mesh.remainders.push_back(glm::ivec3(mesh.remainders[vertex]));
+    if (mesh.vertexNumbers.empty()) {
+        mesh.vertexNumbers.resize(mesh.positions.size() - 1);
+        std::iota(mesh.vertexNumbers.begin(), mesh.vertexNumbers.end(), 0u);
+    }
+    mesh.vertexNumbers.push_back(std::uint32_t{mesh.vertexNumbers[vertex]});
+    mesh.normals.push_back(glm::vec3(mesh.normals[vertex]));
+    if (!mesh.colors.empty())
+        mesh.colors.push_back(glm::u8vec4(mesh.colors[vertex]));
+    if (!mesh.texcoords.empty())
+        mesh.texcoords.push_back(glm::vec2(mesh.texcoords[vertex]));
+    return static_cast<std::uint32_t>(mesh.positions.size() - 1);
+}
+
+} // namespace
+
+PositionIndex::PositionIndex(std::size_t expectedCount) : m_slots(slotCountFor(expectedCount), kEmpty)
+{
+    m_positions.reserve(expectedCount);
+}
+
+std::uint32_t PositionIndex::add(const glm::vec3 &position)
+{
+    if (m_positions.size() + m_positions.size() / 4 >= m_slots.size())
+        grow();
+    const std::size_t mask = m_slots.size() - 1;
+    std::size_t slot = hashOf(position) & mask;
+    while (m_slots[slot] != kEmpty) {
+        if (m_positions[m_slots[slot]] == position)
+            return m_slots[slot];
+        slot = (slot + 1) & mask;
+    }
+    m_slots[slot] = static_cast<std::uint32_t>(m_positions.size());
+    m_positions.push_back(position);
+    return m_slots[slot];
+}
+
+void PositionIndex::grow()
+{
+    m_slots.assign(m_slots.size() * 2, kEmpty);
+    const std::size_t mask = m_slots.size() - 1;
+    for (std::size_t i = 0; i < m_positions.size(); ++i) {
+        std::size_t slot = hashOf(m_positions[i]) & mask;
+        while (m_slots[slot] != kEmpty)
+            slot = (slot + 1) & mask;
+        m_slots[slot] = static_cast<std::uint32_t>(i);
+    }
+}
+
+void mergeEqualVertices(Mesh &mesh)
+{
+    const bool hasNormals = !mesh.normals.empty();
+    const bool hasColors = !mesh.colors.empty();
+    const bool hasTexcoords = !mesh.texcoords.empty();
+    const bool hasNumbers = !mesh.vertexNumbers.empty();
+    const auto areEqual = [&](std::uint32_t a, std::uint32_t b) {
+        return mesh.fromOrigin(a) == mesh.fromOrigin(b)
+               && (!hasNumbers || mesh.vertexNumbers[a] == mesh.vertexNumbers[b])
+               && (!hasNormals || mesh.normals[a] == mesh.normals[b])
+               && (!hasColors || mesh.colors[a] == mesh.colors[b])
+               && (!hasTexcoords || mesh.texcoords[a] == mesh.texcoords[b]);
+    };
+
+    if (mesh.indices.empty()) {
+        mesh.indices.resize(mesh.positions.size());
+        std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
+    }
+    std::vector<std::uint32_t> slots(slotCountFor(mesh.positions.size()), kEmpty);
+    std::vector<std::uint32_t> mergedFromOld(mesh.positions.size(), kEmpty);
+    std::vector<std::uint32_t> oldFromMerged;
+    const std::size_t mask = slots.size() - 1;
+    for (std::uint32_t &index : mesh.indices) {
+        if (mergedFromOld[index] == kEmpty) {
+            std::uint64_t hash = hashOf(mesh.positions[index]);
+            if (!mesh.remainders.empty()) {
+                for (int axis = 0; axis < 3; ++axis)
+                    hash = mixed(hash, static_cast<std::uint32_t>(mesh.remainders[index][axis]));
+            }
+            if (hasNumbers)
+                hash = mixed(hash, mesh.vertexNumbers[index]);
+            if (hasNormals)
+                hash = hashOf(mesh.normals[index], hash);
+            if (hasTexcoords)
+                hash = hashOf(glm::vec3(mesh.texcoords[index], 0.0f), hash);
+            std::size_t slot = hash & mask;
+            while (slots[slot] != kEmpty && !areEqual(oldFromMerged[slots[slot]], index))
+                slot = (slot + 1) & mask;
+            if (slots[slot] == kEmpty) {
+                slots[slot] = static_cast<std::uint32_t>(oldFromMerged.size());
+                oldFromMerged.push_back(index);
+            }
+            mergedFromOld[index] = slots[slot];
+        }
+        index = mergedFromOld[index];
+    }
+
+    const auto gather = [&](auto &values) {
+        if (values.empty())
+            return;
+        std::remove_reference_t<decltype(values)> gathered;
+        gathered.reserve(oldFromMerged.size());
+        for (const std::uint32_t old : oldFromMerged)
+            gathered.push_back(values[old]);
+        values = std::move(gathered);
+    };
+    gather(mesh.positions);
+    gather(mesh.remainders);
+    gather(mesh.vertexNumbers);
+    gather(mesh.normals);
+    gather(mesh.colors);
+    gather(mesh.texcoords);
+}
+
+void makeNormals(Mesh &mesh, float cosineOfCrease, const std::function<void(double)> &report)
+{
+    const std::vector<FaceNormal> faces = faceNormalsOf(mesh, report);
+
+    PositionIndex positionIndex(mesh.positions.size());
+    std::vector<std::uint32_t> positionOfVertex(mesh.positions.size());
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        positionOfVertex[v] = positionIndex.add(mesh.positions[v]);
+    const std::vector<glm::vec3> means = normalSums(mesh, faces, positionOfVertex, positionIndex.size());
+    if (report)
+        report(0.6);
+
+    mesh.normals.clear();
+    fillInParallel(mesh.normals, mesh.positions.size(), {}, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v)
+            mesh.normals[v] = means[positionOfVertex[v]];
+    });
+
+    // Faces within half the crease angle of their mean are within the crease angle of each other: nearly all
+    // positions of a scan are settled by that, and only the rest is worth looking at edge by edge.
+    const float cosineOfHalfCrease = std::sqrt((1.0f + cosineOfCrease) / 2.0f);
+    std::vector<std::uint32_t> creasedNumber(positionIndex.size(), kEmpty);
+    CornerRows rows;
+    for (const std::uint32_t position : creasedPositions(mesh, faces, positionOfVertex, means, cosineOfHalfCrease))
+        creasedNumber[position] = 0;
+    std::uint32_t creasedCount = 0;
+    for (std::uint32_t &number : creasedNumber) {
+        if (number != kEmpty)
+            number = creasedCount++;
+    }
+    if (report)
+        report(0.8);
+    if (creasedCount == 0)
+        return;
+
+    std::vector<std::uint32_t> positionOfCorner(mesh.indices.size());
+    rows.begin.assign(creasedCount + 1, 0);
+    for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
+        positionOfCorner[c] = positionOfVertex[mesh.indices[c]];
+        if (const std::uint32_t number = creasedNumber[positionOfCorner[c]]; number != kEmpty)
+            ++rows.begin[number + 1];
+    }
+    std::partial_sum(rows.begin.begin(), rows.begin.end(), rows.begin.begin());
+    rows.corners.resize(rows.begin.back());
+    std::vector<std::uint32_t> next(rows.begin.begin(), rows.begin.end() - 1);
+    for (std::size_t c = 0; c < mesh.indices.size(); ++c) {
+        if (const std::uint32_t number = creasedNumber[positionOfCorner[c]]; number != kEmpty)
+            rows.corners[next[number]++] = static_cast<std::uint32_t>(c);
+    }
+
+    CreaseGroups creaseGroups(faces, positionOfCorner, cosineOfCrease);
+    std::vector<std::uint32_t> groups;
+    std::vector<glm::vec3> groupNormals;
+    // (vertex, group) to the vertex that stands for it; a vertex's first group keeps its number.
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+    for (std::uint32_t number = 0; number < creasedCount; ++number) {
+        if (number % kTrianglesBetweenReports == 0 && report)
+            report(0.8 + 0.2 * number / creasedCount);
+        const std::uint32_t *corners = rows.corners.data() + rows.begin[number];
+        const std::uint32_t count = rows.begin[number + 1] - rows.begin[number];
+        const std::uint32_t groupCount = creaseGroups.group(corners, count, groups);
+
+        groupNormals.assign(groupCount, glm::vec3(0.0f));
+        for (std::uint32_t i = 0; i < count; ++i)
+            groupNormals[groups[i]] += faces[corners[i] / 3].direction * faces[corners[i] / 3].weight;
+        order.clear();
+        for (std::uint32_t i = 0; i < count; ++i)
+            order.emplace_back(std::uint64_t{mesh.indices[corners[i]]} << 32 | groups[i], corners[i]);
+        std::sort(order.begin(), order.end());
+        std::uint32_t target = 0;
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const auto vertex = static_cast<std::uint32_t>(order[i].first >> 32);
+            if (i == 0 || order[i].first != order[i - 1].first) {
+                const bool isFirstGroup = i == 0 || vertex != order[i - 1].first >> 32;
+                target = isFirstGroup ? vertex : appendCopy(mesh, vertex);
+                mesh.normals[target] = normalizedOrUp(groupNormals[order[i].first & 0xffffffffu]);
+            }
+            mesh.indices[order[i].second] = target;
+        }
+    }
+}
+
+} // namespace unprojector::mesh

@@ -1,0 +1,17 @@
+// Where the program is built without Draco.
+
+#include "core/mesh/import/draco_mesh.h"
+
+namespace unprojector::mesh::reader {
+
+bool hasDraco()
+{
+    return false;
+}
+
+DracoMesh unpackedDraco(std::span<const std::uint8_t>, std::span<const DracoRequest>, const DracoCounts &)
+{
+    return {};
+}
+
+} // namespace unprojector::mesh::reader

@@ -1,0 +1,250 @@
+#include "core/mesh/import/ply_body.h"
+
+#include "core/mesh/import/line_ranges.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+#include "core/threads/parallel.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace unprojector::mesh::reader {
+using namespace threads;
+using text::doubleFromWord;
+using text::integerFromWord;
+using text::quoted;
+using text::TextScanner;
+using text::tr;
+
+namespace {
+
+constexpr std::size_t kElementsBetweenReports = 1 << 14;
+/// Some milliseconds of work.
+constexpr std::size_t kBytesInTask = 1 << 20;
+
+/// The least and the greatest number of an integer type.
+std::pair<double, double> integerRange(PlyType type)
+{
+    const auto count = static_cast<double>(std::uint64_t{1} << (8 * byteCount(type)));
+    const bool isSigned = type == PlyType::Int8 || type == PlyType::Int16 || type == PlyType::Int32;
+    return isSigned ? std::pair{-count / 2.0, count / 2.0 - 1.0} : std::pair{0.0, count - 1.0};
+}
+
+} // namespace
+
+double plyValue(const std::uint8_t *bytes, PlyType type, PlyFormat format)
+{
+    const std::size_t count = byteCount(type);
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t shift = format == PlyFormat::LittleEndian ? i : count - 1 - i;
+        bits |= std::uint64_t{bytes[i]} << (8 * shift);
+    }
+    switch (type) {
+    case PlyType::Int8: return static_cast<std::int8_t>(bits);
+    case PlyType::Int16: return static_cast<std::int16_t>(bits);
+    case PlyType::Int32: return static_cast<std::int32_t>(bits);
+    case PlyType::Uint8:
+    case PlyType::Uint16:
+    case PlyType::Uint32: return static_cast<double>(bits);
+    case PlyType::Float32: return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+    case PlyType::Float64: return std::bit_cast<double>(bits);
+    }
+    return 0.0;
+}
+
+PlyBody::PlyBody(const Source &source, const PlyHeader &header)
+    : m_source(source), m_format(header.format), m_bytes(source.bytes), m_at(header.bodyOffset),
+      m_scanner(source.unpaddedText(), header.bodyOffset, header.bodyLine)
+{
+}
+
+void PlyBody::failTruncated() const
+{
+    failMalformed(tr("the file ends within %1 of %2", where(), m_element->count));
+}
+
+void PlyBody::failAtLine(const std::string &what) const
+{
+    failMalformed(tr("line %1: %2", m_scanner.line(), what));
+}
+
+void PlyBody::beginElement(const PlyElement &element, std::size_t number)
+{
+    m_element = &element;
+    m_number = number;
+    if (!m_isPart && number % kElementsBetweenReports == 0)
+        m_source.progress.report(static_cast<double>(offset()) / static_cast<double>(m_bytes.size()));
+    if (m_format == PlyFormat::Ascii)
+        skipComments();
+}
+
+/// Some programs write comments among the data, as they do in the header.
+void PlyBody::skipComments()
+{
+    m_scanner.skipBlankLines();
+    for (TextScanner ahead = m_scanner;; ahead = m_scanner) {
+        const std::string_view word = ahead.nextWordInLine();
+        if (word != "comment" && word != "obj_info" && !word.starts_with('#'))
+            return;
+        m_scanner.skipLine();
+        m_scanner.skipBlankLines();
+    }
+}
+
+void PlyBody::endElement()
+{
+    if (m_format != PlyFormat::Ascii)
+        return;
+    if (const std::string_view word = m_scanner.nextWordInLine(); !word.empty())
+        failAtLine(tr("%1 follows all that the header declares for %2", quoted(word), where()));
+}
+
+double PlyBody::value(PlyType type)
+{
+    if (m_format == PlyFormat::Ascii)
+        return asciiValue(type);
+    return plyValue(take(byteCount(type)), type, m_format);
+}
+
+const std::uint8_t *PlyBody::take(std::size_t size)
+{
+    if (m_bytes.size() - m_at < size)
+        failTruncated();
+    const std::uint8_t *begin = m_bytes.data() + m_at;
+    m_at += size;
+    return begin;
+}
+
+double PlyBody::asciiNumber(PlyType type)
+{
+    const std::string_view word = m_scanner.nextWordInLine();
+    if (word.empty()) {
+        if (m_scanner.isAtEnd())
+            failTruncated();
+        failAtLine(tr("the line ends before all that the header declares for %1", where()));
+    }
+    const std::optional<long long> integer = isFloating(type) ? std::nullopt : integerFromWord(word);
+    const std::optional<double> number = integer ? std::optional(static_cast<double>(*integer)) : doubleFromWord(word);
+    if (!number)
+        failAtLine(tr("%1 is no number", quoted(word)));
+    return *number;
+}
+
+double PlyBody::asciiValue(PlyType type)
+{
+    TextScanner ahead = m_scanner;
+    const double number = asciiNumber(type);
+    if (!isFloating(type)) {
+        const auto [least, most] = integerRange(type);
+        if (!(number >= least && number <= most) || number != std::floor(number))
+            failAtLine(tr("%1 is no whole number from %2 to %3, which the header declares for %4",
+                          quoted(ahead.nextWordInLine()), text::shortestText(least), text::shortestText(most),
+                          where()));
+    }
+    return number;
+}
+
+std::int64_t PlyBody::corner(PlyType type)
+{
+    const double number = value(type);
+    if (number != std::floor(number))
+        failMalformed(tr("%1 refers to vertex %2, which is no whole number", where(), text::shortestText(number)));
+    return number >= -1.0 && number <= 4294967295.0 ? static_cast<std::int64_t>(number) : -2;
+}
+
+std::size_t PlyBody::listLength(const PlyProperty &list)
+{
+    const double length = value(list.countType);
+    const std::size_t bytesEach = m_format == PlyFormat::Ascii ? 2 : byteCount(list.type);
+    if (!(length >= 0.0))
+        failMalformed(tr("%1 has a list of negative length", where()));
+    const std::size_t most = (bytesLeft() + 1) / bytesEach;
+    if (length > static_cast<double>(most))
+        failTruncated();
+    return static_cast<std::size_t>(length);
+}
+
+void PlyBody::skip(const PlyProperty &property)
+{
+    const std::size_t count = property.isList ? listLength(property) : 1;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (m_format == PlyFormat::Ascii)
+            asciiNumber(property.type); // unused values may be out of range
+        else
+            take(byteCount(property.type));
+    }
+}
+
+void PlyBody::skipAll(const PlyElement &element)
+{
+    // What has no properties is not in the file.
+    for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+        beginElement(element, i);
+        for (const PlyProperty &property : element.properties)
+            skip(property);
+        endElement();
+    }
+}
+
+bool PlyBody::readLines(const PlyElement &element,
+                        const std::function<void(PlyBody &part, std::size_t first, std::size_t count)> &read)
+{
+    if (m_format != PlyFormat::Ascii || element.properties.empty() || element.count == 0
+        || bytesLeft() < 2 * kBytesInTask)
+        return false;
+    const std::string_view text = m_source.unpaddedText();
+    const std::size_t begin = offset();
+    const auto share = [&](std::size_t at) { return static_cast<double>(at) / static_cast<double>(text.size()); };
+    const auto reporting = [&](double from, double to) {
+        return [this, from, to](double done) { m_source.progress.report(from + (to - from) * done); };
+    };
+    std::vector<LineRange> ranges = lineRanges(text, begin, kBytesInTask);
+    inParallel(ranges.size(), {}, [&](std::size_t i) { countLines(text, ranges[i]); });
+    std::size_t first = 0, line = m_scanner.line(), used = 0;
+    for (; used < ranges.size() && first < element.count; ++used) {
+        LineRange &range = ranges[used];
+        range.line = line;
+        range.first = first;
+        range.count = std::min(range.filledLines, element.count - first);
+        line += range.lines;
+        first += range.count;
+    }
+    if (first < element.count)
+        return false;
+    std::vector<PlyBody> parts(used, *this);
+    try {
+        inParallel(used, reporting(share(begin), share(ranges[used - 1].end)), [&](std::size_t i) {
+            const LineRange &range = ranges[i];
+            PlyBody &part = parts[i];
+            part.m_isPart = true;
+            part.m_bytes = m_bytes.first(range.end);
+            part.m_scanner = TextScanner(text.substr(0, range.end), range.begin, range.line);
+            read(part, range.first, range.count);
+        });
+    } catch (const Failure &failure) {
+        if (failure.code == ImportErrorCode::Cancelled)
+            throw;
+        return false;
+    }
+    m_scanner = TextScanner(text, parts.back().m_scanner.offset(), parts.back().m_scanner.line());
+    return true;
+}
+
+std::size_t PlyBody::end()
+{
+    if (m_format == PlyFormat::Ascii) {
+        skipComments();
+        if (const std::string_view word = m_scanner.nextWordInLine(); !word.empty())
+            failAtLine(tr("%1 follows all elements that the header declares; correct their numbers in the header",
+                          quoted(word)));
+        return 0;
+    }
+    return bytesThatMean(m_bytes.subspan(m_at));
+}
+
+} // namespace unprojector::mesh::reader

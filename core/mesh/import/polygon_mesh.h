@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/mesh/import/polygon_triangulation.h"
+#include "core/mesh/mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace unprojector::mesh::reader {
+
+/// Builds one mesh out of a file's vertices and polygons. Colours and texture coordinates may belong to vertices, or
+/// to the corners of faces: then vertices are split where the corners around them differ.
+class PolygonMesh {
+public:
+    explicit PolygonMesh(std::size_t vertexCount) : m_vertexCount(vertexCount) {}
+
+    /// The vertices, before the first polygon; colours and texture coordinates either for all or for none.
+    Mesh mesh;
+
+    std::size_t vertexCount() const { return m_vertexCount; }
+    /// The polygons so far of fewer than three corners.
+    std::size_t lineCount() const { return m_lineCount; }
+
+    /// @param face  the face's number in the file, for messages
+    /// Throws Failure (Malformed) for a vertex the file does not have.
+    void addPolygon(std::span<const std::int64_t> vertices, std::size_t face);
+    /// Says so where a face refers to a vertex that the file does not have.
+    [[noreturn]] void failAtVertex(std::int64_t vertex, std::size_t face) const { failAt(vertex, "face", face); }
+    /// Sets the corners of the polygon added last, and so of all: those never set are white or (0, 0).
+    void setFaceColor(const glm::u8vec4 &color);
+    void setCornerTexcoords(std::span<const glm::vec2> texcoords);
+    /// Adds a strip of triangles; a negative number starts a new one.
+    void addStrip(std::span<const std::int64_t> vertices, std::size_t strip);
+
+    /// The finished mesh; of points when there is no triangle.
+    Mesh take();
+
+private:
+    [[noreturn]] void failAt(std::int64_t vertex, const char *what, std::size_t number) const;
+    std::uint32_t checked(std::int64_t vertex, const char *what, std::size_t number) const;
+
+    std::size_t m_vertexCount;
+    std::size_t m_lineCount = 0;
+    std::size_t m_polygonBegin = 0;              ///< where the last polygon starts in mesh.indices
+    std::vector<std::uint32_t> m_localTriangles; ///< the last polygon's triangles, as corners of the polygon
+    PolygonTriangulator m_triangulator;
+    std::vector<glm::vec3> m_corners;
+    std::vector<glm::u8vec4> m_cornerColors; ///< one an index, or shorter
+    std::vector<glm::vec2> m_cornerTexcoords;
+};
+
+} // namespace unprojector::mesh::reader

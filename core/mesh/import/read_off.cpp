@@ -1,0 +1,503 @@
+#include "core/mesh/import/mesh_reader.h"
+#include "core/mesh/import/polygon_mesh.h"
+#include "core/text/text_scanner.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace unprojector::mesh::reader {
+using namespace geometry;
+using text::doubleFromWord;
+using text::floatFromWord;
+using text::integerFromWord;
+using text::marked;
+using text::quoted;
+using text::TextScanner;
+using text::tr;
+
+namespace {
+
+constexpr std::size_t kElementsBetweenReports = 1 << 14;
+
+/// What stands before "OFF" in the first word: [ST][C][N][4][n]OFF.
+struct OffKind {
+    bool hasTexcoords = false;
+    bool hasColors = false;
+    bool hasNormals = false;
+    bool hasW = false;
+    bool hasDimension = false;
+    std::endian byteOrder = std::endian::big;
+    bool isBinary = false;
+};
+
+struct OffWord {
+    OffKind kind;
+    std::size_t length = 0; ///< of the word itself: some files have the number of vertices right behind it
+};
+
+std::optional<OffWord> offWord(std::string_view word)
+{
+    OffWord result;
+    std::string_view rest = word;
+    const auto take = [&rest](std::string_view prefix) {
+        const bool found = rest.starts_with(prefix);
+        rest.remove_prefix(found ? prefix.size() : 0);
+        return found;
+    };
+    OffKind &kind = result.kind;
+    for (std::size_t before = 0; before != rest.size();) { // MeshLab writes NCOFF
+        before = rest.size();
+        kind.hasTexcoords = take("ST") || kind.hasTexcoords;
+        kind.hasColors = take("C") || kind.hasColors;
+        kind.hasNormals = take("N") || kind.hasNormals;
+    }
+    kind.hasW = take("4");
+    kind.hasDimension = take("n");
+    if (!take("OFF") || (!rest.empty() && !integerFromWord(rest)))
+        return std::nullopt;
+    result.length = word.size() - rest.size();
+    return result;
+}
+
+/// The file's numbers: words in text, or binary. In text each vertex and each face begins a line. It may go on in the next
+/// lines, but then has the last of them for itself: so a number that is missing does not take one of the next line.
+class OffNumbers {
+public:
+    OffNumbers(const Source &source, std::size_t offset, std::size_t line, const OffKind &kind)
+        : m_bytes(source.bytes), m_at(offset), m_scanner(source.unpaddedText(), offset, line),
+          m_isBinary(kind.isBinary), m_byteOrder(kind.byteOrder)
+    {
+    }
+
+    bool isBinary() const { return m_isBinary; }
+    std::size_t offset() const { return m_isBinary ? m_at : m_scanner.offset(); }
+    std::size_t bytesLeft() const { return m_bytes.size() - offset(); }
+    std::size_t leastBytes() const { return m_isBinary ? 4 : 2; }
+
+    /// In text: moves to the next line that holds more than a comment.
+    void beginLine(const char *what)
+    {
+        if (m_isBinary)
+            return;
+        skipComments();
+        m_brokenLine = 0;
+        if (m_scanner.isAtEnd())
+            failTruncated(what);
+    }
+
+    std::int64_t integer(const char *what)
+    {
+        if (m_isBinary)
+            return static_cast<std::int32_t>(bits(what));
+        const std::string_view word = wordInLine(what);
+        const std::optional<long long> value = integerFromWord(word);
+        if (!value)
+            failWord(word, what);
+        return *value;
+    }
+
+    double real(const char *what)
+    {
+        if (m_isBinary)
+            return static_cast<double>(std::bit_cast<float>(bits(what)));
+        const std::string_view word = wordInLine(what);
+        const std::optional<double> value = doubleFromWord(word);
+        if (!value)
+            failWord(word, what);
+        return *value;
+    }
+
+    /// The number of edges means nothing, and some files leave it out. In text it stands behind the number of faces, or
+    /// alone in the next line.
+    void skipEdges()
+    {
+        if (m_isBinary) {
+            integer(marked("number of edges"));
+            return;
+        }
+        if (const std::string_view word = nextWordInLine(); !word.empty()) {
+            if (!integerFromWord(word))
+                failWord(word, marked("number of edges"));
+            m_scanner.skipLine();
+            return;
+        }
+        skipComments();
+        const TextScanner before = m_scanner;
+        const std::string_view word = nextWordInLine();
+        if (!integerFromWord(word) || !nextWordInLine().empty())
+            m_scanner = before;
+    }
+
+    /// The numbers in the rest of the line. A word that is no number, and all after it, is left out.
+    /// @return whether nothing was left out
+    bool restOfLine(std::vector<float> &values)
+    {
+        values.clear();
+        m_areIntegers = true;
+        std::string_view word = nextWordInLine();
+        if (m_brokenLine > 0 && !word.empty())
+            failBroken();
+        for (; !word.empty(); word = nextWordInLine()) {
+            const std::optional<float> value = floatFromWord(word);
+            if (!value)
+                break;
+            m_areIntegers = m_areIntegers && integerFromWord(word).has_value();
+            values.push_back(*value);
+        }
+        m_scanner.skipLine();
+        return word.empty();
+    }
+
+    /// Before the faces of a binary file: finds out whether each has the number of its colours behind it, as the format says.
+    /// Some programs leave that out, and the file ends too early for it.
+    void findFaceColors(std::size_t count)
+    {
+        if (!m_isBinary)
+            return;
+        const std::size_t begin = m_at;
+        const auto skip = [&](std::uint64_t words) {
+            const bool isThere = words <= bytesLeft() / 4;
+            m_at += isThere ? 4 * static_cast<std::size_t>(words) : 0;
+            return isThere;
+        };
+        bool areThere = true;
+        for (std::size_t face = 0; face < count && areThere; ++face) {
+            for (int part = 0; part < 2 && areThere; ++part) // corners, colours
+                areThere = bytesLeft() >= 4 && skip(bits(""));
+        }
+        m_at = begin;
+        m_hasFaceColors = areThere;
+    }
+
+    /// The numbers behind a face: up to four of the line, or of as many as the binary count says.
+    std::vector<float> faceColor()
+    {
+        std::vector<float> values;
+        if (m_isBinary) {
+            const std::int64_t count = m_hasFaceColors ? integer(marked("face colour")) : 0;
+            for (std::int64_t i = 0; i < count; ++i)
+                values.push_back(static_cast<float>(real(marked("face colour"))));
+        } else {
+            restOfLine(values);
+        }
+        values.resize(std::min<std::size_t>(values.size(), 4));
+        return values;
+    }
+
+    /// All that restOfLine() read last.
+    bool areIntegers() const { return m_areIntegers; }
+
+    /// After the last face. In text only comments may follow.
+    /// @return the bytes that follow in a binary file, 0 where they are blank
+    std::size_t end()
+    {
+        if (m_isBinary)
+            return bytesThatMean(m_bytes.subspan(m_at));
+        skipComments();
+        if (const std::string_view word = m_scanner.nextWord(); !word.empty())
+            failMalformed(
+                tr("line %1: %2 follows all that the header declares; correct its numbers of vertices and faces",
+                   m_scanner.line(), quoted(word)));
+        return 0;
+    }
+
+private:
+    std::uint32_t bits(const char *what)
+    {
+        if (m_bytes.size() - m_at < 4)
+            failTruncated(what);
+        const std::uint8_t *b = m_bytes.data() + m_at;
+        m_at += 4;
+        if (m_byteOrder == std::endian::little)
+            return std::uint32_t{b[3]} << 24 | std::uint32_t{b[2]} << 16 | std::uint32_t{b[1]} << 8
+                   | std::uint32_t{b[0]};
+        return std::uint32_t{b[0]} << 24 | std::uint32_t{b[1]} << 16 | std::uint32_t{b[2]} << 8 | std::uint32_t{b[3]};
+    }
+
+    /// Moves to the first word that is in no comment, or to the end.
+    void skipComments()
+    {
+        m_scanner.skipBlankLines();
+        for (TextScanner ahead = m_scanner; ahead.nextWordInLine().starts_with('#'); ahead = m_scanner) {
+            m_scanner.skipLine();
+            m_scanner.skipBlankLines();
+        }
+    }
+
+    /// Empty at the end of the line or where a comment begins.
+    std::string_view nextWordInLine()
+    {
+        const TextScanner before = m_scanner;
+        const std::string_view word = m_scanner.nextWordInLine();
+        if (!word.starts_with('#'))
+            return word;
+        m_scanner = before;
+        return {};
+    }
+
+    std::string_view wordInLine(const char *what)
+    {
+        std::string_view word = nextWordInLine();
+        if (!word.empty())
+            return word;
+        if (m_brokenLine == 0) {
+            m_brokenLine = m_scanner.line();
+            m_brokenIn = what;
+        }
+        skipComments();
+        word = nextWordInLine();
+        if (word.empty())
+            failBroken();
+        return word;
+    }
+
+    [[noreturn]] void failBroken() const
+    {
+        failMalformed(tr("line %1: the line ends where a %2 is expected", m_brokenLine, tr(m_brokenIn)));
+    }
+    [[noreturn]] void failTruncated(const char *what) const
+    {
+        failMalformed(tr("the file ends where a %1 is expected", tr(what)));
+    }
+    [[noreturn]] void failWord(std::string_view word, const char *what) const
+    {
+        failMalformed(tr("line %1: %2 stands where a %3 is expected", m_scanner.line(), quoted(word), tr(what)));
+    }
+
+    std::span<const std::uint8_t> m_bytes;
+    std::size_t m_at;
+    TextScanner m_scanner;
+    bool m_isBinary;
+    bool m_hasFaceColors = true;
+    std::endian m_byteOrder;
+    bool m_areIntegers = false;
+    std::size_t m_brokenLine = 0; ///< where the vertex or face goes on in the next line, or 0
+    const char *m_brokenIn = "";  ///< what was expected there
+};
+
+/// @param mostOfAll  255 or 1
+glm::u8vec4 colorFromNumbers(std::span<const float> values, float mostOfAll)
+{
+    glm::u8vec4 color(255);
+    for (std::size_t c = 0; c < values.size(); ++c) {
+        const float value = values[c] * (255.0f / mostOfAll);
+        // Written so that NaN becomes 0.
+        color[static_cast<int>(c)] =
+            value > 0.0f ? static_cast<std::uint8_t>(std::lround(std::min(value, 255.0f))) : std::uint8_t{0};
+    }
+    return color;
+}
+
+/// The colours of vertices: shares of 1, or of 255 where any is more than 1.
+class VertexColors {
+public:
+    /// @param values  3 or 4; any other number is no colour
+    void add(std::span<const float> values)
+    {
+        std::array<float, 4> &color = m_colors.emplace_back(std::array{1.0f, 1.0f, 1.0f, kNoOpacity});
+        m_withNumbers += values.empty() ? 0U : 1U;
+        if (values.size() != 3 && values.size() != 4)
+            return;
+        ++m_withColors;
+        for (std::size_t c = 0; c < values.size(); ++c) {
+            color[c] = values[c];
+            m_most = std::max(m_most, values[c]);
+            m_areInRange = m_areInRange && values[c] >= 0.0f && values[c] <= 255.0f;
+        }
+    }
+    /// Whether each vertex has a colour, and no number is out of the range of colours.
+    bool areColors() const { return m_areInRange && !m_colors.empty() && m_withColors == m_colors.size(); }
+    /// Vertices with numbers that are no colour.
+    std::size_t withOthers() const { return m_withNumbers - m_withColors; }
+    std::size_t withNumbers() const { return m_withNumbers; }
+
+    std::vector<glm::u8vec4> take() const
+    {
+        std::vector<glm::u8vec4> colors;
+        colors.reserve(m_colors.size());
+        for (const std::array<float, 4> &color : m_colors)
+            colors.push_back(colorFromNumbers(std::span(color).first(color[3] == kNoOpacity ? 3 : 4),
+                                              m_most > 1.0f ? 255.0f : 1.0f));
+        return colors;
+    }
+
+private:
+    static constexpr float kNoOpacity = -1.0f;
+    std::vector<std::array<float, 4>> m_colors;
+    std::size_t m_withNumbers = 0;
+    std::size_t m_withColors = 0;
+    bool m_areInRange = true;
+    float m_most = 0.0f;
+};
+
+std::size_t checkedCount(std::int64_t count, std::size_t numbersEach, const OffNumbers &numbers, const char *what)
+{
+    if (count < 0)
+        failMalformed(tr("the header declares %1 %2", count, tr(what)));
+    if (static_cast<std::uint64_t>(count) > (numbers.bytesLeft() + 1) / (numbersEach * numbers.leastBytes()))
+        failMalformed(tr("the header declares %1 %2, the file is too short for them", count, tr(what)));
+    return static_cast<std::size_t>(count);
+}
+
+void readVertices(const OffKind &kind, std::size_t count, OffNumbers &numbers, Model &model, Mesh &mesh,
+                  ProgressReporter &progress)
+{
+    std::vector<glm::dvec3> positions;
+    positions.reserve(count);
+    Box box;
+    VertexColors colors;
+    std::vector<float> rest;
+    std::size_t verticesWithMore = 0;
+    for (std::size_t v = 0; v < count; ++v) {
+        if (v % kElementsBetweenReports == 0)
+            progress.report(0.5 * static_cast<double>(v) / static_cast<double>(count));
+        numbers.beginLine(marked("vertex|of a mesh"));
+        const double x = numbers.real(marked("vertex|of a mesh"));
+        const double y = numbers.real(marked("vertex|of a mesh"));
+        const double z = numbers.real(marked("vertex|of a mesh"));
+        const double w = kind.hasW ? numbers.real(marked("vertex|of a mesh")) : 1.0;
+        positions.push_back(glm::dvec3(x, y, z) / w);
+        box.add(positions.back());
+        if (kind.hasNormals) {
+            const double nx = numbers.real(marked("normal|of a mesh"));
+            const double ny = numbers.real(marked("normal|of a mesh"));
+            mesh.normals.emplace_back(nx, ny, numbers.real(marked("normal|of a mesh")));
+        }
+        if (kind.hasColors && (numbers.isBinary() || kind.hasTexcoords)) {
+            std::array<float, 4> color{};
+            for (float &value : color)
+                value = static_cast<float>(numbers.real(marked("vertex colour")));
+            colors.add(color);
+        }
+        if (kind.hasTexcoords) {
+            const double u = numbers.real(marked("texture coordinate"));
+            mesh.texcoords.emplace_back(u, numbers.real(marked("texture coordinate")));
+        }
+        if (numbers.isBinary())
+            continue;
+        const bool areNumbers = numbers.restOfLine(rest);
+        verticesWithMore += !areNumbers || (kind.hasTexcoords && !rest.empty()) ? 1U : 0U;
+        if (!kind.hasTexcoords)
+            colors.add(rest);
+    }
+    setPositions(mesh, originFor(box), positions);
+    // Some programs write colours without saying so in the first word.
+    const bool areUndeclared = !kind.hasColors && colors.areColors();
+    if (kind.hasColors || areUndeclared)
+        mesh.colors = colors.take();
+    if (areUndeclared)
+        model.notes.push_back({ModelNote::Kind::ColorsUndeclared, 0, {}});
+    verticesWithMore += mesh.colors.empty() ? colors.withNumbers() : colors.withOthers();
+    if (verticesWithMore > 0)
+        model.notes.push_back({ModelNote::Kind::NumbersLeftOut, std::min(verticesWithMore, count), {}});
+}
+
+/// Some programs write the binary form in little endian. The counts tell: read the other way they are far too large.
+std::endian byteOrderOf(const Source &source, std::size_t offset)
+{
+    const std::span<const std::uint8_t> bytes = source.bytes.subspan(offset);
+    if (bytes.size() < 4)
+        return std::endian::big;
+    const std::uint32_t big = std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16
+                              | std::uint32_t{bytes[2]} << 8 | std::uint32_t{bytes[3]};
+    const std::uint32_t little = std::uint32_t{bytes[3]} << 24 | std::uint32_t{bytes[2]} << 16
+                                 | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[0]};
+    constexpr std::size_t kVertexBytes = 12;
+    return big > bytes.size() / kVertexBytes && little <= bytes.size() / kVertexBytes ? std::endian::little
+                                                                                      : std::endian::big;
+}
+
+/// Whether something follows the first line that cannot be the counts of a binary file: each would be above 500 million.
+bool isText(std::string_view start)
+{
+    constexpr std::size_t kBytesOfCounts = 12;
+    const std::string_view counts = start.substr(0, kBytesOfCounts);
+    return counts.find_first_not_of(" \t\r\n") != counts.npos && std::all_of(counts.begin(), counts.end(), [](char c) {
+               return (c >= ' ' && c <= '~') || c == '\t' || c == '\n' || c == '\r';
+           });
+}
+
+} // namespace
+
+Model readOff(const Source &source)
+{
+    TextScanner scanner(source.unpaddedText());
+    std::string_view word = scanner.nextWord();
+    while (!word.empty() && word.front() == '#') {
+        scanner.skipLine();
+        word = scanner.nextWord();
+    }
+    OffKind kind;
+    std::size_t offset = 0;
+    std::size_t line = 1;
+    if (const std::optional<OffWord> first = offWord(word)) {
+        kind = first->kind;
+        offset = scanner.offset() - word.size() + first->length;
+        line = scanner.line();
+        if (TextScanner ahead = scanner; ahead.nextWordInLine() == "BINARY") {
+            ahead.skipLine();
+            offset = ahead.offset();
+            line = ahead.line();
+            kind.isBinary = true;
+            kind.byteOrder = byteOrderOf(source, offset);
+            if (isText(source.text().substr(offset)))
+                failMalformed(tr("the first line says BINARY and text follows; take the word BINARY away"));
+        }
+    } else if (!integerFromWord(word)) { // the word is optional: the file may begin with the counts
+        failMalformed(tr("the file does not begin with \"OFF\""));
+    }
+
+    OffNumbers numbers(source, offset, line, kind);
+    if (kind.hasDimension) {
+        numbers.beginLine(marked("number of dimensions"));
+        if (const std::int64_t dimensions = numbers.integer(marked("number of dimensions")); dimensions != 3)
+            throw Failure(ImportErrorCode::Unsupported, tr("points of %1 dimensions", dimensions));
+    }
+    numbers.beginLine(marked("number of vertices"));
+    const std::int64_t declaredVertices = numbers.integer(marked("number of vertices"));
+    numbers.beginLine(marked("number of faces"));
+    const std::int64_t declaredFaces = numbers.integer(marked("number of faces"));
+    numbers.skipEdges();
+    const std::size_t vertexCount = checkedCount(declaredVertices, 3, numbers, marked("vertices|of a mesh"));
+    const std::size_t faceCount = checkedCount(declaredFaces, 1, numbers, marked("faces|of a mesh"));
+
+    Model model;
+    PolygonMesh polygons(vertexCount);
+    readVertices(kind, vertexCount, numbers, model, polygons.mesh, source.progress);
+    numbers.findFaceColors(faceCount);
+    std::vector<std::int64_t> corners;
+    for (std::size_t f = 0; f < faceCount; ++f) {
+        if (f % kElementsBetweenReports == 0)
+            source.progress.report(0.5 + 0.5 * static_cast<double>(f) / static_cast<double>(faceCount));
+        numbers.beginLine(marked("face|of a mesh"));
+        const std::int64_t count = numbers.integer(marked("face|of a mesh"));
+        if (count < 0 || static_cast<std::uint64_t>(count) > (numbers.bytesLeft() + 1) / numbers.leastBytes())
+            failMalformed(tr("face %1 declares %2 corners, which the file does not have", f, count));
+        corners.resize(static_cast<std::size_t>(count));
+        for (std::int64_t &corner : corners)
+            corner = numbers.integer(marked("face|of a mesh"));
+        polygons.addPolygon(corners, f);
+        const std::vector<float> color = numbers.faceColor();
+        // One number is an index into a table that the file does not hold.
+        if (color.size() >= 3 && polygons.mesh.colors.empty())
+            polygons.setFaceColor(colorFromNumbers(color, numbers.areIntegers() ? 255.0f : 1.0f));
+    }
+
+    if (const std::size_t more = numbers.end(); more > 0)
+        model.notes.push_back({ModelNote::Kind::BytesLeftOut, more, {}});
+    if (polygons.lineCount() > 0)
+        model.notes.push_back({ModelNote::Kind::LinesLeftOut, polygons.lineCount(), {}});
+    model.fileVertices = vertexCount;
+    model.meshes.push_back(polygons.take());
+    if (!model.meshes.back().colors.empty())
+        model.meshes.back().baseColor = glm::vec4(1.0f);
+    return model;
+}
+
+} // namespace unprojector::mesh::reader

@@ -1,0 +1,101 @@
+#include "core/mesh/import/file_bytes.h"
+#include "core/mesh/import/mesh_reader.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace unprojector::mesh::reader {
+
+namespace {
+
+int hexDigit(char c)
+{
+    if (c >= '0' && c <= '9')
+        return c - '0';
+    if (c >= 'a' && c <= 'f')
+        return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F')
+        return c - 'A' + 10;
+    return -1;
+}
+
+std::string percentDecoded(const std::string &text)
+{
+    std::string decoded;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '%' && i + 2 < text.size() && hexDigit(text[i + 1]) >= 0 && hexDigit(text[i + 2]) >= 0) {
+            decoded.push_back(static_cast<char>(hexDigit(text[i + 1]) * 16 + hexDigit(text[i + 2])));
+            i += 2;
+        } else {
+            decoded.push_back(text[i]);
+        }
+    }
+    return decoded;
+}
+
+} // namespace
+
+std::filesystem::path resolveReference(const std::filesystem::path &modelFile, const std::string &reference)
+{
+    const std::filesystem::path folder = modelFile.parent_path();
+    std::string slashed = reference;
+    std::replace(slashed.begin(), slashed.end(), '\\', '/');
+    for (const std::string &candidate : {reference, slashed, percentDecoded(slashed)}) {
+        const std::filesystem::path relative = pathFromUtf8(candidate);
+        // Many files hold the path of the author's own disk; the picture then often lies beside the model.
+        for (const std::filesystem::path &file : {folder / relative, folder / relative.filename()}) {
+            std::error_code error;
+            if (std::filesystem::is_regular_file(file, error))
+                return file;
+        }
+    }
+    return {};
+}
+
+Texture readTexture(const std::filesystem::path &modelFile, const std::string &reference)
+{
+    Texture texture;
+    texture.file = resolveReference(modelFile, reference);
+    if (texture.file.empty()) {
+        texture.file = modelFile.parent_path() / pathFromUtf8(reference);
+        return texture;
+    }
+    try {
+        const FileBytes contents(texture.file);
+        texture.encoded.assign(contents.bytes().begin(), contents.bytes().end());
+    } catch (const Failure &) {
+        // The model is shown without a picture that cannot be read.
+        texture.encoded.clear();
+    }
+    return texture;
+}
+
+void noteIfOutside(std::vector<ModelNote> &notes, const std::filesystem::path &modelFile,
+                   const std::filesystem::path &file, const std::string &reference)
+{
+    // By the names alone: a link in the model's folder was put there by its owner.
+    const auto normal = [](const std::filesystem::path &path) {
+        std::error_code error;
+        const std::filesystem::path absolute = std::filesystem::absolute(path, error);
+        return (error ? path : absolute).lexically_normal();
+    };
+    const std::filesystem::path fromFolder = normal(file).lexically_relative(normal(modelFile).parent_path());
+    if (!fromFolder.empty() && *fromFolder.begin() != "..")
+        return;
+    ModelNote note{ModelNote::Kind::ReadOutside, 1, reference};
+    if (std::find(notes.begin(), notes.end(), note) == notes.end())
+        notes.push_back(std::move(note));
+}
+
+int addTexture(Model &model, const std::filesystem::path &modelFile, const std::string &reference)
+{
+    model.textures.push_back(readTexture(modelFile, reference));
+    if (model.textures.back().encoded.empty())
+        model.notes.push_back({ModelNote::Kind::TextureMissing, 0, reference});
+    else
+        noteIfOutside(model.notes, modelFile, model.textures.back().file, reference);
+    return static_cast<int>(model.textures.size()) - 1;
+}
+
+} // namespace unprojector::mesh::reader

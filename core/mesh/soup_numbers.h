@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+namespace unprojector::mesh {
+
+struct Mesh;
+
+/// Numbers a mesh's vertices by their places, in the order in which these come first. By all cores.
+/// @param numbers  one a vertex
+/// @return how many places there are
+std::size_t numberPlaces(const Mesh &mesh, std::vector<std::uint32_t> &numbers);
+
+/// The same of a mesh that is too large to join its equal vertices at import: made when it is asked for first. Safe to ask
+/// from many threads at once.
+class SoupNumbers {
+public:
+    /// @param mesh  the same at every call
+    const std::vector<std::uint32_t> &of(const Mesh &mesh) { return numbered(mesh).m_numbers; }
+    std::size_t placeCount(const Mesh &mesh) { return numbered(mesh).m_count; }
+
+private:
+    SoupNumbers &numbered(const Mesh &mesh)
+    {
+        std::call_once(m_once, [&] { m_count = numberPlaces(mesh, m_numbers); });
+        return *this;
+    }
+
+    std::once_flag m_once;
+    std::vector<std::uint32_t> m_numbers;
+    std::size_t m_count = 0;
+};
+
+} // namespace unprojector::mesh
