@@ -36,6 +36,7 @@ private slots:
     void initTestCase();
     void aPictureThatIsTooLargeIsScaledDownAndSaid_data();
     void aPictureThatIsTooLargeIsScaledDownAndSaid();
+    void aBufferThatIsGoneWhenItIsFilledIsSaid();
 
 private:
     QOffscreenSurface m_surface;
@@ -101,6 +102,26 @@ void TestGpuModel::aPictureThatIsTooLargeIsScaledDownAndSaid()
         QVERIFY(read[0] > 200 && read[2] < 50);
         QVERIFY(read[read.size() - 4] < 50 && read[read.size() - 2] > 200);
     }
+}
+
+void TestGpuModel::aBufferThatIsGoneWhenItIsFilledIsSaid()
+{
+    auto model = std::make_shared<Model>();
+    model->name = "large";
+    Mesh &mesh = model->meshes.emplace_back();
+    mesh.positions.resize(3'000'000, glm::vec3(1.0f)); // filled in parts
+    GpuModel onGpu(model, 64);
+    QVERIFY(!onGpu.uploadOn(Deadline(0)));
+    QCOMPARE(onGpu.takeFailures(), QStringList());
+    auto &gl = *m_context.extraFunctions();
+    for (GLuint name = 1; name < 1000; ++name) {
+        if (gl.glIsBuffer(name))
+            gl.glDeleteBuffers(1, &name);
+    }
+    QVERIFY(onGpu.uploadOn(Deadline({})));
+    const QStringList said = onGpu.takeFailures();
+    QCOMPARE(said.size(), 1);
+    QVERIFY2(said[0].contains(QStringLiteral("large")), qPrintable(said[0]));
 }
 
 QTEST_MAIN(TestGpuModel)

@@ -130,15 +130,18 @@ bool GpuModel::begin(const Mesh &mesh)
     return fits;
 }
 
-void GpuModel::copyOn(Copy &copy)
+bool GpuModel::copyOn(Copy &copy)
 {
+    clearErrors(*this);
     const std::size_t bytes = std::min(kBytesAtOnce, copy.count - copy.done);
     // Not into the target of indices, which belongs to a vertex array.
     glBindBuffer(GL_COPY_WRITE_BUFFER, copy.buffer->bufferId());
     glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(copy.done), static_cast<GLsizeiptr>(bytes),
                     copy.bytes + copy.done);
+    const bool isThere = glGetError() == GL_NO_ERROR;
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
     copy.done += bytes;
+    return isThere;
 }
 
 double GpuModel::uploadedShare() const
@@ -166,7 +169,15 @@ bool GpuModel::uploadOn(const Deadline &deadline)
     if (!m_areTexturesUploaded)
         uploadTextures();
     while (m_begun || m_next < m_source->meshes.size()) {
-        if (!m_begun && !begin(m_source->meshes[m_next])) {
+        bool fits = m_begun || begin(m_source->meshes[m_next]);
+        while (fits && !m_copies.empty()) {
+            if (deadline.isOver())
+                return false;
+            fits = copyOn(m_copies.back());
+            if (m_copies.back().done == m_copies.back().count)
+                m_copies.pop_back();
+        }
+        if (!fits) {
             m_failures << tr("The graphics memory does not hold %1, which is not drawn whole. Close other programs, or "
                              "open a smaller model.")
                               .arg(QString::fromStdString(m_source->name));
@@ -174,13 +185,6 @@ bool GpuModel::uploadOn(const Deadline &deadline)
             m_copies.clear();
             m_next = m_source->meshes.size();
             return true;
-        }
-        while (!m_copies.empty()) {
-            if (deadline.isOver())
-                return false;
-            copyOn(m_copies.back());
-            if (m_copies.back().done == m_copies.back().count)
-                m_copies.pop_back();
         }
         m_meshes.push_back(std::move(m_begun));
         ++m_next;

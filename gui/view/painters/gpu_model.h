@@ -74,7 +74,9 @@ private:
     void uploadTextures();
     /// @return whether the graphics memory holds it
     bool begin(const Mesh &mesh);
-    void copyOn(Copy &copy);
+    /// Some drivers give a buffer its memory only now.
+    /// @return false when the graphics memory does not hold it
+    bool copyOn(Copy &copy);
 
     std::shared_ptr<const Model> m_source;
     int m_mostTexturePixels;

@@ -312,8 +312,8 @@ void MeshPainter::drawCovering(const CoveringTriangles &covering, std::size_t be
         parts[0].insert(parts[0].end(), parts[i].begin(), parts[i].end());
     if (parts.empty() || parts[0].empty())
         return;
-    fillBuffer(*this, GL_ELEMENT_ARRAY_BUFFER, parts[0].size() * sizeof(std::uint32_t), parts[0].data());
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(parts[0].size()), GL_UNSIGNED_INT, nullptr);
+    if (fillBuffer(*this, GL_ELEMENT_ARRAY_BUFFER, parts[0].size() * sizeof(std::uint32_t), parts[0].data()))
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(parts[0].size()), GL_UNSIGNED_INT, nullptr);
 }
 
 /// @param covering  nothing: all triangles are drawn
