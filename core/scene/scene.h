@@ -72,7 +72,7 @@ struct GivenProjection {
     friend bool operator==(const GivenProjection &, const GivenProjection &) = default;
 };
 
-/// How the objects are shown, and what points are marked on them: everything but the objects and the window's size.
+/// How the objects are shown: everything but the objects, the landmarks and the window's size.
 struct SceneSettings {
     LookAt camera;
     LookAt home; ///< the camera that the scene opened with
@@ -89,7 +89,6 @@ struct SceneSettings {
     std::optional<GivenProjection> given;
     /// The same of `camera`.
     std::optional<GivenView> givenView;
-    landmarks::LandmarkSet landmarks; ///< world space
     /// A point that the user follows through the pipeline besides what is clicked.
     std::optional<GivenPoint> givenPoint;
     Api conventions =
@@ -99,6 +98,7 @@ struct SceneSettings {
 /// What is shown and how: everything but the window's size.
 struct Scene : SceneSettings {
     std::vector<SceneObject> objects;
+    landmarks::LandmarkSet landmarks; ///< world space
 };
 
 /// The axis-aligned box around an object, world space.

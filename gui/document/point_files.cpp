@@ -2,10 +2,12 @@
 
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_file.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/object_names.h"
 #include "gui/document/point_joining.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/text/error_text.h"
 #include "gui/text/note_text.h"
 #include "gui/text/number_text.h"
@@ -319,11 +321,11 @@ bool PointFiles::importFrom(const std::filesystem::path &file)
     }
     notes << joined.notes;
     tellUnmatched(joined, set, name, notes, said);
-    static_cast<void>(m_document.editLandmarkSet(std::move(set), {tr("Import points")}));
+    static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Import points")}));
     if (!notes.isEmpty())
         emit warned(notes.join(u'\n'));
     if (m_document.objects().empty()) {
-        m_document.fit();
+        fitAll(m_document);
         said << tr("There is no object that they lie on: open their scan together with them.");
     }
     emit noticed(inARow(said));

@@ -3,6 +3,7 @@
 #include "core/ray/closest_place.h"
 #include "core/ray/tie_landmark.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 
 #include <algorithm>
 #include <utility>
@@ -53,7 +54,7 @@ Check putOnSurface(SceneDocument &document, const std::vector<std::size_t> &plac
         places.size() == 1
             ? ScenePoints::tr("Put %1 on the surface").arg(ScenePoints::shownNameOf(document.landmarks(), places[0]))
             : ScenePoints::tr("Put %n points on the surface", nullptr, static_cast<int>(places.size()));
-    return document.editLandmarks(std::move(all), {text});
+    return editLandmarks(document, std::move(all), {text});
 }
 
 } // namespace unprojector::gui

@@ -1,6 +1,7 @@
 #include "gui/document/point_views.h"
 
 #include "core/ray/element_numbers.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 
 #include <glm/geometric.hpp>
@@ -112,7 +113,7 @@ void goToPoint(SceneDocument &document, std::size_t place)
         else if (frame)
             there.up = frame->side;
     }
-    document.setCamera(there);
+    setCamera(document, there);
 }
 
 void zoomToPoint(SceneDocument &document, std::size_t place, double half)
@@ -125,7 +126,7 @@ void zoomToPoint(SceneDocument &document, std::size_t place, double half)
     picture.camera() = recentered(picture, world);
     const double pixel = worldPerLogicalPixel(picture, world) / picture.surface.devicePixelRatio;
     picture = zoomed(picture, world, pixel / 2.0 / half);
-    document.setView(picture.camera(), picture.projection());
+    setView(document, picture.camera(), picture.projection());
 }
 
 } // namespace unprojector::gui

@@ -17,7 +17,7 @@ class SceneDocument;
 /// A state of the document. Copies share the objects and the landmarks, of which there may be many: a look around costs a few
 /// numbers.
 struct SceneState {
-    SceneSettings settings; ///< without landmarks
+    SceneSettings settings;
     std::shared_ptr<const std::vector<SceneObject>> objects;
     std::shared_ptr<const landmarks::LandmarkSet> landmarks;
     /// The number of the edit that made it: looking around leaves that as it is. Two states of the same number differ

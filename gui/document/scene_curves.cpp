@@ -1,6 +1,7 @@
 #include "gui/document/scene_curves.h"
 
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 
 #include <QCoreApplication>
 #include <QScopedValueRollback>
@@ -395,7 +396,7 @@ void SceneCurves::edit(std::vector<Curve> curves, const QString &text, const QSt
 {
     landmarks::LandmarkSet set = m_document.landmarkSet();
     set.curves = std::move(curves);
-    static_cast<void>(m_document.editLandmarkSet(std::move(set), {text, mergeKey}));
+    static_cast<void>(editLandmarkSet(m_document, std::move(set), {text, mergeKey}));
 }
 
 QString SceneCurves::join(const std::vector<std::size_t> &points, landmarks::CurveKind kind)

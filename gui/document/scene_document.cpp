@@ -1,5 +1,7 @@
 #include "gui/document/scene_document.h"
 
+#include "core/scene/given_matrices.h"
+#include "core/scene/opening_view.h"
 #include "gui/document/given_points.h"
 #include "gui/document/landmark_objects.h"
 #include "gui/document/scene_curves.h"
@@ -9,27 +11,6 @@
 #include <utility>
 
 namespace unprojector::gui {
-namespace {
-
-/// What a picture of these objects that fills it would be.
-Picture framed(const Picture &picture, const std::vector<SceneObject> &objects)
-{
-    Framing framing(picture);
-    for (const SceneObject &object : objects) {
-        if (!object.isHidden)
-            add(framing, object);
-    }
-    return framing.picture();
-}
-
-bool isReversed(const std::optional<GivenProjection> &given)
-{
-    const auto form = given ? recognised(given->matrix) : Error{};
-    return form && form->reversed;
-}
-
-} // namespace
-
 SceneDocument::Telling::Telling(SceneDocument &document) : m_document(document)
 {
     ++m_document.m_tellings;
@@ -79,43 +60,41 @@ void SceneDocument::tell(Changes changes)
     emit changed(std::exchange(m_untold, {}));
 }
 
-SceneState SceneDocument::with(SceneSettings settings) const
-{
-    SceneState state = m_state;
-    state.settings = std::move(settings);
-    return state;
-}
-
 Result<Changes> SceneDocument::take(const SceneState &state)
 {
     // In place, since a copy of the scene would copy all its objects and landmarks; and back again where that is no picture.
     const bool hasOtherObjects = state.objects != m_state.objects,
                hasOtherPoints = state.landmarks != m_state.landmarks;
     const auto put = [&](const SceneState &which) {
-        landmarks::LandmarkSet points = std::move(m_scene.landmarks);
         static_cast<SceneSettings &>(m_scene) = which.settings;
         if (hasOtherPoints)
-            points = *which.landmarks;
-        m_scene.landmarks = std::move(points);
+            m_scene.landmarks = *which.landmarks;
         if (hasOtherObjects)
             m_scene.objects = *which.objects;
     };
     put(state);
-    const Box bounds = hasOtherObjects ? boundsOf(m_scene) : m_bounds;
-    const Ground ground = hasOtherObjects ? groundUnder(bounds) : m_ground;
-    const Result<Picture> picture = pictureOf(m_scene, m_surface, ground.box);
-    Result<Unprojector> unprojector = picture ? Unprojector::of(*picture) : picture.error();
-    if (!unprojector) {
-        put(m_state);
-        return unprojector.error();
+    Changes changes = changesBetween(m_state.settings, state.settings);
+    SceneState taken = state;
+    // What only landmarks say leaves the picture as it is, and what is prepared for its rays.
+    if (changes || hasOtherObjects || !m_unprojector || m_surface != geometry().surface) {
+        const Box bounds = hasOtherObjects ? boundsOf(m_scene) : m_bounds;
+        const Ground ground = hasOtherObjects ? groundUnder(bounds) : m_ground;
+        const Result<Picture> picture = pictureOf(m_scene, m_surface, ground.box);
+        Result<Unprojector> unprojector = picture ? Unprojector::of(*picture) : picture.error();
+        if (!unprojector) {
+            put(m_state);
+            return unprojector.error();
+        }
+        // What follows the window is kept as it came out, so that fields show the numbers in use.
+        m_scene.projection = taken.settings.projection = picture->projection();
+        changes = changesBetween(m_state.settings, m_scene);
+        if (!m_unprojector || picture->surface != geometry().surface || picture->viewport != geometry().viewport)
+            changes |= Change::Picture;
+        m_unprojector = unprojector.value();
+        m_rays.reset();
+        m_bounds = bounds;
+        m_ground = ground;
     }
-
-    Changes changes;
-    if (!m_unprojector || picture->surface != geometry().surface || picture->viewport != geometry().viewport)
-        changes |= Change::Picture;
-    // What follows the window is kept as it came out, so that fields show the numbers in use.
-    m_scene.projection = picture->projection();
-    changes |= changesBetween(m_state.settings, m_scene);
     if (hasOtherObjects)
         changes |= changesBetween(*m_state.objects, m_scene.objects);
     if (changes.testFlag(Change::Objects) && followObjects(m_state.objects))
@@ -125,12 +104,7 @@ Result<Changes> SceneDocument::take(const SceneState &state)
         if (m_points.follow(m_state.landmarks->landmarks, state.landmarks->landmarks))
             changes |= Change::LandmarkSelection;
     }
-    m_unprojector = unprojector.value();
-    m_rays.reset();
-    m_bounds = bounds;
-    m_ground = ground;
-    m_state = state;
-    m_state.settings.projection = m_scene.projection;
+    m_state = taken;
     return changes;
 }
 
@@ -150,22 +124,6 @@ Check SceneDocument::open(Scene scene)
     tell(kSeen | Change::Pick | Change::GivenPoint | Change::Conventions | Change::Landmarks | Change::LandmarkSelection
          | Change::History);
     return std::monostate{};
-}
-
-void SceneDocument::setObjects(std::vector<SceneObject> objects, const LookAt &home)
-{
-    Scene scene;
-    scene.camera = scene.home = home;
-    scene.projection = openingProjection();
-    scene.objects = std::move(objects);
-    const Check opened = open(std::move(scene));
-    Q_ASSERT(opened.hasValue());
-}
-
-void SceneDocument::setObjects(std::vector<SceneObject> objects)
-{
-    const LookAt camera = openingCamera(objects, m_surface);
-    setObjects(std::move(objects), camera);
 }
 
 Check SceneDocument::record(SceneState state, const Deed &deed)
@@ -214,30 +172,34 @@ void SceneDocument::restore(const SceneState &state)
         m_untold |= *taken;
 }
 
-Check SceneDocument::edit(SceneSettings settings, const Deed &deed)
+Check SceneDocument::edit(const Deed &deed, const std::function<void(Scene &)> &change)
 {
-    SceneState state = with(std::move(settings));
+    Scene next = m_scene;
+    change(next);
+    SceneState state = m_state;
     state.edit = m_lastEdit + 1;
-    return record(state, deed);
+    // States share what is the same in both.
+    if (changesBetween(m_scene.objects, next.objects))
+        state.objects = std::make_shared<const std::vector<SceneObject>>(std::move(next.objects));
+    if (next.landmarks != m_scene.landmarks) {
+        for (landmarks::Curve &curve : next.landmarks.curves) {
+            if (!curve.points.empty())
+                curve.semilandmarks.clear();
+        }
+        state.landmarks = std::make_shared<const landmarks::LandmarkSet>(std::move(next.landmarks));
+    }
+    state.settings = afterChange(m_scene, std::move(next));
+    return record(std::move(state), deed);
 }
 
-Check SceneDocument::edit(std::vector<SceneObject> objects, const Deed &deed)
-{
-    return record(with(std::move(objects)), deed);
-}
-
-SceneState SceneDocument::with(std::vector<SceneObject> objects) const
-{
-    return {m_state.settings, std::make_shared<const std::vector<SceneObject>>(std::move(objects)), m_state.landmarks,
-            m_lastEdit + 1};
-}
-
-void SceneDocument::look(SceneSettings settings, const Deed &deed)
+void SceneDocument::look(const Deed &deed, const std::function<void(SceneSettings &)> &change)
 {
     const Telling telling(*this);
     const SceneState before = m_state;
+    SceneState state = m_state;
+    change(state.settings);
     // A step that would leave no valid picture (a zoom past the smallest number, say) is not taken.
-    const Result<Changes> taken = take(with(std::move(settings)));
+    const Result<Changes> taken = take(state);
     if (!taken)
         return;
     if (isSameLook(before.settings, m_state.settings)) {
@@ -246,130 +208,6 @@ void SceneDocument::look(SceneSettings settings, const Deed &deed)
     }
     tell(*taken);
     m_undoStack.push(new SceneChange(*this, before, m_state, deed.text, deed.mergeKey));
-}
-
-Check SceneDocument::editTransform(std::size_t place, std::vector<TransformStep> steps, const Deed &deed)
-{
-    Q_ASSERT(place < objects().size());
-    std::vector<SceneObject> objects = *m_state.objects;
-    objects[place].transform = std::move(steps);
-    return edit(std::move(objects), deed);
-}
-
-Check SceneDocument::editCamera(const LookAt &camera, const Deed &deed)
-{
-    SceneSettings settings = m_state.settings;
-    settings.camera = camera;
-    return edit(std::move(settings), deed);
-}
-
-Check SceneDocument::editProjection(const ProjectionRule &rule, const Deed &deed)
-{
-    SceneSettings settings = m_state.settings;
-    settings.projection = rule.projection;
-    settings.projectionFollowsViewport = rule.followsViewport;
-    settings.clipDistancesFitObjects = rule.fitsObjects;
-    return edit(std::move(settings), deed);
-}
-
-const MatrixProjection *SceneDocument::givenProjection() const
-{
-    return m_scene.given && m_scene.given->converted == m_scene.projection ? &m_scene.given->matrix : nullptr;
-}
-
-const glm::dmat4 *SceneDocument::givenView() const
-{
-    return m_scene.givenView && m_scene.givenView->converted == m_scene.camera ? &m_scene.givenView->eyeFromWorld
-                                                                               : nullptr;
-}
-
-Check SceneDocument::editMatrices(const std::optional<MatrixProjection> &projection,
-                                  const std::optional<glm::dmat4> &eyeFromWorld, const Deed &deed)
-{
-    SceneSettings settings = m_state.settings;
-    Picture picture = geometry();
-    picture.depthRange = settings.depthRange;
-    if (projection) {
-        // A reversed matrix has turned the depth range round, whatever became of the projection since; with it that goes.
-        if (isReversed(settings.given))
-            std::swap(picture.depthRange.atNear, picture.depthRange.atFar);
-        picture.lens = *projection;
-    }
-    if (eyeFromWorld)
-        picture.pose = *eyeFromWorld;
-    const Result<Picture> shown = byParameters(picture);
-    if (!shown)
-        return shown.error();
-    settings.depthRange = shown->depthRange;
-    if (projection) {
-        settings.projection = shown->projection();
-        settings.given = {*projection, settings.projection};
-        settings.projectionFollowsViewport = settings.clipDistancesFitObjects = false;
-    }
-    if (eyeFromWorld) {
-        settings.camera = shown->camera();
-        settings.givenView = {*eyeFromWorld, settings.camera};
-    }
-    return edit(std::move(settings), deed);
-}
-
-Check SceneDocument::editViewport(const ViewportRule &rule, const DepthRange &range, const Deed &deed)
-{
-    SceneSettings settings = m_state.settings;
-    settings.viewport = rule;
-    settings.depthRange = range;
-    return editSettings(std::move(settings), deed);
-}
-
-Check SceneDocument::editSettings(SceneSettings settings, const Deed &deed)
-{
-    settings.landmarks = m_state.settings.landmarks; // the state has them elsewhere
-    // A depth range that the user has set is not the one that a reversed matrix had turned round.
-    if (settings.depthRange != m_state.settings.depthRange && settings.given == m_state.settings.given
-        && isReversed(settings.given) && !givenProjection())
-        settings.given.reset();
-    return edit(std::move(settings), deed);
-}
-
-Check SceneDocument::editClipPlanes(std::vector<glm::dvec4> planes, std::vector<ClipPlaneOff> off, const Deed &deed)
-{
-    SceneSettings settings = m_state.settings;
-    settings.clipPlanes = std::move(planes);
-    settings.clipPlanesOff = std::move(off);
-    return edit(std::move(settings), deed);
-}
-
-Check SceneDocument::editGivenPoint(std::optional<GivenPoint> point, const Deed &deed)
-{
-    SceneSettings settings = m_state.settings;
-    settings.givenPoint = std::move(point);
-    return edit(std::move(settings), deed);
-}
-
-Check SceneDocument::editConventions(Api conventions, const Deed &deed)
-{
-    SceneSettings settings = m_state.settings;
-    settings.conventions = conventions;
-    return edit(std::move(settings), deed);
-}
-
-Check SceneDocument::editLandmarks(std::vector<landmarks::Landmark> landmarks, const Deed &deed)
-{
-    landmarks::LandmarkSet set = landmarkSet();
-    set.landmarks = std::move(landmarks);
-    return editLandmarkSet(std::move(set), deed);
-}
-
-Check SceneDocument::editLandmarkSet(landmarks::LandmarkSet set, const Deed &deed)
-{
-    for (landmarks::Curve &curve : set.curves) {
-        if (!curve.points.empty())
-            curve.semilandmarks.clear(); // they follow from where the points are: curves()
-    }
-    SceneState state = m_state;
-    state.landmarks = std::make_shared<const landmarks::LandmarkSet>(std::move(set));
-    state.edit = m_lastEdit + 1;
-    return record(std::move(state), deed);
 }
 
 void SceneDocument::markSaved()
@@ -397,86 +235,6 @@ void SceneDocument::setSurface(const Surface &surface)
         tell(*taken);
     else
         m_surface = before;
-}
-
-void SceneDocument::setCamera(const LookAt &camera, const QString &mergeKey)
-{
-    setView(camera, m_scene.projection, mergeKey);
-}
-
-void SceneDocument::setProjection(const Projection &projection, const QString &mergeKey)
-{
-    setView(m_scene.camera, projection, mergeKey);
-}
-
-void SceneDocument::setView(const LookAt &camera, const Projection &projection, const QString &mergeKey)
-{
-    SceneSettings settings = m_state.settings;
-    settings.camera = camera;
-    settings.projection = projection;
-    look(std::move(settings), {tr("Camera"), mergeKey});
-}
-
-void SceneDocument::fit()
-{
-    if (!objects().empty()) {
-        showFramed(framed(geometry(), objects()), m_bounds);
-        return;
-    }
-    Framing framing(geometry());
-    Box bounds;
-    for (const landmarks::Landmark &point : landmarks()) {
-        if (point.isMissing() || point.isHidden)
-            continue;
-        framing.add(*point.world);
-        bounds.add(point.world->coordinates());
-    }
-    showFramed(framing.picture(), bounds);
-}
-
-void SceneDocument::showFramed(Picture picture, const Box &bounds)
-{
-    // Near and far that were typed stay while they cut nothing off.
-    if (!m_scene.clipDistancesFitObjects && !bounds.isEmpty()) {
-        const Projection fitted = withFittedClipDistances(picture, bounds, {});
-        const ProjectionWindow own = projectionWindow(picture.projection()), tight = projectionWindow(fitted);
-        if (own.nearDistance > tight.nearDistance || own.farDistance < tight.farDistance)
-            picture.projection() =
-                withClipDistances(picture.projection(), std::min(own.nearDistance, tight.nearDistance),
-                                  std::max(own.farDistance, tight.farDistance));
-    }
-    setView(picture.camera(), picture.projection());
-}
-
-void SceneDocument::fitObject(std::size_t place)
-{
-    Q_ASSERT(place < objects().size());
-    Framing framing(geometry());
-    add(framing, objects()[place]);
-    showFramed(framing.picture(), boundsOf(objects()[place]));
-}
-
-void SceneDocument::goHome()
-{
-    SceneSettings settings = m_state.settings;
-    settings.camera = settings.home;
-    if (settings.projectionFollowsViewport)
-        settings.projection = openingProjection();
-    look(std::move(settings), {tr("Home")});
-}
-
-double SceneDocument::centerDistance() const
-{
-    return distance(m_scene.camera.center, m_scene.camera.eye);
-}
-
-void SceneDocument::switchProjection()
-{
-    const bool perspective = isPerspective(m_scene.projection);
-    SceneSettings settings = m_state.settings;
-    settings.projection = converted(
-        settings.projection, perspective ? ProjectionKind::Ortho : ProjectionKind::Perspective, centerDistance());
-    look(std::move(settings), {perspective ? tr("Orthographic") : tr("Perspective")});
 }
 
 } // namespace unprojector::gui

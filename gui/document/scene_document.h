@@ -16,6 +16,7 @@
 #include <QUndoStack>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -31,13 +32,6 @@ class SceneCurves;
 struct Deed {
     QString text;          ///< "Near"
     QString mergeKey = {}; ///< deeds with the same key, one right after the other, are undone as one; empty: never
-};
-
-/// A projection, and what of it follows something else.
-struct ProjectionRule {
-    Projection projection;
-    bool followsViewport = true; ///< its proportions
-    bool fitsObjects = true;     ///< its near and far planes
 };
 
 /// What is other than it was at the click of the pick.
@@ -96,11 +90,6 @@ public:
     /// What prepares the models for rays.
     RayCasters &rayCasters() { return m_casters; }
     SinceClick sinceClick() const;
-    const std::optional<GivenPoint> &givenPoint() const { return m_scene.givenPoint; }
-    /// The matrix that the projection is given by, or none (any more).
-    const MatrixProjection *givenProjection() const;
-    /// The same of the view: eyeFromWorld.
-    const glm::dmat4 *givenView() const;
     /// Where the given point lies in the picture as it is now; nothing where there is none, or no world point of it.
     std::optional<WorldPoint> givenWorld() const;
     /// What other programs have got: marked while somebody looks into it. Not of the scene: neither kept nor undone.
@@ -132,70 +121,17 @@ public:
     /// Shows another scene. The pick and the undo stack go.
     /// @return the errors of pictureOf; then nothing changed
     Check open(Scene scene);
-    /// Shows these objects as another scene, from a home view in front and a little above that fits them.
-    void setObjects(std::vector<SceneObject> objects);
-    void setObjects(std::vector<SceneObject> objects, const LookAt &home);
+    // Each change is undoable. Where the picture would not be valid, the error of pictureOf is returned and nothing
+    // changes: the last good view stays.
 
-    // Edits: the user's work, not only a look around. Each is undoable. Where the picture would not be valid the error
-    // of pictureOf is returned and nothing changes: the last good view stays.
-
-    /// Puts objects after those that are there, under names of their own. Where they are not all in sight, the picture
-    /// comes to show everything, near and far planes included. The pick stays.
-    Check addObjects(std::vector<SceneObject> objects);
-    /// @pre place < objects().size()
-    Check removeObject(std::size_t place);
-    /// Puts an object elsewhere in the list.
-    /// @pre from, to < objects().size()
-    Check moveObject(std::size_t from, std::size_t to);
-    /// @pre place < objects().size()
-    Check setObjectHidden(std::size_t place, bool isHidden);
-    Check showAllObjects();
-    bool hasHiddenObjects() const;
-    /// @param name  blanks around it are taken off; see faultOf
-    /// @return what is wrong with the name; then nothing changed
-    /// @pre place < objects().size()
-    NameFault renameObject(std::size_t place, const QString &name);
-    /// @pre place < objects().size()
-    Check editTransform(std::size_t place, std::vector<TransformStep> steps, const Deed &deed);
-    Check editCamera(const LookAt &camera, const Deed &deed);
-    Check editProjection(const ProjectionRule &rule, const Deed &deed);
-    /// Takes a projection, a view or both from matrices, which the scene keeps as they are. What is none stays; the
-    /// projection's numbers then hold as they stand.
-    /// @return the errors of byParameters and pictureOf
-    Check editMatrices(const std::optional<MatrixProjection> &projection, const std::optional<glm::dmat4> &eyeFromWorld,
-                       const Deed &deed);
-    /// Several settings as one edit; the points stay those that are placed.
-    /// @return the errors of pictureOf: then none of them has changed, and there is nothing to redo
-    Check editSettings(SceneSettings settings, const Deed &deed);
-    Check editViewport(const ViewportRule &rule, const DepthRange &range, const Deed &deed);
-    /// @param off  planes that are kept but do not cut; with the others no more than kMostClipPlanes
-    Check editClipPlanes(std::vector<glm::dvec4> planes, std::vector<ClipPlaneOff> off, const Deed &deed);
-    /// The point that is followed through the pipeline besides the clicks, or none.
-    Check editGivenPoint(std::optional<GivenPoint> point, const Deed &deed);
-    /// In whose conventions matrices and points are shown and written.
-    Check editConventions(Api conventions, const Deed &deed);
-    /// All placed points, for those that are there. What is done to single ones: points().
-    Check editLandmarks(std::vector<landmarks::Landmark> landmarks, const Deed &deed);
-    Check editLandmarkSet(landmarks::LandmarkSet set, const Deed &deed);
+    /// The user's work: changes anything of the scene as one edit. What follows from the objects (landmarks on them, a pick)
+    /// goes with them; semilandmarks follow from the landmarks of their curve: curves().
+    Check edit(const Deed &deed, const std::function<void(Scene &)> &change);
+    /// Looking around: changes how the scene is shown. Ignored where it would leave no valid picture or changes nothing.
+    void look(const Deed &deed, const std::function<void(SceneSettings &)> &change);
 
     /// The view's size changed. Not undoable.
     void setSurface(const Surface &surface);
-
-    // Looking around. Each is undoable, and ignored where it would leave no valid picture or changes nothing.
-    void setCamera(const LookAt &camera, const QString &mergeKey = {});
-    void setProjection(const Projection &projection, const QString &mergeKey = {});
-    void setView(const LookAt &camera, const Projection &projection, const QString &mergeKey = {});
-    /// Shows all objects that are not hidden as large as the picture lets them be; without any object, the points.
-    void fit();
-    /// The same of one object, hidden or not. @pre place < objects().size()
-    void fitObject(std::size_t place);
-    void goHome();
-    /// From a perspective to glOrtho and back, the picture equal at `centerDistance`.
-    void switchProjection();
-
-    /// Distance in front of the eye where two projections are to agree: that of the camera's centre, about which the picture
-    /// is made. A picked point that is nearer would make everything behind it larger than the view.
-    double centerDistance() const;
 
     /// Unprojects a click or the pointer's position. It is not kept.
     Result<Pick> unprojected(const WidgetPoint &position, const DepthSample &sample) const;
@@ -208,9 +144,6 @@ public:
     /// @param kept  of this scene, with the objects that it has now
     void putBack(const KeptPick &kept);
     void clearPick() { putBack({}); }
-    /// The world point that navigation turns about with the pointer there: the surface; on the background the point of
-    /// the pointer's ray at the centre's distance; where nothing could be unprojected the camera's centre.
-    WorldPoint pivotOf(const Result<Pick> &pick) const;
 
 signals:
     /// Another scene is shown. Told before what of it has changed.
@@ -240,8 +173,6 @@ private:
     bool isCutAway(const Pick &pick) const;
     /// worldFromObject of the object of a pick, the identity where it has none.
     glm::dmat4 placementOf(const Pick &pick) const;
-    /// The state as it is now, with other settings.
-    SceneState with(SceneSettings settings) const;
     /// Puts a state in place, if its picture is valid.
     /// @return what is other than before, not told yet; the errors of pictureOf
     Result<Changes> take(const SceneState &state);
@@ -258,15 +189,6 @@ private:
     bool answerRay();
     /// @param objects  that the hit's place is of
     MetPlace metPlace(const ray::SceneHit &hit, const std::vector<SceneObject> &objects) const;
-    /// The settings that show all of these, of which the last `added` are new.
-    SceneSettings showing(const std::vector<SceneObject> &objects, std::size_t added) const;
-    Check edit(SceneSettings settings, const Deed &deed);
-    Check edit(std::vector<SceneObject> objects, const Deed &deed);
-    /// The state as it is now, edited, with other objects.
-    SceneState with(std::vector<SceneObject> objects) const;
-    void look(SceneSettings settings, const Deed &deed);
-    /// Takes camera and projection of a picture, its near and far planes where nothing within these bounds is cut off.
-    void showFramed(Picture picture, const Box &bounds);
     /// For undo and redo; told when the stack has come to its new place.
     void restore(const SceneState &state);
 

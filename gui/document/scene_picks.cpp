@@ -103,25 +103,6 @@ void SceneDocument::putBack(const KeptPick &kept)
     tell(Change::Pick);
 }
 
-WorldPoint SceneDocument::pivotOf(const Result<Pick> &pick) const
-{
-    const LookAt &camera = geometry().camera();
-    if (!pick)
-        return camera.center;
-    if (const Result<WorldPoint> &surface = pick->point.world[Method::Formula]; pick->hit())
-        return surface ? *surface : camera.center;
-    const Result<WorldPoint> &enter = pick->rayNear.world[Method::Formula];
-    const Result<WorldPoint> &leave = pick->rayFar.world[Method::Formula];
-    const Result<EyeFrame> frame = eyeFrame(camera);
-    if (!enter || !leave || !frame)
-        return camera.center;
-    const double wanted = eyeFromWorld(*frame, camera.center).z;
-    const double zEnter = eyeFromWorld(*frame, *enter).z;
-    const double zLeave = eyeFromWorld(*frame, *leave).z;
-    const double t = (wanted - zEnter) / (zLeave - zEnter);
-    return *enter + t * (*leave - *enter);
-}
-
 bool SceneDocument::followObjects(const std::shared_ptr<const std::vector<SceneObject>> &before)
 {
     const auto follow = [this](const std::vector<SceneObject> &objects, std::optional<std::size_t> &place) {

@@ -1,6 +1,7 @@
 #include "gui/document/scene_points.h"
 
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 
 #include <algorithm>
 #include <numeric>
@@ -209,7 +210,7 @@ Check ScenePoints::place(Landmark placed)
     }
     const QString text = tr("Place %1").arg(shownNameOf(points, place));
     const bool hasWaited = m_waiting.has_value();
-    if (const Check done = m_document.editLandmarks(std::move(points), {text}); !done)
+    if (const Check done = editLandmarks(m_document, std::move(points), {text}); !done)
         return done;
     selectOnly(place);
     if (hasWaited)
@@ -231,7 +232,7 @@ Check ScenePoints::edit(const std::vector<std::size_t> &places, const QString &o
     if (!only)
         return std::monostate{};
     const QString text = places.size() == 1 ? one.arg(shownNameOf(all(), *only)) : several;
-    return m_document.editLandmarks(std::move(points), {text, mergeKey});
+    return editLandmarks(m_document, std::move(points), {text, mergeKey});
 }
 
 Check ScenePoints::move(std::size_t place, const Landmark &to, const QString &mergeKey)
@@ -270,7 +271,7 @@ Check ScenePoints::rename(std::size_t place, const QString &name)
         if (!before.empty())
             std::replace(curve.points.begin(), curve.points.end(), before, set.landmarks[place].name);
     }
-    return m_document.editLandmarkSet(std::move(set), {tr("Rename %1").arg(shownNameOf(all(), place))});
+    return editLandmarkSet(m_document, std::move(set), {tr("Rename %1").arg(shownNameOf(all(), place))});
 }
 
 Check ScenePoints::setNote(std::size_t place, const QString &note)
@@ -313,7 +314,7 @@ Check ScenePoints::remove(const std::vector<std::size_t> &places)
         return std::monostate{};
     const QString text = places.size() == 1 ? tr("Remove %1").arg(shownNameOf(all(), places.front()))
                                             : tr("Remove %n points", nullptr, static_cast<int>(places.size()));
-    return m_document.editLandmarks(std::move(left), {text});
+    return editLandmarks(m_document, std::move(left), {text});
 }
 
 Check ScenePoints::reorder(std::size_t from, std::size_t to)
@@ -342,7 +343,7 @@ Check ScenePoints::arrange(const std::vector<std::size_t> &order)
     points.reserve(order.size());
     for (const std::size_t place : order)
         points.push_back(all()[place]);
-    return m_document.editLandmarks(std::move(points), {tr("Order of points")});
+    return editLandmarks(m_document, std::move(points), {tr("Order of points")});
 }
 
 } // namespace unprojector::gui

@@ -4,9 +4,11 @@
 #include "core/examples/bundled_scene.h"
 #include "core/files/path_text.h"
 #include "core/scene_file/scene_error_text.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/landmark_objects.h"
 #include "gui/document/point_files.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/document/session.h"
 #include "gui/text/added_text.h"
 #include "gui/text/error_text.h"
@@ -99,8 +101,8 @@ void Session::openBundledScene()
     if (!mayLeave())
         return;
     emit progressed();
-    m_document.setObjects(examples::bundledScene(),
-                          {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
+    openObjects(m_document, examples::bundledScene(),
+                {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
     setScene({QString(), 0, true});
 }
 
@@ -249,7 +251,7 @@ void Session::takeModels(const std::vector<LoadedModel> &models, Pending::For us
     }
     if (isAddition) {
         const std::size_t count = objects.size();
-        if (const Check added = m_document.addObjects(std::move(objects)))
+        if (const Check added = addObjects(m_document, std::move(objects)))
             emit noticed(addedText(m_document.objects(), count));
         else
             emit failed(errorText(added.error()));
@@ -257,7 +259,7 @@ void Session::takeModels(const std::vector<LoadedModel> &models, Pending::For us
     }
     const QString first = QString::fromStdString(objects.front().name);
     const int others = static_cast<int>(models.size()) - 1;
-    m_document.setObjects(std::move(objects));
+    openObjects(m_document, std::move(objects));
     setScene({first, others});
     if (const QString sizes = sizesText(m_document.objects(), m_document.objects().size()); !sizes.isEmpty())
         emit noticed(sizes);

@@ -2,6 +2,7 @@
 
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/landmarks/measure_rows.h"
 #include "gui/text/error_text.h"
 #include "gui/widgets/copy_menu.h"
@@ -100,7 +101,7 @@ void MeasuresView::setUnit(int index)
 {
     landmarks::LandmarkSet set = m_document.landmarkSet();
     set.unit = m_unit->itemData(index).toString().toStdString();
-    static_cast<void>(m_document.editLandmarkSet(std::move(set), {tr("Unit")}));
+    static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Unit")}));
 }
 
 std::vector<MeasureRow> MeasuresView::rows() const

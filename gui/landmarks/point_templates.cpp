@@ -4,6 +4,7 @@
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmarks/point_template.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -77,8 +78,8 @@ std::filesystem::path PointTemplates::pictureFor(const QString &name) const
 
 void fillFromTemplate(SceneDocument &document, const std::vector<landmarks::Landmark> &points, const QString &name)
 {
-    static_cast<void>(document.editLandmarks(landmarks::inTemplateOrder(document.landmarks(), points),
-                                             {Templates::tr("Template %1").arg(name)}));
+    static_cast<void>(editLandmarks(document, landmarks::inTemplateOrder(document.landmarks(), points),
+                                    {Templates::tr("Template %1").arg(name)}));
     document.points().waitForNext(std::nullopt);
 }
 

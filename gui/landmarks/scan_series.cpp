@@ -7,6 +7,7 @@
 #include "gui/document/landmark_objects.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/document/session.h"
 #include "gui/text/error_text.h"
 #include "gui/text/note_text.h"
@@ -305,7 +306,7 @@ void ScanSeries::takeShown()
     scan.points = set;
     if (std::optional<landmarks::LandmarkSet> placed = carried(set, inFile, m_object))
         set = std::move(*placed);
-    static_cast<void>(m_document.editLandmarkSet(std::move(set), {tr("Points of the scan")}));
+    static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Points of the scan")}));
     // What was kept is where one begins: undoing leads no further back.
     m_document.undoStack().clear();
     m_document.markSaved();

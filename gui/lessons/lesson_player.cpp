@@ -225,7 +225,8 @@ bool LessonPlayer::change(const std::string &name)
     const auto settings = lessons::settingsWith(m_document.scene(), m_document.geometry(), found->second);
     if (!settings)
         return refuse(QString::fromStdString(settings.error().text));
-    const Check done = m_document.editSettings(*settings, {tr("Change by the Lesson")});
+    const Check done = m_document.edit({tr("Change by the Lesson")},
+                                       [&](Scene &scene) { static_cast<SceneSettings &>(scene) = *settings; });
     return done ? true : refuse(errorText(done.error()));
 }
 

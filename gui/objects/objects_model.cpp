@@ -2,6 +2,7 @@
 
 #include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/text/bundled_names.h"
 
 #include <QDir>
@@ -118,14 +119,14 @@ bool ObjectsModel::setData(const QModelIndex &index, const QVariant &value, int 
         return false;
     const auto place = static_cast<std::size_t>(index.row());
     if (role == Qt::CheckStateRole)
-        return m_document.setObjectHidden(place, value.toInt() != Qt::Checked).hasValue();
+        return setObjectHidden(m_document, place, value.toInt() != Qt::Checked).hasValue();
     if (role != Qt::EditRole)
         return false;
     const QString name = value.toString().trimmed();
     // What was left as it stood there is no other name.
     const std::string &own = m_document.objects()[place].name;
-    switch (m_document.renameObject(place,
-                                    name == readName(own, m_document.objects()) ? QString::fromStdString(own) : name)) {
+    switch (renameObject(m_document, place,
+                         name == readName(own, m_document.objects()) ? QString::fromStdString(own) : name)) {
     case NameFault::None: emit nameAccepted(); return true;
     case NameFault::Empty: emit nameRefused(tr("An object needs a name: it kept its own.")); return false;
     case NameFault::Taken:
@@ -160,7 +161,7 @@ bool ObjectsModel::dropMimeData(const QMimeData *data, Qt::DropAction action, in
         --before; // the row itself is gone from there
     if (from < 0 || from >= rowCount() || before < 0 || before >= rowCount())
         return false;
-    return m_document.moveObject(static_cast<std::size_t>(from), static_cast<std::size_t>(before)).hasValue();
+    return moveObject(m_document, static_cast<std::size_t>(from), static_cast<std::size_t>(before)).hasValue();
 }
 
 } // namespace unprojector::gui

@@ -1,6 +1,8 @@
 #include "gui/objects/objects_panel.h"
 
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/objects/objects_model.h"
 
 #include <QAbstractItemDelegate>
@@ -120,13 +122,13 @@ void ObjectsPanel::updateButtons()
 void ObjectsPanel::fitCurrent()
 {
     if (current() >= 0)
-        m_document.fitObject(static_cast<std::size_t>(current()));
+        fitObject(m_document, static_cast<std::size_t>(current()));
 }
 
 void ObjectsPanel::removeCurrent()
 {
     if (current() >= 0)
-        static_cast<void>(m_document.removeObject(static_cast<std::size_t>(current()))); // fewer are always a picture
+        static_cast<void>(removeObject(m_document, static_cast<std::size_t>(current()))); // fewer are always a picture
 }
 
 void ObjectsPanel::renameCurrent()
@@ -159,8 +161,8 @@ void ObjectsPanel::showMenu(const QPoint &place)
         m_model->setData(m_model->index(current(), ObjectsModel::Name), isHidden ? Qt::Checked : Qt::Unchecked,
                          Qt::CheckStateRole);
     });
-    menu->addAction(tr("Show All Objects"), this, [this] { static_cast<void>(m_document.showAllObjects()); })
-        ->setEnabled(m_document.hasHiddenObjects());
+    menu->addAction(tr("Show All Objects"), this, [this] { static_cast<void>(showAllObjects(m_document)); })
+        ->setEnabled(hasHiddenObjects(m_document.scene()));
     menu->addSeparator();
     menu->addAction(tr("Rename"), this, &ObjectsPanel::renameCurrent);
     menu->addAction(tr("Remove"), this, &ObjectsPanel::removeCurrent);

@@ -105,9 +105,11 @@ void ObserverView::dragPlane(const QPointF &position)
     if (!projection)
         return;
     // A step that would leave no valid picture is not taken.
-    static_cast<void>(m_document.editProjection(
-        {*projection, scene.projectionFollowsViewport, false},
-        {m_planeDrag->plane() == ClipPlane::Near ? tr("Near plane") : tr("Far plane"), m_gesture}));
+    static_cast<void>(m_document.edit(
+        {m_planeDrag->plane() == ClipPlane::Near ? tr("Near plane") : tr("Far plane"), m_gesture}, [&](Scene &changed) {
+            changed.projection = *projection;
+            changed.clipDistancesFitObjects = false;
+        }));
 }
 
 void ObserverView::orbit(double yawRadians, double pitchRadians)

@@ -122,11 +122,6 @@ Scene ClipGroup::withDefaults(Scene scene) const
     return scene;
 }
 
-Check ClipGroup::edit(const Scene &next, const Deed &deed)
-{
-    return document().editClipPlanes(next.clipPlanes, next.clipPlanesOff, deed);
-}
-
 void ClipGroup::showScene()
 {
     const std::vector<ClipPlaneLine> lines = clipPlaneLines(document().scene());

@@ -29,7 +29,6 @@ public:
 
 protected:
     void showScene() override;
-    Check edit(const Scene &next, const Deed &deed) override;
     Scene withDefaults(Scene scene) const override;
 
 private:

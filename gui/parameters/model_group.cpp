@@ -1,6 +1,7 @@
 #include "gui/parameters/model_group.h"
 
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/parameters/group_heading.h"
 #include "gui/text/bundled_names.h"
 #include "gui/text/error_text.h"
@@ -179,7 +180,7 @@ void ModelGroup::removeObject()
     if (!shown)
         return;
     restoreFields();
-    static_cast<void>(document().removeObject(*shown)); // fewer objects are always a picture
+    static_cast<void>(gui::removeObject(document(), *shown)); // fewer objects are always a picture
 }
 
 void ModelGroup::showObjects()
@@ -215,14 +216,6 @@ Scene ModelGroup::withDefaults(Scene scene) const
     if (const std::optional<std::size_t> shown = m_shown->place())
         scene.objects[*shown].transform.clear();
     return scene;
-}
-
-Check ModelGroup::edit(const Scene &next, const Deed &deed)
-{
-    const std::optional<std::size_t> shown = m_shown->place();
-    if (!shown)
-        return std::monostate{}; // there is nothing to place
-    return document().editTransform(*shown, next.objects[*shown].transform, deed);
 }
 
 void ModelGroup::showScene()

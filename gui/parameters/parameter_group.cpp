@@ -129,10 +129,11 @@ NumberSlider *ParameterGroup::addSlider(ParameterRow *row, NumberSlider::Scale s
     row->setSlider(slider);
     connect(slider, &NumberSlider::moved, this,
             [this, slider, within = std::move(within), field = *found](double number) {
-                Scene next = m_document.scene();
-                field->binding.write(next, within(next, number));
                 const QString mergeKey = QStringLiteral("%1 ~%2").arg(field->binding.name).arg(slider->session());
-                if (!edit(next, {field->binding.name, mergeKey}))
+                const Check done = m_document.edit({field->binding.name, mergeKey}, [&](Scene &scene) {
+                    field->binding.write(scene, within(scene, number));
+                });
+                if (!done)
                     refresh();
             });
     return slider;
@@ -220,7 +221,7 @@ void ParameterGroup::refresh()
 
 bool ParameterGroup::change(const Scene &next, const QString &text)
 {
-    const Check changed = edit(next, {text});
+    const Check changed = m_document.edit({text}, [&](Scene &scene) { scene = next; });
     if (!changed)
         refresh(); // the combo box or check box goes back
     setReason(changed ? QString() : errorText(changed.error()));
@@ -234,10 +235,10 @@ bool ParameterGroup::isThere(const FieldPointer &field) const
 
 Check ParameterGroup::changeTogether(const std::vector<FieldPointer> &fields, const Deed &deed)
 {
-    Scene next = m_document.scene();
-    for (const FieldPointer &field : fields)
-        field->binding.write(next, *field->widget->typed());
-    const Check changed = edit(next, deed);
+    const Check changed = m_document.edit(deed, [&](Scene &scene) {
+        for (const FieldPointer &field : fields)
+            field->binding.write(scene, *field->widget->typed());
+    });
     if (changed) {
         for (const FieldPointer &field : fields) {
             if (!isThere(field))

@@ -84,8 +84,6 @@ protected:
     virtual void showScene() = 0;
     /// showScene and all numbers, now.
     void refresh();
-    /// Asks the document for what of this scene is this group's to change.
-    virtual Check edit(const Scene &next, const Deed &deed) = 0;
     /// The scene with this group's numbers as they are at first.
     virtual Scene withDefaults(Scene scene) const = 0;
     /// Makes a change that no field made; its refusal is shown beneath the heading.

@@ -1,6 +1,7 @@
 #include "gui/parameters/projection_group.h"
 #include "core/geometry/angle.h"
 
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/parameters/group_heading.h"
 #include "gui/text/help_anchors.h"
@@ -234,14 +235,8 @@ void ProjectionGroup::choose(ProjectionKind kind)
     if (kindOf(next.projection) == kind)
         return;
     restoreFields(); // a refused number of one kind means nothing to another
-    next.projection = converted(next.projection, kind, document().centerDistance());
+    next.projection = converted(next.projection, kind, centerDistance(document().scene().camera));
     change(next, m_kind->currentText());
-}
-
-Check ProjectionGroup::edit(const Scene &next, const Deed &deed)
-{
-    return document().editProjection({next.projection, next.projectionFollowsViewport, next.clipDistancesFitObjects},
-                                     deed);
 }
 
 Scene ProjectionGroup::withDefaults(Scene scene) const

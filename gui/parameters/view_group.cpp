@@ -51,11 +51,6 @@ void ViewGroup::addPoint(const QString &title, const QString &name, const QStrin
     }
 }
 
-Check ViewGroup::edit(const Scene &next, const Deed &deed)
-{
-    return document().editCamera(next.camera, deed);
-}
-
 Scene ViewGroup::withDefaults(Scene scene) const
 {
     scene.camera = scene.home;

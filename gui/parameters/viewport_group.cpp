@@ -144,11 +144,6 @@ void ViewportGroup::choose(ViewportRule::Kind kind)
     change(next, m_kind->currentText());
 }
 
-Check ViewportGroup::edit(const Scene &next, const Deed &deed)
-{
-    return document().editViewport(next.viewport, next.depthRange, deed);
-}
-
 Scene ViewportGroup::withDefaults(Scene scene) const
 {
     scene.viewport = {};

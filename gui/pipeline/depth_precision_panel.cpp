@@ -1,5 +1,6 @@
 #include "gui/pipeline/depth_precision_panel.h"
 
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/depth_precision_plot.h"
 #include "gui/text/number_text.h"
@@ -61,7 +62,7 @@ Place placeOf(const SceneDocument &document, const DepthScale &scale)
                 return {distance, true};
         }
     }
-    return {std::clamp(document.centerDistance(), scale.nearDistance, scale.farDistance), false};
+    return {std::clamp(centerDistance(document.scene().camera), scale.nearDistance, scale.farDistance), false};
 }
 
 } // namespace

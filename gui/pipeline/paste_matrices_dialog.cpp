@@ -2,6 +2,7 @@
 
 #include "core/matrices/matrix_format.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/pipeline/matrix_text.h"
 #include "gui/pipeline/pasted_matrix_box.h"
 #include "gui/text/error_text.h"
@@ -193,7 +194,7 @@ void PasteMatricesDialog::accept()
     if (!m_ok->isEnabled())
         return;
     const MatrixPaste::Camera taken = camera();
-    const Check done = m_document.editMatrices(taken.projection, taken.eyeFromWorld, {tr("Paste Matrices")});
+    const Check done = editMatrices(m_document, taken.projection, taken.eyeFromWorld, {tr("Paste Matrices")});
     if (!done) {
         m_meaning->setText(tr("No picture can be made of it: %1").arg(errorText(done.error())));
         return;

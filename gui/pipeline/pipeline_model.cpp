@@ -1,10 +1,12 @@
 #include "gui/pipeline/pipeline_model.h"
 
 #include "core/geometry/matrix_projection.h"
+#include "core/scene/given_matrices.h"
 #include "core/text/expression.h"
 #include "gui/document/given_points.h"
 #include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/document/since_click_text.h"
 #include "gui/pipeline/matrix_text.h"
 #include "gui/text/api_text.h"
@@ -56,20 +58,20 @@ PipelineModel::PipelineModel(SceneDocument &document, QObject *parent)
     // Also of what changes while nobody looks: the last of the two that came is the one to follow.
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::GivenPoint)
-            m_followsGiven = m_document.givenPoint().has_value();
+            m_followsGiven = m_document.scene().givenPoint.has_value();
         else if (changes & Change::Pick && m_document.pick())
             m_followsGiven = false;
         else
             return;
         emit followedChanged();
     });
-    m_followsGiven = document.givenPoint().has_value();
+    m_followsGiven = document.scene().givenPoint.has_value();
     update();
 }
 
 bool PipelineModel::followsGiven() const
 {
-    return m_followsGiven && m_document.givenPoint();
+    return m_followsGiven && m_document.scene().givenPoint;
 }
 
 void PipelineModel::followGiven(bool follows)
@@ -89,7 +91,7 @@ void PipelineModel::takeOver(const PipelineModel &other)
 
 void PipelineModel::removeGiven()
 {
-    static_cast<void>(m_document.editGivenPoint(std::nullopt, {tr("Remove Your Point")}));
+    static_cast<void>(m_document.edit({tr("Remove Your Point")}, [](Scene &scene) { scene.givenPoint.reset(); }));
 }
 
 void PipelineModel::take(Space space, int coordinate, const QString &typed)
@@ -146,8 +148,8 @@ void PipelineModel::take(Space space, int coordinate, const QString &typed)
         break;
     }
     }
-    const Check taken =
-        m_document.editGivenPoint(given, {tr("Give a Point in %1 Coordinates").arg(point(space)->name())});
+    const Check taken = m_document.edit({tr("Give a Point in %1 Coordinates").arg(point(space)->name())},
+                                        [&](Scene &scene) { scene.givenPoint = given; });
     if (!taken) {
         emit refused(errorText(taken.error()));
         return;
@@ -162,8 +164,8 @@ std::optional<std::size_t> PipelineModel::shownObject() const
         return std::nullopt;
     if (const std::optional<std::size_t> chosen = m_chosen->place())
         return chosen;
-    if (followsGiven() && std::holds_alternative<ObjectPoint>(m_document.givenPoint()->point))
-        return placeOf(*m_document.givenPoint(), m_document.objects());
+    if (followsGiven() && std::holds_alternative<ObjectPoint>(m_document.scene().givenPoint->point))
+        return placeOf(*m_document.scene().givenPoint, m_document.objects());
     const std::size_t picked = m_document.pick() ? m_document.pick()->object.value_or(0) : 0;
     return picked < count ? std::optional(picked) : std::nullopt;
 }
@@ -267,8 +269,8 @@ std::optional<std::vector<MatrixFactor>> PipelineModel::factors(PipelineStage st
 
 void PipelineModel::setApi(Api api)
 {
-    static_cast<void>(
-        m_document.editConventions(api, {tr("Conventions of %1").arg(QString::fromUtf8(conventionsOf(api).name))}));
+    static_cast<void>(m_document.edit({tr("Conventions of %1").arg(QString::fromUtf8(conventionsOf(api).name))},
+                                      [api](Scene &scene) { scene.conventions = api; }));
 }
 
 void PipelineModel::showApi()
@@ -295,8 +297,8 @@ void PipelineModel::showGiven()
     m_givenNote.clear();
     m_projectionFindings.clear();
     m_viewFindings.clear();
-    const MatrixProjection *given = m_document.givenProjection();
-    if (const glm::dmat4 *view = m_document.givenView()) {
+    const MatrixProjection *given = givenProjection(m_document.scene());
+    if (const glm::dmat4 *view = scene::givenView(m_document.scene())) {
         m_givenView->setMatrix(viewFromOurs(*view, m_api), PipelineDirection::Forward, ProjectionKind::Perspective);
         m_viewFindings =
             findings(*view, MatrixRole::View, std::nullopt, given ? std::optional(given->clipFromEye) : std::nullopt);
@@ -327,14 +329,15 @@ void PipelineModel::repair(MatrixRole role, const MatrixFinding &finding)
     const Deed deed{repairName(finding, NumberOrder::ByColumns)};
     std::optional<MatrixProjection> projection;
     std::optional<glm::dmat4> view;
-    if (const MatrixProjection *given = m_document.givenProjection(); given && role == MatrixRole::Projection) {
+    if (const MatrixProjection *given = givenProjection(m_document.scene()); given && role == MatrixRole::Projection) {
         projection = {repaired(given->clipFromEye, finding), given->ndcDepth};
         if (finding.repair == MatrixRepair::DepthZeroToOne)
             projection->ndcDepth = NdcDepth::ZeroToOne;
-    } else if (const glm::dmat4 *eyeFromWorld = m_document.givenView(); eyeFromWorld && role == MatrixRole::View) {
+    } else if (const glm::dmat4 *eyeFromWorld = scene::givenView(m_document.scene());
+               eyeFromWorld && role == MatrixRole::View) {
         view = repaired(*eyeFromWorld, finding);
     }
-    if (const Check done = m_document.editMatrices(projection, view, deed); !done)
+    if (const Check done = editMatrices(m_document, projection, view, deed); !done)
         emit refused(errorText(done.error()));
 }
 
@@ -370,7 +373,7 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
 
 void PipelineModel::showGivenPoint(const Pipeline &pipeline)
 {
-    const GivenPoint &given = *m_document.givenPoint();
+    const GivenPoint &given = *m_document.scene().givenPoint;
     const PipelinePoints points = pointsFrom(pipeline, given);
     const QString space = point(static_cast<Space>(given.point.index()))->name();
     const bool isObject = std::holds_alternative<ObjectPoint>(given.point);
@@ -435,7 +438,7 @@ QString PipelineModel::text() const
     }
     for (const MatrixModel *model : m_matrices)
         text += QStringLiteral("\n%1\n%2").arg(model->variableName(), model->copyText(MatrixSyntax::Text));
-    if (m_document.givenView())
+    if (scene::givenView(m_document.scene()))
         text += QStringLiteral("\n%1\n%2").arg(m_givenView->variableName(), m_givenView->copyText(MatrixSyntax::Text));
     if (!m_givenNote.isEmpty())
         text += QStringLiteral("\n%1\n%2").arg(m_given->variableName(), m_given->copyText(MatrixSyntax::Text));

@@ -2,6 +2,7 @@
 
 #include "gui/pipeline/pipeline_panel.h"
 
+#include "core/scene/given_matrices.h"
 #include "gui/document/object_names.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/entry_derivation.h"
@@ -84,8 +85,8 @@ void PipelinePanel::showFollowed()
     m_follow->setText(isGiven ? tr("The click") : tr("Your point"));
     m_follow->setToolTip(isGiven ? tr("Follow the clicked point again; yours stays")
                                  : tr("Follow the point that you have given in numbers"));
-    m_follow->setVisible(m_document.givenPoint() && (!isGiven || m_document.pick()));
-    m_remove->setVisible(m_document.givenPoint().has_value());
+    m_follow->setVisible(m_document.scene().givenPoint && (!isGiven || m_document.pick()));
+    m_remove->setVisible(m_document.scene().givenPoint.has_value());
 }
 
 QString PipelinePanel::helpOf(PipelineStage stage) const
@@ -143,8 +144,9 @@ void PipelinePanel::showFactors()
         else if (m_model->direction() == PipelineDirection::Backward) // else they stay, as the matrices do
             view->setNone(tr("Forward shows the factors; this matrix is the inverse of their product."));
     };
-    show(PipelineStage::ViewMatrix, m_viewFactors, m_document.givenView() != nullptr, nullptr);
-    show(PipelineStage::ProjectionMatrix, m_projectionFactors, m_document.givenProjection() != nullptr, &projection);
+    show(PipelineStage::ViewMatrix, m_viewFactors, givenView(m_document.scene()) != nullptr, nullptr);
+    show(PipelineStage::ProjectionMatrix, m_projectionFactors, givenProjection(m_document.scene()) != nullptr,
+         &projection);
 }
 
 void PipelinePanel::showDerivation()
@@ -200,7 +202,7 @@ void PipelinePanel::showGiven()
     m_given->setTitle(tr("Projection"), m_model->given()->variableName(), m_model->givenNote());
     m_given->setVisible(!m_model->givenNote().isEmpty());
     m_givenView->setTitle(tr("View"), m_model->givenView()->variableName(), tr("As it was given."));
-    m_givenView->setVisible(m_document.givenView() != nullptr);
+    m_givenView->setVisible(givenView(m_document.scene()) != nullptr);
     // Of what the scene keeps, the order is that of columns.
     m_givenFindings->setFindings(m_model->givenFindings(MatrixRole::Projection), MatrixRole::Projection,
                                  NumberOrder::ByColumns);

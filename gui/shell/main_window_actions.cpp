@@ -2,6 +2,7 @@
 
 #include "gui/shell/main_window.h"
 
+#include "gui/document/camera_looks.h"
 #include "gui/document/point_files.h"
 #include "gui/document/point_surface.h"
 #include "gui/document/point_views.h"
@@ -332,16 +333,16 @@ void MainWindow::createSnapActions(QMenu &menu, QToolBar &bar)
 void MainWindow::createViewMenu(QToolBar &bar)
 {
     const auto look = [this](StandardView side) {
-        return [this, side] { m_document->setCamera(seenFrom(m_document->geometry().camera(), side)); };
+        return [this, side] { setCamera(*m_document, seenFrom(m_document->geometry().camera(), side)); };
     };
     QMenu *menu = menuBar()->addMenu(tr("&View"));
     onBar(bar,
           addAction(menu, tr("&Fit"), Qt::Key_F, tr("Move the camera until all objects fill the view"),
-                    [this] { m_document->fit(); }),
+                    [this] { fitAll(*m_document); }),
           Drawing::Fit);
     onBar(bar,
           addAction(menu, tr("&Home"), Qt::Key_Home, tr("Back to the camera that the scene opened with"),
-                    [this] { m_document->goHome(); }),
+                    [this] { goHome(*m_document); }),
           Drawing::Home);
     menu->addSeparator();
     bar.addSeparator();
@@ -355,7 +356,7 @@ void MainWindow::createViewMenu(QToolBar &bar)
     menu->addSeparator();
     m_projectionAction = addAction(menu, tr("&Perspective"), Qt::Key_5,
                                    tr("Switch between perspective (glFrustum) and orthographic (glOrtho)"),
-                                   [this] { m_document->switchProjection(); });
+                                   [this] { switchProjection(*m_document); });
     m_projectionAction->setCheckable(true);
     m_projectionAction->setObjectName(QStringLiteral("perspective"));
     onBar(bar, m_projectionAction, Drawing::Perspective);

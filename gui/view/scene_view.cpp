@@ -1,6 +1,7 @@
 #include "gui/view/scene_view.h"
 
 #include "core/scene/point_size.h"
+#include "gui/document/camera_looks.h"
 #include "gui/text/number_text.h"
 #include "gui/view/scene_overlay.h"
 
@@ -270,7 +271,7 @@ void SceneView::onLButtonDown(const WidgetPoint &position)
                        milliseconds(timer)});
     }
     const Result<Pick> pick = m_document.unprojected(position, *sample);
-    m_pivot = m_document.pivotOf(pick);
+    m_pivot = pivotOf(m_document.geometry().camera(), pick);
     m_document.setPick(pick);
 }
 

@@ -3,6 +3,7 @@
 #include "gui/view/scene_view.h"
 
 #include "core/geometry/angle.h"
+#include "gui/document/camera_looks.h"
 
 #include <QApplication>
 #include <QMimeData>
@@ -81,7 +82,8 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     case Drag::Orbit: {
         // Half a turn for the height of the view.
         const double radiansPerPixel = kPi / std::max(1, height());
-        m_document.setCamera(
+        setCamera(
+            m_document,
             orbited(m_document.geometry().camera(), m_pivot, delta.x() * radiansPerPixel, delta.y() * radiansPerPixel),
             m_gesture);
         return;
@@ -204,7 +206,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
         return;
     const Result<Pick> pick = m_document.unprojected(position, *sample);
     m_document.setPick(pick);
-    m_document.setCamera(recentered(m_document.geometry(), m_document.pivotOf(pick)));
+    setCamera(m_document, recentered(m_document.geometry(), pivotOf(m_document.geometry().camera(), pick)));
 }
 
 void SceneView::wheelEvent(QWheelEvent *event)
@@ -224,7 +226,7 @@ WorldPoint SceneView::pivotAt(const WidgetPoint &position)
     if (m_stillPivot && m_stillPosition == position)
         return *m_stillPivot;
     const std::optional<DepthSample> sample = sampleAt(position);
-    return sample ? m_document.pivotOf(m_document.unprojected(position, *sample))
+    return sample ? pivotOf(m_document.geometry().camera(), m_document.unprojected(position, *sample))
                   : m_document.geometry().camera().center;
 }
 
@@ -238,7 +240,7 @@ void SceneView::zoomAt(const WidgetPoint &position, double notches, const QStrin
 {
     const WorldPoint pivot = pivotAt(position);
     const Picture next = zoomed(m_document.geometry(), pivot, std::pow(1.2, notches));
-    m_document.setView(next.camera(), next.projection(), mergeKey);
+    setView(m_document, next.camera(), next.projection(), mergeKey);
     keepPivot(position, pivot);
 }
 
@@ -249,7 +251,7 @@ void SceneView::pan(const QPointF &way, const WorldPoint &pivot, const QString &
     if (!frame)
         return;
     const double scale = worldPerLogicalPixel(g, pivot);
-    m_document.setCamera(moved(g.camera(), (frame->upward * way.y() - frame->side * way.x()) * scale), mergeKey);
+    setCamera(m_document, moved(g.camera(), (frame->upward * way.y() - frame->side * way.x()) * scale), mergeKey);
 }
 
 void SceneView::leaveEvent(QEvent *event)

@@ -3,6 +3,7 @@
 #include "gui/view/scene_view.h"
 
 #include "core/geometry/angle.h"
+#include "gui/document/camera_looks.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -142,9 +143,9 @@ void SceneView::keyPressEvent(QKeyEvent *event)
     case KeyDeed::Kind::Turn: {
         constexpr double kStep = kPi / 36.0; // 5 degrees
         const WorldPoint pivot = pivotAt(position);
-        m_document.setCamera(
-            orbited(m_document.geometry().camera(), pivot, deed->way.x() * kStep, deed->way.y() * kStep),
-            QStringLiteral("turn by keys"));
+        setCamera(m_document,
+                  orbited(m_document.geometry().camera(), pivot, deed->way.x() * kStep, deed->way.y() * kStep),
+                  QStringLiteral("turn by keys"));
         keepPivot(position, pivot);
         return;
     }

@@ -2,6 +2,8 @@
 
 #include "gui/view/scene_view.h"
 
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "gui/text/number_text.h"
 #include "gui/text/ray_text.h"
 
@@ -28,7 +30,7 @@ void SceneView::showMenu(const WidgetPoint &position, const QPoint &global)
     const std::optional<DepthSample> sample = sampleAt(position);
     std::optional<WorldPoint> surface;
     if (sample && sample->hit())
-        surface = m_document.pivotOf(m_document.unprojected(position, *sample));
+        surface = pivotOf(m_document.geometry().camera(), m_document.unprojected(position, *sample));
     const std::optional<std::size_t> object = sample ? sample->object : std::nullopt;
 
     auto *menu = new QMenu(this);
@@ -62,16 +64,16 @@ void SceneView::showMenu(const WidgetPoint &position, const QPoint &global)
                         .arg(shortestText(point->x), shortestText(point->y), shortestText(point->z)));
         });
     add("lookHere", tr("Look at This Point"), {}, tr("Bring it to the middle; the view turns about it"),
-        surface.has_value(), [this, surface] { m_document.setCamera(recentered(m_document.geometry(), *surface)); });
+        surface.has_value(), [this, surface] { setCamera(m_document, recentered(m_document.geometry(), *surface)); });
     menu->addSeparator();
     add("fit", tr("Fit"), Qt::Key_F, tr("Move the camera until all objects fill the view"), true,
-        [this] { m_document.fit(); });
+        [this] { fitAll(m_document); });
     add("fitObject", tr("Fit This Object"), {}, tr("Look at this object: it fills the view"), object.has_value(),
-        [this, object] { m_document.fitObject(*object); });
+        [this, object] { fitObject(m_document, *object); });
     add("hideObject", tr("Hide This Object"), {}, tr("Neither draw nor click it; the Objects panel shows it again"),
-        object.has_value(), [this, object] { static_cast<void>(m_document.setObjectHidden(*object, true)); });
-    add("showAll", tr("Show All Objects"), {}, tr("Those that are hidden as well"), m_document.hasHiddenObjects(),
-        [this] { static_cast<void>(m_document.showAllObjects()); });
+        object.has_value(), [this, object] { static_cast<void>(setObjectHidden(m_document, *object, true)); });
+    add("showAll", tr("Show All Objects"), {}, tr("Those that are hidden as well"),
+        hasHiddenObjects(m_document.scene()), [this] { static_cast<void>(showAllObjects(m_document)); });
     // It speaks of objects by their places, and of a point that is picked.
     connect(&m_document, &SceneDocument::changed, menu, [menu](Changes changes) {
         if (changes & (Change::Objects | Change::Pick))

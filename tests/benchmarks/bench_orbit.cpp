@@ -6,6 +6,7 @@
 //   make_models models 913 && xvfb-run -s "-screen 0 1280x1024x24 +extension GLX" bench_orbit models/*.ply
 
 #include "core/geometry/camera_motion.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/shell/main_window.h"
 #include "gui/view/scene_view.h"
@@ -86,7 +87,7 @@ void orbit(benchmark::State &state, const std::filesystem::path &file)
         clock.start();
         isSwapped = false;
         const LookAt &camera = window->document().scene().camera;
-        window->document().setCamera(orbited(camera, camera.center, 0.02, 0.0), QStringLiteral("turn"));
+        setCamera(window->document(), orbited(camera, camera.center, 0.02, 0.0), QStringLiteral("turn"));
         waitFor([&] { return isSwapped; });
         seconds.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-9);
     }

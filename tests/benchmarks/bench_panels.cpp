@@ -4,6 +4,7 @@
 #include "core/examples/bundled_scene.h"
 #include "core/geometry/camera_motion.h"
 #include "gui/click/comparison_panel.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/parameters/parameters_panel.h"
 #include "gui/pipeline/pipeline_panel.h"
@@ -33,7 +34,7 @@ struct Panels {
     Panels()
     {
         document.setSurface(surfaceFromWidget(600, 516, 1.0));
-        document.setObjects(examples::bundledScene());
+        openObjects(document, examples::bundledScene());
         document.pickAt(WidgetPoint(300.0, 250.0), {0.5, 0, 24});
         comparison.resize(440, 700);
         parameters.resize(240, 700);
@@ -82,7 +83,7 @@ void cameraTurns(benchmark::State &state)
     const Share share(state);
     for (auto _ : state) {
         const LookAt &camera = panels.document.scene().camera;
-        panels.document.setCamera(orbited(camera, camera.center, 0.01, 0.0), QStringLiteral("turn"));
+        setCamera(panels.document, orbited(camera, camera.center, 0.01, 0.0), QStringLiteral("turn"));
         QApplication::processEvents();
     }
 }

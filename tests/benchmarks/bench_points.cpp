@@ -4,6 +4,7 @@
 //   QT_QPA_PLATFORM=offscreen bench_points
 
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/view/point_marks.h"
 
 #include <benchmark/benchmark.h>
@@ -67,7 +68,7 @@ SceneDocument &document()
             if (at)
                 points.push_back(*at);
         }
-        const Check placed = fresh->editLandmarks(std::move(points), {QStringLiteral("points")});
+        const Check placed = editLandmarks(*fresh, std::move(points), {QStringLiteral("points")});
         Q_ASSERT(placed.hasValue());
         return fresh;
     }();

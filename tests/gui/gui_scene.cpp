@@ -1,8 +1,11 @@
 #include "tests/gui/gui_scene.h"
 
 #include "core/examples/solids.h"
+#include "gui/document/camera_looks.h"
 #include "tests/support/mesh_model.h"
 #include "tests/support/patience.h"
+
+#include "document_edits.h"
 
 #include <QApplication>
 #include <QSettings>
@@ -93,12 +96,12 @@ std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &
 
 void setClipPlanes(SceneDocument &document, const std::vector<glm::dvec4> &planes)
 {
-    QVERIFY(document.editClipPlanes(planes, {}, {QStringLiteral("Planes")}));
+    QVERIFY(editClipPlanes(document, planes, {}, {QStringLiteral("Planes")}));
 }
 
 void setDepthRange(SceneDocument &document, const DepthRange &range)
 {
-    QVERIFY(document.editViewport(document.scene().viewport, range, {QStringLiteral("Depth range")}));
+    QVERIFY(editViewport(document, document.scene().viewport, range, {QStringLiteral("Depth range")}));
 }
 
 // ---- pictures ----------------------------------------------------------------------------------------------------
@@ -146,18 +149,18 @@ std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, boo
 std::unique_ptr<MainWindow> cubeWindow(bool isOrtho)
 {
     auto window = shownWindow(false, {500, 400});
-    window->document().setObjects(cubeScene());
-    window->document().setCamera(
-        {WorldPoint(kCubeCenter + glm::dvec3(4.0, 3.0, 5.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    openObjects(window->document(), cubeScene());
+    setCamera(window->document(),
+              {WorldPoint(kCubeCenter + glm::dvec3(4.0, 3.0, 5.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
     if (isOrtho)
-        window->document().switchProjection();
+        switchProjection(window->document());
     return window;
 }
 
 std::unique_ptr<MainWindow> twoCubesWindow(const DepthRange &range)
 {
     auto window = shownWindow(false, {420, 360});
-    window->document().setObjects(twoCubes(), kBeforeTwoCubes);
+    openObjects(window->document(), twoCubes(), kBeforeTwoCubes);
     setDepthRange(window->document(), range);
     return window;
 }

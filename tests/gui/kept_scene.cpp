@@ -3,6 +3,8 @@
 
 #include "gui/document/scene_document.h"
 
+#include "document_edits.h"
+
 using namespace std::chrono_literals;
 
 namespace keeping {
@@ -50,7 +52,7 @@ bool openAndWait(MainWindow &window, const QString &file)
 
 void edit(MainWindow &window, double d)
 {
-    if (!window.document().editClipPlanes({{0.0, 1.0, 0.0, d}}, {}, {QStringLiteral("Plane")}))
+    if (!editClipPlanes(window.document(), {{0.0, 1.0, 0.0, d}}, {}, {QStringLiteral("Plane")}))
         qFatal("the plane is refused");
 }
 

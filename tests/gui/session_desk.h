@@ -4,6 +4,8 @@
 #include "gui/document/session.h"
 #include "tests/support/patience.h"
 
+#include "document_edits.h"
+
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -100,7 +102,7 @@ struct Desk {
             names << QString::fromStdString(object.name);
         return names;
     }
-    void cut(double d = 0.5) { QVERIFY(document.editClipPlanes({{0.0, 1.0, 0.0, d}}, {}, {QStringLiteral("Plane")})); }
+    void cut(double d = 0.5) { QVERIFY(editClipPlanes(document, {{0.0, 1.0, 0.0, d}}, {}, {QStringLiteral("Plane")})); }
 
     SceneDocument document;
     CannedAnswers answers;

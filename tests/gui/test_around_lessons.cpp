@@ -1,5 +1,6 @@
 // What stands around a lesson: panels, places, switches and the window are after it as they were before.
 
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/lessons/lesson_panel.h"
 #include "gui/lessons/lesson_player.h"
@@ -151,7 +152,7 @@ void TestAroundLessons::whatIsPutBackHasItsClick()
     QVERIFY(window->document().pick());
     QVERIFY(lessons.goTo(2)); // which speaks of the click
     const DevicePixel pixel = window->document().pick()->devicePixel;
-    window->document().setCamera(LookAt{{9.0, 3.0, 12.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
+    setCamera(window->document(), LookAt{{9.0, 3.0, 12.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
     QVERIFY(!lessons.isAsTheStep());
     follow(*window, QStringLiteral("restart:"));
     QVERIFY(lessons.isAsTheStep());

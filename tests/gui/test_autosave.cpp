@@ -3,6 +3,7 @@
 #include "tests/gui/kept_scene.h"
 #include "tests/support/patience.h"
 
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 
 #include <QStatusBar>
@@ -136,7 +137,7 @@ void TestAutosave::changesAreKeptUntilTheyAreSaved()
     QCOMPARE(read(m_folder->sceneFile()), kScene);
     QVERIFY(window->session().saveScene(pathOf(m_folder->sceneFile())));
     QVERIFY(QDir(m_folder->recovery()).isEmpty());
-    window->document().setCamera({WorldPoint(0.0, 0.0, 4.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
+    setCamera(window->document(), {WorldPoint(0.0, 0.0, 4.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
     QVERIFY2(becomesKept(m_folder->recovery()), "of a scene that has a file the view is a part");
 }
 
@@ -182,8 +183,8 @@ void TestAutosave::whoOnlyLooksAroundLeavesNothing()
 {
     const auto window = windowKeepingIn(m_folder->recovery());
     window->session().openBundledScene();
-    window->document().fit();
-    window->document().switchProjection();
+    fitAll(window->document());
+    switchProjection(window->document());
     QTest::qWait(300);
     QVERIFY(!QFile::exists(m_folder->recovery()));
 }

@@ -2,8 +2,11 @@
 
 #include "core/examples/solids.h"
 #include "core/ray/closest_place.h"
+#include "document_edits.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/point_files.h"
 #include "gui/document/scene_curves.h"
+#include "gui/document/scene_edits.h"
 #include "gui/landmarks/curves_view.h"
 #include "gui/landmarks/measures_view.h"
 #include "gui/view/curve_shapes.h"
@@ -55,15 +58,15 @@ Landmark heldAt(const SceneObject &object, const glm::dvec3 &world, const std::s
 void putPoints(SceneDocument &document)
 {
     const SceneObject &cube = document.objects()[0];
-    QVERIFY(document.editLandmarks(
-        {heldAt(cube, kTop, "top"), heldAt(cube, kFront, "front"), heldAt(cube, kRight, "right")}, {"put"}));
+    QVERIFY(editLandmarks(
+        document, {heldAt(cube, kTop, "top"), heldAt(cube, kFront, "front"), heldAt(cube, kRight, "right")}, {"put"}));
 }
 
 std::unique_ptr<SceneDocument> cubeDocument()
 {
     auto document = std::make_unique<SceneDocument>();
     document->setSurface({800, 600, 1.0});
-    document->setObjects(cubeScene());
+    openObjects(*document, cubeScene());
     putPoints(*document);
     return document;
 }
@@ -72,7 +75,7 @@ void add(SceneDocument &document, const Landmark &point)
 {
     std::vector<Landmark> points = document.landmarks();
     points.push_back(point);
-    QVERIFY(document.editLandmarks(std::move(points), {"add"}));
+    QVERIFY(editLandmarks(document, std::move(points), {"add"}));
 }
 
 double lengthOf(SceneDocument &document, std::size_t curve)
@@ -143,7 +146,7 @@ void TestCurves::curvesFollowTheirPoints()
     QVERIFY(document->points().reorder(2, 0));
     QCOMPARE(lengthOf(*document, 0), moved);
     // With its object, stretched: the length is the world's.
-    QVERIFY(document->editTransform(0, {Scale{glm::dvec3(2.0)}}, {"scale"}));
+    QVERIFY(editTransform(*document, 0, {Scale{glm::dvec3(2.0)}}, {"scale"}));
     QVERIFY(std::abs(lengthOf(*document, 0) - 2.0 * moved) < 1e-5);
     while (document->undoStack().canUndo())
         document->undoStack().undo();
@@ -182,7 +185,7 @@ void TestCurves::joiningIsRefusedInWords()
     document->undoStack().undo();
     std::vector<SceneObject> other = cubeScene();
     other[0].name = "other";
-    QVERIFY(document->addObjects(other));
+    QVERIFY(addObjects(*document, other));
     add(*document, heldAt(document->objects()[1], kFront, "there"));
     QCOMPARE(document->curves().join({0, 3}, CurveKind::Geodesic), "“there” lies on another object than “top”");
     QVERIFY(document->curves().all().empty());
@@ -198,8 +201,8 @@ void TestCurves::largeModelsAreWorkedOutAside()
     model->meshes.push_back(examples::sphereMesh(1.0, 5));
     model->bounds = boundsOf(model->meshes);
     ball.model = model;
-    document.setObjects({ball});
-    QVERIFY(document.editLandmarks({heldAt(ball, {1, 0, 0}, "a"), heldAt(ball, {0, 1, 0}, "b")}, {"put"}));
+    openObjects(document, {ball});
+    QVERIFY(editLandmarks(document, {heldAt(ball, {1, 0, 0}, "a"), heldAt(ball, {0, 1, 0}, "b")}, {"put"}));
     QCOMPARE(document.curves().join({0, 1}, CurveKind::Geodesic), QString());
     QVERIFY(document.curves().line(0).isComputing);
     QVERIFY(!document.curves().line(0).line);
@@ -226,8 +229,8 @@ void TestCurves::whoWaitsForCurvesMayGiveUp()
     model->meshes.push_back(examples::sphereMesh(1.0, 5));
     model->bounds = boundsOf(model->meshes);
     ball.model = model;
-    document.setObjects({ball});
-    QVERIFY(document.editLandmarks({heldAt(ball, {1, 0, 0}, "a"), heldAt(ball, {0, 1, 0}, "b")}, {"put"}));
+    openObjects(document, {ball});
+    QVERIFY(editLandmarks(document, {heldAt(ball, {1, 0, 0}, "a"), heldAt(ball, {0, 1, 0}, "b")}, {"put"}));
     QCOMPARE(document.curves().join({0, 1}, CurveKind::Geodesic), QString());
     int asked = 0;
     document.curves().setWaiting([&] {
@@ -268,12 +271,12 @@ void TestCurves::filesHaveTheSemilandmarks()
     QVERIFY(textOf("p.tps").contains("CURVES=1\nPOINTS=6\n"));
     QCOMPARE(textOf("p.pts").split('\n')[1].trimmed(), QByteArray("9"));
     const auto curves = document->curves().all();
-    QVERIFY(document->editLandmarkSet({}, {"away"}));
+    QVERIFY(editLandmarkSet(*document, {}, {"away"}));
     QVERIFY(files.importFrom(fileOf("p.csv")));
     QVERIFY(document->curves().all() == curves);
     QVERIFY(std::abs(lengthOf(*document, 0) - 1.25) < 1e-6);
     // Those of another program have no points to go through: they are where the file has them.
-    QVERIFY(document->editLandmarkSet({}, {"away"}));
+    QVERIFY(editLandmarkSet(*document, {}, {"away"}));
     QVERIFY(files.importFrom(fileOf("p.tps")));
     QCOMPARE(document->curves().all().size(), std::size_t(1));
     QCOMPARE(document->curves().line(0).line->path.size(), std::size_t(6));
@@ -361,7 +364,7 @@ void TestCurves::theLengthAlongTheSurfaceIsAMeasure()
     QVERIFY(document->points().moveTo(1, WorldPoint(0, 0, 0)));
     QCOMPARE(rows->topLevelItem(1)->text(2), "“front” is not on a surface; B puts it there");
     std::vector<Landmark> many(21, document->landmarks()[0]);
-    QVERIFY(document->editLandmarks(many, {"many"}));
+    QVERIFY(editLandmarks(*document, many, {"many"}));
     std::vector<std::size_t> all(many.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     document->points().select(all);

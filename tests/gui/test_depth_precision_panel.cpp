@@ -1,5 +1,7 @@
 // What rounding a depth leaves open, in its panel: computed of this picture, and no advice that would cut anything off.
 
+#include "document_edits.h"
+#include "gui/document/camera_looks.h"
 #include "gui/pipeline/depth_precision_panel.h"
 #include "gui/pipeline/depth_precision_plot.h"
 #include "gui_scene.h"
@@ -25,7 +27,7 @@ private:
     void setPerspective(double nearDistance)
     {
         ProjectionRule rule{Perspective{0.8, 800.0 / 600.0, nearDistance, 100.0}, false, false};
-        QVERIFY(m_document->editProjection(rule, {}));
+        QVERIFY(editProjection(*m_document, rule, {}));
     }
 
     std::unique_ptr<SceneDocument> m_document;
@@ -41,7 +43,7 @@ void TestDepthPrecisionPanel::init()
     const LookAt home{WorldPoint(guitest::kCubeCenter + glm::dvec3(0.0, 0.0, 5.0)),
                       WorldPoint(guitest::kCubeCenter),
                       {0.0, 1.0, 0.0}};
-    m_document->setObjects(guitest::cubeScene(), home);
+    openObjects(*m_document, guitest::cubeScene(), home);
     m_panel = std::make_unique<DepthPrecisionPanel>(*m_document);
     m_panel->resize(500, 300);
     m_panel->show();
@@ -71,7 +73,7 @@ void TestDepthPrecisionPanel::aNearThatFitsIsLeftAlone()
     QVERIFY2(m_panel->text().contains(fits), qPrintable(m_panel->text()));
     LookAt inside = m_document->geometry().camera();
     inside.eye = WorldPoint(guitest::kCubeCenter + glm::dvec3(0.0, 0.0, 0.5));
-    m_document->setCamera(inside);
+    setCamera(*m_document, inside);
     setPerspective(0.001);
     QVERIFY2(!m_panel->text().contains(QStringLiteral("instead of")), qPrintable(m_panel->text()));
     QVERIFY2(!m_panel->text().contains(fits), qPrintable(m_panel->text())); // the eye is within it
@@ -80,7 +82,7 @@ void TestDepthPrecisionPanel::aNearThatFitsIsLeftAlone()
 void TestDepthPrecisionPanel::aBoxHasOneErrorEverywhere()
 {
     ProjectionRule rule{Ortho{-2.0, 2.0, -2.0, 2.0, -1.0, 9.0}, false, false};
-    QVERIFY(m_document->editProjection(rule, {}));
+    QVERIFY(editProjection(*m_document, rule, {}));
     QVERIFY2(m_panel->text().contains(QStringLiteral("at every distance")), qPrintable(m_panel->text()));
     QCOMPARE(m_panel->plot().curves().size(), std::size_t(1));
     QVERIFY(!m_panel->grab().isNull()); // distances from -1 on have no logarithm

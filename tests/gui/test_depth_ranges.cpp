@@ -1,6 +1,7 @@
 // Both views under every kind of depth range: what is seen, read and moved is what it is under [0, 1], but for the depths
 // themselves.
 
+#include "gui/document/camera_looks.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "tests/gui/depth_ranges.h"
@@ -24,7 +25,7 @@ std::unique_ptr<MainWindow> cubesWindow(const DepthRange &range, bool isOrtho = 
 {
     auto window = twoCubesWindow(range);
     if (isOrtho)
-        window->document().switchProjection();
+        switchProjection(window->document());
     return window;
 }
 
@@ -176,7 +177,7 @@ void TestDepthRanges::theViewFromOutsideIsTheSame()
     const DepthRange range = depthranges::ofThisRow();
     SceneDocument document;
     document.setSurface({420, 360, 1.0});
-    document.setObjects(twoCubes(), kBeforeTwoCubes);
+    openObjects(document, twoCubes(), kBeforeTwoCubes);
     setClipPlanes(document, kPlanes);
     ObserverPanel panel(document);
     panel.resize(500, 600);

@@ -11,6 +11,7 @@
 #include "gui/doctor/diagnosis_view.h"
 #include "gui/doctor/doctor_panel.h"
 #include "gui/doctor/wrong_points_form.h"
+#include "gui/document/camera_looks.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "gui/shell/place_ids.h"
@@ -45,8 +46,8 @@ constexpr QSize kWindow(1280, 800);
 std::unique_ptr<MainWindow> doctorWindow()
 {
     auto window = shownWindow(false, kWindow, true);
-    window->document().setObjects(
-        cubeScene(), {WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    openObjects(window->document(), cubeScene(),
+                {WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
     window->places().enter(kDoctorPlace);
     settle();
     return window;
@@ -553,7 +554,7 @@ void TestDoctorPlace::thePictureStaysThatOfTheClick()
             now = button;
     }
     QVERIFY(now && !now->isVisible());
-    window->document().setCamera({WorldPoint(20, 3, 4), WorldPoint(kCubeCenter), {0, 1, 0}});
+    setCamera(window->document(), {WorldPoint(20, 3, 4), WorldPoint(kCubeCenter), {0, 1, 0}});
     settle(100);
     QVERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
     QVERIFY(now->isVisible());
@@ -572,7 +573,7 @@ void TestDoctorPlace::theChosenCandidateStaysWhileTheViewTurns()
     candidates->setCurrentCell(2, 0);
     const QString code = panelOf(*window).code().text();
     const QSignalSpy answers(panelOf(*window).findChild<Diagnoser *>(), &Diagnoser::answered);
-    window->document().setCamera({WorldPoint(20, 3, 4), WorldPoint(kCubeCenter), {0, 1, 0}});
+    setCamera(window->document(), {WorldPoint(20, 3, 4), WorldPoint(kCubeCenter), {0, 1, 0}});
     settle(100);
     QCOMPARE(answers.size(), 0);
     QCOMPARE(candidates->currentRow(), 2);

@@ -1,8 +1,11 @@
 // The document: what its verbs do, what they tell, and what undoing brings back. No window.
 
+#include "document_edits.h"
 #include "told_changes.h"
 
 #include "core/geometry/camera_motion.h"
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 
 #include <QTest>
 
@@ -42,43 +45,43 @@ void TestDocument::everyVerbTellsItsKindOnceAndIsUndone_data()
     const auto row = [](const char *name, Changes kinds, const Verb &verb) {
         QTest::newRow(name) << verb << (kinds | Change::History);
     };
-    row("camera", Change::Picture, [](SceneDocument &d) { d.setCamera(cameraAt(7.0)); });
-    row("projection", Change::Picture, [](SceneDocument &d) { d.switchProjection(); });
-    row("typed eye", Change::Picture, [](SceneDocument &d) { QVERIFY(d.editCamera(cameraAt(7.0), kDeed)); });
+    row("camera", Change::Picture, [](SceneDocument &d) { setCamera(d, cameraAt(7.0)); });
+    row("projection", Change::Picture, [](SceneDocument &d) { switchProjection(d); });
+    row("typed eye", Change::Picture, [](SceneDocument &d) { QVERIFY(editCamera(d, cameraAt(7.0), kDeed)); });
     row("typed near", Change::Picture, [](SceneDocument &d) {
-        QVERIFY(d.editProjection({Ortho{-2, 2, -2, 2, 1, 50}, false, false}, kDeed));
+        QVERIFY(editProjection(d, {Ortho{-2, 2, -2, 2, 1, 50}, false, false}, kDeed));
     });
     row("a rule without effect yet", Change::Picture, [](SceneDocument &d) {
-        QVERIFY(d.editProjection({d.scene().projection, false, true}, kDeed));
+        QVERIFY(editProjection(d, {d.scene().projection, false, true}, kDeed));
     });
     row("viewport", Change::Picture, [](SceneDocument &d) {
         ViewportRule rule;
         rule.kind = ViewportRule::Kind::Quarter;
-        QVERIFY(d.editViewport(rule, {}, kDeed));
+        QVERIFY(editViewport(d, rule, {}, kDeed));
     });
-    row("depth range", Change::Picture, [](SceneDocument &d) { QVERIFY(d.editViewport({}, {0.25, 0.75}, kDeed)); });
+    row("depth range", Change::Picture, [](SceneDocument &d) { QVERIFY(editViewport(d, {}, {0.25, 0.75}, kDeed)); });
     row("clip plane", Change::ClipPlanes, [](SceneDocument &d) {
-        QVERIFY(d.editClipPlanes({{0.0, 1.0, 0.0, 0.0}}, {}, kDeed));
+        QVERIFY(editClipPlanes(d, {{0.0, 1.0, 0.0, 0.0}}, {}, kDeed));
     });
     row("clip plane that does not cut", Change::ClipPlanes, [](SceneDocument &d) {
-        QVERIFY(d.editClipPlanes({}, {{0, {0.0, 1.0, 0.0, 0.0}}}, kDeed));
+        QVERIFY(editClipPlanes(d, {}, {{0, {0.0, 1.0, 0.0, 0.0}}}, kDeed));
     });
     // Near and far fit the objects.
     row("transform", Change::Placement | Change::Picture, [](SceneDocument &d) {
-        QVERIFY(d.editTransform(0, {Translate{{40.0, 0.0, 0.0}}}, kDeed));
+        QVERIFY(editTransform(d, 0, {Translate{{40.0, 0.0, 0.0}}}, kDeed));
     });
     const Changes objects = Change::Objects | Change::Placement | Change::Visibility;
-    row("removed object", objects, [](SceneDocument &d) { QVERIFY(d.removeObject(0)); });
-    row("order of objects", objects, [](SceneDocument &d) { QVERIFY(d.moveObject(0, 2)); });
+    row("removed object", objects, [](SceneDocument &d) { QVERIFY(removeObject(d, 0)); });
+    row("order of objects", objects, [](SceneDocument &d) { QVERIFY(moveObject(d, 0, 2)); });
     // Near and far fit the others.
     row("hidden object", Change::Visibility | Change::Picture,
-        [](SceneDocument &d) { QVERIFY(d.setObjectHidden(1, true)); });
+        [](SceneDocument &d) { QVERIFY(setObjectHidden(d, 1, true)); });
     row("name", Change::Names, [](SceneDocument &d) {
-        QCOMPARE(d.renameObject(0, QStringLiteral("  other ")), NameFault::None);
+        QCOMPARE(renameObject(d, 0, QStringLiteral("  other ")), NameFault::None);
         QCOMPARE(d.objects()[0].name, "other");
     });
-    row("fitted object", Change::Picture, [](SceneDocument &d) { d.fitObject(1); });
-    row("added object", objects, [](SceneDocument &d) { QVERIFY(d.addObjects({examples::bundledScene()[0]})); });
+    row("fitted object", Change::Picture, [](SceneDocument &d) { fitObject(d, 1); });
+    row("added object", objects, [](SceneDocument &d) { QVERIFY(addObjects(d, {examples::bundledScene()[0]})); });
 }
 
 void TestDocument::everyVerbTellsItsKindOnceAndIsUndone()
@@ -116,24 +119,24 @@ void TestDocument::lookingAtNothingIsNoChange_data()
     };
     const auto twice = [&row](const char *name, const Verb &verb) { row(name, verb, verb); };
     const Verb nothing = [](SceneDocument &) {};
-    twice("home", [](SceneDocument &d) { d.goHome(); });
-    row("home where the scene opened", nothing, [](SceneDocument &d) { d.goHome(); });
-    twice("fit", [](SceneDocument &d) { d.fit(); });
+    twice("home", [](SceneDocument &d) { goHome(d); });
+    row("home where the scene opened", nothing, [](SceneDocument &d) { goHome(d); });
+    twice("fit", [](SceneDocument &d) { fitAll(d); });
     twice("fit a box", [](SceneDocument &d) {
         if (isPerspective(d.geometry().projection()))
-            d.switchProjection();
-        d.fit();
+            switchProjection(d);
+        fitAll(d);
     });
     twice("from the right",
-          [](SceneDocument &d) { d.setCamera(seenFrom(d.geometry().camera(), StandardView::Right)); });
+          [](SceneDocument &d) { setCamera(d, seenFrom(d.geometry().camera(), StandardView::Right)); });
     row("turned by nothing", nothing, [](SceneDocument &d) {
-        d.setCamera(orbited(d.geometry().camera(), WorldPoint(0.3, 1.7, -2.9), 0.0, 0.0), QStringLiteral("drag"));
+        setCamera(d, orbited(d.geometry().camera(), WorldPoint(0.3, 1.7, -2.9), 0.0, 0.0), QStringLiteral("drag"));
     });
     row("the same transform", nothing, [](SceneDocument &d) {
-        QVERIFY(d.editTransform(0, std::vector<TransformStep>(d.objects()[0].transform), kDeed));
+        QVERIFY(editTransform(d, 0, std::vector<TransformStep>(d.objects()[0].transform), kDeed));
     });
     row("the same viewport", nothing,
-        [](SceneDocument &d) { QVERIFY(d.editViewport(d.scene().viewport, d.scene().depthRange, kDeed)); });
+        [](SceneDocument &d) { QVERIFY(editViewport(d, d.scene().viewport, d.scene().depthRange, kDeed)); });
 }
 
 void TestDocument::fittingCutsNothingOff_data()
@@ -160,13 +163,13 @@ void TestDocument::fittingCutsNothingOff()
         SceneDocument document;
         openScene(document);
         if (isBox)
-            document.switchProjection();
+            switchProjection(document);
         Projection typed = withClipDistances(document.geometry().projection(), nearDistance, farDistance);
-        QVERIFY(document.editProjection({typed, true, false}, kDeed));
+        QVERIFY(editProjection(document, {typed, true, false}, kDeed));
         if (isObject)
-            document.fitObject(1);
+            fitObject(document, 1);
         else
-            document.fit();
+            fitAll(document);
         const ProjectionWindow window = projectionWindow(document.geometry().projection());
         const EyeFrame frame = *eyeFrame(document.geometry().camera());
         const Box bounds = isObject ? boundsOf(document.objects()[1]) : document.bounds();
@@ -189,7 +192,7 @@ void TestDocument::theOtherProjectionHasTheSameHeightAtTheCenter()
     const ProjectionWindow before = projectionWindow(document.geometry().projection());
     const LookAt &camera = document.geometry().camera();
     const double height = (before.top - before.bottom) / before.nearDistance * distance(camera.center, camera.eye);
-    document.switchProjection();
+    switchProjection(document);
     const ProjectionWindow after = projectionWindow(document.geometry().projection());
     QVERIFY(std::abs((after.top - after.bottom) - height) < 1e-9 * height);
 }
@@ -216,21 +219,21 @@ void TestDocument::aRefusedVerbChangesNothing_data()
 {
     QTest::addColumn<Verb>("verb");
     QTest::newRow("near beyond far") << Verb([](SceneDocument &d) {
-        QVERIFY(!d.editProjection({Ortho{-1, 1, -1, 1, 9, 3}, false, false}, kDeed));
+        QVERIFY(!editProjection(d, {Ortho{-1, 1, -1, 1, 9, 3}, false, false}, kDeed));
     });
     QTest::newRow("scale by 0") << Verb([](SceneDocument &d) {
-        QVERIFY(!d.editTransform(1, {Scale{{1.0, 0.0, 1.0}}}, kDeed));
+        QVERIFY(!editTransform(d, 1, {Scale{{1.0, 0.0, 1.0}}}, kDeed));
     });
     QTest::newRow("plane without a normal")
-        << Verb([](SceneDocument &d) { QVERIFY(!d.editClipPlanes({glm::dvec4(0.0)}, {}, kDeed)); });
-    QTest::newRow("eye at center") << Verb([](SceneDocument &d) { QVERIFY(!d.editCamera(cameraAt(0.0), kDeed)); });
+        << Verb([](SceneDocument &d) { QVERIFY(!editClipPlanes(d, {glm::dvec4(0.0)}, {}, kDeed)); });
+    QTest::newRow("eye at center") << Verb([](SceneDocument &d) { QVERIFY(!editCamera(d, cameraAt(0.0), kDeed)); });
     QTest::newRow("one setting of two") << Verb([](SceneDocument &d) {
         SceneSettings settings = d.scene();
         settings.camera = cameraAt(7.0);
         settings.projection = Ortho{-1, 1, -1, 1, 9, 3};
-        QVERIFY(!d.editSettings(settings, kDeed));
+        QVERIFY(!editSettings(d, settings, kDeed));
     });
-    QTest::newRow("look from nowhere") << Verb([](SceneDocument &d) { d.setCamera(cameraAt(0.0)); });
+    QTest::newRow("look from nowhere") << Verb([](SceneDocument &d) { setCamera(d, cameraAt(0.0)); });
     QTest::newRow("another scene") << Verb([](SceneDocument &d) {
         Scene scene;
         scene.depthRange = {0.5, 0.5};
@@ -257,7 +260,7 @@ void TestDocument::openingTellsWhenAllIsInPlace()
 {
     SceneDocument document;
     openScene(document);
-    document.setCamera(cameraAt(7.0));
+    setCamera(document, cameraAt(7.0));
     document.pickAt(WidgetPoint(400, 300), {0.5, 0, 24});
     int tellings = 0;
     connect(&document, &SceneDocument::changed, this, [&](Changes changes) {
@@ -278,7 +281,7 @@ void TestDocument::aSceneThatIsRefusedLeavesTheUndoStack()
 {
     SceneDocument document;
     openScene(document);
-    document.setCamera(cameraAt(7.0));
+    setCamera(document, cameraAt(7.0));
     document.pickAt(WidgetPoint(400, 300), {0.5, 0, 24});
     Scene scene;
     scene.projection = Ortho{1, 1, -2, 2, 1, 50};
@@ -293,10 +296,10 @@ void TestDocument::whoHearsOfAChangeMayMakeAnother()
     bool isFirst = true;
     connect(&document, &SceneDocument::changed, this, [&](Changes changes) {
         if (changes & Change::ClipPlanes && std::exchange(isFirst, false))
-            QVERIFY(document.removeObject(0));
+            QVERIFY(removeObject(document, 0));
     });
     const std::size_t count = document.objects().size();
-    QVERIFY(document.editClipPlanes({{0.0, 1.0, 0.0, 0.0}}, {}, kDeed));
+    QVERIFY(editClipPlanes(document, {{0.0, 1.0, 0.0, 0.0}}, {}, kDeed));
     QCOMPARE(document.objects().size(), count - 1);
     // In the order in which they were done.
     document.undoStack().undo();
@@ -314,7 +317,7 @@ void TestDocument::stepsShareTheObjects()
     const auto uses = [&document] { return document.objects()[0].model.use_count(); };
     const long before = uses();
     for (int i = 0; i < 100; ++i)
-        document.setCamera(cameraAt(7.0 + i));
+        setCamera(document, cameraAt(7.0 + i));
     QCOMPARE(document.undoStack().count(), 100);
     QCOMPARE(uses(), before);
     QCOMPARE(document.objects()[0].model.get(), teapot);
@@ -323,9 +326,9 @@ void TestDocument::stepsShareTheObjects()
 void TestDocument::nothingIsToldOfTheEnd_data()
 {
     QTest::addColumn<Verb>("verb");
-    QTest::newRow("steps to undo") << Verb([](SceneDocument &d) { d.setCamera(cameraAt(7.0)); });
+    QTest::newRow("steps to undo") << Verb([](SceneDocument &d) { setCamera(d, cameraAt(7.0)); });
     QTest::newRow("steps to redo") << Verb([](SceneDocument &d) {
-        d.setCamera(cameraAt(7.0));
+        setCamera(d, cameraAt(7.0));
         d.undoStack().undo();
     });
     QTest::newRow("unsaved") << Verb([](SceneDocument &d) { d.markUnsaved(); });

@@ -1,11 +1,14 @@
 // The placed points of a document: what is done to them, what is selected, how they go with their objects, and where clicks place
 // them. No window.
 
+#include "document_edits.h"
 #include "told_changes.h"
 
 #include "core/geometry/camera.h"
 #include "core/ray/closest_place.h"
 #include "core/scene_file/scene_file.h"
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 
 #include <QTest>
 
@@ -44,7 +47,7 @@ using Places = std::vector<std::size_t>;
 void openPoints(SceneDocument &document)
 {
     openScene(document);
-    QVERIFY(document.editLandmarks({pointAt(0, "a"), pointAt(1, "b"), pointAt(2, "c")}, kDeed));
+    QVERIFY(editLandmarks(document, {pointAt(0, "a"), pointAt(1, "b"), pointAt(2, "c")}, kDeed));
 }
 
 /// One triangle (0,0,0) (4,0,0) (0,4,0), looked at from (1, 1, 10).
@@ -56,8 +59,8 @@ void openTriangle(SceneDocument &document, ray::Snap snap = ray::Snap::Surface)
     model->meshes.push_back(mesh);
     model->bounds = boundsOf(model->meshes);
     document.setSurface({801, 601, 1.0});
-    document.setObjects({{"triangle", {}, model, {}}},
-                        {WorldPoint(1.0, 1.0, 10.0), WorldPoint(1.0, 1.0, 0.0), {0.0, 1.0, 0.0}});
+    openObjects(document, {{"triangle", {}, model, {}}},
+                {WorldPoint(1.0, 1.0, 10.0), WorldPoint(1.0, 1.0, 0.0), {0.0, 1.0, 0.0}});
     document.setSnap(snap);
 }
 
@@ -118,8 +121,8 @@ void TestDocumentLandmarks::eachVerbIsOneStepByName_data()
     row("reorder", "Order of points", "c a b", [](auto &d) { QVERIFY(d.points().reorder(2, 0)); });
     row("sort", "Order of points", "c b a", [](auto &d) { QVERIFY(d.points().arrange({2, 1, 0})); });
     row("another set", "Import points", "z", [](auto &d) {
-        QVERIFY(d.editLandmarkSet({"skull", "skull.ply", "mm", {}, {pointAt(0, "z")}, {}, {}},
-                                  {QStringLiteral("Import points")}));
+        QVERIFY(editLandmarkSet(d, {"skull", "skull.ply", "mm", {}, {pointAt(0, "z")}, {}, {}},
+                                {QStringLiteral("Import points")}));
     });
 }
 
@@ -176,7 +179,7 @@ void TestDocumentLandmarks::whatWaitsIsPlacedFirst()
     missing.name = "nasion";
     std::vector<Landmark> points{missing, pointAt(1, "there"), missing};
     points[2].name = "gnathion";
-    QVERIFY(document.editLandmarks(points, kDeed));
+    QVERIFY(editLandmarks(document, points, kDeed));
     ScenePoints &list = document.points();
     QVERIFY(!list.waiting());
     list.waitForNext(std::nullopt);
@@ -211,7 +214,7 @@ void TestDocumentLandmarks::anUndonePlacingWaitsAgain()
     Landmark first, second;
     first.name = "first";
     second.name = "second";
-    QVERIFY(document.editLandmarks({first, second}, kDeed));
+    QVERIFY(editLandmarks(document, {first, second}, kDeed));
     ScenePoints &points = document.points();
     points.waitForNext(std::nullopt);
     QVERIFY(points.place(pointAt(1)));
@@ -232,7 +235,7 @@ void TestDocumentLandmarks::aTwinIsAnotherPoint()
 {
     SceneDocument document;
     openScene(document);
-    QVERIFY(document.editLandmarks({pointAt(1, "a"), pointAt(1, "a")}, kDeed));
+    QVERIFY(editLandmarks(document, {pointAt(1, "a"), pointAt(1, "a")}, kDeed));
     document.points().selectOnly(0);
     QVERIFY(document.points().moveTo(0, WorldPoint(7, 7, 7)));
     QVERIFY(document.points().selection() == Places{0});
@@ -296,7 +299,7 @@ void TestDocumentLandmarks::anotherSceneHasItsOwn()
     QVERIFY(told.all().testFlag(Change::Landmarks));
     QCOMPARE(pointNames(document), QStringList({"other", "missing"}));
     QVERIFY(document.points().selection().empty());
-    document.setObjects(examples::bundledScene());
+    openObjects(document, examples::bundledScene());
     QVERIFY(document.landmarks().empty());
 }
 
@@ -308,7 +311,7 @@ void TestDocumentLandmarks::pointsGoWithTheirObject_data()
     QTest::addColumn<glm::dvec3>("free");
     const glm::dvec3 held(1.0, 1.0, 0.0), free(1.0, 1.0, 2.0);
     const auto transform = [](const std::vector<TransformStep> &steps) {
-        return [steps](SceneDocument &d) { QVERIFY(d.editTransform(0, steps, kDeed)); };
+        return [steps](SceneDocument &d) { QVERIFY(editTransform(d, 0, steps, kDeed)); };
     };
     QTest::newRow("moved") << Verb(transform({Translate{{10, 0, 0}}})) << "triangle" << held + glm::dvec3(10, 0, 0)
                            << free + glm::dvec3(10, 0, 0);
@@ -317,13 +320,14 @@ void TestDocumentLandmarks::pointsGoWithTheirObject_data()
     QTest::newRow("turned") << Verb(transform({Rotate{90.0, {0, 0, 1}}})) << "triangle" << glm::dvec3(-1, 1, 0)
                             << glm::dvec3(-1, 1, 2);
     QTest::newRow("renamed") << Verb([](auto &d) {
-        QCOMPARE(d.renameObject(0, QStringLiteral("skull")), NameFault::None);
+        QCOMPARE(renameObject(d, 0, QStringLiteral("skull")), NameFault::None);
     }) << "skull" << held << free;
-    QTest::newRow("removed") << Verb([](auto &d) { QVERIFY(d.removeObject(0)); }) << "" << held << free;
-    QTest::newRow("hidden") << Verb([](auto &d) { QVERIFY(d.setObjectHidden(0, true)); }) << "triangle" << held << free;
+    QTest::newRow("removed") << Verb([](auto &d) { QVERIFY(removeObject(d, 0)); }) << "" << held << free;
+    QTest::newRow("hidden") << Verb([](auto &d) { QVERIFY(setObjectHidden(d, 0, true)); }) << "triangle" << held
+                            << free;
     QTest::newRow("another added") << Verb([](auto &d) {
-        QVERIFY(d.addObjects({examples::bundledScene()[0]}));
-        QVERIFY(d.moveObject(1, 0));
+        QVERIFY(addObjects(d, {examples::bundledScene()[0]}));
+        QVERIFY(moveObject(d, 1, 0));
     }) << "triangle" << held << free;
 }
 
@@ -341,7 +345,7 @@ void TestDocumentLandmarks::pointsGoWithTheirObject()
     above.world = WorldPoint(1.0, 1.0, 2.0);
     elsewhere.hold = landmarks::Free{};
     elsewhere.object.clear();
-    QVERIFY(document.editLandmarks({onMesh, above, elsewhere}, kDeed));
+    QVERIFY(editLandmarks(document, {onMesh, above, elsewhere}, kDeed));
     const landmarks::LandmarkSet before = document.landmarkSet();
     const int steps = document.undoStack().count();
     verb(document);
@@ -363,11 +367,11 @@ void TestDocumentLandmarks::turnedUncertaintyDoesNotGrow()
     openTriangle(document);
     Landmark point = *document.points().onMeshAt(deviceOf(document, {1.0, 1.0, 0.0}));
     point.uncertainty = WorldVector(0.1, 0.2, 0.2);
-    QVERIFY(document.editLandmarks({point}, kDeed));
+    QVERIFY(editLandmarks(document, {point}, kDeed));
     for (int degrees = 1; degrees <= 360; ++degrees)
-        QVERIFY(document.editTransform(0, {Rotate{double(degrees), {1, 2, 3}}}, {QStringLiteral("turn")}));
+        QVERIFY(editTransform(document, 0, {Rotate{double(degrees), {1, 2, 3}}}, {QStringLiteral("turn")}));
     QVERIFY(std::abs(length(*document.landmarks()[0].uncertainty) - 0.3) < 1e-9);
-    QVERIFY(document.editTransform(0, {Scale{{2, 2, 2}}}, kDeed));
+    QVERIFY(editTransform(document, 0, {Scale{{2, 2, 2}}}, kDeed));
     QVERIFY(std::abs(length(*document.landmarks()[0].uncertainty) - 0.6) < 1e-9);
 }
 
@@ -418,7 +422,7 @@ void TestDocumentLandmarks::aHandIsAsSureAsItsPixel()
     const WorldVector tenth = *document.points().onMeshAt(at, 0.1)->uncertainty;
     QVERIFY(std::abs(tenth.x - footprint / 20.0) < 1e-3 * footprint);
     // Tilted by 60 degrees about the x axis, it is twice as long a way up the surface: y stays, z is tan 60 degrees of it.
-    QVERIFY(document.editTransform(0, {Translate{{1, 1, 0}}, Rotate{60.0, {1, 0, 0}}, Translate{{-1, -1, 0}}}, kDeed));
+    QVERIFY(editTransform(document, 0, {Translate{{1, 1, 0}}, Rotate{60.0, {1, 0, 0}}, Translate{{-1, -1, 0}}}, kDeed));
     const WorldVector tilted = *document.points().onMeshAt(deviceOf(document, {1.0, 1.0, 0.0}))->uncertainty;
     QVERIFY(std::abs(tilted.x - footprint / 2.0) < 0.01 * footprint);
     QVERIFY(std::abs(tilted.z - std::tan(kPi / 3.0) * footprint / 2.0) < 0.01 * footprint);
@@ -433,7 +437,7 @@ void TestDocumentLandmarks::aDepthWithoutAMeshIsFree()
 {
     SceneDocument document;
     openTriangle(document);
-    QVERIFY(document.editTransform(0, {Translate{{0, 0, 0}}}, kDeed));
+    QVERIFY(editTransform(document, 0, {Translate{{0, 0, 0}}}, kDeed));
     // Beside the triangle no ray meets it, but the frame may have drawn its rim there.
     const DevicePoint beside = deviceOf(document, {-0.5, 1.0, 0.0});
     const WidgetPoint position = widgetFromDevice(document.geometry().surface, beside);
@@ -454,7 +458,7 @@ void TestDocumentLandmarks::aThousandStepsAndBack()
     SceneDocument document;
     document.undoStack().setUndoLimit(0);
     openScene(document);
-    QVERIFY(document.editLandmarks({pointAt(0, "a"), pointAt(1, "b")}, kDeed));
+    QVERIFY(editLandmarks(document, {pointAt(0, "a"), pointAt(1, "b")}, kDeed));
     for (Landmark point : {pointAt(5, "c"), pointAt(6, "d")}) {
         point.object = document.objects()[1].name;
         point.hold = landmarks::OnTriangle{1, glm::dvec3(0.25, 0.25, 0.5)};
@@ -505,12 +509,12 @@ void TestDocumentLandmarks::aThousandStepsAndBack()
             points.toggle(some);
         } else if (kind == 12) {
             const auto objects = document.objects().size();
-            QVERIFY(document.editTransform(below(objects), {Translate{{double(random() % 9), 0, 0}}}, kDeed));
+            QVERIFY(editTransform(document, below(objects), {Translate{{double(random() % 9), 0, 0}}}, kDeed));
         } else if (kind == 13) {
-            static_cast<void>(
-                document.renameObject(below(document.objects().size()), QStringLiteral("object %1").arg(random() % 5)));
+            static_cast<void>(renameObject(document, below(document.objects().size()),
+                                           QStringLiteral("object %1").arg(random() % 5)));
         } else if (kind == 14 && document.objects().size() > 2) {
-            QVERIFY(document.removeObject(below(document.objects().size())));
+            QVERIFY(removeObject(document, below(document.objects().size())));
         } else if (kind == 15) {
             document.undoStack().undo();
             if (document.undoStack().index() < first)

@@ -1,5 +1,8 @@
 // The document's list of objects: what is done to it, what stays in sight, and what undoing brings back. No window.
 
+#include "document_edits.h"
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "told_changes.h"
 
 #include <QTest>
@@ -31,13 +34,13 @@ void TestDocumentObjects::objectsComeAndGoUndoably()
     SceneDocument document;
     openScene(document);
     const QStringList all = namesIn(document);
-    QVERIFY(document.removeObject(1));
+    QVERIFY(removeObject(document, 1));
     QStringList others = all;
     others.removeAt(1);
     QCOMPARE(namesIn(document), others);
     SceneObject another = examples::bundledScene()[1];
     another.name = "another";
-    QVERIFY(document.addObjects({another}));
+    QVERIFY(addObjects(document, {another}));
     QCOMPARE(namesIn(document), others + QStringList(QStringLiteral("another")));
     document.undoStack().undo();
     document.undoStack().undo();
@@ -46,7 +49,7 @@ void TestDocumentObjects::objectsComeAndGoUndoably()
     document.undoStack().redo();
     QCOMPARE(namesIn(document), others + QStringList(QStringLiteral("another")));
     while (!document.objects().empty())
-        QVERIFY(document.removeObject(0));
+        QVERIFY(removeObject(document, 0));
     QVERIFY(document.bounds().isEmpty());
     document.undoStack().setIndex(0);
     QCOMPARE(namesIn(document), all);
@@ -61,24 +64,24 @@ void TestDocumentObjects::aPickGoesWithItsObject()
     using Place = std::optional<std::size_t>;
     document.pickAt(WidgetPoint(400, 300), {0.5, 1, 24});
     QCOMPARE(place(), Place(1));
-    QVERIFY(document.addObjects({examples::bundledScene()[0]}));
+    QVERIFY(addObjects(document, {examples::bundledScene()[0]}));
     QCOMPARE(place(), Place(1));
-    QVERIFY(document.removeObject(0));
+    QVERIFY(removeObject(document, 0));
     QCOMPARE(place(), Place(0));
-    QVERIFY(document.moveObject(0, 2));
+    QVERIFY(moveObject(document, 0, 2));
     QCOMPARE(place(), Place(2));
-    QVERIFY(document.setObjectHidden(2, true));
-    QCOMPARE(document.renameObject(2, QStringLiteral("other")), NameFault::None);
+    QVERIFY(setObjectHidden(document, 2, true));
+    QCOMPARE(renameObject(document, 2, QStringLiteral("other")), NameFault::None);
     QCOMPARE(place(), Place(2));
     for (int k = 0; k < 4; ++k)
         document.undoStack().undo();
     QCOMPARE(place(), Place(1));
     QVERIFY(!document.sinceClick().isObjectMoved);
-    QVERIFY(document.removeObject(1));
+    QVERIFY(removeObject(document, 1));
     QVERIFY(!document.pick());
     // One of the background is on no object.
     document.pickAt(WidgetPoint(1, 1), {1.0, std::nullopt, 24});
-    QVERIFY(document.removeObject(0));
+    QVERIFY(removeObject(document, 0));
     QVERIFY(document.pick());
 }
 
@@ -100,11 +103,11 @@ void TestDocumentObjects::objectsAreMovedInTheirList()
     openScene(document);
     QVERIFY(document.objects().size() >= 4);
     QStringList names = namesIn(document);
-    QVERIFY(document.moveObject(static_cast<std::size_t>(from), static_cast<std::size_t>(to)));
+    QVERIFY(moveObject(document, static_cast<std::size_t>(from), static_cast<std::size_t>(to)));
     names.move(from, to);
     QCOMPARE(namesIn(document), names);
     const int steps = document.undoStack().count();
-    QVERIFY(document.moveObject(static_cast<std::size_t>(to), static_cast<std::size_t>(to)));
+    QVERIFY(moveObject(document, static_cast<std::size_t>(to), static_cast<std::size_t>(to)));
     QCOMPARE(document.undoStack().count(), steps); // it is there
 }
 
@@ -114,24 +117,24 @@ void TestDocumentObjects::hiddenObjectsAreOutOfSight()
     std::vector<SceneObject> objects = examples::bundledScene();
     objects.resize(2);
     objects[1].transform = {Translate{{50.0, 0.0, 0.0}}};
-    document.setObjects(objects);
+    openObjects(document, objects);
     const Box both = document.bounds();
-    QVERIFY(document.setObjectHidden(1, true));
+    QVERIFY(setObjectHidden(document, 1, true));
     QVERIFY(document.bounds().highest.x < both.highest.x - 40.0);
-    document.fit();
+    fitAll(document);
     const LookAt one = document.geometry().camera();
     document.undoStack().undo();
     document.undoStack().undo();
     QCOMPARE(document.bounds().highest.x, both.highest.x);
-    document.fit();
+    fitAll(document);
     QVERIFY(distance(document.geometry().camera().eye, one.eye) > 10.0);
     // A hidden one can be looked at all the same, and all can be hidden.
-    document.fitObject(0);
+    fitObject(document, 0);
     QVERIFY(distance(document.geometry().camera().eye, one.eye) < 1e-9);
-    QVERIFY(document.setObjectHidden(0, true) && document.setObjectHidden(1, true));
+    QVERIFY(setObjectHidden(document, 0, true) && setObjectHidden(document, 1, true));
     QVERIFY(document.bounds().isEmpty());
-    document.fit();
-    document.fitObject(1);
+    fitAll(document);
+    fitObject(document, 1);
     QVERIFY(std::abs(document.geometry().camera().center.x - both.highest.x) < 10.0);
 }
 
@@ -157,12 +160,12 @@ void TestDocumentObjects::namesStayUnique()
     objects.resize(2);
     objects[0].name = "0";
     objects[1].name = "1";
-    document.setObjects(objects);
-    QCOMPARE(int(document.renameObject(1, name)), fault);
+    openObjects(document, objects);
+    QCOMPARE(int(renameObject(document, 1, name)), fault);
     QCOMPARE(document.objects()[1].name, fault == int(NameFault::None) ? name.toStdString() : "1");
     QCOMPARE(document.undoStack().count(), fault == int(NameFault::None) && name != QStringLiteral("1") ? 1 : 0);
     // What is added gets a name of its own.
-    QVERIFY(document.addObjects({objects[0], objects[0]}));
+    QVERIFY(addObjects(document, {objects[0], objects[0]}));
     QCOMPARE(namesIn(document).mid(2), QStringList({QStringLiteral("0 (2)"), QStringLiteral("0 (3)")}));
 }
 
@@ -221,14 +224,14 @@ void TestDocumentObjects::whatIsAddedIsInSight()
     QFETCH(bool, moves);
     SceneDocument document;
     document.setSurface({801, 601, 1.0});
-    document.setObjects({placed({0.0, 0.0, 0.0}, 1.0)},
-                        {WorldPoint(0.0, 0.0, 12.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
+    openObjects(document, {placed({0.0, 0.0, 0.0}, 1.0)},
+                {WorldPoint(0.0, 0.0, 12.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
     const Projection typed = withClipDistances(document.geometry().projection(), 1.0, 30.0);
     if (!fits)
-        QVERIFY(document.editProjection({typed, true, false}, kDeed));
+        QVERIFY(editProjection(document, {typed, true, false}, kDeed));
     const Picture before = document.geometry();
     const int steps = document.undoStack().count();
-    QVERIFY(document.addObjects({placed(middle, scale)}));
+    QVERIFY(addObjects(document, {placed(middle, scale)}));
     QCOMPARE(document.undoStack().count(), steps + 1);
     QVERIFY(isInSight(document, document.objects()[0]));
     QVERIFY(isInSight(document, document.objects()[1]));
@@ -243,10 +246,10 @@ void TestDocumentObjects::twoSizesCanBothBeSeen()
 {
     SceneDocument document;
     document.setSurface({801, 601, 1.0});
-    document.setObjects({placed({0.0, 0.0, 0.0}, 1.0)});
-    QVERIFY(document.addObjects({placed({3.0, 0.0, 0.0}, 1e-4)}));
+    openObjects(document, {placed({0.0, 0.0, 0.0}, 1.0)});
+    QVERIFY(addObjects(document, {placed({3.0, 0.0, 0.0}, 1e-4)}));
     for (const std::size_t place : {std::size_t(1), std::size_t(0)}) {
-        document.fitObject(place);
+        fitObject(document, place);
         glm::dvec2 share(0.0);
         QVERIFY(isInSight(document, document.objects()[place], &share));
         QVERIFY(std::abs(std::max(share.x, share.y) - Framing::kFilled) < 1e-4);

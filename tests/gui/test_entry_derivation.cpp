@@ -1,8 +1,10 @@
 // How a coordinate of the pipeline panel comes about, written out with its numbers.
 
+#include "document_edits.h"
 #include "pipeline_figures.h"
 
 #include "core/text/expression.h"
+#include "gui/document/camera_looks.h"
 #include "gui/pipeline/entry_derivation.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/widgets/number_grid.h"
@@ -89,7 +91,7 @@ void TestEntryDerivation::everyNumberIsWhatItsTermsMake()
     SceneDocument document;
     openFigures(document);
     document.setSurface(surfaceFromWidget(50, 40, 1.5));
-    document.setView({WorldPoint(1, 2, 9), WorldPoint(0.3, -0.2, 0), {0.1, 1, 0}}, Frustum{-1, 2, -1, 1.5, 1.5, 40});
+    setView(document, {WorldPoint(1, 2, 9), WorldPoint(0.3, -0.2, 0), {0.1, 1, 0}}, Frustum{-1, 2, -1, 1.5, 1.5, 40});
     PipelineModel model(document);
     model.setView({layout, false, Digits::Double, true});
     document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
@@ -123,8 +125,8 @@ void TestEntryDerivation::whatRoundingLeavesIsSaidToBeZero()
     openFigures(document);
     PipelineModel model(document);
     // 3 · 0.1 - 0.3 is 5.55e-17 in double.
-    QVERIFY(document.editTransform(0, {Translate{{-0.3, 0, 0}}, Scale{glm::dvec3(3)}}, {QStringLiteral("Move")}));
-    QVERIFY(document.editGivenPoint(GivenPoint{ObjectPoint(0.1, 1, 1), document.objects()[0].name}, {{}}));
+    QVERIFY(editTransform(document, 0, {Translate{{-0.3, 0, 0}}, Scale{glm::dvec3(3)}}, {QStringLiteral("Move")}));
+    QVERIFY(editGivenPoint(document, GivenPoint{ObjectPoint(0.1, 1, 1), document.objects()[0].name}, {{}}));
     model.update();
     const double x = coordinate(model.point(Space::World), 0);
     QVERIFY2(x != 0.0 && std::abs(x) < 1e-15, qPrintable(QString::number(x)));
@@ -136,10 +138,10 @@ void TestEntryDerivation::aGivenPointThatTheWayDoesNotMakeIsSaidToDiffer()
 {
     SceneDocument document;
     openFigures(document);
-    document.setProjection(Frustum{-1, 1, -1, 1, 1, 10});
+    setProjection(document, Frustum{-1, 1, -1, 1, 1, 10});
     PipelineModel model(document);
     // A clip point and its double have one eye point, which makes only one of them again.
-    QVERIFY(document.editGivenPoint(GivenPoint{ClipPoint(1, 1, 1, 4), {}}, {{}}));
+    QVERIFY(editGivenPoint(document, GivenPoint{ClipPoint(1, 1, 1, 4), {}}, {{}}));
     model.update();
     const QString text = derivation(document, model, Space::Clip, 3);
     QVERIFY2(text.contains(QStringLiteral("the number shown, 4, was given")), qPrintable(text));
@@ -186,7 +188,7 @@ void TestEntryDerivation::aClickOrAKeyShowsItAndMarksItsSource()
     panel.setMatrixView({MatrixLayout::Row, false, Digits::Double});
     QVERIFY(shown().startsWith(QStringLiteral("clip z = eye · column 3")));
     QVERIFY(isMarked(matrix->index(0, 2)) && isMarked(matrix->index(3, 2)));
-    document.setCamera({WorldPoint(0, 0, 8), WorldPoint(0, 0, 0), {0, 1, 0}});
+    setCamera(document, {WorldPoint(0, 0, 8), WorldPoint(0, 0, 0), {0, 1, 0}});
     QVERIFY2(shown().contains(QStringLiteral("(-0.1)")) && shown().contains(QStringLiteral("- 10 ")),
              qPrintable(shown()));
     QCOMPARE(label->height(), height);
@@ -209,7 +211,7 @@ void TestEntryDerivation::nothingOfItIsCutOff()
     SceneDocument document;
     openFigures(document);
     document.setSurface(surfaceFromWidget(1237, 811, 1.0));
-    document.setView({WorldPoint(1, 2, 9), WorldPoint(0.3, -0.2, 0), {0.1, 1, 0}}, Frustum{-1, 2, -1, 1.5, 1.5, 40});
+    setView(document, {WorldPoint(1, 2, 9), WorldPoint(0.3, -0.2, 0), {0.1, 1, 0}}, Frustum{-1, 2, -1, 1.5, 1.5, 40});
     document.pickAt(WidgetPoint(40, 600), {0.85, 0, 24});
     PipelinePanel panel(document);
     QFont font = panel.font();

@@ -1,6 +1,7 @@
 // Models as surveys have them, at (4·10⁶, 5·10⁵, 300) with details of a millimetre: opened from a file of every format that
 // can hold them, drawn, and clicked.
 
+#include "gui/document/camera_looks.h"
 #include "gui/text/formula_text.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/mesh_model.h"
@@ -219,7 +220,7 @@ void TestFarModels::millimetresArePicked()
     // From above, somewhat from the side: no step hides the middle of a square.
     const glm::dvec3 middle = kCorner + glm::dvec3(2.0 * kEdge, 2.0 * kEdge, 15.0 * kMillimetre);
     for (const glm::dvec3 &way : {glm::dvec3(0.02, -0.04, 0.16), glm::dvec3(-0.05, 0.01, 0.2)}) {
-        document.setCamera({WorldPoint(middle + way), WorldPoint(middle), {0.0, 1.0, 0.0}});
+        setCamera(document, {WorldPoint(middle + way), WorldPoint(middle), {0.0, 1.0, 0.0}});
         SceneView &view = window->view();
         (void)view.grabFramebuffer();
         for (int square = 0; square < kCount; ++square) {
@@ -283,7 +284,7 @@ void TestFarModels::theLargestAndTheSmallestAreDrawnAsOthers()
     glm::dvec3 usual(0.0);
     QColor usualColor;
     for (const float factor : {1.0f, size}) {
-        document.setObjects(pyramid(factor, isFlat));
+        openObjects(document, pyramid(factor, isFlat));
         const QColor color = view.grabFramebuffer().pixelColor(local.toPoint());
         click(view, local);
         QVERIFY(document.pick() && document.pick()->hit());

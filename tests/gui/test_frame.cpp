@@ -1,6 +1,7 @@
 // What the views draw and what is read back: surface or background, the object, the depth, under every kind of depth
 // range; and what is cut away. Run once more with object ids as colours.
 
+#include "gui/document/camera_looks.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "gui/view/painters/frame_painter.h"
@@ -90,7 +91,7 @@ void TestFrame::everyPixelIsTheSurfaceThatIsThere()
     for (const bool isOrtho : {false, true}) {
         const auto window = twoCubesWindow({atNear, atFar});
         if (isOrtho)
-            window->document().switchProjection();
+            switchProjection(window->document());
         SceneView &view = window->view();
         int background = 0;
         std::array<int, 2> seen{};
@@ -220,7 +221,7 @@ void TestFrame::aRemovedPlaneIsGone()
     // Nor does it cut the next scene.
     setClipPlanes(document, {plane});
     (void)window->view().grabFramebuffer();
-    document.setObjects(twoCubes(), kBeforeTwoCubes);
+    openObjects(document, twoCubes(), kBeforeTwoCubes);
     QVERIFY(window->view().grabFramebuffer() == before);
 }
 
@@ -228,7 +229,7 @@ void TestFrame::aRemovedPlaneIsGoneInTheObserver()
 {
     SceneDocument document;
     document.setSurface({420, 360, 1.0});
-    document.setObjects(twoCubes(), kBeforeTwoCubes);
+    openObjects(document, twoCubes(), kBeforeTwoCubes);
     ObserverPanel panel(document);
     panel.resize(500, 600);
     panel.show();
@@ -323,7 +324,8 @@ void TestFrame::aBufferTooLargeIsRefused()
     functions.glBindBuffer(GL_ARRAY_BUFFER, buffer);
     const float data[] = {1.0f, 2.0f};
     QVERIFY(fillBuffer(functions, GL_ARRAY_BUFFER, sizeof data, data));
-    QVERIFY(!fillBuffer(functions, GL_ARRAY_BUFFER, std::size_t(1) << 46, nullptr));
+    // Some drivers take any size that OpenGL counts, and look for the memory later.
+    QVERIFY(!fillBuffer(functions, GL_ARRAY_BUFFER, std::numeric_limits<std::size_t>::max(), nullptr));
     functions.glDeleteBuffers(1, &buffer);
 }
 

@@ -1,6 +1,8 @@
 // How often the views draw, what of it the screen shows, and when the pointer is told. Run once more with object ids as
 // colours.
 
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "gui/outside/observer_view.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
@@ -120,9 +122,9 @@ void TestFrameView::aGrabbedPictureIsSmoothInMotion()
     view.setSmoothEdges(true);
     settle(300);
     const QImage atRest = grabbed(view);
-    window->document().setCamera(kElsewhere);
+    setCamera(window->document(), kElsewhere);
     QVERIFY(grabbed(view) != atRest);
-    window->document().setCamera(kBeforeTwoCubes);
+    setCamera(window->document(), kBeforeTwoCubes);
     QVERIFY(grabbed(view) == atRest);
 }
 
@@ -137,8 +139,8 @@ void TestFrameView::theScreenShowsSmoothEdgesAtRest()
     QVERIFY(smooth != plain);
     QTRY_VERIFY_WITH_TIMEOUT(isOnScreen(view, smooth), kPatienceMilliseconds);
     // A picture that has just been drawn may be shown as it is; it does not stay so.
-    window->document().setCamera(kElsewhere);
-    window->document().setCamera(kBeforeTwoCubes);
+    setCamera(window->document(), kElsewhere);
+    setCamera(window->document(), kBeforeTwoCubes);
     settle(40);
     QTRY_VERIFY_WITH_TIMEOUT(isOnScreen(view, smooth), kPatienceMilliseconds);
 }
@@ -171,7 +173,7 @@ void TestFrameView::aResizedViewIsOnTheScreen()
 void TestFrameView::objectsAreDrawnOnceAChange()
 {
     SceneDocument document;
-    document.setObjects(twoCubes(), kBeforeTwoCubes);
+    openObjects(document, twoCubes(), kBeforeTwoCubes);
     SceneView view(document);
     QSignalSpy steps(&view, &SceneView::happened);
     view.resize(400, 300);
@@ -198,7 +200,8 @@ void TestFrameView::objectsAreDrawnOnceAChange()
     QCOMPARE(pictures(steps), 0);
 
     // A click on a picture that is not drawn yet draws it; the paint that follows does not.
-    document.setCamera({WorldPoint(kCubeCenter + glm::dvec3(0.5, 0.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    setCamera(document,
+              {WorldPoint(kCubeCenter + glm::dvec3(0.5, 0.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
     click(view, {200.0, 150.0});
     QCOMPARE(drawnObjects(steps), 1);
     QTRY_VERIFY_WITH_TIMEOUT(pictures(steps) > 1, kPatienceMilliseconds);
@@ -213,10 +216,10 @@ void TestFrameView::theListOfObjectsMayChange()
     const QImage two = window->view().grabFramebuffer();
     SceneObject third = cubeScene().front(); // a model that no object has shown yet
     third.transform = {Translate{kCubeCenter + glm::dvec3(0.0, 2.2, 0.0)}};
-    QVERIFY(document.addObjects({third}));
+    QVERIFY(addObjects(document, {third}));
     const QImage three = window->view().grabFramebuffer();
     QVERIFY(three != two);
-    QVERIFY(document.removeObject(0));
+    QVERIFY(removeObject(document, 0));
     (void)window->view().grabFramebuffer();
     document.undoStack().undo();
     QVERIFY(window->view().grabFramebuffer() == three);
@@ -232,8 +235,8 @@ void TestFrameView::theReadoutFollowsThePointer()
     const QPointF place = localOf(*window, kCubeCenter + glm::dvec3(0.2, 0.1, 1.0));
     sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
     // The picture changes while the pointer waits for its answer: it is given the new one's.
-    window->document().setCamera(
-        {WorldPoint(kCubeCenter + glm::dvec3(0.0, 0.0, 9.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    setCamera(window->document(),
+              {WorldPoint(kCubeCenter + glm::dvec3(0.0, 0.0, 9.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
     QTRY_VERIFY_WITH_TIMEOUT(!hovered.isEmpty(), kPatienceMilliseconds);
     click(view, place);
     QCOMPARE(hovered.last().at(1).value<DepthSample>().depth, window->document().pick()->window.z);
@@ -260,7 +263,7 @@ void TestFrameView::anAnswerThatIsOvertakenIsGivenOfTheNextPicture()
     sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
     // The answer comes while the next picture is not drawn yet.
     view.setUpdatesEnabled(false);
-    window->document().setCamera(kElsewhere);
+    setCamera(window->document(), kElsewhere);
     settle(100);
     QVERIFY(hovered.isEmpty());
     view.setUpdatesEnabled(true);

@@ -1,7 +1,9 @@
 // A point of the user's own: typed and pasted into the pipeline panel, undone, left for a click and followed again.
 
+#include "document_edits.h"
 #include "pipeline_figures.h"
 
+#include "gui/document/scene_edits.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/text/typed_numbers.h"
 #include "gui/widgets/number_grid.h"
@@ -116,7 +118,7 @@ void TestGivenPoint::aTypedNumberIsAPointBothWays()
     QVERIFY(isPoint(shown.model().point(Space::Window), {25, 25, 0.9}));
     QVERIFY(isPoint(shown.model().point(Space::Widget), {25, 25}));
     QVERIFY(shown.tells(QStringLiteral("given in eye coordinates")));
-    QVERIFY(shown.document.givenPoint()->point == GivenPoint{EyePoint(0, 0, -8)}.point);
+    QVERIFY(shown.document.scene().givenPoint->point == GivenPoint{EyePoint(0, 0, -8)}.point);
     QVERIFY(shown.document.givenWorld().value() == WorldPoint(0, 0, -3));
     QVERIFY(shown.document.isEdited());
     // The camera goes on, the eye point stays what it is.
@@ -149,8 +151,8 @@ void TestGivenPoint::allCoordinatesArePastedAsProgramsPrintThem()
     QFETCH(QString, text);
     const ShownPanel shown;
     shown.paste(Space::World, text);
-    QVERIFY(shown.document.givenPoint().has_value());
-    QVERIFY(shown.document.givenPoint()->point == GivenPoint{WorldPoint(1.5, 2, -3)}.point);
+    QVERIFY(shown.document.scene().givenPoint.has_value());
+    QVERIFY(shown.document.scene().givenPoint->point == GivenPoint{WorldPoint(1.5, 2, -3)}.point);
 }
 
 void TestGivenPoint::nonsenseIsRefusedWithItsReason()
@@ -158,10 +160,10 @@ void TestGivenPoint::nonsenseIsRefusedWithItsReason()
     const ShownPanel shown;
     for (const char *text : {"1 2", "1 2 3 4", "vec3(a, b, c)", "", "1 / 3 /", "1e999", "(((("}) {
         shown.paste(Space::World, QString::fromLatin1(text));
-        QVERIFY2(!shown.document.givenPoint(), text);
+        QVERIFY2(!shown.document.scene().givenPoint, text);
     }
     shown.type(Space::World, 0, QStringLiteral("2x"));
-    QVERIFY(!shown.document.givenPoint());
+    QVERIFY(!shown.document.scene().givenPoint);
     QVERIFY(shown.tells(QStringLiteral("x")));
     QVERIFY(!typedNumbers(QStringLiteral("1 2 3 0"), 3)); // a direction
 }
@@ -186,7 +188,7 @@ void TestGivenPoint::theLaterOfClickAndGivenPointIsFollowed()
     QToolButton *remove = shown.button(QStringLiteral("✕"));
     QVERIFY(remove);
     remove->click();
-    QVERIFY(!shown.document.givenPoint());
+    QVERIFY(!shown.document.scene().givenPoint);
     QVERIFY(!remove->isVisible() && !other->isVisible());
 }
 
@@ -198,7 +200,7 @@ void TestGivenPoint::everyStepIsUndone()
     shown.document.undoStack().undo();
     QVERIFY(isPoint(shown.model().point(Space::World), {1, 2, 3}));
     shown.document.undoStack().undo();
-    QVERIFY(!shown.document.givenPoint());
+    QVERIFY(!shown.document.scene().givenPoint);
     QVERIFY(isBlank(shown.model()));
     shown.document.undoStack().redo();
     shown.document.undoStack().redo();
@@ -209,19 +211,19 @@ void TestGivenPoint::aPointOfAnObjectGoesWithIt()
 {
     ShownPanel shown;
     shown.paste(Space::Object, QStringLiteral("1 1 0"));
-    QCOMPARE(shown.document.givenPoint()->object, "small");
+    QCOMPARE(shown.document.scene().givenPoint->object, "small");
     QVERIFY(isPoint(shown.model().point(Space::World), {1, 1, -3}));
-    QCOMPARE(int(shown.document.renameObject(0, QStringLiteral("face"))), int(NameFault::None));
-    QCOMPARE(shown.document.givenPoint()->object, "face");
-    QVERIFY(shown.document.editTransform(0, {Translate{{5, 0, 0}}}, {QStringLiteral("Move")}));
+    QCOMPARE(int(renameObject(shown.document, 0, QStringLiteral("face"))), int(NameFault::None));
+    QCOMPARE(shown.document.scene().givenPoint->object, "face");
+    QVERIFY(editTransform(shown.document, 0, {Translate{{5, 0, 0}}}, {QStringLiteral("Move")}));
     QVERIFY(isPoint(shown.model().point(Space::World), {6, 1, 0}));
-    QVERIFY(shown.document.moveObject(0, 1));
+    QVERIFY(moveObject(shown.document, 0, 1));
     QVERIFY(isPoint(shown.model().point(Space::World), {6, 1, 0}));
     // Without its object it stays where it is.
-    QVERIFY(shown.document.removeObject(1));
-    QVERIFY(shown.document.givenPoint()->point == GivenPoint{WorldPoint(6, 1, 0)}.point);
+    QVERIFY(removeObject(shown.document, 1));
+    QVERIFY(shown.document.scene().givenPoint->point == GivenPoint{WorldPoint(6, 1, 0)}.point);
     shown.document.undoStack().undo();
-    QCOMPARE(shown.document.givenPoint()->object, "face");
+    QCOMPARE(shown.document.scene().givenPoint->object, "face");
 }
 
 void TestGivenPoint::outsideTheViewVolumeIsSaid()
@@ -236,7 +238,7 @@ void TestGivenPoint::aWidgetPositionKeepsTheDepth()
 {
     const ShownPanel shown;
     shown.type(Space::Widget, 0, QStringLiteral("10"));
-    QVERIFY(!shown.document.givenPoint());
+    QVERIFY(!shown.document.scene().givenPoint);
     QVERIFY(shown.tells(QStringLiteral("depth")));
     shown.paste(Space::Window, QStringLiteral("25 25 0.75"));
     shown.type(Space::Widget, 1, QStringLiteral("10"));
@@ -248,7 +250,7 @@ void TestGivenPoint::theWFromTheDivisionCannotBeTyped()
     ShownPanel shown;
     shown.panel.setDirection(PipelineDirection::Backward);
     shown.paste(Space::Clip, QStringLiteral("1 2 3 4"));
-    QVERIFY(!shown.document.givenPoint());
+    QVERIFY(!shown.document.scene().givenPoint);
     const PointModel *world = shown.model().point(Space::World);
     QVERIFY(world->flags(world->indexOf(2)) & Qt::ItemIsEditable);
     QVERIFY(!(world->flags(world->indexOf(3)) & Qt::ItemIsEditable));
@@ -261,7 +263,7 @@ void TestGivenPoint::whatIsBeingTypedCountsWhenAsked()
     grid->setFocus();
     grid->setCurrentIndex(shown.model().point(Space::World)->indexOf(1));
     QTest::keyClicks(grid, QStringLiteral("7"));
-    QVERIFY(!shown.document.givenPoint());
+    QVERIFY(!shown.document.scene().givenPoint);
     shown.panel.applyTyped();
     QVERIFY(isPoint(shown.model().point(Space::World), {0, 7, 0}));
 }

@@ -1,7 +1,9 @@
 // From what is computed to where Help has its formulas.
 
+#include "document_edits.h"
 #include "gui/click/comparison_panel.h"
 #include "gui/doctor/doctor_panel.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/map/map_panel.h"
 #include "gui/outside/observer_panel.h"
@@ -153,7 +155,7 @@ void TestHelpLinks::everyPanelLeadsToHelp()
 {
     QFETCH(QStringList, anchors);
     SceneDocument document;
-    document.setProjection(frustumGeometry().projection());
+    setProjection(document, frustumGeometry().projection());
     const QByteArray name = QTest::currentDataTag();
     LifecycleLog log;
     std::unique_ptr<QWidget> panel;
@@ -205,7 +207,7 @@ void TestHelpLinks::theLinkIsThatOfTheProjection()
     for (const auto &[projection, anchor] :
          {std::pair(Projection(kBox), "ortho"), std::pair(Projection(Oblique{kBox, 1.0, 1.2}), "oblique"),
           std::pair(Projection(Perspective{0.8, 1.5, 1.0, 10.0}), "perspective")}) {
-        document.setProjection(projection);
+        setProjection(document, projection);
         for (const QWidget *panel : {static_cast<QWidget *>(&parameters), static_cast<QWidget *>(&pipeline)})
             QVERIFY2(linksOf(*panel).contains(QString::fromLatin1(anchor)), anchor);
         QVERIFY(all.contains(QString::fromLatin1(anchor)));
@@ -220,8 +222,8 @@ void TestHelpLinks::theStepsOfAMatrixLeadToHelp()
     for (const Projection &projection :
          {frustumGeometry().projection(), Projection(kBox), Projection(Oblique{kBox, 1.0, 1.2})}) {
         SceneDocument document;
-        document.setProjection(projection);
-        QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
+        setProjection(document, projection);
+        QVERIFY(editConventions(document, Api::Direct3d, {QStringLiteral("Conventions")}));
         PipelinePanel panel(document);
         panel.show();
         for (QToolButton *button : panel.findChildren<QToolButton *>(QStringLiteral("takeApart")))

@@ -7,7 +7,9 @@
 #include "core/examples/solids.h"
 #include "core/ray/closest_place.h"
 #include "gui/doctor/diagnoser.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_curves.h"
+#include "gui/document/scene_edits.h"
 #include "gui/map/map_maker.h"
 #include "tests/support/mesh_model.h"
 #include "tests/support/patience.h"
@@ -117,7 +119,7 @@ void TestJobFailures::theRayIsImpossible()
     document.setSurface({400, 300, 1.0});
     {
         const Fault fault(kind);
-        document.setObjects(ball(kMany));
+        openObjects(document, ball(kMany));
         document.pickAt(WidgetPoint(200.0, 150.0), {0.3, 0, 24});
         QVERIFY(document.pickedRay());
         QTRY_VERIFY_WITH_TIMEOUT(document.pickedRay()->state == PickedRay::State::Impossible, kPatienceMilliseconds);
@@ -129,7 +131,7 @@ void TestJobFailures::theRayIsImpossible()
     }
     // No thread is a matter of the moment; for more memory the model is opened again.
     if (kind == JobFailure::Kind::OutOfMemory)
-        document.setObjects(ball(kMany));
+        openObjects(document, ball(kMany));
     document.rayCasters().complete(document.objects());
     QVERIFY(document.rays());
     QVERIFY(!document.rayCasters().failureOf(document.objects()));
@@ -141,7 +143,7 @@ void TestJobFailures::aMapIsNotMade()
     QFETCH(QString, reason);
     SceneDocument document;
     document.setSurface({40, 30, 1.0});
-    document.setObjects({{"cube", {}, modelOf(examples::cubeMesh(2.0)), {}}});
+    openObjects(document, {{"cube", {}, modelOf(examples::cubeMesh(2.0)), {}}});
     QVERIFY(document.rays());
     MapMaker maker(document);
     QSignalSpy failed(&maker, &MapMaker::jobFailed), made(&maker, &MapMaker::made);
@@ -161,12 +163,12 @@ void TestJobFailures::curvesSayWhy()
     QFETCH(JobFailure::Kind, kind);
     QFETCH(QString, reason);
     SceneDocument document;
-    document.setObjects(ball(kMany));
+    openObjects(document, ball(kMany));
     document.rayCasters().complete(document.objects());
     const SceneObject &ball = document.objects()[0];
     const std::vector<landmarks::Landmark> points{
         pointOn(ball, {0.0, 0.0, 1.0}, "a"), pointOn(ball, {0.0, 0.6, 0.8}, "b"), pointOn(ball, {0.6, 0.0, 0.8}, "c")};
-    QVERIFY(document.editLandmarks(points, {"put"}));
+    QVERIFY(editLandmarks(document, points, {"put"}));
     SceneCurves &curves = document.curves();
     {
         const Fault fault(kind);

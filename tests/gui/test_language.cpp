@@ -1,9 +1,12 @@
 // Another language is chosen while the program runs: what is said, what is kept, what objects are called.
 
+#include "document_edits.h"
 #include "language_user.h"
 
 #include "core/examples/bundled_models.h"
 #include "core/scene_file/scene_file.h"
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "gui/lessons/find_bar.h"
 #include "gui/lessons/formulas_window.h"
 #include "gui/lessons/lesson_panel.h"
@@ -106,8 +109,8 @@ QStringList textsWithPick(MainWindow &window)
     }
     if (window.view().size() != kViewSize)
         return {QStringLiteral("no such view")};
-    window.document().goHome();
-    window.document().fit(); // near and far depend on the sizes before
+    goHome(window.document());
+    fitAll(window.document()); // near and far depend on the sizes before
     window.view().pickPixel(kPixel);
     window.places().show("precision"); // hidden, it would tell of the last time that it was seen
     settle(20);
@@ -201,13 +204,13 @@ void TestLanguage::nothingIsLost()
     Translation translation(m_english);
     const auto window = windowIn(translation);
     SceneDocument &document = window->document();
-    QCOMPARE(document.renameObject(0, QStringLiteral("Pot")), NameFault::None);
+    QCOMPARE(renameObject(document, 0, QStringLiteral("Pot")), NameFault::None);
     landmarks::Landmark point;
     point.name = "tip";
     point.world = document.pickedPoint().value();
     QVERIFY(document.points().place(point).hasValue());
-    document.goHome();
-    QVERIFY(document.removeObject(4).hasValue());
+    goHome(document);
+    QVERIFY(removeObject(document, 4).hasValue());
     document.undoStack().undo();
     window->places().enter("points");
     settle();
@@ -254,7 +257,7 @@ void TestLanguage::aDeedIsNamedByItsLastPart()
     LookAt camera = document.scene().camera;
     const auto move = [&](const QString &name) {
         camera.eye.x += 1.0;
-        QVERIFY(document.editCamera(camera, {name, QStringLiteral("eye")}).hasValue());
+        QVERIFY(editCamera(document, camera, {name, QStringLiteral("eye")}).hasValue());
     };
     const int count = document.undoStack().count();
     move(QStringLiteral("Eye"));
@@ -298,7 +301,7 @@ void TestLanguage::objectsOfFilesKeepTheirNames()
     SceneObject box = window->document().objects().front();
     box.name = "Box";
     box.file = "Box.stl";
-    QVERIFY(window->document().addObjects({box}).hasValue());
+    QVERIFY(addObjects(window->document(), {box}).hasValue());
     QCOMPARE(readName("Box"), QStringLiteral("长方体")); // as one of the program's is called
     QCOMPARE(listedObjects(*window).constLast(), QStringLiteral("Box"));
     QCOMPARE(listedObjects(*window).constFirst(), QStringLiteral("茶壶"));
@@ -308,7 +311,7 @@ void TestLanguage::twoObjectsNeverLookTheSame()
 {
     Translation translation(m_english);
     const auto window = windowIn(translation);
-    QCOMPARE(window->document().renameObject(1, QStringLiteral("茶壶")), NameFault::None);
+    QCOMPARE(renameObject(window->document(), 1, QStringLiteral("茶壶")), NameFault::None);
     const auto areOthers = [&] {
         QStringList names = listedObjects(*window);
         return names.removeDuplicates() == 0;
@@ -318,9 +321,9 @@ void TestLanguage::twoObjectsNeverLookTheSame()
     QVERIFY(areOthers());
     QCOMPARE(listedObjects(*window)[2], QStringLiteral("圆环"));
     // The teapot is read by its own name beside that one, which so is nobody else's: it may be called as it is.
-    QCOMPARE(window->document().renameObject(1, QStringLiteral("茶壶")), NameFault::None);
-    QCOMPARE(window->document().renameObject(2, QStringLiteral("茶壶")), NameFault::Taken);
-    QCOMPARE(window->document().renameObject(1, QStringLiteral("Teapot")), NameFault::Taken);
+    QCOMPARE(renameObject(window->document(), 1, QStringLiteral("茶壶")), NameFault::None);
+    QCOMPARE(renameObject(window->document(), 2, QStringLiteral("茶壶")), NameFault::Taken);
+    QCOMPARE(renameObject(window->document(), 1, QStringLiteral("Teapot")), NameFault::Taken);
 }
 
 void TestLanguage::menusHaveRoomForTheirTexts()

@@ -2,9 +2,11 @@
 
 #include "broken_texts.h"
 #include "cut_texts.h"
+#include "document_edits.h"
 #include "language_user.h"
 
 #include "gui/click/comparison_panel.h"
+#include "gui/document/camera_looks.h"
 #include "gui/lessons/lesson_panel.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/outside/observer_panel.h"
@@ -179,7 +181,7 @@ void TestLanguagePanels::whatPanelsShowStays()
     int at = 10;
     for (QSlider *slider : pipeline->findChildren<QSlider *>())
         slider->setValue(at += 10);
-    QVERIFY(document.editGivenPoint(GivenPoint{WorldPoint(1.0, 1.0, 0.0)}, {QStringLiteral("Give")}).hasValue());
+    QVERIFY(editGivenPoint(document, GivenPoint{WorldPoint(1.0, 1.0, 0.0)}, {QStringLiteral("Give")}).hasValue());
     window->view().pickPixel(kPixel); // the last of the two, and so the one to follow
     NumberGrid *world = nullptr;
     for (NumberGrid *grid : pipeline->findChildren<NumberGrid *>()) {
@@ -209,7 +211,7 @@ void TestLanguagePanels::panelsOutOfSightChangeNothing()
     window->places().show("parameters");
     QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "parameters"), kPatienceMilliseconds);
     window->places().enter("click");
-    document.switchProjection();
+    switchProjection(document);
     const ProjectionKind kind = kindOf(document.scene().projection);
     const int deeds = document.undoStack().count();
     chooseChinese(*window);

@@ -1,6 +1,7 @@
 // Models that take too long to be drawn while the view moves: stand-ins are shown, and nothing is ever read from them.
 
 #include "core/examples/solids.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/model_store.h"
 #include "gui/shell/overlay_bars.h"
 #include "tests/gui/gui_scene.h"
@@ -44,7 +45,7 @@ struct LargeView {
 
     bool show()
     {
-        document.setObjects(largeScene(), kFromBefore);
+        openObjects(document, largeScene(), kFromBefore);
         view.setModelStore(models);
         view.setSmoothEdges(false);
         view.setMotionBudget(0.0); // a fast machine would need no stand-ins
@@ -58,7 +59,7 @@ struct LargeView {
     /// Turns the camera, and waits until that is on the screen.
     bool turn(double degrees)
     {
-        document.setCamera(turned(degrees), {});
+        setCamera(document, turned(degrees), {});
         return QTest::qWaitFor([&] { return view.isCoarse(); }, kPatienceMilliseconds);
     }
     bool rest()
@@ -116,7 +117,7 @@ void TestLargeModels::whatIsReadIsWhole()
     QVERIFY(shown.show());
     // The truth: the same without stand-ins.
     SceneDocument document;
-    document.setObjects(largeScene(), kFromBefore);
+    openObjects(document, largeScene(), kFromBefore);
     SceneView whole(document);
     whole.resize(shown.view.size());
     whole.show();
@@ -125,7 +126,7 @@ void TestLargeModels::whatIsReadIsWhole()
 
     for (const double degrees : {20.0, -35.0}) {
         QVERIFY(shown.turn(degrees));
-        document.setCamera(turned(degrees), {});
+        setCamera(document, turned(degrees), {});
         const WidgetPoint position(shown.view.width() / 2.0 - 40.0, shown.view.height() / 2.0 + 5.0);
         whole.onLButtonDown(position);
         shown.view.onLButtonDown(position);
@@ -193,7 +194,7 @@ void TestLargeModels::longDrawingIsTold()
 
     // A picture that is awaited is told of, but not where it never comes onto a screen.
     QVERIFY(!shown.view.awaitPicture());
-    shown.document.setCamera(kFromBefore, {});
+    setCamera(shown.document, kFromBefore, {});
     QVERIFY(shown.view.awaitPicture());
     QTRY_COMPARE_WITH_TIMEOUT(told.size(), 1, kPatienceMilliseconds);
     QCOMPARE(shareAt(0), 1.0);
@@ -202,7 +203,7 @@ void TestLargeModels::longDrawingIsTold()
     unseen.show();
     static_cast<void>(unseen.grab());
     QVERIFY(unseen.isReady());
-    shown.document.setCamera(turned(5.0), {});
+    setCamera(shown.document, turned(5.0), {});
     QVERIFY(!unseen.awaitPicture());
 
     LoadingBar bar;
@@ -238,7 +239,7 @@ void TestLargeModels::anotherSceneBeginsEmpty()
     SceneDocument document;
     ModelStore models;
     OpenView view(document);
-    document.setObjects(largeScene(), kFromBefore);
+    openObjects(document, largeScene(), kFromBefore);
     view.setModelStore(models);
     view.setMotionBudget(0.0);
     view.resize(320, 240);
@@ -247,7 +248,7 @@ void TestLargeModels::anotherSceneBeginsEmpty()
     QTRY_VERIFY_WITH_TIMEOUT(view.isReady() && !view.isCoarse(), kPatienceMilliseconds);
     const auto showsBall = [&view] { return view.shownAt(110, 120) != view.shownAt(2, 120); };
     QVERIFY(showsBall());
-    document.setObjects(largeScene(), kFromBefore);
+    openObjects(document, largeScene(), kFromBefore);
     QTRY_VERIFY_WITH_TIMEOUT(view.isCoarse(), kPatienceMilliseconds);
     QVERIFY(!showsBall());
     QTRY_VERIFY_WITH_TIMEOUT(!view.isCoarse(), kPatienceMilliseconds);
@@ -270,14 +271,14 @@ void TestLargeModels::smallModelsAreDrawnAtOnce()
     SceneDocument document;
     ModelStore models;
     SceneView view(document);
-    document.setObjects(cubeScene(), kFromBefore);
+    openObjects(document, cubeScene(), kFromBefore);
     view.setModelStore(models);
     view.resize(320, 240);
     view.show();
     QVERIFY(QTest::qWaitForWindowExposed(&view, kPatienceMilliseconds)
             && QTest::qWaitFor([&] { return view.isReady(); }, kPatienceMilliseconds));
     for (int i = 1; i < 10; ++i) {
-        document.setCamera(turned(i), {});
+        setCamera(document, turned(i), {});
         QTest::qWait(2);
         QVERIFY(!view.isCoarse());
     }

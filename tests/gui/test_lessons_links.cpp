@@ -1,6 +1,7 @@
 // A lesson's links in the window: every one of every step leads somewhere, and does what it says.
 
 #include "core/lessons/lesson.h"
+#include "document_edits.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/pipeline/factor_shares.h"
 #include "gui/pipeline/factors_view.h"
@@ -218,10 +219,10 @@ void TestLessonsLinks::aLinkChangesTheScene()
     const auto window = windowOfSize(kWide);
     SceneDocument &document = window->document();
     QVERIFY(window->lessons().start("pipeline") && window->lessons().next());
-    const std::optional<GivenPoint> followed = document.givenPoint();
+    const std::optional<GivenPoint> followed = document.scene().givenPoint;
     QVERIFY(followed);
     follow(*window, QStringLiteral("set:other"));
-    QVERIFY(document.givenPoint() == (GivenPoint{ObjectPoint(2, 1, 0), followed->object}));
+    QVERIFY(document.scene().givenPoint == (GivenPoint{ObjectPoint(2, 1, 0), followed->object}));
     QCOMPARE(document.undoStack().count(), 1); // one change for all that it says
     QVERIFY(window->lessons().isAsTheStep());
     // Where a click is followed, the link leads back to the point, which is the same already.
@@ -233,15 +234,15 @@ void TestLessonsLinks::aLinkChangesTheScene()
     QVERIFY(model.followsGiven());
     // What was typed in another space, or removed, does not change what it says.
     for (const std::optional<GivenPoint> &typed : {std::optional<GivenPoint>{{ClipPoint(1, 2, 3, 4)}}, {}}) {
-        QVERIFY(document.editGivenPoint(typed, {QStringLiteral("Typed")}));
+        QVERIFY(editGivenPoint(document, typed, {QStringLiteral("Typed")}));
         follow(*window, QStringLiteral("set:other"));
-        QVERIFY(document.givenPoint() == (GivenPoint{ObjectPoint(2, 1, 0), followed->object}));
+        QVERIFY(document.scene().givenPoint == (GivenPoint{ObjectPoint(2, 1, 0), followed->object}));
     }
     while (document.undoStack().canUndo())
         document.undoStack().undo();
-    QVERIFY(document.givenPoint() == followed);
+    QVERIFY(document.scene().givenPoint == followed);
     follow(*window, QStringLiteral("set:none")); // what the step does not know does nothing
-    QVERIFY(document.givenPoint() == followed);
+    QVERIFY(document.scene().givenPoint == followed);
     QVERIFY(window->message().isEmpty());
 }
 
@@ -252,7 +253,7 @@ void TestLessonsLinks::aChangeThatDoesNotFitIsTold()
     QVERIFY(window->lessons().start("derivation"));
     QVERIFY(window->lessons().goTo(window->lessons().lesson()->steps.size() - 1));
     // Which has no left and right to exchange.
-    QVERIFY(document.editProjection({Perspective{1.0, 1.0, 1.0, 10.0}, false, false}, {QStringLiteral("Other")}));
+    QVERIFY(editProjection(document, {Perspective{1.0, 1.0, 1.0, 10.0}, false, false}, {QStringLiteral("Other")}));
     const int steps = document.undoStack().count();
     follow(*window, QStringLiteral("set:exchanged"));
     QCOMPARE(document.undoStack().count(), steps);

@@ -1,5 +1,7 @@
 // Lessons in the window: from step to step, and what was shown before them comes back.
 
+#include "document_edits.h"
+#include "gui/document/camera_looks.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/shell/first_steps.h"
@@ -48,7 +50,7 @@ void TestLessonsWindow::whatIsDoneStaysInTheSameScene()
     QVERIFY(window->windowTitle().contains(window->session().name()));
     LookAt turned = window->document().scene().camera;
     turned.eye = turned.eye + WorldVector(1, 0, 0);
-    window->document().setCamera(turned);
+    setCamera(window->document(), turned);
     QVERIFY(!player.isAsTheStep());
     QVERIFY(hintOf(*window));
     emit hintOf(*window)->linkActivated(QStringLiteral("restart:"));
@@ -62,7 +64,7 @@ void TestLessonsWindow::whatWasShownComesBack()
     const auto window = windowOfSize(kLow);
     SceneDocument &document = window->document();
     window->places().enter("points");
-    QVERIFY(document.editClipPlanes({{0.0, 1.0, 0.0, 0.5}}, {}, {QStringLiteral("Plane")}));
+    QVERIFY(editClipPlanes(document, {{0.0, 1.0, 0.0, 0.5}}, {}, {QStringLiteral("Plane")}));
     const QString name = window->session().name();
     const Model *model = document.objects().front().model.get();
     const QSize size = window->size();

@@ -1,6 +1,7 @@
 // Letters of lessons in both views: each is seen to be of its own arrow, and covers nothing.
 
 #include "core/lessons/lesson.h"
+#include "gui/document/camera_looks.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/outside/observer_view.h"
 #include "gui/view/highlight_marks.h"
@@ -178,7 +179,7 @@ void TestLetters::theEyesOwnAxesAreNotInAPerspective()
     for (int i = 0; i < 50; ++i) {
         LookAt camera = start;
         camera.eye = WorldPoint(start.eye.x + 0.37 * i, start.eye.y + 0.21 * i, start.eye.z - 0.13 * i);
-        document.setCamera(camera);
+        setCamera(document, camera);
         for (const QString &name : namesOf(highlightsInView(document, highlights)))
             QVERIFY2(!name.contains(QStringLiteral("VC")), qPrintable(QStringLiteral("%1 at %2").arg(name).arg(i)));
     }

@@ -1,6 +1,8 @@
 // The log by itself, and the life of a real view in it.
 
 #include "core/examples/bundled_scene.h"
+#include "document_edits.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/lifecycle_panel.h"
 #include "gui/view/lifecycle_log.h"
@@ -238,10 +240,10 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
     QFETCH(QString, viewport);
 
     SceneDocument document;
-    document.setObjects(examples::bundledScene());
+    openObjects(document, examples::bundledScene());
     ViewportRule rule;
     rule.kind = static_cast<ViewportRule::Kind>(kind);
-    QVERIFY(document.editViewport(rule, document.scene().depthRange, {QStringLiteral("Viewport")}));
+    QVERIFY(editViewport(document, rule, document.scene().depthRange, {QStringLiteral("Viewport")}));
 
     LifecycleLog log;
     auto view = std::make_unique<SceneView>(document);

@@ -1,7 +1,9 @@
 // The window as a whole: its panels' arrangement at several sizes, what it keeps.
 
+#include "document_edits.h"
 #include "window_user.h"
 
+#include "gui/document/camera_looks.h"
 #include "gui/lessons/formulas_window.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
@@ -216,8 +218,8 @@ void TestMainWindow::nothingThatIsSaidChangesTheViewsSize()
     const QPointF middle(before.width() / 2.0, before.height() / 2.0);
     for (const double scale : {1.0, 1e-5, 1e6}) {
         std::vector<SceneObject> objects = planeScene({0.0, 0.0, 0.0}, {scale, 0.0, 0.0}, {0.0, scale, 0.0});
-        window->document().setObjects(std::move(objects));
-        window->document().fit();
+        openObjects(window->document(), std::move(objects));
+        fitAll(window->document());
         for (const QPointF &place2 : {middle, middle + QPointF(3.0, 1.0), QPointF(2.0, 2.0)}) {
             click(view, place2);
             settle(10);
@@ -331,10 +333,10 @@ void TestMainWindow::aDarkWindowHasADarkView()
     lowerRight.kind = ViewportRule::Kind::Quarter;
     const int behindObjects = corner();
     const DepthRange depths = window->document().scene().depthRange;
-    QVERIFY(window->document().editViewport(lowerRight, depths, {QStringLiteral("Viewport")}));
+    QVERIFY(editViewport(window->document(), lowerRight, depths, {QStringLiteral("Viewport")}));
     settle();
     QVERIFY(corner() < behindObjects - 10);
-    QVERIFY(window->document().editViewport({}, depths, {QStringLiteral("Viewport")}));
+    QVERIFY(editViewport(window->document(), {}, depths, {QStringLiteral("Viewport")}));
     setAppearance(Appearance::Desktop);
     settle();
     QVERIFY(corner() > 160);

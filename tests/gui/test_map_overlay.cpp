@@ -1,5 +1,6 @@
 // The map over the view: what it shows is what the view shows, and it is gone as soon as that is another picture.
 
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/map/map_colors.h"
 #include "gui/map/map_overlay.h"
@@ -124,7 +125,7 @@ void TestMapOverlay::itComesAndGoes()
 
     LookAt camera = before.camera();
     camera.eye += WorldVector(0.5, 0.0, 0.0);
-    window->document().setCamera(camera);
+    setCamera(window->document(), camera);
     QVERIFY(window->map().map() == nullptr); // no stale colours
     QVERIFY(window->map().image().isNull());
     QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
@@ -134,7 +135,7 @@ void TestMapOverlay::itComesAndGoes()
     action->trigger();
     QVERIFY(window->map().panel().isHidden());
     QVERIFY(window->map().map() == nullptr);
-    window->document().setCamera(before.camera());
+    setCamera(window->document(), before.camera());
     QTest::qWait(300); // longer than it takes to come to rest
     QVERIFY(window->map().map() == nullptr);
 }

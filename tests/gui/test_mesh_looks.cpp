@@ -1,5 +1,6 @@
 // The colour of a surface that faces the viewer, for every kind of mesh that has shaders of its own.
 
+#include "gui/document/camera_looks.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
 
@@ -107,7 +108,7 @@ void TestMeshLooks::aMeshHasItsColor()
     model->bounds = boundsOf(model->meshes);
 
     SceneDocument document;
-    document.setObjects({{"square", {}, model, {}}}, {WorldPoint(0, 0, 6), WorldPoint(0, 0, 0), {0.0, 1.0, 0.0}});
+    openObjects(document, {{"square", {}, model, {}}}, {WorldPoint(0, 0, 6), WorldPoint(0, 0, 0), {0.0, 1.0, 0.0}});
     if (isClipped)
         setClipPlanes(document, {{1.0, 0.0, 0.0, 1.5}});
     SceneView view(document);
@@ -170,10 +171,10 @@ void TestMeshLooks::backSidesAreLeftOutWhereNobodySeesThem()
         if (isOrtho && isInside)
             continue; // its near plane goes behind the eye, before all there is
         SceneDocument document;
-        document.setObjects({{"square", {}, model, transform}},
-                            {WorldPoint(0, 0, 6), WorldPoint(0, 0, 0), {0.0, 1.0, 0.0}});
+        openObjects(document, {{"square", {}, model, transform}},
+                    {WorldPoint(0, 0, 6), WorldPoint(0, 0, 0), {0.0, 1.0, 0.0}});
         if (isOrtho)
-            document.switchProjection();
+            switchProjection(document);
         if (isClipped)
             setClipPlanes(document, {{1.0, 0.0, 0.0, 1.5}});
         SceneView view(document);

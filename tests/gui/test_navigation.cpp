@@ -1,5 +1,8 @@
 // The mouse on the view: when a pick happens, what stays under the pointer, and what can never be picked.
 
+#include "document_edits.h"
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "picking.h"
 
 #include <QApplication>
@@ -99,7 +102,7 @@ void TestNavigation::aDragLeavesThePickAlone()
         click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, -0.4, 0.5)));
         // The object moves after the click: that is not forgotten either.
         QVERIFY(
-            document.editTransform(0, {Translate{kCubeCenter + glm::dvec3(0.0, 0.1, 0.0)}}, {QStringLiteral("Move")}));
+            editTransform(document, 0, {Translate{kCubeCenter + glm::dvec3(0.0, 0.1, 0.0)}}, {QStringLiteral("Move")}));
     }
     const auto point = [&] { return document.pick() ? std::optional(picked(*window)) : std::nullopt; };
     const std::optional<glm::dvec3> former = point();
@@ -138,7 +141,7 @@ void TestNavigation::aFormerPickOfAnObjectThatWentStaysAway()
     click(view, place);
     QCOMPARE(document.pick()->object, std::optional<std::size_t>(0));
     sendMouse(view, QEvent::MouseButtonPress, place, Qt::LeftButton, Qt::LeftButton);
-    QVERIFY(document.removeObject(0));
+    QVERIFY(removeObject(document, 0));
     sendMouse(view, QEvent::MouseMove, place + QPointF(40.0, 0.0), Qt::NoButton, Qt::LeftButton);
     QVERIFY(!document.pick());
     sendMouse(view, QEvent::MouseButtonRelease, place + QPointF(40.0, 0.0), Qt::LeftButton, Qt::NoButton);
@@ -222,7 +225,7 @@ void TestNavigation::aHandThatReadsNothingGoesByTheCentre()
 {
     QFETCH(int, button);
     SceneDocument document;
-    document.setObjects(cubeScene());
+    openObjects(document, cubeScene());
     SceneView view(document); // never shown: without OpenGL there is nothing to read
     view.resize(500, 400);
     document.setSurface(surfaceFromWidget(500, 400, view.devicePixelRatio()));

@@ -1,7 +1,9 @@
 // The list of the scene's objects, as a user handles it.
 
 #include "core/examples/bundled_scene.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/objects/objects_model.h"
 #include "gui/objects/objects_panel.h"
 
@@ -90,7 +92,7 @@ void TestObjectsPanel::init()
     objects[1].name = "second";
     objects[2].name = "third";
     objects[1].transform = {Translate{{30.0, 0.0, 0.0}}};
-    m_document->setObjects(objects);
+    openObjects(*m_document, objects);
     m_panel = std::make_unique<ObjectsPanel>(*m_document);
     m_panel->resize(300, 300);
     m_panel->show();
@@ -112,7 +114,7 @@ void TestObjectsPanel::aRowTellsItsObject()
     std::vector<SceneObject> more{m_document->objects()[0]};
     more[0].name = "more";
     more[0].file = "/there/more.obj";
-    QVERIFY(m_document->addObjects(more));
+    QVERIFY(addObjects(*m_document, more));
     QCOMPARE(m_list->model()->rowCount(), 4);
     QVERIFY(at(3).data(Qt::ToolTipRole).toString().contains(QStringLiteral("more.obj")));
     QCOMPARE(at(3).data().toString(), QStringLiteral("more"));
@@ -135,7 +137,7 @@ void TestObjectsPanel::aNameOfAnyKindIsShownAsItIsWritten()
     QFETCH(QString, shown);
     std::vector<SceneObject> objects = m_document->objects();
     objects[0].name = name.toStdString();
-    m_document->setObjects(objects);
+    openObjects(*m_document, objects);
     QCOMPARE(at(0).data().toString(), shown);
     const QString toolTip = at(0).data(Qt::ToolTipRole).toString();
     QVERIFY2(toolTip.contains(shown.toHtmlEscaped()), qPrintable(toolTip));
@@ -227,7 +229,7 @@ void TestObjectsPanel::theButtonsGoToTheCurrentObject()
 
 void TestObjectsPanel::withoutAnObjectNothingCanBeDone()
 {
-    m_document->setObjects({});
+    openObjects(*m_document, {});
     QVERIFY(!button(QStringLiteral("Fit"))->isEnabled() && !button(QStringLiteral("Remove"))->isEnabled());
     QTest::keyClick(m_list, Qt::Key_Delete);
     QTest::keyClick(m_list, Qt::Key_Return);
@@ -239,9 +241,9 @@ void TestObjectsPanel::theCurrentObjectStaysCurrent()
 {
     m_list->setCurrentIndex(at(1));
     const auto current = [this] { return m_list->currentIndex().data().toString(); };
-    QVERIFY(m_document->moveObject(1, 0));
+    QVERIFY(moveObject(*m_document, 1, 0));
     QCOMPARE(current(), QStringLiteral("second"));
-    QVERIFY(m_document->removeObject(1));
+    QVERIFY(removeObject(*m_document, 1));
     QCOMPARE(current(), QStringLiteral("second"));
     m_document->undoStack().undo();
     m_document->undoStack().undo();
@@ -283,8 +285,8 @@ void TestObjectsPanel::draggingARowMovesItsObject()
 
 void TestObjectsPanel::itIsAsNarrowAsAPanelMayBe()
 {
-    QVERIFY(m_document->addObjects({m_document->objects()[0]}));
-    QCOMPARE(m_document->renameObject(0, QString(300, u'x')), NameFault::None);
+    QVERIFY(addObjects(*m_document, {m_document->objects()[0]}));
+    QCOMPARE(renameObject(*m_document, 0, QString(300, u'x')), NameFault::None);
     const int digits = m_panel->fontMetrics().horizontalAdvance(QString(40, u'0'));
     QVERIFY(m_panel->minimumSizeHint().width() <= digits);
     m_panel->resize(digits, 300);

@@ -4,6 +4,8 @@
 #include "core/geometry/angle.h"
 #include "core/geometry/drawable.h"
 #include "core/geometry/view_volume.h"
+#include "document_edits.h"
+#include "gui/document/camera_looks.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "tests/gui/gui_scene.h"
@@ -100,8 +102,8 @@ void TestObserverView::init()
 {
     m_document = std::make_unique<SceneDocument>();
     m_document->setSurface({900, 600, 1.0});
-    m_document->setObjects(examples::bundledScene(),
-                           {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
+    openObjects(*m_document, examples::bundledScene(),
+                {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
     m_panel = std::make_unique<ObserverPanel>(*m_document);
     m_panel->resize(500, 600);
     m_panel->show();
@@ -117,7 +119,7 @@ void TestObserverView::cleanup()
 
 void TestObserverView::show(const Projection &projection)
 {
-    QVERIFY(m_document->editProjection({projection, false, false}, {QStringLiteral("Projection")}));
+    QVERIFY(editProjection(*m_document, {projection, false, false}, {QStringLiteral("Projection")}));
     m_document->undoStack().clear();
     view().fit();
 }
@@ -259,7 +261,7 @@ void TestObserverView::theWatchedCameraMovesAloneInTheWorld()
     const QPointF eyeBefore = placeOfEye(EyePoint());
     LookAt camera = m_document->scene().camera;
     camera.eye.x -= 4.0;
-    m_document->setCamera(camera);
+    setCamera(*m_document, camera);
     view().grabFramebuffer();
     QVERIFY(view().observer().eye.coordinates() == observer.eye.coordinates());
     const std::optional<QPointF> after = view().placeOf(corner);
@@ -279,7 +281,7 @@ void TestObserverView::theCubeStandsStillWhileTheCameraMoves()
     const std::vector<QPointF> before = corners();
     LookAt camera = m_document->scene().camera;
     camera.eye = WorldPoint(-9.0, 3.0, 4.0);
-    m_document->setCamera(camera);
+    setCamera(*m_document, camera);
     const std::vector<QPointF> after = corners();
     for (std::size_t i = 0; i < before.size(); ++i)
         QVERIFY(QLineF(before[i], after[i]).length() < 1e-6);
@@ -288,12 +290,12 @@ void TestObserverView::theCubeStandsStillWhileTheCameraMoves()
 void TestObserverView::aNewSceneIsFitted()
 {
     drag(view(), QPointF(10.0, 10.0), QPointF(90.0, 40.0));
-    m_document->setObjects(examples::bundledScene(),
-                           {WorldPoint(65.0, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
+    openObjects(*m_document, examples::bundledScene(),
+                {WorldPoint(65.0, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
     view().grabFramebuffer();
     for (const EyePoint &corner : viewVolumeCorners(m_document->geometry().projection()))
         QVERIFY(QRectF(view().rect()).contains(placeOfEye(corner)));
-    m_document->setObjects({});
+    openObjects(*m_document, {});
     view().grabFramebuffer();
     view().setMorph(1.0);
     view().grabFramebuffer();

@@ -5,6 +5,7 @@
 #include "tests/support/patience.h"
 
 #include "gui/click/comparison_panel.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/recent_files.h"
 #include "gui/shell/overlay_bars.h"
 
@@ -264,7 +265,7 @@ void TestOpenFiles::aBrokenFileChangesNothing()
         path = write(name, content);
 
     const auto window = shownWindow(false, {500, 400});
-    window->document().setObjects(cubeScene());
+    openObjects(window->document(), cubeScene());
     click(window->view(), localOf(*window, kCubeCenter));
     QVERIFY(window->document().pick() && window->document().pick()->hit());
     turnWheel(window->view(), QPointF(100.0, 100.0), 1);
@@ -302,7 +303,7 @@ void TestOpenFiles::cancelEndsLoadingAndChangesNothing()
     const auto window = shownWindow(false, {500, 400});
     window->activateWindow(); // keys are for the active one
     QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
-    window->document().setObjects(cubeScene());
+    openObjects(window->document(), cubeScene());
     click(window->view(), localOf(*window, kCubeCenter));
     const State before(*window);
     QSignalSpy ended(&window->session(), &Session::loadingEnded);
@@ -349,7 +350,7 @@ void TestOpenFiles::theBarStaysUntilThePictureIsThere()
     emit window->session().loadingProgressed(QStringLiteral("scan.ply"), 0.5);
     QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible(), kPatienceMilliseconds);
     const QRect place = bar->geometry();
-    window->document().setObjects(cubeScene());
+    openObjects(window->document(), cubeScene());
     emit window->session().loadingEnded();
     QVERIFY2(bar->isVisible(), "the cube is not drawn yet");
     QVERIFY(bar->findChild<QLabel *>()->text().startsWith(QStringLiteral("Drawing")));

@@ -1,8 +1,10 @@
 // The panels of numbers at the fonts of the desktops, in both languages and at every width from the least one: no text is
 // cut off, and nothing that is picked, of tiny or of huge models, changes how small a panel can be or where its parts stand.
 
+#include "document_edits.h"
 #include "gui/click/comparison_panel.h"
 #include "gui/click/comparison_table.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/lifecycle_panel.h"
 #include "gui/pipeline/pipeline_panel.h"
@@ -67,7 +69,7 @@ const std::vector<std::function<void(SceneDocument &)>> &happenings()
             camera.eye.x += 37.0;
             camera.eye.y -= 55.0;
             camera.eye.z += 12.0;
-            document.setCamera(camera);
+            setCamera(document, camera);
         },
         [pick](SceneDocument &document) {
             openScene(document, 1e-9);
@@ -80,14 +82,14 @@ const std::vector<std::function<void(SceneDocument &)>> &happenings()
         [](SceneDocument &document) {
             LookAt camera = document.geometry().camera();
             camera.eye.z *= 9.0;
-            document.setCamera(camera);
+            setCamera(document, camera);
         },
         [](SceneDocument &document) {
-            QVERIFY(document.editTransform(0, {Translate{{1.0, 2.0, 3.0}}}, {QStringLiteral("Move")}));
+            QVERIFY(editTransform(document, 0, {Translate{{1.0, 2.0, 3.0}}}, {QStringLiteral("Move")}));
         },
         [pick](SceneDocument &document) {
             openScene(document, 0.03);
-            document.setProjection(Oblique{{-0.2, 0.2, -0.1, 0.1, 0.01, 0.9}, 0.7, 0.9});
+            setProjection(document, Oblique{{-0.2, 0.2, -0.1, 0.1, 0.01, 0.9}, 0.7, 0.9});
             pick(document);
         },
         [](SceneDocument &document) { document.clearPick(); },

@@ -1,6 +1,7 @@
 // The column of groups: folding, by mouse and keyboard, what is kept of it, Reset, the sliders, and where the keyboard
 // goes when something is added or removed.
 
+#include "document_edits.h"
 #include "panel_user.h"
 
 #include "gui/parameters/group_heading.h"
@@ -130,7 +131,7 @@ void TestParametersColumn::aFoldedGroupCatchesUp()
     group->setOpen(false);
     LookAt camera = scene().camera;
     camera.eye.x = 3.0;
-    QVERIFY(m_document->editCamera(camera, {QStringLiteral("by another")}));
+    QVERIFY(editCamera(*m_document, camera, {QStringLiteral("by another")}));
     QCOMPARE(eye->value(), 0.0); // what is folded costs nothing
     group->setOpen(true);
     QCOMPARE(eye->text(), QStringLiteral("3"));

@@ -1,6 +1,8 @@
 // What each group is for: kinds of projection, rules of the viewport, steps of a model, clip planes. Expected numbers are
 // literals.
 
+#include "document_edits.h"
+#include "gui/document/scene_edits.h"
 #include "panel_user.h"
 
 #include <QCheckBox>
@@ -344,7 +346,7 @@ void TestParametersGroups::objectsAreRemovedAndPutBack()
     QCOMPARE(names(), both);
     // The shown object is the one that it was, although another has come before it.
     choose(QStringLiteral("object"), QStringLiteral("second"));
-    QVERIFY(m_document->removeObject(0));
+    QVERIFY(removeObject(*m_document, 0));
     QCOMPARE(box->currentText(), QStringLiteral("second"));
     QVERIFY(m_panel->findChild<QWidget *>(QStringLiteral("step1")));
     m_document->undoStack().undo();
@@ -361,7 +363,7 @@ void TestParametersGroups::whoHearsOfANumberMayRemoveItsField()
     bool isFirst = true;
     connect(m_document.get(), &SceneDocument::changed, this, [&](Changes changes) {
         if (changes & Change::Placement && std::exchange(isFirst, false)) {
-            QVERIFY(m_document->editTransform(0, {}, {QStringLiteral("by another")}));
+            QVERIFY(editTransform(*m_document, 0, {}, {QStringLiteral("by another")}));
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         }
     });

@@ -1,6 +1,7 @@
 // The parameters as a person uses them: keys into the panel, then the document's scene and geometry. Expected numbers are
 // literals.
 
+#include "document_edits.h"
 #include "panel_user.h"
 
 #include <QLabel>
@@ -248,7 +249,7 @@ void TestParametersPanel::whatCanBeTakenAfterAllWaitsForEnter()
     QVERIFY(nearField->isBad());
     Frustum longer = frustumOf(scene());
     longer.farDistance = 1000.0;
-    QVERIFY(m_document->editProjection({longer, false, false}, {QStringLiteral("by another")}));
+    QVERIFY(editProjection(*m_document, {longer, false, false}, {QStringLiteral("by another")}));
     QCOMPARE(frustumOf(scene()).nearDistance, 1.0);
     QVERIFY2(nearField->reason().contains(QStringLiteral("press Enter")), qPrintable(nearField->reason()));
     QTest::keyClick(nearField, Qt::Key_Return);
@@ -415,7 +416,7 @@ void TestParametersPanel::aHiddenPanelDoesNothingUntilItIsShown()
     m_panel->hide();
     LookAt camera = scene().camera;
     camera.eye.x = 3.0;
-    QVERIFY(m_document->editCamera(camera, {QStringLiteral("by another")}));
+    QVERIFY(editCamera(*m_document, camera, {QStringLiteral("by another")}));
     QCOMPARE(eye->text(), QStringLiteral("0"));
     m_panel->show();
     QCOMPARE(eye->text(), QStringLiteral("3"));

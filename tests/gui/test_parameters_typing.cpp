@@ -1,6 +1,8 @@
 // What was typed and refused, or not finished, while the scene changes under it: other objects, another scene, a panel that
 // is hidden meanwhile.
 
+#include "document_edits.h"
+#include "gui/document/scene_edits.h"
 #include "panel_user.h"
 
 #include <QComboBox>
@@ -65,7 +67,7 @@ void TestParametersTyping::aRefusedNumberGoesWithItsObject()
     QFETCH(int, removed);
     QVERIFY(refusedScale()->isBad());
     m_panel->setHidden(isHidden);
-    QVERIFY(m_document->removeObject(static_cast<std::size_t>(removed)));
+    QVERIFY(removeObject(*m_document, static_cast<std::size_t>(removed)));
     const Scene before = scene();
     m_panel->applyTyped(); // as Save does
     QVERIFY(isSameScene(scene(), before));
@@ -87,7 +89,7 @@ void TestParametersTyping::aRefusedNumberGoesWithItsPlane()
     QVERIFY(plane->isBad());
     begin(field(QStringLiteral("number3"), QStringLiteral("plane1")), QStringLiteral("4"));
     m_panel->hide();
-    QVERIFY(m_document->editClipPlanes({}, {}, {QStringLiteral("by another")}));
+    QVERIFY(editClipPlanes(*m_document, {}, {}, {QStringLiteral("by another")}));
     m_panel->applyTyped();
     QVERIFY(scene().clipPlanes.empty());
 }
@@ -148,19 +150,19 @@ void TestParametersTyping::theShownObjectStaysShown()
         return is;
     };
     m_panel->setHidden(isHidden);
-    QVERIFY(m_document->editTransform(1, {Translate{{1.0, 2.0, 3.0}}}, {QStringLiteral("by another")}));
-    QCOMPARE(m_document->renameObject(1, QStringLiteral("renamed")), NameFault::None);
+    QVERIFY(editTransform(*m_document, 1, {Translate{{1.0, 2.0, 3.0}}}, {QStringLiteral("by another")}));
+    QCOMPARE(renameObject(*m_document, 1, QStringLiteral("renamed")), NameFault::None);
     QVERIFY(shows("renamed", 1));
-    QVERIFY(m_document->moveObject(1, 0));
+    QVERIFY(moveObject(*m_document, 1, 0));
     QVERIFY(shows("renamed", 0));
     m_document->undoStack().undo();
     m_document->undoStack().undo();
     QVERIFY(shows("second", 1));
-    QVERIFY(m_document->removeObject(0));
+    QVERIFY(removeObject(*m_document, 0));
     QVERIFY(shows("second", 0));
     // What takes the place of one that goes is shown; another scene starts with its first.
     m_document->undoStack().undo();
-    QVERIFY(m_document->removeObject(1));
+    QVERIFY(removeObject(*m_document, 1));
     QVERIFY(shows("first", 0));
     m_document->undoStack().undo();
     open(startScene());

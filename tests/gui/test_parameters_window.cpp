@@ -1,5 +1,6 @@
 // The parameters in the window: what is kept of them, what is saved while somebody types, and the status bar's words.
 
+#include "document_edits.h"
 #include "gui_scene.h"
 
 #include "gui/lessons/lesson_player.h"
@@ -162,8 +163,8 @@ void TestParametersWindow::theProjectionIsCalledByItsName()
     MainWindow window(options);
     window.session().openBundledScene();
     const Projection start = Perspective{0.7, 1.0, 0.5, 80000.0};
-    QVERIFY(window.document().editProjection({converted(start, static_cast<ProjectionKind>(kind), 10.0), false, false},
-                                             {QStringLiteral("test")}));
+    QVERIFY(editProjection(window.document(), {converted(start, static_cast<ProjectionKind>(kind), 10.0), false, false},
+                           {QStringLiteral("test")}));
     QStringList shown;
     for (const QLabel *label : window.statusBar()->findChildren<QLabel *>())
         shown << label->text();

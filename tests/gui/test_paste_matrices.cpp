@@ -1,9 +1,13 @@
 // Matrices of other programs, pasted into the real dialog: read in every usual form, what is to be seen of them mended by
 // its button, the scene changed in one step, kept in its file as they were given.
 
+#include "document_edits.h"
 #include "gui_scene.h"
 
+#include "core/scene/given_matrices.h"
 #include "core/scene_file/scene_file.h"
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "gui/pipeline/paste_matrices_dialog.h"
 #include "gui/pipeline/pasted_matrix_box.h"
 #include "gui/pipeline/pipeline_panel.h"
@@ -96,7 +100,7 @@ struct Pasting {
     Pasting()
     {
         document.setSurface(surfaceFromWidget(400, 300, 1.0));
-        document.setObjects(cubeScene());
+        openObjects(document, cubeScene());
         dialog.show();
         if (!QTest::qWaitForWindowExposed(&dialog, kPatienceMilliseconds))
             qFatal("The dialog is not shown.");
@@ -198,8 +202,8 @@ void TestPasteMatrices::everyPrintedFormIsTaken()
     QVERIFY(pasting.ok()->isEnabled());
     pasting.ok()->click();
     QVERIFY(!pasting.dialog.isVisible());
-    QCOMPARE(pasting.document.givenProjection()->clipFromEye, lens());
-    QCOMPARE(*pasting.document.givenView(), view());
+    QCOMPARE(givenProjection(pasting.document.scene())->clipFromEye, lens());
+    QCOMPARE(*givenView(pasting.document.scene()), view());
     QVERIFY(difference(pasting.shownProduct(), lens() * view()) <= 1e-13);
 }
 
@@ -303,14 +307,14 @@ void TestPasteMatrices::everyFindingHasItsButton()
     QVERIFY(pasting.ok()->isEnabled());
     pasting.ok()->click();
     if (role == MatrixRole::View || isExchanged) {
-        QVERIFY(difference(*pasting.document.givenView(), expected) <= 1e-12);
+        QVERIFY(difference(*givenView(pasting.document.scene()), expected) <= 1e-12);
         return;
     }
     if (button == "Turn to −z") { // with the view, whose product stays
         QVERIFY(difference(pasting.shownProduct(), given * view()) <= 1e-12);
         return;
     }
-    QVERIFY(difference(pasting.document.givenProjection()->clipFromEye, expected) <= 1e-12);
+    QVERIFY(difference(givenProjection(pasting.document.scene())->clipFromEye, expected) <= 1e-12);
     if (button == "Read as 0 to 1")
         QVERIFY(std::abs(projectionWindow(pasting.document.geometry().projection()).nearDistance - 2.0) <= 1e-12);
 }
@@ -327,8 +331,8 @@ void TestPasteMatrices::theOrderIsToldByTheNumbers()
     QTRY_VERIFY_WITH_TIMEOUT(pasting.says("looks transposed"), kPatienceMilliseconds);
     pasting.button("As Pasted")->click();
     pasting.ok()->click();
-    QVERIFY(difference(pasting.document.givenProjection()->clipFromEye, lens()) <= 1e-12);
-    QVERIFY(difference(*pasting.document.givenView(), view()) <= 1e-12);
+    QVERIFY(difference(givenProjection(pasting.document.scene())->clipFromEye, lens()) <= 1e-12);
+    QVERIFY(difference(*givenView(pasting.document.scene()), view()) <= 1e-12);
 }
 
 void TestPasteMatrices::anOrderThatNothingTellsIsAskedFor()
@@ -340,7 +344,7 @@ void TestPasteMatrices::anOrderThatNothingTellsIsAskedFor()
     pasting.button("Read as Column-major")->click();
     QVERIFY(!pasting.button("Read as Column-major"));
     pasting.ok()->click();
-    QVERIFY(difference(*pasting.document.givenView(), turn) <= 1e-12);
+    QVERIFY(difference(*givenView(pasting.document.scene()), turn) <= 1e-12);
 }
 
 void TestPasteMatrices::theDepthsCanBeSaid()
@@ -362,7 +366,7 @@ void TestPasteMatrices::theDepthsCanBeSaid()
     QVERIFY(pasting.says("near 1.2346, far 87.654"));
     pasting.ok()->click();
     QVERIFY(std::abs(nearOf(pasting) - kNear) <= 1e-12);
-    QCOMPARE(pasting.document.givenProjection()->ndcDepth, std::optional(NdcDepth::ZeroToOne));
+    QCOMPARE(givenProjection(pasting.document.scene())->ndcDepth, std::optional(NdcDepth::ZeroToOne));
     // What was offered and done is undone by the switch as well.
     Pasting offered;
     glm::dmat4 round = zeroToOne;
@@ -374,7 +378,7 @@ void TestPasteMatrices::theDepthsCanBeSaid()
     offered.button("−1 to 1")->click();
     QVERIFY(!offered.button("As Pasted"));
     offered.ok()->click();
-    QCOMPARE(offered.document.givenProjection()->ndcDepth, std::optional(NdcDepth::MinusOneToOne));
+    QCOMPARE(givenProjection(offered.document.scene())->ndcDepth, std::optional(NdcDepth::MinusOneToOne));
 }
 
 void TestPasteMatrices::theScenesOwnStaysWithoutOne()
@@ -384,7 +388,7 @@ void TestPasteMatrices::theScenesOwnStaysWithoutOne()
     pasting.paste(MatrixRole::Projection, printed(lens(), "C"));
     pasting.ok()->click();
     QCOMPARE(pasting.document.geometry().camera(), camera);
-    QVERIFY(!pasting.document.givenView());
+    QVERIFY(!givenView(pasting.document.scene()));
 }
 
 void TestPasteMatrices::whatIsNoMatrixIsSaid_data()
@@ -445,14 +449,14 @@ void TestPasteMatrices::oneStepIsUndone()
     QCOMPARE(document.geometry().depthRange, (DepthRange{1.0, 0.0}));
     QCOMPARE(document.undoStack().undoText(), QStringLiteral("Paste Matrices"));
     // The next one is not reversed: the depth range is as it was.
-    QVERIFY(document.editMatrices(MatrixProjection{lens(), std::nullopt}, std::nullopt, {"again"}));
+    QVERIFY(editMatrices(document, MatrixProjection{lens(), std::nullopt}, std::nullopt, {"again"}));
     QCOMPARE(document.geometry().depthRange, DepthRange{});
     document.undoStack().undo();
     document.undoStack().undo();
     QCOMPARE(document.geometry(), before);
-    QVERIFY(!document.givenProjection() && !document.givenView());
+    QVERIFY(!givenProjection(document.scene()) && !givenView(document.scene()));
     document.undoStack().redo();
-    QCOMPARE(document.givenProjection()->clipFromEye, reversed);
+    QCOMPARE(givenProjection(document.scene())->clipFromEye, reversed);
 }
 
 void TestPasteMatrices::theSameTextGivesTheSameDepths()
@@ -463,11 +467,11 @@ void TestPasteMatrices::theSameTextGivesTheSameDepths()
     reversed[2][2] = 0.0;
     reversed[3][2] = 2.0;
     const auto paste = [&document](const glm::dmat4 &matrix) {
-        return document.editMatrices(MatrixProjection{matrix, std::nullopt}, std::nullopt, {"Paste"}).hasValue();
+        return editMatrices(document, MatrixProjection{matrix, std::nullopt}, std::nullopt, {"Paste"}).hasValue();
     };
     const auto changeProjection = [&document] {
         const Projection other = Ortho{-1.0, 1.0, -1.0, 1.0, 1.0, 9.0};
-        return document.editProjection({other, false, false}, {"Projection"}).hasValue();
+        return editProjection(document, {other, false, false}, {"Projection"}).hasValue();
     };
     for (int time = 0; time < 2; ++time) {
         QVERIFY(paste(reversed) && changeProjection());
@@ -477,7 +481,7 @@ void TestPasteMatrices::theSameTextGivesTheSameDepths()
     QCOMPARE(document.geometry().depthRange, DepthRange{});
     // A range that was set since stays.
     QVERIFY(paste(reversed) && changeProjection());
-    QVERIFY(document.editViewport(document.scene().viewport, {0.25, 0.75}, {"Depth range"}));
+    QVERIFY(editViewport(document, document.scene().viewport, {0.25, 0.75}, {"Depth range"}));
     QVERIFY(paste(lens()));
     QCOMPARE(document.geometry().depthRange, (DepthRange{0.25, 0.75}));
 }
@@ -498,7 +502,7 @@ void TestPasteMatrices::theFileKeepsThemAsGiven()
     // Who turns the camera has another view, and still the projection; undone, the view is as given again.
     LookAt camera = document.geometry().camera();
     camera.eye.x += 1.0;
-    document.setCamera(camera);
+    setCamera(document, camera);
     QVERIFY(std::holds_alternative<LookAt>(saved(document).view));
     QVERIFY(std::holds_alternative<MatrixProjection>(saved(document).projection));
     document.undoStack().undo();
@@ -509,13 +513,13 @@ void TestPasteMatrices::whatStillHoldsIsSaidInThePipeline()
 {
     SceneDocument document;
     document.setSurface(surfaceFromWidget(400, 300, 1.0));
-    document.setObjects(cubeScene());
+    openObjects(document, cubeScene());
     PipelinePanel panel(document);
     panel.resize(460, 2000);
     panel.show();
     glm::dmat4 turned = lens();
     turned[1][1] = -turned[1][1];
-    QVERIFY(document.editMatrices(MatrixProjection{turned, std::nullopt}, view(), {"Paste Matrices"}));
+    QVERIFY(editMatrices(document, MatrixProjection{turned, std::nullopt}, view(), {"Paste Matrices"}));
     const auto button = [&]() -> QPushButton * {
         for (QPushButton *one : panel.findChildren<QPushButton *>()) {
             if (one->text() == "Turn y Back" && one->isVisible())
@@ -525,7 +529,7 @@ void TestPasteMatrices::whatStillHoldsIsSaidInThePipeline()
     };
     QVERIFY(button());
     button()->click();
-    QCOMPARE(document.givenProjection()->clipFromEye, lens());
+    QCOMPARE(givenProjection(document.scene())->clipFromEye, lens());
     QCOMPARE(document.undoStack().undoText(), QStringLiteral("Turn y Back"));
     QVERIFY(!button());
     document.undoStack().undo();
@@ -536,7 +540,7 @@ void TestPasteMatrices::pasteInThePipelineOpensTheDialog()
 {
     SceneDocument document;
     document.setSurface(surfaceFromWidget(400, 300, 1.0));
-    document.setObjects(cubeScene());
+    openObjects(document, cubeScene());
     PipelinePanel panel(document);
     panel.resize(460, 2000);
     panel.show();
@@ -554,7 +558,7 @@ void TestPasteMatrices::pasteInThePipelineOpensTheDialog()
     QVERIFY(dialog && dialog->isVisible());
     QCOMPARE(dialog->findChildren<PastedMatrixBox *>().at(1)->text(), printed(view(), "Eigen"));
     dialog->accept();
-    QCOMPARE(*document.givenView(), view());
+    QCOMPARE(*givenView(document.scene()), view());
 }
 
 void TestPasteMatrices::whatIsTypedInAMatrixStaysThere()

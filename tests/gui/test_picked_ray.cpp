@@ -1,10 +1,13 @@
 // What the ray of a pick meets: of the scene as it was at the click, whatever has become of the scene, and whenever the models
 // are ready for it. No window.
 
+#include "document_edits.h"
 #include "told_changes.h"
 
 #include "core/examples/solids.h"
 #include "core/ray/drawn_surface.h"
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "tests/support/mesh_model.h"
 #include "tests/support/patience.h"
 
@@ -94,36 +97,36 @@ void TestPickedRay::theRayMeetsWhatIsShown_data()
     row(
         "the first", [](SceneDocument &) {}, "front 1");
     row(
-        "not what is hidden", [](SceneDocument &d) { QVERIFY(d.setObjectHidden(0, true)); }, "middle -4");
+        "not what is hidden", [](SceneDocument &d) { QVERIFY(setObjectHidden(d, 0, true)); }, "middle -4");
     row(
         "not what is cut away",
         [](SceneDocument &d) {
-            QVERIFY(d.editClipPlanes({{0.0, 0.0, -1.0, 0.5}}, {}, kDeed));
+            QVERIFY(editClipPlanes(d, {{0.0, 0.0, -1.0, 0.5}}, {}, kDeed));
         },
         "front -1");
     row(
         "what a plane that is off would cut",
         [](SceneDocument &d) {
-            QVERIFY(d.editClipPlanes({}, {{0, {0.0, 0.0, -1.0, 0.5}}}, kDeed));
+            QVERIFY(editClipPlanes(d, {}, {{0, {0.0, 0.0, -1.0, 0.5}}}, kDeed));
         },
         "front 1");
     row(
         "not what is before the near plane",
         [](SceneDocument &d) {
-            QVERIFY(d.editProjection({Ortho{-4, 4, -3, 3, 14, 40}, false, false}, kDeed));
+            QVERIFY(editProjection(d, {Ortho{-4, 4, -3, 3, 14, 40}, false, false}, kDeed));
         },
         "middle -4");
     row(
         "nothing there",
         [](SceneDocument &d) {
             for (const std::size_t place : {0, 1, 2})
-                QVERIFY(d.setObjectHidden(place, true));
+                QVERIFY(setObjectHidden(d, place, true));
         },
         "nothing");
     row(
         "where it stands",
         [](SceneDocument &d) {
-            QVERIFY(d.editTransform(0, {Translate{{0, 0, 3}}}, kDeed));
+            QVERIFY(editTransform(d, 0, {Translate{{0, 0, 3}}}, kDeed));
         },
         "front 4");
 }
@@ -156,37 +159,37 @@ void TestPickedRay::theAnswerIsThatOfTheClick_data()
         QTest::newRow(name) << since << QString::fromLatin1(expected);
     };
     row(
-        "another view", [](SceneDocument &d) { d.setCamera(cameraAt(30.0)); }, "front 1");
+        "another view", [](SceneDocument &d) { setCamera(d, cameraAt(30.0)); }, "front 1");
     row(
-        "hidden", [](SceneDocument &d) { QVERIFY(d.setObjectHidden(0, true)); }, "front 1");
+        "hidden", [](SceneDocument &d) { QVERIFY(setObjectHidden(d, 0, true)); }, "front 1");
     row(
         "moved",
         [](SceneDocument &d) {
-            QVERIFY(d.editTransform(0, {Translate{{0, 0, 3}}}, kDeed));
+            QVERIFY(editTransform(d, 0, {Translate{{0, 0, 3}}}, kDeed));
         },
         "front 1");
     row(
         "cut away",
         [](SceneDocument &d) {
-            QVERIFY(d.editClipPlanes({{0.0, 0.0, -1.0, 0.5}}, {}, kDeed));
+            QVERIFY(editClipPlanes(d, {{0.0, 0.0, -1.0, 0.5}}, {}, kDeed));
         },
         "front 1");
     row(
-        "another name", [](SceneDocument &d) { QCOMPARE(d.renameObject(0, QStringLiteral("new")), NameFault::None); },
+        "another name", [](SceneDocument &d) { QCOMPARE(renameObject(d, 0, QStringLiteral("new")), NameFault::None); },
         "new 1");
     row(
-        "another order", [](SceneDocument &d) { QVERIFY(d.moveObject(0, 2)); }, "front 1");
+        "another order", [](SceneDocument &d) { QVERIFY(moveObject(d, 0, 2)); }, "front 1");
     row(
-        "added to", [](SceneDocument &d) { QVERIFY(d.addObjects({d.objects()[2]})); }, "front 1");
+        "added to", [](SceneDocument &d) { QVERIFY(addObjects(d, {d.objects()[2]})); }, "front 1");
     row(
-        "another one removed", [](SceneDocument &d) { QVERIFY(d.removeObject(1)); }, "front 1");
+        "another one removed", [](SceneDocument &d) { QVERIFY(removeObject(d, 1)); }, "front 1");
     row(
-        "removed", [](SceneDocument &d) { QVERIFY(d.removeObject(0)); }, "no pick");
+        "removed", [](SceneDocument &d) { QVERIFY(removeObject(d, 0)); }, "no pick");
     row(
         "removed and back",
         [](SceneDocument &d) {
-            QVERIFY(d.moveObject(0, 1));
-            QVERIFY(d.removeObject(1));
+            QVERIFY(moveObject(d, 0, 1));
+            QVERIFY(removeObject(d, 1));
             d.undoStack().undo();
         },
         "front 1");
@@ -232,21 +235,21 @@ void TestPickedRay::theAnswerComesWhenTheModelIsReady_data()
     row(
         "nothing happens", [](SceneDocument &) {}, "ball 1");
     row(
-        "another view", [](SceneDocument &d) { d.setCamera(cameraAt(30.0)); }, "ball 1");
+        "another view", [](SceneDocument &d) { setCamera(d, cameraAt(30.0)); }, "ball 1");
     row(
-        "the ball is hidden", [](SceneDocument &d) { QVERIFY(d.setObjectHidden(3, true)); }, "ball 1");
+        "the ball is hidden", [](SceneDocument &d) { QVERIFY(setObjectHidden(d, 3, true)); }, "ball 1");
     row(
         "the ball is moved",
         [](SceneDocument &d) {
-            QVERIFY(d.editTransform(3, {Translate{{0, 1, 0}}}, kDeed));
+            QVERIFY(editTransform(d, 3, {Translate{{0, 1, 0}}}, kDeed));
         },
         "ball 1");
     row(
-        "the order is another", [](SceneDocument &d) { QVERIFY(d.moveObject(3, 0)); }, "ball 1");
+        "the order is another", [](SceneDocument &d) { QVERIFY(moveObject(d, 3, 0)); }, "ball 1");
     row(
         "the ball is removed and comes back",
         [](SceneDocument &d) {
-            QVERIFY(d.removeObject(3));
+            QVERIFY(removeObject(d, 3));
             QTest::qWait(5);
             d.undoStack().undo();
         },
@@ -260,8 +263,8 @@ void TestPickedRay::theAnswerComesWhenTheModelIsReady()
     SceneDocument document;
     openCubes(document);
     // Of 327,680 triangles; a vertex of it is at z = 1.
-    QVERIFY(document.addObjects({{"ball", {}, modelOf(examples::sphereMesh(1.0, 7)), {}}}));
-    QVERIFY(document.setObjectHidden(0, true));
+    QVERIFY(addObjects(document, {{"ball", {}, modelOf(examples::sphereMesh(1.0, 7)), {}}}));
+    QVERIFY(setObjectHidden(document, 0, true));
     QVERIFY(document.rayCasters().isPreparing());
     document.pickAt(WidgetPoint(199.5, 149.5), {0.3, 3, 24}); // the pixel at (-0.01, 0.01)
     QCOMPARE(met(document), QStringLiteral("preparing"));
@@ -283,7 +286,7 @@ void TestPickedRay::aSceneThatIsLeftIsNotKept()
     openCubes(document);
     auto model = modelOf(examples::sphereMesh(1.0, 7));
     const std::weak_ptr<const Model> weak = model;
-    QVERIFY(document.addObjects({{"ball", {}, std::move(model), {}}}));
+    QVERIFY(addObjects(document, {{"ball", {}, std::move(model), {}}}));
     document.pickAt(WidgetPoint(199.5, 149.5), {0.3, 3, 24});
     openCubes(document);
     QVERIFY(QTest::qWaitFor([&] { return weak.expired(); }, kPatienceMilliseconds));

@@ -1,5 +1,7 @@
 // What a click of the mouse reads: surfaces, and never what is only drawn.
 
+#include "document_edits.h"
+#include "gui/document/camera_looks.h"
 #include "picking.h"
 #include "tests/support/patience.h"
 
@@ -92,10 +94,10 @@ void TestPicking::whatIsOnlyDrawnIsNeverPicked()
     std::vector<SceneObject> cubes = cubeScene();
     cubes.push_back(cubes.front());
     cubes.back().transform = {Translate{{-3.0, 1.0, 2.5}}};
-    document.setObjects(std::move(cubes));
-    document.setCamera({WorldPoint(0.5, 5.0, 9.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
+    openObjects(document, std::move(cubes));
+    setCamera(document, {WorldPoint(0.5, 5.0, 9.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
     if (isOrtho)
-        document.switchProjection();
+        switchProjection(document);
     const QImage picture = view.grabFramebuffer();
     const auto colorAt = [&](const QPointF &local) {
         const DevicePixel pixel = pixelUnder(view, local);
@@ -148,7 +150,7 @@ void TestPicking::theAxesInTheCornerLeaveTheViewportToTheScene()
     QFETCH(int, side);
     const auto window = shownWindow(false, {500, 400});
     SceneDocument &document = window->document();
-    document.setObjects({}); // nothing coloured but the axes
+    openObjects(document, {}); // nothing coloured but the axes
     const double ratio = window->view().devicePixelRatio();
     ViewportRule rule;
     if (!viewport.isEmpty()) {
@@ -156,7 +158,7 @@ void TestPicking::theAxesInTheCornerLeaveTheViewportToTheScene()
         rule.fixed = {std::round(viewport.x() * ratio), std::round(viewport.y() * ratio),
                       std::round(viewport.width() * ratio), std::round(viewport.height() * ratio)};
     }
-    QVERIFY(document.editViewport(rule, {}, {QStringLiteral("Viewport")}));
+    QVERIFY(editViewport(document, rule, {}, {QStringLiteral("Viewport")}));
     const QImage picture = window->view().grabFramebuffer();
     QRect colored;
     for (int y = 0; y < picture.height(); ++y) {

@@ -1,5 +1,7 @@
 // What the view says where there is nothing to be seen.
 
+#include "document_edits.h"
+#include "gui/document/scene_edits.h"
 #include "gui/shell/picture_note.h"
 #include "tests/gui/gui_scene.h"
 
@@ -72,7 +74,7 @@ void TestPictureNote::anEmptyPictureSaysWhy()
     SceneDocument document;
     openCube(document, projection);
     if (isHidden)
-        QVERIFY(document.setObjectHidden(0, true));
+        QVERIFY(setObjectHidden(document, 0, true));
     const QString text = emptyPictureText(document);
     QCOMPARE(text.isEmpty(), said.isEmpty());
     QVERIFY2(text.contains(said), qPrintable(text));
@@ -97,7 +99,7 @@ void TestPictureNote::aViewportOutsideTheWindowIsSaid()
     QFETCH(bool, isSaid);
     SceneDocument document;
     openCube(document, Perspective{0.8, 1.3, 1, 100});
-    QVERIFY(document.editViewport({ViewportRule::Kind::Fixed, viewport, 1.0}, {}, kDeed));
+    QVERIFY(editViewport(document, {ViewportRule::Kind::Fixed, viewport, 1.0}, {}, kDeed));
     const QString text = emptyPictureText(document);
     QCOMPARE(text.contains(QStringLiteral("outside the window")), isSaid);
     QCOMPARE(text.contains(QStringLiteral("x %1, y %2").arg(viewport.x).arg(viewport.y)), isSaid);
@@ -111,11 +113,11 @@ void TestPictureNote::itComesAndGoes()
     QVERIFY(note.isHidden()); // a scene without objects is empty because it is
     openCube(document, Perspective{0.8, 1.3, 1.0, 100.0});
     QVERIFY(note.isHidden());
-    QVERIFY(document.setObjectHidden(0, true));
+    QVERIFY(setObjectHidden(document, 0, true));
     QVERIFY(!note.isHidden() && note.text().contains(QStringLiteral("hidden")));
     document.undoStack().undo();
     QVERIFY(note.isHidden());
-    QVERIFY(document.editProjection({Perspective{0.8, 1.3, 50.0, 100.0}, false, false}, kDeed));
+    QVERIFY(editProjection(document, {Perspective{0.8, 1.3, 50.0, 100.0}, false, false}, kDeed));
     QVERIFY(!note.isHidden() && note.text().contains(QStringLiteral("Nothing lies between")));
 }
 

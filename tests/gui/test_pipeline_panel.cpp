@@ -1,7 +1,10 @@
 // The pipeline panel: its numbers are read from its models, and compared with the originals' or with hand-made ones.
 
+#include "document_edits.h"
 #include "pipeline_figures.h"
 
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/text/error_text.h"
 #include "gui/widgets/number_grid.h"
@@ -66,7 +69,7 @@ void TestPipelinePanel::theMemoryOrderIsTheTutorialsWatchWindow()
     QCOMPARE(cell(modelview, 6, 1), QStringLiteral("-8"));
 
     // fig. 2.12
-    document.setProjection(Perspective{std::acos(-1.0) / 4.0, 1, 1, 100});
+    setProjection(document, Perspective{std::acos(-1.0) / 4.0, 1, 1, 100});
     model.update();
     const MatrixModel *projection = model.matrix(Stage::ProjectionMatrix);
     QCOMPARE(cell(projection, 0, 0), QStringLiteral("2.4142137"));         // m[0]
@@ -99,7 +102,7 @@ void TestPipelinePanel::theDepthRangeChangesOnlyTheWindow()
 {
     SceneDocument document;
     openFigures(document);
-    QVERIFY(document.editViewport(document.scene().viewport, depthranges::ofThisRow(), {QStringLiteral("Depths")}));
+    QVERIFY(editViewport(document, document.scene().viewport, depthranges::ofThisRow(), {QStringLiteral("Depths")}));
     const auto &[atNear, atFar] = document.geometry().depthRange; // OpenGL's, in single precision
     PipelineModel model(document);
     const double depth = atNear + 0.85 * (atFar - atNear);
@@ -145,7 +148,7 @@ void TestPipelinePanel::otherApisHaveTheSamePointInTheirOwnTerms()
     model.update();
     QCOMPARE(value(model.matrix(Stage::ViewMatrix), 2, 3), 5.0); // the world's origin lies in front
     QVERIFY(std::abs(value(model.matrix(Stage::ProjectionMatrix), 2, 2) - 0.05) < kRounding);
-    document.setProjection(Perspective{std::acos(-1.0) / 2.0, 1, 1, 100});
+    setProjection(document, Perspective{std::acos(-1.0) / 2.0, 1, 1, 100});
     model.setApi(Api::OpenCv);
     model.update();
     QVERIFY2(model.apiNote().contains(QStringLiteral("K = [25 0 24.5; 0 25 24.5; 0 0 1]")),
@@ -160,11 +163,11 @@ void TestPipelinePanel::whatIsTypedCountsInTheConventionsShown()
     model.setApi(Api::OpenCv);
     model.update();
     emit model.point(Space::Eye)->typed(0, QStringLiteral("2.2 4.2 7"));
-    QVERIFY(document.givenPoint());
+    QVERIFY(document.scene().givenPoint);
     model.update();
     QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, -2}));
     QVERIFY(isPoint(model.point(Space::Eye), {2.2, 4.2, 7}));
-    QVERIFY(std::get<EyePoint>(document.givenPoint()->point).z == -7.0);
+    QVERIFY(std::get<EyePoint>(document.scene().givenPoint->point).z == -7.0);
 }
 
 void TestPipelinePanel::backwardStartsFromTheClickedPixelsCentre()
@@ -191,7 +194,7 @@ void TestPipelinePanel::backwardStartsFromThePointOnceTheViewChanged()
     PipelineModel model(document);
     document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
     model.setDirection(PipelineDirection::Backward);
-    document.setCamera({WorldPoint(1, 0, 5), WorldPoint(1, 0, 0), {0, 1, 0}});
+    setCamera(document, {WorldPoint(1, 0, 5), WorldPoint(1, 0, 0), {0, 1, 0}});
     model.update();
     // One unit to the side is 2.5 pixels.
     QVERIFY(isPoint(model.point(Space::Window), {28, 14.5, 0.85}));
@@ -199,7 +202,7 @@ void TestPipelinePanel::backwardStartsFromThePointOnceTheViewChanged()
     QVERIFY(model.status().contains(QStringLiteral("changed")));
 
     model.setDirection(PipelineDirection::Forward);
-    document.setCamera({WorldPoint(50, 0, 5), WorldPoint(50, 0, 0), {0, 1, 0}});
+    setCamera(document, {WorldPoint(50, 0, 5), WorldPoint(50, 0, 0), {0, 1, 0}});
     model.update();
     QVERIFY(model.status().contains(QStringLiteral("outside")));
     QVERIFY(isPoint(model.point(Space::Eye), {-47.8, -4.2, -7}));
@@ -265,7 +268,7 @@ void TestPipelinePanel::theWayBackDividesByItsOwnW()
     QFETCH(double, w);
     SceneDocument document;
     openFigures(document);
-    document.setProjection(projection);
+    setProjection(document, projection);
     document.pickAt(WidgetPoint(30, 35), {depth, 0, 24});
     PipelinePanel panel(document);
     panel.setDirection(PipelineDirection::Backward);
@@ -306,7 +309,7 @@ void TestPipelinePanel::doublesShowAllTheirDigitsOnDemand()
 {
     SceneDocument document;
     openFigures(document);
-    document.setProjection(Ortho{-3, 3, -3, 3, -10, 10});
+    setProjection(document, Ortho{-3, 3, -3, 3, -10, 10});
     PipelinePanel panel(document);
     panel.resize(420, 900);
     panel.show();
@@ -370,7 +373,7 @@ void TestPipelinePanel::aFilesMatrixIsShownAsGivenBesideItsConversion()
     const MatrixModel *converted = panel.model().matrix(Stage::ProjectionMatrix);
     QVERIFY(std::abs(value(converted, 2, 2) + 1.25) < kRounding && std::abs(value(converted, 2, 3) + 2.25) < kRounding);
     // Another projection is no file's.
-    document.setProjection(Ortho{-3, 3, -3, 3, -10, 10});
+    setProjection(document, Ortho{-3, 3, -3, 3, -10, 10});
     QVERIFY(!isShown());
     QVERIFY(panel.model().givenNote().isEmpty());
     document.undoStack().undo();
@@ -428,17 +431,17 @@ void TestPipelinePanel::theObjectIsThePickedOneUntilAnotherIsChosen()
 
     // The chosen one stays chosen while others come and go, are renamed and change places.
     model.setObject(1);
-    QVERIFY(document.moveObject(1, 0));
-    QCOMPARE(document.renameObject(0, QStringLiteral("another name")), NameFault::None);
+    QVERIFY(moveObject(document, 1, 0));
+    QCOMPARE(renameObject(document, 0, QStringLiteral("another name")), NameFault::None);
     model.update();
     QCOMPARE(model.object(), 0);
     QVERIFY(isPoint(model.point(Space::Object), {4.1, 0.1, -1}));
-    QVERIFY(document.removeObject(0));
+    QVERIFY(removeObject(document, 0));
     QCOMPARE(model.object(), PipelineModel::kAutomaticObject);
     model.setObject(PipelineModel::kNoObject);
 
     // Without objects there is only the world.
-    document.setObjects({});
+    openObjects(document, {});
     model.update();
     QVERIFY(!model.shownObject());
     QCOMPARE(model.object(), PipelineModel::kAutomaticObject);
@@ -453,7 +456,7 @@ void TestPipelinePanel::undoAndRedoTakeTheNumbersAlong()
     PipelinePanel panel(document);
     panel.show();
     const PipelineModel &model = panel.model();
-    QVERIFY(document.editTransform(0, {Translate{{0, 0, -6}}}, {QStringLiteral("Move")}));
+    QVERIFY(editTransform(document, 0, {Translate{{0, 0, -6}}}, {QStringLiteral("Move")}));
     QCOMPARE(value(model.matrix(Stage::ModelMatrix), 2, 3), -6.0);
     QVERIFY(isPoint(model.point(Space::Object), {2.2, -4.2, 4}));
     document.undoStack().undo();
@@ -469,11 +472,11 @@ void TestPipelinePanel::aRefusedChangeLeavesTheNumbers()
     openFigures(document);
     PipelinePanel panel(document);
     panel.show();
-    QVERIFY(!document.editProjection({Ortho{1, 1, -10, 10, -10, 10}, false, false}, {QStringLiteral("Left")}));
+    QVERIFY(!editProjection(document, {Ortho{1, 1, -10, 10, -10, 10}, false, false}, {QStringLiteral("Left")}));
     QCOMPARE(value(panel.model().matrix(Stage::ProjectionMatrix), 0, 0), 0.1);
 
     // Valid step by step, but too small for the inverse to be a number.
-    const Check refused = document.editTransform(0, {Scale{glm::dvec3(1e-200)}}, {QStringLiteral("Scale")});
+    const Check refused = editTransform(document, 0, {Scale{glm::dvec3(1e-200)}}, {QStringLiteral("Scale")});
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, ErrorCode::ObjectTooSmall);
     QVERIFY2(errorText(refused.error()).contains(QStringLiteral("less than can be computed")),
@@ -487,7 +490,7 @@ void TestPipelinePanel::aPointInThePlaneOfTheEyeHasNoWindowPosition()
     SceneDocument document;
     openFigures(document);
     document.pickAt(WidgetPoint(30, 35), {0.75, 0, 24}); // on z = 0
-    document.setView({WorldPoint(1, 2, 0), WorldPoint(1, 2, -5), {0, 1, 0}}, Frustum{-1, 1, -1, 1, 1, 10});
+    setView(document, {WorldPoint(1, 2, 0), WorldPoint(1, 2, -5), {0, 1, 0}}, Frustum{-1, 1, -1, 1, 1, 10});
     PipelineModel model(document);
     QCOMPARE(coordinate(model.point(Space::Clip), 3), 0.0);
     QCOMPARE(model.point(Space::Ndc)->fullText(), QStringLiteral("–"));

@@ -1,7 +1,10 @@
 // The pipeline panel as a widget: what it copies, what fits, and what it does while nobody sees it.
 
+#include "document_edits.h"
 #include "pipeline_figures.h"
 
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "gui/pipeline/factor_drawing.h"
 #include "gui/pipeline/factor_shares.h"
 #include "gui/pipeline/factors_view.h"
@@ -50,7 +53,7 @@ void TestPipelineWidgets::aTooltipNamesTheEntry()
 {
     SceneDocument document;
     openFigures(document);
-    document.setProjection(Frustum{-1, 3, -2, 1, 2, 10});
+    setProjection(document, Frustum{-1, 3, -2, 1, 2, 10});
     PipelineModel model(document);
     const MatrixModel *projection = model.matrix(Stage::ProjectionMatrix);
     const auto tip = [&](int row, int column) {
@@ -73,15 +76,15 @@ void TestPipelineWidgets::hiddenItStandsStillAndCatchesUpWhenShown()
     PipelinePanel panel(document);
     const MatrixModel *view = panel.model().matrix(Stage::ViewMatrix);
     QSignalSpy changed(view, &QAbstractItemModel::dataChanged);
-    document.setCamera({WorldPoint(0, 0, 7), WorldPoint(0, 0, 0), {0, 1, 0}});
+    setCamera(document, {WorldPoint(0, 0, 7), WorldPoint(0, 0, 0), {0, 1, 0}});
     QCOMPARE(value(view, 2, 3), -5.0);
     QCOMPARE(changed.count(), 0);
     panel.show();
     QCOMPARE(value(view, 2, 3), -7.0);
-    document.setCamera({WorldPoint(0, 0, 8), WorldPoint(0, 0, 0), {0, 1, 0}});
+    setCamera(document, {WorldPoint(0, 0, 8), WorldPoint(0, 0, 0), {0, 1, 0}});
     QCOMPARE(value(view, 2, 3), -8.0);
     panel.hide();
-    document.setCamera({WorldPoint(0, 0, 9), WorldPoint(0, 0, 0), {0, 1, 0}});
+    setCamera(document, {WorldPoint(0, 0, 9), WorldPoint(0, 0, 0), {0, 1, 0}});
     QCOMPARE(value(view, 2, 3), -8.0);
 }
 
@@ -90,7 +93,7 @@ void TestPipelineWidgets::numbersThatAreTooLongLoseDigitsNotPlaces()
     SceneDocument document;
     openFigures(document);
     PipelineModel model(document);
-    document.setCamera({WorldPoint(0, 0, 12345.678901), WorldPoint(0, 0, 0), {0, 1, 0}});
+    setCamera(document, {WorldPoint(0, 0, 12345.678901), WorldPoint(0, 0, 0), {0, 1, 0}});
     model.update();
     MatrixModel *view = model.matrix(Stage::ViewMatrix);
     view->setCapacity(12);
@@ -154,17 +157,17 @@ void TestPipelineWidgets::aMatrixIsTakenApartAndItsFactorsFollow()
     QCOMPARE(value(grids()[2], 2, 2), -1.0);
     panel.setMatrixView({MatrixLayout::Row, false, Digits::Double});
     QVERIFY(product().startsWith(QStringLiteral("= T · S · Z, ")));
-    document.setProjection(Ortho{0, 8, -10, 10, -10, 10});
+    setProjection(document, Ortho{0, 8, -10, 10, -10, 10});
     QCOMPARE(value(grids()[0], 3, 0), -4.0); // the box's middle, in the row that rows are moved by
     panel.setMatrixView({});
-    document.setProjection(Frustum{-1, 3, -2, 2, 2, 10});
+    setProjection(document, Frustum{-1, 3, -2, 2, 2, 10});
     QCOMPARE(grids().size(), 2);
     QVERIFY(product().startsWith(QStringLiteral("= B · N, ")));
     QCOMPARE(value(grids()[0], 2, 3), -5.0); // b
-    document.setProjection(Oblique{{-10, 10, -10, 10, 2, 9}, 0.78, 0.78});
+    setProjection(document, Oblique{{-10, 10, -10, 10, 2, 9}, 0.78, 0.78});
     QCOMPARE(grids().size(), 4);
     QVERIFY(product().startsWith(QStringLiteral("= Z · S · T · H, ")));
-    QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
+    QVERIFY(editConventions(document, Api::Direct3d, {QStringLiteral("Conventions")}));
     QCOMPARE(grids().size(), 6);
     panel.setMatrixView({}); // whose vectors are rows
     QVERIFY2(product().startsWith(QStringLiteral("= C · Z · S · T · H · C′, ")), qPrintable(product()));
@@ -177,9 +180,9 @@ void TestPipelineWidgets::aMatrixIsTakenApartAndItsFactorsFollow()
     QCOMPARE(grids().size(), 0);
     QVERIFY(product().startsWith(QStringLiteral("Forward shows")));
     panel.setDirection(PipelineDirection::Forward);
-    QVERIFY(
-        document.editMatrices(MatrixProjection{*clipFromEye(Projection(Frustum{-1, 3, -2, 2, 2, 10})), std::nullopt},
-                              std::nullopt, {QStringLiteral("Matrix")}));
+    QVERIFY(editMatrices(document,
+                         MatrixProjection{*clipFromEye(Projection(Frustum{-1, 3, -2, 2, 2, 10})), std::nullopt},
+                         std::nullopt, {QStringLiteral("Matrix")}));
     QVERIFY2(product().contains(QStringLiteral("nothing to take apart")), qPrintable(product()));
 }
 
@@ -187,7 +190,7 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
 {
     SceneDocument document;
     openFigures(document);
-    document.setProjection(Ortho{-9, 9, -9, 9, 2, 9});
+    setProjection(document, Ortho{-9, 9, -9, 9, 2, 9});
     PipelinePanel panel(document);
     panel.resize(420, 2500);
     panel.show();
@@ -237,13 +240,13 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
     QTest::keyClick(sliders()[0], Qt::Key_End);
     QVERIFY(has(QStringLiteral("from −3.5 to 3.5 in z")));
     // They stay while the projection has the same factors.
-    document.setProjection(Ortho{-9, 9, -9, 9, 2, 4});
+    setProjection(document, Ortho{-9, 9, -9, 9, 2, 4});
     QVERIFY(has(QStringLiteral("from −1 to 1 in z")));
     QCOMPARE(sliders()[1]->value(), 0);
-    document.setProjection(Frustum{-1, 3, -2, 2, 2, 10});
+    setProjection(document, Frustum{-1, 3, -2, 2, 2, 10});
     QCOMPARE(sliders().size(), 2);
     QVERIFY(has(QStringLiteral("This is the matrix of glFrustum, to ")));
-    QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
+    QVERIFY(editConventions(document, Api::Direct3d, {QStringLiteral("Conventions")}));
     QVERIFY(!shares->isVisible()); // whose cube is another
     const auto saysWhy = [&panel] {
         const QList<QLabel *> labels = panel.findChildren<QLabel *>();
@@ -256,7 +259,7 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
     QCOMPARE(saysWhy(), 0);
     panel.setDirection(PipelineDirection::Forward);
     QCOMPARE(saysWhy(), 1);
-    QVERIFY(document.editConventions(Api::OpenGl, {QStringLiteral("Conventions")}));
+    QVERIFY(editConventions(document, Api::OpenGl, {QStringLiteral("Conventions")}));
     QVERIFY(shares->isVisible() && saysWhy() == 0);
 }
 
@@ -307,7 +310,7 @@ void TestPipelineWidgets::copyingTakesAllDigits()
     SceneDocument document;
     openFigures(document);
     document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
-    document.setProjection(Ortho{-3, 3, -3, 3, -10, 10});
+    setProjection(document, Ortho{-3, 3, -3, 3, -10, 10});
     PipelinePanel panel(document);
     panel.show();
     const MatrixModel *projection = panel.model().matrix(Stage::ProjectionMatrix);
@@ -397,11 +400,11 @@ void TestPipelineWidgets::theConventionsBringTheirLayoutOnce()
     openFigures(document);
     PipelinePanel panel(document);
     panel.show();
-    QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
+    QVERIFY(editConventions(document, Api::Direct3d, {QStringLiteral("Conventions")}));
     QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
     // What is chosen after they changed stays, also where nobody saw them change.
     panel.hide();
-    QVERIFY(document.editConventions(Api::OpenGl, {QStringLiteral("Conventions")}));
+    QVERIFY(editConventions(document, Api::OpenGl, {QStringLiteral("Conventions")}));
     panel.setMatrixView({MatrixLayout::Row, true});
     panel.show();
     QCOMPARE(panel.findChild<QComboBox *>(QStringLiteral("conventions"))->currentIndex(), 0);
@@ -413,12 +416,12 @@ void TestPipelineWidgets::aHiddenPanelTakesTheirLayoutToo()
     SceneDocument document;
     openFigures(document);
     PipelinePanel panel(document);
-    QVERIFY(document.editConventions(Api::Direct3d, {QStringLiteral("Conventions")}));
+    QVERIFY(editConventions(document, Api::Direct3d, {QStringLiteral("Conventions")}));
     QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
     const PipelinePanel later(document); // of a document that has them already
     QVERIFY(later.matrixView().layout == MatrixLayout::Row);
     panel.setMatrixView({});
-    QVERIFY(document.editGivenPoint(GivenPoint{ObjectPoint(1, 2, 3), {}}, {QStringLiteral("Point")}));
+    QVERIFY(editGivenPoint(document, GivenPoint{ObjectPoint(1, 2, 3), {}}, {QStringLiteral("Point")}));
     panel.show();
     QCOMPARE(panel.findChild<QComboBox *>(QStringLiteral("conventions"))->currentIndex(),
              static_cast<int>(Api::Direct3d));

@@ -3,6 +3,8 @@
 #include "core/geometry/proportions.h"
 #include "core/mesh/import/mesh_import.h"
 #include "core/scene/point_size.h"
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "gui/text/formula_text.h"
 #include "tests/gui/gui_scene.h"
 
@@ -70,12 +72,12 @@ void TestPointClouds::aPointIsADot()
     const auto window = shownWindow(false, {420, 360});
     SceneDocument &document = window->document();
     SceneView &view = window->view();
-    document.setObjects({{"cloud", {}, *model, {}}}, kFromBefore);
+    openObjects(document, {{"cloud", {}, *model, {}}}, kFromBefore);
     if (isOrtho)
-        document.switchProjection();
-    QVERIFY(document.setObjectHidden(0, true));
+        switchProjection(document);
+    QVERIFY(setObjectHidden(document, 0, true));
     const QImage without = view.grabFramebuffer();
-    QVERIFY(document.setObjectHidden(0, false));
+    QVERIFY(setObjectHidden(document, 0, false));
     const QImage with = view.grabFramebuffer();
     const int dot = static_cast<int>(pointPixels(document.geometry().surface));
     QVERIFY(dot >= 3 && dot >= 3.0 * view.devicePixelRatio() - 0.5);

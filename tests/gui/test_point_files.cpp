@@ -1,3 +1,5 @@
+#include "gui/document/scene_edits.h"
+
 // Points from files and into files, alone and with their models.
 
 #include "point_desk.h"
@@ -246,7 +248,7 @@ void TestPointFiles::whatIsLostIsSaid()
     point.name = "a";
     point.note = "worn";
     point.world = WorldPoint(1.0, 2.0, 0.0);
-    QVERIFY(m_document->editLandmarks({point}, {QStringLiteral("test")}));
+    QVERIFY(editLandmarks(*m_document, {point}, {QStringLiteral("test")}));
     QVERIFY(m_files->exportTo(file(QStringLiteral("out.csv"))));
     QCOMPARE(m_warnings, QStringList());
     QVERIFY(m_files->exportTo(file(QStringLiteral("out.pts"))));

@@ -1,5 +1,6 @@
 // Points from files beside those that are there: joined by their names or their order, or instead of them.
 
+#include "gui/document/scene_edits.h"
 #include "gui/landmarks/point_templates.h"
 #include "point_desk.h"
 
@@ -187,7 +188,7 @@ void TestPointJoining::semilandmarksAreNoPoints()
     // A curve that the scene has itself goes through its points.
     landmarks::LandmarkSet set = m_document->landmarkSet();
     set.curves[0].points = {"a", "b"};
-    QVERIFY(m_document->editLandmarkSet(set, {QStringLiteral("test")}));
+    QVERIFY(editLandmarkSet(*m_document, set, {QStringLiteral("test")}));
     for (const auto join : {PointFileQuestions::Join::Replace, PointFileQuestions::Join::Append}) {
         m_answers->join = join;
         QVERIFY(m_files->importFrom(file(QStringLiteral("p.pts"))));
@@ -253,7 +254,7 @@ void TestPointJoining::unitsAndKeysAreNotLost()
     set.extra.edit()["scanner"] = "old";
     set.landmarks.resize(1);
     set.landmarks[0].world = WorldPoint(4.0, 4.0, 0.0);
-    QVERIFY(m_document->editLandmarkSet(set, {QStringLiteral("test")}));
+    QVERIFY(editLandmarkSet(*m_document, set, {QStringLiteral("test")}));
     m_answers->join = static_cast<PointFileQuestions::Join>(answer);
     write(QStringLiteral("p.csv"), text);
     QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));

@@ -1,6 +1,8 @@
 // Placed points in the view: placed, selected and moved by hand and by keys, and how they are shown.
 
+#include "gui/document/camera_looks.h"
 #include "gui/document/point_views.h"
+#include "gui/document/scene_edits.h"
 #include "gui/view/point_loupe.h"
 #include "gui/view/point_marks.h"
 #include "gui_scene.h"
@@ -50,7 +52,7 @@ void putPoint(MainWindow &window)
     QVERIFY(there);
     Landmark point = *there;
     point.name = "nasion";
-    QVERIFY(window.document().editLandmarks({point}, {QStringLiteral("put")}));
+    QVERIFY(editLandmarks(window.document(), {point}, {QStringLiteral("put")}));
 }
 
 /// What the menu has for a key.
@@ -216,7 +218,7 @@ void TestPointView::whatIsToldGoesWithTheView()
     QTRY_COMPARE_WITH_TIMEOUT(told.size(), std::size_t(1), kPatienceMilliseconds);
     LookAt camera = window->document().scene().camera;
     camera.eye += WorldVector(0.2, 0.0, 0.0);
-    window->document().setCamera(camera); // as by a key, while the pointer rests
+    setCamera(window->document(), camera); // as by a key, while the pointer rests
     QTRY_COMPARE_WITH_TIMEOUT(told.size(), std::size_t(2), kPatienceMilliseconds);
     QVERIFY(told[0] == told[1]);
 }
@@ -283,10 +285,11 @@ void TestPointView::arrowKeysMoveAllThatIsSelected()
     SceneDocument &document = window->document();
     Landmark missing = pointAt(kFront, "missing");
     missing.world.reset();
-    QVERIFY(document.editLandmarks({pointAt(kFront, "a"), pointAt(kFront + glm::dvec3(0.4, 0.3, 0.0), "b"),
-                                    pointAt(kFront - glm::dvec3(0.4, 0.3, 0.0), "not selected"),
-                                    pointAt(kCubeCenter, "behind"), missing},
-                                   {QStringLiteral("put")}));
+    QVERIFY(editLandmarks(document,
+                          {pointAt(kFront, "a"), pointAt(kFront + glm::dvec3(0.4, 0.3, 0.0), "b"),
+                           pointAt(kFront - glm::dvec3(0.4, 0.3, 0.0), "not selected"), pointAt(kCubeCenter, "behind"),
+                           missing},
+                          {QStringLiteral("put")}));
     document.rayCasters().complete(document.objects());
     document.points().select({0, 1, 3, 4}, 1);
     window->view().setPlacing(true);
@@ -311,7 +314,7 @@ void TestPointView::deleteRemovesWhatIsSelected()
 {
     const auto window = cubeWindow(false);
     QVERIFY(
-        window->document().editLandmarks({pointAt(kFront, "a"), pointAt(kCubeCenter, "b")}, {QStringLiteral("put")}));
+        editLandmarks(window->document(), {pointAt(kFront, "a"), pointAt(kCubeCenter, "b")}, {QStringLiteral("put")}));
     QTest::keyClick(&window->view(), Qt::Key_Delete);
     QCOMPARE(window->document().landmarks().size(), std::size_t{2});
     window->document().points().selectOnly(0);
@@ -328,7 +331,8 @@ void TestPointView::marksSayWhatIsBehind()
     Landmark hidden = pointAt(kFront, "hidden"), missing = pointAt(kFront, "missing");
     hidden.isHidden = true;
     missing.world.reset();
-    QVERIFY(window->document().editLandmarks(
+    QVERIFY(editLandmarks(
+        window->document(),
         {pointAt(kFront, "front"), pointAt(kCubeCenter - glm::dvec3(0, 0, 1), "back"), hidden, missing,
          pointAt(kCubeCenter + glm::dvec3(0, 2, 0), "above"),
          pointAt(kFront - glm::dvec3(0, 0, 1e-4), "a little inside"),
@@ -366,7 +370,7 @@ void TestPointView::aMarkBehindTakesNoClick()
     const glm::dvec3 along = kFront - eye;
     const glm::dvec3 back = eye + along * ((kCubeCenter.z - 1.0 - eye.z) / along.z);
     SceneDocument &document = window->document();
-    QVERIFY(document.editLandmarks({pointAt(back, "back")}, {QStringLiteral("put")}));
+    QVERIFY(editLandmarks(document, {pointAt(back, "back")}, {QStringLiteral("put")}));
     const QPointF at = localOf(*window, kFront);
     const std::vector<PointMark> marks = pointMarks(document);
     QVERIFY(marks.size() == 1 && marks[0].isBehind);
@@ -384,7 +388,7 @@ void TestPointView::everyObjectCountsItsOwnTriangles()
 {
     const auto window = twoCubesWindow();
     SceneDocument &document = window->document();
-    QCOMPARE(document.renameObject(1, QStringLiteral("second")), NameFault::None);
+    QCOMPARE(renameObject(document, 1, QStringLiteral("second")), NameFault::None);
     document.rayCasters().complete(document.objects());
     // Where the first cube is in front of the second, its triangle is hit; the second has one of that number too.
     const DevicePoint at = deviceOf(*window, kTwoCubeCenters[1]);
@@ -393,10 +397,10 @@ void TestPointView::everyObjectCountsItsOwnTriangles()
     QCOMPARE(front->object, document.objects()[0].name);
     Landmark hidden = *front;
     hidden.world = WorldPoint(kTwoCubeCenters[1]);
-    QVERIFY(document.editLandmarks({hidden}, {QStringLiteral("put")}));
+    QVERIFY(editLandmarks(document, {hidden}, {QStringLiteral("put")}));
     QVERIFY(!pointMarks(document)[0].isBehind); // of one triangle, its flatness is no depth
     hidden.object = document.objects()[1].name;
-    QVERIFY(document.editLandmarks({hidden}, {QStringLiteral("put")}));
+    QVERIFY(editLandmarks(document, {hidden}, {QStringLiteral("put")}));
     QVERIFY(pointMarks(document)[0].isBehind);
 }
 
@@ -445,7 +449,7 @@ void TestPointView::marksAreInThePicture()
     const QImage without = window->view().grabFramebuffer();
     Landmark point = pointAt(kFront, "nasion");
     point.color = glm::u8vec3(250, 20, 200);
-    QVERIFY(window->document().editLandmarks({point}, {QStringLiteral("put")}));
+    QVERIFY(editLandmarks(window->document(), {point}, {QStringLiteral("put")}));
     const QImage with = window->view().grabFramebuffer();
     const glm::dvec2 place = placeOf(*window, kFront);
     const double ratio = with.devicePixelRatio();
@@ -527,7 +531,7 @@ void TestPointView::theCameraFacesThePoint()
         point.world = WorldPoint(kCubeCenter + normal->coordinates());
         point.object = cube.name;
         point.hold = landmarks::OnTriangle{triangle, glm::dvec3(1.0 / 3.0)};
-        QVERIFY(window->document().editLandmarks({point}, {QStringLiteral("put")}));
+        QVERIFY(editLandmarks(window->document(), {point}, {QStringLiteral("put")}));
         goToPoint(window->document(), 0);
         const LookAt there = window->document().scene().camera;
         QVERIFY(std::abs(dot(normalized(there.eye - there.center), *normal) - 1.0) < 1e-9);
@@ -555,8 +559,8 @@ void TestPointView::pointsGoBackOntoTheSurface()
 {
     const auto window = cubeWindow(false);
     SceneDocument &document = window->document();
-    QVERIFY(document.editLandmarks({pointAt(kFront + glm::dvec3(0.25, 0.5, 0.75), "a"), pointAt(kFront, "b")},
-                                   {QStringLiteral("put")}));
+    QVERIFY(editLandmarks(document, {pointAt(kFront + glm::dvec3(0.25, 0.5, 0.75), "a"), pointAt(kFront, "b")},
+                          {QStringLiteral("put")}));
     document.points().selectOnly(0);
     const int steps = document.undoStack().count();
     trigger(*window, Qt::Key_B);
@@ -590,7 +594,7 @@ void TestPointView::keysForPointsSayThatThereIsNone()
     if (isMissing) {
         Landmark point;
         point.name = "nasion";
-        QVERIFY(document.editLandmarks({point}, {QStringLiteral("put")}));
+        QVERIFY(editLandmarks(document, {point}, {QStringLiteral("put")}));
         document.points().selectOnly(0);
     }
     const int steps = document.undoStack().count();
@@ -672,7 +676,7 @@ void TestPointView::windowsAreGrabbedWithTheirPoints()
     const auto window = cubeWindow(false);
     Landmark point = pointAt(kFront, "nasion");
     point.color = glm::u8vec3(250, 20, 200);
-    QVERIFY(window->document().editLandmarks({point}, {QStringLiteral("put")}));
+    QVERIFY(editLandmarks(window->document(), {point}, {QStringLiteral("put")}));
     const QImage picture = window->grab().toImage();
     const QPointF at = window->view().mapTo(window.get(), localOf(*window, kFront));
     const QColor there = picture.pixelColor(((at + QPointF(2.5, 0)) * picture.devicePixelRatio()).toPoint());

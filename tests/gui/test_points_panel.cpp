@@ -1,7 +1,9 @@
 // The table of placed points, the one that is placed next, and what they measure, as a user handles them.
 
 #include "core/examples/bundled_scene.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/landmarks/measure_rows.h"
 #include "gui/landmarks/measures_view.h"
 #include "gui/landmarks/point_templates.h"
@@ -157,14 +159,14 @@ void TestPointsPanel::init()
     m_document->setSurface({800, 600, 1.0});
     std::vector<SceneObject> objects = examples::bundledScene();
     objects.resize(1);
-    m_document->setObjects(objects);
+    openObjects(*m_document, objects);
     std::vector<Landmark> points{point("nasion", glm::dvec3(1.25, -2.0, 3.0), 0.05),
                                  point("pronasale", glm::dvec3(4.0, 5.0, 6.5)), point("gone", {})};
     points[0].hold = landmarks::AtVertex{7};
     points[0].object = objects[0].name;
     points[0].note = "worn";
     points[0].color = glm::u8vec3(10, 20, 30);
-    QVERIFY(m_document->editLandmarks(points, {QStringLiteral("test")}));
+    QVERIFY(editLandmarks(*m_document, points, {QStringLiteral("test")}));
     m_panel = std::make_unique<PointsPanel>(*m_document, *m_templates);
     m_panel->resize(900, 700);
     m_panel->show();
@@ -219,7 +221,7 @@ void TestPointsPanel::certainDigitsAreTold()
     QFETCH(QString, text);
     QFETCH(QString, certain);
     QVERIFY(
-        m_document->editLandmarks({point("a", glm::dvec3(value, 0.0, 0.0), uncertainty)}, {QStringLiteral("test")}));
+        editLandmarks(*m_document, {point("a", glm::dvec3(value, 0.0, 0.0), uncertainty)}, {QStringLiteral("test")}));
     QCOMPARE(textAt(0, PointsModel::X), text);
     QCOMPARE(text.left(at(0, PointsModel::X).data(PointsModel::kCertainLengthRole).toInt()), certain);
 }
@@ -234,7 +236,7 @@ void TestPointsPanel::errorsAreShownWhole_data()
 void TestPointsPanel::errorsAreShownWhole()
 {
     QFETCH(double, off);
-    QVERIFY(m_document->editLandmarks({point("one", glm::dvec3(1.0, 2.0, 3.0), off)}, {QStringLiteral("test")}));
+    QVERIFY(editLandmarks(*m_document, {point("one", glm::dvec3(1.0, 2.0, 3.0), off)}, {QStringLiteral("test")}));
     const int padding = 2 * (m_table->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, m_table) + 1);
     const QString text = textAt(0, PointsModel::PlusMinus);
     const int needed = m_table->fontMetrics().horizontalAdvance(text) + padding;
@@ -246,14 +248,14 @@ void TestPointsPanel::certainDigitsHaveTheirRoom()
 {
     QHeaderView &header = *m_table->header();
     const int usual = header.sectionSize(PointsModel::X);
-    QVERIFY(m_document->editLandmarks({point("one", glm::dvec3(123.456789123), 2e-8)}, {QStringLiteral("test")}));
+    QVERIFY(editLandmarks(*m_document, {point("one", glm::dvec3(123.456789123), 2e-8)}, {QStringLiteral("test")}));
     const int needed = m_table->fontMetrics().horizontalAdvance(textAt(0, PointsModel::X));
     QVERIFY(needed > usual);
     QVERIFY(header.sectionSize(PointsModel::X) >= needed);
     // Who has chosen another width keeps it.
     header.resizeSection(PointsModel::X, usual);
     QVERIFY(m_document->points().moveTo(0, WorldPoint(1.0, 1.0, 1.0)));
-    QVERIFY(m_document->editLandmarks({point("one", glm::dvec3(123.4567), 2e-6)}, {QStringLiteral("test")}));
+    QVERIFY(editLandmarks(*m_document, {point("one", glm::dvec3(123.4567), 2e-6)}, {QStringLiteral("test")}));
     QCOMPARE(header.sectionSize(PointsModel::X), usual);
 }
 
@@ -278,8 +280,8 @@ void TestPointsPanel::namesInLittleRoomStayApart()
     QVERIFY(!shortName(QStringLiteral("onewordthatislongerthantheroomforit"), metrics, room));
     QVERIFY(!shortName(QStringLiteral("palpebrale superius right"), metrics, 10));
     // So they are drawn.
-    QVERIFY(m_document->editLandmarks({point("palpebrale superius right", {}), point("palpebrale inferius right", {})},
-                                      {QStringLiteral("test")}));
+    QVERIFY(editLandmarks(*m_document, {point("palpebrale superius right", {}), point("palpebrale inferius right", {})},
+                          {QStringLiteral("test")}));
     m_document->points().select({}, std::nullopt);
     const auto drawn = [this](int row) {
         const QRect cell = m_table->visualRect(m_table->model()->index(row, PointsModel::Name));
@@ -293,7 +295,7 @@ void TestPointsPanel::namesInLittleRoomStayApart()
 
 void TestPointsPanel::whoPlacesIsNotToldToPressP()
 {
-    QVERIFY(m_document->editLandmarks({}, {QStringLiteral("none")}));
+    QVERIFY(editLandmarks(*m_document, {}, {QStringLiteral("none")}));
     const QList<QLabel *> labels = m_panel->findChildren<QLabel *>();
     const auto found = std::find_if(labels.begin(), labels.end(), [](QLabel *label) {
         return label->text().contains(QStringLiteral("yet. Press P"));
@@ -304,7 +306,7 @@ void TestPointsPanel::whoPlacesIsNotToldToPressP()
     m_panel->setPlacing(false);
     QVERIFY((*found)->text().contains(QStringLiteral("Press P")));
     // Nor is it kept from whoever has a name waiting.
-    QVERIFY(m_document->editLandmarks({point("tip", {})}, {QStringLiteral("one")}));
+    QVERIFY(editLandmarks(*m_document, {point("tip", {})}, {QStringLiteral("one")}));
     m_document->points().waitForNext(std::nullopt);
     const auto *how = named<QLabel>(QStringLiteral("How it is placed"));
     QVERIFY(how->isVisible());
@@ -644,7 +646,7 @@ void TestPointsPanel::measuresOfWhatIsSelected()
     for (const MeasureRow &row : measuresOf(set, places))
         shown << QStringList{row.kind, row.points, QString(row.value).replace(QChar::Nbsp, u' ')}.join(u'|');
     QCOMPARE(shown, rows);
-    QVERIFY(m_document->editLandmarkSet(set, {QStringLiteral("test")}));
+    QVERIFY(editLandmarkSet(*m_document, set, {QStringLiteral("test")}));
     m_document->points().select(places);
     // Besides, there is the length along the surface: SceneCurves knows it.
     QCOMPARE(named<QTreeWidget>(QStringLiteral("Measures"))->topLevelItemCount(),
@@ -706,14 +708,15 @@ void TestPointsPanel::theUnitIsTheScenes()
     QCOMPARE(unit->currentData().toString(), QString());
     landmarks::LandmarkSet set = m_document->landmarkSet();
     set.unit = "furlong"; // as a file may have it
-    QVERIFY(m_document->editLandmarkSet(set, {QStringLiteral("test")}));
+    QVERIFY(editLandmarkSet(*m_document, set, {QStringLiteral("test")}));
     QCOMPARE(unit->currentText(), QStringLiteral("furlong"));
 }
 
 void TestPointsPanel::noRowOfTheMeasuresIsCut()
 {
     auto *rows = named<QTreeWidget>(QStringLiteral("Measures"));
-    QVERIFY(m_document->editLandmarks(
+    QVERIFY(editLandmarks(
+        *m_document,
         {point("a", glm::dvec3(0.0)), point("b", glm::dvec3(1.0, 0.0, 0.0)), point("c", glm::dvec3(0.0, 1.0, 0.0))},
         {QStringLiteral("test")}));
     m_document->points().select({0, 1, 2});

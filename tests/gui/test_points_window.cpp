@@ -2,6 +2,7 @@
 
 #include "window_user.h"
 
+#include "gui/document/camera_looks.h"
 #include "gui/document/landmark_objects.h"
 #include "gui/document/point_files.h"
 #include "gui/document/scene_curves.h"
@@ -236,7 +237,7 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
         QCOMPARE(document.points().waiting(), std::optional<std::size_t>(0));
 
         QVERIFY(view.isPlacing());
-        document.fit();
+        fitAll(document);
         document.rayCasters().complete(document.objects());
         for (const glm::dvec3 &place :
              {glm::dvec3(4.3, 4.6, 1.2), glm::dvec3(12.2, 12.1, 4.0), glm::dvec3(18.4, 7.7, 2.2)})

@@ -7,6 +7,7 @@
 #include "gui/click/comparison_panel.h"
 #include "gui/click/ray_model.h"
 #include "gui/click/ray_table.h"
+#include "gui/document/scene_edits.h"
 #include "gui/text/ray_text.h"
 #include "tests/support/mesh_model.h"
 #include "tests/support/patience.h"
@@ -214,7 +215,7 @@ void TestRayPanel::theAnswerComesByItself()
     SceneDocument document;
     openCubes(document);
     const ComparisonPanel panel(document);
-    QVERIFY(document.addObjects({{"ball", {}, modelOf(examples::sphereMesh(1.5, 7)), {}}}));
+    QVERIFY(addObjects(document, {{"ball", {}, modelOf(examples::sphereMesh(1.5, 7)), {}}}));
     document.pickAt(WidgetPoint(200, 150), at(1.5, 3));
     QCOMPARE(said(panel, "Ray on mesh"), rayPreparingText());
     QVERIFY(std::isnan(value(panel, 2, RayModel::Met)));
@@ -238,7 +239,7 @@ void TestRayPanel::otherProgramsAnswerTheSameClick()
     QVERIFY(document.pickedRay()->others);
     // With a cloud in the scene nobody knows what was drawn beside.
     QVERIFY(!(*document.pickedRay()->others)[2].point);
-    QVERIFY(document.removeObject(2));
+    QVERIFY(removeObject(document, 2));
     pickOf({220, 140}, at(1.0, 0));
     const WorldPoint formula = *document.pick()->point.world[Method::Formula];
     for (const OtherAnswer &answer : *document.pickedRay()->others) {

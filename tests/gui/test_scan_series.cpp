@@ -2,6 +2,9 @@
 
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
+#include "document_edits.h"
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/text/error_text.h"
 #include "point_desk.h"
@@ -73,7 +76,7 @@ void TestScanSeries::aSeriesThatIsNotWantedLeavesTheOneBefore()
     QCOMPARE(m_series->folder(), file(QString()));
     QVERIFY(m_document->points().place(placed));
     QVERIFY(
-        m_document->editTransform(0, {Translate{{1.0, 0.0, 0.0}}}, {QStringLiteral("Move")})); // this is asked about
+        editTransform(*m_document, 0, {Translate{{1.0, 0.0, 0.0}}}, {QStringLiteral("Move")})); // this is asked about
     m_answers->save = SessionQuestions::SaveAnswer::Cancel;
     QVERIFY(m_series->open(file(QStringLiteral("others"))));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
@@ -97,7 +100,7 @@ void TestScanSeries::aSeriesGoesOnWhereItWasLeft()
     Landmark first, second;
     first.name = "first";
     second.name = "second";
-    QVERIFY(m_document->editLandmarks({first, second}, {QStringLiteral("template")}));
+    QVERIFY(editLandmarks(*m_document, {first, second}, {QStringLiteral("template")}));
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->scans().size(), std::size_t(3));
@@ -170,7 +173,7 @@ void TestScanSeries::aScanComesBackAfterALesson()
 
     // From a lesson it goes on behind the scan that was left for it, and nothing is asked about what the steps tell to do.
     QVERIFY(player.start("pipeline"));
-    QVERIFY(m_document->editClipPlanes({{0.0, 1.0, 0.0, 0.25}}, {}, {QStringLiteral("Plane")}));
+    QVERIFY(editClipPlanes(*m_document, {{0.0, 1.0, 0.0, 0.25}}, {}, {QStringLiteral("Plane")}));
     m_series->next();
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QVERIFY(!player.lesson());
@@ -265,7 +268,7 @@ void TestScanSeries::lookingAroundWritesNothing()
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,7,7,0\n"); // by another program
     LookAt camera = m_document->scene().camera;
     camera.eye.x += 1.0;
-    m_document->setCamera(camera);
+    setCamera(*m_document, camera);
     QVERIFY(m_series->keep());
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,7,7,0"));
 }
@@ -309,7 +312,7 @@ void TestScanSeries::aTurnedScanKeepsItsFilesNumbers()
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     const QByteArray before = read(QStringLiteral("square.obj.points.csv"));
-    QVERIFY(m_document->editTransform(0, {Rotate{90.0, {0, 0, 1}}, Scale{{2, 2, 2}}}, {QStringLiteral("turn")}));
+    QVERIFY(editTransform(*m_document, 0, {Rotate{90.0, {0, 0, 1}}, Scale{{2, 2, 2}}}, {QStringLiteral("turn")}));
     QVERIFY(glm::distance(points()[0].world->coordinates(), glm::dvec3(-4, 2, 0)) < 1e-12); // it has gone with its scan
     QVERIFY(m_series->keep());
     QCOMPARE(read(QStringLiteral("square.obj.points.csv")), before); // nothing of it has changed
@@ -321,7 +324,7 @@ void TestScanSeries::aTurnedScanKeepsItsFilesNumbers()
     Landmark free;
     free.world = WorldPoint(-8.0, 6.0, 2.0); // (3, 4, 1)
     QVERIFY(m_document->points().place(free));
-    QCOMPARE(m_document->renameObject(0, QStringLiteral("turned")), NameFault::None);
+    QCOMPARE(renameObject(*m_document, 0, QStringLiteral("turned")), NameFault::None);
     QVERIFY(m_series->keep());
     const auto kept = landmark_files::readLandmarkFile(file(QStringLiteral("square.obj.points.csv")));
     QVERIFY(kept);
@@ -340,7 +343,7 @@ void TestScanSeries::aTurnedScanKeepsItsFilesNumbers()
         QCOMPARE(points()[i].object, std::string("turned"));
     }
     // Without the scan in the scene its points have the places that it gave them.
-    QVERIFY(m_document->removeObject(0));
+    QVERIFY(removeObject(*m_document, 0));
     QVERIFY(m_document->points().rename(0, QStringLiteral("A")));
     QVERIFY(m_series->keep());
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("A,1,2,0"));

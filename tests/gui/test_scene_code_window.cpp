@@ -1,5 +1,6 @@
 // The scene as code in its window: it is that of the scene as it is now, copied and saved as it is read.
 
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/shell/plain_tool_tip.h"
 #include "gui/shell/scene_code_window.h"
@@ -61,7 +62,7 @@ void TestSceneCodeWindow::itFollowsTheScene()
     text->verticalScrollBar()->setValue(7);
     LookAt camera = m_window->document().geometry().camera();
     camera.eye = WorldPoint(1.25, 2.5, 7.0625);
-    m_window->document().setCamera(camera);
+    setCamera(m_window->document(), camera);
     QVERIFY2(shown().contains(QStringLiteral("gluLookAt(1.25, 2.5, 7.0625, ")), qPrintable(shown()));
     QCOMPARE(text->verticalScrollBar()->value(), 7);
     QVERIFY(text->isReadOnly());

@@ -1,7 +1,9 @@
 // Scenes saved from the window and opened in it again.
 
+#include "document_edits.h"
 #include "gui_scene.h"
 
+#include "gui/document/camera_looks.h"
 #include "gui/view/scene_view.h"
 #include "tests/support/patience.h"
 
@@ -54,12 +56,12 @@ void TestSceneFiles::whatIsSavedOpensAgainAsItWas()
     const auto window = shownWindow(false, {640, 480});
     window->session().openBundledScene();
     SceneDocument &document = window->document();
-    QVERIFY(document.editProjection({Frustum{-0.6, 0.4, -0.3, 0.5, 1.0, 60.0}, false, false}, {}));
+    QVERIFY(editProjection(document, {Frustum{-0.6, 0.4, -0.3, 0.5, 1.0, 60.0}, false, false}, {}));
     LookAt camera = document.scene().camera;
     camera.eye = WorldPoint(5.0, 1.0 / 3.0, 12.0);
-    QVERIFY(document.editCamera(camera, {}));
-    QVERIFY(document.editTransform(1, {Rotate{33.3, {0.0, 0.0, 1.0}}}, {}));
-    QVERIFY(document.editClipPlanes({{0.0, 1.0, 0.0, -0.25}}, {}, {}));
+    QVERIFY(editCamera(document, camera, {}));
+    QVERIFY(editTransform(document, 1, {Rotate{33.3, {0.0, 0.0, 1.0}}}, {}));
+    QVERIFY(editClipPlanes(document, {{0.0, 1.0, 0.0, -0.25}}, {}, {}));
     const Scene saved = document.scene();
     QVERIFY(window->session().saveScene(path("saved.json")));
     QVERIFY(!window->isWindowModified());
@@ -79,7 +81,7 @@ void TestSceneFiles::whatIsSavedOpensAgainAsItWas()
         QVERIFY(opened.objects[i].transform == saved.objects[i].transform);
         QCOMPARE(opened.objects[i].model->triangleCount(), saved.objects[i].model->triangleCount());
     }
-    document.setCamera(document.scene().home);
+    setCamera(document, document.scene().home);
     QVERIFY(window->isWindowModified());
 }
 
@@ -113,7 +115,7 @@ void TestSceneFiles::landmarksStay()
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
     LookAt camera = window->document().scene().camera;
     camera.eye = WorldPoint(1.0, 2.0, 7.0);
-    QVERIFY(window->document().editCamera(camera, {}));
+    QVERIFY(editCamera(window->document(), camera, {}));
     window->document().undoStack().undo();
     QVERIFY(window->session().saveScene(path("saved.json")));
     QFile file(m_folder.filePath("saved.json"));
@@ -144,7 +146,7 @@ void TestSceneFiles::matricesStayUntilTheyAreChanged()
     QVERIFY2(text.contains(projection) && text.contains(view), text.constData());
     QVERIFY(window->statusBar()->currentMessage().isEmpty());
 
-    window->document().setCamera({WorldPoint(1.0, 2.0, 7.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
+    setCamera(window->document(), {WorldPoint(1.0, 2.0, 7.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
     text = saved();
     QVERIFY2(text.contains(projection) && !text.contains(view), text.constData());
     QVERIFY2(window->statusBar()->currentMessage().contains(QStringLiteral("view")),
@@ -153,7 +155,7 @@ void TestSceneFiles::matricesStayUntilTheyAreChanged()
     text = saved();
     QVERIFY2(text.contains(projection) && text.contains(view), text.constData());
 
-    window->document().setProjection(Frustum{-1.0, 1.0, -0.5, 0.5, 1.0, 10.0});
+    setProjection(window->document(), Frustum{-1.0, 1.0, -0.5, 0.5, 1.0, 10.0});
     text = saved();
     QVERIFY2(!text.contains(projection) && text.contains(view), text.constData());
     QVERIFY2(window->statusBar()->currentMessage().contains(QStringLiteral("projection")),

@@ -1,6 +1,8 @@
 // Clicks on a drawn scene, followed from the mouse event to the world. Run at several pixel ratios (QT_SCALE_FACTOR),
 // each with and without smooth edges.
 
+#include "document_edits.h"
+#include "gui/document/camera_looks.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
 
@@ -179,13 +181,13 @@ void TestSceneView::aClickOnAFaceGivesItsPlane()
     QFETCH(double, atNear);
     QFETCH(double, atFar);
     const auto window = shownWindow(smooth, {500, 400});
-    window->document().setObjects(cubeScene());
-    QVERIFY(window->document().editViewport({}, {atNear, atFar}, {QStringLiteral("Depths")}));
+    openObjects(window->document(), cubeScene());
+    QVERIFY(editViewport(window->document(), {}, {atNear, atFar}, {QStringLiteral("Depths")}));
     for (const QSize &size : {QSize(500, 400), QSize(417, 431)}) {
         QVERIFY(resized(*window, size));
         for (const Face &face : cubeFaces()) {
-            window->document().setProjection(projectionNamed(projection, window->view()));
-            window->document().setCamera(cameraBefore(face, window->document().geometry()));
+            setProjection(window->document(), projectionNamed(projection, window->view()));
+            setCamera(window->document(), cameraBefore(face, window->document().geometry()));
             QCOMPARE(window->document().geometry().projection().index(),
                      projectionNamed(projection, window->view()).index());
             for (const glm::dvec2 &place : {glm::dvec2(0.0, 0.0), glm::dvec2(0.8, -0.7), glm::dvec2(-0.75, 0.6)}) {
@@ -220,10 +222,10 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
     SceneView &view = window->view();
     SceneDocument &document = window->document();
     const glm::dvec3 middle(0.0, 0.0, -30.0);
-    document.setObjects(planeScene(middle, steep, level));
+    openObjects(document, planeScene(middle, steep, level));
     const double aspect = double(view.width()) / view.height();
-    document.setView({WorldPoint(0.0, 0.0, 0.0), WorldPoint(0.0, 0.0, -30.0), {0.0, 1.0, 0.0}},
-                     Frustum{-0.15 * aspect, 0.15 * aspect, -0.15, 0.15, 1.0, 100.0});
+    setView(document, {WorldPoint(0.0, 0.0, 0.0), WorldPoint(0.0, 0.0, -30.0), {0.0, 1.0, 0.0}},
+            Frustum{-0.15 * aspect, 0.15 * aspect, -0.15, 0.15, 1.0, 100.0});
     const Picture &g = document.geometry();
     const glm::dvec3 normal = glm::normalize(glm::cross(steep, level));
     const auto depthAt = [&](const glm::dvec3 &p) { return windowFromWorld(g, WorldPoint(p)).value().z; };
@@ -262,7 +264,7 @@ void TestSceneView::everyDevicePixelCanBeClicked()
     const auto window = shownWindow(false, {430, 420});
     SceneView &view = window->view();
     SceneDocument &document = window->document();
-    document.setObjects(cubeScene());
+    openObjects(document, cubeScene());
     const double ratio = view.devicePixelRatio();
     auto *dock = new QDockWidget;
     window->addDockWidget(Qt::LeftDockWidgetArea, dock);
@@ -301,8 +303,8 @@ void TestSceneView::theViewIsComposedOntoWholeDevicePixels()
     QVERIFY(resized(*window, {433, 361}));
     SceneView &view = window->view();
     QVERIFY(view.mapTo(window.get(), QPoint(0, 0)).x() > 61);
-    window->document().setObjects(cubeScene());
-    window->document().setCamera(cameraBefore(cubeFaces()[0], window->document().geometry()));
+    openObjects(window->document(), cubeScene());
+    setCamera(window->document(), cameraBefore(cubeFaces()[0], window->document().geometry()));
     const double ratio = view.devicePixelRatio();
     QScreen *screen = window->screen();
     if (!screen->availableGeometry().contains(window->frameGeometry()))

@@ -1,7 +1,10 @@
 // What is said of a pick when the document is another one since, and that it can be picked anew.
 
+#include "document_edits.h"
 #include "gui/click/comparison_model.h"
 #include "gui/click/comparison_panel.h"
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "gui/document/since_click_text.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "tests/gui/gui_scene.h"
@@ -85,7 +88,7 @@ void TestSinceClick::whatHappenedSinceTheClickIsSaid_data()
                         const QStringList &notSaid,
                         bool canCompute = true) { QTest::newRow(name) << happening << said << notSaid << canCompute; };
     const auto camera = [](double x, double y, double z) {
-        return [=](SceneDocument &document) { document.setCamera(cameraAt(x, y, z)); };
+        return [=](SceneDocument &document) { setCamera(document, cameraAt(x, y, z)); };
     };
     row(
         "nothing", [](SceneDocument &) {}, {QStringLiteral("as it was")}, changed + outside, false);
@@ -93,7 +96,7 @@ void TestSinceClick::whatHappenedSinceTheClickIsSaid_data()
     row(
         "undone",
         [](SceneDocument &document) {
-            document.setCamera(cameraAt(0.5, 0, 5));
+            setCamera(document, cameraAt(0.5, 0, 5));
             document.undoStack().undo();
         },
         {QStringLiteral("as it was")}, changed + outside, false);
@@ -113,35 +116,35 @@ void TestSinceClick::whatHappenedSinceTheClickIsSaid_data()
     row(
         "near and far",
         [](SceneDocument &document) {
-            QVERIFY(document.editProjection({Frustum{-1, 1, -1, 1, 1, 10}, false, false}, {QStringLiteral("Near")}));
+            QVERIFY(editProjection(document, {Frustum{-1, 1, -1, 1, 1, 10}, false, false}, {QStringLiteral("Near")}));
         },
         changed, outside);
     row(
-        "the object hidden", [](SceneDocument &document) { QVERIFY(document.setObjectHidden(0, true)); },
+        "the object hidden", [](SceneDocument &document) { QVERIFY(setObjectHidden(document, 0, true)); },
         {QStringLiteral("The object of this click is hidden now")}, changed + outside);
     row(
         "the object hidden and shown",
         [](SceneDocument &document) {
-            QVERIFY(document.setObjectHidden(0, true));
-            QVERIFY(document.setObjectHidden(0, false));
+            QVERIFY(setObjectHidden(document, 0, true));
+            QVERIFY(setObjectHidden(document, 0, false));
         },
         {QStringLiteral("as it was")}, changed + outside, false);
     row(
         "the point cut away",
         [](SceneDocument &document) {
-            QVERIFY(document.editClipPlanes({{0, 0, -1, -0.5}}, {}, {QStringLiteral("Cut")}));
+            QVERIFY(editClipPlanes(document, {{0, 0, -1, -0.5}}, {}, {QStringLiteral("Cut")}));
         },
         {QStringLiteral("A clip plane cuts the point of this click away now")}, changed + outside);
     row(
         "cut along the point",
         [](SceneDocument &document) {
-            QVERIFY(document.editClipPlanes({{0, 0, -1, 0}, {0, 0, 1, 0}}, {}, {QStringLiteral("Cut")}));
+            QVERIFY(editClipPlanes(document, {{0, 0, -1, 0}, {0, 0, 1, 0}}, {}, {QStringLiteral("Cut")}));
         },
         {QStringLiteral("as it was")}, changed + outside, false);
     row(
         "the object taken out and put back",
         [](SceneDocument &document) {
-            QVERIFY(document.removeObject(0));
+            QVERIFY(removeObject(document, 0));
             QVERIFY(!document.pick());
             document.undoStack().undo();
         },
@@ -149,14 +152,14 @@ void TestSinceClick::whatHappenedSinceTheClickIsSaid_data()
     row(
         "the object moved",
         [](SceneDocument &document) {
-            QVERIFY(document.editTransform(0, {Translate{{1000, 0, 0}}}, {QStringLiteral("Move")}));
+            QVERIFY(editTransform(document, 0, {Translate{{1000, 0, 0}}}, {QStringLiteral("Move")}));
         },
         {QStringLiteral("The object was moved since this click")}, changed + outside);
     row(
         "the object moved, near and far with it",
         [](SceneDocument &document) {
-            QVERIFY(document.editProjection({document.scene().projection, false, true}, {QStringLiteral("Fit")}));
-            QVERIFY(document.editTransform(0, {Translate{{0, 0, -1000}}}, {QStringLiteral("Move")}));
+            QVERIFY(editProjection(document, {document.scene().projection, false, true}, {QStringLiteral("Fit")}));
+            QVERIFY(editTransform(document, 0, {Translate{{0, 0, -1000}}}, {QStringLiteral("Move")}));
         },
         {QStringLiteral("The object was moved since this click")}, changed + outside);
 }
@@ -197,7 +200,7 @@ void TestSinceClick::aBackgroundSaysOnlyThatTheViewChanged()
     document.pickAt(WidgetPoint(200.0, 150.0), {1.0, {}, 24});
     ComparisonPanel panel(document);
     QCOMPARE(labelText(panel, "What was clicked"), QStringLiteral("Background: no surface here"));
-    document.setCamera(cameraAt(0, 0, -30));
+    setCamera(document, cameraAt(0, 0, -30));
     const QString text = labelText(panel, "Since the click");
     QVERIFY2(text.contains(QStringLiteral("has changed")) && !text.contains(QStringLiteral("outside")),
              qPrintable(text));
@@ -211,8 +214,8 @@ void TestSinceClick::chainDepthAndFormulasStayThoseOfTheClick()
     QCOMPARE(labelText(panel, "Depth"), QStringLiteral("0.75, as read"));
     const QString since = labelText(panel, "Since the click"), whole = panel.text();
     QVERIFY(whole.contains(since));
-    document.setCamera(cameraAt(1, 2, 12));
-    document.setProjection(Ortho{-3, 3, -3, 3, 1, 9});
+    setCamera(document, cameraAt(1, 2, 12));
+    setProjection(document, Ortho{-3, 3, -3, 3, 1, 9});
     document.setSurface({500, 400, 2.0});
     QString now = panel.text();
     QVERIFY(!now.contains(since));
@@ -234,7 +237,7 @@ void TestSinceClick::thePipelineCallsNoDepthReadThatWasNot()
         return false;
     };
     QVERIFY(says("depth as read"));
-    document.setCamera(cameraAt(0, 0, 12));
+    setCamera(document, cameraAt(0, 0, 12));
     QVERIFY(!says("depth as read") && !says("depth read"));
     QVERIFY(says("depth computed"));
     QVERIFY(says("z > w: behind the far plane"));
@@ -254,7 +257,7 @@ void TestSinceClick::computingAgainPicksTheSamePixelOfTheViewAsItIs()
     QVERIFY(!again->isEnabled());
     LookAt camera = document.geometry().camera();
     camera.eye.z += 0.5;
-    document.setCamera(camera);
+    setCamera(document, camera);
     QVERIFY(again->isEnabled());
     QVERIFY(*document.pick()->point.world[Method::Formula] == *before.point.world[Method::Formula]);
     again->click();

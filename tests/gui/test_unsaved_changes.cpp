@@ -1,9 +1,12 @@
 // What counts as an unsaved change, what is asked about, and what the answers do.
 
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/shell/main_window.h"
 
+#include "document_edits.h"
 #include "gui_scene.h"
 #include "tests/support/patience.h"
 
@@ -34,12 +37,12 @@ enum class Kind { Nothing, Look, Work };
 
 void setCamera(MainWindow &window, double z)
 {
-    window.document().setCamera({WorldPoint(0.0, 0.0, z), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
+    setCamera(window.document(), {WorldPoint(0.0, 0.0, z), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
 }
 
 void cut(MainWindow &window, const std::vector<glm::dvec4> &planes = {{0.0, 1.0, 0.0, 0.0}})
 {
-    if (!window.document().editClipPlanes(planes, {}, {QStringLiteral("Plane")}))
+    if (!editClipPlanes(window.document(), planes, {}, {QStringLiteral("Plane")}))
         qFatal("the change is refused");
 }
 
@@ -129,30 +132,30 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout_data()
     QTest::addColumn<Kind>("kind");
     const auto row = [](const char *name, Kind kind, const Act &deed) { QTest::newRow(name) << deed << kind; };
     row("nothing", Kind::Nothing, [](MainWindow &) {});
-    row("home at home", Kind::Nothing, [](MainWindow &w) { w.document().goHome(); });
+    row("home at home", Kind::Nothing, [](MainWindow &w) { goHome(w.document()); });
     row("removed object, put back", Kind::Nothing, [](MainWindow &w) {
-        QVERIFY(w.document().removeObject(1));
+        QVERIFY(removeObject(w.document(), 1));
         w.document().undoStack().undo();
     });
-    row("removed object", Kind::Work, [](MainWindow &w) { QVERIFY(w.document().removeObject(1)); });
+    row("removed object", Kind::Work, [](MainWindow &w) { QVERIFY(removeObject(w.document(), 1)); });
     row("camera moved", Kind::Look, [](MainWindow &w) { setCamera(w, 7.0); });
     row("camera moved and fitted", Kind::Look, [](MainWindow &w) {
         setCamera(w, 7.0);
-        w.document().fit();
+        fitAll(w.document());
     });
     row("home", Kind::Look, [](MainWindow &w) {
         setCamera(w, 7.0);
-        w.document().goHome();
+        goHome(w.document());
     });
-    row("perspective and box", Kind::Look, [](MainWindow &w) { w.document().switchProjection(); });
-    row("zoomed a box", Kind::Look, [](MainWindow &w) { w.document().setProjection(Ortho{-2, 2, -2, 2, 1, 50}); });
+    row("perspective and box", Kind::Look, [](MainWindow &w) { switchProjection(w.document()); });
+    row("zoomed a box", Kind::Look, [](MainWindow &w) { setProjection(w.document(), Ortho{-2, 2, -2, 2, 1, 50}); });
     row("near typed", Kind::Work, [](MainWindow &w) { type(w, "nearDistance", QStringLiteral("0.75")); });
     row("eye typed", Kind::Work, [](MainWindow &w) { type(w, "eyeX", QStringLiteral("3.5")); });
     row("near and far by hand", Kind::Work, [](MainWindow &w) {
-        QVERIFY(w.document().editProjection({w.document().scene().projection, true, false}, {QStringLiteral("Fit")}));
+        QVERIFY(editProjection(w.document(), {w.document().scene().projection, true, false}, {QStringLiteral("Fit")}));
     });
     row("transform", Kind::Work, [](MainWindow &w) {
-        QVERIFY(w.document().editTransform(0, {Translate{{1.0, 0.0, 0.0}}}, {QStringLiteral("Move")}));
+        QVERIFY(editTransform(w.document(), 0, {Translate{{1.0, 0.0, 0.0}}}, {QStringLiteral("Move")}));
     });
     row("clip plane", Kind::Work, [](MainWindow &w) { cut(w); });
     row("clip plane, then camera", Kind::Work, [](MainWindow &w) {
@@ -213,7 +216,7 @@ void TestUnsavedChanges::aHandThatMovesNothingChangesNothing()
 {
     const auto titled = shownWindow(0, {640, 480});
     titled->session().openBundledScene();
-    titled->document().fit();
+    fitAll(titled->document());
     QVERIFY(titled->session().saveScene(path()));
     SceneView &view = titled->view();
     const QPointF place = localOf(*titled, {0.1, 0.5, 0.2});
@@ -222,7 +225,7 @@ void TestUnsavedChanges::aHandThatMovesNothingChangesNothing()
     QCoreApplication::sendEvent(&view, &sideways);
     for (const Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton})
         drag(view, place, place, button);
-    titled->document().fit();
+    fitAll(titled->document());
     QVERIFY(!titled->isWindowModified());
     // Once a drag is one, a hand that rests adds nothing to it.
     drag(view, place, place + QPointF(40.0, 20.0), Qt::LeftButton);
@@ -291,8 +294,8 @@ void TestUnsavedChanges::aLookBetweenEditsKeepsThemApart()
     const auto window = this->window();
     window->session().openBundledScene();
     SceneDocument &document = window->document();
-    QVERIFY(document.editClipPlanes({{0.0, 1.0, 0.0, 0.0}}, {}, {QStringLiteral("Plane"), QStringLiteral("key")}));
-    document.setCamera({WorldPoint(0.0, 0.0, 7.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}, QStringLiteral("key"));
+    QVERIFY(editClipPlanes(document, {{0.0, 1.0, 0.0, 0.0}}, {}, {QStringLiteral("Plane"), QStringLiteral("key")}));
+    setCamera(document, {WorldPoint(0.0, 0.0, 7.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}, QStringLiteral("key"));
     document.undoStack().undo();
     QVERIFY(document.isEdited());
     document.undoStack().undo();

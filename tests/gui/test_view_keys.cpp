@@ -1,5 +1,7 @@
 // Keys on the view: the standard views, fit, home, the projection; turning, moving, zooming and picking at the crosshair.
 
+#include "document_edits.h"
+#include "gui/document/camera_looks.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
 
@@ -120,7 +122,7 @@ void TestViewKeys::keysFitGoHomeAndSwitchTheProjection()
 {
     const auto window = shownWindow(false, {500, 400});
     SceneDocument &document = window->document();
-    document.setObjects(cubeScene());
+    openObjects(document, cubeScene());
     const Picture home = document.geometry();
     window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
@@ -294,7 +296,7 @@ void TestViewKeys::theCrosshairStaysInTheView()
     ViewportRule rule;
     rule.kind = ViewportRule::Kind::Fixed;
     rule.fixed = {20.0, 30.0, 100.0, 80.0};
-    QVERIFY(window->document().editViewport(rule, {}, {QStringLiteral("Viewport")}));
+    QVERIFY(editViewport(window->document(), rule, {}, {QStringLiteral("Viewport")}));
     QCOMPARE(pickedByEnter(*window), QPoint(70, surface.heightPixels - 70));
 }
 
@@ -385,7 +387,7 @@ void TestViewKeys::theViewsKeysComeBeforeTheWindowsShortcuts()
 void TestViewKeys::withoutAPictureKeysGoByTheCentre()
 {
     SceneDocument document;
-    document.setObjects(cubeScene());
+    openObjects(document, cubeScene());
     SceneView view(document); // never shown: without OpenGL there is nothing to read
     view.resize(500, 400);
     document.setSurface(surfaceFromWidget(500, 400, view.devicePixelRatio()));

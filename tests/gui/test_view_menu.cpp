@@ -1,7 +1,10 @@
 // The context menu of the view, and what is hidden in it.
 
+#include "document_edits.h"
 #include "tests/gui/gui_scene.h"
 
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
 #include "gui/text/number_text.h"
 
 #include <QApplication>
@@ -228,7 +231,7 @@ void TestViewMenu::fittingShowsTheObjectThatWasClicked()
     QCOMPARE(document.pick()->object, std::optional<std::size_t>(1));
     choose(view, behind, "fitObject");
     const LookAt one = document.geometry().camera();
-    document.fitObject(1);
+    fitObject(document, 1);
     QVERIFY(distance(one.eye, document.geometry().camera().eye) < 1e-9);
     choose(view, QPointF(2.0, 2.0), "fit");
     QVERIFY(distance(one.eye, document.geometry().camera().eye) > 1.0);
@@ -240,7 +243,7 @@ void TestViewMenu::aHiddenObjectIsNeitherDrawnNorPicked()
     SceneView &view = window->view();
     SceneDocument &document = window->document();
     // Near and far stay: fitted to the one that is left they would cut the other one away.
-    QVERIFY(document.editProjection({document.geometry().projection(), true, false}, {QStringLiteral("Fixed")}));
+    QVERIFY(editProjection(document, {document.geometry().projection(), true, false}, {QStringLiteral("Fixed")}));
     const QPointF front = localOf(*window, kCubeCenter + glm::dvec3(0.0, 0.0, 1.0));
     const QImage both = view.grabFramebuffer();
     const int steps = document.undoStack().count();
@@ -256,7 +259,7 @@ void TestViewMenu::aHiddenObjectIsNeitherDrawnNorPicked()
     QCOMPARE(document.pick()->object, std::optional<std::size_t>(1)); // it kept its number
     document.clearPick();
     choose(view, QPointF(2.0, 2.0), "showAll");
-    QVERIFY(!document.hasHiddenObjects());
+    QVERIFY(!hasHiddenObjects(document.scene()));
     QCOMPARE(differentPixels(view.grabFramebuffer(), both), 0);
     document.undoStack().undo();
     QVERIFY(document.objects()[0].isHidden);
@@ -270,7 +273,7 @@ void TestViewMenu::itClosesWhenItsObjectsGo()
     SceneView &view = window->view();
     clickRight(view, localOf(*window, kCubeCenter + glm::dvec3(0.0, 0.0, 1.0)));
     QVERIFY(openMenu(view));
-    QVERIFY(window->document().removeObject(0));
+    QVERIFY(removeObject(window->document(), 0));
     QVERIFY(!openMenu(view));
 }
 

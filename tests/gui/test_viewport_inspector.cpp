@@ -1,6 +1,8 @@
 // The numbers of the inspector, read from its table and its texts: literal, worked out by hand.
 
 #include "core/examples/bundled_scene.h"
+#include "document_edits.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/corners_model.h"
 #include "gui/pipeline/viewport_inspector.h"
@@ -45,13 +47,13 @@ QString plain(const QString &text)
     return text.simplified().replace(QStringLiteral("( "), QStringLiteral("("));
 }
 
-void setProjection(SceneDocument &document, const Projection &projection,
-                   ViewportRule::Kind rule = ViewportRule::Kind::WholeWindow)
+void giveProjection(SceneDocument &document, const Projection &projection,
+                    ViewportRule::Kind rule = ViewportRule::Kind::WholeWindow)
 {
     ViewportRule viewport;
     viewport.kind = rule;
-    QVERIFY(document.editViewport(viewport, document.scene().depthRange, {QStringLiteral("Viewport")}));
-    QVERIFY(document.editProjection({projection, false, false}, {QStringLiteral("Projection")}));
+    QVERIFY(editViewport(document, viewport, document.scene().depthRange, {QStringLiteral("Viewport")}));
+    QVERIFY(editProjection(document, {projection, false, false}, {QStringLiteral("Projection")}));
 }
 
 QLabel *labelNamed(const QWidget &panel, const QString &accessibleName)
@@ -135,7 +137,7 @@ void TestViewportInspector::aQuarterViewportMovesNdcOnly()
 {
     SceneDocument document;
     document.setSurface({800, 600, 1.0});
-    setProjection(document, Ortho{-10, 10, -10, 10, 1, 100}, ViewportRule::Kind::Quarter);
+    giveProjection(document, Ortho{-10, 10, -10, 10, 1, 100}, ViewportRule::Kind::Quarter);
     const ViewportInspector panel(document);
     QCOMPARE(labelNamed(panel, "Viewport")->text(), QStringLiteral("glViewport(400, 0, 400, 300)"));
     QVERIFY(isAt(panel.corners(), CornersModel::BottomRight, CornersModel::Window, 799.5, 0.5));
@@ -156,7 +158,7 @@ void TestViewportInspector::theDepthRangeMovesNothing()
          {Projection(Frustum{-1, 1, -1, 1, 1, 100}), Projection(Ortho{-9, 9, -2, 2, 1, 9})}) {
         SceneDocument document;
         document.setSurface({800, 600, 1.0});
-        setProjection(document, projection);
+        giveProjection(document, projection);
         ViewportInspector panel(document);
         panel.show();
         panel.setPointer(WidgetPoint(412.0, 300.0));
@@ -167,7 +169,8 @@ void TestViewportInspector::theDepthRangeMovesNothing()
         };
         const QString whole = copied();
         QVERIFY(whole.contains(QStringLiteral("Pointer\t412\t300\t412\t300\t412.5\t299.5\t0.03125\t")));
-        QVERIFY(document.editViewport(document.scene().viewport, depthranges::ofThisRow(), {QStringLiteral("Depths")}));
+        QVERIFY(
+            editViewport(document, document.scene().viewport, depthranges::ofThisRow(), {QStringLiteral("Depths")}));
         QCOMPARE(copied(), whole);
     }
 }
@@ -283,7 +286,7 @@ void TestViewportInspector::aDistortedCircleIsNamed()
     QFETCH(bool, isMarked);
     SceneDocument document;
     document.setSurface({800, 600, 1.0});
-    setProjection(document, projection);
+    giveProjection(document, projection);
     const ViewportInspector panel(document);
     const QLabel *label = labelNamed(panel, "Shape of a circle");
     QCOMPARE(label->text(), text);
@@ -321,11 +324,11 @@ void TestViewportInspector::hiddenItDoesNothing()
     QVERIFY(isAt(panel.corners(), CornersModel::TopRight, CornersModel::Device, 399, 0));
     // A camera that moves does not change this picture.
     changes.clear();
-    QVERIFY(document.editProjection({document.scene().projection, true, false}, {QStringLiteral("Clip distances")}));
+    QVERIFY(editProjection(document, {document.scene().projection, true, false}, {QStringLiteral("Clip distances")}));
     changes.clear();
     LookAt camera = document.geometry().camera();
     camera.eye.x += 1.0;
-    document.setCamera(camera);
+    setCamera(document, camera);
     QCOMPARE(changes.count(), 0);
 }
 
@@ -333,7 +336,7 @@ void TestViewportInspector::everythingCanBeCopied()
 {
     SceneDocument document;
     document.setSurface({800, 600, 1.0});
-    setProjection(document, Frustum{-1, 1, -1, 1, 1, 100});
+    giveProjection(document, Frustum{-1, 1, -1, 1, 1, 100});
     ViewportInspector panel(document);
     panel.show();
     panel.setPointer(WidgetPoint(412.0, 300.0));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/examples/bundled_scene.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 
 #include <QStringList>
@@ -43,7 +44,7 @@ inline const Deed kDeed{QStringLiteral("deed")};
 inline void openScene(SceneDocument &document)
 {
     document.setSurface({801, 601, 1.0});
-    document.setObjects(examples::bundledScene());
+    openObjects(document, examples::bundledScene());
 }
 
 inline LookAt cameraAt(double z)

@@ -1,0 +1,133 @@
+#include "gui/document/camera_looks.h"
+
+#include "core/scene/opening_view.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+/// Takes camera and projection of a picture, its near and far planes where nothing within these bounds is cut off.
+void showFramed(SceneDocument &document, Picture picture, const Box &bounds)
+{
+    // Near and far that were typed stay while they cut nothing off.
+    if (!document.scene().clipDistancesFitObjects && !bounds.isEmpty()) {
+        const Projection fitted = withFittedClipDistances(picture, bounds, {});
+        const ProjectionWindow own = projectionWindow(picture.projection()), tight = projectionWindow(fitted);
+        if (own.nearDistance > tight.nearDistance || own.farDistance < tight.farDistance)
+            picture.projection() =
+                withClipDistances(picture.projection(), std::min(own.nearDistance, tight.nearDistance),
+                                  std::max(own.farDistance, tight.farDistance));
+    }
+    setView(document, picture.camera(), picture.projection());
+}
+
+} // namespace
+
+void setCamera(SceneDocument &document, const LookAt &camera, const QString &mergeKey)
+{
+    setView(document, camera, document.scene().projection, mergeKey);
+}
+
+void setProjection(SceneDocument &document, const Projection &projection, const QString &mergeKey)
+{
+    setView(document, document.scene().camera, projection, mergeKey);
+}
+
+void setView(SceneDocument &document, const LookAt &camera, const Projection &projection, const QString &mergeKey)
+{
+    document.look({SceneDocument::tr("Camera"), mergeKey}, [&](SceneSettings &settings) {
+        settings.camera = camera;
+        settings.projection = projection;
+    });
+}
+
+void fitAll(SceneDocument &document)
+{
+    Framing framing(document.geometry());
+    for (const SceneObject &object : document.objects()) {
+        if (!object.isHidden)
+            add(framing, object);
+    }
+    Box bounds = document.bounds();
+    if (document.objects().empty()) {
+        for (const landmarks::Landmark &point : document.landmarks()) {
+            if (point.isMissing() || point.isHidden)
+                continue;
+            framing.add(*point.world);
+            bounds.add(point.world->coordinates());
+        }
+    }
+    showFramed(document, framing.picture(), bounds);
+}
+
+void fitObject(SceneDocument &document, std::size_t index)
+{
+    Q_ASSERT(index < document.objects().size());
+    const SceneObject &object = document.objects()[index];
+    Framing framing(document.geometry());
+    add(framing, object);
+    showFramed(document, framing.picture(), boundsOf(object));
+}
+
+void goHome(SceneDocument &document)
+{
+    document.look({SceneDocument::tr("Home")}, [](SceneSettings &settings) {
+        settings.camera = settings.home;
+        if (settings.projectionFollowsViewport)
+            settings.projection = openingProjection();
+    });
+}
+
+void switchProjection(SceneDocument &document)
+{
+    const bool isPerspectiveNow = isPerspective(document.scene().projection);
+    document.look({isPerspectiveNow ? SceneDocument::tr("Orthographic") : SceneDocument::tr("Perspective")},
+                  [isPerspectiveNow](SceneSettings &settings) {
+                      settings.projection = converted(
+                          settings.projection, isPerspectiveNow ? ProjectionKind::Ortho : ProjectionKind::Perspective,
+                          centerDistance(settings.camera));
+                  });
+}
+
+void openObjects(SceneDocument &document, std::vector<SceneObject> objects)
+{
+    const LookAt camera = openingCamera(objects, document.geometry().surface);
+    openObjects(document, std::move(objects), camera);
+}
+
+void openObjects(SceneDocument &document, std::vector<SceneObject> objects, const LookAt &home)
+{
+    Scene scene;
+    scene.camera = scene.home = home;
+    scene.projection = openingProjection();
+    scene.objects = std::move(objects);
+    const Check opened = document.open(std::move(scene));
+    Q_ASSERT(opened.hasValue());
+}
+
+double centerDistance(const LookAt &camera)
+{
+    return distance(camera.center, camera.eye);
+}
+
+WorldPoint pivotOf(const LookAt &camera, const Result<Pick> &pick)
+{
+    if (!pick)
+        return camera.center;
+    if (const Result<WorldPoint> &surface = pick->point.world[Method::Formula]; pick->hit())
+        return surface ? *surface : camera.center;
+    const Result<WorldPoint> &enter = pick->rayNear.world[Method::Formula];
+    const Result<WorldPoint> &leave = pick->rayFar.world[Method::Formula];
+    const Result<EyeFrame> frame = eyeFrame(camera);
+    if (!enter || !leave || !frame)
+        return camera.center;
+    const double wanted = eyeFromWorld(*frame, camera.center).z;
+    const double zEnter = eyeFromWorld(*frame, *enter).z;
+    const double zLeave = eyeFromWorld(*frame, *leave).z;
+    const double t = (wanted - zEnter) / (zLeave - zEnter);
+    return *enter + t * (*leave - *enter);
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,148 @@
+#include "gui/document/scene_edits.h"
+
+#include "core/scene/given_matrices.h"
+#include "core/scene/opening_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+/// Whether all of an object is in the picture: between its rims and, where they count, between near and far.
+bool isInSight(const Picture &picture, const SceneObject &object, bool withClipDistances)
+{
+    const Result<glm::dmat4> matrix = clipFromWorld(picture);
+    if (!matrix)
+        return false;
+    const glm::dmat4 clipFromObject = *matrix * worldFromObject(object.transform);
+    const auto isSeen = [&](const Mesh &mesh, std::size_t vertex) {
+        const glm::dvec4 clip = clipFromObject * glm::dvec4(mesh.position(vertex), 1.0);
+        return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w
+               && (!withClipDistances || std::abs(clip.z) <= clip.w);
+    };
+    const std::vector<Mesh> &meshes = object.model->meshes;
+    return std::all_of(meshes.begin(), meshes.end(), [&](const Mesh &mesh) {
+        for (std::size_t element = 0; element < mesh.elementCount(); ++element) {
+            if (!isSeen(mesh, mesh.vertexAt(element)))
+                return false;
+        }
+        return true;
+    });
+}
+
+/// Comes to show all of these objects, of which the last `added` are new. Camera, near and far stay where they do already.
+void showAdded(SceneSettings &settings, Picture picture, const std::vector<SceneObject> &objects, std::size_t added)
+{
+    Box bounds;
+    Framing framing(picture);
+    for (const SceneObject &object : objects) {
+        if (object.isHidden)
+            continue;
+        bounds.add(boundsOf(object));
+        add(framing, object);
+    }
+    const auto areNewInSight = [&](bool withClipDistances) {
+        return std::all_of(objects.end() - static_cast<std::ptrdiff_t>(added), objects.end(),
+                           [&](const SceneObject &object) { return isInSight(picture, object, withClipDistances); });
+    };
+    if (!areNewInSight(false))
+        picture = framing.picture();
+    if (!settings.clipDistancesFitObjects && !areNewInSight(true))
+        picture.projection() = withFittedClipDistances(picture, bounds, {});
+    settings.camera = picture.camera();
+    settings.projection = picture.projection();
+}
+
+} // namespace
+
+Check addObjects(SceneDocument &document, std::vector<SceneObject> objects)
+{
+    return document.edit({SceneDocument::tr("Add objects")}, [&](Scene &scene) {
+        const std::size_t added = objects.size();
+        for (SceneObject &object : objects) {
+            object.name = freeName(object.name, scene.objects);
+            scene.objects.push_back(std::move(object));
+        }
+        showAdded(scene, document.geometry(), scene.objects, added);
+    });
+}
+
+Check removeObject(SceneDocument &document, std::size_t index)
+{
+    Q_ASSERT(index < document.objects().size());
+    return document.edit({SceneDocument::tr("Remove object")}, [index](Scene &scene) {
+        scene.objects.erase(scene.objects.begin() + static_cast<std::ptrdiff_t>(index));
+    });
+}
+
+Check moveObject(SceneDocument &document, std::size_t from, std::size_t to)
+{
+    Q_ASSERT(from < document.objects().size() && to < document.objects().size());
+    return document.edit({SceneDocument::tr("Order of objects")}, [from, to](Scene &scene) {
+        const auto at = [&scene](std::size_t index) {
+            return scene.objects.begin() + static_cast<std::ptrdiff_t>(index);
+        };
+        if (from < to)
+            std::rotate(at(from), at(from + 1), at(to + 1));
+        else
+            std::rotate(at(to), at(from), at(from + 1));
+    });
+}
+
+Check setObjectHidden(SceneDocument &document, std::size_t index, bool isHidden)
+{
+    Q_ASSERT(index < document.objects().size());
+    return document.edit({isHidden ? SceneDocument::tr("Hide object") : SceneDocument::tr("Show object")},
+                         [index, isHidden](Scene &scene) { scene.objects[index].isHidden = isHidden; });
+}
+
+Check showAllObjects(SceneDocument &document)
+{
+    return document.edit({SceneDocument::tr("Show all objects")}, [](Scene &scene) {
+        for (SceneObject &object : scene.objects)
+            object.isHidden = false;
+    });
+}
+
+bool hasHiddenObjects(const Scene &scene)
+{
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [](const SceneObject &object) { return object.isHidden; });
+}
+
+NameFault renameObject(SceneDocument &document, std::size_t index, const QString &name)
+{
+    Q_ASSERT(index < document.objects().size());
+    const std::string wanted = name.trimmed().toStdString();
+    if (const NameFault fault = faultOf(wanted, index, document.objects()); fault != NameFault::None)
+        return fault;
+    // A name is no number of a picture: there is nothing that it could make invalid.
+    static_cast<void>(
+        document.edit({SceneDocument::tr("Rename object")}, [&](Scene &scene) { scene.objects[index].name = wanted; }));
+    return NameFault::None;
+}
+
+Check editLandmarks(SceneDocument &document, std::vector<landmarks::Landmark> landmarks, const Deed &deed)
+{
+    return document.edit(deed, [&](Scene &scene) { scene.landmarks.landmarks = std::move(landmarks); });
+}
+
+Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const Deed &deed)
+{
+    return document.edit(deed, [&](Scene &scene) { scene.landmarks = std::move(set); });
+}
+
+Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection> &projection,
+                   const std::optional<glm::dmat4> &eyeFromWorld, const Deed &deed)
+{
+    const Result<SceneSettings> settings =
+        withMatrices(document.scene(), document.geometry(), projection, eyeFromWorld);
+    if (!settings)
+        return settings.error();
+    return document.edit(deed, [&](Scene &scene) { static_cast<SceneSettings &>(scene) = *settings; });
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "gui/document/object_names.h"
+#include "gui/document/scene_document.h"
+
+#include <QString>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace unprojector::gui {
+
+// Undoable edits of a document that take more than setting a member. An index is that of one of its objects.
+
+/// Puts objects after those that are there, under names of their own. Where they are not all in sight, the picture
+/// comes to show everything, near and far planes included. The pick stays.
+/// @return the errors of pictureOf; then nothing changed
+Check addObjects(SceneDocument &document, std::vector<SceneObject> objects);
+Check removeObject(SceneDocument &document, std::size_t index);
+/// Puts an object elsewhere in the list.
+Check moveObject(SceneDocument &document, std::size_t from, std::size_t to);
+Check setObjectHidden(SceneDocument &document, std::size_t index, bool isHidden);
+Check showAllObjects(SceneDocument &document);
+bool hasHiddenObjects(const Scene &scene);
+/// @param name  blanks around it are taken off; see faultOf
+/// @return what is wrong with the name; then nothing changed
+NameFault renameObject(SceneDocument &document, std::size_t index, const QString &name);
+
+/// All placed landmarks, for those that are there. What is done to single ones: ScenePoints.
+Check editLandmarks(SceneDocument &document, std::vector<landmarks::Landmark> landmarks, const Deed &deed);
+Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const Deed &deed);
+
+/// Takes a projection, a view or both from matrices, see withMatrices.
+/// @return the errors of byParameters and pictureOf
+Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection> &projection,
+                   const std::optional<glm::dmat4> &eyeFromWorld, const Deed &deed);
+
+} // namespace unprojector::gui
