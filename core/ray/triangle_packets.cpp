@@ -53,7 +53,7 @@ void PacketSearch::enter(std::uint32_t mesh)
 }
 
 TrianglePackets::TrianglePackets(const Model &model, const ElementNumbers &numbers, const UnitSpace &space)
-    : m_model(model), m_numbers(numbers), m_space(space)
+    : m_model(model), m_space(space)
 {
     for (std::uint32_t number = 0; number < model.meshes.size(); ++number) {
         const Mesh &mesh = model.meshes[number];
@@ -70,6 +70,7 @@ TrianglePackets::TrianglePackets(const Model &model, const ElementNumbers &numbe
         m_packets.resize(start + (order.size() + kSize - 1) / kSize);
         constexpr std::size_t kPacketsInTask = 1 << 11;
         const std::size_t count = m_packets.size() - start;
+        auto &remainders = m_remainders.emplace_back(mesh.remainders.empty() ? 0 : count);
         threads::inParallelRanges(count, kPacketsInTask, {}, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 Packet &packet = m_packets[start + i];
@@ -79,6 +80,8 @@ TrianglePackets::TrianglePackets(const Model &model, const ElementNumbers &numbe
                     for (std::size_t c = 0; c < 3; ++c) {
                         for (std::size_t axis = 0; axis < 3; ++axis)
                             packet.corners[axis][c][k] = corner(triangle, c)[static_cast<int>(axis)];
+                        if (!remainders.empty())
+                            remainders[i][k][c] = mesh.remainders[mesh.vertexAt(std::size_t{3} * triangle + c)];
                     }
                 }
             }
@@ -115,29 +118,32 @@ BoxTree::Box TrianglePackets::boxOf(std::uint32_t packet) const
 
 bool TrianglePackets::take(std::uint32_t packet, PacketSearch &search) const
 {
+    const PacketSearch::Waiting taken{packet, meshOf(packet)};
     prefetch(m_packets[packet]);
-    const std::uint32_t next = search.m_waiting[0];
-    search.m_waiting = {search.m_waiting[1], packet};
-    return next != PacketSearch::kNone && test(next, search);
+    if (const Remainders *remainders = remaindersOf(taken))
+        prefetch(*remainders);
+    const PacketSearch::Waiting next = search.m_waiting[0];
+    search.m_waiting = {search.m_waiting[1], taken};
+    return next.packet != PacketSearch::kNone && test(next, search);
 }
 
 void TrianglePackets::finish(PacketSearch &search) const
 {
-    for (std::uint32_t &packet : search.m_waiting) {
-        if (packet != PacketSearch::kNone)
-            test(packet, search);
-        packet = PacketSearch::kNone;
+    for (PacketSearch::Waiting &waiting : search.m_waiting) {
+        if (waiting.packet != PacketSearch::kNone)
+            test(waiting, search);
+        waiting = {};
     }
 }
 
-bool TrianglePackets::test(std::uint32_t packet, PacketSearch &search) const
+bool TrianglePackets::test(const PacketSearch::Waiting &waiting, PacketSearch &search) const
 {
-    const std::uint32_t mesh = meshOf(packet);
+    const std::uint32_t mesh = waiting.mesh;
     if (mesh != search.m_mesh)
         search.enter(mesh);
     // As LineCrossing, but an edge that the ray passes within the margin counts as passed on either side.
     using Lanes = std::array<float, kSize>;
-    const Packet &p = m_packets[packet];
+    const Packet &p = m_packets[waiting.packet];
     const float fromX = search.m_from[search.m_x], fromY = search.m_from[search.m_y], fromZ = search.m_from[search.m_z];
     const float shearX = search.m_shearX, shearY = search.m_shearY, margin = search.m_margin;
     std::array<Lanes, 3> x, y;
@@ -161,18 +167,20 @@ bool TrianglePackets::test(std::uint32_t packet, PacketSearch &search) const
         const float most = std::max(std::max(u, v), w), least = std::min(std::min(u, v), w);
         isMissed[k] = static_cast<int>(most > unsure) & static_cast<int>(least < -unsure);
     }
-    const bool areFloats = m_model.meshes[mesh].remainders.empty();
+    const Remainders *remainders = remaindersOf(waiting);
     bool isNearer = false;
     for (std::size_t k = 0; k < kSize; ++k) {
         if (isMissed[k] != 0)
             continue;
         const auto corner = [&](std::size_t c) {
-            return glm::dvec3(p.corners[0][c][k], p.corners[1][c][k], p.corners[2][c][k]);
+            const glm::vec3 rounded(p.corners[0][c][k], p.corners[1][c][k], p.corners[2][c][k]);
+            if (remainders == nullptr)
+                return glm::dvec3(rounded);
+            const glm::ivec3 &r = (*remainders)[k][c];
+            return glm::dvec3(withRemainder(rounded.x, r.x), withRemainder(rounded.y, r.y),
+                              withRemainder(rounded.z, r.z));
         };
-        const std::array<glm::dvec3, 3> corners =
-            areFloats ? std::array{corner(0), corner(1), corner(2)}
-                      : cornersOf(m_model.meshes[mesh], m_numbers.place(p.numbers[k]).element);
-        isNearer = search.m_nearest.test(mesh, p.numbers[k], corners) || isNearer;
+        isNearer = search.m_nearest.test(mesh, p.numbers[k], {corner(0), corner(1), corner(2)}) || isNearer;
     }
     if (isNearer)
         search.m_length = search.m_unit.lengthTo(search.m_nearest.high());

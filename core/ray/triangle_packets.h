@@ -6,6 +6,8 @@
 #include "core/ray/nearest_triangle.h"
 #include "core/ray/unit_space.h"
 
+#include <glm/vec3.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +27,9 @@ public:
 private:
     friend class TrianglePackets;
     static constexpr std::uint32_t kNone = 0xffffffffu;
+    struct Waiting {
+        std::uint32_t packet = kNone, mesh = 0;
+    };
     void enter(std::uint32_t mesh);
 
     const Model &m_model;
@@ -35,18 +40,20 @@ private:
     std::size_t m_x, m_y, m_z; ///< the ray goes farthest along axis m_z
     float m_shearX, m_shearY;
     std::uint32_t m_mesh = 0;
-    std::array<float, 3> m_from{};                        ///< relative to the mesh's origin
-    float m_margin = 0.0f;                                ///< what single precision may be off there
-    std::array<std::uint32_t, 2> m_waiting{kNone, kNone}; ///< packets on their way from memory, the earlier first
+    std::array<float, 3> m_from{};      ///< relative to the mesh's origin
+    float m_margin = 0.0f;              ///< what single precision may be off there
+    std::array<Waiting, 2> m_waiting{}; ///< packets on their way from memory, the earlier first
 };
 
 /// A model's triangles, eight neighbours of a mesh together, in single precision: what a tree has for leaves. With all eight
-/// at once it is seen which of them a ray may meet; that is then tested exactly.
+/// at once it is seen which of them a ray may meet; that is then tested exactly. A triangle takes 40 bytes. In a mesh with
+/// remainders (see Mesh) it takes 36 more: a copy of its corners' remainders, so that no test waits for the mesh's own arrays.
 class TrianglePackets {
 public:
     static constexpr std::size_t kSize = 8;
 
-    /// @param numbers  of the model's triangles. All three outlive this
+    /// @param numbers  of the model's triangles
+    /// The model and the space outlive this.
     TrianglePackets(const Model &model, const ElementNumbers &numbers, const UnitSpace &space);
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(m_packets.size()); }
@@ -68,14 +75,22 @@ private:
         std::array<std::array<std::array<float, kSize>, 3>, 3> corners; ///< by axis, corner, triangle
         std::array<std::uint32_t, kSize> numbers;                       ///< the last one again, where there are fewer
     };
+    /// The remainders of a packet's corners. Those of one triangle lie together, because mostly one is asked for.
+    using Remainders = std::array<std::array<glm::ivec3, 3>, kSize>;
     std::uint32_t meshOf(std::uint32_t packet) const;
-    bool test(std::uint32_t packet, PacketSearch &search) const;
+    /// Null where the mesh has no remainders.
+    const Remainders *remaindersOf(const PacketSearch::Waiting &waiting) const
+    {
+        const auto &all = m_remainders[waiting.mesh];
+        return all.empty() ? nullptr : &all[waiting.packet - m_starts[waiting.mesh]];
+    }
+    bool test(const PacketSearch::Waiting &waiting, PacketSearch &search) const;
 
     const Model &m_model;
-    const ElementNumbers &m_numbers;
     const UnitSpace &m_space;
     std::vector<Packet, InLargePages<Packet>> m_packets;
-    std::vector<std::uint32_t> m_starts; ///< of each mesh, its first packet
+    std::vector<std::vector<Remainders, InLargePages<Remainders>>> m_remainders; ///< of each mesh, packet by packet
+    std::vector<std::uint32_t> m_starts;                                         ///< of each mesh, its first packet
 };
 
 } // namespace unprojector::ray

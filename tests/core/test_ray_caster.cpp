@@ -55,6 +55,8 @@ private slots:
     void answersAreThoseOfTestingAll();
     void severalMeshesAreCountedThrough_data() { eachTree(); }
     void severalMeshesAreCountedThrough();
+    void meshesOfFloatsBesideMeshesOfDoubles_data() { eachTree(); }
+    void meshesOfFloatsBesideMeshesOfDoubles();
     void nothingSlipsThroughAClosedSurface_data();
     void nothingSlipsThroughAClosedSurface();
     void hitsLieOnTheRayAndTheTriangle_data();
@@ -129,6 +131,39 @@ void TestRayCaster::severalMeshesAreCountedThrough()
         QVERIFY(isSame(caster->nearestTriangle(ray), expected));
     }
     QVERIFY(last > 100 / kFewer);
+}
+
+/// Each mesh has many packets, the last of them not full, and a ray passes packets of all meshes.
+void TestRayCaster::meshesOfFloatsBesideMeshesOfDoubles()
+{
+    QFETCH(Tree, tree);
+    constexpr std::uint32_t kTriangles = 203, kMeshes = 4;
+    for (const std::uint32_t firstOfDoubles : {0u, 1u}) {
+        auto model = std::make_shared<Model>();
+        for (std::uint32_t k = 0; k < kMeshes; ++k) {
+            Mesh mesh = soup(kTriangles, 15 + k)->meshes[0];
+            QCOMPARE(mesh.remainders.size(), mesh.positions.size());
+            if (k % 2 != firstOfDoubles)
+                mesh.remainders.clear();
+            model->meshes.push_back(std::move(mesh));
+        }
+        model->bounds = boundsOf(model->meshes);
+        const auto caster = built(model, tree);
+        Aim aim(16);
+        std::array<int, kMeshes> hits{};
+        for (int i = 0; i < 10'000 / kFewer; ++i) {
+            // A tenth of them aimed at corners, which the remainders move.
+            const glm::dvec3 target = i % 10 == 0
+                                          ? model->meshes[aim.below(kMeshes)].position(aim.below(3 * kTriangles))
+                                          : aim.share() * aim.direction();
+            const Ray<ObjectSpace> ray = aim.at(target, glm::dvec3(0.0), 3.0);
+            const auto expected = testingAll(*model, ray);
+            if (expected)
+                ++hits[expected->triangle / kTriangles];
+            QVERIFY2(isSame(caster->nearestTriangle(ray), expected), qPrintable(QString::number(i)));
+        }
+        QVERIFY(*std::min_element(hits.begin(), hits.end()) > 500 / kFewer);
+    }
 }
 
 void TestRayCaster::nothingSlipsThroughAClosedSurface_data()
