@@ -6,6 +6,7 @@
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/landmarks/curve_waiting.h"
+#include "gui/landmarks/landmark_tool.h"
 #include "gui/landmarks/point_templates.h"
 #include "gui/landmarks/points_panel.h"
 #include "gui/landmarks/save_name.h"
@@ -160,8 +161,8 @@ void MainWindow::connectPanels()
 {
     connect(m_comparison, &ComparisonPanel::pickRequested, m_view, &SceneView::onLButtonDown);
     connect(m_doctor, &DoctorPanel::pickRequested, m_view, &SceneView::pickPixel);
-    connect(m_view, &SceneView::placingChanged, m_placingAction, &QAction::setChecked);
-    connect(m_view, &SceneView::placingChanged, m_pointsPanel, &PointsPanel::setPlacing);
+    connect(m_landmarkTool, &LandmarkTool::placingChanged, m_placingAction, &QAction::setChecked);
+    connect(m_landmarkTool, &LandmarkTool::placingChanged, m_pointsPanel, &PointsPanel::setPlacing);
     connect(m_pointsPanel, &PointsPanel::placingRequested, m_placingAction,
             [this] { m_placingAction->setChecked(true); });
     // Queued: it may be told while the view is painted.
@@ -190,6 +191,8 @@ void MainWindow::connectPanels()
 void MainWindow::createView()
 {
     m_view = new SceneView(*m_document);
+    m_landmarkTool = new LandmarkTool(*m_document, *m_view);
+    m_view->setTool(*m_landmarkTool);
     m_view->setSmoothEdges(m_smoothEdges);
     m_view->setModelStore(m_session->models());
     m_center->addWidget(m_view, 0, 0);

@@ -33,6 +33,7 @@ class DoctorPanel;
 class FirstSteps;
 class FormulasWindow;
 class KeySheet;
+class LandmarkTool;
 class LifecycleLog;
 class LessonPanel;
 class LessonPlayer;
@@ -78,6 +79,7 @@ public:
     Session &session() { return *m_session; }
     SceneDocument &document() { return *m_document; }
     SceneView &view() { return *m_view; }
+    LandmarkTool &landmarkTool() { return *m_landmarkTool; }
     PointFiles &pointFiles() { return *m_pointFiles; }
     LessonPlayer &lessons() { return *m_lessons; }
     ScanSeries &series() { return *m_series; }
@@ -237,6 +239,7 @@ private:
     ScanSeries *m_series;
     LifecycleLog *m_lifecycle;
     SceneView *m_view = nullptr;
+    LandmarkTool *m_landmarkTool = nullptr;
     ObserverPanel *m_observer = nullptr; ///< made when it is first asked for
     QWidget *m_observerHome = nullptr;   ///< where it stands in its dock
     ObserverInset *m_inset = nullptr;    ///< where it stands over the view, if it does

@@ -8,6 +8,7 @@
 #include "gui/document/point_views.h"
 #include "gui/document/recent_files.h"
 #include "gui/document/scene_document.h"
+#include "gui/landmarks/landmark_tool.h"
 #include "gui/landmarks/points_panel.h"
 #include "gui/landmarks/save_name.h"
 #include "gui/landmarks/scan_series.h"
@@ -250,7 +251,7 @@ void MainWindow::createPlacingActions(QMenu &menu, QToolBar &bar)
     m_placingAction->setCheckable(true);
     m_placingAction->setObjectName(QStringLiteral("place_points")); // as the others that lessons link to
     connect(m_placingAction, &QAction::toggled, this, [this](bool isOn) {
-        m_view->setPlacing(isOn);
+        m_landmarkTool->setPlacing(isOn);
         if (isOn)
             m_view->setFocus(); // arrow keys move the point
     });

@@ -2,6 +2,7 @@
 
 #include "gui/doctor/doctor_panel.h"
 #include "gui/document/scene_document.h"
+#include "gui/landmarks/landmark_tool.h"
 #include "gui/landmarks/point_templates.h"
 #include "gui/landmarks/points_panel.h"
 #include "gui/lessons/formulas_window.h"
@@ -208,8 +209,8 @@ void MainWindow::takeOver(const Former &former)
     }
     m_places->restore(former.standing);
     m_mapAction->setChecked(former.isMapShown);
-    m_placingAction->setChecked(m_view->isPlacing());
-    m_pointsPanel->setPlacing(m_view->isPlacing());
+    m_placingAction->setChecked(m_landmarkTool->isPlacing());
+    m_pointsPanel->setPlacing(m_landmarkTool->isPlacing());
     if (m_session->isLoading())
         m_loading->start();
     m_recovery->offer(m_session->offered());

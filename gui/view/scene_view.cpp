@@ -3,16 +3,20 @@
 #include "core/scene/point_size.h"
 #include "gui/document/camera_looks.h"
 #include "gui/text/number_text.h"
+#include "gui/view/highlight_marks.h"
 #include "gui/view/scene_overlay.h"
+#include "gui/view/view_tool.h"
 
 #include <QElapsedTimer>
 #include <QOpenGLContext>
+#include <QPainter>
 #include <QSurfaceFormat>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
-// The hand is in scene_view_input.cpp, the keys are in scene_view_keys.cpp, placed points are in scene_view_points.cpp.
+// The hand is in scene_view_input.cpp, the keys are in scene_view_keys.cpp.
 
 namespace unprojector::gui {
 namespace {
@@ -38,17 +42,12 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     // Its pixel says nothing of another scene, and what a hand turns or is about to place is not there any more.
     connect(&m_document, &SceneDocument::opened, this, [this] {
         m_crosshair.reset();
-        endPointDrag(); // first: it takes the loupe along
         m_drag = Drag::None;
-        m_placesAtRelease = false;
+        m_toolTakesClick = false;
     });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Objects) // the former pick may be on one that went
             m_formerPick.reset();
-        if (changes & Change::Landmarks) // so may be the point in the hand
-            endPointDrag();
-        if (changes & (kSeen | Change::Landmarks | Change::LandmarkSelection))
-            m_marks.reset();
         if (changes & kSeen)
             redraw();
         else if (changes
@@ -57,12 +56,6 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
             update(); // they are drawn over the frame
         if (changes & Change::Snap)
             clearMark();
-    });
-    // Only now it can be said which points are behind something.
-    connect(&m_document.rayCasters(), &RayCasters::built, this, [this] {
-        m_marks.reset();
-        if (!m_document.landmarks().empty())
-            update();
     });
     connect(&m_hoverTimer, &QTimer::timeout, this, &SceneView::takeHover);
 }
@@ -82,7 +75,6 @@ void SceneView::changeEvent(QEvent *event)
     if (event->type() != QEvent::LanguageChange)
         return;
     nameItself();
-    m_marks.reset(); // their labels say what is behind the surface
     update();
 }
 
@@ -162,7 +154,7 @@ void SceneView::onDraw()
     if (showFrame()) {
         drawMap();
         m_overlay->draw(m_document, m_isCrosshairShown ? std::optional(crosshair()) : std::nullopt, m_mark);
-        drawMarks();
+        drawTexts();
     }
     emit happened({LifecycleEvent::Kind::OnDraw, QString(),
                    drawn == Drawn::Nothing ? tr("glDrawArrays: the objects are as they were drawn before")
@@ -242,6 +234,81 @@ std::optional<DepthSample> SceneView::sampleAt(const WidgetPoint &position)
     }
     doneCurrent();
     return sample;
+}
+
+void SceneView::setTool(ViewTool &tool)
+{
+    m_tool = &tool;
+}
+
+void SceneView::endToolDrag()
+{
+    if (m_drag == Drag::Tool)
+        m_drag = Drag::None;
+}
+
+int SceneView::cornerWidth() const
+{
+    return m_corner && m_corner->isVisible() ? m_corner->width() : 0;
+}
+
+void SceneView::drawMap()
+{
+    if (!m_map.isNull())
+        paintOver(1.0, [this](QPainter &painter) { painter.drawImage(0, 0, m_map); }); // pixel on pixel
+}
+
+std::vector<QRectF> SceneView::takenCorners() const
+{
+    std::vector<QRectF> taken;
+    const Picture &g = m_document.geometry();
+    if (const Result<Drawable> drawn = drawable(g)) {
+        const double side = SceneOverlay::axesSide(*drawn);
+        const WidgetPoint low = widgetFromDevice(
+            g.surface, deviceFromWindow(g.surface, WindowPoint(g.viewport.x, g.viewport.y + side, 0.0)));
+        taken.emplace_back(QPointF(low.x, low.y), QSizeF(side, side) / g.surface.devicePixelRatio);
+    }
+    if (const int width = cornerWidth(); width > 0)
+        taken.emplace_back(QRectF(rect().topRight() - QPoint(width, 0), QSizeF(m_corner->size())));
+    return taken;
+}
+
+void SceneView::drawTexts()
+{
+    const HighlightMarks highlights = highlightsInView(m_document, m_highlights);
+    const bool hasTool = m_tool && m_tool->prepareToDraw();
+    if (!hasTool && highlights.isEmpty())
+        return;
+    paintOver(currentSurface().devicePixelRatio, [&](QPainter &painter) {
+        const std::vector<QRectF> boxes = boxesOf(highlights, painter.font(), QRectF(rect()), takenCorners());
+        drawHighlights(painter, highlights, boxes);
+        if (hasTool)
+            m_tool->draw(painter, boxes);
+    });
+}
+
+QImage SceneView::pixelsIn(const QRect &wanted)
+{
+    const Surface surface = currentSurface();
+    const QRect there = wanted & QRect(0, 0, surface.widthPixels, surface.heightPixels);
+    QImage pixels(wanted.size(), QImage::Format_RGBA8888);
+    pixels.fill(Qt::black);
+    if (there.isEmpty())
+        return pixels;
+    QImage read(there.size(), QImage::Format_RGBA8888);
+    // Four bytes a pixel: no row is padded.
+    glReadPixels(there.left(), framebufferRow(surface, {there.left(), there.bottom()}), there.width(), there.height(),
+                 GL_RGBA, GL_UNSIGNED_BYTE, read.bits());
+    for (int row = 0; row < there.height(); ++row) {
+        const uchar *from = read.constScanLine(there.height() - 1 - row);
+        const std::ptrdiff_t beside = there.left() - wanted.left();
+        uchar *to = pixels.scanLine(there.top() - wanted.top() + row) + 4 * beside;
+        for (std::ptrdiff_t i = 0; i < there.width(); ++i) {
+            std::copy_n(from + 4 * i, 3, to + 4 * i);
+            to[4 * i + 3] = 255; // whatever the framebuffer has there
+        }
+    }
+    return pixels;
 }
 
 DepthSample SceneView::withDot(DepthSample sample) const

@@ -2,18 +2,16 @@
 
 #include "core/lessons/lesson.h"
 #include "gui/document/scene_document.h"
-#include "gui/view/axis_dragger.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/lifecycle_event.h"
 #include "gui/view/painters/snap_mark.h"
-#include "gui/view/point_marks.h"
 
 #include <QImage>
 #include <QPointer>
+#include <QRect>
 #include <QTimer>
 #include <QUrl>
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <set>
@@ -27,6 +25,7 @@ class QMouseEvent;
 namespace unprojector::gui {
 
 class SceneOverlay;
+class ViewTool;
 
 /// The picture of a document's scene. Its life mirrors the paper's MFC view (Weng et al. 2008, section 4) by name:
 /// preCreateWindow, onCreate, onSize, onDraw, onLButtonDown, onDestroy, called from Qt's own hooks. It reads depths
@@ -58,13 +57,24 @@ public:
     /// What a lesson letters in the picture.
     void setHighlights(const std::set<lessons::Highlight> &highlights);
 
-    /// Whether a click places a point, where it is released; a drag navigates as ever. Marks of points are selected and dragged
-    /// in either case.
-    bool isPlacing() const { return m_isPlacing; }
-    void setPlacing(bool isPlacing);
+    /// What a hand does besides navigating and picking. It lives as long as the view.
+    void setTool(ViewTool &tool);
+
+    // For the tool.
+
+    /// What is under a position in a picture that is up to date.
+    std::optional<DepthSample> sampleAt(const WidgetPoint &position);
+    /// The pixels of what has been drawn, the top row first, black outside the view. While the view is painted.
+    /// @param wanted  device pixels, origin top-left
+    QImage pixelsIn(const QRect &wanted);
+    /// Tells what is there, as where the pointer is.
+    void reportHover(const WidgetPoint &position);
+    /// The drag of the tool is over, whatever buttons are down.
+    void endToolDrag();
+    /// How much of the view's width the widget over the upper right corner takes, logical pixels.
+    int cornerWidth() const;
 
 signals:
-    void placingChanged(bool isPlacing);
     void hovered(const unprojector::geometry::WidgetPoint &position, const unprojector::unproject::DepthSample &sample);
     void pointerLeft();
     /// A step of the view's life has been taken; for a log.
@@ -93,7 +103,7 @@ protected:
     void dropEvent(QDropEvent *event) override;
 
 private:
-    enum class Drag { None, Orbit, Pan, Point, Axis };
+    enum class Drag { None, Orbit, Pan, Tool };
 
     void onCreate();
     void onSize();
@@ -103,8 +113,6 @@ private:
     /// Draws the objects into the frame where it does not show the document as it is.
     /// @return what it drew
     Drawn updateFrame();
-    /// What is under a position in a picture that is up to date.
-    std::optional<DepthSample> sampleAt(const WidgetPoint &position);
     /// Of an object that is a cloud: of the dot that a point is drawn as.
     DepthSample withDot(DepthSample sample) const;
     void redraw();
@@ -124,43 +132,11 @@ private:
     void markAt(const WidgetPoint &position);
     void clearMark();
 
-    // Placed points: scene_view_points.cpp.
-
-    /// As they are seen now.
-    const std::vector<PointMark> &marks();
     void drawMap();
-    void drawMarks();
+    /// The letters of a lesson, and what the tool draws.
+    void drawTexts();
     /// What letters have to keep clear of: the axes in the corner and the widget over the other one.
     std::vector<QRectF> takenCorners() const;
-    bool pressMark(const QMouseEvent &event);
-    bool isPointDragged() const { return m_drag == Drag::Point || m_drag == Drag::Axis; }
-    /// Slides the point on the surface under the pointer, and those that are selected besides by as many pixels.
-    void dragPoint(const QPointF &local);
-    /// The arrows by which the current point is moved off the surface: while points are placed.
-    std::optional<std::array<AxisArrow, 3>> arrows() const;
-    /// @return whether one was pressed
-    bool pressArrow(const QPointF &pointer);
-    void dragAlongAxis(const QPointF &local);
-    void placePointAt(const QPointF &local);
-    /// Whether a key is for points as things are.
-    /// A point that is dragged is let go, as where the list of points changes below the hand.
-    void endPointDrag();
-    /// Places of the selected points that are not hidden.
-    std::vector<std::size_t> selectedInView() const;
-    bool isPointKey(const QKeyEvent &event) const;
-    void pressPointKey(const QKeyEvent &event);
-    /// Moves the selected points that are in sight on the surface. @param way  device pixels
-    void nudge(const QPointF &way);
-    /// Says of how many selected points that they stayed.
-    void tellUnmoved(std::size_t count, const QPointF &at);
-    void showTip(const QHelpEvent &event);
-    /// Shows a place large while points are placed and dragged.
-    /// @param at  device pixels; nothing: no more
-    void aimLoupe(const std::optional<DevicePoint> &at);
-    /// The centre of the pixel under a position; nothing outside the view.
-    std::optional<DevicePoint> pointedAt(const QPointF &local) const;
-    /// The pixels about a place of what has been drawn, the top row first.
-    QImage pixelsAbout(const DevicePoint &at);
 
     // Keys do at the crosshair what the mouse does at the pointer.
 
@@ -172,7 +148,6 @@ private:
 
     // The pointer's readout waits for nothing: it is asked for, and reported when the GPU has it.
     void reportHover(const QPointF &local);
-    void reportHover(const WidgetPoint &position);
     void requestHover();
     void takeHover();
 
@@ -188,23 +163,8 @@ private:
     std::optional<WidgetPoint> m_requested; ///< being read
     QTimer m_hoverTimer;
 
-    bool m_isPlacing = false;
-    bool m_placesAtRelease = false;                ///< the press was not on a mark
-    std::optional<std::vector<PointMark>> m_marks; ///< nothing: to be looked for
-    std::size_t m_draggedPoint = 0;                ///< its place
-    QPointF m_dragStart;                           ///< where its mark was at the press
-    /// The other selected points in sight, and where their marks were.
-    std::vector<std::pair<std::size_t, QPointF>> m_draggedWith;
-    std::size_t m_leftBehind = 0; ///< selected points that a drag has not moved
-    bool m_isMovingPoint = false; ///< what changes now is what the hand does
-    QPointF m_pointGrab;          ///< from the pointer to the dragged mark
-    int m_stepAtPress = 0;        ///< of undo, when the drag of a point began
-    bool m_hasMovedPoint = false;
-    int m_draggedAxis = 0;
-    WorldPoint m_axisStart;  ///< where the dragged point was
-    double m_axisFrom = 0.0; ///< where along the axis it was grabbed, from there
-    std::optional<DevicePoint> m_loupeAt;
-
+    ViewTool *m_tool = nullptr;
+    bool m_toolTakesClick = false; ///< the press was none of the tool's own, and its release may be a click
     Drag m_drag = Drag::None;
     bool m_hasMoved = false;               ///< far enough from the press to be a drag
     std::optional<QPointF> m_menuPosition; ///< where the right button was pressed and has not dragged yet

@@ -4,6 +4,7 @@
 
 #include "core/geometry/angle.h"
 #include "gui/document/camera_looks.h"
+#include "gui/view/view_tool.h"
 
 #include <QApplication>
 #include <QMimeData>
@@ -44,10 +45,13 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     m_gesture = QStringLiteral("drag %1").arg(++m_gestureCount);
     const WidgetPoint position = widgetPosition(event->position());
     setCrosshairShown(false);
-    if (!pans && pressMark(*event))
+    const ViewTool::Press pressed = pans || !m_tool ? ViewTool::Press::Passed : m_tool->press(*event, m_gesture);
+    if (pressed == ViewTool::Press::Drags) {
+        m_drag = Drag::Tool;
         return;
-    m_placesAtRelease = m_isPlacing && !pans;
-    if (pans || m_placesAtRelease) {
+    }
+    m_toolTakesClick = pressed == ViewTool::Press::Passed && !pans && m_tool && m_tool->takesClicks();
+    if (pans || m_toolTakesClick || pressed == ViewTool::Press::Navigates) {
         m_pivot = pivotAt(position);
     } else {
         m_pivot = m_document.geometry().camera().center; // where nothing can be read
@@ -76,8 +80,8 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     case Drag::None:
         if (event->buttons() == Qt::NoButton)
             reportHover(event->position());
-        if (m_isPlacing && event->buttons() == Qt::NoButton)
-            aimLoupe(pointedAt(event->position()));
+        if (m_tool && event->buttons() == Qt::NoButton)
+            m_tool->hover(event->position());
         return;
     case Drag::Orbit: {
         // Half a turn for the height of the view.
@@ -89,8 +93,7 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
         return;
     }
     case Drag::Pan: pan(delta, m_pivot, m_gesture); return;
-    case Drag::Point: dragPoint(event->position()); return;
-    case Drag::Axis: dragAlongAxis(event->position()); return;
+    case Drag::Tool: m_tool->dragTo(event->position()); return;
     }
 }
 
@@ -103,13 +106,11 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
     }
     if (event->buttons() != Qt::NoButton)
         return;
-    if (m_drag != Drag::None)
-        aimLoupe(m_isPlacing ? pointedAt(event->position()) : std::nullopt);
-    if (m_drag == Drag::Point && m_hasMovedPoint && m_leftBehind > 0)
-        tellUnmoved(m_leftBehind, event->position());
+    if (m_tool && m_drag != Drag::None)
+        m_tool->release(event->position());
     const bool isClick = std::exchange(m_drag, Drag::None) != Drag::None && !m_hasMoved;
-    if (std::exchange(m_placesAtRelease, false) && isClick)
-        placePointAt(event->position());
+    if (std::exchange(m_toolTakesClick, false) && isClick)
+        m_tool->click(event->position());
     m_formerPick.reset();
     if (rect().contains(event->position().toPoint()))
         reportHover(event->position());
@@ -196,7 +197,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
 {
     if (m_drag != Drag::None || event->button() != Qt::LeftButton)
         return;
-    if (m_isPlacing) { // two points, one soon after the other
+    if (m_tool && m_tool->takesClicks()) { // two clicks, one soon after the other
         mousePressEvent(event);
         return;
     }
@@ -260,8 +261,8 @@ void SceneView::leaveEvent(QEvent *event)
     m_hovered.reset();
     m_pointed.reset();
     clearMark();
-    if (m_drag == Drag::None)
-        aimLoupe(std::nullopt);
+    if (m_tool && m_drag == Drag::None)
+        m_tool->hover(std::nullopt);
     if (m_requested) {
         m_requested.reset();
         makeCurrent();

@@ -4,6 +4,7 @@
 
 #include "core/geometry/angle.h"
 #include "gui/document/camera_looks.h"
+#include "gui/view/view_tool.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -110,22 +111,20 @@ bool SceneView::event(QEvent *event)
     // The view's keys come before the window's shortcuts.
     if (event->type() == QEvent::ShortcutOverride) {
         const auto &key = *static_cast<QKeyEvent *>(event);
-        if (isPointKey(key) || deedOf(key)) {
+        if ((m_tool && m_tool->isKey(key)) || deedOf(key)) {
             event->accept();
             return true;
         }
     }
-    if (event->type() == QEvent::ToolTip && !m_document.landmarks().empty()) {
-        showTip(*static_cast<QHelpEvent *>(event));
+    if (event->type() == QEvent::ToolTip && m_tool && m_tool->showTip(*static_cast<QHelpEvent *>(event)))
         return true;
-    }
     return FrameView::event(event);
 }
 
 void SceneView::keyPressEvent(QKeyEvent *event)
 {
-    if (isPointKey(*event)) {
-        pressPointKey(*event);
+    if (m_tool && m_tool->isKey(*event)) {
+        m_tool->pressKey(*event, m_drag != Drag::None);
         return;
     }
     const std::optional<KeyDeed> deed = deedOf(*event);

@@ -2781,6 +2781,21 @@ Both are as large as fits.</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::LandmarkTool</name>
+    <message>
+        <source>Background: no surface here</source>
+        <translation>背景：此处没有表面</translation>
+    </message>
+    <message>
+        <source>It is behind what is seen here: turn the view, or go to it (G).</source>
+        <translation>它在此处所见之物的后面：请转动视图，或转到该点（G）。</translation>
+    </message>
+    <message>
+        <source>Selected points that were not moved, behind what is seen here or beside it: %1.</source>
+        <translation>选中而未移动的点（在此处所见之后或之外）：%1 个。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::LessonPanel</name>
     <message>
         <source>Chec&amp;k</source>
@@ -7070,14 +7085,6 @@ of a point that needs no division</source>
     <message>
         <source>Background: no surface here</source>
         <translation>背景：此处没有表面</translation>
-    </message>
-    <message>
-        <source>It is behind what is seen here: turn the view, or go to it (G).</source>
-        <translation>它在此处所见之物的后面：请转动视图，或转到该点（G）。</translation>
-    </message>
-    <message>
-        <source>Selected points that were not moved, behind what is seen here or beside it: %1.</source>
-        <translation>选中而未移动的点（在此处所见之后或之外）：%1 个。</translation>
     </message>
 </context>
 <context>

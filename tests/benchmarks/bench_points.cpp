@@ -5,7 +5,7 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
-#include "gui/view/point_marks.h"
+#include "gui/landmarks/point_marks.h"
 
 #include <benchmark/benchmark.h>
 

@@ -109,16 +109,15 @@ QMap<QString, ClassSize> classesUnder(const QStringList &folders)
 /// a class no longer needs is an error too.
 const QMap<QString, ClassSize> kLarge{
     {"MainWindow",
-     {2070,
-      57,
+     {2080,
+      58,
       {"main_window_actions.cpp", "main_window_docks.cpp", "main_window_language.cpp", "main_window_lessons.cpp"}}},
     {"ObserverView", {kMostLines, kMostMembers, {"observer_view_input.cpp"}}},
     {"PipelinePanel", {920, 35, {"pipeline_panel_actions.cpp", "pipeline_panel_shown.cpp"}}},
     {"ScanSeries", {kMostLines, kMostMembers, {"scan_series_tables.cpp"}}},
     {"SceneDocument", {kMostLines, kMostMembers, {"scene_picks.cpp"}}},
     {"ScenePoints", {kMostLines, kMostMembers, {"scene_points_placing.cpp"}}},
-    {"SceneView",
-     {1440, 37, {"scene_view_input.cpp", "scene_view_keys.cpp", "scene_view_menu.cpp", "scene_view_points.cpp"}}},
+    {"SceneView", {1060, kMostMembers, {"scene_view_input.cpp", "scene_view_keys.cpp", "scene_view_menu.cpp"}}},
     {"Session", {850, kMostMembers, {"session_opening.cpp"}}},
 };
 

@@ -10,7 +10,7 @@
 #include "gui/landmarks/curves_view.h"
 #include "gui/landmarks/measures_view.h"
 #include "gui/view/curve_shapes.h"
-#include "gui/view/measure_mark.h"
+#include "gui/landmarks/measure_mark.h"
 #include "gui_scene.h"
 #include "tests/support/patience.h"
 #include "window_user.h"

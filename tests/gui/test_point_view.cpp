@@ -3,8 +3,9 @@
 #include "gui/document/camera_looks.h"
 #include "gui/document/point_views.h"
 #include "gui/document/scene_edits.h"
-#include "gui/view/point_loupe.h"
-#include "gui/view/point_marks.h"
+#include "gui/landmarks/landmark_tool.h"
+#include "gui/landmarks/point_loupe.h"
+#include "gui/landmarks/point_marks.h"
 #include "gui_scene.h"
 #include "tests/support/patience.h"
 
@@ -113,7 +114,7 @@ void TestPointView::aClickPlacesOnRelease()
 {
     const auto window = cubeWindow(false);
     trigger(*window, Qt::Key_P);
-    QVERIFY(window->view().isPlacing());
+    QVERIFY(window->landmarkTool().isPlacing());
     const QPointF at = localOf(*window, kFront);
     sendMouse(window->view(), QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
     QVERIFY(window->document().landmarks().empty());
@@ -227,20 +228,20 @@ void TestPointView::escapeEndsADragAndThenPlacing()
 {
     const auto window = cubeWindow(false);
     putPoint(*window);
-    window->view().setPlacing(true);
+    window->landmarkTool().setPlacing(true);
     const QPointF at = localOf(*window, kFront);
     sendMouse(window->view(), QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
     sendMouse(window->view(), QEvent::MouseMove, at + QPointF(30, 0), Qt::NoButton, Qt::LeftButton);
     QVERIFY(length(*only(*window).world - WorldPoint(kFront)) > 0.1);
     QTest::keyClick(&window->view(), Qt::Key_Escape);
     QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9);
-    QVERIFY(window->view().isPlacing());
+    QVERIFY(window->landmarkTool().isPlacing());
     sendMouse(window->view(), QEvent::MouseMove, at + QPointF(60, 0), Qt::NoButton, Qt::LeftButton);
     sendMouse(window->view(), QEvent::MouseButtonRelease, at + QPointF(60, 0), Qt::LeftButton, Qt::NoButton);
     QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9);
     QCOMPARE(window->document().landmarks().size(), std::size_t{1});
     QTest::keyClick(&window->view(), Qt::Key_Escape);
-    QVERIFY(!window->view().isPlacing());
+    QVERIFY(!window->landmarkTool().isPlacing());
 }
 
 void TestPointView::arrowKeysMoveByPixels_data()
@@ -263,7 +264,7 @@ void TestPointView::arrowKeysMoveByPixels()
     putPoint(*window);
     window->document().points().selectOnly(0);
     const LookAt camera = window->document().scene().camera;
-    window->view().setPlacing(true);
+    window->landmarkTool().setPlacing(true);
     const glm::dvec2 before = placeOf(*window, only(*window).world->coordinates());
     const int steps = window->document().undoStack().count();
     for (int i = 0; i < 3; ++i)
@@ -274,7 +275,7 @@ void TestPointView::arrowKeysMoveByPixels()
     QCOMPARE(window->document().undoStack().count(), steps + 1);
     QVERIFY(window->document().scene().camera == camera);
     // Otherwise they turn the view.
-    window->view().setPlacing(false);
+    window->landmarkTool().setPlacing(false);
     QTest::keyClick(&window->view(), Qt::Key_Right);
     QVERIFY(window->document().scene().camera != camera);
 }
@@ -292,7 +293,7 @@ void TestPointView::arrowKeysMoveAllThatIsSelected()
                           {QStringLiteral("put")}));
     document.rayCasters().complete(document.objects());
     document.points().select({0, 1, 3, 4}, 1);
-    window->view().setPlacing(true);
+    window->landmarkTool().setPlacing(true);
     const std::vector<Landmark> before = document.landmarks();
     const int steps = document.undoStack().count();
     QTest::keyClick(&window->view(), Qt::Key_Right);
@@ -616,7 +617,7 @@ void TestPointView::theLoupeShowsThePlace()
     const QRectF box = loupeBox(surface, place);
     QVERIFY(!box.contains(at));
     QVERIFY(loupeBox(surface, deviceFromWidget(surface, {box.center().x(), box.center().y()})) != box);
-    window->view().setPlacing(true);
+    window->landmarkTool().setPlacing(true);
     sendMouse(window->view(), QEvent::MouseMove, at + QPointF(1, 0), Qt::NoButton, Qt::NoButton);
     const QImage with = window->view().grabFramebuffer();
     // In the loupe, the blue face; outside, the picture is the same.
@@ -630,7 +631,7 @@ void TestPointView::theLoupeShowsThePlace()
     const ray::SceneRays *rays = window->document().rays();
     QVERIFY(rays);
     QVERIFY(loupeEdges(*rays, deviceFromWidget(surface, {corner.x(), corner.y()})).size() >= 6);
-    window->view().setPlacing(false);
+    window->landmarkTool().setPlacing(false);
     QCOMPARE(differentPixels(without, window->view().grabFramebuffer()), 0);
 }
 
@@ -649,7 +650,7 @@ void TestPointView::arrowsMoveOffTheSurface()
     putPoint(*window);
     SceneDocument &document = window->document();
     document.points().selectOnly(0);
-    window->view().setPlacing(true);
+    window->landmarkTool().setPlacing(true);
     const std::array<AxisArrow, 3> arrows = axisArrows(document.geometry(), *only(*window).world);
     const AxisArrow &arrow = arrows[static_cast<std::size_t>(axis)];
     QVERIFY(arrow.isUsable);

@@ -7,11 +7,12 @@
 #include "gui/document/point_files.h"
 #include "gui/document/scene_curves.h"
 #include "gui/landmarks/curves_view.h"
+#include "gui/landmarks/landmark_tool.h"
+#include "gui/landmarks/point_marks.h"
 #include "gui/landmarks/points_model.h"
 #include "gui/landmarks/points_table.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/shell/overlay_bars.h"
-#include "gui/view/point_marks.h"
 #include "tests/support/patience.h"
 
 #include <QApplication>
@@ -100,7 +101,7 @@ void TestPointsWindow::aDroppedTemplateHasItsNamesPlaced()
     QVERIFY2(points.size() == 2, qPrintable(window->message()));
     QVERIFY(points[0].name == "tip" && points[0].isMissing() && points[1].name == "chin");
     QCOMPARE(window->document().points().waiting(), std::optional<std::size_t>(0));
-    QVERIFY(window->view().isPlacing()); // nobody chooses one for anything else
+    QVERIFY(window->landmarkTool().isPlacing()); // nobody chooses one for anything else
     QVERIFY(!actionOf(*window, QStringLiteral("Next Scan"))->isEnabled());
     QVERIFY(!actionOf(*window, QStringLiteral("Repeats…"))->isEnabled());
     // With a model, to that one.
@@ -236,7 +237,7 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
         QCOMPARE(document.landmarks().size(), std::size_t(3));
         QCOMPARE(document.points().waiting(), std::optional<std::size_t>(0));
 
-        QVERIFY(view.isPlacing());
+        QVERIFY(window->landmarkTool().isPlacing());
         fitAll(document);
         document.rayCasters().complete(document.objects());
         for (const glm::dvec3 &place :

@@ -1,4 +1,4 @@
-#include "gui/view/point_loupe.h"
+#include "gui/landmarks/point_loupe.h"
 
 #include <QPainter>
 

@@ -1,4 +1,4 @@
-#include "gui/view/measure_mark.h"
+#include "gui/landmarks/measure_mark.h"
 
 #include "gui/document/scene_curves.h"
 

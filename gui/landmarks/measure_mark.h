@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/view/point_marks.h"
+#include "gui/landmarks/point_marks.h"
 
 #include <QLineF>
 

@@ -1,4 +1,4 @@
-#include "gui/view/axis_dragger.h"
+#include "gui/landmarks/axis_dragger.h"
 
 #include "core/geometry/camera_motion.h"
 

@@ -1,4 +1,4 @@
-#include "gui/view/point_marks.h"
+#include "gui/landmarks/point_marks.h"
 
 #include "core/geometry/angle.h"
 #include "core/geometry/camera_motion.h"

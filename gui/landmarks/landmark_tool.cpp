@@ -1,0 +1,398 @@
+#include "gui/landmarks/landmark_tool.h"
+
+#include "gui/landmarks/measure_mark.h"
+#include "gui/landmarks/point_loupe.h"
+#include "gui/view/scene_view.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QScopedValueRollback>
+#include <QToolTip>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+using landmarks::Landmark;
+
+DevicePoint deviceOf(const Surface &surface, const QPointF &logical)
+{
+    return deviceFromWidget(surface, WidgetPoint(logical.x(), logical.y()));
+}
+
+/// How far an arrow key moves a point, device pixels; nothing for another key.
+std::optional<QPointF> nudgeOf(const QKeyEvent &event)
+{
+    const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier);
+    double pixels = 1.0;
+    if (modifiers == Qt::ShiftModifier)
+        pixels = 10.0;
+    else if (modifiers == Qt::AltModifier)
+        pixels = 0.1;
+    else if (modifiers != Qt::NoModifier)
+        return std::nullopt;
+    switch (event.key()) {
+    case Qt::Key_Left: return QPointF(-pixels, 0.0);
+    case Qt::Key_Right: return QPointF(pixels, 0.0);
+    case Qt::Key_Up: return QPointF(0.0, -pixels);
+    case Qt::Key_Down: return QPointF(0.0, pixels);
+    default: return std::nullopt;
+    }
+}
+
+} // namespace
+
+LandmarkTool::LandmarkTool(SceneDocument &document, SceneView &view)
+    : QObject(&view), m_document(document), m_view(view)
+{
+    connect(&m_document, &SceneDocument::opened, this, &LandmarkTool::endDrag);
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Landmarks) // the landmark in the hand may be gone
+            endDrag();
+        if (changes & (kSeen | Change::Landmarks | Change::LandmarkSelection))
+            m_marks.reset();
+    });
+    // Only now it can be said which landmarks are behind something.
+    connect(&m_document.rayCasters(), &RayCasters::built, this, [this] {
+        m_marks.reset();
+        if (!m_document.landmarks().empty())
+            m_view.update();
+    });
+}
+
+void LandmarkTool::setPlacing(bool isPlacing)
+{
+    if (std::exchange(m_isPlacing, isPlacing) == isPlacing)
+        return;
+    aimLoupe(std::nullopt);
+    emit placingChanged(isPlacing);
+}
+
+const std::vector<PointMark> &LandmarkTool::marks()
+{
+    if (!m_marks)
+        m_marks = pointMarks(m_document);
+    return *m_marks;
+}
+
+bool LandmarkTool::prepareToDraw()
+{
+    m_loupe = m_loupeAt ? m_view.pixelsIn(loupePixels(*m_loupeAt)) : QImage();
+    return m_loupeAt || !marks().empty();
+}
+
+void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
+{
+    const std::vector<PointMark> &shown = marks();
+    const QRectF area(m_view.rect());
+    const auto shownArrows = arrows();
+    std::vector<QLineF> lines;
+    for (const AxisArrow &arrow : shownArrows.value_or(std::array<AxisArrow, 3>())) {
+        if (arrow.isUsable)
+            lines.emplace_back(arrow.from, arrow.to);
+    }
+    const std::optional<MeasureMark> measure = measureMark(m_document);
+    std::vector<PointMark> labelled = shown;
+    if (measure) { // beside its line, and clear of the landmarks' own
+        lines.insert(lines.end(), measure->lines.begin(), measure->lines.end());
+        labelled.push_back(measure->label);
+    }
+    std::vector<PlacedLabel> labels = placedLabels(labelled, QFontMetricsF(painter.font()), area, lines, taken);
+    std::optional<PlacedLabel> ofMeasure;
+    std::erase_if(labels, [&](const PlacedLabel &label) {
+        if (label.mark < shown.size())
+            return false;
+        ofMeasure = label;
+        return true;
+    });
+    if (measure)
+        drawMeasure(painter, *measure, ofMeasure);
+    drawPoints(painter, shown, labels);
+    if (shownArrows)
+        drawAxes(painter, *shownArrows, m_drag == Drag::Axis ? std::optional(m_axis) : std::nullopt);
+    if (m_loupeAt) {
+        const ray::SceneRays *rays = m_document.rays();
+        drawLoupe(painter, loupeBox(m_document.geometry().surface, *m_loupeAt, m_view.cornerWidth()), *m_loupeAt,
+                  m_loupe, rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>());
+    }
+}
+
+void LandmarkTool::aimLoupe(const std::optional<DevicePoint> &at)
+{
+    if (!at && !m_loupeAt)
+        return;
+    m_loupeAt = at;
+    m_view.update();
+}
+
+std::optional<DevicePoint> LandmarkTool::pointedAt(const QPointF &local) const
+{
+    const Result<DevicePixel> pixel =
+        devicePixelFromWidget(m_document.geometry().surface, m_view.widgetPosition(local));
+    return pixel ? std::optional(pixelCenter(*pixel)) : std::nullopt;
+}
+
+ViewTool::Press LandmarkTool::press(const QMouseEvent &event, const QString &mergeKey)
+{
+    const WidgetPoint position = m_view.widgetPosition(event.position());
+    const QPointF pointer(position.x, position.y);
+    const PointMark *mark = markUnder(marks(), pointer, true);
+    m_mergeKey = mergeKey;
+    if (!mark)
+        return pressArrow(pointer) ? Press::Drags : Press::Passed;
+    const PointMark pressed = *mark; // what is selected now has other marks
+    if (event.modifiers().testFlag(Qt::ControlModifier)) {
+        m_document.points().toggle(pressed.place);
+    } else if (m_document.points().isSelected(pressed.place)) {
+        m_document.points().select(m_document.points().selection(), pressed.place);
+    } else {
+        m_document.points().selectOnly(pressed.place);
+    }
+    // A hand that turns the view must not take a landmark along that nobody has chosen.
+    if (!m_isPlacing && !pressed.isSelected)
+        return Press::Navigates;
+    m_dragged = pressed.place;
+    m_dragStart = pressed.at;
+    m_draggedWith.clear();
+    for (const PointMark &other : marks()) {
+        if (other.isSelected && !other.isBehind && other.place != pressed.place)
+            m_draggedWith.emplace_back(other.place, other.at);
+    }
+    m_leftBehind = 0;
+    m_grab = pressed.at - pointer;
+    m_hasMoved = false;
+    m_stepAtPress = m_document.undoStack().index();
+    m_drag = Drag::Landmark;
+    return Press::Drags;
+}
+
+void LandmarkTool::dragTo(const QPointF &local)
+{
+    switch (m_drag) {
+    case Drag::None: return;
+    case Drag::Landmark: dragLandmark(local); return;
+    case Drag::Axis: dragAlongAxis(local); return;
+    }
+}
+
+void LandmarkTool::release(const QPointF &local)
+{
+    aimLoupe(m_isPlacing ? pointedAt(local) : std::nullopt);
+    if (std::exchange(m_drag, Drag::None) == Drag::Landmark && m_hasMoved && m_leftBehind > 0)
+        tellUnmoved(m_leftBehind, local);
+}
+
+void LandmarkTool::hover(const std::optional<QPointF> &local)
+{
+    if (!local)
+        aimLoupe(std::nullopt);
+    else if (m_isPlacing)
+        aimLoupe(pointedAt(*local));
+}
+
+void LandmarkTool::dragLandmark(const QPointF &local)
+{
+    const WidgetPoint position = m_view.widgetPosition(local);
+    const QPointF wanted = QPointF(position.x, position.y) + m_grab;
+    const std::optional<Landmark> there = m_document.points().onMeshAt(deviceOf(m_document.geometry().surface, wanted));
+    if (!there) // beside the mesh it waits where it was last on it
+        return;
+    m_hasMoved = true;
+    std::vector<ScenePoints::Move> moves{{m_dragged, *there}};
+    for (const auto &[place, at] : m_draggedWith) {
+        const std::optional<Landmark> other =
+            m_document.points().onMeshAt(deviceOf(m_document.geometry().surface, at + wanted - m_dragStart));
+        const std::string &before = m_document.landmarks()[place].object;
+        if (other && (before.empty() || other->object == before)) // not from one object onto another
+            moves.push_back({place, *other});
+    }
+    const std::vector<std::size_t> selected = selectedInView();
+    const auto wantedMoves =
+        static_cast<std::size_t>(std::count_if(selected.begin(), selected.end(), [this](std::size_t place) {
+            return !m_document.landmarks()[place].isMissing();
+        }));
+    m_leftBehind = wantedMoves - std::min(wantedMoves, moves.size());
+    const QScopedValueRollback<bool> moving(m_isMoving, true);
+    static_cast<void>(m_document.points().moveAll(moves, m_mergeKey));
+    aimLoupe(deviceOf(m_document.geometry().surface, wanted));
+}
+
+std::optional<std::array<AxisArrow, 3>> LandmarkTool::arrows() const
+{
+    const std::optional<std::size_t> current = m_document.points().current();
+    if (!m_isPlacing || !current)
+        return std::nullopt;
+    const Landmark &point = m_document.landmarks()[*current];
+    if (point.isMissing() || point.isHidden)
+        return std::nullopt;
+    return axisArrows(m_document.geometry(), *point.world);
+}
+
+bool LandmarkTool::pressArrow(const QPointF &pointer)
+{
+    const auto shown = arrows();
+    const std::optional<int> axis = shown ? axisUnder(*shown, pointer) : std::nullopt;
+    const ray::SceneRays *rays = axis ? m_document.rays() : nullptr;
+    if (!rays)
+        return false;
+    m_dragged = *m_document.points().current();
+    m_axisStart = *m_document.landmarks()[m_dragged].world;
+    const auto ray = rays->rays().at(deviceOf(m_document.geometry().surface, pointer));
+    const std::optional<double> from = ray ? wayAlong(m_axisStart, *axis, *ray) : std::nullopt;
+    if (!from)
+        return false;
+    m_axis = *axis;
+    m_axisFrom = *from;
+    m_hasMoved = false;
+    m_stepAtPress = m_document.undoStack().index();
+    m_drag = Drag::Axis;
+    return true;
+}
+
+void LandmarkTool::dragAlongAxis(const QPointF &local)
+{
+    const ray::SceneRays *rays = m_document.rays();
+    if (!rays)
+        return;
+    const WidgetPoint position = m_view.widgetPosition(local);
+    const auto ray = rays->rays().at(deviceFromWidget(m_document.geometry().surface, position));
+    const std::optional<double> way = ray ? wayAlong(m_axisStart, m_axis, *ray) : std::nullopt;
+    if (!way)
+        return;
+    WorldPoint to = m_axisStart;
+    to[m_axis] += *way - m_axisFrom;
+    m_hasMoved = true;
+    const QScopedValueRollback<bool> moving(m_isMoving, true);
+    static_cast<void>(m_document.points().moveTo(m_dragged, to, m_mergeKey));
+}
+
+void LandmarkTool::click(const QPointF &local)
+{
+    const WidgetPoint position = m_view.widgetPosition(local);
+    const std::optional<Landmark> there = m_document.points().placedAt(position, m_view.sampleAt(position));
+    if (there) {
+        static_cast<void>(m_document.points().place(*there));
+        return;
+    }
+    QToolTip::showText(m_view.mapToGlobal(local).toPoint(), tr("Background: no surface here"), &m_view);
+}
+
+void LandmarkTool::endDrag()
+{
+    if (m_isMoving || std::exchange(m_drag, Drag::None) == Drag::None)
+        return;
+    aimLoupe(std::nullopt);
+    m_view.endToolDrag();
+}
+
+std::vector<std::size_t> LandmarkTool::selectedInView() const
+{
+    std::vector<std::size_t> shown;
+    for (const std::size_t place : m_document.points().selection()) {
+        if (!m_document.landmarks()[place].isHidden)
+            shown.push_back(place);
+    }
+    return shown;
+}
+
+bool LandmarkTool::isKey(const QKeyEvent &event) const
+{
+    const bool isPlain = (event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier)) == Qt::NoModifier;
+    if (event.key() == Qt::Key_Escape)
+        return isPlain && (m_drag != Drag::None || m_isPlacing);
+    if (event.key() == Qt::Key_Delete)
+        return isPlain && !selectedInView().empty();
+    const std::optional<std::size_t> current = m_document.points().current();
+    if (!m_isPlacing || !current || !nudgeOf(event))
+        return false;
+    const Landmark &point = m_document.landmarks()[*current];
+    return !point.isHidden && !point.isMissing(); // else there is nothing to be moved, and keys turn the view
+}
+
+void LandmarkTool::pressKey(const QKeyEvent &event, bool isDragged)
+{
+    if (event.key() == Qt::Key_Escape) {
+        if (m_drag == Drag::None) {
+            setPlacing(false);
+            return;
+        }
+        endDrag();
+        if (m_hasMoved && m_document.undoStack().index() > m_stepAtPress) // not what was done before
+            m_document.undoStack().undo();
+        return;
+    }
+    if (isDragged)
+        return; // a hand has it already
+    if (event.key() == Qt::Key_Delete) {
+        static_cast<void>(m_document.points().remove(selectedInView()));
+        return;
+    }
+    nudge(*nudgeOf(event));
+}
+
+void LandmarkTool::nudge(const QPointF &way)
+{
+    // As exact as the step: who moves by tenths of a pixel means one of them.
+    const double pixels = std::min(1.0, std::abs(way.x()) + std::abs(way.y()));
+    ScenePoints &points = m_document.points();
+    const std::vector<std::size_t> selected = selectedInView();
+    const auto wanted = std::count_if(selected.begin(), selected.end(),
+                                      [&](std::size_t place) { return !points.all()[place].isMissing(); });
+    std::vector<ScenePoints::Move> moves;
+    std::optional<QPointF> left;
+    std::optional<DevicePoint> aim;
+    for (const PointMark &mark : marks()) {
+        if (!points.isSelected(mark.place))
+            continue;
+        DevicePoint to = deviceOf(m_document.geometry().surface, mark.at);
+        to.x += way.x();
+        to.y += way.y();
+        const std::optional<Landmark> there = mark.isBehind ? std::nullopt : points.onSurfaceAt(to, pixels);
+        if (mark.isBehind && (!left || mark.isCurrent))
+            left = mark.at;
+        if (!there)
+            continue;
+        moves.push_back({mark.place, *there});
+        if (mark.isCurrent)
+            aim = to;
+    }
+    QString key = QStringLiteral("nudge");
+    for (const ScenePoints::Move &move : moves)
+        key += u' ' + QString::number(move.place);
+    static_cast<void>(points.moveAll(moves, key));
+    if (aim) {
+        aimLoupe(*aim);
+        m_view.reportHover(widgetFromDevice(m_document.geometry().surface, *aim));
+    }
+    const auto unmoved = static_cast<int>(wanted) - static_cast<int>(moves.size());
+    if (wanted == 1 && left)
+        QToolTip::showText(m_view.mapToGlobal(*left).toPoint(),
+                           tr("It is behind what is seen here: turn the view, or go to it (G)."), &m_view);
+    else if (wanted > 1 && unmoved > 0)
+        tellUnmoved(static_cast<std::size_t>(unmoved), left.value_or(QPointF(m_view.rect().center())));
+}
+
+void LandmarkTool::tellUnmoved(std::size_t count, const QPointF &at)
+{
+    QToolTip::showText(m_view.mapToGlobal(at).toPoint(),
+                       tr("Selected points that were not moved, behind what is seen here or beside it: %1.").arg(count),
+                       &m_view);
+}
+
+bool LandmarkTool::showTip(const QHelpEvent &event)
+{
+    if (m_document.landmarks().empty())
+        return false;
+    const WidgetPoint position = m_view.widgetPosition(QPointF(event.pos()));
+    const PointMark *mark = markUnder(marks(), QPointF(position.x, position.y));
+    QToolTip::showText(event.globalPos(), mark ? pointTip(m_document, *mark) : QString(), &m_view);
+    return true;
+}
+
+} // namespace unprojector::gui
