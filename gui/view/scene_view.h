@@ -40,6 +40,8 @@ public:
     /// follows, what was picked before comes back. A position outside the view is ignored.
     void onLButtonDown(const WidgetPoint &position);
 
+    /// Puts the crosshair there and picks.
+    void pickAt(const WidgetPoint &position);
     /// Puts the crosshair onto a pixel and picks there, as Enter does. One outside the view is ignored.
     void pickPixel(const DevicePixel &pixel);
 
@@ -125,7 +127,6 @@ private:
     /// Moves the camera so that the scene goes a way in logical pixels at the depth of the pivot.
     void pan(const QPointF &way, const WorldPoint &pivot, const QString &mergeKey);
 
-    void showMenu(const WidgetPoint &position, const QPoint &global);
     void nameItself();
 
     /// Marks what a click at a position would take of the meshes; on a whole surface there is nothing to mark.

@@ -4,6 +4,7 @@
 
 #include "core/geometry/angle.h"
 #include "gui/document/camera_looks.h"
+#include "gui/view/view_menu.h"
 #include "gui/view/view_tool.h"
 
 #include <QApplication>
@@ -56,8 +57,7 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     } else {
         m_pivot = m_document.geometry().camera().center; // where nothing can be read
         m_formerPick = m_document.keptPick();
-        putCrosshair(position);
-        onLButtonDown(position);
+        pickAt(position);
     }
     m_drag = pans ? Drag::Pan : Drag::Orbit;
 }
@@ -102,7 +102,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
     if (event->button() == Qt::RightButton) {
         const std::optional<QPointF> position = std::exchange(m_menuPosition, std::nullopt);
         if (position && m_drag == Drag::None)
-            showMenu(widgetPosition(*position), event->globalPosition().toPoint());
+            showViewMenu(*this, m_document, widgetPosition(*position), event->globalPosition().toPoint());
     }
     if (event->buttons() != Qt::NoButton)
         return;

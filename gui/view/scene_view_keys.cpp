@@ -4,8 +4,11 @@
 
 #include "core/geometry/angle.h"
 #include "gui/document/camera_looks.h"
+#include "gui/view/view_keys.h"
+#include "gui/view/view_menu.h"
 #include "gui/view/view_tool.h"
 
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 
@@ -13,58 +16,15 @@
 #include <cmath>
 
 namespace unprojector::gui {
-namespace {
-
-/// What the view does at a key.
-struct KeyDeed {
-    enum class Kind { Turn, Move, Aim, Zoom, Pick };
-    Kind kind = Kind::Pick;
-    QPoint way = {}; ///< of an arrow, x to the right and y down; of Aim in device pixels
-    int notches = 0; ///< of Zoom
-};
-
-std::optional<QPoint> arrowOf(int key)
+void SceneView::contextMenuEvent(QContextMenuEvent *event)
 {
-    switch (key) {
-    case Qt::Key_Left: return QPoint(-1, 0);
-    case Qt::Key_Right: return QPoint(1, 0);
-    case Qt::Key_Up: return QPoint(0, -1);
-    case Qt::Key_Down: return QPoint(0, 1);
-    default: return std::nullopt;
-    }
+    event->accept();
+    if (event->reason() == QContextMenuEvent::Mouse)
+        return; // at the release, where it was no drag
+    setCrosshairShown(true);
+    const WidgetPoint position = widgetFromDevice(m_document.geometry().surface, pixelCenter(crosshair()));
+    showViewMenu(*this, m_document, position, mapToGlobal(QPointF(position.x, position.y).toPoint()));
 }
-
-std::optional<KeyDeed> deedOf(const QKeyEvent &event)
-{
-    using Kind = KeyDeed::Kind;
-    const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier);
-    if (const std::optional<QPoint> arrow = arrowOf(event.key())) {
-        constexpr int kFarPixels = 10;
-        if (modifiers == Qt::NoModifier)
-            return KeyDeed{Kind::Turn, *arrow};
-        if (modifiers == Qt::ShiftModifier)
-            return KeyDeed{Kind::Move, *arrow};
-        if (modifiers == Qt::ControlModifier)
-            return KeyDeed{Kind::Aim, *arrow};
-        if (modifiers == (Qt::ControlModifier | Qt::ShiftModifier))
-            return KeyDeed{Kind::Aim, *arrow * kFarPixels};
-        return std::nullopt;
-    }
-    if ((modifiers & ~Qt::KeyboardModifiers(Qt::ShiftModifier)) != Qt::NoModifier) // many keyboards have + on Shift
-        return std::nullopt;
-    switch (event.key()) {
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-    case Qt::Key_PageUp: return KeyDeed{Kind::Zoom, {}, 1};
-    case Qt::Key_Minus:
-    case Qt::Key_PageDown: return KeyDeed{Kind::Zoom, {}, -1};
-    case Qt::Key_Return:
-    case Qt::Key_Enter: return KeyDeed{Kind::Pick};
-    default: return std::nullopt;
-    }
-}
-
-} // namespace
 
 DevicePixel SceneView::crosshair() const
 {
@@ -97,6 +57,12 @@ void SceneView::setCrosshairShown(bool isShown)
     update();
 }
 
+void SceneView::pickAt(const WidgetPoint &position)
+{
+    putCrosshair(position);
+    onLButtonDown(position);
+}
+
 void SceneView::pickPixel(const DevicePixel &pixel)
 {
     const WidgetPoint position = widgetFromDevice(m_document.geometry().surface, pixelCenter(pixel));
@@ -111,7 +77,7 @@ bool SceneView::event(QEvent *event)
     // The view's keys come before the window's shortcuts.
     if (event->type() == QEvent::ShortcutOverride) {
         const auto &key = *static_cast<QKeyEvent *>(event);
-        if ((m_tool && m_tool->isKey(key)) || deedOf(key)) {
+        if ((m_tool && m_tool->isKey(key)) || viewKeyOf(key)) {
             event->accept();
             return true;
         }
@@ -127,8 +93,8 @@ void SceneView::keyPressEvent(QKeyEvent *event)
         m_tool->pressKey(*event, m_drag != Drag::None);
         return;
     }
-    const std::optional<KeyDeed> deed = deedOf(*event);
-    if (!deed) {
+    const std::optional<ViewKey> key = viewKeyOf(*event);
+    if (!key) {
         FrameView::keyPressEvent(event);
         return;
     }
@@ -138,30 +104,30 @@ void SceneView::keyPressEvent(QKeyEvent *event)
     const Surface &surface = m_document.geometry().surface;
     const DevicePixel pixel = crosshair();
     const WidgetPoint position = widgetFromDevice(surface, pixelCenter(pixel));
-    switch (deed->kind) {
-    case KeyDeed::Kind::Turn: {
+    switch (key->kind) {
+    case ViewKey::Kind::Turn: {
         constexpr double kStep = kPi / 36.0; // 5 degrees
         const WorldPoint pivot = pivotAt(position);
         setCamera(m_document,
-                  orbited(m_document.geometry().camera(), pivot, deed->way.x() * kStep, deed->way.y() * kStep),
+                  orbited(m_document.geometry().camera(), pivot, key->way.x() * kStep, key->way.y() * kStep),
                   QStringLiteral("turn by keys"));
         keepPivot(position, pivot);
         return;
     }
-    case KeyDeed::Kind::Move: {
+    case ViewKey::Kind::Move: {
         constexpr double kShare = 0.05; // of the view's height
-        pan(QPointF(deed->way) * (kShare * height()), pivotAt(position), QStringLiteral("move by keys"));
+        pan(QPointF(key->way) * (kShare * height()), pivotAt(position), QStringLiteral("move by keys"));
         return;
     }
-    case KeyDeed::Kind::Aim:
-        m_crosshair = {std::clamp(pixel.i + deed->way.x(), 0, surface.widthPixels - 1),
-                       std::clamp(pixel.j + deed->way.y(), 0, surface.heightPixels - 1)};
+    case ViewKey::Kind::Aim:
+        m_crosshair = {std::clamp(pixel.i + key->way.x(), 0, surface.widthPixels - 1),
+                       std::clamp(pixel.j + key->way.y(), 0, surface.heightPixels - 1)};
         markAt(widgetFromDevice(surface, pixelCenter(*m_crosshair)));
         reportHover(widgetFromDevice(surface, pixelCenter(*m_crosshair))); // what is looked at is told of
         update();
         return;
-    case KeyDeed::Kind::Zoom: zoomAt(position, deed->notches, QStringLiteral("zoom by keys")); return;
-    case KeyDeed::Kind::Pick:
+    case ViewKey::Kind::Zoom: zoomAt(position, key->notches, QStringLiteral("zoom by keys")); return;
+    case ViewKey::Kind::Pick:
         onLButtonDown(position);
         // Told like what is under the mouse: the panel with the numbers may be behind another.
         m_hovered = position;

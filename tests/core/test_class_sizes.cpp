@@ -117,7 +117,7 @@ const QMap<QString, ClassSize> kLarge{
     {"ScanSeries", {kMostLines, kMostMembers, {"scan_series_tables.cpp"}}},
     {"SceneDocument", {kMostLines, kMostMembers, {"scene_picks.cpp"}}},
     {"ScenePoints", {kMostLines, kMostMembers, {"scene_points_placing.cpp"}}},
-    {"SceneView", {1060, kMostMembers, {"scene_view_input.cpp", "scene_view_keys.cpp", "scene_view_menu.cpp"}}},
+    {"SceneView", {1060, kMostMembers, {"scene_view_input.cpp", "scene_view_keys.cpp"}}},
     {"Session", {850, kMostMembers, {"session_opening.cpp"}}},
 };
 

@@ -1,0 +1,72 @@
+#include "gui/view/view_menu.h"
+
+#include "gui/document/camera_looks.h"
+#include "gui/document/scene_edits.h"
+#include "gui/text/number_text.h"
+#include "gui/text/ray_text.h"
+#include "gui/view/scene_view.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QKeySequence>
+#include <QMenu>
+
+namespace unprojector::gui {
+
+void showViewMenu(SceneView &view, SceneDocument &document, const WidgetPoint &position, const QPoint &global)
+{
+    const std::optional<DepthSample> sample = view.sampleAt(position);
+    std::optional<WorldPoint> surface;
+    if (sample && sample->hit())
+        surface = pivotOf(document.geometry().camera(), document.unprojected(position, *sample));
+    const std::optional<std::size_t> object = sample ? sample->object : std::nullopt;
+
+    auto *menu = new QMenu(&view);
+    menu->setObjectName(QStringLiteral("viewMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    const auto add = [&view, menu](const char *name, const QString &text, const QKeySequence &key, const QString &tip,
+                                   bool isEnabled, auto slot) {
+        QAction *action =
+            menu->addAction(key.isEmpty() ? text : text + u'\t' + key.toString(QKeySequence::NativeText), &view, slot);
+        action->setObjectName(QLatin1String(name));
+        action->setToolTip(tip);
+        action->setEnabled(isEnabled);
+    };
+    add("pickHere", SceneView::tr("Pick Here"), Qt::Key_Return,
+        SceneView::tr("Read the world coordinate of this pixel"), sample.has_value(),
+        [&view, position] { view.pickAt(position); });
+    const bool isPrepared = document.snap() == ray::Snap::Surface || document.rays();
+    add("copyPoint", SceneView::tr("Pick and Copy Point"), {},
+        !surface      ? SceneView::tr("Background: no surface here")
+        : !isPrepared ? rayPreparingText()
+                      : SceneView::tr("Read the world coordinate of this pixel and copy it, all its digits"),
+        surface && isPrepared, [&view, &document, position] {
+            view.pickAt(position);
+            if (const std::optional<WorldPoint> point = document.pickedPoint())
+                QGuiApplication::clipboard()->setText(
+                    QStringLiteral("%1, %2, %3")
+                        .arg(shortestText(point->x), shortestText(point->y), shortestText(point->z)));
+        });
+    add("lookHere", SceneView::tr("Look at This Point"), {},
+        SceneView::tr("Bring it to the middle; the view turns about it"), surface.has_value(),
+        [&document, surface] { setCamera(document, recentered(document.geometry(), *surface)); });
+    menu->addSeparator();
+    add("fit", SceneView::tr("Fit"), Qt::Key_F, SceneView::tr("Move the camera until all objects fill the view"), true,
+        [&document] { fitAll(document); });
+    add("fitObject", SceneView::tr("Fit This Object"), {}, SceneView::tr("Look at this object: it fills the view"),
+        object.has_value(), [&document, object] { fitObject(document, *object); });
+    add("hideObject", SceneView::tr("Hide This Object"), {},
+        SceneView::tr("Neither draw nor click it; the Objects panel shows it again"), object.has_value(),
+        [&document, object] { static_cast<void>(setObjectHidden(document, *object, true)); });
+    add("showAll", SceneView::tr("Show All Objects"), {}, SceneView::tr("Those that are hidden as well"),
+        hasHiddenObjects(document.scene()), [&document] { static_cast<void>(showAllObjects(document)); });
+    // It speaks of objects by their places, and of a point that is picked.
+    QObject::connect(&document, &SceneDocument::changed, menu, [menu](Changes changes) {
+        if (changes & (Change::Objects | Change::Pick))
+            menu->close();
+    });
+    menu->popup(global);
+}
+
+} // namespace unprojector::gui
