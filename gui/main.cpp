@@ -138,9 +138,8 @@ int main(int argc, char **argv)
     std::optional<files::ParentConsole> console(std::in_place);
     // The words are judged before there is a window, so that --help and mistakes need no display.
     std::optional<QCoreApplication> words(std::in_place, argc, argv);
-    std::optional<Translation> translation(std::in_place);
     const std::optional<Language> spoken = languageIn(words->arguments());
-    translation->choose(spoken.value_or(Language::System));
+    std::optional<Translation> translation(std::in_place, languagesOf(spoken.value_or(Language::System)));
     const QString folder = QCoreApplication::applicationDirPath();
     if (isPortable(folder)) {
         QSettings::setDefaultFormat(QSettings::IniFormat);
@@ -272,10 +271,8 @@ int main(int argc, char **argv)
 
     // What a script gets does not depend on what somebody has chosen in a menu.
     const auto speak = [&] {
-        translation.emplace(QLocale().uiLanguages(), hasHanzi());
-        const Language kept =
-            languageOf(QSettings().value(QStringLiteral("window/language")).toString()).value_or(Language::System);
-        translation->choose(spoken ? *spoken : parser.isSet(screenshot) ? Language::System : kept);
+        const Language unlessSaid = parser.isSet(screenshot) ? Language::System : keptLanguage();
+        translation.emplace(languagesOf(spoken.value_or(unlessSaid)), hasHanzi());
     };
     const QString noWindow =
         CommandLine::tr("No window can be opened (%1). Set DISPLAY to a display that answers, or run under xvfb-run.");

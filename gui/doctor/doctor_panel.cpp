@@ -306,20 +306,6 @@ void DoctorPanel::takePick()
     m_form->addClick(DevicePoint(std::floor(at.x) + kHalfPixel, std::floor(at.y) + kHalfPixel), {});
 }
 
-void DoctorPanel::takeOver(const DoctorPanel &other)
-{
-    m_taken = other.m_taken;
-    m_takenBefore = other.m_takenBefore;
-    m_window->setText(other.m_window->text());
-    m_otherSize->setText(other.m_otherSize->text());
-    m_fold->setChecked(other.m_fold->isChecked());
-    m_picture = other.m_picture;
-    m_form->takeOver(*other.m_form);
-    m_picture = other.m_picture;
-    m_space->setCurrentIndex(other.m_space->currentIndex());
-    refresh();
-}
-
 void DoctorPanel::goToPixel(const DevicePoint &pixel)
 {
     if (picture() == m_document.geometry()) {

@@ -32,9 +32,6 @@ public:
     explicit DoctorPanel(SceneDocument &document, QWidget *parent = nullptr);
     ~DoctorPanel() override;
 
-    /// Takes over all that was given to another panel of the same document.
-    void takeOver(const DoctorPanel &other);
-
     DiagnosisView &answer() { return *m_answer; }
     CodeChangesView &code() { return *m_code; }
 

@@ -476,22 +476,6 @@ bool WrongPointsForm::takeBackClick()
     return true;
 }
 
-void WrongPointsForm::takeOver(const WrongPointsForm &other)
-{
-    for (std::size_t i = 0; i < other.m_rows.size(); ++i) {
-        const Row &from = *other.m_rows[i];
-        Row &row = i < m_rows.size() ? *m_rows[i] : addRow();
-        row.clickedDepth = from.clickedDepth;
-        for (std::size_t k = 0; k < row.fields().size(); ++k) {
-            row.fields()[k]->setText(from.fields()[k]->text());
-            row.fields()[k]->setCursorPosition(0);
-        }
-    }
-    arrange();
-    markFaults();
-    emit changed();
-}
-
 void WrongPointsForm::focusWaiting()
 {
     if (const Row *row = waitingRow())

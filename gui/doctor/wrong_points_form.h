@@ -43,8 +43,6 @@ public:
     void forgetClick() { m_beforeClick.reset(); }
     /// To the field of the row that waits for what the program got.
     void focusWaiting();
-    /// Takes over all rows of another form.
-    void takeOver(const WrongPointsForm &other);
 
 signals:
     void changed();

@@ -9,7 +9,7 @@ namespace unprojector::gui {
 SceneChange::SceneChange(SceneDocument &document, SceneState before, SceneState after, const QString &text,
                          QString mergeKey)
     : QUndoCommand(text), m_document(document), m_before(std::move(before)), m_after(std::move(after)),
-      m_mergeKey(std::move(mergeKey)), m_name(text), m_language(SceneDocument::language())
+      m_mergeKey(std::move(mergeKey))
 {
 }
 
@@ -31,10 +31,6 @@ bool SceneChange::mergeWith(const QUndoCommand *next)
     if (change->m_mergeKey != m_mergeKey || change->isEdit() != isEdit())
         return false;
     m_after = change->m_after;
-    // What is done last names the deed, in the language of now.
-    m_name = change->m_name;
-    m_language = change->m_language;
-    setText(m_name);
     return true;
 }
 

@@ -34,8 +34,6 @@ public:
     void redo() override;
     int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
     bool mergeWith(const QUndoCommand *next) override;
-    /// A deed is named in the language in which it was done; in another one the undo menu has no name for it.
-    void nameIn(const QString &language) { setText(language == m_language ? m_name : QString()); }
 
 private:
     bool isEdit() const { return m_before.edit != m_after.edit; }
@@ -44,7 +42,6 @@ private:
     SceneState m_before;
     SceneState m_after;
     QString m_mergeKey;
-    QString m_name, m_language;
     bool m_isApplied = true; ///< the document made the change before it pushed this command
 };
 

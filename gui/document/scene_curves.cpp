@@ -177,14 +177,6 @@ QString SceneCurves::shownNameOf(const Curve &curve, std::size_t place)
     return name.isEmpty() ? tr("curve %1").arg(place + 1) : name;
 }
 
-void SceneCurves::retranslate()
-{
-    std::erase_if(m_known, [](const Known &known) { return !known.line.reason.isEmpty(); });
-    if (m_selected && !m_selected->line.reason.isEmpty())
-        m_selected.reset();
-    refresh();
-}
-
 // ---- how they go -------------------------------------------------------------------------------------------------
 
 void SceneCurves::locate(Request &request) const

@@ -92,8 +92,6 @@ public:
     void remove(std::size_t curve);
 
     static QString shownNameOf(const landmarks::Curve &curve, std::size_t place);
-    /// Why there are no lines is said in the language that the program speaks now.
-    void retranslate();
 
 private:
     struct Request;

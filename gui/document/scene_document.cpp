@@ -148,22 +148,6 @@ Check SceneDocument::record(SceneState state, const Deed &deed)
     return std::monostate{};
 }
 
-QString SceneDocument::language()
-{
-    //: The name of this language's locale, such as zh_CN
-    return tr("en");
-}
-
-void SceneDocument::retranslate()
-{
-    for (int i = 0; i < m_undoStack.count(); ++i) {
-        // The stack gives its commands away as constant; these are ours.
-        auto *change = const_cast<SceneChange *>(static_cast<const SceneChange *>(m_undoStack.command(i)));
-        change->nameIn(language());
-    }
-    m_curves->retranslate();
-}
-
 void SceneDocument::restore(const SceneState &state)
 {
     const Result<Changes> taken = take(state);

@@ -96,10 +96,6 @@ public:
     const std::vector<WrongPointMark> &wrongPoints() const { return m_wrongPoints; }
     void markWrongPoints(std::vector<WrongPointMark> points);
     QUndoStack &undoStack() { return m_undoStack; }
-    /// The language that deeds are named in, in words of its own.
-    static QString language();
-    /// The program speaks another one now: texts that are kept follow.
-    void retranslate();
 
     /// Whether anything, the camera included, is other than when the scene was opened or marked as saved. What was undone
     /// is not.

@@ -23,7 +23,8 @@ std::filesystem::path Session::absolutePath(const std::filesystem::path &file)
 }
 
 Session::Session(SceneDocument &document, SessionQuestions &questions, const Options &options, QObject *parent)
-    : QObject(parent), m_document(document), m_questions(questions), m_options(options)
+    : QObject(parent), m_document(document), m_questions(questions), m_options(options),
+      m_name(tr("the scene")) // until one is opened
 {
     connect(&m_loader, &ModelLoader::started, this, &Session::loadingStarted);
     connect(&m_loader, &ModelLoader::progressed, this, &Session::loadingProgressed);
@@ -50,11 +51,6 @@ void Session::giveUpPending()
 {
     m_pending.reset();
     emit loadingEnded();
-}
-
-QString Session::name() const
-{
-    return nameText(m_name);
 }
 
 bool Session::hasUnsavedChanges() const
@@ -118,7 +114,7 @@ bool Session::saveScene(const std::filesystem::path &file)
         emit noticed(dropped);
     m_file = path;
     m_stamp = written.value();
-    m_name = {pathText(path.filename())};
+    m_name = pathText(path.filename());
     m_contents.objects = std::move(contents.objects);
     m_document.markSaved();
     return true;
@@ -150,7 +146,7 @@ bool Session::mayLeave()
     if (!m_options.remembers || !m_aside->isUnsaved)
         return true;
     // It comes back only to be saved: who would rather stay goes on with the lesson.
-    return mayLoseChanges(nameText(m_aside->name), !m_aside->file.empty(), [this] { return comeBack() && save(); });
+    return mayLoseChanges(m_aside->name, !m_aside->file.empty(), [this] { return comeBack() && save(); });
 }
 
 bool Session::mayLeaveStep()

@@ -59,9 +59,8 @@ public:
     Session(SceneDocument &document, SessionQuestions &questions, const Options &options, QObject *parent = nullptr);
     ~Session() override;
 
-    /// As in a title: the file's name, that of a lesson's step, or what else there is to call the scene by; in the language
-    /// that the program speaks now.
-    QString name() const;
+    /// As in a title: the file's name, that of a lesson's step, or what else there is to call the scene by.
+    QString name() const { return m_name; }
     /// Absolute: where the scene was opened from or saved to; empty: nowhere.
     const std::filesystem::path &file() const { return m_file; }
     /// What its file would hold if it were saved there now.
@@ -86,12 +85,6 @@ public:
     /// @return whether it is shown
     bool openLesson(Scene scene, const QString &name, const QString &lesson);
 
-    /// What a scene is called by, in whatever language.
-    struct Name {
-        QString first;          ///< of a file or a step; empty: of neither
-        int others = 0;         ///< so many files more
-        bool isBundled = false; ///< the scene that comes with the program
-    };
     /// Shows again the scene that was shown before the lesson, unsaved changes included; what was done cannot be undone any
     /// more. What is shown is left without a question.
     /// @return whether it is shown
@@ -185,7 +178,7 @@ private:
     /// A scene with all that there is to know of it, to come back to.
     struct SceneAside {
         Scene scene;
-        Name name;
+        QString name;
         std::filesystem::path file;
         SceneFile contents;
         std::optional<files::FileStamp> stamp;
@@ -196,7 +189,7 @@ private:
     /// From now on the working folder does not matter.
     static std::filesystem::path absolutePath(const std::filesystem::path &file);
     static QString nameOf(const Pending &pending);
-    static QString nameText(const Name &name);
+    static QString namesText(const QString &first, int others);
     void load(Pending pending);
     void takeLoaded(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors);
     void giveUpPending();
@@ -204,7 +197,7 @@ private:
     /// @return what of it is not as in its file
     QString takeScene(Pending pending, const std::vector<LoadedModel> &models);
     /// The scene that was just opened has this file, or none, and this name.
-    void setScene(const Name &name, const QString &lesson = {}, const std::filesystem::path &file = {},
+    void setScene(const QString &name, const QString &lesson = {}, const std::filesystem::path &file = {},
                   SceneFile contents = {}, const std::optional<files::FileStamp> &stamp = {}, bool isBack = false);
     /// Nobody comes back to it.
     void dropAside();
@@ -229,7 +222,7 @@ private:
     ModelStore m_models;
     ModelLoader m_loader{m_models};
     std::optional<Pending> m_pending; ///< while it loads
-    Name m_name;
+    QString m_name;
     std::filesystem::path m_file;
     SceneFile m_contents;                    ///< what the file held when it was opened, for the keys that are not ours
     std::optional<files::FileStamp> m_stamp; ///< what the file held when it was last read or written here

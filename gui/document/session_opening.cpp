@@ -103,7 +103,7 @@ void Session::openBundledScene()
     emit progressed();
     openObjects(m_document, examples::bundledScene(),
                 {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
-    setScene({QString(), 0, true});
+    setScene(tr("Bundled scene"));
 }
 
 bool Session::openLesson(Scene scene, const QString &name, const QString &lesson)
@@ -127,7 +127,7 @@ bool Session::openLesson(Scene scene, const QString &name, const QString &lesson
     }
     if (before)
         m_aside = std::move(before);
-    setScene({name}, lesson);
+    setScene(name, lesson);
     return true;
 }
 
@@ -156,9 +156,9 @@ void Session::dropAside()
 
 void Session::nameStep(const QString &name)
 {
-    if (!m_file.empty() || name == m_name.first)
+    if (!m_file.empty() || name == m_name)
         return;
-    m_name = {name};
+    m_name = name;
     emit changed();
 }
 
@@ -175,16 +175,12 @@ QString Session::nameOf(const Pending &pending)
 {
     if (pending.use == Pending::For::SceneFile || pending.models.empty())
         return pending.name;
-    return nameText({pathText(pending.models.front().filename()), static_cast<int>(pending.models.size()) - 1});
+    return namesText(pathText(pending.models.front().filename()), static_cast<int>(pending.models.size()) - 1);
 }
 
-QString Session::nameText(const Name &name)
+QString Session::namesText(const QString &first, int others)
 {
-    if (name.isBundled)
-        return tr("Bundled scene");
-    if (name.first.isEmpty())
-        return tr("the scene"); // until one is opened
-    return name.others == 0 ? name.first : tr("%1 and %n more", nullptr, name.others).arg(name.first);
+    return others == 0 ? first : tr("%1 and %n more", nullptr, others).arg(first);
 }
 
 void Session::load(Pending pending)
@@ -260,7 +256,7 @@ void Session::takeModels(const std::vector<LoadedModel> &models, Pending::For us
     const QString first = QString::fromStdString(objects.front().name);
     const int others = static_cast<int>(models.size()) - 1;
     openObjects(m_document, std::move(objects));
-    setScene({first, others});
+    setScene(namesText(first, others));
     if (const QString sizes = sizesText(m_document.objects(), m_document.objects().size()); !sizes.isEmpty())
         emit noticed(sizes);
 }
@@ -300,7 +296,7 @@ QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &mode
         return {};
     }
     const QString name = pending.name;
-    setScene({pending.name}, {}, pending.path, std::move(pending.contents), pending.stamp);
+    setScene(pending.name, {}, pending.path, std::move(pending.contents), pending.stamp);
     if (pending.recovered)
         takeRecovered(pending.recovered);
     else
@@ -308,8 +304,8 @@ QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &mode
     return loose.isEmpty() ? loose : tr("%1: %2").arg(name, loose);
 }
 
-void Session::setScene(const Name &name, const QString &lesson, const std::filesystem::path &file, SceneFile contents,
-                       const std::optional<files::FileStamp> &stamp, bool isBack)
+void Session::setScene(const QString &name, const QString &lesson, const std::filesystem::path &file,
+                       SceneFile contents, const std::optional<files::FileStamp> &stamp, bool isBack)
 {
     if (lesson.isEmpty())
         dropAside();

@@ -34,23 +34,18 @@ std::vector<landmarks::Landmark> pointsOf(const QString &file)
 
 } // namespace
 
-void PointTemplates::retranslate()
+PointTemplates::PointTemplates()
 {
     const QString source =
         Templates::tr("Definitions in our own words, after Martin and Saller, Lehrbuch der Anthropologie (1957)");
     const QString faceSource =
         Templates::tr("Definitions in our own words, after Farkas, Anthropometry of the Head and Face (1994)");
-    const std::vector<Bundled> former = std::move(m_bundled);
     m_bundled = {{Templates::tr("Skull (craniometric points)"), source,
                   //: The file of resources/templates with the hints in this language
                   pointsOf(Templates::tr("craniometric"))},
                  {Templates::tr("Face (soft tissue)"), faceSource,
                   //: The file of resources/templates with the hints in this language
                   pointsOf(Templates::tr("facial"))}};
-    for (std::size_t i = 0; i < former.size(); ++i) {
-        if (m_chosen == former[i].points)
-            m_chosen = m_bundled[i].points;
-    }
 }
 
 bool PointTemplates::isChosen(const QString &name) const

@@ -25,9 +25,7 @@ public:
     };
 
     /// In the language of the program.
-    PointTemplates() { retranslate(); }
-    /// Takes those that come with the program in the language that it speaks now; what was chosen stays.
-    void retranslate();
+    PointTemplates();
 
     const std::vector<Bundled> &bundled() const { return m_bundled; }
     /// The names of the template that was chosen last.

@@ -13,7 +13,6 @@
 #include <QKeyEvent>
 #include <QResizeEvent>
 #include <QScrollBar>
-#include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextFormat>
 #include <QToolBar>
@@ -215,21 +214,6 @@ void FormulasWindow::showFormula(const QString &anchor)
     constexpr int kLinesAbove = 1;
     QScrollBar *bar = m_page->verticalScrollBar();
     bar->setValue(bar->value() - kLinesAbove * QFontMetrics(m_page->document()->defaultFont()).lineSpacing());
-}
-
-FormulasWindow::Reading FormulasWindow::reading() const
-{
-    return {zoomPercent(), m_page->cursorForPosition({0, 0}).blockNumber(), m_find->isVisible()};
-}
-
-void FormulasWindow::setReading(const Reading &reading)
-{
-    setZoomPercent(reading.zoomPercent);
-    QTextCursor place(m_page->document()->findBlockByNumber(reading.paragraph));
-    QScrollBar *bar = m_page->verticalScrollBar();
-    bar->setValue(bar->value() + m_page->cursorRect(place).top());
-    if (reading.isFinding)
-        m_find->openField();
 }
 
 int FormulasWindow::zoomPercent() const

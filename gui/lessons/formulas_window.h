@@ -24,15 +24,6 @@ public:
     /// @param percent  kept between 60 and 300
     void setZoomPercent(int percent);
 
-    /// What is read, in which size, and whether words are looked for: the same paragraph in the page of every language.
-    struct Reading {
-        int zoomPercent;
-        int paragraph; ///< at the top, counted from 0
-        bool isFinding;
-    };
-    Reading reading() const;
-    void setReading(const Reading &reading);
-
     QTextBrowser &page() { return *m_page; }
     FindBar &findBar() { return *m_find; }
 

@@ -170,7 +170,6 @@ void LessonPanel::showStep()
 {
     m_answer->clear();
     m_verdict->clear();
-    m_checked.reset();
     const Lesson *lesson = m_player.lesson();
     const QSignalBlocker blocker(m_steps);
     m_steps->clear();
@@ -253,16 +252,35 @@ void LessonPanel::follow(const QString &link)
 
 void LessonPanel::check()
 {
-    m_checked = m_answer->text();
-    if (showVerdict())
+    const QString given = m_answer->text();
+    const auto value = text::evaluate(given.toStdString());
+    if (!value) {
+        m_verdict->setText(errorText(value.error(), given));
+        return;
+    }
+    m_verdict->clear();
+    const std::optional<double> answer = m_player.answer();
+    if (!answer)
+        return;
+    const double tolerance = m_player.step().question->tolerance;
+    const auto isIt = [&](double number) { return std::abs(number - *answer) <= tolerance; };
+    const QString typed = withMinus(writtenText(*value, kDigits));
+    if (isIt(*value)) {
+        m_verdict->setText(tr("Right: %1.").arg(answerText(*answer, tolerance)));
         showAnswer();
+    } else if (isIt(-*value)) {
+        m_verdict->setText(tr("%1 has the wrong sign. Try again, or have it shown.").arg(typed));
+    } else {
+        m_verdict->setText(tr("%1 is not it. Try again, or have it shown.").arg(typed));
+    }
 }
 
 void LessonPanel::reveal()
 {
-    m_checked.reset();
     showAnswer();
-    showVerdict();
+    m_verdict->clear();
+    if (const std::optional<double> answer = m_player.answer())
+        m_verdict->setText(tr("It is %1.").arg(answerText(*answer, m_player.step().question->tolerance)));
 }
 
 void LessonPanel::showAnswer()
@@ -270,42 +288,6 @@ void LessonPanel::showAnswer()
     m_player.reveal();
     showText();
     m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->maximum());
-}
-
-bool LessonPanel::showVerdict()
-{
-    m_verdict->clear();
-    const std::optional<double> answer = m_player.answer();
-    if (!m_checked) {
-        if (answer)
-            m_verdict->setText(tr("It is %1.").arg(answerText(*answer, m_player.step().question->tolerance)));
-        return false;
-    }
-    const auto value = text::evaluate(m_checked->toStdString());
-    if (!value) {
-        m_verdict->setText(errorText(value.error(), *m_checked));
-        return false;
-    }
-    if (!answer)
-        return false;
-    const double tolerance = m_player.step().question->tolerance;
-    const auto isIt = [&](double given) { return std::abs(given - *answer) <= tolerance; };
-    const QString typed = withMinus(writtenText(*value, kDigits));
-    const bool isRight = isIt(*value);
-    if (isRight)
-        m_verdict->setText(tr("Right: %1.").arg(answerText(*answer, tolerance)));
-    else if (isIt(-*value))
-        m_verdict->setText(tr("%1 has the wrong sign. Try again, or have it shown.").arg(typed));
-    else
-        m_verdict->setText(tr("%1 is not it. Try again, or have it shown.").arg(typed));
-    return isRight;
-}
-
-void LessonPanel::takeOver(const LessonPanel &former)
-{
-    m_checked = former.m_checked;
-    if (m_player.lesson() && !former.m_verdict->text().isEmpty())
-        showVerdict();
 }
 
 void LessonPanel::changeEvent(QEvent *event)

@@ -4,8 +4,6 @@
 #include <QString>
 #include <QWidget>
 
-#include <optional>
-
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -25,9 +23,6 @@ class LessonPanel : public QWidget {
 public:
     /// @param player, document  outlive the panel
     LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget *parent = nullptr);
-
-    /// Says of the answer, in its own words, what another panel of the same step said.
-    void takeOver(const LessonPanel &former);
 
     /// Where the frame around the panel has no button that closes it, the panel has one. At first it has none.
     void setClosesItself(bool does);
@@ -55,8 +50,6 @@ private:
     void check();
     void reveal();
     void showAnswer();
-    /// @return whether what was checked is right
-    bool showVerdict();
 
     LessonPlayer &m_player;
     SceneDocument &m_document;
@@ -70,7 +63,6 @@ private:
     QPushButton *m_check;
     QPushButton *m_reveal;
     QLabel *m_verdict;
-    std::optional<QString> m_checked; ///< what the verdict is on; none: nothing typed, but the answer, if it was shown
     QPushButton *m_back;
     QPushButton *m_next;
     QLabel *m_source;

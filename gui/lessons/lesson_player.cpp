@@ -50,27 +50,6 @@ void LessonPlayer::end()
     emit changed();
 }
 
-void LessonPlayer::retranslate()
-{
-    const std::string name = m_lesson ? m_lesson->name : std::string();
-    m_lesson = nullptr;
-    m_lessons.clear();
-    m_areRead = false;
-    if (name.empty())
-        return;
-    const std::vector<Lesson> &all = lessons();
-    const auto found = std::find_if(all.begin(), all.end(), [&name](const Lesson &one) { return one.name == name; });
-    if (found == all.end()) { // it cannot be read in that language, which has been said
-        m_shown.reset();
-        if (m_session.mayLeaveStep())
-            m_session.comeBack();
-        emit changed();
-        return;
-    }
-    m_lesson = &*found;
-    m_session.nameStep(lessonTitle(step().title));
-}
-
 const std::vector<Lesson> &LessonPlayer::lessons()
 {
     if (std::exchange(m_areRead, true))

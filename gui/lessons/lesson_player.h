@@ -50,9 +50,6 @@ public:
     bool leave();
     /// Ends the lesson, if there is one, and leaves what is shown.
     void end();
-    /// Reads the lessons in the language that the program speaks now; the step stays the one that is shown. A lesson that cannot
-    /// be read in it is left.
-    void retranslate();
 
     /// Whether camera, projection, viewport and objects are as the step has them.
     bool isAsTheStep() const;

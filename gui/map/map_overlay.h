@@ -23,7 +23,6 @@ public:
     MapOverlay(SceneDocument &document, SceneView &view);
     ~MapOverlay() override;
 
-    bool isShown() const { return m_isShown; }
     void setShown(bool isShown);
     /// Stands in a corner over the view; hidden while no map is wanted. Whoever puts it somewhere owns it.
     MapPanel &panel() { return *m_panel; }

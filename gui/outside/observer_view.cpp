@@ -58,18 +58,6 @@ ObserverView::ObserverView(SceneDocument &document, QWidget *parent) : FrameView
     });
 }
 
-void ObserverView::takeOver(const ObserverView &other)
-{
-    m_observer = other.m_observer;
-    m_reference = other.m_reference;
-    m_isPlaced = other.m_isPlaced;
-    m_isTouched = other.m_isTouched;
-    m_placedFor = other.m_placedFor;
-    setMorph(other.m_t);
-    m_isStale = true;
-    update();
-}
-
 ObserverView::~ObserverView()
 {
     releaseGL();

@@ -34,8 +34,6 @@ public:
     void fit();
 
     const LookAt &observer() const { return m_observer.camera(); }
-    /// Looks from where another view of the same document looks, at the same morph.
-    void takeOver(const ObserverView &other);
     /// Where a world point stands in this view's picture, logical pixels; nothing when it has no place in it.
     std::optional<QPointF> placeOf(const WorldPoint &point) const;
     /// What of a lesson is written into the picture as it is now.

@@ -120,13 +120,6 @@ ModelGroup::ModelGroup(SceneDocument &document, QWidget *parent)
     });
 }
 
-void ModelGroup::takeOver(const ModelGroup &other)
-{
-    m_shown->choose(other.m_shown->place());
-    if (!isStale())
-        refresh();
-}
-
 const std::vector<TransformStep> &ModelGroup::steps() const
 {
     static const std::vector<TransformStep> none;

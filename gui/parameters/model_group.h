@@ -19,9 +19,6 @@ class ModelGroup : public ParameterGroup {
 public:
     explicit ModelGroup(SceneDocument &document, QWidget *parent = nullptr);
 
-    /// Takes over which object another group of the same document shows.
-    void takeOver(const ModelGroup &other);
-
 protected:
     void showScene() override;
     Scene withDefaults(Scene scene) const override;

@@ -55,8 +55,6 @@ public:
     int leastWidth() const;
     /// What is being typed counts, on the screen or not. What was refused already is not asked for again.
     void applyTyped();
-    /// Whether it shows the document as it was when it was last on the screen.
-    bool isStale() const { return m_isStale; }
     /// All fields show the document's values again, whatever was typed into them.
     void restoreFields();
     /// Why a change that no field made was refused; empty if none was.

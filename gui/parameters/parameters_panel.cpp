@@ -131,11 +131,6 @@ void ParametersPanel::applyTyped()
         group->applyTyped();
 }
 
-void ParametersPanel::takeOver(const ParametersPanel &other)
-{
-    findChild<ModelGroup *>()->takeOver(*other.findChild<ModelGroup *>());
-}
-
 QByteArray ParametersPanel::saveState() const
 {
     QByteArray state = kStateName;

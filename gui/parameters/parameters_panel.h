@@ -22,9 +22,6 @@ public:
     /// What is being typed counts, as if Enter were pressed. What was refused already is not asked for again.
     void applyTyped();
 
-    /// Takes over which object another panel of the same document shows.
-    void takeOver(const ParametersPanel &other);
-
     /// Which groups are folded, to be kept with the window's layout.
     QByteArray saveState() const;
     /// @return false where this is no state of the panel's; then nothing changes

@@ -82,13 +82,6 @@ void PipelineModel::followGiven(bool follows)
     emit followedChanged();
 }
 
-void PipelineModel::takeOver(const PipelineModel &other)
-{
-    m_followsGiven = other.m_followsGiven;
-    setObject(other.object());
-    emit followedChanged();
-}
-
 void PipelineModel::removeGiven()
 {
     static_cast<void>(m_document.edit({tr("Remove Your Point")}, [](Scene &scene) { scene.givenPoint.reset(); }));

@@ -32,8 +32,6 @@ public:
 
     /// Takes over the document as it is now.
     void update();
-    /// Takes over which point, and whose object space, another one of the same document follows.
-    void takeOver(const PipelineModel &other);
 
     PipelineDirection direction() const { return m_direction; }
     void setDirection(PipelineDirection direction);

@@ -19,8 +19,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QScrollBar>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -88,19 +86,6 @@ PipelinePanel::~PipelinePanel()
     // A row that goes while somebody types into it would commit that.
     for (int i = 0; i < PointModel::kSpaces; ++i)
         m_model->point(static_cast<Space>(i))->disconnect(m_model);
-}
-
-void PipelinePanel::takeOver(const PipelinePanel &other)
-{
-    setDirection(other.direction());
-    setMatrixView(other.matrixView());
-    m_model->takeOver(*other.m_model);
-    m_chosen = other.m_chosen;
-    showStatus();
-    // Once it is laid out.
-    QTimer::singleShot(0, this, [this, place = other.m_scrollArea->verticalScrollBar()->value()] {
-        m_scrollArea->verticalScrollBar()->setValue(place);
-    });
 }
 
 QLayout *PipelinePanel::createFollowed()

@@ -32,9 +32,6 @@ public:
     /// What is being typed then counts no more: the document may be gone already.
     ~PipelinePanel() override;
 
-    /// Takes over how another panel of the same document shows it, what it follows and which number was chosen in it.
-    void takeOver(const PipelinePanel &other);
-
     const PipelineModel &model() const { return *m_model; }
 
     // How it is shown, to be remembered.

@@ -75,7 +75,16 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     m_center = new QGridLayout(m_viewFrame);
     m_center->setContentsMargins(0, 0, 0, 0);
     setCentralWidget(m_viewFrame);
-    build();
+    m_recovery = new RecoveryBar;
+    m_message = new MessageBar;
+    m_loading = new LoadingBar;
+    createPanels();
+    createStatusBar();
+    createActions();
+    createView();
+    createOverlays();
+    connectPanels();
+    showCamera();
 
     connect(m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Pick && m_document->pick())
@@ -93,21 +102,6 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
         showFirstSteps(true);
 }
 
-void MainWindow::build()
-{
-    m_recovery = new RecoveryBar;
-    m_message = new MessageBar;
-    m_loading = new LoadingBar;
-    createPanels();
-    createStatusBar();
-    createActions();
-    if (!m_view)
-        createView();
-    createOverlays();
-    connectPanels();
-    showCamera();
-}
-
 MainWindow::~MainWindow()
 {
     // The undo stack is emptied when it ends; unsaved changes must not be forgotten then.
@@ -118,7 +112,6 @@ MainWindow::~MainWindow()
     delete m_view;
 }
 
-/// What happens once, whatever panels there are.
 void MainWindow::connectSession()
 {
     connect(m_session, &Session::changed, this, &MainWindow::showName);

@@ -70,8 +70,8 @@ public:
         /// Where unsaved changes are kept in case of a crash; empty: with the user's data if it `remembers`, else nowhere.
         QString recoveryFolder = {};
         AutosaveTiming autosave = {};
-        /// Whose language is chosen in the menu, which is not there without it. Outlives the window.
-        Translation *translation = nullptr;
+        /// What the menu of languages goes by, which is not there without it. Outlives the window.
+        const Translation *translation = nullptr;
     };
     explicit MainWindow(const Options &options, QWidget *parent = nullptr);
     ~MainWindow() override;
@@ -109,7 +109,6 @@ signals:
     void openFailed(const QString &reason);
 
 protected:
-    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void showEvent(QShowEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
@@ -120,17 +119,6 @@ private:
     /// After which panels and window manager have done what a change of the window's size makes them do.
     static constexpr int kSettlingMilliseconds = 40;
 
-    /// The view with all that stands around it, in the language that the program speaks.
-    void build();
-    /// Builds all of it but the view anew; what it shows, and how it stands, stays.
-    void retranslate();
-    struct Former;
-    /// Takes the window apart, all but the view.
-    void putAside(Former &former);
-    /// Puts what was built anew as that stood.
-    void takeOver(const Former &former);
-    /// The windows besides, those that are open.
-    void reopenWindows();
     void createOverlays();
     void createView();
     void setSmoothEdges(bool smooth);
@@ -184,8 +172,8 @@ private:
     /// A lesson's text and the view from outside, in a dock, go along from place to place.
     void showAccompanying();
     void showObserver(bool isShown);
-    /// Shown, in a dock or over the view.
-    void createObserver(bool isDocked);
+    /// Shown, in a dock or over the view, as it stood last.
+    void createObserver();
     /// Into a dock, or over the view.
     void dockObserver(bool isDocked);
 

@@ -382,7 +382,7 @@ void MainWindow::createViewMenu(QToolBar &bar)
     smooth->setChecked(m_smoothEdges);
     connect(smooth, &QAction::toggled, this, &MainWindow::setSmoothEdges);
     createAppearanceMenu(*menu->addMenu(tr("Co&lours")));
-    if (m_options.translation)
+    if (m_options.remembers && m_options.translation)
         createLanguageMenu(*menu->addMenu(tr("Lan&guage")));
     menu->addSeparator();
     createPlaceActions(*menu);

@@ -197,7 +197,7 @@ void MainWindow::showObserver(bool isShown)
     if (!m_observer) {
         if (!isShown)
             return;
-        createObserver(m_options.remembers && QSettings().value(QStringLiteral("observer/isDocked"), false).toBool());
+        createObserver();
     }
     if (m_inset)
         m_inset->setVisible(isShown);
@@ -206,7 +206,7 @@ void MainWindow::showObserver(bool isShown)
     m_observer->setVisible(isShown);
 }
 
-void MainWindow::createObserver(bool isDocked)
+void MainWindow::createObserver()
 {
     m_observer = new ObserverPanel(*m_document);
     m_observer->view().setSmoothEdges(m_smoothEdges);
@@ -215,7 +215,7 @@ void MainWindow::createObserver(bool isDocked)
     connect(m_observer, &ObserverPanel::dockRequested, this, &MainWindow::dockObserver);
     connect(m_observer, &ObserverPanel::closeRequested, m_observerAction,
             [this] { m_observerAction->setChecked(false); });
-    dockObserver(isDocked);
+    dockObserver(m_options.remembers && QSettings().value(QStringLiteral("observer/isDocked"), false).toBool());
     showHighlights();
 }
 

@@ -356,22 +356,6 @@ void WorkPlaces::setTitleBars()
     }
 }
 
-WorkPlaces::Standing WorkPlaces::standing()
-{
-    leave();
-    return {current(), m_layouts, m_wanted, m_arePanelsHidden};
-}
-
-bool WorkPlaces::restore(const Standing &standing)
-{
-    m_layouts = standing.layouts;
-    m_wanted = standing.sizes;
-    const bool isRestored = restoreAt(standing.place);
-    if (standing.arePanelsHidden)
-        hidePanels(true);
-    return isRestored;
-}
-
 bool WorkPlaces::restore(const QSettings &settings)
 {
     for (const Place &place : m_places) {
@@ -385,11 +369,7 @@ bool WorkPlaces::restore(const QSettings &settings)
                 m_wanted[place.id][area.area] = size;
         }
     }
-    return restoreAt(settings.value(QStringLiteral("window/place")).toByteArray());
-}
-
-bool WorkPlaces::restoreAt(const QByteArray &kept)
-{
+    const QByteArray kept = settings.value(QStringLiteral("window/place")).toByteArray();
     const auto found = std::find_if(m_places.begin(), m_places.end(), [&](const Place &p) { return kept == p.id; });
     if (found != m_places.end()) {
         m_current = static_cast<std::size_t>(found - m_places.begin());

@@ -66,19 +66,6 @@ public:
     void setLeastForView(const QSize &size);
     /// To be called when the window has got another size, its layout included.
     void windowResized();
-    /// Of the areas around the view: widths on the left and right, heights above and below, logical pixels.
-    using Sizes = QMap<Qt::DockWidgetArea, int>;
-    /// Where everything stands, in all places.
-    struct Standing {
-        QByteArray place;                     ///< the current one
-        QMap<QByteArray, QByteArray> layouts; ///< of the places that were shown, by their id
-        QMap<QByteArray, Sizes> sizes;        ///< of each place, as the user made them in whatever window
-        bool arePanelsHidden = false;
-    };
-    Standing standing();
-    /// Puts everything where it stood.
-    /// @return whether it fits this window
-    bool restore(const Standing &standing);
     /// @return whether there was something kept that fits this window
     bool restore(const QSettings &settings);
     void keep(QSettings &settings);
@@ -97,10 +84,11 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    /// Of the areas around the view: widths on the left and right, heights above and below, logical pixels.
+    using Sizes = QMap<Qt::DockWidgetArea, int>;
+
     void arrange();
     void leave();
-    /// Goes to a place, the first one where there is none of this id, and puts it as it was left.
-    bool restoreAt(const QByteArray &place);
     Sizes firstSizes(bool isWide) const;
     /// Of the areas where a panel is seen, as they are now.
     Sizes sizesNow() const;

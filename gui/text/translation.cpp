@@ -5,12 +5,15 @@
 
 #include <QCoreApplication>
 #include <QLibraryInfo>
+#include <QSettings>
 
 namespace unprojector::gui {
 namespace {
 
 constexpr NamedValues<Language, 3> kNames{
     {{Language::System, "system"}, {Language::English, "en"}, {Language::Chinese, "zh_CN"}}};
+
+const QString kLanguageKey = QStringLiteral("window/language");
 
 } // namespace
 
@@ -19,56 +22,43 @@ std::optional<Language> languageOf(const QString &name)
     return valueNamed(name, kNames);
 }
 
-QString languageName(Language language)
+Language keptLanguage()
 {
-    return nameAmong(kNames, language);
+    return languageOf(QSettings().value(kLanguageKey).toString()).value_or(Language::System);
 }
 
-Translation::Translation(const QStringList &languages, bool hasHanzi) : m_system(languages), m_hasHanzi(hasHanzi)
+void keepLanguage(Language language)
 {
-    speak(m_system);
+    QSettings().setValue(kLanguageKey, nameAmong(kNames, language));
 }
 
-Translation::~Translation()
+QStringList languagesOf(Language choice)
 {
-    text::setLanguage(text::Language::English);
+    return choice == Language::System ? QLocale().uiLanguages() : QStringList{nameAmong(kNames, choice)};
 }
 
-void Translation::choose(Language language)
+Translation::Translation(const QStringList &languages, bool hasHanzi) : m_hasHanzi(hasHanzi)
 {
-    m_choice = language;
-    speak(language == Language::System ? m_system : QStringList{languageName(language)});
-}
-
-void Translation::speak(const QStringList &languages)
-{
-    m_lacksFont = false;
-    QString spoken;
     for (const QString &language : languages) {
         const QLocale locale(language);
         // English needs no file: a user who lists it before Chinese must not get Chinese.
         if (locale.language() == QLocale::English)
-            break;
-        QTranslator found;
-        if (!found.load(locale, QStringLiteral("unprojector"), QStringLiteral("_"), QStringLiteral(":/translations")))
+            return;
+        if (!m_program.load(locale, QStringLiteral("unprojector"), QStringLiteral("_"),
+                            QStringLiteral(":/translations")))
             continue;
-        m_lacksFont = !m_hasHanzi && locale.language() == QLocale::Chinese;
+        m_lacksFont = !hasHanzi && locale.language() == QLocale::Chinese;
         if (!m_lacksFont)
-            spoken = language;
-        break;
+            install(locale);
+        return;
     }
-    if (spoken == m_spoken)
-        return;
-    QCoreApplication::removeTranslator(&m_program);
-    QCoreApplication::removeTranslator(&m_qt);
-    m_spoken = spoken;
-    const bool isChinese = !spoken.isEmpty() && QLocale(spoken).language() == QLocale::Chinese;
-    text::setLanguage(isChinese ? text::Language::Chinese : text::Language::English);
-    if (spoken.isEmpty())
-        return;
-    const QLocale locale(spoken);
-    if (m_program.load(locale, QStringLiteral("unprojector"), QStringLiteral("_"), QStringLiteral(":/translations")))
-        QCoreApplication::installTranslator(&m_program);
+}
+
+void Translation::install(const QLocale &locale)
+{
+    QCoreApplication::installTranslator(&m_program);
+    if (locale.language() == QLocale::Chinese)
+        text::setLanguage(text::Language::Chinese);
     // Qt's own texts are where Qt is, or where the program was packed with it. Some that pack it put all its modules into
     // one file, "qt".
     const auto loadsQt = [&](const QString &folder) {
@@ -78,6 +68,11 @@ void Translation::speak(const QStringList &languages)
     if (loadsQt(QLibraryInfo::path(QLibraryInfo::TranslationsPath))
         || loadsQt(QCoreApplication::applicationDirPath() + QStringLiteral("/translations")))
         QCoreApplication::installTranslator(&m_qt);
+}
+
+Translation::~Translation()
+{
+    text::setLanguage(text::Language::English);
 }
 
 } // namespace unprojector::gui

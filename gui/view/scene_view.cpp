@@ -36,7 +36,11 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     setAcceptDrops(true);
     setCursor(Qt::CrossCursor);
     setFocusPolicy(Qt::StrongFocus);
-    nameItself();
+    setAccessibleName(tr("3-D view"));
+    setAccessibleDescription(
+        tr("Click the model, or press Enter, to read the world coordinate of the pixel under the "
+           "pointer or the crosshair. Arrow keys turn, with Shift they move, with Ctrl they move the "
+           "crosshair; plus and minus zoom"));
     m_hoverTimer.setSingleShot(true);
 
     // Its pixel says nothing of another scene, and what a hand turns or is about to place is not there any more.
@@ -58,24 +62,6 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
             clearMark();
     });
     connect(&m_hoverTimer, &QTimer::timeout, this, &SceneView::takeHover);
-}
-
-void SceneView::nameItself()
-{
-    setAccessibleName(tr("3-D view"));
-    setAccessibleDescription(
-        tr("Click the model, or press Enter, to read the world coordinate of the pixel under the "
-           "pointer or the crosshair. Arrow keys turn, with Shift they move, with Ctrl they move the "
-           "crosshair; plus and minus zoom"));
-}
-
-void SceneView::changeEvent(QEvent *event)
-{
-    FrameView::changeEvent(event);
-    if (event->type() != QEvent::LanguageChange)
-        return;
-    nameItself();
-    update();
 }
 
 SceneView::~SceneView()

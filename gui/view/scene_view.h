@@ -90,7 +90,6 @@ protected:
     void releaseGL() override { onDestroy(); }
 
     bool event(QEvent *event) override;
-    void changeEvent(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
@@ -126,8 +125,6 @@ private:
     void zoomAt(const WidgetPoint &position, double notches, const QString &mergeKey);
     /// Moves the camera so that the scene goes a way in logical pixels at the depth of the pivot.
     void pan(const QPointF &way, const WorldPoint &pivot, const QString &mergeKey);
-
-    void nameItself();
 
     /// Marks what a click at a position would take of the meshes; on a whole surface there is nothing to mark.
     void markAt(const WidgetPoint &position);

@@ -3698,8 +3698,8 @@ Both are as large as fits.</source>
         <translation>跟随系统(&amp;S)</translation>
     </message>
     <message>
-        <source>The language of the desktop, if the program speaks it</source>
-        <translation>用桌面的语言（程序有这种语言时）</translation>
+        <source>The program uses the language of the desktop when it starts next time.</source>
+        <translation>程序下次启动时使用桌面的语言。</translation>
     </message>
     <message>
         <source>Add Chinese in Settings &gt; Time &amp; Language &gt; Language.</source>
@@ -6896,11 +6896,6 @@ of a point that needs no division</source>
     <message>
         <source>Rename object</source>
         <translation>重命名物体</translation>
-    </message>
-    <message>
-        <source>en</source>
-        <extracomment>The name of this language&apos;s locale, such as zh_CN</extracomment>
-        <translation>zh_CN</translation>
     </message>
 </context>
 <context>

@@ -57,8 +57,8 @@ SceneDocument &document()
     static SceneDocument *made = [] {
         auto *fresh = new SceneDocument(qApp);
         fresh->setSurface({kWidth, kHeight, 1.0});
-        fresh->setObjects({{"hills", {}, hills(), {}}},
-                          {WorldPoint(0.0, -4.5, 3.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 0.0, 1.0}});
+        openObjects(*fresh, {{"hills", {}, hills(), {}}},
+                    {WorldPoint(0.0, -4.5, 3.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 0.0, 1.0}});
         fresh->rayCasters().complete(fresh->objects());
         std::mt19937 random(1);
         std::vector<Landmark> points;

@@ -60,7 +60,6 @@ private slots:
     void noChineseIsSlanted();
     void theWindowShowsThePageOfItsLanguage_data();
     void theWindowShowsThePageOfItsLanguage();
-    void whatIsReadIsTheSameInEachLanguage();
 };
 
 void TestHelpLanguages::aPageIsTheEnglishOne_data()
@@ -180,29 +179,6 @@ void TestHelpLanguages::theWindowShowsThePageOfItsLanguage()
         QTRY_VERIFY2_WITH_TIMEOUT(bar->value() > last, name, kPatienceMilliseconds);
         last = bar->value();
     }
-}
-
-void TestHelpLanguages::whatIsReadIsTheSameInEachLanguage()
-{
-    FormulasWindow english;
-    english.resize(900, 700);
-    english.show();
-    english.setZoomPercent(120);
-    english.showFormula(QStringLiteral("oblique"));
-    const FormulasWindow::Reading reading = english.reading();
-    QVERIFY(reading.paragraph > 100);
-
-    const Translation translation({QStringLiteral("zh-CN")});
-    FormulasWindow other;
-    other.resize(800, 600);
-    other.show();
-    other.setReading(reading);
-    QCOMPARE(other.zoomPercent(), 120);
-    QCOMPARE(other.reading().paragraph, reading.paragraph);
-    const int there = other.page().verticalScrollBar()->value();
-    other.showFormula(QStringLiteral("oblique"));
-    const int heading = other.page().verticalScrollBar()->value();
-    QVERIFY2(std::abs(heading - there) < 60, qPrintable(QStringLiteral("%1, %2").arg(there).arg(heading)));
 }
 
 } // namespace unprojector::gui

@@ -1,24 +1,16 @@
-// Another language is chosen while the program runs: what is said, what is kept, what objects are called.
+// Each language of the program from the start: what is said, what objects are called, which one is chosen for the next time.
 
-#include "document_edits.h"
 #include "language_user.h"
 
 #include "core/examples/bundled_models.h"
 #include "core/scene_file/scene_file.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_edits.h"
-#include "gui/lessons/find_bar.h"
-#include "gui/lessons/formulas_window.h"
-#include "gui/lessons/lesson_panel.h"
 #include "gui/shell/appearance.h"
 #include "gui/text/bundled_names.h"
-#include "gui/text/translation.h"
-#include "gui/view/scene_view.h"
 #include "tests/support/patience.h"
 
-#include <QAbstractButton>
 #include <QApplication>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDirIterator>
 #include <QFile>
@@ -27,22 +19,21 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QLabel>
 #include <QLibraryInfo>
-#include <QLineEdit>
 #include <QLocale>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSettings>
-#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeView>
 
-#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -50,88 +41,7 @@ using namespace guitest;
 
 namespace {
 
-void addMenu(QStringList &texts, const QMenu &menu, const QString &where)
-{
-    for (const QAction *action : menu.actions()) {
-        texts << where + action->text() + u'|' + action->toolTip() + u'|' + action->statusTip();
-        if (action->menu())
-            addMenu(texts, *action->menu(), where + action->text() + QStringLiteral(" > "));
-    }
-}
-
-/// All that a window says, in menus, bars and panels, with 0 for every number.
-QStringList textsOf(const MainWindow &window)
-{
-    QStringList texts;
-    for (const QAction *action : window.menuBar()->actions()) {
-        texts << action->text();
-        addMenu(texts, *action->menu(), action->text() + QStringLiteral(" > "));
-    }
-    const QString progress = MainWindow::tr("Preparing the ray on the mesh"); // hidden, and what it was once
-    for (const QWidget *widget : window.findChildren<QWidget *>()) {
-        QStringList own{widget->windowTitle(), widget->toolTip(), widget->accessibleName(),
-                        widget->accessibleDescription()};
-        if (qobject_cast<const QTabBar *>(widget->parentWidget()))
-            continue; // Qt's own, whose number is its own matter
-        if (const auto *label = qobject_cast<const QLabel *>(widget); label && !label->text().startsWith(progress))
-            own << label->text();
-        if (const auto *button = qobject_cast<const QAbstractButton *>(widget))
-            own << button->text();
-        if (const auto *field = qobject_cast<const QLineEdit *>(widget))
-            own << field->text() << field->placeholderText();
-        if (const auto *box = qobject_cast<const QComboBox *>(widget)) {
-            for (int i = 0; i < box->count(); ++i)
-                own << box->itemText(i);
-        }
-        own.removeAll(QString());
-        if (!own.isEmpty())
-            texts << QStringLiteral("%1: %2").arg(QLatin1String(widget->metaObject()->className()),
-                                                  own.join(QStringLiteral(" | ")));
-    }
-    // The views are not of quite the same size, and the numbers neither.
-    static const QRegularExpression number(QStringLiteral("[0-9.e−-]*[0-9]"));
-    texts.replaceInStrings(number, QStringLiteral("0"));
-    texts.sort();
-    return texts;
-}
-
-/// The same of a view of one size, once all places were seen and a pixel picked.
-QStringList textsWithPick(MainWindow &window)
-{
-    window.document().clearPick(); // the doctor would keep it
-    for (const char *place : {"pipeline", "points", "doctor", "click"}) {
-        window.places().enter(place);
-        settle(20);
-    }
-    for (int trial = 0; trial < 5 && window.view().size() != kViewSize; ++trial) {
-        window.setViewSize(kViewSize);
-        settle(20);
-    }
-    if (window.view().size() != kViewSize)
-        return {QStringLiteral("no such view")};
-    goHome(window.document());
-    fitAll(window.document()); // near and far depend on the sizes before
-    window.view().pickPixel(kPixel);
-    window.places().show("precision"); // hidden, it would tell of the last time that it was seen
-    settle(20);
-    dockOf(window, "precision")->hide();
-    // How many blanks stand before a fraction goes by the font's widths to a fraction of a pixel.
-    static const QRegularExpression blanks(QStringLiteral("  +"));
-    QStringList texts = textsOf(window).replaceInStrings(blanks, QStringLiteral(" "));
-    texts.sort();
-    return texts;
-}
-
-/// The texts that only one of them has.
-QString difference(const QStringList &a, const QStringList &b)
-{
-    QStringList onlyA, onlyB;
-    std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(onlyA));
-    std::set_difference(b.begin(), b.end(), a.begin(), a.end(), std::back_inserter(onlyB));
-    if (onlyA.isEmpty() && onlyB.isEmpty())
-        return {};
-    return QStringLiteral("only the one: %1\nonly the other: %2").arg(onlyA.join(u'\n'), onlyB.join(u'\n'));
-}
+const QStringList kEnglish{QStringLiteral("en")}, kChinese{QStringLiteral("zh-CN")};
 
 QStringList listedObjects(const MainWindow &window)
 {
@@ -142,11 +52,6 @@ QStringList listedObjects(const MainWindow &window)
     return names;
 }
 
-std::string sceneOf(MainWindow &window)
-{
-    return scene_file::sceneText(window.session().contents()).value();
-}
-
 } // namespace
 
 class TestLanguage : public QObject {
@@ -154,9 +59,6 @@ class TestLanguage : public QObject {
 
 private slots:
     void initTestCase();
-    void everythingSpeaksTheLanguageThatIsChosen();
-    void nothingIsLost();
-    void aDeedIsNamedByItsLastPart();
     void objectsAreNamedInTheLanguage();
     void objectsOfFilesKeepTheirNames();
     void twoObjectsNeverLookTheSame();
@@ -164,14 +66,10 @@ private slots:
     void qtSpeaksChineseToo();
     void hanziAreThoseOfChina();
     void everyBundledNameIsChinese();
-    void whatHelpIsSearchedForStays();
     void whatCoreSaysIsInTheLanguage_data();
     void whatCoreSaysIsInTheLanguage();
-    void theChoiceIsKept();
+    void theChoiceIsForTheNextStart();
     void withoutAFontThereIsNoChinese();
-
-private:
-    const QStringList m_english{QStringLiteral("en")};
 };
 
 void TestLanguage::initTestCase()
@@ -183,99 +81,10 @@ void TestLanguage::initTestCase()
     QSettings().setValue(QStringLiteral("firstSteps/areDone"), true);
 }
 
-void TestLanguage::everythingSpeaksTheLanguageThatIsChosen()
-{
-    Translation translation(m_english);
-    const auto window = windowIn(translation);
-    const QStringList english = textsWithPick(*window);
-    chooseChinese(*window);
-    QCOMPARE(window->menuBar()->actions().constFirst()->text(), QStringLiteral("文件(&F)"));
-    const auto fromTheStart = windowIn(translation);
-    const QString inChinese = difference(textsWithPick(*window), textsWithPick(*fromTheStart));
-    QVERIFY2(inChinese.isEmpty(), qPrintable(inChinese));
-    QCOMPARE(window->windowTitle(), fromTheStart->windowTitle());
-    chooseEnglish(*window);
-    const QString inEnglish = difference(textsWithPick(*window), english);
-    QVERIFY2(inEnglish.isEmpty(), qPrintable(inEnglish));
-}
-
-void TestLanguage::nothingIsLost()
-{
-    Translation translation(m_english);
-    const auto window = windowIn(translation);
-    SceneDocument &document = window->document();
-    QCOMPARE(renameObject(document, 0, QStringLiteral("Pot")), NameFault::None);
-    landmarks::Landmark point;
-    point.name = "tip";
-    point.world = document.pickedPoint().value();
-    QVERIFY(document.points().place(point).hasValue());
-    goHome(document);
-    QVERIFY(removeObject(document, 4).hasValue());
-    document.undoStack().undo();
-    window->places().enter("points");
-    settle();
-    const std::string scene = sceneOf(*window);
-    const auto state = [&] {
-        const QUndoStack &stack = document.undoStack();
-        return QStringList{QString::number(stack.count()),
-                           QString::number(stack.index()),
-                           stack.redoText(),
-                           QString::number(document.landmarks().size()),
-                           QString::number(document.points().selection().size()),
-                           QString::number(document.isEdited()),
-                           QString::number(window->isWindowModified()),
-                           QString::fromLatin1(window->places().current()),
-                           QStringLiteral("%1x%2").arg(window->width()).arg(window->height()),
-                           QStringLiteral("%1x%2").arg(window->view().width()).arg(window->view().height())};
-    };
-    const QStringList before = state();
-    QVERIFY(!before[2].isEmpty());
-    const SceneView *view = &window->view();
-    const WorldPoint picked = document.pickedPoint().value();
-    chooseChinese(*window);
-    QVERIFY(document.undoStack().redoText().isEmpty()); // it has no name in this language
-    QVERIFY(isSeen(*window, "points"));
-    const QString written = QString::fromStdString(sceneOf(*window)); // of a view of another size
-    QVERIFY(written.contains(QStringLiteral("\"Torus\"")) && !written.contains(QStringLiteral("圆环")));
-    chooseEnglish(*window);
-    QCOMPARE(state(), before);
-    QVERIFY(sceneOf(*window) == scene);
-    QVERIFY(document.pickedPoint() == picked);
-    QVERIFY(&window->view() == view);
-    document.undoStack().redo();
-    QCOMPARE(document.objects().size(), std::size_t(4));
-    while (document.undoStack().canUndo())
-        document.undoStack().undo();
-    QCOMPARE(document.objects().front().name, std::string("Teapot"));
-}
-
-void TestLanguage::aDeedIsNamedByItsLastPart()
-{
-    Translation translation(m_english);
-    const auto window = windowIn(translation);
-    SceneDocument &document = window->document();
-    LookAt camera = document.scene().camera;
-    const auto move = [&](const QString &name) {
-        camera.eye.x += 1.0;
-        QVERIFY(editCamera(document, camera, {name, QStringLiteral("eye")}).hasValue());
-    };
-    const int count = document.undoStack().count();
-    move(QStringLiteral("Eye"));
-    chooseChinese(*window);
-    QCOMPARE(document.undoStack().undoText(), QString());
-    move(QStringLiteral("眼"));
-    QCOMPARE(document.undoStack().count(), count + 1);
-    QCOMPARE(document.undoStack().undoText(), QStringLiteral("眼"));
-    chooseEnglish(*window);
-    QCOMPARE(document.undoStack().undoText(), QString());
-    chooseChinese(*window);
-    QCOMPARE(document.undoStack().undoText(), QStringLiteral("眼"));
-}
-
 void TestLanguage::objectsAreNamedInTheLanguage()
 {
     QCOMPARE(readName("Teapot (2)"), QStringLiteral("Teapot (2)"));
-    Translation translation({QStringLiteral("zh-CN")});
+    const Translation translation(kChinese);
     QCOMPARE(readName("Teapot"), QStringLiteral("茶壶"));
     QCOMPARE(readName("Teapot (2)"), QStringLiteral("茶壶 (2)"));
     QCOMPARE(readName("Teapot of mine"), QStringLiteral("Teapot of mine"));
@@ -286,6 +95,8 @@ void TestLanguage::objectsAreNamedInTheLanguage()
     const SceneDocument &document = window->document();
     QVERIFY(list->setData(first, first.data(Qt::EditRole))); // looked at, and left as it was
     QCOMPARE(document.objects().front().name, std::string("Teapot"));
+    const QString written = QString::fromStdString(scene_file::sceneText(window->session().contents()).value());
+    QVERIFY(written.contains(QStringLiteral("\"Torus\"")) && !written.contains(QStringLiteral("圆环")));
     for (const char *taken : {"圆环", "Torus"}) {
         QVERIFY(!list->setData(first, QString::fromUtf8(taken)));
         QCOMPARE(document.objects().front().name, std::string("Teapot"));
@@ -296,7 +107,7 @@ void TestLanguage::objectsAreNamedInTheLanguage()
 
 void TestLanguage::objectsOfFilesKeepTheirNames()
 {
-    Translation translation({QStringLiteral("zh-CN")});
+    const Translation translation(kChinese);
     const auto window = windowIn(translation);
     SceneObject box = window->document().objects().front();
     box.name = "Box";
@@ -309,21 +120,19 @@ void TestLanguage::objectsOfFilesKeepTheirNames()
 
 void TestLanguage::twoObjectsNeverLookTheSame()
 {
-    Translation translation(m_english);
+    const Translation translation(kChinese);
     const auto window = windowIn(translation);
-    QCOMPARE(renameObject(window->document(), 1, QStringLiteral("茶壶")), NameFault::None);
-    const auto areOthers = [&] {
-        QStringList names = listedObjects(*window);
-        return names.removeDuplicates() == 0;
-    };
-    QVERIFY(areOthers());
-    chooseChinese(*window);
-    QVERIFY(areOthers());
-    QCOMPARE(listedObjects(*window)[2], QStringLiteral("圆环"));
+    SceneDocument &document = window->document();
+    std::vector<SceneObject> objects = document.objects();
+    objects[1].name = "茶壶"; // given where the program spoke English
+    openObjects(document, std::move(objects));
+    QStringList names = listedObjects(*window);
+    QCOMPARE(names[2], QStringLiteral("圆环"));
+    QCOMPARE(names.removeDuplicates(), 0);
     // The teapot is read by its own name beside that one, which so is nobody else's: it may be called as it is.
-    QCOMPARE(renameObject(window->document(), 1, QStringLiteral("茶壶")), NameFault::None);
-    QCOMPARE(renameObject(window->document(), 2, QStringLiteral("茶壶")), NameFault::Taken);
-    QCOMPARE(renameObject(window->document(), 1, QStringLiteral("Teapot")), NameFault::Taken);
+    QCOMPARE(renameObject(document, 1, QStringLiteral("茶壶")), NameFault::None);
+    QCOMPARE(renameObject(document, 2, QStringLiteral("茶壶")), NameFault::Taken);
+    QCOMPARE(renameObject(document, 1, QStringLiteral("Teapot")), NameFault::Taken);
 }
 
 void TestLanguage::menusHaveRoomForTheirTexts()
@@ -333,8 +142,8 @@ void TestLanguage::menusHaveRoomForTheirTexts()
     large.setPointSizeF(13.0);
     QApplication::setFont(large);
     setAppearance(Appearance::Light);
-    Translation translation({QStringLiteral("zh-CN")});
-    const auto window = windowIn(translation);
+    const Translation translation(kChinese);
+    const auto window = windowIn(translation, true);
     constexpr int kFrame = 4; // of the menu, at the right
     for (const QMenu *menu : window->menuBar()->findChildren<QMenu *>()) {
         QMenu narrow, wide;
@@ -359,13 +168,13 @@ void TestLanguage::qtSpeaksChineseToo()
 {
     if (!QFile::exists(QLibraryInfo::path(QLibraryInfo::TranslationsPath) + QStringLiteral("/qtbase_zh_CN.qm")))
         QSKIP("Qt has no translations here.");
-    Translation translation(m_english);
-    QCOMPARE(QDialogButtonBox(QDialogButtonBox::Cancel).button(QDialogButtonBox::Cancel)->text().remove(u'&'),
-             QStringLiteral("Cancel"));
-    translation.choose(Language::Chinese);
-    const QDialogButtonBox box(QDialogButtonBox::Cancel);
-    QVERIFY2(box.button(QDialogButtonBox::Cancel)->text().contains(QStringLiteral("取消")),
-             qPrintable(box.button(QDialogButtonBox::Cancel)->text()));
+    const auto cancelIn = [](const QStringList &languages) {
+        const Translation translation(languages);
+        const QDialogButtonBox box(QDialogButtonBox::Cancel);
+        return box.button(QDialogButtonBox::Cancel)->text().remove(u'&');
+    };
+    QCOMPARE(cancelIn(kEnglish), QStringLiteral("Cancel"));
+    QVERIFY2(cancelIn(kChinese).contains(QStringLiteral("取消")), qPrintable(cancelIn(kChinese)));
 }
 
 void TestLanguage::hanziAreThoseOfChina()
@@ -396,93 +205,79 @@ void TestLanguage::everyBundledNameIsChinese()
         }
     }
     QVERIFY(names.contains(QStringLiteral("Its projection")));
-    Translation translation({QStringLiteral("zh-CN")});
+    const Translation translation(kChinese);
     const QStringList letters{QStringLiteral("WC"), QStringLiteral("VC")}; // as the sources have them
     for (const QString &name : names)
         QVERIFY2(letters.contains(name) || readName(name.toStdString()) != name, qPrintable(name));
 }
 
-void TestLanguage::whatHelpIsSearchedForStays()
-{
-    Translation translation(m_english);
-    const auto window = windowIn(translation);
-    emit window->findChild<LessonPanel *>()->linkFollowed(QStringLiteral("formulas"), {});
-    const auto bar = [&] { return &window->findChild<FormulasWindow *>()->findBar(); };
-    bar()->openField();
-    bar()->findChild<QLineEdit *>()->setText(QStringLiteral("gluUnProject"));
-    QVERIFY(!bar()->hits().empty());
-    chooseChinese(*window);
-    QVERIFY(bar()->isVisible());
-    QCOMPARE(bar()->findChild<QLineEdit *>()->text(), QStringLiteral("gluUnProject"));
-    QVERIFY(!bar()->hits().empty());
-    bar()->closeField();
-    chooseEnglish(*window);
-    QVERIFY(!bar()->isVisible());
-}
-
 void TestLanguage::whatCoreSaysIsInTheLanguage_data()
 {
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<QByteArray>("content");
-    QTest::addColumn<QString>("chinese");
-    QTest::addColumn<QString>("english");
-
-    QTest::newRow("model") << "broken.ply"
-                           << QByteArray("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-                                         "property float z\nelement face 9\nproperty list uchar int vertex_indices\n"
-                                         "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
-                           << "broken.ply 已损坏：文件在 face 1（共 9 个）之内结束"
-                           << "broken.ply is damaged: the file ends within ";
-    QTest::newRow("scene") << "broken.json" << QByteArray(R"({"unprojector" 1})") << ":1:16: 此处应为“:”，却是 1"
-                           << ":1:16: 1 stands where \":\" is expected";
-    QTest::newRow("points") << "broken.csv" << QByteArray("name,x,y,z\na,1,2,far\n") << ":2: z 为 “far”；请写一个数"
-                            << ":2: z is \"far\"; write a number";
+    QTest::addColumn<QStringList>("languages");
+    QTest::addColumn<QStringList>("said"); // of a model, a scene and points
+    QTest::newRow("English") << kEnglish
+                             << QStringList{"broken.ply is damaged: the file ends within ",
+                                            ":1:16: 1 stands where \":\" is expected",
+                                            ":2: z is \"far\"; write a number"};
+    QTest::newRow("Chinese") << kChinese
+                             << QStringList{"broken.ply 已损坏：文件在 face 1（共 9 个）之内结束",
+                                            ":1:16: 此处应为“:”，却是 1", ":2: z 为 “far”；请写一个数"};
 }
 
 /// Core's loaders say in their own threads what is wrong with a file.
 void TestLanguage::whatCoreSaysIsInTheLanguage()
 {
-    QFETCH(QString, name);
-    QFETCH(QByteArray, content);
+    QFETCH(QStringList, languages);
+    QFETCH(QStringList, said);
+    const std::array<std::pair<const char *, QByteArray>, 3> files{
+        {{"broken.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                        "property float z\nelement face 9\nproperty list uchar int vertex_indices\n"
+                        "end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+         {"broken.json", R"({"unprojector" 1})"},
+         {"broken.csv", "name,x,y,z\na,1,2,far\n"}}};
     const QTemporaryDir folder;
-    QFile file(folder.filePath(name));
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
-    file.close();
-
-    Translation translation(m_english);
+    const Translation translation(languages);
     const auto window = windowIn(translation);
-    const auto messageOfOpening = [&] {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        QFile file(folder.filePath(QLatin1String(files[i].first)));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(files[i].second) == files[i].second.size());
+        file.close();
         window->session().openFiles({std::filesystem::path(file.fileName().toStdU16String())});
-        const bool isDone = QTest::qWaitFor([&] { return !window->session().isLoading(); }, kPatienceMilliseconds);
-        return isDone ? window->message() : QString();
-    };
-    QFETCH(QString, english);
-    QVERIFY2(messageOfOpening().contains(english), qPrintable(window->message()));
-    chooseChinese(*window);
-    QFETCH(QString, chinese);
-    QVERIFY2(messageOfOpening().contains(chinese), qPrintable(window->message()));
-    static const QRegularExpression words(QStringLiteral("\\b[a-z]{2,}[,;:]? [a-z]{2,}\\b"));
-    QVERIFY2(!words.match(window->message()).hasMatch(), qPrintable(window->message()));
-    chooseEnglish(*window);
-    QVERIFY2(messageOfOpening().contains(english), qPrintable(window->message()));
+        QTRY_VERIFY_WITH_TIMEOUT(!window->session().isLoading(), kPatienceMilliseconds);
+        QVERIFY2(window->message().contains(said[static_cast<qsizetype>(i)]), qPrintable(window->message()));
+        static const QRegularExpression words(QStringLiteral("\\b[a-z]{2,}[,;:]? [a-z]{2,}\\b"));
+        QVERIFY2(languages == kEnglish || !words.match(window->message()).hasMatch(), qPrintable(window->message()));
+    }
 }
 
-void TestLanguage::theChoiceIsKept()
+void TestLanguage::theChoiceIsForTheNextStart()
 {
-    Translation translation(m_english);
-    const QString key = QStringLiteral("window/language");
-    const auto window = windowIn(translation, true);
-    QVERIFY(!QSettings().contains(key));
-    chooseChinese(*window);
-    QCOMPARE(QSettings().value(key).toString(), QStringLiteral("zh_CN"));
-    QVERIFY(actionOf(*window, QStringLiteral("简体中文(C)"))->isChecked());
-    chooseEnglish(*window);
-    QCOMPARE(QSettings().value(key).toString(), QStringLiteral("en"));
+    QCOMPARE(keptLanguage(), Language::System);
+    QCOMPARE(languagesOf(Language::System), QLocale().uiLanguages());
+    const Translation translation(kEnglish);
+    const auto chosen = [](const MainWindow &window) { return actionOf(window, QStringLiteral("简体中文(C)")); };
+    {
+        const auto window = windowIn(translation, true);
+        QVERIFY(actionOf(*window, QStringLiteral("System"))->isChecked());
+        chosen(*window)->trigger();
+        QVERIFY(chosen(*window)->isChecked());
+        QCOMPARE(keptLanguage(), Language::Chinese);
+        QCOMPARE(languagesOf(keptLanguage()), QStringList{QStringLiteral("zh_CN")});
+        QCOMPARE(window->message(), QStringLiteral("程序下次启动时使用简体中文。")); // for whoever reads no other
+        QCOMPARE(window->menuBar()->actions().constFirst()->text(), QStringLiteral("&File"));
+        actionOf(*window, QStringLiteral("English"))->trigger();
+        QCOMPARE(languagesOf(keptLanguage()), QStringList{QStringLiteral("en")});
+        QCOMPARE(window->message(), QStringLiteral("The program uses English when it starts next time."));
+        chosen(*window)->trigger();
+    }
+    QVERIFY(chosen(*windowIn(translation, true))->isChecked());
+    QVERIFY(!chosen(*windowIn(translation)));
+    keepLanguage(Language::System);
 }
 
 void TestLanguage::withoutAFontThereIsNoChinese()
 {
-    Translation translation({QStringLiteral("zh-CN"), QStringLiteral("en")}, false);
+    const Translation translation({QStringLiteral("zh-CN"), QStringLiteral("en")}, false);
     QVERIFY(translation.lacksFont());
     {
         const auto window = windowIn(translation, true);

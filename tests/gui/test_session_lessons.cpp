@@ -1,14 +1,28 @@
 // A lesson over a session without a window: what becomes of the scene that was shown before it.
 
-#include "broken_texts.h"
 #include "gui/lessons/lesson_player.h"
 #include "session_desk.h"
 #include "tests/support/patience.h"
 
 #include <QSignalSpy>
 #include <QStandardPaths>
+#include <QTranslator>
 
 using namespace sessions;
+
+namespace {
+
+/// A language in which lessons cannot be read: their texts are to be in a file that holds something else.
+class BrokenTexts : public QTranslator {
+public:
+    bool isEmpty() const override { return false; }
+    QString translate(const char *, const char *source, const char *, int) const override
+    {
+        return qstrcmp(source, "%1.json") == 0 ? QStringLiteral("%1/../lessons.json") : QString();
+    }
+};
+
+} // namespace
 
 class TestSessionLessons : public QObject, protected FolderUser {
     Q_OBJECT
@@ -29,7 +43,7 @@ private slots:
     void theSceneBehindALessonIsKeptInCaseOfACrash();
     void changesThatCannotBeKeptAreToldAgain();
     void aStepThatCannotBeShownLeavesTheChangesKept();
-    void aLessonThatCannotBeReadIsLeft();
+    void lessonsThatCannotBeReadAreLeftOut();
 
 private:
     void waysToLeave();
@@ -200,27 +214,15 @@ void TestSessionLessons::aStepThatCannotBeShownLeavesTheChangesKept()
     desk->session.end();
 }
 
-void TestSessionLessons::aLessonThatCannotBeReadIsLeft()
+void TestSessionLessons::lessonsThatCannotBeReadAreLeftOut()
 {
     const auto desk = this->desk();
-    desk->session.openBundledScene();
-    desk->cut();
-    const QStringList names = desk->names();
     LessonPlayer player(desk->document, desk->session);
-    QVERIFY(player.start("pipeline") && player.next());
-    const QSignalSpy changes(&player, &LessonPlayer::changed), failures(&player, &LessonPlayer::failed);
+    const QSignalSpy failures(&player, &LessonPlayer::failed);
     BrokenTexts texts;
     QVERIFY(QCoreApplication::installTranslator(&texts));
-    player.retranslate();
-    QVERIFY(player.lessons().empty() && !failures.isEmpty());
-    QCOMPARE(changes.size(), 1);
-    QVERIFY(!player.lesson());
-    QCOMPARE(desk->names(), names);
-    QCOMPARE(desk->document.scene().clipPlanes.at(0).w, 0.5);
-    QCOMPARE(desk->session.name(), QStringLiteral("Bundled scene"));
-    QVERIFY(desk->session.hasUnsavedChanges());
-    QVERIFY(desk->answers.asked.isEmpty());
-    desk->session.end();
+    QVERIFY(player.lessons().empty() && !player.start("pipeline"));
+    QVERIFY(failures.size() > 1);
 }
 
 QTEST_GUILESS_MAIN(TestSessionLessons)
