@@ -2,7 +2,6 @@
 
 #include "core/geometry/angle.h"
 #include "core/text/error_text.h"
-#include "core/text/json_syntax.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
 
@@ -94,13 +93,6 @@ std::string causeText(const Error &error)
     return {};
 }
 
-/// What stands in an error in English.
-std::string syntaxText(const std::string &english)
-{
-    return jsonMistakeText(
-        saidAgain(english, {marked("the file is UTF-16; save it as UTF-8"), marked("unexpected zero byte")}));
-}
-
 std::string sentence(const SceneFileError &e)
 {
     switch (e.code) {
@@ -108,14 +100,14 @@ std::string sentence(const SceneFileError &e)
     case SceneFileErrorCode::IsDirectory: return tr("this is a folder, not a scene file");
     case SceneFileErrorCode::NotReadable: return withDetail(tr("the file cannot be read"), e.detail);
     case SceneFileErrorCode::NotAFile: return tr("this is a pipe or a device, not a scene file");
-    case SceneFileErrorCode::NotWritable: return e.detail;
+    case SceneFileErrorCode::NotWritable:
+    case SceneFileErrorCode::Syntax: return e.detail;
     case SceneFileErrorCode::ChangedMeanwhile:
         return tr("the file was changed by another program or window since it was opened");
     case SceneFileErrorCode::IsOwnModel:
         return tr("the scene shows this model and would be written over it; give another name");
     case SceneFileErrorCode::EmptyFile: return tr("the file is empty");
     case SceneFileErrorCode::TooLarge: return tr("a scene may have at most %1", bytesText(e.limit));
-    case SceneFileErrorCode::Syntax: return syntaxText(e.detail);
     case SceneFileErrorCode::NumberTooLarge: return tr("%1 is too large for a number", e.found);
     case SceneFileErrorCode::TooDeep: return tr("brackets are nested deeper than %1 levels", shortestText(e.limit));
     case SceneFileErrorCode::DuplicateKey: return tr("the key \"%1\" stands here for the second time", e.found);

@@ -21,7 +21,7 @@ enum class SceneFileErrorCode {
     IsOwnModel,       ///< to be written over the model of keyPath
     EmptyFile,        ///< nothing but blanks
     TooLarge,         ///< limit: the most bytes a scene may have
-    Syntax,           ///< line, column; detail: what the JSON parser met, English
+    Syntax,           ///< line, column; detail: what the JSON parser met, as tr() says it
     NumberTooLarge,   ///< line, column; found: the number as written, beyond the range of doubles
     TooDeep,          ///< line, column; limit: the most levels of brackets
     DuplicateKey,     ///< line, column; found: the key

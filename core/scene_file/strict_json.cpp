@@ -3,6 +3,7 @@
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/scene_file.h"
 #include "core/text/json_syntax.h"
+#include "core/text/translation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -85,7 +86,7 @@ public:
         // Numbers that overflow come with their own kind of error.
         if (error.id == 406)
             return fail(SceneFileErrorCode::NumberTooLarge, mistake.at, lastToken);
-        return failSyntax(mistake.at, std::move(mistake.english));
+        return failSyntax(mistake.at, std::move(mistake.text));
     }
     // NOLINTEND(readability-identifier-naming)
 
@@ -209,12 +210,12 @@ Result<Json, SceneFileError> parseStrictJson(std::string_view text, std::size_t 
     }
     Builder builder(text);
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-        builder.failSyntax(0, "the file is UTF-16; save it as UTF-8");
+        builder.failSyntax(0, text::tr("the file is UTF-16; save it as UTF-8"));
         return *builder.error();
     }
     // The library takes a zero byte for the end and would not look at what comes behind it.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
-        builder.failSyntax(zero, "unexpected zero byte");
+        builder.failSyntax(zero, text::tr("unexpected zero byte"));
         return *builder.error();
     }
     const bool parsed = Json::sax_parse(builder.begin(), builder.end(), &builder);

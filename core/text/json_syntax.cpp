@@ -119,18 +119,9 @@ JsonMistake jsonMistake(std::string_view text, std::size_t position, std::string
         std::find_if(std::begin(kKinds), std::end(kKinds), [&has](const Kind &k) { return has(k.sign); });
     const std::string_view written = tokenAt(text, mistake.at);
     const std::string token = quotable(written);
-    const InEnglish english;
     const bool isBinary = token.empty() && !written.empty();
-    mistake.english = isBinary ? tr(kNotUtf8) : tr(kind->english, token);
+    mistake.text = isBinary ? tr(kNotUtf8) : tr(kind->english, token);
     return mistake;
-}
-
-std::string jsonMistakeText(const std::string &english)
-{
-    std::string said = english;
-    for (auto kind = std::begin(kKinds); said == english && kind != std::end(kKinds); ++kind)
-        said = saidAgain(english, {kind->english});
-    return said;
 }
 
 } // namespace unprojector::text

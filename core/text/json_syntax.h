@@ -8,8 +8,8 @@ namespace unprojector::text {
 
 /// A mistake in the syntax of a JSON text.
 struct JsonMistake {
-    std::size_t at = 0;  ///< bytes before it
-    std::string english; ///< `"b" stands where "," or "}" is expected`; see jsonMistakeText()
+    std::size_t at = 0; ///< bytes before it
+    std::string text;   ///< `"b" stands where "," or "}" is expected`, as tr() says it
 };
 
 /// What the JSON library's parser stops at. Its own sentence only tells which kind of mistake it is.
@@ -17,8 +17,5 @@ struct JsonMistake {
 /// @param position, lastToken, parserMessage  as the parser hands them to parse_error()
 JsonMistake jsonMistake(std::string_view text, std::size_t position, std::string_view lastToken,
                         std::string_view parserMessage);
-
-/// A mistake's sentence in the language of tr().
-std::string jsonMistakeText(const std::string &english);
 
 } // namespace unprojector::text

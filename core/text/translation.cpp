@@ -104,37 +104,4 @@ std::string filled(std::string_view pattern, const std::vector<std::string> &val
     return text;
 }
 
-std::optional<std::vector<std::string>> valuesIn(std::string_view text, std::string_view pattern)
-{
-    constexpr std::size_t kPlaceSize = 2; // "%1"
-    std::vector<std::string> values;
-    std::size_t place = pattern.find('%');
-    if (!text.starts_with(pattern.substr(0, place)))
-        return std::nullopt;
-    text.remove_prefix(pattern.substr(0, place).size());
-    while (place != pattern.npos) {
-        pattern.remove_prefix(place + kPlaceSize);
-        place = pattern.find('%');
-        const std::string_view behind = pattern.substr(0, place);
-        const bool isLast = place == pattern.npos;
-        if (isLast && !text.ends_with(behind))
-            return std::nullopt;
-        const std::size_t end = isLast ? text.size() - behind.size() : text.find(behind);
-        if (end == text.npos || end == 0)
-            return std::nullopt;
-        values.emplace_back(text.substr(0, end));
-        text.remove_prefix(end + behind.size());
-    }
-    return text.empty() ? std::optional(std::move(values)) : std::nullopt;
-}
-
-std::string saidAgain(std::string_view english, std::initializer_list<std::string_view> patterns)
-{
-    for (const std::string_view pattern : patterns) {
-        if (const auto values = valuesIn(english, pattern))
-            return filled(translated(pattern), *values);
-    }
-    return std::string(english);
-}
-
 } // namespace unprojector::text

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <initializer_list>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -14,7 +12,7 @@ namespace unprojector::text {
 
 enum class Language { English, Chinese };
 
-/// What tr() speaks from now on, in every thread: English until a program says otherwise. What has been worded stays.
+/// What tr() speaks in every thread: English unless a program says otherwise when it starts.
 void setLanguage(Language language);
 /// What tr() speaks in this thread.
 Language language();
@@ -43,14 +41,6 @@ std::string translated(std::string_view english);
 /// A pattern with values in the places of %1 to %9, whatever stands in the values. A blank of the pattern goes where it would
 /// stand between two Hanzi.
 std::string filled(std::string_view pattern, const std::vector<std::string> &values);
-
-/// The values of a text that was made of a pattern, in their order; nothing where it was not. In the pattern %1, %2, … follow
-/// each other, something between them; a value goes on to where that something comes first, the last one to the end.
-std::optional<std::vector<std::string>> valuesIn(std::string_view text, std::string_view pattern);
-
-/// An English text once more in the language that is set, by the first of these patterns (marked) that it was made of; as it
-/// is where there is none. For what was worded before anybody knew for whom.
-std::string saidAgain(std::string_view english, std::initializer_list<std::string_view> patterns);
 
 inline std::string valueText(std::string_view value)
 {

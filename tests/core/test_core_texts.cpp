@@ -143,7 +143,6 @@ private slots:
     void aWordAloneSaysWhereItStands();
     void textsAreSaidInTheLanguageThatIsSet();
     void valuesStandInTheirPlaces();
-    void aTextIsSaidAgain();
     void controlsAreWrittenOut_data();
     void controlsAreWrittenOut();
     void quotedBeginningsShowWhatIsWrong();
@@ -248,26 +247,6 @@ void TestCoreTexts::valuesStandInTheirPlaces()
     QCOMPARE(filled("%", {"a"}), std::string("%"));
     QCOMPARE(filled("缺少 %1；%2 个 %3", {"宽度", "3", "像素"}), std::string("缺少宽度；3 个像素"));
     QCOMPARE(filled("%1 不是 %2 或 %3", {"近面", "z", "我的 扫描.ply"}), std::string("近面不是 z 或我的 扫描.ply"));
-}
-
-/// What a mesh's reader has noted is English, and said in Chinese later.
-void TestCoreTexts::aTextIsSaidAgain()
-{
-    using Values = std::vector<std::string>;
-    QCOMPARE(valuesIn("ratio 1.5, flipped", "ratio %1, flipped"), std::optional(Values{"1.5"}));
-    QCOMPARE(valuesIn("a, b of c", "%1, %2 of %3"), std::optional(Values{"a", "b", "c"}));
-    QCOMPARE(valuesIn("right", "right"), std::optional(Values{}));
-    QCOMPARE(valuesIn("rightly", "right"), std::optional<Values>());
-    QCOMPARE(valuesIn("ratio ", "ratio %1"), std::optional<Values>());
-    QCOMPARE(valuesIn("a of ", "%1 of %2"), std::optional<Values>());
-    QCOMPARE(valuesIn("", "%1"), std::optional<Values>());
-
-    const std::initializer_list<std::string_view> patterns{"ratio %1", "to %1 bits"};
-    QCOMPARE(saidAgain("to 16 bits", patterns), std::string("to 16 bits"));
-    setLanguage(Language::Chinese);
-    QCOMPARE(saidAgain("to 16 bits", patterns), std::string("舍入到 16 位"));
-    QCOMPARE(saidAgain("to few bits", {}), std::string("to few bits"));
-    setLanguage(Language::English);
 }
 
 void TestCoreTexts::controlsAreWrittenOut_data()

@@ -214,7 +214,7 @@ Json parsed(std::string_view text)
     if (check.twice)
         failAt(*check.twice, tr("the key \"%1\" occurs twice in one JSON object", check.objects.back().key));
     if (check.mistake)
-        failAt(check.mistake->at, text::jsonMistakeText(check.mistake->english));
+        failAt(check.mistake->at, check.mistake->text);
     return Json::parse(text);
 }
 
