@@ -1,11 +1,8 @@
 #include "core/scene_file/scene_error_text.h"
 
-#include "core/geometry/angle.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
-
-#include <cmath>
 
 namespace unprojector::scene_file {
 using namespace geometry;
@@ -49,50 +46,6 @@ std::string withDetail(const std::string &sentence, const std::string &detail)
     return detail.empty() ? sentence : sentence + tr(" (%1)", detail);
 }
 
-/// Of a value under its key: the value comes first, the key is named before.
-std::string causeText(const Error &error)
-{
-    const std::string value = shortestText(error.value), other = shortestText(error.other);
-    switch (error.code) {
-    case ErrorCode::NotFinite: return tr("%1 is not a finite number", value);
-    case ErrorCode::NearNotPositive: return tr("%1 must be greater than 0", value);
-    case ErrorCode::NearNotBeforeFar: return tr("%1 must be smaller than far (%2)", value, other);
-    case ErrorCode::LeftEqualsRight: return tr("%1 must differ from right", value);
-    case ErrorCode::BottomEqualsTop: return tr("%1 must differ from top", value);
-    case ErrorCode::FieldOfViewOutOfRange:
-    case ErrorCode::ShearAngleOutOfRange:
-        return tr("%1 must lie between 0 and 180 degrees, both excluded",
-                  shortestText(degreesFromRadians(error.value)));
-    case ErrorCode::AspectNotPositive:
-    case ErrorCode::PixelRatioNotPositive: return tr("%1 must be greater than 0", value);
-    case ErrorCode::EyeEqualsCenter: return tr("must be another point than the eye");
-    case ErrorCode::UpIsZero:
-    case ErrorCode::RotationAxisIsZero: return tr("the axis (0, 0, 0) has no direction");
-    case ErrorCode::UpParallelToView: return tr("must not point along the view direction");
-    case ErrorCode::EmptyViewport:
-    case ErrorCode::EmptyFramebuffer:
-        return tr("the size %1 x %2 is empty; width and height must be greater than 0", value, other);
-    case ErrorCode::EmptyDepthRange: return tr("both ends are %1; they must differ", value);
-    case ErrorCode::DepthOutsideRange: return tr("%1 lies outside the depth range", value);
-    case ErrorCode::OutsideFramebuffer: return tr("(%1, %2) lies outside the window", value, other);
-    case ErrorCode::ViewportNotWhole:
-    case ErrorCode::ViewportTooLarge:
-    case ErrorCode::FramebufferTooLarge:
-    case ErrorCode::DepthRangeNotDrawable:
-    case ErrorCode::ObjectTooFar:
-    case ErrorCode::ObjectTooSmall: return errorText(error); // of showing, not of the file
-    case ErrorCode::SingularMatrix: return tr("the matrix has no inverse");
-    case ErrorCode::PointAtInfinity: return tr("the point lies at infinity");
-    case ErrorCode::ScaleIsZero: return tr("a factor is 0; it must differ from 0");
-    case ErrorCode::MatrixNotAProjection: return tr("the entry %1 fits no projection of a known form", value);
-    case ErrorCode::ViewNotRigid: return viewFault(error);
-    case ErrorCode::ViewMirrored: return tr("the axes are left-handed; negate one of the first three rows");
-    case ErrorCode::ClipPlaneHasNoNormal:
-        return tr("the first three numbers are all 0; one of them must differ from 0");
-    }
-    return {};
-}
-
 std::string sentence(const SceneFileError &e)
 {
     switch (e.code) {
@@ -134,7 +87,7 @@ std::string sentence(const SceneFileError &e)
                   e.found, shortestText(e.limit));
     case SceneFileErrorCode::BadFileName: return tr("this is no name of a file");
     case SceneFileErrorCode::NotUtf8: return tr("the name is not UTF-8 and cannot be written; rename it");
-    case SceneFileErrorCode::InvalidValue: return e.cause ? causeText(*e.cause) : std::string();
+    case SceneFileErrorCode::InvalidValue: return e.cause ? errorText(*e.cause) : std::string();
     }
     return {};
 }

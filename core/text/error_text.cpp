@@ -9,22 +9,58 @@
 namespace unprojector::text {
 using namespace geometry;
 
+namespace {
+
+/// What the way to radians and back leaves of the digits is noise.
+std::string degreesText(double radians)
+{
+    constexpr double kRounding = 1e-14;
+    const double degrees = degreesFromRadians(radians);
+    return shortestText(degrees, kRounding * std::abs(degrees));
+}
+
+/// A number that another one is compared with. It comes from a computation as a rule: its last digits would only be noise,
+/// unless they are what makes the difference.
+std::string comparedText(double other, double value)
+{
+    constexpr double kSeventhDigit = 5e-7;
+    const std::string rounded = shortestText(other, kSeventhDigit * std::abs(other));
+    return rounded == shortestText(value) ? shortestText(other) : rounded;
+}
+
+/// @pre the error is ViewNotRigid
+std::string viewFault(const Error &error)
+{
+    const int column = static_cast<int>(error.other) / 4, row = static_cast<int>(error.other) % 4;
+    if (row == 3)
+        return tr(column == 3 ? "%1 stands in row 4, column %2; it must be greater than 0"
+                              : "%1 stands in row 4, column %2; it must be 0",
+                  shortestText(error.value), column + 1);
+    if (row == column)
+        return tr("row %1 has the length %2; it must be 1", row + 1, shortestText(std::sqrt(1.0 + error.value)));
+    return tr("rows %1 and %2 are not perpendicular", row + 1, column + 1);
+}
+
+} // namespace
+
 std::string errorText(const Error &error)
 {
     const std::string value = shortestText(error.value), other = shortestText(error.other);
     switch (error.code) {
     case ErrorCode::NotFinite: return tr("%1 is not a finite number; give a number", value);
-    case ErrorCode::NearNotPositive: return tr("near is %1; it must be greater than 0 and smaller than far", value);
-    case ErrorCode::NearNotBeforeFar: return tr("near is %1; it must be smaller than far (%2)", value, other);
+    case ErrorCode::NearNotPositive:
+        return tr("near is %1; it must be greater than 0 and smaller than far (%2)", value,
+                  comparedText(error.other, error.value));
+    case ErrorCode::NearNotBeforeFar:
+        return tr("near is %1; it must be smaller than far (%2)", value, comparedText(error.other, error.value));
     case ErrorCode::LeftEqualsRight: return tr("left and right are both %1; they must differ", value);
     case ErrorCode::BottomEqualsTop: return tr("bottom and top are both %1; they must differ", value);
     case ErrorCode::FieldOfViewOutOfRange:
         return tr("the vertical field of view is %1 degrees; it must lie between 0 and 180, both excluded",
-                  shortestText(degreesFromRadians(error.value)));
+                  degreesText(error.value));
     case ErrorCode::AspectNotPositive: return tr("the aspect is %1; it must be greater than 0", value);
     case ErrorCode::ShearAngleOutOfRange:
-        return tr("the angle is %1 degrees; it must lie between 0 and 180, both excluded",
-                  shortestText(degreesFromRadians(error.value)));
+        return tr("the angle is %1 degrees; it must lie between 0 and 180, both excluded", degreesText(error.value));
     case ErrorCode::EyeEqualsCenter: return tr("eye and center are the same point; move one of them");
     case ErrorCode::UpIsZero: return tr("up is (0, 0, 0); give it a length");
     case ErrorCode::UpParallelToView: return tr("up points along the view direction; choose another one");
@@ -47,7 +83,8 @@ std::string errorText(const Error &error)
     case ErrorCode::RotationAxisIsZero: return tr("the rotation axis is (0, 0, 0); give it a length");
     case ErrorCode::ClipPlaneHasNoNormal: return tr("A, B and C of the clip plane are all 0; one of them must differ");
     case ErrorCode::MatrixNotAProjection:
-        return tr("the matrix is no projection of a known form: the entry %1 at place %2 does not fit", value, other);
+        return tr("the projection matrix is of no known form: %1 stands in row %2, column %3", value,
+                  static_cast<int>(error.other) % 4 + 1, static_cast<int>(error.other) / 4 + 1);
     case ErrorCode::ObjectTooFar:
         return tr("an object reaches to %1, farther than can be computed; look at its scales and translations", value);
     case ErrorCode::ObjectTooSmall:
@@ -57,19 +94,6 @@ std::string errorText(const Error &error)
         return tr("the view matrix is mirrored: its axes are left-handed; negate one of its first three rows");
     }
     return {};
-}
-
-std::string viewFault(const Error &error)
-{
-    const int column = static_cast<int>(error.other) / 4, row = static_cast<int>(error.other) % 4;
-    const std::string rowName = std::to_string(row + 1), columnName = std::to_string(column + 1);
-    if (row == 3)
-        return tr(column == 3 ? "%1 stands in row 4, column %2; it must be greater than 0"
-                              : "%1 stands in row 4, column %2; it must be 0",
-                  shortestText(error.value), columnName);
-    if (row == column)
-        return tr("row %1 has the length %2; it must be 1", rowName, shortestText(std::sqrt(1.0 + error.value)));
-    return tr("rows %1 and %2 are not perpendicular", rowName, columnName);
 }
 
 } // namespace unprojector::text

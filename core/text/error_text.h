@@ -7,11 +7,9 @@
 namespace unprojector::text {
 using namespace geometry;
 
-/// The command's wording of what core reports: names the value and says what to do.
+/// What is wrong with a value and what to do: names the value; without a capital and a full stop, as a part of a line:
+///
+///   near is 100; it must be smaller than far (100)
 std::string errorText(const Error &error);
-
-/// What of a view matrix is not rigid, by row and column.
-/// @pre the error is ViewNotRigid
-std::string viewFault(const Error &error);
 
 } // namespace unprojector::text

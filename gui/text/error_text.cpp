@@ -1,14 +1,13 @@
 #include "gui/text/error_text.h"
 
-#include "core/geometry/angle.h"
 #include "core/scene_file/scene_error_text.h"
-#include "gui/text/number_text.h"
+#include "core/text/error_text.h"
+#include "gui/text/sentences.h"
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QRegularExpression>
 #include <QTextDocument>
-
-#include <cmath>
 
 namespace unprojector::gui {
 using namespace geometry;
@@ -17,28 +16,6 @@ namespace {
 struct Errors {
     Q_DECLARE_TR_FUNCTIONS(Errors)
 };
-
-QString degrees(double radians)
-{
-    return writtenText(degreesFromRadians(radians), 6);
-}
-
-/// @pre the error is ViewNotRigid
-QString viewFault(const Error &error)
-{
-    const int column = static_cast<int>(error.other) / 4, row = static_cast<int>(error.other) % 4;
-    if (row == 3)
-        return Errors::tr("The view matrix does more than turn and move: %1 stands in row 4, column %2.")
-            .arg(writtenText(error.value, 6))
-            .arg(column + 1);
-    if (row == column)
-        return Errors::tr("The view matrix does more than turn and move: row %1 has the length %2, not 1.")
-            .arg(row + 1)
-            .arg(writtenText(std::sqrt(1.0 + error.value), 6));
-    return Errors::tr("The view matrix does more than turn and move: rows %1 and %2 are not perpendicular.")
-        .arg(row + 1)
-        .arg(column + 1);
-}
 
 constexpr auto kModelSuffixes = "*.obj *.stl *.ply *.off *.gltf *.glb";
 
@@ -70,77 +47,13 @@ QString openableFileFilter()
 
 QString errorText(const Error &error)
 {
-    const QString value = shortestText(error.value);
-    // The number compared with comes from a computation as a rule: its last digits would only be noise, unless they are
-    // what makes the difference.
-    const QString rounded = writtenText(error.other, 7);
-    const QString other = rounded.toDouble() == error.value ? shortestText(error.other) : rounded;
-    switch (error.code) {
-    case ErrorCode::NotFinite: return Errors::tr("%1 is not a finite number; give a number.").arg(value);
-    case ErrorCode::NearNotPositive:
-        return Errors::tr("Near is %1; it must be greater than 0 and smaller than far (%2).").arg(value, other);
-    case ErrorCode::NearNotBeforeFar:
-        return Errors::tr("Near is %1; it must be smaller than far (%2).").arg(value, other);
-    case ErrorCode::LeftEqualsRight: return Errors::tr("Left and right are both %1; they must differ.").arg(value);
-    case ErrorCode::BottomEqualsTop: return Errors::tr("Bottom and top are both %1; they must differ.").arg(value);
-    case ErrorCode::FieldOfViewOutOfRange:
-        return Errors::tr("The vertical field of view is %1°; it must lie between 0° and 180°, both excluded.")
-            .arg(degrees(error.value));
-    case ErrorCode::AspectNotPositive: return Errors::tr("The aspect is %1; it must be greater than 0.").arg(value);
-    case ErrorCode::ShearAngleOutOfRange:
-        return Errors::tr("The angle is %1°; it must lie between 0° and 180°, both excluded.")
-            .arg(degrees(error.value));
-    case ErrorCode::EyeEqualsCenter: return Errors::tr("Eye and center are the same point; move one of them.");
-    case ErrorCode::UpIsZero: return Errors::tr("Up is (0, 0, 0); give it a length.");
-    case ErrorCode::UpParallelToView: return Errors::tr("Up points along the view direction; choose another one.");
-    case ErrorCode::EmptyViewport:
-        return Errors::tr("The viewport is %1 × %2 pixels; width and height must be greater than 0.").arg(value, other);
-    case ErrorCode::EmptyFramebuffer:
-        return Errors::tr("The window is %1 × %2 pixels; width and height must be greater than 0.").arg(value, other);
-    case ErrorCode::PixelRatioNotPositive:
-        return Errors::tr("The device pixel ratio is %1; it must be greater than 0.").arg(value);
-    case ErrorCode::EmptyDepthRange:
-        return Errors::tr("Both ends of the depth range are %1; they must differ.").arg(value);
-    case ErrorCode::DepthOutsideRange: return Errors::tr("The depth %1 lies outside the depth range.").arg(value);
-    case ErrorCode::OutsideFramebuffer:
-        return Errors::tr("The position (%1, %2) lies outside the view.").arg(value, other);
-    case ErrorCode::ViewportNotWhole: return Errors::tr("%1 is not a whole number of pixels.").arg(value);
-    case ErrorCode::ViewportTooLarge: return Errors::tr("%1 pixels are too many; use at most %2.").arg(value, other);
-    case ErrorCode::FramebufferTooLarge:
-        return Errors::tr("The window is %1 × %2 pixels, which is more than is drawn; make it smaller.")
-            .arg(value, other);
-    case ErrorCode::DepthRangeNotDrawable:
-        return Errors::tr("The depth is %1; it must lie between 0 and 1.").arg(value);
-    case ErrorCode::SingularMatrix: return Errors::tr("The matrix has no inverse.");
-    case ErrorCode::PointAtInfinity: return Errors::tr("The point lies at infinity.");
-    case ErrorCode::ScaleIsZero: return Errors::tr("The scale is 0; it must differ from 0.");
-    case ErrorCode::RotationAxisIsZero: return Errors::tr("The rotation axis is (0, 0, 0); give it a length.");
-    case ErrorCode::MatrixNotAProjection:
-        return Errors::tr("The projection matrix is of no known form: %1 stands in row %2, column %3.")
-            .arg(value)
-            .arg(static_cast<int>(error.other) % 4 + 1)
-            .arg(static_cast<int>(error.other) / 4 + 1);
-    case ErrorCode::ObjectTooFar:
-        return Errors::tr("An object reaches to %1, farther than can be computed. Look at its scales and "
-                          "translations.")
-            .arg(value);
-    case ErrorCode::ObjectTooSmall:
-        return Errors::tr("An object measures %1, less than can be computed. Look at its scales.").arg(value);
-    case ErrorCode::ViewNotRigid: return viewFault(error);
-    case ErrorCode::ViewMirrored:
-        return Errors::tr("The view matrix is mirrored: its axes are left-handed. Negate one of its first three rows.");
-    case ErrorCode::ClipPlaneHasNoNormal:
-        return Errors::tr("A, B and C of the clip plane are all 0; one of them must differ.");
-    }
-    Q_UNREACHABLE();
+    static const QRegularExpression size(QStringLiteral("(?<=\\d) x (?=[-\\d])"));
+    return sentence(text::errorText(error)).replace(size, QStringLiteral(" × "));
 }
 
 QString errorText(const scene_file::SceneFileError &error)
 {
-    if (!error.cause)
-        return QString::fromStdString(sceneErrorText(error));
-    return QStringLiteral("%1: %2: %3")
-        .arg(QString::fromStdString(error.file), QString::fromStdString(error.keyPath), errorText(*error.cause));
+    return ended(sceneErrorText(error));
 }
 
 QString errorText(const text::ExpressionError &error, const QString &typed)

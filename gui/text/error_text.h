@@ -11,7 +11,7 @@ namespace unprojector::gui {
 using namespace geometry;
 using namespace mesh;
 
-/// The window's wording of what core reports: names the value and says what to do.
+/// What core says is wrong, as sentences of the window.
 QString errorText(const Error &error);
 QString errorText(const ImportError &error);
 /// Names the file and the place in it.

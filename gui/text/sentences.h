@@ -3,22 +3,17 @@
 #include <QString>
 #include <QStringList>
 
+#include <string>
+
 namespace unprojector::gui {
+
+/// What core says, with the full stop that its texts do not have.
+QString ended(const std::string &said);
+/// The same with a capital letter: for what begins with a word, not with the name of a file.
+QString sentence(const std::string &said);
 
 /// Sentences one after the other: with a blank between them, and with none where the one before ends as Chinese ones do, whose
 /// full stop has its own room. Empty ones are left out.
-inline QString inARow(const QStringList &said)
-{
-    constexpr QStringView kWideEnds = u"。！？；：";
-    QString text;
-    for (const QString &sentence : said) {
-        if (sentence.isEmpty())
-            continue;
-        if (!text.isEmpty() && !kWideEnds.contains(text.back()))
-            text += u' ';
-        text += sentence;
-    }
-    return text;
-}
+QString inARow(const QStringList &said);
 
 } // namespace unprojector::gui

@@ -237,108 +237,12 @@
 <context>
     <name>Errors</name>
     <message>
-        <source>%1 is not a whole number of pixels.</source>
-        <translation>%1 不是整数个像素。</translation>
-    </message>
-    <message>
-        <source>%1 pixels are too many; use at most %2.</source>
-        <translation>%1 像素太多；最多 %2。</translation>
-    </message>
-    <message>
-        <source>The depth is %1; it must lie between 0 and 1.</source>
-        <translation>深度为 %1；它必须在 0 与 1 之间。</translation>
-    </message>
-    <message>
-        <source>The window is %1 × %2 pixels, which is more than is drawn; make it smaller.</source>
-        <translation>窗口为 %1 × %2 像素，超出可绘制的大小；请缩小窗口。</translation>
-    </message>
-    <message>
         <source>Models and scenes (%1)</source>
         <translation>模型和场景 (%1)</translation>
     </message>
     <message>
         <source>Models (%1)</source>
         <translation>模型 (%1)</translation>
-    </message>
-    <message>
-        <source>%1 is not a finite number; give a number.</source>
-        <translation>%1 不是有限的数；请给出一个数。</translation>
-    </message>
-    <message>
-        <source>Near is %1; it must be greater than 0 and smaller than far (%2).</source>
-        <translation>近平面距离为 %1；它必须大于 0 且小于远平面距离（%2）。</translation>
-    </message>
-    <message>
-        <source>Near is %1; it must be smaller than far (%2).</source>
-        <translation>近平面距离为 %1；它必须小于远平面距离（%2）。</translation>
-    </message>
-    <message>
-        <source>Left and right are both %1; they must differ.</source>
-        <translation>left 与 right 都是 %1；二者必须不同。</translation>
-    </message>
-    <message>
-        <source>Bottom and top are both %1; they must differ.</source>
-        <translation>bottom 与 top 都是 %1；二者必须不同。</translation>
-    </message>
-    <message>
-        <source>The aspect is %1; it must be greater than 0.</source>
-        <translation>宽高比为 %1；它必须大于 0。</translation>
-    </message>
-    <message>
-        <source>Eye and center are the same point; move one of them.</source>
-        <translation>视点与目标点是同一点；请移动其中之一。</translation>
-    </message>
-    <message>
-        <source>Up is (0, 0, 0); give it a length.</source>
-        <translation>上方向为 (0, 0, 0)；请给它一个长度。</translation>
-    </message>
-    <message>
-        <source>Up points along the view direction; choose another one.</source>
-        <translation>上方向与视线平行；请另选一个方向。</translation>
-    </message>
-    <message>
-        <source>The viewport is %1 × %2 pixels; width and height must be greater than 0.</source>
-        <translation>视口为 %1 × %2 像素；宽和高必须大于 0。</translation>
-    </message>
-    <message>
-        <source>The window is %1 × %2 pixels; width and height must be greater than 0.</source>
-        <translation>窗口为 %1 × %2 像素；宽和高必须大于 0。</translation>
-    </message>
-    <message>
-        <source>The device pixel ratio is %1; it must be greater than 0.</source>
-        <translation>设备像素比为 %1；它必须大于 0。</translation>
-    </message>
-    <message>
-        <source>Both ends of the depth range are %1; they must differ.</source>
-        <translation>深度范围的两端都是 %1；二者必须不同。</translation>
-    </message>
-    <message>
-        <source>The depth %1 lies outside the depth range.</source>
-        <translation>深度 %1 在深度范围之外。</translation>
-    </message>
-    <message>
-        <source>The position (%1, %2) lies outside the view.</source>
-        <translation>位置 (%1, %2) 在视图之外。</translation>
-    </message>
-    <message>
-        <source>The matrix has no inverse.</source>
-        <translation>该矩阵没有逆矩阵。</translation>
-    </message>
-    <message>
-        <source>The point lies at infinity.</source>
-        <translation>该点在无穷远处。</translation>
-    </message>
-    <message>
-        <source>The scale is 0; it must differ from 0.</source>
-        <translation>缩放系数为 0；它不能为 0。</translation>
-    </message>
-    <message>
-        <source>The rotation axis is (0, 0, 0); give it a length.</source>
-        <translation>旋转轴为 (0, 0, 0)；请给它一个长度。</translation>
-    </message>
-    <message>
-        <source>A, B and C of the clip plane are all 0; one of them must differ.</source>
-        <translation>裁剪平面的 A、B、C 全为 0；至少有一个不能为 0。</translation>
     </message>
     <message>
         <source>%1 does not exist. Check the name and the folder.</source>
@@ -375,22 +279,6 @@
     <message>
         <source>%1 is too large for the memory of this computer.</source>
         <translation>%1 太大，本机内存不足。</translation>
-    </message>
-    <message>
-        <source>The projection matrix is of no known form: %1 stands in row %2, column %3.</source>
-        <translation>投影矩阵不是已知形式：第 %2 行第 %3 列为 %1。</translation>
-    </message>
-    <message>
-        <source>The view matrix does more than turn and move: %1 stands in row 4, column %2.</source>
-        <translation>观察矩阵不只是旋转和平移：第 4 行第 %2 列为 %1。</translation>
-    </message>
-    <message>
-        <source>The view matrix does more than turn and move: row %1 has the length %2, not 1.</source>
-        <translation>观察矩阵不只是旋转和平移：第 %1 行的长度为 %2，不是 1。</translation>
-    </message>
-    <message>
-        <source>The view matrix does more than turn and move: rows %1 and %2 are not perpendicular.</source>
-        <translation>观察矩阵不只是旋转和平移：第 %1 行与第 %2 行不垂直。</translation>
     </message>
     <message>
         <source>There is no number; type one.</source>
@@ -453,32 +341,12 @@
         <translation>“%1”有两种读法：请输入 %2 或 %3。</translation>
     </message>
     <message>
-        <source>The vertical field of view is %1°; it must lie between 0° and 180°, both excluded.</source>
-        <translation>垂直视场角为 %1°；必须在 0° 与 180° 之间，不含两端。</translation>
-    </message>
-    <message>
-        <source>The angle is %1°; it must lie between 0° and 180°, both excluded.</source>
-        <translation>角度为 %1°；必须在 0° 与 180° 之间，不含两端。</translation>
-    </message>
-    <message>
-        <source>An object reaches to %1, farther than can be computed. Look at its scales and translations.</source>
-        <translation>有物体延伸到 %1，超出了可计算的范围。请检查它的缩放和平移。</translation>
-    </message>
-    <message>
-        <source>An object measures %1, less than can be computed. Look at its scales.</source>
-        <translation>有物体的尺寸为 %1，小到无法计算。请检查它的缩放。</translation>
-    </message>
-    <message>
         <source>%1 is no model that can be opened here%2. Use OBJ, STL, PLY, OFF, glTF or GLB.</source>
         <translation>%1 不是本程序能打开的模型%2。请使用 OBJ、STL、PLY、OFF、glTF 或 GLB。</translation>
     </message>
     <message>
         <source>%1 cannot be shown: %2</source>
         <translation>无法显示 %1：%2</translation>
-    </message>
-    <message>
-        <source>The view matrix is mirrored: its axes are left-handed. Negate one of its first three rows.</source>
-        <translation>观察矩阵是镜像的：它的轴构成左手系。请将前三行中的一行变号。</translation>
     </message>
 </context>
 <context>

@@ -255,7 +255,7 @@ void TestClicks::malformedClicksAreRefusedWithTheirPlace_data()
     row("window an object", "/0/window", "{}", "[0].window: expected a list of 3 numbers, found an object in { }");
     row("hit a number", "/0/hit", "1", "[0].hit: expected true or false, found a number");
     row("scene null", "/0/scene", "null", "[0].scene: expected an object in { }, found null");
-    row("in the scene", "/1/scene/view/up", "[0, 0, 0]", "[1].scene.view.up: the axis (0, 0, 0) has no direction");
+    row("in the scene", "/1/scene/view/up", "[0, 0, 0]", "[1].scene.view.up: up is (0, 0, 0); give it a length");
     row("half a pixel", "/0/devicePixel/1", "0.5", "[0].devicePixel[1]: 0.5 must be a whole number");
     row("a point of text", "/0/eye/matrix", "\"none\"", "[0].eye.matrix: expected a list of 3 numbers, found \"none\"");
     row("object without a place", "/0/object", "{\"name\": \"a\"}", "[0].object.index: is missing");

@@ -93,7 +93,7 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     row("width 0", changed("800", "0"), ": window.width: 0 must lie between 1 and 65536");
     row("width huge", changed("800", "1e300"), ": window.width: 1e+300 must lie between 1 and 65536");
     row("pixel ratio 0", changed("600}", "600, \"devicePixelRatio\": 0}"),
-        ": window.devicePixelRatio: 0 must be greater than 0");
+        ": window.devicePixelRatio: the device pixel ratio is 0; it must be greater than 0");
     row("pixel ratio huge", changed("600}", "600, \"devicePixelRatio\": 1e9}"),
         ": window.devicePixelRatio: 1000000000 must lie between 0.0008333333333333334 and 81.92");
     row("point in no space", withMember(R"("point": {"space": "screen", "coordinates": [1, 2, 3]})"),
@@ -103,8 +103,9 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     row("viewport a list", withMember("\"viewport\": [0, 0, 8, 6]"),
         ": viewport: expected an object in { }, found a list in [ ]");
     row("viewport empty", withMember(R"("viewport": {"x": 0, "y": 0, "width": 8, "height": 0})"),
-        ": viewport.height: the size 8 x 0 is empty; width and height must be greater than 0");
-    row("depth range empty", withMember("\"depthRange\": [1, 1]"), ": depthRange: both ends are 1; they must differ");
+        ": viewport.height: the viewport is 8 x 0 pixels; width and height must be greater than 0");
+    row("depth range empty", withMember("\"depthRange\": [1, 1]"),
+        ": depthRange: both ends of the depth range are 1; they must differ");
     row("depth range of three", withMember("\"depthRange\": [0, 1, 2]"),
         ": depthRange: has 3 elements; it must have 2");
     row("no projection", changed("\"projection\"", "\"Projection\""), ": projection: is missing");
@@ -114,18 +115,19 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     row("near missing", changed("\"near\": 1, ", ""), ": projection.near: is missing");
     row("near null", changed("\"near\": 1", "\"near\": null"), ": projection.near: expected a number, found null");
     row("near 0", changed("\"ortho\"", "\"frustum\"").replace("\"near\": 1,", "\"near\": 0,"),
-        ": projection.near: 0 must be greater than 0");
+        ": projection.near: near is 0; it must be greater than 0 and smaller than far (100)");
     row("near behind far", changed("\"near\": 1", "\"near\": 100"),
-        ": projection.near: 100 must be smaller than far (100)");
-    row("left equals right", changed("\"left\": -1", "\"left\": 1"), ": projection.left: 1 must differ from right");
+        ": projection.near: near is 100; it must be smaller than far (100)");
+    row("left equals right", changed("\"left\": -1", "\"left\": 1"),
+        ": projection.left: left and right are both 1; they must differ");
     row("fovy 180", withProjection(R"({"type": "perspective", "fovy": 180, "near": 1, "far": 9})"),
-        ": projection.fovy: 180 must lie between 0 and 180 degrees, both excluded");
+        ": projection.fovy: the vertical field of view is 180 degrees; it must lie between 0 and 180, both excluded");
     row("aspect negative", withProjection(R"({"type": "perspective", "fovy": 18, "aspect": -1, "near": 1, "far": 9})"),
-        ": projection.aspect: -1 must be greater than 0");
+        ": projection.aspect: the aspect is -1; it must be greater than 0");
     row("phi 0",
         withProjection(
             R"({"type": "oblique", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 9, "theta": 45, "phi": 0})"),
-        ": projection.phi: 0 must lie between 0 and 180 degrees, both excluded");
+        ": projection.phi: the angle is 0 degrees; it must lie between 0 and 180, both excluded");
     row("matrix of 15", withProjection(R"({"type": "matrix", "matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0]})"),
         ": projection.matrix: has 15 elements; it must have 16");
     row("matrix in rows", withProjection(R"({"type": "matrix", "matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]})"),
@@ -140,8 +142,10 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
         ": view.matrix: expected a list of 16 numbers, column by column, found a number");
     row("eye of two numbers", changed("[0, 0, 5]", "[0, 0]"), ": view.eye: has 2 elements; it must have 3");
     row("eye with a text", changed("[0, 0, 5]", "[0, 0, \"5\"]"), ": view.eye[2]: expected a number, found \"5\"");
-    row("eye at the center", changed("[0, 0, 5]", "[0, 0, 0]"), ": view.center: must be another point than the eye");
-    row("up along the view", changed("[0, 1, 0]", "[0, 0, 2]"), ": view.up: must not point along the view direction");
+    row("eye at the center", changed("[0, 0, 5]", "[0, 0, 0]"),
+        ": view.center: eye and center are the same point; move one of them");
+    row("up along the view", changed("[0, 1, 0]", "[0, 0, 2]"),
+        ": view.up: up points along the view direction; choose another one");
     row("object a text", withMember("\"objects\": [\"a.obj\"]"),
         ": objects[0]: expected an object in { }, found \"a.obj\"");
     row("object without file", withMember("\"objects\": [{\"file\": \"a\"}, {\"name\": \"b\"}]"),
@@ -163,13 +167,13 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
         withMember(R"("objects": [{"file": "a", "transform": [{"translate": [0, 0, 0]}, {"rotate": [30, 0, 1]}]}])"),
         ": objects[0].transform[1].rotate: has 3 elements; it must have 4");
     row("axis without length", withMember(R"("objects": [{"file": "a", "transform": [{"rotate": [30, 0, 0, 0]}]}])"),
-        ": objects[0].transform[0].rotate: the axis (0, 0, 0) has no direction");
+        ": objects[0].transform[0].rotate: the rotation axis is (0, 0, 0); give it a length");
     row("scale 0", withMember(R"("objects": [{"file": "a", "transform": [{"scale": [1, 0, 1]}]}])"),
-        ": objects[0].transform[0].scale: a factor is 0; it must differ from 0");
+        ": objects[0].transform[0].scale: the scale is 0; it must differ from 0");
     row("clip plane of three", withMember("\"clipPlanes\": [[0, 1, 0]]"),
         ": clipPlanes[0]: has 3 elements; it must have 4");
     row("clip plane without normal", withMember("\"clipPlanes\": [[0, 1, 0, 0], [0, 0, 0, 1]]"),
-        ": clipPlanes[1]: the first three numbers are all 0; one of them must differ from 0");
+        ": clipPlanes[1]: A, B and C of the clip plane are all 0; one of them must differ");
     row("seven clip planes",
         withMember("\"clipPlanes\": [[0,1,0,0],[0,1,0,0],[0,1,0,0],[0,1,0,0],[0,1,0,0],[0,1,0,0],[0,1,0,0]]"),
         ": clipPlanes: has 7 elements; there may be at most 6");
@@ -177,7 +181,7 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     row("rule unknown", withMember("\"ui\": {\"viewportRule\": {\"kind\": \"half\"}}"),
         ": ui.viewportRule.kind: \"half\" must be wholeWindow, fixed, keepAspect or quarter");
     row("rule's aspect 0", withMember("\"ui\": {\"viewportRule\": {\"kind\": \"keepAspect\", \"aspect\": 0}}"),
-        ": ui.viewportRule.aspect: 0 must be greater than 0");
+        ": ui.viewportRule.aspect: the aspect is 0; it must be greater than 0");
     row("flag a number", withMember("\"ui\": {\"clipDistancesFitObjects\": 1}"),
         ": ui.clipDistancesFitObjects: expected true or false, found a number");
     const auto landmark = [](const char *members) {

@@ -198,7 +198,7 @@ void TestSceneDescription::whatNoWindowDrawsIsRefusedWithItsKey_data()
     row("far above 1", R"("depthRange": [0, 1.5])",
         "s.json: depthRange[1]: the depth is 1.5; it must lie between 0 and 1");
     row("one end in single precision", R"("depthRange": [0.5, 0.500000001])",
-        "s.json: depthRange: both ends are 0.5; they must differ");
+        "s.json: depthRange: both ends of the depth range are 0.5; they must differ");
     row("out of reach", R"("objects": [{"file": "a"}, {"file": "b", "transform": [{"translate": [0, 3e200, 0]}]}])",
         "s.json: objects[1].transform: an object reaches to 3e+200, farther than can be computed; look at its scales "
         "and "

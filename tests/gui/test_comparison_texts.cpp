@@ -256,7 +256,7 @@ void TestComparisonTexts::everyErrorHasItsSentence_data()
         QTest::newRow(name) << static_cast<int>(code) << named;
     };
     // 0.25 and 7.5 are the values; 0.25 radians are 14.3239 degrees.
-    const QString value = QStringLiteral("0.25"), other = QStringLiteral("7.5"), angle = QStringLiteral("14.3239°");
+    const QString value = QStringLiteral("0.25"), other = QStringLiteral("7.5"), angle = QStringLiteral("14.3239");
     row("not finite", ErrorCode::NotFinite, {value});
     row("near not positive", ErrorCode::NearNotPositive, {value, other});
     row("near not before far", ErrorCode::NearNotBeforeFar, {value, other});

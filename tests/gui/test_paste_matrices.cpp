@@ -300,7 +300,7 @@ void TestPasteMatrices::everyFindingHasItsButton()
         pasting.paste(MatrixRole::View, printed(view(), "JSON"));
     pasting.paste(role, printed(given, "JSON"));
     QVERIFY(pasting.says(sentence));
-    QVERIFY(role != MatrixRole::View || button != "Turn x Back" || pasting.says("its axes are left-handed. Negate"));
+    QVERIFY(role != MatrixRole::View || button != "Turn x Back" || pasting.says("its axes are left-handed; negate"));
     QVERIFY(pasting.button(button));
     pasting.button(button)->click();
     QVERIFY(!pasting.button(button));
