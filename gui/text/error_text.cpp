@@ -1,5 +1,6 @@
 #include "gui/text/error_text.h"
 
+#include "core/mesh/import/import_error_text.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/text/error_text.h"
 #include "gui/text/sentences.h"
@@ -106,31 +107,7 @@ QString errorText(const text::ExpressionError &error, const QString &typed)
 
 QString errorText(const ImportError &error)
 {
-    const QString file = pathText(error.file);
-    const QString detail = QString::fromStdString(error.detail);
-    switch (error.code) {
-    case ImportErrorCode::NotFound: return Errors::tr("%1 does not exist. Check the name and the folder.").arg(file);
-    case ImportErrorCode::IsDirectory: return Errors::tr("%1 is a folder; open a model file in it.").arg(file);
-    case ImportErrorCode::NotReadable:
-        return Errors::tr("%1 cannot be read%2. Check its permissions.")
-            .arg(file, detail.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(detail));
-    case ImportErrorCode::EmptyFile: return Errors::tr("%1 is empty (0 bytes).").arg(file);
-    case ImportErrorCode::UnknownFormat:
-        return Errors::tr("%1 is no model that can be opened here%2. Use OBJ, STL, PLY, OFF, glTF or GLB.")
-            .arg(file, detail.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(detail));
-    case ImportErrorCode::Malformed: return Errors::tr("%1 is damaged: %2").arg(file, detail);
-    case ImportErrorCode::Unsupported: return Errors::tr("%1 cannot be shown: %2").arg(file, detail);
-    case ImportErrorCode::NoTriangles:
-        if (!detail.isEmpty())
-            return Errors::tr("%1 cannot be shown: %2").arg(file, detail);
-        return Errors::tr("%1 holds no triangles, so there is no surface to click on.").arg(file);
-    case ImportErrorCode::NotFinite:
-        return Errors::tr("%1: vertex %2 is NaN, infinite, or beyond 3.4e38%3.")
-            .arg(file, QString::number(error.index), detail.isEmpty() ? QString() : QStringLiteral(": ") + detail);
-    case ImportErrorCode::Cancelled: return Errors::tr("Opening %1 was cancelled.").arg(file);
-    case ImportErrorCode::OutOfMemory: return Errors::tr("%1 is too large for the memory of this computer.").arg(file);
-    }
-    Q_UNREACHABLE();
+    return pathText(error.file) + QStringLiteral(": ") + ended(reasonText(error));
 }
 
 } // namespace unprojector::gui

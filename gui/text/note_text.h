@@ -10,9 +10,7 @@
 namespace unprojector::gui {
 using namespace mesh;
 
-/// The window's wording of what a model does not show as its file has it: a sentence.
-QString noteText(const ModelNote &note);
-/// The same of all of a model's notes, with the file's name before them; empty without any.
+/// What a model does not show as its file has it: core's sentences, the file's name before them; empty without any.
 QString notesText(const QString &fileName, const std::vector<ModelNote> &notes);
 /// What a file of points does not have as it was given: core's words, a line each, the file's name before them.
 QString pointNotesText(const QString &fileName, const std::vector<landmark_files::LandmarkNote> &notes);

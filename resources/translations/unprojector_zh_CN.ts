@@ -245,42 +245,6 @@
         <translation>模型 (%1)</translation>
     </message>
     <message>
-        <source>%1 does not exist. Check the name and the folder.</source>
-        <translation>%1 不存在。请检查文件名和文件夹。</translation>
-    </message>
-    <message>
-        <source>%1 is a folder; open a model file in it.</source>
-        <translation>%1 是文件夹；请打开其中的模型文件。</translation>
-    </message>
-    <message>
-        <source>%1 cannot be read%2. Check its permissions.</source>
-        <translation>无法读取 %1%2。请检查其权限。</translation>
-    </message>
-    <message>
-        <source>%1 is empty (0 bytes).</source>
-        <translation>%1 是空文件（0 字节）。</translation>
-    </message>
-    <message>
-        <source>%1 is damaged: %2</source>
-        <translation>%1 已损坏：%2</translation>
-    </message>
-    <message>
-        <source>%1 holds no triangles, so there is no surface to click on.</source>
-        <translation>%1 中没有三角形，因此没有可以点击的表面。</translation>
-    </message>
-    <message>
-        <source>%1: vertex %2 is NaN, infinite, or beyond 3.4e38%3.</source>
-        <translation>%1：顶点 %2 是 NaN、无穷大或超出 3.4e38%3。</translation>
-    </message>
-    <message>
-        <source>Opening %1 was cancelled.</source>
-        <translation>已取消打开 %1。</translation>
-    </message>
-    <message>
-        <source>%1 is too large for the memory of this computer.</source>
-        <translation>%1 太大，本机内存不足。</translation>
-    </message>
-    <message>
         <source>There is no number; type one.</source>
         <translation>没有输入数；请输入一个数。</translation>
     </message>
@@ -339,14 +303,6 @@
     <message>
         <source>“%1” can be read in two ways: type %2 or %3.</source>
         <translation>“%1”有两种读法：请输入 %2 或 %3。</translation>
-    </message>
-    <message>
-        <source>%1 is no model that can be opened here%2. Use OBJ, STL, PLY, OFF, glTF or GLB.</source>
-        <translation>%1 不是本程序能打开的模型%2。请使用 OBJ、STL、PLY、OFF、glTF 或 GLB。</translation>
-    </message>
-    <message>
-        <source>%1 cannot be shown: %2</source>
-        <translation>无法显示 %1：%2</translation>
     </message>
 </context>
 <context>
@@ -4681,142 +4637,13 @@ Both are as large as fits.</source>
 <context>
     <name>unprojector::gui::NoteTexts</name>
     <message>
-        <source>The picture %1 is not there or cannot be read: its surfaces are shown without it.</source>
-        <translation>图片 %1 不存在或无法读取：其表面不带图片显示。</translation>
-    </message>
-    <message>
-        <source>The picture %1 is damaged, too large or of a kind that is not known: its surfaces are shown without it. Convert it to PNG or JPEG, or make it smaller.</source>
-        <translation>图片 %1 已损坏、过大或格式未知：其表面不带图片显示。请将其转换为 PNG 或 JPEG，或将其缩小。</translation>
-    </message>
-    <message>
-        <source>The picture %1 is too large and is shown scaled down to a width of %2 pixels.</source>
-        <translation>图片 %1 过大，显示时缩小到宽 %2 像素。</translation>
-    </message>
-    <message>
-        <source>The materials %1 are not there or cannot be read: their surfaces are shown without colours and pictures.</source>
-        <translation>材质文件 %1 不存在或无法读取：其表面不带颜色和图片显示。</translation>
-    </message>
-    <message>
-        <source>No material is called %1: its surfaces are shown in grey.</source>
-        <translation>没有名为 %1 的材质：其表面以灰色显示。</translation>
-    </message>
-    <message>
-        <source>Lines and points that are not shown: %1.</source>
-        <translation>未显示的线和点：%1。</translation>
-    </message>
-    <message>
-        <source>Faces that refer to vertices which the file does not have, and are not shown: %1.</source>
-        <translation>引用了文件中不存在的顶点而未显示的面：%1。</translation>
-    </message>
-    <message>
-        <source>Faces that refer to texture coordinates which the file does not have, and are shown without a picture: %1.</source>
-        <translation>引用了文件中不存在的纹理坐标而不带图片显示的面：%1。</translation>
-    </message>
-    <message>
-        <source>Faces that refer to normals which the file does not have, and get computed ones: %1.</source>
-        <translation>引用了文件中不存在的法线而改用计算所得法线的面：%1。</translation>
-    </message>
-    <message>
-        <source>The numbers behind the coordinates are used as colours, though the header does not declare any.</source>
-        <translation>坐标之后的数用作颜色，但文件头未声明颜色。</translation>
-    </message>
-    <message>
-        <source>Vertices with a fourth number, the weight of rational curves, which is not used: %1.</source>
-        <translation>带有第四个数（有理曲线的权，未使用）的顶点：%1。</translation>
-    </message>
-    <message>
-        <source>Lines that begin with a word unknown to the format, and are not used: %1, the first is %2.</source>
-        <translation>以该格式中没有的词开头而未使用的行：%1，其中第一行为 %2。</translation>
-    </message>
-    <message>
-        <source>Vertices with words behind their coordinates that are not used: %1.</source>
-        <translation>坐标之后带有未使用内容的顶点：%1。</translation>
-    </message>
-    <message>
-        <source>Bytes behind all that the file declares, which are not used: %1.</source>
-        <translation>文件所声明内容之后未使用的字节：%1。</translation>
-    </message>
-    <message>
-        <source>Not shown: %1 (%2 times).</source>
-        <translation>未显示：%1（%2 次）。</translation>
-    </message>
-    <message>
-        <source>Not shown: %1.</source>
-        <translation>未显示：%1。</translation>
-    </message>
-    <message>
-        <source>The picture %1 is damaged, too large or of a kind that is not known (JPEG is not known here: Qt&apos;s plugin for it is missing): its surfaces are shown without it. Convert it to PNG, or make it smaller.</source>
-        <translation>图片 %1 已损坏、过大或格式未知（此处连 JPEG 也无法读取：缺少 Qt 的相应插件）：其表面不带图片显示。请将其转换为 PNG，或将其缩小。</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <comment>a file: what is said of it</comment>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>Triangles that are not drawn, because their corners are equal or on one line in single precision: %1.</source>
-        <translation>因顶点在单精度下相同或共线而未绘制的三角形：%1。</translation>
-    </message>
-    <message>
-        <source>The model measures %1, which graphics cards round to 0 or to few digits. Scale it up.</source>
-        <translation>模型的尺寸为 %1，显卡会把它舍入为 0 或只剩几位。请把它放大。</translation>
-    </message>
-    <message>
-        <source>The file has no scene: all its nodes are shown.</source>
-        <translation>文件没有场景：显示其所有节点。</translation>
-    </message>
-    <message>
-        <source>Nodes that the scene lists twice or beside their parents, and that are shown once: %1.</source>
-        <translation>被场景重复列出或与父节点一同列出而只显示一次的节点：%1。</translation>
-    </message>
-    <message>
-        <source>Parts of meshes that have no positions, and are not shown: %1.</source>
-        <translation>没有位置而未显示的网格部分：%1。</translation>
-    </message>
-    <message>
-        <source>Textures without a PNG or JPEG picture, whose surfaces are shown without it: %1.</source>
-        <translation>没有 PNG 或 JPEG 图片的纹理，其表面不带图片显示：%1。</translation>
-    </message>
-    <message>
-        <source>The glTF extension %1, which the file requires, is not applied: the shape is whole without it, but colours, light, motion or data may be missing.</source>
-        <translation>文件要求的 glTF 扩展 %1 未被应用：没有它形状也是完整的，但可能缺少颜色、光照、动作或数据。</translation>
-    </message>
-    <message>
-        <source>The glTF extension %1 is not supported: the shape that the file has without it is shown.</source>
-        <translation>不支持 glTF 扩展 %1：显示文件在没有它时的形状。</translation>
-    </message>
-    <message>
-        <source>Meshes with skins, which are shown where the file&apos;s nodes have their joints: %1.</source>
-        <translation>带蒙皮的网格，按文件节点给出的关节位置显示：%1。</translation>
-    </message>
-    <message>
-        <source>Meshes that the file hides (KHR_node_visibility), and that are not shown: %1.</source>
-        <translation>被文件隐藏（KHR_node_visibility）而未显示的网格：%1。</translation>
-    </message>
-    <message>
-        <source>Elements %1 of the file, which are not read: %2.</source>
-        <translation>文件中未读取的 %1 元素：%2。</translation>
-    </message>
-    <message>
-        <source>Meshes that are not in the scene that the file opens with, and are not shown: %1.</source>
-        <translation>不在文件所打开的场景中而未显示的网格：%1。</translation>
-    </message>
-    <message>
-        <source>Corners at the ends of parts of meshes, which make no whole triangles and are not used: %1.</source>
-        <translation>网格部分末尾不足一个三角形而未使用的角点：%1。</translation>
-    </message>
-    <message>
-        <source>Files outside the model&apos;s folder were read: %1 and others, %2 in all.</source>
-        <translation>读取了模型文件夹以外的文件：%1 等，共 %2 个。</translation>
-    </message>
-    <message>
-        <source>The file %1 outside the model&apos;s folder was read.</source>
-        <translation>读取了模型文件夹以外的文件 %1。</translation>
-    </message>
-    <message>
-        <source>%1: %2.</source>
-        <comment>a file of points: what is said of it, without its full stop</comment>
-        <translation>%1：%2。</translation>
+        <source>JPEG is not known here: Qt&apos;s plugin for it is missing.</source>
+        <translation>此处无法读取 JPEG：缺少 Qt 的相应插件。</translation>
     </message>
 </context>
 <context>

@@ -217,7 +217,7 @@ void TestChinese::messagesAreSaidInChinese_data()
     json("exponent", R"({"a": 1e})", "7: 1e 不是数；请写 1、-0.5 或 2e3 这样的数\n");
     json("comma-missing", R"({"a": 1 "b": 2})", "9: 此处应为“,”或“}”，却是 \"b\"\n");
     QTest::newRow("model") << QStringList{"info", "broken.obj"} << QByteArray()
-                           << "broken.obj: 已损坏：第 1 行：顶点需要三个数，而不是 “x”\n";
+                           << "broken.obj: 文件已损坏：第 1 行：顶点需要三个数，而不是 “x”\n";
     QTest::newRow("landmark-row") << QStringList{"landmarks", "--from", "csv", "--to", "pp", "-", "-"}
                                   << QByteArray("name,x,y,z\na,1,2,far\n") << "stdin:2: z 为 “far”；请写一个数\n";
     QTest::newRow("several") << QStringList{"pick", "scene.json"} << QByteArray("px,py\n-1,0\n900,0\n")

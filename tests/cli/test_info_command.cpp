@@ -208,8 +208,8 @@ void TestInfoCommand::refused_data()
     QTest::addColumn<QByteArray>("reason");
     QTest::newRow("no such file") << "" << QByteArray() << QByteArray("missing.obj: there is no such file");
     QTest::newRow("a format of others") << "a.xyz" << QByteArray("1 2 3\n") << QByteArray("OBJ, STL, PLY");
-    QTest::newRow("damaged") << "a.off" << QByteArray("OFF\n3 1 0\n0 0\n") << QByteArray("a.off: is damaged");
-    QTest::newRow("empty") << "a.obj" << QByteArray() << QByteArray("a.obj: is empty");
+    QTest::newRow("damaged") << "a.off" << QByteArray("OFF\n3 1 0\n0 0\n") << QByteArray("a.off: the file is damaged");
+    QTest::newRow("empty") << "a.obj" << QByteArray() << QByteArray("a.obj: the file is empty");
     QTest::newRow("a bad scene") << "a.json" << QByteArray("{\"unprojector\": 1}") << QByteArray("a.json");
     QTest::newRow("a scene whose model is not there")
         << "b.json" << QByteArray(kFrustumScene).replace("face.obj", "gone.obj")

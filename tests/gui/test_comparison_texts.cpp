@@ -316,16 +316,16 @@ void TestComparisonTexts::everyImportErrorHasItsSentence_data()
         codes.insert(static_cast<int>(code));
         QTest::newRow(name) << static_cast<int>(code) << QString::fromLatin1(named);
     };
-    row("not found", ImportErrorCode::NotFound, "does not exist");
+    row("not found", ImportErrorCode::NotFound, "no such file");
     row("folder", ImportErrorCode::IsDirectory, "folder");
     row("not readable", ImportErrorCode::NotReadable, "line 42");
-    row("empty", ImportErrorCode::EmptyFile, "0 bytes");
+    row("empty", ImportErrorCode::EmptyFile, "empty");
     row("unknown format", ImportErrorCode::UnknownFormat, "OBJ, STL, PLY, OFF, glTF or GLB");
     row("malformed", ImportErrorCode::Malformed, "line 42");
     row("unsupported", ImportErrorCode::Unsupported, "line 42");
     row("no triangles", ImportErrorCode::NoTriangles, "line 42");
     row("not finite", ImportErrorCode::NotFinite, "vertex 17");
-    row("cancelled", ImportErrorCode::Cancelled, "cancelled");
+    row("cancelled", ImportErrorCode::Cancelled, "stopped");
     row("out of memory", ImportErrorCode::OutOfMemory, "memory");
     QCOMPARE(codes.size(), std::size_t(ImportErrorCode::OutOfMemory) + 1);
 }
@@ -342,7 +342,7 @@ void TestComparisonTexts::everyImportErrorHasItsSentence()
         if (*detail || named != QStringLiteral("line 42"))
             QVERIFY2(text.contains(named), qPrintable(text));
         if (!*detail && code == int(ImportErrorCode::NoTriangles)) // the detail says what the file holds instead
-            QVERIFY2(text.contains(QStringLiteral("no triangles")), qPrintable(text));
+            QVERIFY2(text.contains(QStringLiteral("neither triangles")), qPrintable(text));
     }
     // A name that looks like a placeholder is a name.
     const QString text = errorText(ImportError{static_cast<ImportErrorCode>(code), "100%1%2.obj", "line 42", 17});

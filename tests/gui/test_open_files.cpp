@@ -238,7 +238,7 @@ void TestOpenFiles::aBrokenFileChangesNothing_data()
                                            << QByteArray("ply\nformat ascii 1.0\nelement vertex 0\nproperty float "
                                                          "x\nproperty float y\nproperty float z\nelement face 0\n"
                                                          "property list uchar int vertex_indices\nend_header\n")
-                                           << "no triangles";
+                                           << "neither triangles nor points";
     QTest::newRow("NaN vertex")
         << "nan.ply"
         << QByteArray("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
@@ -249,7 +249,7 @@ void TestOpenFiles::aBrokenFileChangesNothing_data()
     QTest::newRow("no suffix") << "model" << QByteArray("words\n") << "OBJ, STL, PLY, OFF, glTF or GLB";
     QTest::newRow("words in an OFF") << "words.off" << QByteArray("not a model at all\n") << "damaged";
     QTest::newRow("words in a GLB") << "words.glb" << QByteArray("not a model at all\n") << "damaged";
-    QTest::newRow("missing file") << "missing.obj" << QByteArray("(none)") << "does not exist";
+    QTest::newRow("missing file") << "missing.obj" << QByteArray("(none)") << "no such file";
     QTest::newRow("folder") << "folder.obj" << QByteArray("(folder)") << "folder";
 }
 

@@ -103,7 +103,7 @@ void TestTextures::whatCannotBeDecodedIsSaid()
     QVERIFY(!model.textures.front().image);
     QCOMPARE(model.notes, (std::vector<ModelNote>{{ModelNote::Kind::TextureUnusable, 0, "skin.png"}}));
     QVERIFY(notesText(QStringLiteral("head.obj"), model.notes)
-                .startsWith(QStringLiteral("head.obj: The picture skin.png is damaged")));
+                .startsWith(QStringLiteral("head.obj: The picture \"skin.png\" is damaged")));
 }
 
 void TestTextures::theLoadingCanBeCancelled()
@@ -119,7 +119,7 @@ void TestTextures::everyNoteHasItsWords()
     QVERIFY(notesText(QStringLiteral("head.obj"), {}).isEmpty());
     for (int kind = 0; kind <= int(ModelNote::Kind::ReadOutside); ++kind) {
         for (const std::size_t count : {std::size_t(1), std::size_t(5'000'000'000)}) {
-            const QString text = noteText({static_cast<ModelNote::Kind>(kind), count, "<b>"});
+            const QString text = notesText({}, {{static_cast<ModelNote::Kind>(kind), count, "<b>"}});
             QVERIFY2(text.endsWith(u'.') && !text.contains(u'%'), qPrintable(text));
         }
     }

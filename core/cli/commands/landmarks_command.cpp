@@ -1,6 +1,5 @@
 #include "core/cli/commands/landmarks_command.h"
 
-#include "core/cli/commands/import_error_text.h"
 #include "core/cli/commands/opened_scene.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/curves/curve_line.h"
@@ -8,6 +7,7 @@
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/repeats_table.h"
+#include "core/mesh/import/import_error_text.h"
 #include "core/mesh/import/mesh_import.h"
 #include "core/ray/tie_landmark.h"
 #include "core/text/system_error.h"

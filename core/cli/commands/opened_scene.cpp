@@ -1,10 +1,10 @@
 #include "core/cli/commands/opened_scene.h"
 
-#include "core/cli/commands/import_error_text.h"
 #include "core/cli/commands/size_text.h"
 #include "core/cli/rows/scene_input.h"
 #include "core/examples/bundled_models.h"
 #include "core/files/path_text.h"
+#include "core/mesh/import/import_error_text.h"
 #include "core/scene/opening_view.h"
 #include "core/scene/reach.h"
 #include "core/scene_file/scene_error_text.h"

@@ -303,7 +303,7 @@ ExitCode runScene(const SceneOptions &options)
         const bool isFileMeant =
             error.word.empty() && error.all == 0 && !given->isFile && options.fromMatrices.size() == 1;
         if (isFileMeant)
-            complain(tr("%1: there is no such file", options.fromMatrices[0]));
+            complain(options.fromMatrices[0] + ": " + tr("there is no such file"));
         else
             complain(namesOpenCv(given->text) ? tr(
                          "%1. K, R and t are not read: give a 4 x 4 view and projection instead; the README says under "

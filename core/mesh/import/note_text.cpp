@@ -31,8 +31,10 @@ std::string noteText(const ModelNote &note)
         return tr("the picture %1 is not there or cannot be read: its surfaces are shown without it",
                   quotedDetail(note));
     case ModelNote::Kind::TextureUnusable:
-        return tr("the picture %1 is damaged, too large or neither PNG nor JPEG: its surfaces are shown without it",
-                  quotedDetail(note));
+        return tr(
+            "the picture %1 is damaged, too large or of a kind that is not known: its surfaces are shown without it; "
+            "convert it to PNG or JPEG, or make it smaller",
+            quotedDetail(note));
     case ModelNote::Kind::TextureScaledDown:
         return tr(note.count == 1 ? "the picture %1 is too large and is shown with a width of %2 pixel"
                                   : "the picture %1 is too large and is shown with a width of %2 pixels",
