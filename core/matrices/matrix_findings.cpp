@@ -360,8 +360,7 @@ std::string findingText(const MatrixFinding &finding, MatrixRole role)
     case MatrixFault::Exchanged:
         return tr(isView ? "has a projection's form: view and projection seem to be exchanged"
                          : "has a view's form: view and projection seem to be exchanged");
-    case MatrixFault::UnknownForm:
-        return tr("has no form that formulas are known for: only the inverted matrix will answer");
+    case MatrixFault::UnknownForm: return tr("has no form that formulas are known for");
     case MatrixFault::DepthZeroToOne:
         return std::isnan(finding.other)
                    ? tr("goes by NDC depths from 0 to 1 (Direct3D, Vulkan), and is read so: near is %1",
@@ -370,9 +369,7 @@ std::string findingText(const MatrixFinding &finding, MatrixRole role)
                         "depths "
                         "from -1 to 1, near %2",
                         number(finding.value), number(finding.other));
-    case MatrixFault::DepthReversed:
-        return tr("has reversed depths: near, %1, is at 1; the depths of clicks must be reversed ones too",
-                  number(finding.value));
+    case MatrixFault::DepthReversed: return tr("has reversed depths: near, %1, is at 1", number(finding.value));
     case MatrixFault::FarAtInfinity: return tr("has its far plane at infinity: depths there have no point");
     case MatrixFault::YDown: return tr("turns y round, as is done for Vulkan: the picture is upside down for OpenGL");
     case MatrixFault::Mirrored: return tr(isView ? "is mirrored: its axes are left-handed" : "mirrors x");
@@ -382,7 +379,7 @@ std::string findingText(const MatrixFinding &finding, MatrixRole role)
                   "cuts off");
     case MatrixFault::Rounded:
         return tr("has axes that are %1 off being perpendicular and of length 1, as few digits or many turns leave "
-                  "them; the formulas need them within 0.00001",
+                  "them; the formulas need them within 0.00001; more decimals are better",
                   numberText(finding.value, Digits::Double, 2));
     case MatrixFault::OtherOrder:
         return tr(isView ? "is read in the order that makes 0 0 0 1 its last row"

@@ -45,15 +45,17 @@ QString partName(PastedPart part)
     return MatrixText::tr("Model");
 }
 
-QString scaleText(const MatrixFinding &finding)
+/// What the window does about a finding, or wants done, beside the button that repairs it.
+QString adviceFor(const MatrixFinding &finding)
 {
-    if (finding.repair == MatrixRepair::None)
-        return MatrixText::tr("The axes have unlike lengths or no right angles, the longest %1: what comes out are the "
-                              "object's coordinates, not the world's. Paste the view alone.")
-            .arg(number(finding.value));
-    return MatrixText::tr("It scales by %1: a model's scale is in it, and what comes out are the object's "
-                          "coordinates, not the world's.")
-        .arg(number(finding.value));
+    switch (finding.fault) {
+    case MatrixFault::DepthReversed: return MatrixText::tr("The depth range is turned round for it.");
+    case MatrixFault::FarAtInfinity: return MatrixText::tr("It is drawn up to a million times near.");
+    case MatrixFault::OrderOpen: return MatrixText::tr("Choose the order in which your program prints it.");
+    case MatrixFault::Scaled:
+        return finding.repair == MatrixRepair::None ? MatrixText::tr("Paste the view alone.") : QString();
+    default: return {};
+    }
 }
 
 } // namespace
@@ -83,58 +85,8 @@ QString formName(MatrixForm form)
 
 QString findingSentence(const MatrixFinding &finding, MatrixRole role)
 {
-    const bool isView = role == MatrixRole::View;
-    switch (finding.fault) {
-    case MatrixFault::Transposed:
-        return isView ? MatrixText::tr("It looks transposed: its last column, not its last row, is 0 0 0 1.")
-                      : MatrixText::tr("It looks transposed: only with rows for columns has it a projection's form.");
-    case MatrixFault::Inverse:
-        return isView
-                   ? MatrixText::tr("It may be the camera's own matrix, world from eye: as a view it has the world's "
-                                    "origin out of sight, its inverse has it in sight.")
-                   : MatrixText::tr("It is an inverse: its own inverse has a projection's form.");
-    case MatrixFault::Exchanged:
-        return isView ? MatrixText::tr("It has a projection's form: view and projection seem to be exchanged.")
-                      : MatrixText::tr("It has a view's form: view and projection seem to be exchanged.");
-    case MatrixFault::UnknownForm:
-        return MatrixText::tr("It has no form that formulas are known for, and no camera of this window's.");
-    case MatrixFault::DepthZeroToOne:
-        if (std::isnan(finding.other))
-            return MatrixText::tr("It goes by NDC depths from 0 to 1 (Direct3D, Vulkan) and is read so: near is %1.")
-                .arg(number(finding.value));
-        return MatrixText::tr("It is read by NDC depths from −1 to 1, near %1, but seems to go by 0 to 1 (Direct3D, "
-                              "Vulkan): near is then %2.")
-            .arg(number(finding.other), number(finding.value));
-    case MatrixFault::DepthReversed:
-        return MatrixText::tr("Its depths are reversed: near, %1, is at 1. The depth range is turned round for it.")
-            .arg(number(finding.value));
-    case MatrixFault::FarAtInfinity:
-        return MatrixText::tr("Its far plane is at infinity: it is drawn up to a million times near.");
-    case MatrixFault::YDown:
-        return MatrixText::tr("It turns y round, as is done for Vulkan: the picture is upside down for OpenGL.");
-    case MatrixFault::Mirrored:
-        return isView ? MatrixText::tr("It is mirrored: its axes are left-handed.") : MatrixText::tr("It mirrors x.");
-    case MatrixFault::LeftHanded:
-        return MatrixText::tr("It is for an eye space that looks along +z (Direct3D, OpenCV).");
-    case MatrixFault::Negated:
-        return MatrixText::tr("Every entry has the other sign: the same points, but w < 0 in front of the eye, which "
-                              "OpenGL cuts off.");
-    case MatrixFault::Rounded:
-        return MatrixText::tr(
-                   "Its axes are %1 off being perpendicular and of length 1, as few digits or many turns leave them. "
-                   "The formulas need them within 0.00001; more decimals are better.")
-            .arg(readableText(finding.value));
-    case MatrixFault::OtherOrder:
-        return isView ? MatrixText::tr("It is read in the order that makes 0 0 0 1 its last row.")
-                      : MatrixText::tr("It is read in the order that gives it a projection's form.");
-    case MatrixFault::OrderOfOthers:
-        return MatrixText::tr("It has the same form in both orders, and is read in that of the other matrix.");
-    case MatrixFault::OrderOpen:
-        return MatrixText::tr("It is a camera's by rows and by columns, a different one in each order. Choose the "
-                              "order in which your program prints it.");
-    case MatrixFault::Scaled: break;
-    }
-    return scaleText(finding);
+    const QString found = QString::fromStdString(findingText(finding, role));
+    return inARow({MatrixText::tr("It %1.", "a matrix: what is to be seen of it").arg(found), adviceFor(finding)});
 }
 
 QString repairName(const MatrixFinding &finding, NumberOrder order)

@@ -3969,14 +3969,6 @@ Both are as large as fits.</source>
         <translation>模型</translation>
     </message>
     <message>
-        <source>The axes have unlike lengths or no right angles, the longest %1: what comes out are the object&apos;s coordinates, not the world&apos;s. Paste the view alone.</source>
-        <translation>各轴长度不同或不成直角，最长为 %1：得到的是物体坐标，而不是世界坐标。请只粘贴观察矩阵。</translation>
-    </message>
-    <message>
-        <source>It scales by %1: a model&apos;s scale is in it, and what comes out are the object&apos;s coordinates, not the world&apos;s.</source>
-        <translation>它缩放了 %1 倍：其中含有模型的缩放，得到的是物体坐标，而不是世界坐标。</translation>
-    </message>
-    <message>
         <source>View or modelview</source>
         <translation>观察或模型视图</translation>
     </message>
@@ -4011,86 +4003,6 @@ Both are as large as fits.</source>
     <message>
         <source>four brackets</source>
         <translation>四组括号</translation>
-    </message>
-    <message>
-        <source>It looks transposed: its last column, not its last row, is 0 0 0 1.</source>
-        <translation>它看来被转置了：0 0 0 1 是它的最后一列，而不是最后一行。</translation>
-    </message>
-    <message>
-        <source>It looks transposed: only with rows for columns has it a projection&apos;s form.</source>
-        <translation>它看来被转置了：行列互换后才具有投影矩阵的形式。</translation>
-    </message>
-    <message>
-        <source>It may be the camera&apos;s own matrix, world from eye: as a view it has the world&apos;s origin out of sight, its inverse has it in sight.</source>
-        <translation>它可能是相机自身的矩阵（从观察坐标到世界坐标）：当作观察矩阵时看不到世界原点，用它的逆则看得到。</translation>
-    </message>
-    <message>
-        <source>It is an inverse: its own inverse has a projection&apos;s form.</source>
-        <translation>它是逆矩阵：它的逆才具有投影矩阵的形式。</translation>
-    </message>
-    <message>
-        <source>It has a projection&apos;s form: view and projection seem to be exchanged.</source>
-        <translation>它具有投影矩阵的形式：观察矩阵与投影矩阵看来弄反了。</translation>
-    </message>
-    <message>
-        <source>It has a view&apos;s form: view and projection seem to be exchanged.</source>
-        <translation>它具有观察矩阵的形式：观察矩阵与投影矩阵看来弄反了。</translation>
-    </message>
-    <message>
-        <source>It has no form that formulas are known for, and no camera of this window&apos;s.</source>
-        <translation>它的形式没有已知的公式，也不是本窗口能用的相机。</translation>
-    </message>
-    <message>
-        <source>It goes by NDC depths from 0 to 1 (Direct3D, Vulkan) and is read so: near is %1.</source>
-        <translation>它采用 0 到 1 的 NDC 深度（Direct3D、Vulkan），并已这样读取：近平面为 %1。</translation>
-    </message>
-    <message>
-        <source>It is read by NDC depths from −1 to 1, near %1, but seems to go by 0 to 1 (Direct3D, Vulkan): near is then %2.</source>
-        <translation>它按 −1 到 1 的 NDC 深度读取，近平面为 %1；但它看来采用 0 到 1（Direct3D、Vulkan）：此时近平面为 %2。</translation>
-    </message>
-    <message>
-        <source>Its depths are reversed: near, %1, is at 1. The depth range is turned round for it.</source>
-        <translation>它的深度是反转的：近平面 %1 位于 1。深度范围已为它反转。</translation>
-    </message>
-    <message>
-        <source>Its far plane is at infinity: it is drawn up to a million times near.</source>
-        <translation>它的远平面在无穷远：绘制到近平面的一百万倍处为止。</translation>
-    </message>
-    <message>
-        <source>It turns y round, as is done for Vulkan: the picture is upside down for OpenGL.</source>
-        <translation>它把 y 反了过来，如 Vulkan 所用：在 OpenGL 中画面上下颠倒。</translation>
-    </message>
-    <message>
-        <source>It is mirrored: its axes are left-handed.</source>
-        <translation>它是镜像的：坐标轴为左手系。</translation>
-    </message>
-    <message>
-        <source>It mirrors x.</source>
-        <translation>它使 x 成为镜像。</translation>
-    </message>
-    <message>
-        <source>It is for an eye space that looks along +z (Direct3D, OpenCV).</source>
-        <translation>它用于朝 +z 方向观看的观察坐标系（Direct3D、OpenCV）。</translation>
-    </message>
-    <message>
-        <source>It is read in the order that makes 0 0 0 1 its last row.</source>
-        <translation>按 0 0 0 1 成为最后一行的次序读取。</translation>
-    </message>
-    <message>
-        <source>It is read in the order that gives it a projection&apos;s form.</source>
-        <translation>按具有投影矩阵形式的次序读取。</translation>
-    </message>
-    <message>
-        <source>It has the same form in both orders, and is read in that of the other matrix.</source>
-        <translation>两种次序下形式相同，按另一个矩阵的次序读取。</translation>
-    </message>
-    <message>
-        <source>It is a camera&apos;s by rows and by columns, a different one in each order. Choose the order in which your program prints it.</source>
-        <translation>按行和按列都是相机的矩阵，且各不相同。请选择您的程序输出它的次序。</translation>
-    </message>
-    <message>
-        <source>Every entry has the other sign: the same points, but w &lt; 0 in front of the eye, which OpenGL cuts off.</source>
-        <translation>每个元素的符号都相反：得到的点相同，但视点前方的点 w &lt; 0，会被 OpenGL 裁掉。</translation>
     </message>
     <message>
         <source>Read as Row-major</source>
@@ -4201,8 +4113,25 @@ Both are as large as fits.</source>
         <translation>只有 1 个数；矩阵有 16 个。</translation>
     </message>
     <message>
-        <source>Its axes are %1 off being perpendicular and of length 1, as few digits or many turns leave them. The formulas need them within 0.00001; more decimals are better.</source>
-        <translation>坐标轴与相互垂直且长度为 1 相差 %1，这是位数太少或多次旋转累积造成的。公式要求在 0.00001 以内；位数更多更好。</translation>
+        <source>The depth range is turned round for it.</source>
+        <translation>深度范围已为它反转。</translation>
+    </message>
+    <message>
+        <source>It is drawn up to a million times near.</source>
+        <translation>绘制到近平面的一百万倍处为止。</translation>
+    </message>
+    <message>
+        <source>Choose the order in which your program prints it.</source>
+        <translation>请选择您的程序输出它的次序。</translation>
+    </message>
+    <message>
+        <source>Paste the view alone.</source>
+        <translation>请只粘贴观察矩阵。</translation>
+    </message>
+    <message>
+        <source>It %1.</source>
+        <comment>a matrix: what is to be seen of it</comment>
+        <translation>%1。</translation>
     </message>
 </context>
 <context>

@@ -259,17 +259,19 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
         << "projection " + kProjection + " modelview 0.7071 0 0.7071 0  0 1 0 0  -0.7071 0 0.7071 0  0 0 -5 1 viewport "
                + kViewport
         << QStringList()
-        << QByteArray("stdin: modelview: has axes that are 1.9e-05 off "
-                      "being perpendicular and of length 1, as few digits or many turns leave them; the "
-                      "formulas need them within 0.00001; --orthonormal takes the nearest that "
-                      "are, more decimals are better\n");
+        << QByteArray(
+               "stdin: modelview: has axes that are 1.9e-05 off "
+               "being perpendicular and of length 1, as few digits or many turns leave them; the "
+               "formulas need them within 0.00001; more decimals are better; --orthonormal takes the nearest that "
+               "are\n");
     QTest::newRow("full digits, yet not quite rigid")
         << "projection " + kProjection + " modelview 1.0000123456789 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1 viewport "
                + kViewport
         << QStringList()
         << QByteArray("stdin: modelview: has axes that are 2.5e-05 off being perpendicular and of length 1, as few "
-                      "digits or many turns leave them; the formulas need them within 0.00001; --orthonormal takes "
-                      "the nearest that are, more decimals are better\n");
+                      "digits or many turns leave them; the formulas need them within 0.00001; more decimals are "
+                      "better; --orthonormal takes "
+                      "the nearest that are\n");
     QTest::newRow("full digits, mended")
         << "projection " + kProjection + " modelview 1.0000123456789 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1 viewport "
                + kViewport

@@ -279,7 +279,7 @@ void TestPasteMatrices::everyFindingHasItsButton_data()
     glm::dmat4 zeroToOne = lens();
     zeroToOne[2][2] = -50.0 / 48.0;
     zeroToOne[3][2] = -100.0 / 48.0;
-    QTest::newRow("depths in [0, 1]") << Projection << zeroToOne << "seems to go by 0 to 1"
+    QTest::newRow("depths in [0, 1]") << Projection << zeroToOne << "seems to go by NDC depths from 0 to 1"
                                       << "Read as 0 to 1" << zeroToOne;
     QTest::newRow("exchanged") << Projection << view() << "seem to be exchanged"
                                << "Exchange Them" << view();
@@ -443,7 +443,7 @@ void TestPasteMatrices::oneStepIsUndone()
     reversed[3][2] = 2.0;
     pasting.paste(MatrixRole::Projection, printed(reversed, "JSON"));
     pasting.paste(MatrixRole::View, printed(view(), "JSON"));
-    QVERIFY(pasting.says("Its depths are reversed") && pasting.says("far plane is at infinity"));
+    QVERIFY(pasting.says("It has reversed depths") && pasting.says("far plane at infinity"));
     pasting.ok()->click();
     SceneDocument &document = pasting.document;
     QCOMPARE(document.geometry().depthRange, (DepthRange{1.0, 0.0}));

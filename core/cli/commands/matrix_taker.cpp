@@ -28,15 +28,16 @@ std::string adviceFor(const MatrixFinding &finding, NumberOrder order, bool hasC
     case MatrixFault::DepthZeroToOne:
         return tr(hasConventions ? "; --conventions of an API with such depths takes it so"
                                  : "; --depth zero-to-one takes it so, --depth minus-one-to-one does not");
-    case MatrixFault::DepthReversed: return tr("; --reversed says that they are");
+    case MatrixFault::DepthReversed:
+        return tr("; the depths of clicks must be reversed ones too; --reversed says that they are");
     case MatrixFault::YDown:
         return tr(hasConventions ? "; it stays so: if it is not meant, give --conventions of the API that it is for"
                                  : "; --y down turns it back, --y up leaves it so");
-    case MatrixFault::Rounded: return tr("; --orthonormal takes the nearest that are, more decimals are better");
+    case MatrixFault::Rounded: return tr("; --orthonormal takes the nearest that are");
     case MatrixFault::Negated: return tr("; its signs are turned round");
+    case MatrixFault::UnknownForm: return tr(": only the inverted matrix will answer");
     case MatrixFault::Mirrored:
     case MatrixFault::Scaled:
-    case MatrixFault::UnknownForm:
     case MatrixFault::FarAtInfinity:
     case MatrixFault::LeftHanded: break;
     }
