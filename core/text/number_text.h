@@ -56,6 +56,15 @@ inline std::string shortestText(double value, double off)
     return shortestText(value);
 }
 
+/// Up to so many significant digits.
+inline std::string significantText(double value, int digits)
+{
+    std::array<char, 32> text;
+    const auto written =
+        std::to_chars(text.data(), text.data() + text.size(), value + 0.0, std::chars_format::general, digits);
+    return {text.data(), written.ptr};
+}
+
 /// What nothing exceeds: two digits, rounded up.
 /// @param bound  not below 0
 inline std::string boundText(double bound)

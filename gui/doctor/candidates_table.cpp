@@ -1,5 +1,6 @@
 #include "gui/doctor/candidates_table.h"
 
+#include "core/doctor/verdict_texts.h"
 #include "gui/text/doctor_text.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
@@ -58,7 +59,7 @@ void CandidatesTable::setDiagnosis(const Diagnosis &diagnosis, const WrongPoint 
             item->setToolTip(plainToolTip(text));
             setItem(row, column, item);
         };
-        put(Name, candidateName(candidate), Qt::AlignLeft);
+        put(Name, QString::fromStdString(candidateName(candidate)), Qt::AlignLeft);
         put(Answer, pointText(candidate.point, first.lastDigit), Qt::AlignRight);
         put(Digits, QString::number(candidate.digits), Qt::AlignRight);
         put(Off, significantText(candidate.distance, 3), Qt::AlignRight);

@@ -1,6 +1,8 @@
 #include "gui/doctor/code_changes_view.h"
 
+#include "core/doctor/mistake_texts.h"
 #include "core/doctor/remedies.h"
+#include "core/doctor/verdict_texts.h"
 #include "gui/text/mistake_text.h"
 #include "gui/widgets/contrast.h"
 #include "gui/widgets/copy_menu.h"
@@ -122,8 +124,8 @@ void CodeChangesView::showLines()
     QString title = tr("To change: %1").arg(mistakeName(m_id));
     if (parts.size() == 2)
         title += u'\n'
-                 + tr("First “%1”, then “%2” in what that leaves; each is written here as if it were the only one.")
-                       .arg(mistakeName(parts[0].toStdString()), mistakeName(parts[1].toStdString()));
+                 + QString::fromStdString(doctor::twoChangesSentence(doctor::mistakeName(parts[0].toStdString()),
+                                                                     doctor::mistakeName(parts[1].toStdString())));
     m_title->setText(title);
     m_lines->setText(QStringLiteral("<table width='100%' cellspacing='2'>%1</table>").arg(rows));
     m_copy->setEnabled(!m_text.isEmpty());

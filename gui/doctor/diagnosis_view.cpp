@@ -1,5 +1,6 @@
 #include "gui/doctor/diagnosis_view.h"
 
+#include "core/doctor/verdict_texts.h"
 #include "gui/text/doctor_text.h"
 #include "gui/text/mistake_text.h"
 #include "gui/text/number_text.h"
@@ -100,45 +101,42 @@ void DiagnosisView::showAnswer(const Shown &shown)
         m_text += name + u' ' + plain + u'\n';
     };
     const auto addPlain = [&](const QString &name, const QString &plain) { add(name, plain.toHtmlEscaped(), plain); };
-    const QString explained = explainedText(best, diagnosis);
+    const QString explained = QString::fromStdString(digitsText(best, diagnosis));
+    const QString bestName = QString::fromStdString(candidateName(best));
     // What comes close to a point of the scene says nothing.
     const bool isKnown = diagnosis.verdict == "known-point";
     if (!isKnown)
         add(best.explains ? tr("Explains") : tr("Closest"),
             gotMarkup(shown) + QStringLiteral("<br>")
-                + tr("%1: %2", "a mistake: how many digits it explains")
-                      .arg(candidateName(best).toHtmlEscaped(), explained),
+                + tr("%1: %2", "a mistake: how many digits it explains").arg(bestName.toHtmlEscaped(), explained),
             pointText(shown.first.got, shown.first.lastDigit) + QStringLiteral(", ")
-                + tr("%1: %2", "a mistake: how many digits it explains").arg(candidateName(best), explained));
+                + tr("%1: %2", "a mistake: how many digits it explains").arg(bestName, explained));
     const auto addCandidate = [&](const QString &name, const Candidate &candidate) {
         addPlain(name, tr("%1: %2, %3", "runner-up: its answer, how many digits it explains")
-                           .arg(candidateName(candidate), pointText(candidate.point, shown.first.lastDigit),
-                                explainedText(candidate, diagnosis)));
+                           .arg(QString::fromStdString(candidateName(candidate)),
+                                pointText(candidate.point, shown.first.lastDigit),
+                                QString::fromStdString(digitsText(candidate, diagnosis))));
     };
     for (const Candidate &alike : diagnosis.alike())
         addCandidate(tr("As well"), alike);
     if (const Candidate *next = isKnown ? nullptr : diagnosis.runnerUp())
-        addCandidate(tr("Runner-up"), *next);
+        addCandidate(tr("Next best"), *next);
     if (!diagnosis.known.empty() && diagnosis.namesMistake())
         addPlain(tr("Is also"), knownPointName(diagnosis.known));
     if (best.explains && best.id != "right" && !isKnown)
-        addPlain(tr("Chance"),
-                 tr("%1 that a point of other making is explained as well").arg(chanceText(diagnosis.chance)));
-    addPlain(tr("Lands"), tr("by the right matrices %1").arg(landingText(diagnosis)));
+        addPlain(tr("Chance"), QString::fromStdString(chanceText(diagnosis.chance)));
+    addPlain(tr("Lands"), QString::fromStdString(landingText(diagnosis)));
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
         addPlain(tr("Right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
         addPlain(tr("Depth"), tr("that of the mesh under the pixel"));
     if (diagnosis.isSinglePrecision)
-        addPlain(tr("Digits"), tr("more were given than single precision holds; this is to those that it leaves"));
+        addPlain(tr("Digits"), QString::fromStdString(precisionSentence()));
     const bool asks = diagnosis.next && diagnosis.verdict != "right" && !isKnown;
     if (asks) {
         const QString pixel =
             QStringLiteral("%1, %2").arg(writtenText(diagnosis.next->x, 9), writtenText(diagnosis.next->y, 9));
-        const QString apart = diagnosis.isNextFromRunnerUp()
-                                  ? tr("from the runner-up, at pixel %1: the answers are %2 or more apart")
-                                  : tr("at pixel %1 the answers are %2 or more apart");
-        addPlain(tr("Tell apart"), apart.arg(pixel, significantText(diagnosis.nextApart, 3)));
+        addPlain(tr("Tell apart"), QString::fromStdString(nextClickText(diagnosis)));
         m_click->setText(tr("Click &there: %1").arg(pixel));
     }
     m_click->setVisible(asks);

@@ -953,10 +953,6 @@
         <source>Copy these &amp;lines</source>
         <translation>复制这几行(&amp;L)</translation>
     </message>
-    <message>
-        <source>First “%1”, then “%2” in what that leaves; each is written here as if it were the only one.</source>
-        <translation>先改“%1”，再在改好的代码上改“%2”；此处各按只有这一处错误来写。</translation>
-    </message>
 </context>
 <context>
     <name>unprojector::gui::ColorScale</name>
@@ -1552,10 +1548,6 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>同样能解释</translation>
     </message>
     <message>
-        <source>Runner-up</source>
-        <translation>其次</translation>
-    </message>
-    <message>
         <source>Is also</source>
         <translation>同时也是</translation>
     </message>
@@ -1569,16 +1561,8 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>巧合</translation>
     </message>
     <message>
-        <source>%1 that a point of other making is explained as well</source>
-        <translation>由其他原因造成的点也能这样解释的可能性：%1</translation>
-    </message>
-    <message>
         <source>Lands</source>
         <translation>落点</translation>
-    </message>
-    <message>
-        <source>by the right matrices %1</source>
-        <translation>按正确的矩阵，%1</translation>
     </message>
     <message>
         <source>Right is</source>
@@ -1597,20 +1581,8 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>位数</translation>
     </message>
     <message>
-        <source>more were given than single precision holds; this is to those that it leaves</source>
-        <translation>给出的位数多于单精度所能容纳的；结论以单精度留下的位数为准</translation>
-    </message>
-    <message>
         <source>Tell apart</source>
         <translation>如何区分</translation>
-    </message>
-    <message>
-        <source>from the runner-up, at pixel %1: the answers are %2 or more apart</source>
-        <translation>与次优候选区分：在像素 %1 处，各结果至少相差 %2</translation>
-    </message>
-    <message>
-        <source>at pixel %1 the answers are %2 or more apart</source>
-        <translation>在像素 %1 处，各结果至少相差 %2</translation>
     </message>
     <message>
         <source>Click &amp;there: %1</source>
@@ -1620,6 +1592,10 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <source>%1: %2</source>
         <comment>a mistake: how many digits it explains</comment>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Next best</source>
+        <translation>其次</translation>
     </message>
 </context>
 <context>
@@ -1744,103 +1720,9 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
 <context>
     <name>unprojector::gui::DoctorText</name>
     <message>
-        <source>Unknown: nothing that is known explains this point, none of %1 mistakes and pairs of them.</source>
-        <translation>未知：已知的错误都不能解释这个点，试过的 %1 种错误及其两两组合无一符合。</translation>
-    </message>
-    <message>
-        <source>Unknown: the pixel is right and the depth is not; by the ray alone the mistakes of the depth cannot be told from each other. Give the depth.</source>
-        <translation>未知：像素正确，深度不正确；只凭射线无法区分各种深度错误。请给出深度。</translation>
-    </message>
-    <message>
-        <source>Unknown: “%1” would explain the point, but that may be chance. Give more digits, or another wrong point.</source>
-        <translation>未知：“%1”能解释这个点，但也可能是巧合。请给出更多位数，或另一个错误的点。</translation>
-    </message>
-    <message>
-        <source>Right, as far as the ray tells: the point lies on the ray of this pixel. Whether its depth is right is not known. Give the depth.</source>
-        <translation>就射线而言是正确的：点在这个像素的射线上。它的深度是否正确尚不可知。请给出深度。</translation>
-    </message>
-    <message>
         <source>Or: %1 %2</source>
         <comment>another mistake that explains the point; why they are not told apart</comment>
         <translation>或者：%1%2</translation>
-    </message>
-    <message>
-        <source>The point is right, to the digits given.</source>
-        <translation>这个点是正确的，精确到给出的位数。</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>正确</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1（%2）</translation>
-    </message>
-    <message>
-        <source>all %1 digits</source>
-        <translation>全部 %1 位数字</translation>
-    </message>
-    <message>
-        <source>%1 of %2 digits</source>
-        <translation>%2 位数字中的 %1 位</translation>
-    </message>
-    <message>
-        <source>in the plane of the eye</source>
-        <translation>落在视点所在的平面里</translation>
-    </message>
-    <message>
-        <source>on pixel %1, %2, depth %3</source>
-        <translation>落在像素 %1, %2，深度 %3</translation>
-    </message>
-    <message>
-        <source>as far as the digits given tell, the pixel is right</source>
-        <translation>就所给的位数而言，像素正确</translation>
-    </message>
-    <message>
-        <source>as far as the digits given tell, pixel and depth are right</source>
-        <translation>就所给的位数而言，像素和深度都正确</translation>
-    </message>
-    <message>
-        <source>the depth is right, the pixel is not: pixel, viewport or lens</source>
-        <translation>深度正确，像素不正确：错在像素、视口或镜头</translation>
-    </message>
-    <message>
-        <source>the pixel is right, the depth is not</source>
-        <translation>像素正确，深度不正确</translation>
-    </message>
-    <message>
-        <source>the pixel is not right</source>
-        <translation>像素不正确</translation>
-    </message>
-    <message>
-        <source>neither pixel nor depth is right: a matrix</source>
-        <translation>像素和深度都不正确：错在矩阵</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>where a point lands, and what of that is wrong</comment>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>less than 0.0001 %</source>
-        <translation>小于 0.0001 %</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>all %1 digits that count of the %2 given</source>
-        <translation>给出的 %2 位数字中有效的全部 %1 位</translation>
-    </message>
-    <message>
-        <source>%1 of the %2 digits that count of the %3 given</source>
-        <translation>给出的 %3 位数字中有效的 %2 位里的 %1 位</translation>
-    </message>
-    <message>
-        <source>%1, the last not rounded but cut off</source>
-        <comment>digits explained</comment>
-        <translation>%1，末位是截断而非四舍五入</translation>
     </message>
 </context>
 <context>

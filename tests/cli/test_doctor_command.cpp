@@ -196,8 +196,7 @@ void TestDoctorCommand::ofTwoChangesOneIsFirst()
 {
     const Run run = doctor(kClick + QStringList{"--got", "0.651062,-0.335494,0.093560"});
     VERIFY_SUCCEEDED(run);
-    QVERIFY2(run.output.contains("Two changes: first that for ratio-logical-in-device, then that for xy-swapped in"),
-             run.output);
+    QVERIFY2(run.output.contains("Two changes: first \"ratio-logical-in-device\", then \"xy-swapped\" in"), run.output);
     QVERIFY(!doctor(kClick + QStringList{"--got", "0.7051,-0.4122,0.0918"}).output.contains("Two changes"));
 }
 

@@ -3,6 +3,7 @@
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/mesh_vertices.h"
 #include "core/doctor/mistake_texts.h"
+#include "core/doctor/verdict_texts.h"
 #include "core/geometry/transform.h"
 #include "core/text/translation.h"
 #include "tests/core/doctor_oracle.h"
@@ -106,6 +107,7 @@ private slots:
     void whatFewDigitsLeaveAlikeIsSaid();
     void theRayTellsWhatGivesTheSame();
     void theFirstThatCanBeToldIsTheRunnerUp();
+    void digitsAreSaidAsTheyCount();
     void whatAnswersTheSameIsNoRunnerUp();
     void theyAreWordedInBothLanguages();
 };
@@ -355,6 +357,20 @@ void TestDoctorVerdicts::theRayTellsWhatGivesTheSame()
     QCOMPARE(diagnosis.verdict, std::string("y-not-flipped"));
     QVERIFY(named(diagnosis, "row-above"));
     QCOMPARE(named(diagnosis, "row-above")->alike, Alike::Here);
+}
+
+void TestDoctorVerdicts::digitsAreSaidAsTheyCount()
+{
+    Candidate candidate;
+    Diagnosis diagnosis;
+    candidate.digits = diagnosis.digitsGiven = 9;
+    diagnosis.digitsWritten = 12;
+    QCOMPARE(digitsText(candidate, diagnosis), std::string("all 9 digits that count of the 12 given"));
+    candidate.digits = 7;
+    QCOMPARE(digitsText(candidate, diagnosis), std::string("7 of the 9 digits that count of the 12 given"));
+    candidate.digits = diagnosis.digitsWritten = 9;
+    candidate.isCutOff = true;
+    QCOMPARE(digitsText(candidate, diagnosis), std::string("all 9 digits given, the last not rounded but cut off"));
 }
 
 void TestDoctorVerdicts::theFirstThatCanBeToldIsTheRunnerUp()

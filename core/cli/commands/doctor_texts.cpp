@@ -2,6 +2,7 @@
 
 #include "core/doctor/mistake_texts.h"
 #include "core/doctor/remedies.h"
+#include "core/doctor/verdict_texts.h"
 #include "core/scene_file/json_text.h"
 #include "core/text/columns.h"
 #include "core/text/number_text.h"
@@ -98,15 +99,6 @@ std::string_view depthName(DepthKnown known)
     return {};
 }
 
-/// Up to so many significant digits.
-std::string shortText(double value, int digits)
-{
-    std::array<char, 32> text;
-    const auto written =
-        std::to_chars(text.data(), text.data() + text.size(), value + 0.0, std::chars_format::general, digits);
-    return {text.data(), written.ptr};
-}
-
 /// A coordinate with the digits that its last one allows.
 std::string coordinateText(double value, double lastDigit)
 {
@@ -131,25 +123,6 @@ std::string nameOf(const Candidate &candidate)
     return candidate.ways.empty() ? candidate.id : tr("%1 (%2)", candidate.id, waysText(candidate.ways));
 }
 
-/// Digits that rounding leaves nothing of are given, and explained by nobody.
-std::string digitsText(const Candidate &candidate, const Diagnosis &diagnosis)
-{
-    const int counted = diagnosis.digitsGiven;
-    const bool countAll = counted == diagnosis.digitsWritten;
-    const bool hasAll = candidate.digits == counted;
-    const std::string text =
-        countAll
-            ? tr(hasAll ? "all %2 digits given" : "%1 of the %2 digits given", candidate.digits, counted)
-            : tr(hasAll ? "all %2 digits that count of the %3 given" : "%1 of the %2 digits that count of the %3 given",
-                 candidate.digits, counted, diagnosis.digitsWritten);
-    return candidate.isCutOff ? tr("%1, the last not rounded but cut off", text) : text;
-}
-
-std::string percent(double share)
-{
-    return share < 1e-6 ? tr("less than 0.0001 %") : shortText(100.0 * share, share >= 0.1 ? 3 : 2) + " %";
-}
-
 /// The mistake, and those that cannot be told from it.
 std::string mistakeText(const Diagnosis &diagnosis)
 {
@@ -165,33 +138,8 @@ std::string mistakeText(const Diagnosis &diagnosis)
 
 std::string verdictText(const Diagnosis &diagnosis)
 {
-    const Candidate &first = diagnosis.candidates.front();
-    const auto said = [](const std::string &verdict, const std::string &sentence) {
-        return verdict + "\n  " + sentence + '\n';
-    };
-    if (diagnosis.verdict == "right") {
-        if (diagnosis.depthKnown == DepthKnown::ByRay)
-            return said(
-                tr("right, as far as the ray tells"),
-                tr("The point lies on the ray of this pixel, between near and far. Whether its depth is right is not "
-                   "known: give --depth."));
-        return said(tr("right|verdict"), tr("The point is right to the digits given."));
-    }
-    if (diagnosis.verdict == "known-point")
-        return said(knownPointName(diagnosis.known), knownPointSentence(diagnosis.known));
-    if (diagnosis.namesMistake())
-        return mistakeText(diagnosis);
-    if (!first.explains)
-        return said(
-            tr("unknown|verdict"),
-            tr("Nothing that is known explains this point: none of %1 mistakes and pairs of them.", diagnosis.tried));
-    if (diagnosis.depthKnown == DepthKnown::ByRay && diagnosis.landing == Landing::Depth)
-        return said(tr("unknown|verdict"),
-                    tr("The pixel is right, and the depth is not; by the ray alone the mistakes of the depth "
-                       "cannot be told from each other: give --depth."));
-    return said(
-        tr("unknown|verdict"),
-        tr("%1 would explain the point, but that may be chance: give more digits, or another click.", nameOf(first)));
+    return diagnosis.namesMistake() ? mistakeText(diagnosis)
+                                    : verdictName(diagnosis) + "\n  " + verdictSentence(diagnosis) + '\n';
 }
 
 /// A line of the report, its name in the first column.
@@ -200,40 +148,11 @@ std::string line(const std::string &name, const std::string &value)
     return "  " + padded(name, 13) + value + '\n';
 }
 
-std::string rightnessText(const Diagnosis &diagnosis)
-{
-    const bool isByRay = diagnosis.depthKnown == DepthKnown::ByRay;
-    switch (diagnosis.landing) {
-    case Landing::Right:
-        return tr(isByRay ? "as far as the digits given tell, the pixel is right"
-                          : "as far as the digits given tell, pixel and depth are right");
-    case Landing::Pixel: return tr("the depth is right, the pixel is not: pixel, viewport or lens");
-    case Landing::Depth: return tr("the pixel is right, the depth is not");
-    case Landing::Matrix: return tr(isByRay ? "the pixel is not right" : "neither pixel nor depth is right: a matrix");
-    }
-    return {};
-}
-
-std::string landingText(const Diagnosis &diagnosis)
-{
-    if (!diagnosis.projected)
-        return line(tr("lands|row"), tr("in the plane of the eye, by the right matrices"));
-    const glm::dvec3 &at = *diagnosis.projected;
-    constexpr int kPixelDigits = 7;
-    constexpr double kShare = 0.1; // what a depth is short of may not show in the point's last digit
-    const std::string x = shortText(at.x, kPixelDigits), y = shortText(at.y, kPixelDigits),
-                      depth = shortestText(at.z, kShare * diagnosis.depthUnsure);
-    return line(tr("lands|row"),
-                diagnosis.hasTellingLanding()
-                    ? tr("on pixel %1 %2, depth %3, by the right matrices: %4", x, y, depth, rightnessText(diagnosis))
-                    : tr("on pixel %1 %2, depth %3, by the right matrices", x, y, depth));
-}
-
 std::string candidateText(const Candidate &candidate, const Diagnosis &diagnosis, const WrongPoint &first)
 {
     return tr("%1: %2, %3, off by %4 units of the last digit", nameOf(candidate),
               pointText(candidate.point, first.lastDigit), digitsText(candidate, diagnosis),
-              shortText(candidate.distance, 3));
+              significantText(candidate.distance, 3));
 }
 
 std::string codeText(const std::string &id)
@@ -241,12 +160,7 @@ std::string codeText(const std::string &id)
     const std::vector<std::string> parts = partsOf(id);
     std::string text;
     if (parts.size() == 2)
-        text = '\n'
-               + tr("Two changes: first that for %1, then that for %2 in what it leaves; each is written here as if it "
-                    "were "
-                    "the only one.",
-                    parts[0], parts[1])
-               + '\n';
+        text = '\n' + twoChangesSentence(parts[0], parts[1]) + '\n';
     for (const std::string &part : parts) {
         text += '\n' + tr("To change for %1:", part) + '\n';
         for (const CodeChange &change : remedyOf(part).code) {
@@ -313,8 +227,7 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
     const Candidate &best = diagnosis.candidates.front();
     std::string text = verdictText(diagnosis);
     if (diagnosis.isSinglePrecision)
-        text += "  " + tr("More digits were given than single precision holds; this is to the digits that it leaves.")
-                + '\n';
+        text += "  " + precisionSentence() + '\n';
     // What comes close to a point of the scene says nothing.
     const bool isKnown = diagnosis.verdict == "known-point";
     if (!isKnown)
@@ -325,22 +238,15 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
         text += line(tr("next best"), candidateText(*next, diagnosis, first));
     if (!diagnosis.known.empty() && diagnosis.namesMistake())
         text += line(tr("is also|row"), knownPointName(diagnosis.known));
-    if (diagnosis.next && diagnosis.verdict != "right" && !isKnown) {
-        text += line(tr("tell apart"),
-                     tr(diagnosis.isNextFromRunnerUp()
-                            ? "from the next best by a click at %1 %2: the answers are %3 or more apart there"
-                            : "by a click at %1 %2: the answers are %3 or more apart there",
-                        shortestText(diagnosis.next->x), shortestText(diagnosis.next->y),
-                        shortText(diagnosis.nextApart, 3)));
-    }
-    text += landingText(diagnosis);
+    if (diagnosis.next && diagnosis.verdict != "right" && !isKnown)
+        text += line(tr("tell apart"), nextClickText(diagnosis));
+    text += line(tr("lands|row"), landingText(diagnosis));
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
         text += line(tr("right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
         text += line(tr("depth|row"), tr("from the scene's mesh"));
     if (best.explains && best.id != "right" && !isKnown)
-        text += line(tr("chance|row"),
-                     tr("%1 that a point of other making is explained as well", percent(diagnosis.chance)));
+        text += line(tr("chance|row"), chanceText(diagnosis.chance));
     text += codeText(diagnosis.verdict);
     for (const Candidate &alike : diagnosis.alike())
         text += codeText(alike.id);

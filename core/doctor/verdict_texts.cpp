@@ -1,0 +1,118 @@
+#include "core/doctor/verdict_texts.h"
+
+#include "core/doctor/mistake_texts.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+
+namespace unprojector::doctor {
+using namespace text;
+namespace {
+
+std::string rightnessText(const Diagnosis &diagnosis)
+{
+    const bool isByRay = diagnosis.depthKnown == DepthKnown::ByRay;
+    switch (diagnosis.landing) {
+    case Landing::Right:
+        return tr(isByRay ? "as far as the digits given tell, the pixel is right"
+                          : "as far as the digits given tell, pixel and depth are right");
+    case Landing::Pixel: return tr("the depth is right, the pixel is not: pixel, viewport or lens");
+    case Landing::Depth: return tr("the pixel is right, the depth is not");
+    case Landing::Matrix: return tr(isByRay ? "the pixel is not right" : "neither pixel nor depth is right: a matrix");
+    }
+    return {};
+}
+
+} // namespace
+
+std::string candidateName(const Candidate &candidate)
+{
+    const std::string name = candidate.id == "right" ? tr("right|verdict") : mistakeName(candidate.id);
+    return candidate.ways.empty() ? name : tr("%1 (%2)", name, waysText(candidate.ways));
+}
+
+std::string verdictName(const Diagnosis &diagnosis)
+{
+    if (diagnosis.verdict == "known-point")
+        return knownPointName(diagnosis.known);
+    if (diagnosis.verdict != "right")
+        return tr("unknown|verdict");
+    return diagnosis.depthKnown == DepthKnown::ByRay ? tr("right, as far as the ray tells") : tr("right|verdict");
+}
+
+std::string verdictSentence(const Diagnosis &diagnosis)
+{
+    const bool isByRay = diagnosis.depthKnown == DepthKnown::ByRay;
+    const Candidate &first = diagnosis.candidates.front();
+    if (diagnosis.verdict == "known-point")
+        return knownPointSentence(diagnosis.known);
+    if (diagnosis.verdict == "right")
+        return tr(isByRay ? "The point lies on the ray of this pixel, between near and far. Whether its depth is right "
+                            "is not known: give the depth."
+                          : "The point is right to the digits given.");
+    if (!first.explains)
+        return tr("Nothing that is known explains this point: none of %1 mistakes and pairs of them.", diagnosis.tried);
+    if (isByRay && diagnosis.landing == Landing::Depth)
+        return tr("The pixel is right, and the depth is not; by the ray alone the mistakes of the depth cannot be told "
+                  "from each other: give the depth.");
+    return tr("\"%1\" would explain the point, but that may be chance: give more digits, or another click.",
+              candidateName(first));
+}
+
+std::string digitsText(const Candidate &candidate, const Diagnosis &diagnosis)
+{
+    // Digits that rounding leaves nothing of are given, and explained by nobody.
+    const int counted = diagnosis.digitsGiven;
+    const bool countAll = counted == diagnosis.digitsWritten;
+    const bool hasAll = candidate.digits == counted;
+    const std::string text =
+        countAll
+            ? tr(hasAll ? "all %2 digits given" : "%1 of the %2 digits given", candidate.digits, counted)
+            : tr(hasAll ? "all %2 digits that count of the %3 given" : "%1 of the %2 digits that count of the %3 given",
+                 candidate.digits, counted, diagnosis.digitsWritten);
+    return candidate.isCutOff ? tr("%1, the last not rounded but cut off", text) : text;
+}
+
+std::string landingText(const Diagnosis &diagnosis)
+{
+    if (!diagnosis.projected)
+        return tr("in the plane of the eye, by the right matrices");
+    const glm::dvec3 &at = *diagnosis.projected;
+    constexpr int kPixelDigits = 7;
+    constexpr double kShare = 0.1; // what a depth is short of may not show in the point's last digit
+    const std::string x = significantText(at.x, kPixelDigits), y = significantText(at.y, kPixelDigits),
+                      depth = shortestText(at.z, kShare * diagnosis.depthUnsure);
+    return diagnosis.hasTellingLanding()
+               ? tr("on pixel %1 %2, depth %3, by the right matrices: %4", x, y, depth, rightnessText(diagnosis))
+               : tr("on pixel %1 %2, depth %3, by the right matrices", x, y, depth);
+}
+
+std::string chanceText(double chance)
+{
+    constexpr double kLeast = 1e-6;
+    return tr("%1 that a point of other making is explained as well",
+              chance < kLeast ? tr("less than 0.0001 %")
+                              : significantText(100.0 * chance, chance < 0.1 ? 2 : 3) + " %");
+}
+
+std::string precisionSentence()
+{
+    return tr("More digits were given than single precision holds; this is to the digits that it leaves.");
+}
+
+std::string nextClickText(const Diagnosis &diagnosis)
+{
+    return tr(diagnosis.isNextFromRunnerUp()
+                  ? "from the next best by a click at %1 %2: the answers are %3 or more apart there"
+                  : "by a click at %1 %2: the answers are %3 or more apart there",
+              shortestText(diagnosis.next->x), shortestText(diagnosis.next->y),
+              significantText(diagnosis.nextApart, 3));
+}
+
+std::string twoChangesSentence(const std::string &first, const std::string &second)
+{
+    return tr("Two changes: first \"%1\", then \"%2\" in what that leaves; each is written here as if it were the only "
+              "one.",
+              first, second);
+}
+
+} // namespace unprojector::doctor
