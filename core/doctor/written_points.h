@@ -35,12 +35,18 @@ struct NumbersFault {
     /// Whether the word is what programs print for no number or an infinite one: nan, -inf, 1.#IND.
     bool isNotFinite() const;
 };
+/// What is wrong with numbers that were given, and what to do, in the language of text::tr().
+/// @param wanted  "the three coordinates as the program has printed them"
+std::string faultText(const NumbersFault &fault, const std::string &wanted);
 /// As writtenNumbers.
 Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view text, std::size_t count);
 
 /// The unit of a depth's last digit, see WrongPoint. One of fewer than four decimals is taken for exact, as 0.5 is; one of
 /// more for rounded.
 double depthLastDigit(const WrittenNumber &depth);
+
+/// That a depth lies outside the range of a picture's depths, and what to do.
+std::string depthOutsideText(const std::string &depth, const DepthRange &range);
 
 /// The columns of a table of wrong points, by their names.
 constexpr std::array<std::string_view, 6> kPointColumns{"px", "py", "depth", "x", "y", "z"};

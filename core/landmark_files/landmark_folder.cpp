@@ -3,6 +3,7 @@
 #include "core/files/path_text.h"
 #include "core/files/replace_file.h"
 #include "core/landmark_files/lines.h"
+#include "core/text/system_error.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -139,6 +140,11 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std
                         std::make_move_iterator(lines.end()));
     read.isTableInput = !earlier.empty() && holdsMore(earlier, read.sets);
     return read;
+}
+
+std::string folderErrorText(const std::filesystem::path &folder, const std::error_code &error)
+{
+    return text::tr("%1: the folder cannot be read: %2", utf8FromPath(folder), text::systemErrorText(error));
 }
 
 } // namespace unprojector::landmark_files

@@ -33,4 +33,7 @@ struct LandmarkFolder {
 LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std::filesystem::path &table,
                                   std::error_code &error);
 
+/// Names the folder, and why it cannot be read.
+std::string folderErrorText(const std::filesystem::path &folder, const std::error_code &error);
+
 } // namespace unprojector::landmark_files

@@ -207,7 +207,7 @@ Result<Scene, LessonError> sceneOf(const Step &step, const std::map<std::string,
     for (const scene_file::SceneFileObject &object : file->objects) {
         const auto found = models.find(object.bundled);
         if (found == models.end())
-            return failed(where, "there is no bundled model \"" + object.bundled + "\"");
+            return failed(where, examples::noBundledModelText(object.bundled));
         inOrder.push_back(found->second);
     }
     Result<Scene, scene_file::SceneFileError> scene = scene_file::sceneFromFile(*file, {}, inOrder);

@@ -3,6 +3,7 @@
 #include "core/maps/map_points.h"
 #include "core/maps/rows_in_parallel.h"
 #include "core/maps/uncertainty_row.h"
+#include "core/text/translation.h"
 
 #include <algorithm>
 #include <bit>
@@ -371,6 +372,11 @@ const std::vector<NamedConvention> &namedConventions()
 {
     static const std::vector<NamedConvention> all = allConventions();
     return all;
+}
+
+std::string noCloudsText()
+{
+    return text::tr("the points of clouds are left out; maps are of surfaces");
 }
 
 const NamedConvention *conventionNamed(std::string_view key)

@@ -56,6 +56,9 @@ struct Question {
     double cornerShiftPixels = kCornerShiftPixels;
 };
 
+/// That maps leave the points of clouds out, in the language of text::tr().
+std::string noCloudsText();
+
 /// A number for each pixel of a picture, rows from the top; NaN where there is none.
 struct PixelMap {
     int widthPixels = 0, heightPixels = 0;

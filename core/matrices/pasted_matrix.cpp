@@ -2,6 +2,7 @@
 
 #include "core/geometry/condition_number.h"
 #include "core/matrices/pasted_numbers.h"
+#include "core/text/translation.h"
 
 #include <glm/matrix.hpp>
 
@@ -230,6 +231,13 @@ glm::dmat4 meantMatrix(const PastedMatrix &matrix, NumberOrder order)
 bool lacksInverse(const PastedMatrix &matrix)
 {
     return matrix.isInverse && isSingular(matrixOf(matrix.numbers, orderOf(matrix.form)));
+}
+
+std::string inverseText(const PastedMatrix &matrix)
+{
+    return text::tr(lacksInverse(matrix)
+                        ? "by its name it is an inverse, but it has none itself: it is taken as it stands"
+                        : "by its name it is an inverse: its own inverse is taken");
 }
 
 bool isWindowsOwn(const DepthRange &range)

@@ -49,6 +49,8 @@ glm::dmat4 meantMatrix(const PastedMatrix &matrix, NumberOrder order);
 
 /// Whether it has the name of an inverse, and is singular.
 bool lacksInverse(const PastedMatrix &matrix);
+/// What is done with a matrix that has the name of an inverse, in the language of text::tr().
+std::string inverseText(const PastedMatrix &matrix);
 
 struct ViewportAndDepths {
     Viewport viewport;

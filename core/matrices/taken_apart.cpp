@@ -1,7 +1,9 @@
 #include "core/matrices/taken_apart.h"
 
 #include "core/geometry/matrix_projection.h"
+#include "core/matrices/matrix_format.h"
 #include "core/matrices/printed_digits.h"
+#include "core/text/translation.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -134,6 +136,15 @@ std::optional<TakenApart> takenApart(const dmat4 &clipFromWorld)
     const auto negated = takenApart(clipFromWorld, -1.0);
     return withoutNegativeZeros(negated && geometry::recognised({negated->clipFromEye, std::nullopt}) ? *negated
                                                                                                       : *apart);
+}
+
+std::string takenApartText(const TakenApart &apart)
+{
+    return text::tr(
+        apart.isBox ? "taken apart into projection and view, which make it again up to %1 of its largest entry; of a "
+                      "box the eye may be anywhere along the view: it is put on the near plane"
+                    : "taken apart into projection and view, which make it again up to %1 of its largest entry",
+        numberText(apart.off, Digits::Double, 1));
 }
 
 } // namespace unprojector::matrices

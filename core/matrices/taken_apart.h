@@ -3,6 +3,7 @@
 #include <glm/mat4x4.hpp>
 
 #include <optional>
+#include <string>
 
 namespace unprojector::matrices {
 
@@ -27,5 +28,8 @@ struct TakenApart {
 /// @param clipFromWorld  finite
 /// @return nothing for oblique products, for products of other forms
 std::optional<TakenApart> takenApart(const glm::dmat4 &clipFromWorld);
+
+/// That it was done, how well, and where the eye of a box is put, in the language of text::tr().
+std::string takenApartText(const TakenApart &apart);
 
 } // namespace unprojector::matrices

@@ -1,5 +1,7 @@
 #include "core/ray/snap.h"
 
+#include "core/text/translation.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -292,6 +294,17 @@ std::optional<SceneHit> SnapSearch::edge() const
 std::optional<SceneHit> SnapSearch::face() const
 {
     return m_seen.empty() || m_seen.front().pixels > kSnapPixels ? std::nullopt : std::optional(m_seen.front().hit);
+}
+
+std::string nothingText(Snap snap)
+{
+    switch (snap) {
+    case Snap::Surface: break;
+    case Snap::Vertex: return text::tr("no vertex is in sight within %1 pixels", int(kSnapPixels));
+    case Snap::Edge: return text::tr("no edge is in sight within %1 pixels", int(kSnapPixels));
+    case Snap::Face: return text::tr("no face is in sight within %1 pixels", int(kSnapPixels));
+    }
+    return text::tr("nothing is met");
 }
 
 } // namespace unprojector::ray

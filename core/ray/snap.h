@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace unprojector::ray {
@@ -78,5 +79,8 @@ private:
     double m_nearW = 1.0;     ///< of clip space, on the near plane
     std::vector<Seen> m_seen; ///< the nearest first, each triangle once
 };
+
+/// Why a pick has found nothing: "no vertex is in sight within 8 pixels", in the language of text::tr().
+std::string nothingText(Snap snap);
 
 } // namespace unprojector::ray

@@ -2,6 +2,7 @@
 
 #include "core/doctor/written_points.h"
 #include "gui/text/number_text.h"
+#include "gui/text/sentences.h"
 #include "gui/widgets/contrast.h"
 #include "gui/widgets/typing_pause.h"
 
@@ -337,30 +338,17 @@ void WrongPointsForm::edited(Row &row)
     emit changed();
 }
 
-QString WrongPointsForm::faultText(const NumbersFault &fault, const QString &wanted)
-{
-    const QString word = QString::fromStdString(fault.word);
-    if (!word.isEmpty() && fault.isNotFinite())
-        return tr("“%1” is no finite number, and nothing can be told from it. Take a click for which the program has a "
-                  "point.")
-            .arg(word);
-    if (!word.isEmpty())
-        return tr("“%1” is no number. Type %2.").arg(word, wanted);
-    if (fault.areCommasMixed)
-        return tr("commas stand between some of its numbers and not between others. For decimals type a point: %1.")
-            .arg(wanted);
-    return fault.found == 1 ? tr("it has 1 number. Type %1.").arg(wanted)
-                            : tr("it has %1 numbers. Type %2.").arg(fault.found).arg(wanted);
-}
-
 std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) const
 {
+    const auto why = [](const NumbersFault &fault, const QString &wanted) {
+        return ended(faultText(fault, wanted.toStdString()));
+    };
     if (isFilled(*row.pixel)) {
         const auto position = numbersOrFault(row.pixel->text().toStdString(), 2);
         if (!position)
-            return Fault{row.pixel, tr("%1 is no pixel: %2", "the field's text, why")
-                                        .arg(quoted(*row.pixel),
-                                             faultText(position.error(), tr("its x and y, such as 400.5, 300.5")))};
+            return Fault{row.pixel,
+                         tr("%1 is no pixel: %2", "the field's text, why")
+                             .arg(quoted(*row.pixel), why(position.error(), tr("its x and y, such as 400.5, 300.5")))};
         const double x = (*position)[0].value, y = (*position)[1].value;
         if (m_picture
             && !(x >= 0.0 && y >= 0.0 && x <= m_picture->surface.widthPixels && y <= m_picture->surface.heightPixels))
@@ -375,18 +363,15 @@ std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) c
             return Fault{row.depth, tr("%1 is no depth: type one number, or leave it empty.").arg(quoted(*row.depth))};
         if (m_picture && !unitDepth(m_picture->depthRange, depth->value))
             return Fault{row.depth,
-                         tr("Depth %1 lies outside the depth range, which goes from %2 to %3. A distance is no "
-                            "depth: leave it empty.")
-                             .arg(row.depth->text().trimmed(), shortestText(m_picture->depthRange.atNear),
-                                  shortestText(m_picture->depthRange.atFar))};
+                         sentence(depthOutsideText(row.depth->text().trimmed().toStdString(), m_picture->depthRange))};
     }
     if (!isFilled(*row.got))
         return std::nullopt;
     if (const auto got = numbersOrFault(row.got->text().toStdString(), 3); !got)
-        return Fault{row.got, tr("%1 is no point: %2", "the field's text, why")
-                                  .arg(quoted(*row.got),
-                                       faultText(got.error(), tr("three coordinates as the program prints them, "
-                                                                 "such as 0.7051 -0.4122 0.0918")))};
+        return Fault{row.got,
+                     tr("%1 is no point: %2", "the field's text, why")
+                         .arg(quoted(*row.got), why(got.error(), tr("three coordinates as the program prints them, "
+                                                                    "such as 0.7051 -0.4122 0.0918")))};
     return std::nullopt;
 }
 

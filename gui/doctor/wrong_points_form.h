@@ -60,8 +60,7 @@ private:
     /// Takes a table instead of a point. @return whether it was one
     bool takeTable(Row &row, const QString &text);
     void edited(Row &row);
-    /// Why a text is not the numbers that are wanted, and what to do; goes on behind a colon.
-    static QString faultText(const doctor::NumbersFault &fault, const QString &wanted);
+    /// The first that is wrong in a row.
     std::optional<Fault> faultOf(const Row &row) const;
     void markFaults();
 

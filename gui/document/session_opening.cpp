@@ -13,6 +13,7 @@
 #include "gui/text/added_text.h"
 #include "gui/text/error_text.h"
 #include "gui/text/note_text.h"
+#include "gui/text/sentences.h"
 
 #include <algorithm>
 #include <map>
@@ -276,8 +277,7 @@ QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &mode
         }
         const auto found = bundled.find(object.bundled);
         if (found == bundled.end()) {
-            emit failed(
-                tr("%1: there is no bundled model \"%2\".").arg(pending.name, QString::fromStdString(object.bundled)));
+            emit failed(pending.name + QStringLiteral(": ") + ended(examples::noBundledModelText(object.bundled)));
             return {};
         }
         inOrder.push_back(found->second);

@@ -154,11 +154,9 @@ bool ScanSeries::open(const std::filesystem::path &folder)
             scans.push_back({it->path(), {}, {}});
     }
     if (error || scans.empty()) {
-        emit failed(
-            error
-                ? tr("%1: the folder cannot be read: %2").arg(pathText(folder), QString::fromStdString(error.message()))
-                : tr("%1: there is no model file in this folder. %2 are read.")
-                      .arg(pathText(folder), modelFileFilter()));
+        emit failed(error ? QString::fromStdString(landmark_files::folderErrorText(folder, error))
+                          : tr("%1: there is no model file in this folder. %2 are read.")
+                                .arg(pathText(folder), modelFileFilter()));
         return false;
     }
     std::sort(scans.begin(), scans.end(), [](const Scan &a, const Scan &b) { return a.file < b.file; });

@@ -4,6 +4,7 @@
 #include "gui/map/map_panel.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
+#include "gui/text/sentences.h"
 #include "gui/view/scene_view.h"
 
 #include <QBuffer>
@@ -119,7 +120,7 @@ void MapOverlay::show(const std::shared_ptr<const MadeMap> &map)
                      "buffer is "
                      "a part of it; the ± of a placed point has half a pixel to the side besides.");
     if (map->leavesPointsOut)
-        note += QStringLiteral("\n") + tr("Points of clouds are left out: maps are of surfaces.");
+        note += QStringLiteral("\n") + sentence(maps::noCloudsText());
     m_panel->setNote(note);
     m_panel->setExportable(true);
     paintMap();

@@ -162,10 +162,7 @@ QString PasteMatricesDialog::meaning(const MatrixPaste::Camera &camera, bool &is
     isUsable = true;
     QStringList said{cameraText(*shown, camera.projection)};
     if (isProduct())
-        said << tr("Taken apart into projection and view, which make the product again up to %1 of its largest entry.")
-                    .arg(significantText(m_paste.apart()->off, 1));
-    if (isProduct() && m_paste.apart()->isBox)
-        said << tr("Of a box the eye may be anywhere along the view: it is put on the near plane.");
+        said << sentence(takenApartText(*m_paste.apart()));
     if (const auto viewport = m_paste.viewport())
         said << tr("The viewport, %1 × %2, is left out: that of the view stays (Parameters, Viewport).")
                     .arg(writtenText(viewport->width, 6), writtenText(viewport->height, 6));

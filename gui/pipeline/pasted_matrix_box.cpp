@@ -153,9 +153,7 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
     else
         said << tr("Read as %1.").arg(formName(pasted->form));
     if (pasted && pasted->isInverse)
-        said << (lacksInverse(*pasted)
-                     ? tr("By its name it is an inverse, but it has none itself: it is taken as it stands.")
-                     : tr("By its name it is an inverse: its own inverse is taken."));
+        said << sentence(inverseText(*pasted));
     if (paste.leavesInverseOut(m_role))
         said << tr("Its inverse, beside it in the text, is left out.");
     QStringList done;

@@ -130,7 +130,7 @@ void MainWindow::createPanels()
          {"points", "objects"}},
         {kDoctorPlace,
          tr("Doctor"),
-         tr("Which mistake of a program makes its wrong coordinate"),
+         tr("Find the mistake by which your program gets a wrong coordinate"),
          Qt::Key_F8,
          {"doctor", "objects"}},
     };

@@ -1,10 +1,11 @@
 #include "gui/text/map_text.h"
 
+#include "gui/text/mistake_text.h"
+
 #include <QCoreApplication>
 
-#include <array>
+#include <string>
 #include <string_view>
-#include <utility>
 
 namespace unprojector::gui {
 using namespace maps;
@@ -14,36 +15,6 @@ namespace {
 struct MapText {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::MapText)
 };
-
-/// By the names that maps::namedConventions() has.
-constexpr std::array<std::pair<std::string_view, const char *>, 23> kMistakes{{
-    {"y-not-flipped", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "y not flipped")},
-    {"flipped-with-viewport-height",
-     QT_TRANSLATE_NOOP("unprojector::gui::MapText", "y flipped with the viewport's height")},
-    {"row-above", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the row of pixels above")},
-    {"pixel-corner", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the pixel's corner, no half added")},
-    {"ratio-logical-in-device",
-     QT_TRANSLATE_NOOP("unprojector::gui::MapText", "logical pixels taken for device pixels")},
-    {"ratio-logical-both",
-     QT_TRANSLATE_NOOP("unprojector::gui::MapText", "logical pixels, flipped with the logical height")},
-    {"viewport-origin-ignored", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the viewport's origin ignored")},
-    {"viewport-is-window", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the window taken for the viewport")},
-    {"depth-not-remapped", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the depth taken for NDC z")},
-    {"depth-remapped-twice", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "a depth from 0 to 1 remapped again")},
-    {"depth-reversed", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the depth reversed")},
-    {"fov-degrees-as-radians", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "degrees taken for radians")},
-    {"fov-horizontal", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the field of view across, not up")},
-    {"projection-transposed", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the projection transposed")},
-    {"view-transposed", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the view matrix transposed")},
-    {"both-transposed", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "both matrices transposed")},
-    {"product-transposed", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the product transposed")},
-    {"inverse-order", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the inverses in the wrong order")},
-    {"not-inverted", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "nothing inverted")},
-    {"view-inverse-as-view", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the camera's matrix taken for the view")},
-    {"no-w-divide", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "not divided by w")},
-    {"model-left-in", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "the model matrix left in")},
-    {"single-precision", QT_TRANSLATE_NOOP("unprojector::gui::MapText", "single precision")},
-}};
 
 } // namespace
 
@@ -129,11 +100,8 @@ QString conventionName(const NamedConvention &convention)
 {
     if (const auto *program = std::get_if<OtherProgram>(&convention.other))
         return programName(*program);
-    for (const auto &[key, text] : kMistakes) {
-        if (key == convention.key)
-            return MapText::tr(text);
-    }
-    return QString::fromUtf8(convention.key.data(), static_cast<qsizetype>(convention.key.size()));
+    constexpr std::string_view kNoMistake = "single-precision"; // of the doctor's
+    return convention.key == kNoMistake ? MapText::tr("single precision") : mistakeName(std::string(convention.key));
 }
 
 } // namespace unprojector::gui

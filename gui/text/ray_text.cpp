@@ -1,6 +1,8 @@
 #include "gui/text/ray_text.h"
 
+#include "core/ray/snap.h"
 #include "gui/text/number_text.h"
+#include "gui/text/sentences.h"
 
 #include <QCoreApplication>
 
@@ -153,16 +155,16 @@ QString rayDetailText(Snap snap, const std::optional<SceneHit> &hit)
     case Snap::Vertex:
         return hit ? RayTexts::tr("Taken: vertex %1, of triangle %2.")
                          .arg(numbered(hit->vertex.id), numbered(hit->triangle->triangle))
-                   : RayTexts::tr("No vertex is in sight within 8 pixels.");
+                   : sentence(ray::nothingText(snap));
     case Snap::Edge:
         return hit ? RayTexts::tr("Taken: the nearest point of the edge %1 to %2, of triangle %3.")
                          .arg(numbered(hit->triangle->edge.ids[0]), numbered(hit->triangle->edge.ids[1]),
                               numbered(hit->triangle->triangle))
-                   : RayTexts::tr("No edge is in sight within 8 pixels.");
+                   : sentence(ray::nothingText(snap));
     case Snap::Face:
         return hit ? RayTexts::tr("Taken: face %1, in the plane %2.")
                          .arg(numbered(hit->triangle->triangle), planeText(*hit))
-                   : RayTexts::tr("No face is in sight within 8 pixels.");
+                   : sentence(ray::nothingText(snap));
     }
     Q_UNREACHABLE();
 }

@@ -513,24 +513,12 @@
         <translation>所取：顶点 %1，属于三角形 %2。</translation>
     </message>
     <message>
-        <source>No vertex is in sight within 8 pixels.</source>
-        <translation>8 像素以内看不到顶点。</translation>
-    </message>
-    <message>
         <source>Taken: the nearest point of the edge %1 to %2, of triangle %3.</source>
         <translation>所取：边 %1–%2 上最近的点，属于三角形 %3。</translation>
     </message>
     <message>
-        <source>No edge is in sight within 8 pixels.</source>
-        <translation>8 像素以内看不到边。</translation>
-    </message>
-    <message>
         <source>Taken: face %1, in the plane %2.</source>
         <translation>所取：面 %1，所在平面 %2。</translation>
-    </message>
-    <message>
-        <source>No face is in sight within 8 pixels.</source>
-        <translation>8 像素以内看不到面。</translation>
     </message>
     <message>
         <source>Ray on mesh: %1 from the formula; in depth steps %2. Trust the ray: it does not go through the depth buffer.</source>
@@ -3336,10 +3324,6 @@ Both are as large as fits.</source>
         <translation>诊断</translation>
     </message>
     <message>
-        <source>Which mistake of a program makes its wrong coordinate</source>
-        <translation>程序的哪个错误造成了它的错误坐标</translation>
-    </message>
-    <message>
         <source>Paste &amp;Matrices…</source>
         <translation>粘贴矩阵(&amp;M)…</translation>
     </message>
@@ -3438,6 +3422,10 @@ Both are as large as fits.</source>
         <extracomment>%2 are all lessons with their steps: first:1-7, weng:1-16</extracomment>
         <translation>--lesson 为 %1；请给出一门课程，或在冒号后给出其中一步：%2。</translation>
     </message>
+    <message>
+        <source>Find the mistake by which your program gets a wrong coordinate</source>
+        <translation>找出您的程序因哪个错误得到了错误的坐标</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MapOverlay</name>
@@ -3476,10 +3464,6 @@ Both are as large as fits.</source>
     <message>
         <source>%1 pixels: median %2, 99 % at most %3, greatest %4</source>
         <translation>%1 个像素：中位数 %2，99 % 不超过 %3，最大 %4</translation>
-    </message>
-    <message>
-        <source>Points of clouds are left out: maps are of surfaces.</source>
-        <translation>不含点云的点：映射图只针对表面。</translation>
     </message>
     <message>
         <source>no number here</source>
@@ -3567,94 +3551,6 @@ Both are as large as fits.</source>
 </context>
 <context>
     <name>unprojector::gui::MapText</name>
-    <message>
-        <source>y not flipped</source>
-        <translation>y 未翻转</translation>
-    </message>
-    <message>
-        <source>y flipped with the viewport&apos;s height</source>
-        <translation>用视口高度翻转 y</translation>
-    </message>
-    <message>
-        <source>the row of pixels above</source>
-        <translation>上一行像素</translation>
-    </message>
-    <message>
-        <source>the pixel&apos;s corner, no half added</source>
-        <translation>取像素角点，未加半像素</translation>
-    </message>
-    <message>
-        <source>logical pixels taken for device pixels</source>
-        <translation>把逻辑像素当作设备像素</translation>
-    </message>
-    <message>
-        <source>logical pixels, flipped with the logical height</source>
-        <translation>逻辑像素，并用逻辑高度翻转</translation>
-    </message>
-    <message>
-        <source>the viewport&apos;s origin ignored</source>
-        <translation>忽略视口原点</translation>
-    </message>
-    <message>
-        <source>the window taken for the viewport</source>
-        <translation>把窗口当作视口</translation>
-    </message>
-    <message>
-        <source>the depth taken for NDC z</source>
-        <translation>把深度当作 NDC 的 z</translation>
-    </message>
-    <message>
-        <source>a depth from 0 to 1 remapped again</source>
-        <translation>把 0 到 1 的深度再映射一次</translation>
-    </message>
-    <message>
-        <source>the depth reversed</source>
-        <translation>深度反向</translation>
-    </message>
-    <message>
-        <source>degrees taken for radians</source>
-        <translation>把角度当作弧度</translation>
-    </message>
-    <message>
-        <source>the field of view across, not up</source>
-        <translation>视场角取水平而非竖直</translation>
-    </message>
-    <message>
-        <source>the projection transposed</source>
-        <translation>投影矩阵被转置</translation>
-    </message>
-    <message>
-        <source>the view matrix transposed</source>
-        <translation>观察矩阵被转置</translation>
-    </message>
-    <message>
-        <source>both matrices transposed</source>
-        <translation>两个矩阵都被转置</translation>
-    </message>
-    <message>
-        <source>the product transposed</source>
-        <translation>乘积被转置</translation>
-    </message>
-    <message>
-        <source>the inverses in the wrong order</source>
-        <translation>逆矩阵的顺序颠倒</translation>
-    </message>
-    <message>
-        <source>nothing inverted</source>
-        <translation>没有求逆</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s matrix taken for the view</source>
-        <translation>把相机矩阵当作观察矩阵</translation>
-    </message>
-    <message>
-        <source>not divided by w</source>
-        <translation>没有除以 w</translation>
-    </message>
-    <message>
-        <source>the model matrix left in</source>
-        <translation>模型矩阵未去掉</translation>
-    </message>
     <message>
         <source>single precision</source>
         <translation>单精度</translation>
@@ -4808,14 +4704,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>无法由此成像：%1</translation>
     </message>
     <message>
-        <source>Taken apart into projection and view, which make the product again up to %1 of its largest entry.</source>
-        <translation>已拆成投影矩阵和观察矩阵，两者相乘与原乘积之差不超过其最大元素的 %1。</translation>
-    </message>
-    <message>
-        <source>Of a box the eye may be anywhere along the view: it is put on the near plane.</source>
-        <translation>正交时视点可以在视线方向的任何位置：此处放在近平面上。</translation>
-    </message>
-    <message>
         <source>The viewport, %1 × %2, is left out: that of the view stays (Parameters, Viewport).</source>
         <translation>视口 %1 × %2 未采用：保留视图原有的视口（参数，视口）。</translation>
     </message>
@@ -4913,14 +4801,6 @@ m[0] … m[15]、JSON、C、three.js</translation>
     <message>
         <source>NDC depths:</source>
         <translation>NDC 深度：</translation>
-    </message>
-    <message>
-        <source>By its name it is an inverse: its own inverse is taken.</source>
-        <translation>按名称这是逆矩阵：已取其逆。</translation>
-    </message>
-    <message>
-        <source>By its name it is an inverse, but it has none itself: it is taken as it stands.</source>
-        <translation>从名称看它是逆矩阵，但它本身不可逆：按原样采用。</translation>
     </message>
     <message>
         <source>By default</source>
@@ -6136,10 +6016,6 @@ of a point that needs no division</source>
         <translation>%1：系列中已有此文件，写入会毁掉它。请另给一个名称。</translation>
     </message>
     <message>
-        <source>%1: the folder cannot be read: %2</source>
-        <translation>%1：无法读取此文件夹：%2</translation>
-    </message>
-    <message>
         <source>%1: there is no model file in this folder. %2 are read.</source>
         <translation>%1：此文件夹中没有模型文件。可读取：%2。</translation>
     </message>
@@ -6780,10 +6656,6 @@ of a point that needs no division</source>
         </translation>
     </message>
     <message>
-        <source>%1: there is no bundled model &quot;%2&quot;.</source>
-        <translation>%1：没有名为“%2”的自带模型。</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
@@ -7285,32 +7157,8 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>%1 不是深度：请键入一个数，或留空。</translation>
     </message>
     <message>
-        <source>Depth %1 lies outside the depth range, which goes from %2 to %3. A distance is no depth: leave it empty.</source>
-        <translation>深度 %1 不在从 %2 到 %3 的深度范围内。距离不是深度：请留空。</translation>
-    </message>
-    <message>
         <source>The right depth there, in the depth range of the view. Empty: that of the mesh under the pixel; where there is none, any depth is allowed for. That of a click is used with all its digits</source>
         <translation>此处的正确深度，以视图的深度范围计。留空：取像素下网格的深度；没有网格时任何深度都可以。点击得到的深度按全部位数使用</translation>
-    </message>
-    <message>
-        <source>“%1” is no finite number, and nothing can be told from it. Take a click for which the program has a point.</source>
-        <translation>“%1”不是有限的数，由它得不出任何结论。请取程序给出了点的一次点击。</translation>
-    </message>
-    <message>
-        <source>“%1” is no number. Type %2.</source>
-        <translation>“%1”不是数。请键入 %2。</translation>
-    </message>
-    <message>
-        <source>commas stand between some of its numbers and not between others. For decimals type a point: %1.</source>
-        <translation>有些数之间有逗号，有些没有。小数请用小数点：%1。</translation>
-    </message>
-    <message>
-        <source>it has 1 number. Type %1.</source>
-        <translation>其中有 1 个数。请键入 %1。</translation>
-    </message>
-    <message>
-        <source>it has %1 numbers. Type %2.</source>
-        <translation>其中有 %1 个数。请键入 %2。</translation>
     </message>
     <message>
         <source>%1 is no pixel: %2</source>

@@ -7,6 +7,7 @@
 #include "core/cli/rows/byte_stream.h"
 #include "core/cli/rows/scene_input.h"
 #include "core/doctor/mesh_vertices.h"
+#include "core/doctor/written_points.h"
 #include "core/files/path_text.h"
 #include "core/ray/mesh_depth.h"
 #include "core/text/error_text.h"
@@ -163,9 +164,7 @@ std::string depthRefused(const WrongPoints &given, double depth, const Picture &
     const std::string place = refused == given.points.end() || given.names.front() == "--pixel"
                                   ? "--depth"
                                   : given.names[std::size_t(refused - given.points.begin())] + ": depth";
-    return tr("%1: lies outside the depth range; the scene's go from %2 to %3. A distance is no depth: leave it out",
-              place + ' ' + shortestText(depth), shortestText(picture.depthRange.atNear),
-              shortestText(picture.depthRange.atFar));
+    return place + ": " + depthOutsideText(shortestText(depth), picture.depthRange);
 }
 
 } // namespace

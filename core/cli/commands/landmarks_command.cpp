@@ -283,7 +283,7 @@ ExitCode makeTable(const LandmarksOptions &options)
         readLandmarkFolder(pathFromUtf8(options.folder),
                            options.output == "-" ? std::filesystem::path() : pathFromUtf8(options.output), error);
     if (error) {
-        complain(tr("%1: the folder cannot be read: %2", options.folder, text::systemErrorText(error)));
+        complain(folderErrorText(pathFromUtf8(options.folder), error));
         return ExitCode::UnusableInput;
     }
     for (const std::string &report : folder.reports)

@@ -124,7 +124,7 @@ std::unique_ptr<const Seen> Seen::of(const MapOptions &options, const OpenedScen
         return nullptr;
     seen->m_rays.emplace(unprojector, opened.objects, castersOf(opened.objects), opened.clipPlanes());
     if (seen->m_rays->hasPoints())
-        complain(tr("%1: the points of clouds are left out; maps are of surfaces", opened.name));
+        complain(opened.name + ": " + maps::noCloudsText());
     const Result<PixelRays> pixels = PixelRays::of(seen->m_rays->rays());
     if (!pixels) {
         complain(opened.name + ": " + errorText(pixels.error()));

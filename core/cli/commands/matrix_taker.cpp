@@ -149,9 +149,7 @@ bool MatrixTaker::lookAt(const PastedMatrix &pasted, PastedPart part, MatrixRole
 {
     bool isReversed = false;
     if (pasted.isInverse)
-        say(part,
-            tr(lacksInverse(pasted) ? "by its name it is an inverse, but it has none itself: it is taken as it stands"
-                                    : "by its name it is an inverse: its own inverse is taken"));
+        say(part, inverseText(pasted));
     for (const MatrixFinding &finding : findings(matrix(pasted, role), role, depth(), clipFromEye)) {
         const bool isAboutDepth = finding.fault == MatrixFault::DepthReversed;
         isReversed = isReversed || isAboutDepth;

@@ -96,7 +96,7 @@ std::optional<OpenedScene> openScene(const std::string &file)
             if (const auto found = bundled.find(object.bundled); found != bundled.end())
                 model = found->second;
             else
-                complain(opened.name + ": " + tr("there is no bundled model \"%1\"", object.bundled));
+                complain(opened.name + ": " + examples::noBundledModelText(object.bundled));
         }
         if (!model)
             return std::nullopt;

@@ -1,5 +1,6 @@
 #include "core/cli/commands/pick_texts.h"
 
+#include "core/ray/snap.h"
 #include "core/scene/measures.h"
 #include "core/scene_file/json_text.h"
 #include "core/scene_file/ray_on_mesh.h"
@@ -40,18 +41,6 @@ glm::dvec3 halfGapOf(const SceneObject &object, std::uint32_t vertex)
 {
     const Model::VertexPlace place = object.model->vertexOf(vertex).value();
     return halfGapAt(object.model->meshes[place.mesh], place.vertex, glm::dmat3(worldFromObject(object.transform)));
-}
-
-/// The sentence for a pick that found nothing.
-std::string nothingText(Snap snap)
-{
-    switch (snap) {
-    case Snap::Surface: break;
-    case Snap::Vertex: return tr("no vertex is in sight within %1 pixels", shortestText(kSnapPixels));
-    case Snap::Edge: return tr("no edge is in sight within %1 pixels", shortestText(kSnapPixels));
-    case Snap::Face: return tr("no face is in sight within %1 pixels", shortestText(kSnapPixels));
-    }
-    return tr("nothing is met");
 }
 
 /// How far an object's own coordinates may be off.

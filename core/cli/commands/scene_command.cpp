@@ -262,14 +262,9 @@ void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const Pa
         clipFromEye = apart ? apart->clipFromEye : clipFromEye;
         taker.say(
             PastedPart::Product,
-            !apart
-                ? tr("lens and eye cannot be taken apart: only the inverted matrix will answer, the formulas need "
-                     "projection and view")
-                : tr(apart->isBox
-                         ? "taken apart into projection and view, which make it again up to %1 of its largest entry; "
-                           "of a box the eye may be anywhere along the view: it is put on the near plane"
-                         : "taken apart into projection and view, which make it again up to %1 of its largest entry",
-                     numberText(apart->off, Digits::Double, 1)));
+            !apart ? tr("lens and eye cannot be taken apart: only the inverted matrix will answer, the formulas need "
+                        "projection and view")
+                   : takenApartText(*apart));
     }
     for (const PastedPart part : pasted.inversesLeft)
         taker.say(part, tr("its inverse is left out, since the matrices that are needed are there themselves"));

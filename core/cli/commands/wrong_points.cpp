@@ -52,21 +52,6 @@ std::string rowErrorText(const PointRow &row, std::size_t place)
     return std::string(kPointColumns[place]) + ": " + tr("\"%1\" is no number", row.cells[place]);
 }
 
-/// What is wrong with numbers that were given, and what to do.
-std::string faultText(const NumbersFault &fault, const std::string &wanted)
-{
-    if (!fault.word.empty())
-        return fault.isNotFinite()
-                   ? tr("\"%1\" is no finite number: nothing can be told from it; give a click for which "
-                        "the program has a point",
-                        fault.word)
-                   : tr("\"%1\" is no number; give %2", fault.word, wanted);
-    if (fault.areCommasMixed)
-        return tr("commas stand between some of its numbers and not between others; for decimals give a point, %1",
-                  wanted);
-    return tr(fault.found == 1 ? "it has %1 number; give %2" : "it has %1 numbers; give %2", fault.found, wanted);
-}
-
 } // namespace
 
 std::optional<WrongPoint> wrongPoint(const std::string &pixel, const std::string &depth, const std::string &got)
