@@ -269,6 +269,15 @@ const char *nameOf(PastedPart part)
     return "viewport";
 }
 
+std::string reasonText(const PasteError &error)
+{
+    if (!error.word.empty())
+        return text::tr("\"%1\" is not a finite number", error.word);
+    return text::tr(error.found == 1 ? "%1 number found, %2 are needed" : "%1 numbers found, %2 are needed",
+                    error.found, error.wanted)
+           + (error.part == PastedPart::Viewport ? ": x y width height" : "");
+}
+
 Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text)
 {
     Result<std::vector<PastedNumber>, PasteError> numbers = pastedNumbers(text);

@@ -38,8 +38,8 @@ QString partName(PastedPart part)
     case PastedPart::View: return roleName(MatrixRole::View);
     case PastedPart::Projection: return roleName(MatrixRole::Projection);
     case PastedPart::Product: return roleName(MatrixRole::Product);
+    case PastedPart::Viewport: return MatrixText::tr("Viewport");
     case PastedPart::Model:
-    case PastedPart::Viewport:
     case PastedPart::ToWindow: break;
     }
     return MatrixText::tr("Model");
@@ -112,27 +112,17 @@ QString repairName(const MatrixFinding &finding, NumberOrder order)
 
 QString errorText(const PasteError &error, MatrixRole role)
 {
+    const std::string reason = reasonText(error);
     if (!error.word.empty())
-        return MatrixText::tr("Line %1, column %2: “%3” is not a finite number.")
-            .arg(error.line)
-            .arg(error.column)
-            .arg(QString::fromStdString(error.word));
+        return MatrixText::tr("In line %1, column %2: %3").arg(error.line).arg(error.column).arg(ended(reason));
     if (error.all > error.wanted && error.found == 0)
         return MatrixText::tr("There is no matrix of this kind among these %1 numbers: %2.")
             .arg(error.all)
             .arg(roleName(role));
-    if (error.part == PastedPart::Viewport)
-        return error.found == 1 ? MatrixText::tr("Viewport: 1 number; it has 4, x y width height, or as a matrix 16.")
-                                : MatrixText::tr("Viewport: %1 numbers; it has 4, x y width height, or as a matrix 16.")
-                                      .arg(error.found);
-    if (error.all > error.found) // of several
-        return (error.found == 1
-                    ? MatrixText::tr("%1: 1 number; a matrix has 16.").arg(partName(error.part))
-                    : MatrixText::tr("%1: %2 numbers; a matrix has 16.").arg(partName(error.part)).arg(error.found));
-    if (error.found == 0)
-        return MatrixText::tr("There is no number in it; a matrix has 16.");
-    return error.found == 1 ? MatrixText::tr("1 number; a matrix has 16.")
-                            : MatrixText::tr("%1 numbers; a matrix has 16.").arg(error.found);
+    const bool isOneOfSeveral = error.part == PastedPart::Viewport || error.all > error.found;
+    return isOneOfSeveral ? MatrixText::tr("%1: %2", "a part of the text: what is wrong with it")
+                                .arg(partName(error.part), ended(reason))
+                          : sentence(reason);
 }
 
 QString cameraText(const Picture &picture, const std::optional<MatrixProjection> &lens)

@@ -3831,24 +3831,8 @@ Both are as large as fits.</source>
         <translation>转向 −z</translation>
     </message>
     <message>
-        <source>Line %1, column %2: “%3” is not a finite number.</source>
-        <translation>第 %1 行第 %2 列：“%3”不是有限的数。</translation>
-    </message>
-    <message>
         <source>There is no matrix of this kind among these %1 numbers: %2.</source>
         <translation>这 %1 个数中没有这种矩阵：%2。</translation>
-    </message>
-    <message>
-        <source>%1: %2 numbers; a matrix has 16.</source>
-        <translation>%1：有 %2 个数；矩阵有 16 个。</translation>
-    </message>
-    <message>
-        <source>There is no number in it; a matrix has 16.</source>
-        <translation>其中没有数；矩阵有 16 个数。</translation>
-    </message>
-    <message>
-        <source>%1 numbers; a matrix has 16.</source>
-        <translation>有 %1 个数；矩阵有 16 个。</translation>
     </message>
     <message>
         <source>Eye at %1, looking along %2.</source>
@@ -3875,22 +3859,6 @@ Both are as large as fits.</source>
         <translation>观察坐标系为右手系，NDC 深度从 −1 到 1。</translation>
     </message>
     <message>
-        <source>Viewport: 1 number; it has 4, x y width height, or as a matrix 16.</source>
-        <translation>视口：只有 1 个数；应有 4 个：x y 宽 高，写成矩阵则为 16 个。</translation>
-    </message>
-    <message>
-        <source>Viewport: %1 numbers; it has 4, x y width height, or as a matrix 16.</source>
-        <translation>视口：有 %1 个数；应有 4 个：x y 宽 高，写成矩阵则为 16 个。</translation>
-    </message>
-    <message>
-        <source>%1: 1 number; a matrix has 16.</source>
-        <translation>%1：只有 1 个数；矩阵有 16 个。</translation>
-    </message>
-    <message>
-        <source>1 number; a matrix has 16.</source>
-        <translation>只有 1 个数；矩阵有 16 个。</translation>
-    </message>
-    <message>
         <source>The depth range is turned round for it.</source>
         <translation>深度范围已为它反转。</translation>
     </message>
@@ -3910,6 +3878,19 @@ Both are as large as fits.</source>
         <source>It %1.</source>
         <comment>a matrix: what is to be seen of it</comment>
         <translation>%1。</translation>
+    </message>
+    <message>
+        <source>In line %1, column %2: %3</source>
+        <translation>第 %1 行第 %2 列：%3</translation>
+    </message>
+    <message>
+        <source>Viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a part of the text: what is wrong with it</comment>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <QTest>
+#include <QXmlStreamReader>
 
 #include <algorithm>
 #include <thread>
@@ -129,6 +130,30 @@ QStringList placesOf(const QString &text)
     return sorted;
 }
 
+/// The texts of the window, as its translation file has them.
+QStringList textsOfWindow()
+{
+    QXmlStreamReader xml(textOf(QStringLiteral(UNPROJECTOR_SOURCE_DIR "/resources/translations/unprojector_zh_CN.ts")));
+    QStringList texts;
+    while (!xml.atEnd()) {
+        if (xml.readNext() == QXmlStreamReader::StartElement && xml.name() == u"source")
+            texts << xml.readElementText();
+    }
+    return xml.hasError() ? QStringList() : texts;
+}
+
+/// A text without what the window does to core's: the capital, the full stop, signs of its own. Without its context.
+QString bare(const QString &text)
+{
+    static const QRegularExpression end(QStringLiteral("[\\s.:…!?]+$"));
+    return text.section(u'|', 0, 0)
+        .toLower()
+        .replace(u'×', u'x')
+        .replace(u'−', u'-')
+        .replace(QRegularExpression(QStringLiteral("[“”]")), QStringLiteral("\""))
+        .remove(end);
+}
+
 } // namespace
 
 class TestCoreTexts : public QObject {
@@ -141,6 +166,7 @@ private slots:
     void everyTextHasATranslationAndNoneIsLeftOver();
     void placesOfValuesAgree();
     void aWordAloneSaysWhereItStands();
+    void noTextIsTheWindowsToo();
     void textsAreSaidInTheLanguageThatIsSet();
     void valuesStandInTheirPlaces();
     void controlsAreWrittenOut_data();
@@ -220,6 +246,23 @@ void TestCoreTexts::aWordAloneSaysWhereItStands()
     QCOMPARE(text::tr("right|side of a face"), std::string("right"));
     QCOMPARE(text::tr("%1 %2|sentences", "甲。", "乙。"), std::string("甲。乙。"));
     setLanguage(Language::English);
+}
+
+/// Who words a value twice has two texts to keep alike. Labels of so few words may be the same by chance.
+void TestCoreTexts::noTextIsTheWindowsToo()
+{
+    constexpr int kMostWordsOfLabel = 3;
+    const QStringList texts = textsOfWindow(), keys = catalogue().keys();
+    QVERIFY(texts.size() > 1000);
+    QSet<QString> ours;
+    for (const QString &key : keys)
+        ours << bare(key);
+    QStringList twice;
+    for (const QString &text : texts) {
+        if (text.split(u' ').size() > kMostWordsOfLabel && ours.contains(bare(text)))
+            twice << text;
+    }
+    QCOMPARE(twice, QStringList());
 }
 
 void TestCoreTexts::textsAreSaidInTheLanguageThatIsSet()

@@ -401,15 +401,15 @@ void TestPasteMatrices::whatIsNoMatrixIsSaid_data()
     shear[2][0] = 0.5;
     const QString zeros = QStringLiteral("0 ").repeated(16);
     QTest::newRow("words") << View << "no matrix at all"
-                           << "There is no number in it";
+                           << "0 numbers found, 16 are needed.";
     QTest::newRow("one short") << View << "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0"
-                               << "15 numbers; a matrix has 16.";
+                               << "15 numbers found, 16 are needed.";
     QTest::newRow("one number") << View << "7"
-                                << "\n1 number; a matrix has 16.";
+                                << "\n1 number found, 16 are needed.";
     QTest::newRow("half a viewport") << Projection << "projection " + zeros + " viewport 100 100"
-                                     << "Viewport: 2 numbers; it has 4";
+                                     << "Viewport: 2 numbers found, 4 are needed: x y width height.";
     QTest::newRow("NaN") << Projection << "1 0 0 0\n0 nan 0 0\n"
-                         << "Line 2, column 3: “nan” is not a finite number.";
+                         << "In line 2, column 3: \"nan\" is not a finite number.";
     QTest::newRow("no projection among them")
         << Projection << "view " + zeros + " model " + zeros << "no matrix of this kind";
     QTest::newRow("no inverse") << View << zeros << "No picture can be made of it";

@@ -33,13 +33,10 @@ struct Pasted {
 
 std::string pasteErrorText(const PasteError &error, const std::string &name)
 {
-    if (!error.word.empty())
-        return name + ':' + std::to_string(error.line) + ':' + std::to_string(error.column) + ": "
-               + tr("\"%1\" is not a finite number", error.word);
-    return name + ": " + nameOf(error.part) + ": "
-           + tr(error.found == 1 ? "%1 number found, %2 are needed" : "%1 numbers found, %2 are needed", error.found,
-                error.wanted)
-           + (error.part == PastedPart::Viewport ? ": x y width height" : "");
+    const std::string place = error.word.empty()
+                                  ? ": " + std::string(nameOf(error.part))
+                                  : ':' + std::to_string(error.line) + ':' + std::to_string(error.column);
+    return name + place + ": " + reasonText(error);
 }
 
 /// Whether a text has OpenCV's camera: K, R and t, by these names or those of its functions.
