@@ -8,7 +8,6 @@
 
 namespace unprojector::text {
 using namespace geometry;
-
 namespace {
 
 /// What the way to radians and back leaves of the digits is noise.

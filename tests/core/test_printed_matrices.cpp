@@ -154,7 +154,7 @@ void TestPrintedMatrices::anInvertedCameraIsAView()
         notOne += exactView[3][3] != 1.0;
         const glm::dmat4 view = printed(exactView, format.constData(), digits);
         const Result<double> off = axesOff(view);
-        QVERIFY2(off, off ? "" : text::viewFault(off.error()).c_str());
+        QVERIFY2(off, off ? "" : text::errorText(off.error()).c_str());
 
         const glm::dmat4 m = clipFromEye(oracle::coreProjection(scene.projection)).value();
         const oracle::Oracle exact(columns(view), columns(m), scene.target, false);
@@ -216,7 +216,8 @@ void TestPrintedMatrices::whatDoesMoreThanTurnAndMoveIsNamed()
     const Result<double> off = axesOff(view);
     QVERIFY(!off);
     QVERIFY(off.error().code == ErrorCode::ViewNotRigid);
-    QCOMPARE(QByteArray::fromStdString(text::viewFault(off.error())), text);
+    QCOMPARE(QByteArray::fromStdString(text::errorText(off.error())),
+             "the view matrix does more than turn and move: " + text);
     QVERIFY(!worldFromEye(view, EyePoint(1, 2, -3)));
 }
 

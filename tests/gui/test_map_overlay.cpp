@@ -287,7 +287,7 @@ void TestMapOverlay::noEffectIsNoDifference()
     const auto window = windowOfSize({900, 600});
     boxOf(*window, "What the map shows")->setCurrentIndex(4);
     QComboBox *convention = boxOf(*window, "Whose displacement");
-    convention->setCurrentIndex(convention->findText("the viewport's origin ignored")); // it is 0, 0
+    convention->setCurrentIndex(convention->findText("viewport's origin ignored")); // it is 0, 0
     window->map().setShown(true);
     QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
     QVERIFY(window->map().map()->statistics.count > 0);
