@@ -87,7 +87,7 @@ struct PasteError {
     std::size_t found = 0, wanted = 16;
     std::size_t all = 0; ///< numbers in the text
 };
-/// "15 numbers found, 16 are needed", in the language of text::tr(): without the place and the part.
+/// What is wrong, in the language of text::tr(), without the place and the part.
 std::string reasonText(const PasteError &error);
 
 /// One matrix. Brackets, commas, quotes and words are passed over, and so are subscripts (m[3], m(0,1), "3":) and the

@@ -80,7 +80,7 @@ private:
     std::vector<Seen> m_seen; ///< the nearest first, each triangle once
 };
 
-/// Why a pick has found nothing: "no vertex is in sight within 8 pixels", in the language of text::tr().
+/// Why a pick has found nothing, in the language of text::tr().
 std::string nothingText(Snap snap);
 
 } // namespace unprojector::ray

@@ -397,7 +397,7 @@ void TestDoctorCommand::unusable_data()
     QTest::newRow("depth of words") << QStringList{"--pixel", "4,5", "--depth", "far"} + got
                                     << QByteArray("--depth far");
     QTest::newRow("depth is a distance") << QStringList{"--pixel", "4,5", "--depth", "5.88"} + got
-                                         << QByteArray("--depth 5.88");
+                                         << QByteArray("--depth: the depth 5.88 lies outside");
     QTest::newRow("no such space") << kClick + got + QStringList{"--got-space", "clip"} << QByteArray("clip");
     QTest::newRow("no such object") << kClick + got + QStringList{"--got-space", "object:ball"}
                                     << QByteArray("object:ball");

@@ -270,7 +270,7 @@ void TestSceneInput::brokenFiles_data()
     row("a step of an unknown type", changed("rotate", "shear"),
         ": objects[0].transform[1]: must have exactly one of translate, rotate or scale\n");
     row("near 0", QByteArray(kPerspectiveScene).replace("\"near\": 1", "\"near\": 0"),
-        ": projection.near: near is 0; it must be greater than 0 and smaller than far (100)\n");
+        ": projection.near: near is 0; it must be greater than 0 and smaller than far (4)\n");
     row("an angle of 200.1 degrees", changed("45", "200.1"),
         ": projection.theta: the angle is 200.1 degrees; it must lie between 0 and 180, both excluded\n");
     row("comment", "// a scene\n" + kScene, ":1:1: ");
