@@ -1,6 +1,6 @@
 #include "core/maps/pixel_map.h"
 
-#include "core/maps/map_points.h"
+#include "core/maps/other_points.h"
 #include "core/maps/rows_in_parallel.h"
 #include "core/maps/uncertainty_row.h"
 #include "core/text/translation.h"
@@ -9,7 +9,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -88,76 +87,27 @@ double displacement(const WorldPoint &other, const WorldPoint &matrix, const Wor
     return distance(formula, other);
 }
 
-/// Distance to what a program answers.
-class ProgramRow : public RowWorker {
+/// Distance to what a program answers, or a mistake.
+class DisplacementRow : public RowWorker {
 public:
-    ProgramRow(OtherProgram program, const Picture &picture, const SurfaceImage &surfaces, const ClickBatch &matrix)
-        : m_program(program), m_picture(picture), m_surfaces(surfaces), m_matrix(matrix)
+    DisplacementRow(const OtherPoints &other, const SurfaceImage &surfaces, const ClickBatch &matrix)
+        : m_other(other), m_surfaces(surfaces), m_matrix(matrix)
     {
     }
 
     void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) override
     {
-        m_elements.clear();
-        for (const DevicePixel &pixel : pixels.pixels) {
-            const OtherClick click = clickOf(m_program, m_picture, pixel);
-            m_elements.add(click.position, depthAt(click.depthFrom));
-        }
-        m_elements.unproject(m_matrix, m_points);
+        m_other(pixels, m_surfaces, m_points);
         pixels.elements.unproject(m_matrix, m_right);
         for (std::size_t k = 0; k < numbers.size(); ++k)
             numbers[k] = displacement(m_points.world(k), m_right.world(k), formula.world(k));
     }
 
 private:
-    /// What the depth buffer holds: on the background what it was cleared to; outside the window nobody knows.
-    double depthAt(const DevicePixel &pixel) const
-    {
-        if (pixel.i < 0 || pixel.i >= m_surfaces.widthPixels || !m_surfaces.has(pixel.j))
-            return std::numeric_limits<double>::quiet_NaN();
-        const double depth = m_surfaces.depths[m_surfaces.place(pixel.i, pixel.j)];
-        return std::isnan(depth) ? m_picture.depthRange.atFar : depth;
-    }
-
-    OtherProgram m_program;
-    const Picture &m_picture;
+    const OtherPoints &m_other;
     const SurfaceImage &m_surfaces;
     const ClickBatch &m_matrix;
-    ElementArrays m_elements;
-    PointArrays m_points, m_right; ///< the program's, and by the same matrix without its ways
-};
-
-/// Distance to what a mistake gives, one point after the other: no loop makes mistakes.
-class MistakeRow : public RowWorker {
-public:
-    /// @param unprojectors  with the mistake, one an object, or a single one
-    MistakeRow(const Conventions &conventions, const std::vector<Unprojector> &unprojectors,
-               const SurfaceImage &surfaces, const ClickBatch &matrix)
-        : m_conventions(conventions), m_unprojectors(unprojectors), m_surfaces(surfaces), m_matrix(matrix)
-    {
-    }
-
-    void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) override
-    {
-        const Picture &picture = m_unprojectors.front().picture();
-        pixels.elements.unproject(m_matrix, m_right);
-        for (std::size_t k = 0; k < numbers.size(); ++k) {
-            const WidgetPoint widget = widgetFromDevice(picture.surface, pixelCenter(pixels.pixels[k]));
-            const Result<WindowPoint> window = windowOfClick(picture, m_conventions, widget, pixels.elements.depth[k]);
-            const std::size_t object = m_unprojectors.size() > 1 ? m_surfaces.objects[pixels.places[k]] : 0;
-            const Result<WorldPoint> point =
-                window ? m_unprojectors[object].worldAt(Method::Matrix, *window) : window.error();
-            numbers[k] = point ? displacement(*point, m_right.world(k), formula.world(k))
-                               : std::numeric_limits<double>::quiet_NaN();
-        }
-    }
-
-private:
-    const Conventions &m_conventions;
-    const std::vector<Unprojector> &m_unprojectors;
-    const SurfaceImage &m_surfaces;
-    const ClickBatch &m_matrix;
-    PointArrays m_right; ///< without the mistake
+    PointArrays m_points, m_right; ///< the other's, and by the same matrix without its ways
 };
 
 class UncertaintyWorker : public RowWorker {
@@ -184,10 +134,10 @@ private:
 /// Everything that a map's workers share.
 struct Prepared {
     ClickBatch formula;
-    std::optional<ClickBatch> matrix;  ///< by which another answers
-    std::optional<ClickBatch> eye;     ///< the formulas' eye points
-    std::optional<PixelRays> rays;     ///< of the picture
-    std::vector<Unprojector> mistaken; ///< with the mistake asked for
+    std::optional<ClickBatch> matrix; ///< by which another answers
+    std::optional<ClickBatch> eye;    ///< the formulas' eye points
+    std::optional<PixelRays> rays;    ///< of the picture
+    OtherPoints other;                ///< of a displacement
     std::optional<UncertaintyRow> uncertainty;
 };
 
@@ -201,7 +151,6 @@ Result<Prepared> prepared(const Question &question, const Unprojector &unproject
         return formula.error();
     Prepared result{*formula, {}, {}, {}, {}, {}};
     const Quantity quantity = question.quantity;
-    const auto *mistake = std::get_if<Conventions>(&question.other);
     if (quantity == Quantity::FormulaMatrix || quantity == Quantity::MatrixRay || quantity == Quantity::Displacement) {
         const Result<ClickBatch> matrix = ClickBatch::of(Method::Matrix, picture, {});
         if (!matrix)
@@ -214,19 +163,12 @@ Result<Prepared> prepared(const Question &question, const Unprojector &unproject
             return rays.error();
         result.rays = *rays;
     }
-    if (quantity == Quantity::Displacement && mistake != nullptr) {
-        std::vector<glm::dmat4> placements;
-        placements.reserve(objects.size());
-        for (const ray::SceneObject &object : objects)
-            placements.push_back(scene::worldFromObject(object.transform));
-        if (placements.empty() || !areMet)
-            placements.assign(1, glm::dmat4(1.0));
-        for (const glm::dmat4 &placement : placements) {
-            const Result<Unprojector> mistaken = Unprojector::of(picture, *mistake, placement);
-            if (!mistaken)
-                return mistaken.error();
-            result.mistaken.push_back(*mistaken);
-        }
+    if (quantity == Quantity::Displacement) {
+        const Result<OtherPoints> other =
+            otherPoints(question.other, picture, areMet ? objects : std::span<const ray::SceneObject>());
+        if (!other)
+            return other.error();
+        result.other = *other;
     }
     if (quantity == Quantity::Uncertainty) {
         const Result<Picture> parameters = byParameters(picture);
@@ -241,10 +183,9 @@ Result<Prepared> prepared(const Question &question, const Unprojector &unproject
     return result;
 }
 
-std::unique_ptr<RowWorker> workerOf(const Question &question, const Prepared &prepared, const Picture &picture,
-                                    const SurfaceImage &surfaces)
+std::unique_ptr<RowWorker> workerOf(Quantity quantity, const Prepared &prepared, const SurfaceImage &surfaces)
 {
-    switch (question.quantity) {
+    switch (quantity) {
     case Quantity::FormulaMatrix: return std::make_unique<MethodRow>(*prepared.matrix);
     case Quantity::FormulaRay: return std::make_unique<RayRow>(*prepared.rays, surfaces, nullptr);
     case Quantity::MatrixRay: return std::make_unique<RayRow>(*prepared.rays, surfaces, &*prepared.matrix);
@@ -252,48 +193,7 @@ std::unique_ptr<RowWorker> workerOf(const Question &question, const Prepared &pr
         return std::make_unique<UncertaintyWorker>(*prepared.uncertainty, surfaces, *prepared.eye);
     case Quantity::Displacement: break;
     }
-    if (const auto *program = std::get_if<OtherProgram>(&question.other))
-        return std::make_unique<ProgramRow>(*program, picture, surfaces, *prepared.matrix);
-    return std::make_unique<MistakeRow>(std::get<Conventions>(question.other), prepared.mistaken, surfaces,
-                                        *prepared.matrix);
-}
-
-std::vector<NamedConvention> allConventions()
-{
-    using C = Conventions;
-    std::vector<NamedConvention> all;
-    std::transform(kOtherPrograms.begin(), kOtherPrograms.end(), std::back_inserter(all), [](OtherProgram program) {
-        return NamedConvention{keyOf(program), program};
-    });
-    const auto add = [&all](std::string_view key, auto member, auto value) {
-        Conventions conventions;
-        conventions.*member = value;
-        all.push_back({key, conventions});
-    };
-    add("y-not-flipped", &C::flip, C::Flip::Left);
-    add("flipped-with-viewport-height", &C::flip, C::Flip::ByViewportHeight);
-    add("row-above", &C::pixelPart, C::PixelPart::RowAbove);
-    add("pixel-corner", &C::pixelPart, C::PixelPart::Corner);
-    add("ratio-logical-in-device", &C::pixelRatio, C::PixelRatio::Forgotten);
-    add("ratio-logical-both", &C::pixelRatio, C::PixelRatio::ForgottenInFlipToo);
-    add("viewport-origin-ignored", &C::viewportOffset, C::ViewportOffset::Forgotten);
-    add("viewport-is-window", &C::viewportOffset, C::ViewportOffset::WholeWindow);
-    add("depth-not-remapped", &C::ndcDepth, C::NdcDepthTaken::AsItIs);
-    add("depth-remapped-twice", &C::ndcDepth, C::NdcDepthTaken::Stretched);
-    add("depth-reversed", &C::reversed, true);
-    add("fov-degrees-as-radians", &C::angleUnit, C::AngleUnit::DegreesTakenForRadians);
-    add("fov-horizontal", &C::fovAxis, C::FovAxis::VerticalTakenForHorizontal);
-    add("projection-transposed", &C::transposed, C::Transposed::Projection);
-    add("view-transposed", &C::transposed, C::Transposed::View);
-    add("both-transposed", &C::transposed, C::Transposed::Both);
-    add("product-transposed", &C::transposed, C::Transposed::Product);
-    add("inverse-order", &C::order, C::Order::InversesInTheOrderOfTheFactors);
-    add("not-inverted", &C::inverse, C::Inverse::Forgotten);
-    add("view-inverse-as-view", &C::inverse, C::Inverse::ViewInvertedTwice);
-    add("no-w-divide", &C::w, C::W::Ignored);
-    add("model-left-in", &C::model, C::Model::LeftIn);
-    add("single-precision", &C::singlePrecision, true);
-    return all;
+    return std::make_unique<DisplacementRow>(prepared.other, surfaces, *prepared.matrix);
 }
 
 /// Of surfaces that are there at a time: 12 MB, and some hundred milliseconds on a core.
@@ -326,11 +226,11 @@ Rows rowsRead(const Question &question, const Picture &picture, const Rows &rows
 /// Computes rows of a map.
 /// @param surfaces  of rowsRead
 /// @return false when progress says stop
-bool setRows(PixelMap &map, const Rows &rows, const Question &question, const Prepared &shared, const Picture &picture,
+bool setRows(PixelMap &map, const Rows &rows, const Question &question, const Prepared &shared,
              const SurfaceImage &surfaces, const ray::Progress &progress)
 {
     return rowsInParallel(rows, map.widthPixels, progress, [&](std::span<const int> some) {
-        const std::unique_ptr<RowWorker> worker = workerOf(question, shared, picture, surfaces);
+        const std::unique_ptr<RowWorker> worker = workerOf(question.quantity, shared, surfaces);
         RowPixels pixels;
         PointArrays formula;
         std::vector<double> numbers;
@@ -368,23 +268,9 @@ bool needsRays(Quantity quantity)
     return quantity == Quantity::FormulaRay || quantity == Quantity::MatrixRay || quantity == Quantity::Uncertainty;
 }
 
-const std::vector<NamedConvention> &namedConventions()
-{
-    static const std::vector<NamedConvention> all = allConventions();
-    return all;
-}
-
 std::string noCloudsText()
 {
     return text::tr("the points of clouds are left out; maps are of surfaces");
-}
-
-const NamedConvention *conventionNamed(std::string_view key)
-{
-    const std::vector<NamedConvention> &all = namedConventions();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [key](const NamedConvention &one) { return one.key == key; });
-    return found != all.end() ? &*found : nullptr;
 }
 
 void RowPixels::read(const SurfaceImage &surfaces, int row)
@@ -411,7 +297,7 @@ Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unproje
         return shared.error();
     const Picture &picture = unprojector.picture();
     PixelMap map = emptyMap(picture);
-    if (!setRows(map, allRows(picture), question, *shared, picture, surfaces, progress))
+    if (!setRows(map, allRows(picture), question, *shared, surfaces, progress))
         return std::optional<PixelMap>();
     return std::optional(std::move(map));
 }
@@ -439,7 +325,7 @@ Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unproje
             };
         };
         const std::optional<SurfaceImage> surfaces = source.of(rowsRead(question, picture, rows), partFrom(0.0));
-        if (!surfaces || !setRows(map, rows, question, *shared, picture, *surfaces, partFrom(0.5)))
+        if (!surfaces || !setRows(map, rows, question, *shared, *surfaces, partFrom(0.5)))
             return std::optional<PixelMap>();
     }
     return std::optional(std::move(map));

@@ -36,15 +36,21 @@ enum class Unit {
     Ulps ///< the spacing of doubles at the largest coordinate of the formulas' point
 };
 
-/// Who answers otherwise: a program, or a mistake by the name that it has in core/doctor.
-using Other = std::variant<OtherProgram, Conventions>;
+/// A program with one mistake of core/doctor.
+struct MistakeMade {
+    std::string_view id;
+    std::size_t way = 0; ///< its place among the ways that doctor::variants has of it
+};
 
-/// A convention that a map can show, by its name.
+/// Who answers otherwise: a program, a program with a mistake, or this one by another method.
+using Other = std::variant<OtherProgram, MistakeMade, Method>;
+
+/// A program or a mistake that a map can show, by its name.
 struct NamedConvention {
     std::string_view key;
     Other other;
 };
-/// The programs first, then the mistakes.
+/// The programs first, then the mistakes by their ids.
 const std::vector<NamedConvention> &namedConventions();
 const NamedConvention *conventionNamed(std::string_view key);
 
@@ -78,7 +84,7 @@ struct PixelMap {
 /// @param surfaces  of this picture
 /// @param objects   of the scene whose surfaces they are; empty where only a depth was given
 /// @param progress  with the share done, on the calling thread; may be empty
-/// @return nothing when progress says stop; the errors of ClickBatch::of, Unprojector::of and, for the uncertainty,
+/// @return nothing when progress says stop; the errors of ClickBatch::of, doctor::Given::of and, for the uncertainty,
 ///         byParameters(Picture). Throws std::bad_alloc.
 /// @pre surfaces.isMet() where needsRays
 Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unprojector &unprojector,

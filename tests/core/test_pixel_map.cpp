@@ -86,6 +86,9 @@ private slots:
     void theUncertaintyIsThatOfAClick();
     void programsReadTheRowThatTheyRead();
     void mistakes();
+    void mistakesOfThePixel_data();
+    void mistakesOfThePixel();
+    void singlePrecisionAndAngles();
     void aDepthEverywhere();
     void bandsGiveTheWhole_data();
     void bandsGiveTheWhole();
@@ -239,7 +242,7 @@ void TestPixelMap::programsReadTheRowThatTheyRead()
 void TestPixelMap::mistakes()
 {
     const Shown shown;
-    const PixelMap none = shown.map({Quantity::Displacement, Unit::World, Conventions{}});
+    const PixelMap none = shown.map({Quantity::Displacement, Unit::World, MistakeMade{}});
     const PixelMap methods = shown.map({Quantity::FormulaMatrix, Unit::World, {}});
     const PixelMap corner = shown.map({Quantity::Displacement, Unit::World, conventionNamed("pixel-corner")->other});
     const PixelMap open3d = shown.map({Quantity::Displacement, Unit::World, conventionNamed("open3d")->other});
@@ -257,6 +260,54 @@ void TestPixelMap::mistakes()
     for (const NamedConvention &convention : namedConventions())
         QCOMPARE(conventionNamed(convention.key), &convention);
     QVERIFY(conventionNamed("blender") == nullptr);
+}
+
+void TestPixelMap::mistakesOfThePixel_data()
+{
+    QTest::addColumn<double>("x");
+    QTest::addColumn<double>("y");
+    // Device pixel (20, 11) of 64 x 48, two to a logical one: logical pixel (10, 5) of 32 x 24; the viewport's height is 36.
+    QTest::newRow("y-not-flipped") << 20.5 << 11.5;
+    QTest::newRow("flipped-with-viewport-height") << 20.5 << 24.5;
+    QTest::newRow("row-above") << 20.5 << 37.5;
+    QTest::newRow("pixel-corner") << 20.0 << 37.0;
+    QTest::newRow("ratio-logical-in-device") << 10.5 << 42.5;
+    QTest::newRow("ratio-logical-both") << 10.5 << 18.5;
+}
+
+/// Where in the window the other program looks.
+void TestPixelMap::mistakesOfThePixel()
+{
+    QFETCH(double, x);
+    QFETCH(double, y);
+    Picture picture = pictureWith(kPerspective);
+    picture.surface.devicePixelRatio = 2.0;
+    const Unprojector unprojector = Unprojector::of(picture).value();
+    const Other other = conventionNamed(QTest::currentDataTag())->other;
+    const auto map =
+        pixelMap({Quantity::Displacement, Unit::World, other}, unprojector, surfacesAt(picture, 0.5), {}, {});
+    const WorldPoint right =
+        *unprojector.worldAt(Method::Formula, windowFromDevice(picture.surface, pixelCenter({20, 11}), 0.5));
+    const WorldPoint wrong = *unprojector.worldAt(Method::Matrix, WindowPoint(x, y, 0.5));
+    QVERIFY(map && *map);
+    QVERIFY(isClose((*map)->at({20, 11}), distance(right, wrong), 1e-6));
+}
+
+void TestPixelMap::singlePrecisionAndAngles()
+{
+    const Shown shown;
+    const PixelMap floats =
+        shown.map({Quantity::Displacement, Unit::World, conventionNamed("single-precision")->other});
+    const Shown frustum(pictureWith(Projection(Frustum{-0.5, 0.5, -0.4, 0.4, 1.0, 20.0})));
+    const PixelMap angle = frustum.map({Quantity::Displacement, Unit::World, conventionNamed("fov-horizontal")->other});
+    shown.forEachPixel([&](const DevicePixel &pixel, std::size_t) {
+        if (!std::isnan(floats.at(pixel))) {
+            const Unprojected click = shown.unprojector.at(shown.window(pixel));
+            const double off = distance(*click.world[Method::Formula], *click.world[Method::MatrixInFloat]);
+            QVERIFY(isClose(floats.at(pixel), off, 1e-6));
+        }
+        QVERIFY(!(angle.at(pixel) > 0.0F)); // a frustum has none that could be misread
+    });
 }
 
 void TestPixelMap::aDepthEverywhere()

@@ -1,0 +1,160 @@
+#include "core/maps/other_points.h"
+
+#include "core/doctor/mistakes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace unprojector::maps {
+namespace {
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// The mistakes that a map can show.
+constexpr MistakeMade kMistakes[] = {{"y-not-flipped"},
+                                     {"flipped-with-viewport-height"},
+                                     {"row-above"},
+                                     {"pixel-corner", 1}, // the upper left one
+                                     {"ratio-logical-in-device"},
+                                     {"ratio-logical-both"},
+                                     {"viewport-origin-ignored"},
+                                     {"viewport-is-window"},
+                                     {"depth-not-remapped"},
+                                     {"depth-remapped-twice"},
+                                     {"depth-reversed"},
+                                     {"fov-degrees-as-radians"},
+                                     {"fov-horizontal"},
+                                     {"projection-transposed"},
+                                     {"view-transposed"},
+                                     {"both-transposed"},
+                                     {"product-transposed"},
+                                     {"inverse-order"},
+                                     {"not-inverted"},
+                                     {"view-inverse-as-view"},
+                                     {"no-w-divide"},
+                                     {"model-left-in"}};
+
+/// What the depth buffer holds: on the background what it was cleared to; outside the window nobody knows.
+double depthIn(const SurfaceImage &surfaces, const Picture &picture, const DevicePixel &pixel)
+{
+    if (pixel.i < 0 || pixel.i >= surfaces.widthPixels || !surfaces.has(pixel.j))
+        return kNoNumber;
+    const double depth = surfaces.depths[surfaces.place(pixel.i, pixel.j)];
+    return std::isnan(depth) ? picture.depthRange.atFar : depth;
+}
+
+/// The click's logical pixel, a whole one as toolkits tell it, taken for a device pixel. The doctor divides by the ratio
+/// instead: the wrong point says nothing of where in the pixel the hand was.
+/// @param variant  parameter: whether the height is in logical pixels too
+void takeLogicalPixel(doctor::Run &run, const doctor::Variant &variant)
+{
+    const Surface &surface = run.given.surface;
+    const Surface logical{logicalFromDevice(surface, surface.widthPixels),
+                          logicalFromDevice(surface, surface.heightPixels), 1.0};
+    const Result<DevicePixel> pixel =
+        devicePixelFromWidget(logical, widgetFromDevice(surface, DevicePoint(run.position)));
+    run.isLost = !pixel;
+    if (pixel)
+        run.position = pixelCenter(*pixel).coordinates();
+    if (variant.parameter != 0.0)
+        run.flipHeight = logical.heightPixels;
+}
+
+/// The ways to make a mistake on an object: one, or none where the picture leaves none.
+std::vector<doctor::Variant> variantsOf(const MistakeMade &made, const doctor::Given &given, const Picture &picture,
+                                        const glm::dmat4 &worldFromObject)
+{
+    const bool isBoth = made.id == "ratio-logical-both";
+    if (isBoth || made.id == "ratio-logical-in-device")
+        return {{0, doctor::Stage::Pixel, takeLogicalPixel, isBoth ? 1.0 : 0.0, 0.0, glm::dmat4(1.0), {}}};
+    // A frustum and a matrix have no angle that could be misread.
+    const auto *projection = std::get_if<Projection>(&picture.lens);
+    if (made.id.starts_with("fov-") && !(projection && kindOf(*projection) == ProjectionKind::Perspective))
+        return {};
+    doctor::Case scene;
+    scene.picture = picture;
+    scene.models = {{{}, worldFromObject}};
+    std::vector<doctor::Variant> all = doctor::variants(given, scene);
+    std::erase_if(all, [&](const auto &variant) { return doctor::mistakes()[variant.mistake].id != made.id; });
+    return all.size() > made.way ? std::vector{all[made.way]} : std::vector<doctor::Variant>();
+}
+
+Result<OtherPoints> pointsWith(const MistakeMade &made, const Picture &picture,
+                               std::span<const ray::SceneObject> objects)
+{
+    const Result<doctor::Given> given = doctor::Given::of(picture);
+    if (!given)
+        return given.error();
+    std::vector<std::vector<doctor::Variant>> variants; // one list an object
+    for (const ray::SceneObject &object : objects)
+        variants.push_back(variantsOf(made, *given, picture, scene::worldFromObject(object.transform)));
+    if (objects.empty())
+        variants.push_back(variantsOf(made, *given, picture, glm::dmat4(1.0)));
+    return OtherPoints(
+        [given = *given, variants](const RowPixels &pixels, const SurfaceImage &surfaces, PointArrays &points) {
+            points.resize(pixels.pixels.size());
+            for (std::size_t k = 0; k < pixels.pixels.size(); ++k) {
+                doctor::Click click;
+                click.pixel = DevicePoint(pixels.elements.px[k], pixels.elements.py[k]);
+                click.depth = pixels.elements.depth[k];
+                const std::size_t object = variants.size() > 1 ? surfaces.objects[pixels.places[k]] : 0;
+                const doctor::Variant *const first = variants[object].data();
+                const glm::dvec3 point =
+                    doctor::answer(given, click, {&first, variants[object].size()}).value_or(glm::dvec3(kNoNumber));
+                points.x[k] = point.x;
+                points.y[k] = point.y;
+                points.z[k] = point.z;
+            }
+        });
+}
+
+} // namespace
+
+const std::vector<NamedConvention> &namedConventions()
+{
+    static const std::vector<NamedConvention> all = [] {
+        std::vector<NamedConvention> named;
+        for (const OtherProgram program : kOtherPrograms)
+            named.push_back({keyOf(program), program});
+        for (const MistakeMade &mistake : kMistakes)
+            named.push_back({mistake.id, mistake});
+        named.push_back({"single-precision", Method::MatrixInFloat});
+        return named;
+    }();
+    return all;
+}
+
+const NamedConvention *conventionNamed(std::string_view key)
+{
+    const std::vector<NamedConvention> &all = namedConventions();
+    const auto found =
+        std::find_if(all.begin(), all.end(), [key](const NamedConvention &one) { return one.key == key; });
+    return found != all.end() ? &*found : nullptr;
+}
+
+Result<OtherPoints> otherPoints(const Other &other, const Picture &picture, std::span<const ray::SceneObject> objects)
+{
+    if (const auto *made = std::get_if<MistakeMade>(&other))
+        return pointsWith(*made, picture, objects);
+    const auto *method = std::get_if<Method>(&other);
+    const Result<ClickBatch> batch = ClickBatch::of(method ? *method : Method::Matrix, picture, {});
+    if (!batch)
+        return batch.error();
+    if (method)
+        return OtherPoints([batch = *batch](const RowPixels &pixels, const SurfaceImage &, PointArrays &points) {
+            pixels.elements.unproject(batch, points);
+        });
+    return OtherPoints([program = std::get<OtherProgram>(other), batch = *batch,
+                        picture](const RowPixels &pixels, const SurfaceImage &surfaces, PointArrays &points) {
+        ElementArrays elements;
+        for (const DevicePixel &pixel : pixels.pixels) {
+            const OtherClick click = clickOf(program, picture, pixel);
+            elements.add(click.position, depthIn(surfaces, picture, click.depthFrom));
+        }
+        elements.unproject(batch, points);
+    });
+}
+
+} // namespace unprojector::maps
