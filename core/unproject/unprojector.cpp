@@ -1,72 +1,12 @@
 #include "core/unproject/unprojector.h"
 
-#include "core/geometry/condition_number.h"
 #include "core/geometry/finite.h"
 #include "core/geometry/view_matrix.h"
 #include "core/unproject/closed_form.h"
 
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
-
-#include <cmath>
 #include <utility>
 
 namespace unprojector::unproject {
-namespace {
-
-Result<glm::dmat4> projectionTaken(const Picture &picture, const Conventions &conventions)
-{
-    using Transposed = Conventions::Transposed;
-    const Result<glm::dmat4> projection = clipFromEye(picture);
-    if (projection && (conventions.transposed == Transposed::Projection || conventions.transposed == Transposed::Both))
-        return glm::transpose(*projection);
-    return projection;
-}
-
-Result<glm::dmat4> viewTaken(const Picture &picture, const Conventions &conventions)
-{
-    using Transposed = Conventions::Transposed;
-    const Result<glm::dmat4> view = eyeFromWorld(picture);
-    if (!view)
-        return view;
-    glm::dmat4 taken = *view;
-    if (conventions.inverse == Conventions::Inverse::ViewInvertedTwice)
-        taken = glm::inverse(taken);
-    if (conventions.transposed == Transposed::View || conventions.transposed == Transposed::Both)
-        taken = glm::transpose(taken);
-    return taken;
-}
-
-/// The matrix whose inverse a program with these conventions applies to clip space for world coordinates.
-Result<glm::dmat4> clipFromWorldTaken(const Picture &picture, const Conventions &conventions)
-{
-    const Result<glm::dmat4> projection = projectionTaken(picture, conventions);
-    if (!projection)
-        return projection;
-    const Result<glm::dmat4> view = viewTaken(picture, conventions);
-    if (!view)
-        return view;
-    // inverse(P) inverse(V) is the inverse of V P.
-    const bool isTurnedRound = conventions.order == Conventions::Order::InversesInTheOrderOfTheFactors;
-    glm::dmat4 product = isTurnedRound ? *view * *projection : *projection * *view;
-    if (conventions.transposed == Conventions::Transposed::Product)
-        product = glm::transpose(product);
-    if (conventions.inverse == Conventions::Inverse::Forgotten)
-        return glm::inverse(product);
-    return product;
-}
-
-std::optional<glm::dmat4> modelTaken(const Conventions &conventions, const glm::dmat4 &worldFromObject)
-{
-    switch (conventions.model) {
-    case Conventions::Model::Apart: break;
-    case Conventions::Model::LeftIn: return glm::inverse(worldFromObject);
-    case Conventions::Model::AppliedAgain: return worldFromObject;
-    }
-    return std::nullopt;
-}
-
-} // namespace
 
 template <class Space>
 Unprojector::Inverses<Space> Unprojector::Inverses<Space>::of(const Result<glm::dmat4> &clipFromSpace,
@@ -80,28 +20,17 @@ Unprojector::Inverses<Space> Unprojector::Inverses<Space>::of(const Result<glm::
 }
 
 template <class Space>
-Result<Point<Space>> Unprojector::Inverses<Space>::at(Method method, const Conventions &conventions,
-                                                      const WindowPoint &window) const
+Result<Point<Space>> Unprojector::Inverses<Space>::at(Method method, const WindowPoint &window) const
 {
     const auto by = [&](const auto &inverse) -> Result<Point<Space>> {
-        if (!inverse)
-            return inverse.error();
-        if (conventions.w == Conventions::W::Divided)
-            return inverse->at(window);
-        const auto homogeneous = inverse->homogeneousAt(window);
-        if (!homogeneous)
-            return homogeneous.error();
-        return Point<Space>(homogeneous->x, homogeneous->y, homogeneous->z);
+        return inverse ? inverse->at(window) : inverse.error();
     };
-    const bool isFloat = method == Method::MatrixInFloat || conventions.singlePrecision;
-    return isFloat ? by(inFloat) : by(inDouble);
+    return method == Method::MatrixInFloat ? by(inFloat) : by(inDouble);
 }
 
-Unprojector::Unprojector(const Picture &picture, const Conventions &conventions, const glm::dmat4 &worldFromObject)
-    : m_asTaken(picture), m_picture(misread(picture, conventions)), m_conventions(conventions),
-      m_model(modelTaken(conventions, worldFromObject)),
-      m_eye(Inverses<EyeSpace>::of(projectionTaken(m_picture, conventions), m_picture)),
-      m_world(Inverses<WorldSpace>::of(clipFromWorldTaken(m_picture, conventions), m_picture))
+Unprojector::Unprojector(const Picture &picture)
+    : m_picture(picture), m_eye(Inverses<EyeSpace>::of(clipFromEye(picture), picture)),
+      m_world(Inverses<WorldSpace>::of(clipFromWorld(picture), picture))
 {
     if (const auto *camera = std::get_if<LookAt>(&m_picture.pose)) {
         if (const Result<PreciseEyeFrame> frame = preciseEyeFrame(*camera))
@@ -109,17 +38,19 @@ Unprojector::Unprojector(const Picture &picture, const Conventions &conventions,
     }
 }
 
-Result<Unprojector> Unprojector::of(const Picture &picture, const Conventions &conventions,
-                                    const glm::dmat4 &worldFromObject)
+Result<Unprojector> Unprojector::of(const Picture &picture)
 {
     if (const Check valid = check(picture); !valid)
         return valid.error();
-    return Unprojector(picture, conventions, worldFromObject);
+    return Unprojector(picture);
 }
 
 Result<WindowPoint> Unprojector::windowAt(const WidgetPoint &widget, double depth) const
 {
-    return windowOfClick(m_asTaken, m_conventions, widget, depth);
+    const Result<DevicePixel> pixel = devicePixelFromWidget(m_picture.surface, widget);
+    if (!pixel)
+        return pixel.error();
+    return windowFromDevice(m_picture.surface, pixelCenter(*pixel), depth);
 }
 
 Result<PrecisePoint<EyeSpace>> Unprojector::preciseEyeAt(const WindowPoint &window) const
@@ -135,13 +66,6 @@ Result<WorldPoint> Unprojector::worldByFormula(const Result<PrecisePoint<EyeSpac
         return eye.error();
     const Result<WorldPoint> world = m_frame ? Result<WorldPoint>(worldFromEye(*m_frame, *eye))
                                              : worldFromEye(std::get<glm::dmat4>(m_picture.pose), *eye);
-    return withModel(world);
-}
-
-Result<WorldPoint> Unprojector::withModel(Result<WorldPoint> world) const
-{
-    if (world && m_model)
-        world = WorldPoint(glm::dvec3(*m_model * glm::dvec4(world->coordinates(), 1.0)));
     if (world && !isFinite(*world))
         return Error{ErrorCode::PointAtInfinity};
     return world;
@@ -150,7 +74,7 @@ Result<WorldPoint> Unprojector::withModel(Result<WorldPoint> world) const
 Result<EyePoint> Unprojector::eyeAt(Method method, const WindowPoint &window) const
 {
     if (method != Method::Formula)
-        return m_eye.at(method, m_conventions, window);
+        return m_eye.at(method, window);
     const Result<PrecisePoint<EyeSpace>> eye = preciseEyeAt(window);
     if (!eye)
         return eye.error();
@@ -160,7 +84,7 @@ Result<EyePoint> Unprojector::eyeAt(Method method, const WindowPoint &window) co
 Result<WorldPoint> Unprojector::worldAt(Method method, const WindowPoint &window) const
 {
     if (method != Method::Formula)
-        return withModel(m_world.at(method, m_conventions, window));
+        return m_world.at(method, window);
     return worldByFormula(preciseEyeAt(window));
 }
 

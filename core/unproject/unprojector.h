@@ -2,7 +2,6 @@
 
 #include "core/geometry/picture.h"
 #include "core/unproject/answers.h"
-#include "core/unproject/conventions.h"
 #include "core/unproject/matrix_inverse.h"
 
 #include <glm/mat4x4.hpp>
@@ -21,14 +20,11 @@ using namespace geometry;
 /// inverse of clipFromWorld.
 class Unprojector {
 public:
-    /// @param conventions      other than the default: as a program with these mistakes computes it
-    /// @param worldFromObject  of the object that was hit; only Conventions::model asks for it
     /// @return the errors of check(picture). What only one method cannot do (a matrix without an inverse, a matrix that
     ///         is no known projection) that method says for each point
-    static Result<Unprojector> of(const Picture &picture, const Conventions &conventions = {},
-                                  const glm::dmat4 &worldFromObject = glm::dmat4(1.0));
+    static Result<Unprojector> of(const Picture &picture);
 
-    const Picture &picture() const { return m_asTaken; }
+    const Picture &picture() const { return m_picture; }
 
     /// A window position by every method.
     Unprojected at(const WindowPoint &window) const;
@@ -42,7 +38,7 @@ public:
     Result<WindowPoint> windowAt(const WidgetPoint &widget, double depth) const;
 
 private:
-    Unprojector(const Picture &picture, const Conventions &conventions, const glm::dmat4 &worldFromObject);
+    explicit Unprojector(const Picture &picture);
 
     Result<PrecisePoint<EyeSpace>> preciseEyeAt(const WindowPoint &window) const;
     Result<WorldPoint> worldByFormula(const Result<PrecisePoint<EyeSpace>> &eye) const;
@@ -52,14 +48,10 @@ private:
         Result<MatrixInverse<Space, float>> inFloat;
 
         static Inverses of(const Result<glm::dmat4> &clipFromSpace, const Picture &picture);
-        Result<Point<Space>> at(Method method, const Conventions &conventions, const WindowPoint &window) const;
+        Result<Point<Space>> at(Method method, const WindowPoint &window) const;
     };
-    Result<WorldPoint> withModel(Result<WorldPoint> world) const;
 
-    Picture m_asTaken;
-    Picture m_picture; ///< as the conventions have it
-    Conventions m_conventions;
-    std::optional<glm::dmat4> m_model;      ///< what the conventions put in
+    Picture m_picture;
     std::optional<PreciseEyeFrame> m_frame; ///< of a pose by parameters
     Inverses<EyeSpace> m_eye;
     Inverses<WorldSpace> m_world;

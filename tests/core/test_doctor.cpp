@@ -98,8 +98,6 @@ private slots:
     void aPowerOfTenGivesNoDigits();
     void everyMistakeHasItsIdOnce();
     void everyMistakeAndWayIsWordedInBothLanguages();
-    void conventionsAnswerTheSame_data();
-    void conventionsAnswerTheSame();
     void badInputIsRefused();
 };
 
@@ -529,67 +527,6 @@ void TestDoctor::everyMistakeAndWayIsWordedInBothLanguages()
     QCOMPARE(waysText({{text::marked("ratio %1"), "1.5"}, {text::marked("x only")}}),
              std::string("像素比 1.5；只有 x"));
     text::setLanguage(text::Language::English);
-}
-
-Q_DECLARE_METATYPE(unprojector::unproject::Conventions)
-
-/// Mistakes that are values of Conventions as well give the same points there.
-void TestDoctor::conventionsAnswerTheSame_data()
-{
-    using unproject::Conventions;
-    QTest::addColumn<QString>("id");
-    QTest::addColumn<Conventions>("conventions");
-    const auto row = [](const char *id, auto change) {
-        Conventions conventions;
-        change(conventions);
-        QTest::newRow(id) << QString(id) << conventions;
-    };
-    row("y-not-flipped", [](auto &c) { c.flip = Conventions::Flip::Left; });
-    row("flipped-with-viewport-height", [](auto &c) { c.flip = Conventions::Flip::ByViewportHeight; });
-    row("row-above", [](auto &c) { c.pixelPart = Conventions::PixelPart::RowAbove; });
-    row("viewport-origin-ignored", [](auto &c) { c.viewportOffset = Conventions::ViewportOffset::Forgotten; });
-    row("viewport-is-window", [](auto &c) { c.viewportOffset = Conventions::ViewportOffset::WholeWindow; });
-    row("depth-not-remapped", [](auto &c) { c.ndcDepth = Conventions::NdcDepthTaken::AsItIs; });
-    row("depth-remapped-twice", [](auto &c) { c.ndcDepth = Conventions::NdcDepthTaken::Stretched; });
-    row("depth-reversed", [](auto &c) { c.reversed = true; });
-    row("fov-degrees-as-radians", [](auto &c) { c.angleUnit = Conventions::AngleUnit::DegreesTakenForRadians; });
-    row("fov-horizontal", [](auto &c) { c.fovAxis = Conventions::FovAxis::VerticalTakenForHorizontal; });
-    row("view-transposed", [](auto &c) { c.transposed = Conventions::Transposed::View; });
-    row("projection-transposed", [](auto &c) { c.transposed = Conventions::Transposed::Projection; });
-    row("both-transposed", [](auto &c) { c.transposed = Conventions::Transposed::Both; });
-    row("product-transposed", [](auto &c) { c.transposed = Conventions::Transposed::Product; });
-    row("inverse-order", [](auto &c) { c.order = Conventions::Order::InversesInTheOrderOfTheFactors; });
-    row("not-inverted", [](auto &c) { c.inverse = Conventions::Inverse::Forgotten; });
-    row("view-inverse-as-view", [](auto &c) { c.inverse = Conventions::Inverse::ViewInvertedTwice; });
-    row("no-w-divide", [](auto &c) { c.w = Conventions::W::Ignored; });
-    row("model-left-in", [](auto &c) { c.model = Conventions::Model::LeftIn; });
-    row("model-left-out", [](auto &c) { c.model = Conventions::Model::AppliedAgain; });
-}
-
-void TestDoctor::conventionsAnswerTheSame()
-{
-    QFETCH(QString, id);
-    QFETCH(unproject::Conventions, conventions);
-    const Case of = scene();
-    const Given given = Given::of(of.picture).value();
-    Click click;
-    click.pixel = DevicePoint(612.5, 301.5);
-    click.depth = 0.83;
-    setRightEye(given, click);
-    const auto prepared =
-        unproject::Unprojector::of(of.picture, conventions, of.models.front().worldFromObject).value();
-    const WindowPoint window =
-        unproject::windowOfClick(of.picture, conventions, WidgetPoint(612.5, 301.5), 0.83).value();
-    const WorldPoint expected = prepared.worldAt(unproject::Method::Matrix, window).value();
-    double closest = 1e300;
-    for (const Variant &variant : variants(given, of)) {
-        if (mistakes()[variant.mistake].id != id.toStdString())
-            continue;
-        const Variant *const list[] = {&variant};
-        if (const auto point = answer(given, click, list))
-            closest = std::min(closest, glm::distance(*point, expected.coordinates()));
-    }
-    QVERIFY2(closest < 1e-9, qPrintable(QString::number(closest)));
 }
 
 void TestDoctor::badInputIsRefused()
