@@ -9,7 +9,7 @@ namespace unprojector::text {
 /// A mistake in the syntax of a JSON text.
 struct JsonMistake {
     std::size_t at = 0; ///< bytes before it
-    std::string text;   ///< `"b" stands where "," or "}" is expected`, as tr() says it
+    std::string text;   ///< `"b" stands where "," or "}" is expected`, in the language that is set
 };
 
 /// What the JSON library's parser stops at. Its own sentence only tells which kind of mistake it is.

@@ -2,10 +2,10 @@
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
+#include "gui/landmarks/point_loupe.h"
 #include "gui/map/map_colors.h"
 #include "gui/map/map_overlay.h"
 #include "gui/map/map_panel.h"
-#include "gui/landmarks/point_loupe.h"
 #include "gui/view/scene_view.h"
 #include "tests/gui/job_faults.h"
 #include "tests/gui/window_user.h"
