@@ -4,7 +4,7 @@
 
 namespace unprojector::unproject {
 
-Pick withSurface(Pick pick, const DrawnSurface &surface)
+Pick refined(Pick pick, const DrawnSurface &surface)
 {
     const Result<EyePoint> &eye = pick.point.eye[Method::Formula];
     const Result<WorldPoint> &world = pick.point.world[Method::Formula];
@@ -21,23 +21,16 @@ Pick withSurface(Pick pick, const DrawnSurface &surface)
     return pick;
 }
 
-Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position, const DepthSample &sample,
-                    const DrawnSurface &surface)
+Result<Pick> pickAt(const Unprojector &unprojector, const PixelClick &click, const SurfaceAt &surfaceAt)
 {
     const Picture &picture = unprojector.picture();
-    const Result<DevicePixel> pixel = devicePixelFromWidget(picture.surface, position);
-    if (!pixel)
-        return pixel.error();
-    const Result<WindowPoint> clicked = unprojector.windowAt(position, sample.depth);
-    if (!clicked)
-        return clicked.error();
-    const WindowPoint window = *clicked;
+    const WindowPoint window = windowFromDevice(picture.surface, pixelCenter(click.pixel), click.sample.depth);
     const auto windowAt = [&](double depth) { return WindowPoint(window.x, window.y, depth); };
 
-    Pick pick{position,
-              *pixel,
+    Pick pick{click.position,
+              click.pixel,
               window,
-              sample.object,
+              click.sample.object,
               picture,
               unprojector.at(window),
               {},
@@ -45,10 +38,12 @@ Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position,
               {},
               unprojector.at(windowAt(picture.depthRange.atNear)),
               unprojector.at(windowAt(picture.depthRange.atFar)),
-              sample};
+              click.sample};
     if (const Result<EyePoint> &eye = pick.point.eye[Method::Formula]; pick.hit() && !eye)
         return eye.error();
-    return withSurface(std::move(pick), surface);
+    const Result<WorldPoint> &world = pick.point.world[Method::Formula];
+    const DrawnSurface surface = pick.hit() && world && surfaceAt ? surfaceAt(*world) : DrawnSurface{};
+    return refined(std::move(pick), surface);
 }
 
 } // namespace unprojector::unproject

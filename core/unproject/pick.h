@@ -5,9 +5,17 @@
 #include "core/unproject/unprojector.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 
 namespace unprojector::unproject {
+
+/// A click as a view takes it.
+struct PixelClick {
+    WidgetPoint position; ///< logical pixels, origin top-left
+    DevicePixel pixel;    ///< that the position lies in
+    DepthSample sample;   ///< what was read there
+};
 
 /// A click, followed back to the world.
 struct Pick {
@@ -28,15 +36,16 @@ struct Pick {
     bool hit() const { return object.has_value(); }
 };
 
-/// The point under a click: the pixel that the position lies in, its centre, and every method there.
-/// @param unprojector  of the picture that was clicked, by parameters
-/// @param surface  what is known of the surface, for how sure the point is
-/// @return the errors of devicePixelFromWidget; on a hit those of the formulas: DepthOutsideRange, PointAtInfinity
-Result<Pick> pickAt(const Unprojector &unprojector, const WidgetPoint &position, const DepthSample &sample,
-                    const DrawnSurface &surface = {});
+/// Returns what is known of the surface that was drawn at a world point.
+using SurfaceAt = std::function<DrawnSurface(const WorldPoint &)>;
 
-/// The same click when more has become known of its surface: the triangle, once somebody has asked for what its ray meets.
-/// Only how sure the point is changes; of a pick that is no hit nothing does.
-Pick withSurface(Pick pick, const DrawnSurface &surface);
+/// The point under a click: the centre of its pixel, and every method there.
+/// @param unprojector  of the picture that was clicked, by parameters
+/// @param surfaceAt    decides the point's uncertainty; called on a hit; may be empty
+/// @return on a hit the errors of the formulas: DepthOutsideRange, PointAtInfinity
+Result<Pick> pickAt(const Unprojector &unprojector, const PixelClick &click, const SurfaceAt &surfaceAt = {});
+
+/// The same pick with what a ray tells of its surface: the triangle. Changes the uncertainty of a hit, and nothing else.
+Pick refined(Pick pick, const DrawnSurface &surface);
 
 } // namespace unprojector::unproject

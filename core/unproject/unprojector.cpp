@@ -45,14 +45,6 @@ Result<Unprojector> Unprojector::of(const Picture &picture)
     return Unprojector(picture);
 }
 
-Result<WindowPoint> Unprojector::windowAt(const WidgetPoint &widget, double depth) const
-{
-    const Result<DevicePixel> pixel = devicePixelFromWidget(m_picture.surface, widget);
-    if (!pixel)
-        return pixel.error();
-    return windowFromDevice(m_picture.surface, pixelCenter(*pixel), depth);
-}
-
 Result<PrecisePoint<EyeSpace>> Unprojector::preciseEyeAt(const WindowPoint &window) const
 {
     return std::visit(

@@ -32,11 +32,6 @@ public:
     Result<EyePoint> eyeAt(Method method, const WindowPoint &window) const;
     Result<WorldPoint> worldAt(Method method, const WindowPoint &window) const;
 
-    /// The window point that a click stands for: the centre of its pixel, with that depth.
-    /// @param widget  logical pixels, origin top-left
-    /// @return the errors of devicePixelFromWidget
-    Result<WindowPoint> windowAt(const WidgetPoint &widget, double depth) const;
-
 private:
     explicit Unprojector(const Picture &picture);
 

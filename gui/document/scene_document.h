@@ -130,11 +130,11 @@ public:
     void setSurface(const Surface &surface);
 
     /// Unprojects a click or the pointer's position. It is not kept.
-    Result<Pick> unprojected(const WidgetPoint &position, const DepthSample &sample) const;
+    Result<Pick> unprojected(const PixelClick &click) const;
     /// Keeps a click as the pick. Of one that could not be unprojected `pickFailed` tells why, and the last pick stays.
     void setPick(const Result<Pick> &pick);
-    /// unprojected() and setPick().
-    void pickAt(const WidgetPoint &position, const DepthSample &sample) { setPick(unprojected(position, sample)); }
+    /// unprojected() and setPick() of the pixel that a position lies in.
+    void pickAt(const WidgetPoint &position, const DepthSample &sample);
     const KeptPick &keptPick() const { return m_picked; }
     /// Shows an earlier pick again, or none: as if nothing had been picked since.
     /// @param kept  of this scene, with the objects that it has now

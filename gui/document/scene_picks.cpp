@@ -38,14 +38,18 @@ std::optional<double> depthSeen(const ray::SceneRays &rays, const DevicePixel &p
 
 } // namespace
 
-Result<Pick> SceneDocument::unprojected(const WidgetPoint &position, const DepthSample &sample) const
+Result<Pick> SceneDocument::unprojected(const PixelClick &click) const
 {
-    const Result<Pick> pick = unproject::pickAt(*m_unprojector, position, sample);
-    if (pick && pick->object && *pick->object < objects().size()) {
-        if (const Result<WorldPoint> &world = pick->point.world[Method::Formula])
-            return withSurface(*pick, ray::drawnSurface(objects()[*pick->object], *world));
-    }
-    return pick;
+    unproject::SurfaceAt surfaceAt;
+    if (const auto object = click.sample.object; object && *object < objects().size())
+        surfaceAt = [&drawn = objects()[*object]](const WorldPoint &world) { return ray::drawnSurface(drawn, world); };
+    return unproject::pickAt(*m_unprojector, click, surfaceAt);
+}
+
+void SceneDocument::pickAt(const WidgetPoint &position, const DepthSample &sample)
+{
+    const Result<DevicePixel> pixel = devicePixelFromWidget(geometry().surface, position);
+    setPick(pixel ? unprojected({position, *pixel, sample}) : pixel.error());
 }
 
 void SceneDocument::setPick(const Result<Pick> &pick)
@@ -228,9 +232,8 @@ bool SceneDocument::answerRay()
                 ray.met = metPlace(**met, objects);
             // The triangle says how sure the depth's own point is, where it is the one that was drawn.
             const bool isSameObject = *met && ray.met->object && ray.met->object == m_picked.pick->object;
-            const Pick known = isSameObject
-                                   ? withSurface(*m_picked.pick, ray::drawnSurface(objects[(*met)->object], **met))
-                                   : *m_picked.pick;
+            const Pick known = isSameObject ? refined(*m_picked.pick, ray::drawnSurface(objects[(*met)->object], **met))
+                                            : *m_picked.pick;
             ray.comparison = ray::compared(known, *met, isSameObject);
             if (ray.comparison.kind != ray::RayComparison::Kind::OtherPart)
                 m_picked.pick = known;

@@ -53,7 +53,7 @@ std::optional<Landmark> ScenePoints::placedAt(const WidgetPoint &position,
         return met;
     if (!sample)
         return std::nullopt;
-    const Result<Pick> pick = m_document.unprojected(position, *sample);
+    const Result<Pick> pick = m_document.unprojected({position, *pixel, *sample});
     return pick ? of(*pick) : std::nullopt;
 }
 

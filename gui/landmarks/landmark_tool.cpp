@@ -275,7 +275,9 @@ void LandmarkTool::dragAlongAxis(const QPointF &local)
 void LandmarkTool::click(const QPointF &local)
 {
     const WidgetPoint position = m_view.widgetPosition(local);
-    const std::optional<Landmark> there = m_document.points().placedAt(position, m_view.sampleAt(position));
+    const std::optional<PixelClick> click = m_view.clickAt(position);
+    const std::optional<Landmark> there =
+        m_document.points().placedAt(position, click ? std::optional(click->sample) : std::nullopt);
     if (there) {
         static_cast<void>(m_document.points().place(*there));
         return;

@@ -318,16 +318,16 @@ void MainWindow::showPreparing(double share)
     m_preparing->setVisible(m_sincePreparing.hasExpired(kUnnoticedMilliseconds));
 }
 
-void MainWindow::showHover(const WidgetPoint &position, const DepthSample &sample)
+void MainWindow::showHover(const PixelClick &click)
 {
-    m_inspector->setPointer(position);
-    m_map->setPointer(position);
-    const Result<Pick> pick = m_document->unprojected(position, sample);
+    m_inspector->setPointer(click.position);
+    m_map->setPointer(click.position);
+    const Result<Pick> pick = m_document->unprojected(click);
     if (!pick || (pick->hit() && !pick->point.world[Method::Formula])) {
         m_hover->clear();
         return;
     }
-    const QString pixel = tr("pixel (%1, %2)").arg(pick->devicePixel.i).arg(pick->devicePixel.j);
+    const QString pixel = tr("pixel (%1, %2)").arg(click.pixel.i).arg(click.pixel.j);
     if (!pick->hit()) {
         m_hover->setText(tr("background, %1").arg(pixel));
         return;

@@ -205,7 +205,7 @@ private:
 
     void showName();
     void showFailure(const QString &reason);
-    void showHover(const WidgetPoint &position, const DepthSample &sample);
+    void showHover(const PixelClick &click);
     void showCamera();
     void showPreparing(double share);
     void exportMap();

@@ -158,8 +158,8 @@ FrameView::Drawn SceneView::updateFrame()
         return Drawn::Nothing;
     m_isStale = false;
     // What the pointer was to be told of the last picture is read in this one.
-    if (const std::optional<WidgetPoint> dropped = std::exchange(m_requested, std::nullopt); dropped && !m_hovered)
-        m_hovered = dropped;
+    if (const std::optional<PixelClick> dropped = std::exchange(m_requested, std::nullopt); dropped && !m_hovered)
+        m_hovered = dropped->position;
     if (!m_hovered && m_drag == Drag::None) // the pointer rests, and what is under it is another place
         m_hovered = m_pointed;
     const Picture &g = m_document.geometry();
@@ -200,7 +200,7 @@ double SceneView::cornerShiftPixels()
     return shift;
 }
 
-std::optional<DepthSample> SceneView::sampleAt(const WidgetPoint &position)
+std::optional<PixelClick> SceneView::clickAt(const WidgetPoint &position)
 {
     if (!isReady())
         return std::nullopt;
@@ -210,16 +210,15 @@ std::optional<DepthSample> SceneView::sampleAt(const WidgetPoint &position)
     if (updateFrame() != Drawn::Nothing)
         emit happened({LifecycleEvent::Kind::OnDraw, QString(), kObjectCalls, milliseconds(timer)});
     completeFrame();
-    std::optional<DepthSample> sample;
+    std::optional<PixelClick> click;
     if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, position)) {
-        sample = frame().sample(*pixel);
-        if (sample)
-            sample = withDot(*sample);
+        if (const std::optional<DepthSample> sample = frame().sample(*pixel))
+            click = {position, *pixel, withDot(*sample)};
         else
             emit failed(tr("The depth of this pixel could not be read: OpenGL reported an error."));
     }
     doneCurrent();
-    return sample;
+    return click;
 }
 
 void SceneView::setTool(ViewTool &tool)
@@ -309,21 +308,18 @@ void SceneView::onLButtonDown(const WidgetPoint &position)
 {
     QElapsedTimer timer;
     timer.start();
-    const std::optional<DepthSample> sample = sampleAt(position);
-    if (!sample)
+    const std::optional<PixelClick> click = clickAt(position);
+    if (!click)
         return;
-    const Surface &surface = m_document.geometry().surface;
-    if (const Result<DevicePixel> pixel = devicePixelFromWidget(surface, position)) {
-        emit happened({LifecycleEvent::Kind::OnLButtonDown, QStringLiteral("%1, %2").arg(position.x).arg(position.y),
-                       QStringLiteral(
-                           "glReadPixels(%1, %2, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth): depth = %3, object id %4")
-                           .arg(pixel->i)
-                           .arg(framebufferRow(surface, *pixel))
-                           .arg(depthText(sample->depth))
-                           .arg(sample->object ? *sample->object + 1 : 0),
-                       milliseconds(timer)});
-    }
-    const Result<Pick> pick = m_document.unprojected(position, *sample);
+    emit happened(
+        {LifecycleEvent::Kind::OnLButtonDown, QStringLiteral("%1, %2").arg(position.x).arg(position.y),
+         QStringLiteral("glReadPixels(%1, %2, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth): depth = %3, object id %4")
+             .arg(click->pixel.i)
+             .arg(framebufferRow(m_document.geometry().surface, click->pixel))
+             .arg(depthText(click->sample.depth))
+             .arg(click->sample.object ? *click->sample.object + 1 : 0),
+         milliseconds(timer)});
+    const Result<Pick> pick = m_document.unprojected(*click);
     m_pivot = pivotOf(m_document.geometry().camera(), pick);
     m_document.setPick(pick);
 }

@@ -64,8 +64,8 @@ public:
 
     // For the tool.
 
-    /// What is under a position in a picture that is up to date.
-    std::optional<DepthSample> sampleAt(const WidgetPoint &position);
+    /// What is under a position in a picture that is up to date; nothing outside of it, and where OpenGL cannot read it.
+    std::optional<PixelClick> clickAt(const WidgetPoint &position);
     /// The pixels of what has been drawn, the top row first, black outside the view. While the view is painted.
     /// @param wanted  device pixels, origin top-left
     QImage pixelsIn(const QRect &wanted);
@@ -77,7 +77,7 @@ public:
     int cornerWidth() const;
 
 signals:
-    void hovered(const unprojector::geometry::WidgetPoint &position, const unprojector::unproject::DepthSample &sample);
+    void hovered(const unprojector::unproject::PixelClick &click);
     void pointerLeft();
     /// A step of the view's life has been taken; for a log.
     void happened(const unprojector::gui::LifecycleEvent &event);
@@ -156,9 +156,9 @@ private:
     std::set<lessons::Highlight> m_highlights;
     QPointer<QWidget> m_corner;
     std::optional<SnapMark> m_mark;
-    std::optional<WidgetPoint> m_pointed;   ///< what is told of; told again of the next picture
-    std::optional<WidgetPoint> m_hovered;   ///< to be read
-    std::optional<WidgetPoint> m_requested; ///< being read
+    std::optional<WidgetPoint> m_pointed;  ///< what is told of; told again of the next picture
+    std::optional<WidgetPoint> m_hovered;  ///< to be read
+    std::optional<PixelClick> m_requested; ///< being read
     QTimer m_hoverTimer;
 
     ViewTool *m_tool = nullptr;

@@ -164,7 +164,7 @@ void SceneView::requestHover()
     const std::optional<WidgetPoint> position = std::exchange(m_hovered, std::nullopt);
     if (!pixel)
         return;
-    m_requested = position;
+    m_requested = {*position, *pixel, {}};
     makeCurrent();
     frame().request(*pixel);
     doneCurrent();
@@ -183,13 +183,15 @@ void SceneView::takeHover()
         m_hoverTimer.start(kPollMilliseconds);
         return;
     }
-    const WidgetPoint position = *std::exchange(m_requested, std::nullopt);
+    PixelClick click = *std::exchange(m_requested, std::nullopt);
     if (m_isStale) { // the answer is of a picture that is past: the next one is asked
-        m_hovered = m_hovered.value_or(position);
+        m_hovered = m_hovered.value_or(click.position);
         return;
     }
-    if (sample)
-        emit hovered(position, withDot(*sample));
+    if (sample) {
+        click.sample = withDot(*sample);
+        emit hovered(click);
+    }
     requestHover();
 }
 
@@ -201,11 +203,10 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
         mousePressEvent(event);
         return;
     }
-    const WidgetPoint position = widgetPosition(event->position());
-    const std::optional<DepthSample> sample = sampleAt(position);
-    if (!sample || !sample->hit())
+    const std::optional<PixelClick> click = clickAt(widgetPosition(event->position()));
+    if (!click || !click->sample.hit())
         return;
-    const Result<Pick> pick = m_document.unprojected(position, *sample);
+    const Result<Pick> pick = m_document.unprojected(*click);
     m_document.setPick(pick);
     setCamera(m_document, recentered(m_document.geometry(), pivotOf(m_document.geometry().camera(), pick)));
 }
@@ -226,9 +227,8 @@ WorldPoint SceneView::pivotAt(const WidgetPoint &position)
     // read it again.
     if (m_stillPivot && m_stillPosition == position)
         return *m_stillPivot;
-    const std::optional<DepthSample> sample = sampleAt(position);
-    return sample ? pivotOf(m_document.geometry().camera(), m_document.unprojected(position, *sample))
-                  : m_document.geometry().camera().center;
+    const std::optional<PixelClick> click = clickAt(position);
+    return click ? pivotOf(m_document.geometry().camera(), m_document.unprojected(*click)) : m_document.geometry().camera().center;
 }
 
 void SceneView::keepPivot(const WidgetPoint &position, const WorldPoint &pivot)

@@ -15,11 +15,11 @@ namespace unprojector::gui {
 
 void showViewMenu(SceneView &view, SceneDocument &document, const WidgetPoint &position, const QPoint &global)
 {
-    const std::optional<DepthSample> sample = view.sampleAt(position);
+    const std::optional<PixelClick> click = view.clickAt(position);
     std::optional<WorldPoint> surface;
-    if (sample && sample->hit())
-        surface = pivotOf(document.geometry().camera(), document.unprojected(position, *sample));
-    const std::optional<std::size_t> object = sample ? sample->object : std::nullopt;
+    if (click && click->sample.hit())
+        surface = pivotOf(document.geometry().camera(), document.unprojected(*click));
+    const std::optional<std::size_t> object = click ? click->sample.object : std::nullopt;
 
     auto *menu = new QMenu(&view);
     menu->setObjectName(QStringLiteral("viewMenu"));
@@ -34,7 +34,7 @@ void showViewMenu(SceneView &view, SceneDocument &document, const WidgetPoint &p
         action->setEnabled(isEnabled);
     };
     add("pickHere", SceneView::tr("Pick Here"), Qt::Key_Return,
-        SceneView::tr("Read the world coordinate of this pixel"), sample.has_value(),
+        SceneView::tr("Read the world coordinate of this pixel"), click.has_value(),
         [&view, position] { view.pickAt(position); });
     const bool isPrepared = document.snap() == ray::Snap::Surface || document.rays();
     add("copyPoint", SceneView::tr("Pick and Copy Point"), {},

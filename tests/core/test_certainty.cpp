@@ -329,15 +329,15 @@ InsideShare clicked(const Picture &picture, const glm::dvec3 &origin, const Rast
     InsideShare inside;
     for (int i = 0; i < count; ++i) {
         const Clicks::Click click = clicks.next(thinness);
-        const WidgetPoint widget(click.pixel.i, click.pixel.j);
-        const WindowPoint centre = unprojector.windowAt(widget, 0.5).value();
+        const WindowPoint centre = windowFromDevice(picture.surface, pixelCenter(click.pixel), 0.5);
         const Rasteriser::Drawn drawn =
             rasteriser.depthAt(picture, clipFromVertices, click.vertices, {centre.x, centre.y});
         const auto [lowest, highest] = std::minmax(picture.depthRange.atNear, picture.depthRange.atFar);
         if (!drawn.covers || !(drawn.depth >= lowest && drawn.depth <= highest))
             continue;
         const DepthSample sample{drawn.depth, 0, rasteriser.format, {}, rasteriser.isOnGrid ? kCornerShiftPixels : 0.0};
-        const Pick pick = unproject::pickAt(unprojector, widget, sample, {worldFromVertices, click.vertices}).value();
+        const Pick pick = refined(unproject::pickAt(unprojector, {{}, click.pixel, sample}).value(),
+                                  {worldFromVertices, click.vertices});
         const glm::dvec3 off = onPlane(pick, click.world) - pick.point.world[Method::Formula]->coordinates();
         // What the plane's own arithmetic in double is off here.
         constexpr double kArithmetic = 1e-14;
@@ -394,7 +394,7 @@ void TestCertainty::aPointOfACloudLiesInItsPixel()
     DrawnSurface cloud;
     cloud.isPoint = true;
     const DepthSample sample{0.8, 0};
-    const Pick pick = unproject::pickAt(unprojector, WidgetPoint(123.0, 456.0), sample, cloud).value();
+    const Pick pick = refined(unproject::pickAt(unprojector, {{}, {123, 456}, sample}).value(), cloud);
     for (const double x : {-0.5, 0.5}) {
         for (const double y : {-0.5, 0.5}) {
             const WindowPoint corner(pick.window.x + x, pick.window.y + y, pick.window.z);
@@ -404,7 +404,7 @@ void TestCertainty::aPointOfACloudLiesInItsPixel()
         }
     }
     // A surface's point is that of the centre.
-    const Pick surface = unproject::pickAt(unprojector, WidgetPoint(123.0, 456.0), sample).value();
+    const Pick surface = unproject::pickAt(unprojector, {{}, {123, 456}, sample}).value();
     QVERIFY(length(surface.uncertainty.world) < 0.1 * length(pick.uncertainty.world));
 }
 
@@ -414,16 +414,22 @@ void TestCertainty::moreKnownOfTheSurfaceChangesOnlyTheCertainty()
     const DepthSample sample{0.8, 0};
     DrawnSurface surface;
     surface.triangle = Triangle{glm::dvec3(-1.0, 0.0, 0.0), glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.5)};
-    const Pick before = unproject::pickAt(unprojector, WidgetPoint(123.0, 456.0), sample).value();
-    const Pick at = unproject::pickAt(unprojector, WidgetPoint(123.0, 456.0), sample, surface).value();
-    const Pick later = withSurface(before, surface);
+    const Pick before = unproject::pickAt(unprojector, {{}, {123, 456}, sample}).value();
+    WorldPoint asked(0.0, 0.0, 0.0);
+    const SurfaceAt surfaceAt = [&](const WorldPoint &world) {
+        asked = world;
+        return surface;
+    };
+    const Pick at = unproject::pickAt(unprojector, {{}, {123, 456}, sample}, surfaceAt).value();
+    QVERIFY(asked == *at.point.world[Method::Formula]);
+    const Pick later = refined(before, surface);
     QVERIFY(later.point.world[Method::Formula]->coordinates() == before.point.world[Method::Formula]->coordinates());
     QVERIFY(later.uncertainty.world != before.uncertainty.world);
     QVERIFY(later.uncertainty.world == at.uncertainty.world);
     QCOMPARE(later.certainty.distance, at.certainty.distance);
     // Background stays background.
-    const Pick background = unproject::pickAt(unprojector, WidgetPoint(123.0, 456.0), {1.0, {}}).value();
-    QCOMPARE(withSurface(background, surface).certainty.distance, 0.0);
+    const Pick background = unproject::pickAt(unprojector, {{}, {123, 456}, {1.0, {}}}).value();
+    QCOMPARE(refined(background, surface).certainty.distance, 0.0);
 }
 
 QTEST_APPLESS_MAIN(TestCertainty)

@@ -356,7 +356,7 @@ void TestPick::whatHasTheDepthAndThePixelLiesWithinThePixel()
     Picture geometry = plainFrustum();
     geometry.pose = LookAt{WorldPoint(4, 3, 7), WorldPoint(0.3, 0.2, 0.1), {0.1, 1, 0.2}};
     const Unprojector unprojector = Unprojector::of(geometry).value();
-    const Result<Pick> pick = pickAt(unprojector, WidgetPoint(123.0, 456.0), {0.625, 0, 10});
+    const Result<Pick> pick = unproject::pickAt(unprojector, {{}, {123, 456}, {0.625, 0, 10}});
     QVERIFY(pick.hasValue());
     const double halfStep = 0.5 / 1023.0;
     for (const double x : {-0.5, 0.5}) {

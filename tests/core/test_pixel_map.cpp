@@ -199,8 +199,7 @@ void TestPixelMap::theUncertaintyIsThatOfAClick()
         if (std::isnan(sample.slope->perPixelX + sample.slope->perPixelY))
             return; // at the ball's rim
         const SceneHit hit = **shown.rays.at(pixelCenter(pixel));
-        const Pick pick = *pickAt(shown.unprojector, widgetFromDevice(shown.picture.surface, pixelCenter(pixel)),
-                                  sample, drawnSurface(shown.objects[0], hit));
+        const Pick pick = refined(*pickAt(shown.unprojector, {{}, pixel, sample}), drawnSurface(shown.objects[0], hit));
         QVERIFY(isClose(map.at(pixel), length(pick.uncertainty.world), 1e-6));
         ++compared;
     });

@@ -33,7 +33,7 @@ Pick picked(bool hit, double degrees = 0.0)
     DrawnSurface surface;
     surface.triangle = {{{-8.0, -8.0, -8.0 * slope}, {8.0, -8.0, -8.0 * slope}, {0.0, 8.0, 8.0 * slope}}};
     const DepthSample sample{hit ? 0.75 : 1.0, hit ? std::optional<std::size_t>(0) : std::nullopt, 24};
-    return withSurface(*pickAt(kPicture, WidgetPoint(412.0, 299.0), sample), surface);
+    return refined(*pickAt(kPicture, WidgetPoint(412.0, 299.0), sample), surface);
 }
 
 /// On the pick's ray, so much farther along it than the formula's point.

@@ -236,9 +236,9 @@ std::optional<Shares> Stage::clicked(const std::shared_ptr<const Model> &model, 
         }
         // On the ray itself: of a point put together from a thin triangle's corners the last digits go to the side.
         const WorldPoint onMesh = rays.rays().at(centre).value().at(hit->t);
-        const Pick asRead = pickAt(unprojector, widgetFromDevice(picture.surface, centre), *sample).value();
+        const Pick asRead = pickAt(unprojector, {{}, pixel, *sample}).value();
         const auto shareOf = [&](const DrawnSurface &surface) {
-            const Pick pick = withSurface(asRead, surface);
+            const Pick pick = refined(asRead, surface);
             // What the ray's own arithmetic in double is off.
             const auto rounding = [](const Components<3> &a, const Components<3> &b) {
                 return 16.0 * 0x1p-53 * (glm::abs(a.coordinates()) + glm::abs(b.coordinates()));

@@ -445,7 +445,7 @@ void TestDocumentLandmarks::aDepthWithoutAMeshIsFree()
     QVERIFY(point);
     QVERIFY(std::holds_alternative<landmarks::Free>(point->hold));
     QCOMPARE(point->object, std::string("triangle"));
-    const Result<Pick> pick = document.unprojected(position, {0.5, 0, 24});
+    const Result<Pick> pick = document.unprojected({position, DevicePixel{int(beside.x), int(beside.y)}, {0.5, 0, 24}});
     QVERIFY(*point->world == *pick->point.world[Method::Formula]);
     QVERIFY(length(*point->uncertainty) > 0.0);
     QVERIFY(!document.points().placedAt(position, DepthSample{1.0, std::nullopt, 24})); // the background

@@ -195,7 +195,7 @@ void TestFrameView::objectsAreDrawnOnceAChange()
     QSignalSpy hovered(&view, &SceneView::hovered);
     for (int x = 190; x < 210; ++x)
         sendMouse(view, QEvent::MouseMove, QPointF(x, 150.0), Qt::NoButton, Qt::NoButton);
-    QTRY_VERIFY_WITH_TIMEOUT(!hovered.isEmpty() && hovered.last().at(0).value<WidgetPoint>().x == 209.0,
+    QTRY_VERIFY_WITH_TIMEOUT(!hovered.isEmpty() && hovered.last().at(0).value<PixelClick>().position.x == 209.0,
                              kPatienceMilliseconds);
     QCOMPARE(pictures(steps), 0);
 
@@ -239,7 +239,7 @@ void TestFrameView::theReadoutFollowsThePointer()
               {WorldPoint(kCubeCenter + glm::dvec3(0.0, 0.0, 9.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
     QTRY_VERIFY_WITH_TIMEOUT(!hovered.isEmpty(), kPatienceMilliseconds);
     click(view, place);
-    QCOMPARE(hovered.last().at(1).value<DepthSample>().depth, window->document().pick()->window.z);
+    QCOMPARE(hovered.last().at(0).value<PixelClick>().sample.depth, window->document().pick()->window.z);
     // Nothing is told of a pointer that has left.
     hovered.clear();
     sendMouse(view, QEvent::MouseMove, place + QPointF(3.0, 0.0), Qt::NoButton, Qt::NoButton);
@@ -250,7 +250,7 @@ void TestFrameView::theReadoutFollowsThePointer()
     // It comes back.
     sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
     QTRY_COMPARE_WITH_TIMEOUT(hovered.size(), 1, kPatienceMilliseconds);
-    QCOMPARE(hovered.last().at(1).value<DepthSample>().depth, window->document().pick()->window.z);
+    QCOMPARE(hovered.last().at(0).value<PixelClick>().sample.depth, window->document().pick()->window.z);
 }
 
 void TestFrameView::anAnswerThatIsOvertakenIsGivenOfTheNextPicture()
@@ -269,7 +269,7 @@ void TestFrameView::anAnswerThatIsOvertakenIsGivenOfTheNextPicture()
     view.setUpdatesEnabled(true);
     QTRY_COMPARE_WITH_TIMEOUT(hovered.size(), 1, kPatienceMilliseconds);
     click(view, place);
-    QCOMPARE(hovered.last().at(1).value<DepthSample>().depth, window->document().pick()->window.z);
+    QCOMPARE(hovered.last().at(0).value<PixelClick>().sample.depth, window->document().pick()->window.z);
 }
 
 QTEST_MAIN(TestFrameView)

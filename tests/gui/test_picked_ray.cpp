@@ -316,7 +316,7 @@ void TestPickedRay::itsTriangleSaysHowSureThePointIs()
     QTRY_COMPARE_WITH_TIMEOUT(met(document), QStringLiteral("front 1"), kPatienceMilliseconds);
     const Pick pick = *document.pick();
     const auto distanceWith = [&pick](const DrawnSurface &surface) {
-        return withSurface(pick, surface).certainty.distance;
+        return refined(pick, surface).certainty.distance;
     };
     const double known = distanceWith(ray::drawnSurface(document.objects()[0], document.pickedRay()->met->hit));
     const double assumed =

@@ -214,7 +214,7 @@ void TestPointView::whatIsToldGoesWithTheView()
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
     std::vector<WidgetPoint> told;
-    connect(&view, &SceneView::hovered, this, [&told](const WidgetPoint &position) { told.push_back(position); });
+    connect(&view, &SceneView::hovered, this, [&told](const PixelClick &click) { told.push_back(click.position); });
     sendMouse(view, QEvent::MouseMove, localOf(*window, kFront), Qt::NoButton, Qt::NoButton);
     QTRY_COMPARE_WITH_TIMEOUT(told.size(), std::size_t(1), kPatienceMilliseconds);
     LookAt camera = window->document().scene().camera;

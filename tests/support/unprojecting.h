@@ -22,7 +22,10 @@ pickAt(const unprojector::geometry::Picture &picture, const unprojector::geometr
     const auto prepared = unprojector::unproject::Unprojector::of(picture);
     if (!prepared)
         return prepared.error();
-    return unprojector::unproject::pickAt(*prepared, position, sample);
+    const auto pixel = devicePixelFromWidget(picture.surface, position);
+    if (!pixel)
+        return pixel.error();
+    return unprojector::unproject::pickAt(*prepared, {position, *pixel, sample});
 }
 
 /// preciseEyePoint of any lens, rounded.
