@@ -222,32 +222,38 @@ bool SceneDocument::answerRay()
     }
     ray.failure.reset();
     ray.state = PickedRay::State::Impossible;
-    if (const Result<Unprojector> unprojector = Unprojector::of(m_picked.pick->geometry)) {
-        const ray::SceneRays rays(*unprojector, objects, *casters, m_picked.rayScene->clipPlanes);
+    const auto answer = [&](const Unprojector &unprojector, const ray::SceneRays &rays) {
         const DevicePoint position = pixelCenter(m_picked.pick->devicePixel);
         const auto met = rays.at(position), taken = rays.at(position, ray.snap);
-        if (met && taken) {
-            ray.state = PickedRay::State::Answered;
-            if (*met)
-                ray.met = metPlace(**met, objects);
-            // The triangle says how sure the depth's own point is, where it is the one that was drawn.
-            const bool isSameObject = *met && ray.met->object && ray.met->object == m_picked.pick->object;
-            const Pick known = isSameObject ? refined(*m_picked.pick, ray::drawnSurface(objects[(*met)->object], **met))
-                                            : *m_picked.pick;
-            ray.comparison = ray::compared(known, *met, isSameObject);
-            if (ray.comparison.kind != ray::RayComparison::Kind::OtherPart)
-                m_picked.pick = known;
-            if (*taken)
-                ray.taken = metPlace(**taken, objects);
-            const Pick &pick = *m_picked.pick;
-            if (pick.hit()) {
-                ray.others = otherAnswers(*unprojector, pick.devicePixel, [&](const DevicePixel &pixel) {
-                    return pixel == pick.devicePixel ? std::optional(pick.window.z)
-                                                     : depthSeen(rays, pixel, pick.sample.format);
-                });
-            }
+        if (!met || !taken)
+            return;
+        ray.state = PickedRay::State::Answered;
+        if (*met)
+            ray.met = metPlace(**met, objects);
+        // The triangle says how sure the depth's own point is, where it is the one that was drawn.
+        const bool isSameObject = *met && ray.met->object && ray.met->object == m_picked.pick->object;
+        const Pick known =
+            isSameObject ? refined(*m_picked.pick, ray::drawnSurface(objects[(*met)->object], **met)) : *m_picked.pick;
+        ray.comparison = ray::compared(known, *met, isSameObject);
+        if (ray.comparison.kind != ray::RayComparison::Kind::OtherPart)
+            m_picked.pick = known;
+        if (*taken)
+            ray.taken = metPlace(**taken, objects);
+        const Pick &pick = *m_picked.pick;
+        if (pick.hit()) {
+            ray.others = otherAnswers(unprojector, pick.devicePixel, [&](const DevicePixel &pixel) {
+                return pixel == pick.devicePixel ? std::optional(pick.window.z)
+                                                 : depthSeen(rays, pixel, pick.sample.format);
+            });
         }
-    }
+    };
+    const auto &[clickedObjects, clipPlanes] = *m_picked.rayScene;
+    const bool isShown =
+        m_picked.pick->geometry == geometry() && clickedObjects == m_state.objects && clipPlanes == m_scene.clipPlanes;
+    if (const ray::SceneRays *shown = isShown ? rays() : nullptr)
+        answer(*m_unprojector, *shown);
+    else if (const Result<Unprojector> former = Unprojector::of(m_picked.pick->geometry))
+        answer(*former, ray::SceneRays(*former, objects, *casters, clipPlanes));
     m_picked.rayScene.reset();
     return true;
 }
