@@ -228,7 +228,8 @@ WorldPoint SceneView::pivotAt(const WidgetPoint &position)
     if (m_stillPivot && m_stillPosition == position)
         return *m_stillPivot;
     const std::optional<PixelClick> click = clickAt(position);
-    return click ? pivotOf(m_document.geometry().camera(), m_document.unprojected(*click)) : m_document.geometry().camera().center;
+    return click ? pivotOf(m_document.geometry().camera(), m_document.unprojected(*click))
+                 : m_document.geometry().camera().center;
 }
 
 void SceneView::keepPivot(const WidgetPoint &position, const WorldPoint &pivot)

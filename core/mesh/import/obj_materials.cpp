@@ -6,9 +6,9 @@
 #include <algorithm>
 
 namespace unprojector::mesh::reader {
-using text::TextScanner;
 using text::doubleFromWord;
 using text::floatFromWord;
+using text::TextScanner;
 
 namespace {
 
