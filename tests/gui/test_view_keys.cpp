@@ -193,9 +193,7 @@ void TestViewKeys::whatEnterPicksIsTold()
     QTest::keyClick(&window->view(), Qt::Key_Return);
     QVERIFY(window->document().pick() && window->document().pick()->hit());
     QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kPatienceMilliseconds);
-    const auto position = told[0][0].value<WidgetPoint>();
-    const Surface &surface = window->document().geometry().surface;
-    QCOMPARE(*devicePixelFromWidget(surface, position), window->document().pick()->devicePixel);
+    QCOMPARE(told[0][0].value<PixelClick>().pixel, window->document().pick()->devicePixel);
     const QString x = QStringLiteral("world (");
     bool isShown = false;
     for (const QLabel *label : window->statusBar()->findChildren<QLabel *>())
