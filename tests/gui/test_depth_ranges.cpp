@@ -135,10 +135,10 @@ void TestDepthRanges::thePointerReadsWhatAClickReads()
     for (const QPointF &place : {localOf(*window, kCubeCenter + glm::dvec3(0.2, 0.1, 1.0)), QPointF(5.0, 7.0)}) {
         hovered.clear();
         sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
-        QTRY_VERIFY_WITH_TIMEOUT(!hovered.isEmpty() && hovered.last().at(0).value<WidgetPoint>().x == place.x(),
+        QTRY_VERIFY_WITH_TIMEOUT(!hovered.isEmpty() && hovered.last().at(0).value<PixelClick>().position.x == place.x(),
                                  kPatienceMilliseconds);
         click(view, place);
-        const auto read = hovered.last().at(1).value<DepthSample>();
+        const auto read = hovered.last().at(0).value<PixelClick>().sample;
         QCOMPARE(read.depth, window->document().pick()->window.z);
         QCOMPARE(read.hit(), window->document().pick()->hit());
     }
