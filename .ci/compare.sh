@@ -6,14 +6,19 @@
 set -eu
 old=$(cd -- "$1" && pwd) new=$(cd -- "$2" && pwd)
 folder=$(cd -- "$(dirname -- "$0")" && pwd)
+for build in "$old" "$new"; do
+    [ -x "$build/core/cli/unproject" ] || { echo "There is no $build/core/cli/unproject" >&2; exit 2; }
+    [ -x "$build/gui/unprojector" ] || echo "There is no $build/gui/unprojector: no pictures are compared"
+done
 work=$(mktemp -d)
+failed=
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/scenes" "$work/old" "$work/new"
 
-# scene NAME PROJECTION [MORE]: a scene file.
+# scene NAME PROJECTION [MORE [RATIO]]: a scene file.
 scene() {
     cat >"$work/scenes/$1.json" <<JSON
-{"unprojector": 1, "window": {"width": 640, "height": 480}, "projection": $2,
+{"unprojector": 1, "window": {"width": 640, "height": 480, "devicePixelRatio": ${4:-1}}, "projection": $2,
  "view": {"eye": [3.1, 2.3, 7.7], "center": [0.1, 0.2, 0], "up": [0, 1, 0]}${3:-},
  "objects": [{"name": "pot", "bundled": "Teapot", "transform": [{"translate": [0.5, 0.25, -1]},
                                                                {"rotate": [30, 1, 2, 3]}]},
@@ -27,6 +32,7 @@ scene oblique '{"type": "oblique", "left": -5, "right": 5, "bottom": -4, "top": 
 scene reversed '{"type": "perspective", "fovy": 50, "near": 0.1, "far": 1000}' ', "depthRange": [1, 0]'
 scene part '{"type": "perspective", "fovy": 50, "aspect": 1.5, "near": 0.1, "far": 100}' \
     ', "viewport": {"x": 20, "y": 30, "width": 500, "height": 400}, "depthRange": [0.25, 0.75]'
+scene ratio '{"type": "perspective", "fovy": 45, "near": 0.5, "far": 50}' '' 1.5
 scene planes '{"type": "perspective", "fovy": 45, "near": 0.5, "far": 50}' ', "clipPlanes": [[0, 1, 0.5, 0.2]]'
 scene matrix '{"type": "matrix", "matrix": [1.5, 0, 0, 0, 0, 2, 0, 0, 0.1, 0.05, -1.01, -1, 0, 0, -0.201, 0], "ndcDepth": [0, 1]}'
 
@@ -41,8 +47,13 @@ keep() {
     shift
     "$@" >"$file" 2>&1 || rc=$?
     echo "exit code $rc" >>"$file"
-    [ "$rc" -lt 2 ] || echo "${file#"$work"/}: $(head -n 1 "$file")"
+    [ "$rc" -lt 2 ] || { echo "${file#"$work"/}: $(head -n 1 "$file")"; failed=1; }
 }
+
+# All mistakes that the old build knows: it lists them to who names another.
+mistakes=$("$old/core/cli/unproject" map --what displacement --convention ? -o "$work/none.pfm" "$work/scenes/ortho.json" 2>&1 |
+    sed -n 's/.* is none of //p' | tr -d ',')
+[ -n "$mistakes" ] || { echo "The old build lists no mistakes" >&2; exit 2; }
 
 # computed COMMAND OUT: what a build's command says of all scenes.
 computed() {
@@ -62,7 +73,7 @@ computed() {
         for what in formula-matrix formula-ray uncertainty; do
             keep "$name.$what" "$command" map --json --size 160x120 --what $what -o "$name.$what.pfm" "$file"
         done
-        for mistake in paper meshlab vtk row-above pixel-corner depth-reversed view-transposed no-w-divide; do
+        for mistake in $mistakes; do
             keep "$name.$mistake" "$command" map --json --size 80x60 --what displacement --convention $mistake \
                 -o "$name.$mistake.pfm" "$file"
         done
@@ -74,6 +85,14 @@ computed() {
     done
 }
 
+# picture NAME PROGRAM …: keeps what it prints, and checks that NAME.png is there.
+picture() {
+    local name=$1
+    shift
+    keep "$name.clicks" "$@"
+    [ -s "$name.png" ] || { echo "${name#"$work"/}.png was not made"; failed=1; }
+}
+
 # pictures BUILD OUT: what a build's window shows of the scenes, as it starts and after two clicks.
 pictures() {
     local window=$1/gui/unprojector out=$2 name
@@ -81,21 +100,24 @@ pictures() {
         name=$out/$(basename -- "$file" .json)
         for clicks in "" "--click 320,240 --click 200,260"; do
             # shellcheck disable=SC2086
-            keep "$name${clicks:+-clicked}.clicks" sh "$folder/../tests/launch.sh" --display -- "$window" --no-panels \
+            picture "$name${clicks:+-clicked}" sh "$folder/../tests/launch.sh" --display -- "$window" --no-panels \
                 --view-size 640x480 $clicks --screenshot "$name${clicks:+-clicked}.png" "$file"
         done
     done
     for place in click pipeline points doctor; do
-        keep "$out/bundled-$place.clicks" sh "$folder/../tests/launch.sh" --display -- "$window" --view-size 640x480 \
+        picture "$out/bundled-$place" sh "$folder/../tests/launch.sh" --display -- "$window" --view-size 640x480 \
             --no-panels --place $place --screenshot "$out/bundled-$place.png"
     done
 }
 
 for which in old new; do
     computed "${!which}" "$work/$which"
-    [ ! -x "${!which}/gui/unprojector" ] || pictures "${!which}" "$work/$which"
+    [ ! -x "$old/gui/unprojector" ] || [ ! -x "$new/gui/unprojector" ] || pictures "${!which}" "$work/$which"
 done
-ls "$work/old" | wc -l | sed 's/$/ outputs of the old build/'
-find "$work/old" -size 0 -printf '%f is empty\n'
-diff -rq "$work/old" "$work/new" | sed "s|$work/||g" || true
-diff -r "$work/old" "$work/new" >/dev/null && echo "The same."
+echo "$(find "$work/old" -type f | wc -l) outputs of the old build, $(find "$work/old" -name '*.png' | wc -l) of them pictures"
+if diff -rq "$work/old" "$work/new" >"$work/differences" && [ -z "$failed" ]; then
+    echo "The same."
+else
+    sed "s|$work/||g" "$work/differences"
+    exit 1
+fi

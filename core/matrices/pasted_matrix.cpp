@@ -275,7 +275,7 @@ std::string reasonText(const PasteError &error)
         return text::tr("\"%1\" is not a finite number", error.word);
     return text::tr(error.found == 1 ? "%1 number found, %2 are needed" : "%1 numbers found, %2 are needed",
                     error.found, error.wanted)
-           + (error.part == PastedPart::Viewport ? ": x y width height" : "");
+           + (error.part == PastedPart::Viewport ? text::tr(": x y width height, or 16 of a matrix") : std::string());
 }
 
 Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text)

@@ -2,9 +2,11 @@
 
 #include "core/geometry/angle.h"
 #include "core/text/number_text.h"
+#include "core/text/text_scanner.h"
 #include "core/text/translation.h"
 
 #include <cmath>
+#include <optional>
 
 namespace unprojector::text {
 using namespace geometry;
@@ -22,9 +24,11 @@ std::string degreesText(double radians)
 /// unless they are what makes the difference.
 std::string comparedText(double other, double value)
 {
-    constexpr double kSeventhDigit = 5e-7;
+    constexpr double kSeventhDigit = 5e-8;
     const std::string rounded = shortestText(other, kSeventhDigit * std::abs(other));
-    return rounded == shortestText(value) ? shortestText(other) : rounded;
+    const std::optional<double> shown = doubleFromWord(rounded);
+    const bool comparesAlike = shown && (*shown < value) == (other < value) && (*shown == value) == (other == value);
+    return comparesAlike ? rounded : shortestText(other);
 }
 
 /// @pre the error is ViewNotRigid
@@ -35,8 +39,11 @@ std::string viewFault(const Error &error)
         return tr(column == 3 ? "%1 stands in row 4, column %2; it must be greater than 0"
                               : "%1 stands in row 4, column %2; it must be 0",
                   shortestText(error.value), column + 1);
-    if (row == column)
-        return tr("row %1 has the length %2; it must be 1", row + 1, shortestText(std::sqrt(1.0 + error.value)));
+    if (row == column) {
+        const double length = std::sqrt(1.0 + error.value);
+        return tr("row %1 has the length %2; it must be 1", row + 1,
+                  shortestText(length, 0.01 * std::abs(length - 1.0))); // as exact as the fault is large
+    }
     return tr("rows %1 and %2 are not perpendicular", row + 1, column + 1);
 }
 

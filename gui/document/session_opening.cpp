@@ -277,7 +277,7 @@ QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &mode
         }
         const auto found = bundled.find(object.bundled);
         if (found == bundled.end()) {
-            emit failed(pending.name + QStringLiteral(": ") + ended(examples::noBundledModelText(object.bundled)));
+            emit failed(tr("%1: %2").arg(pending.name, ended(examples::noBundledModelText(object.bundled))));
             return {};
         }
         inOrder.push_back(found->second);

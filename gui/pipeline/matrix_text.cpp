@@ -51,6 +51,7 @@ QString adviceFor(const MatrixFinding &finding)
     switch (finding.fault) {
     case MatrixFault::DepthReversed: return MatrixText::tr("The depth range is turned round for it.");
     case MatrixFault::FarAtInfinity: return MatrixText::tr("It is drawn up to a million times near.");
+    case MatrixFault::UnknownForm: return MatrixText::tr("No camera of this window has it.");
     case MatrixFault::OrderOpen: return MatrixText::tr("Choose the order in which your program prints it.");
     case MatrixFault::Scaled:
         return finding.repair == MatrixRepair::None ? MatrixText::tr("Paste the view alone.") : QString();

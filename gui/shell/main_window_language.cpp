@@ -8,6 +8,7 @@
 #include <QActionGroup>
 #include <QMenu>
 #include <QSettings>
+#include <QStatusBar>
 
 namespace unprojector::gui {
 namespace {
@@ -38,7 +39,10 @@ void MainWindow::createLanguageMenu(QMenu &menu)
     const auto add = [&](Language language, const QString &text, const QString &whatComes) {
         QAction *action = addAction(&menu, text, {}, whatComes, [this, language, whatComes] {
             keepLanguage(language);
-            m_message->showMessage(whatComes);
+            if (message().isEmpty())
+                m_message->showMessage(whatComes);
+            else // which has not been read yet
+                statusBar()->showMessage(whatComes);
         });
         action->setCheckable(true);
         action->setActionGroup(group);

@@ -107,7 +107,7 @@ QString errorText(const text::ExpressionError &error, const QString &typed)
 
 QString errorText(const ImportError &error)
 {
-    return pathText(error.file) + QStringLiteral(": ") + ended(reasonText(error));
+    return Errors::tr("%1: %2", "a file: what is said of it").arg(pathText(error.file), ended(reasonText(error)));
 }
 
 } // namespace unprojector::gui

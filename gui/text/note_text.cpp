@@ -32,7 +32,7 @@ QString notesText(const QString &fileName, const std::vector<ModelNote> &notes)
         return note.kind == ModelNote::Kind::TextureUnusable;
     });
     if (isUnusable && !QImageReader::supportedImageFormats().contains("jpeg"))
-        sentences << NoteTexts::tr("JPEG is not known here: Qt's plugin for it is missing.");
+        sentences << NoteTexts::tr("JPEG is not known here: Qt's plugin for it is missing. Convert it to PNG.");
     return sentences.isEmpty() ? QString() : ofFile(fileName, inARow(sentences));
 }
 

@@ -237,6 +237,11 @@
 <context>
     <name>Errors</name>
     <message>
+        <source>%1: %2</source>
+        <comment>a file: what is said of it</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
         <source>Models and scenes (%1)</source>
         <translation>模型和场景 (%1)</translation>
     </message>
@@ -3871,6 +3876,10 @@ Both are as large as fits.</source>
         <translation>请选择您的程序输出它的次序。</translation>
     </message>
     <message>
+        <source>No camera of this window has it.</source>
+        <translation>本窗口的相机都不会有这种矩阵。</translation>
+    </message>
+    <message>
         <source>Paste the view alone.</source>
         <translation>请只粘贴观察矩阵。</translation>
     </message>
@@ -4330,8 +4339,8 @@ Both are as large as fits.</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>JPEG is not known here: Qt&apos;s plugin for it is missing.</source>
-        <translation>此处无法读取 JPEG：缺少 Qt 的相应插件。</translation>
+        <source>JPEG is not known here: Qt&apos;s plugin for it is missing. Convert it to PNG.</source>
+        <translation>此处无法读取 JPEG：缺少 Qt 的相应插件。请转换为 PNG。</translation>
     </message>
 </context>
 <context>

@@ -195,7 +195,8 @@ void TestChinese::messagesAreSaidInChinese_data()
     QTest::newRow("header") << QStringList{"project", "scene.json"} << QByteArray("x;y;z\n")
                             << "stdin:1:1: 表头没有 x 列；首行应为 x,y,z 或 formula_x,formula_y,formula_z；"
                                "这里各列以逗号分隔，而不是分号\n";
-    QTest::newRow("no-file") << QStringList{"info", "nothing.obj"} << QByteArray() << "nothing.obj: 没有这个文件\n";
+    QTest::newRow("no-file") << QStringList{"info", "nothing.obj"} << QByteArray()
+                             << "nothing.obj: 没有这个文件；请检查名称和文件夹\n";
     QTest::newRow("scene-value") << QStringList{"matrices", "-"}
                                  << QByteArray(R"({"unprojector": 1, "window": {"width": -3, "height": 2}})")
                                  << "-3 必须在 1 与 65536 之间\n";

@@ -262,7 +262,7 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
         << QByteArray(
                "stdin: modelview: has axes that are 1.9e-05 off "
                "being perpendicular and of length 1, as few digits or many turns leave them; the "
-               "formulas need them within 0.00001; more decimals are better; --orthonormal takes the nearest that "
+               "formulas need them within 0.00001; more decimals are better; --orthonormal takes the nearest axes that "
                "are\n");
     QTest::newRow("full digits, yet not quite rigid")
         << "projection " + kProjection + " modelview 1.0000123456789 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1 viewport "
@@ -271,7 +271,7 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
         << QByteArray("stdin: modelview: has axes that are 2.5e-05 off being perpendicular and of length 1, as few "
                       "digits or many turns leave them; the formulas need them within 0.00001; more decimals are "
                       "better; --orthonormal takes "
-                      "the nearest that are\n");
+                      "the nearest axes that are\n");
     QTest::newRow("full digits, mended")
         << "projection " + kProjection + " modelview 1.0000123456789 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1 viewport "
                + kViewport

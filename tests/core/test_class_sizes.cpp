@@ -98,14 +98,15 @@ QMap<QString, ClassSize> classesUnder(const QStringList &folders)
                     if (stem != own)
                         size.slices << file.fileName();
                 }
-                found[of.key()] = size;
+                if (ClassSize &known = found[of.key()]; size.lines > known.lines) // of two of one name the larger
+                    known = size;
             }
         }
     }
     return found;
 }
 
-/// Classes that are larger than they should be, with what they may be at most until they are made smaller. A number that
+/// Classes that are larger than they should be, with what they may be at most until they are made smaller. A limit that
 /// a class no longer needs is an error too.
 const QMap<QString, ClassSize> kLarge{
     {"MainWindow",
@@ -193,6 +194,10 @@ void TestClassSizes::classesAreSmall()
         const ClassSize is = classes.value(it.key());
         if (is.lines <= kMostLines && is.members <= kMostMembers && is.slices.isEmpty())
             wrong << it.key() + " is small: it needs no exception";
+        constexpr int kRoom = 30; // lines
+        if ((it->lines > kMostLines && it->lines > is.lines + kRoom)
+            || (it->members > kMostMembers && it->members > is.members))
+            wrong << it.key() + " is smaller than its exception says: lower that";
     }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join("\n")));
 }

@@ -1,5 +1,6 @@
 // What the core says in Chinese: that every text of its source has a translation, and how lines of it are laid out.
 #include "core/text/columns.h"
+#include "core/text/error_text.h"
 #include "core/text/printable.h"
 #include "core/text/translation.h"
 
@@ -169,6 +170,7 @@ private slots:
     void noTextIsTheWindowsToo();
     void textsAreSaidInTheLanguageThatIsSet();
     void valuesStandInTheirPlaces();
+    void numbersOfErrorsCompareAsTheyRead();
     void controlsAreWrittenOut_data();
     void controlsAreWrittenOut();
     void quotedBeginningsShowWhatIsWrong();
@@ -376,6 +378,19 @@ void TestCoreTexts::linesAreWrappedBetweenCharacters()
     QCOMPARE(QString::fromStdString(
                  unprojector::text::wrapped(text.toStdString(), std::size_t(columns), std::size_t(indent))),
              wrapped);
+}
+
+/// Digits that are noise are left out of the number that another one is compared with, but for those that tell them apart.
+void TestCoreTexts::numbersOfErrorsCompareAsTheyRead()
+{
+    using geometry::ErrorCode;
+    const auto said = [](ErrorCode code, double value, double other) {
+        return QString::fromStdString(errorText({code, value, other}));
+    };
+    QVERIFY(said(ErrorCode::NearNotBeforeFar, 40.0, 31.880000000000003).endsWith("far (31.88)"));
+    QVERIFY(said(ErrorCode::NearNotBeforeFar, 99.99997, 99.99996).endsWith("far (99.99996)"));
+    QVERIFY(said(ErrorCode::NearNotBeforeFar, 1.00000001, 1.0).endsWith("far (1)"));
+    QVERIFY(said(ErrorCode::ViewNotRigid, 0.0001, 0.0).contains("has the length 1.00005;"));
 }
 
 QTEST_APPLESS_MAIN(TestCoreTexts)

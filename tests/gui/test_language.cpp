@@ -220,7 +220,7 @@ void TestLanguage::whatCoreSaysIsInTheLanguage_data()
                                             ":1:16: 1 stands where \":\" is expected",
                                             ":2: z is \"far\"; write a number"};
     QTest::newRow("Chinese") << kChinese
-                             << QStringList{"broken.ply: 文件已损坏：文件在 face 1（共 9 个）之内结束",
+                             << QStringList{"broken.ply：文件已损坏：文件在 face 1（共 9 个）之内结束",
                                             ":1:16: 此处应为“:”，却是 1", ":2: z 为 “far”；请写一个数"};
 }
 

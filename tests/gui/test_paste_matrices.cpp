@@ -407,7 +407,7 @@ void TestPasteMatrices::whatIsNoMatrixIsSaid_data()
     QTest::newRow("one number") << View << "7"
                                 << "\n1 number found, 16 are needed.";
     QTest::newRow("half a viewport") << Projection << "projection " + zeros + " viewport 100 100"
-                                     << "Viewport: 2 numbers found, 4 are needed: x y width height.";
+                                     << "Viewport: 2 numbers found, 4 are needed: x y width height, or 16 of a matrix.";
     QTest::newRow("NaN") << Projection << "1 0 0 0\n0 nan 0 0\n"
                          << "In line 2, column 3: \"nan\" is not a finite number.";
     QTest::newRow("no projection among them")

@@ -138,8 +138,10 @@ std::string mistakeText(const Diagnosis &diagnosis)
 
 std::string verdictText(const Diagnosis &diagnosis)
 {
-    return diagnosis.namesMistake() ? mistakeText(diagnosis)
-                                    : verdictName(diagnosis) + "\n  " + verdictSentence(diagnosis) + '\n';
+    if (diagnosis.namesMistake())
+        return mistakeText(diagnosis);
+    const std::string text = verdictName(diagnosis) + "\n  " + verdictSentence(diagnosis) + '\n';
+    return diagnosis.depthKnown == DepthKnown::ByRay ? text + "  " + tr("--depth gives the depth.") + '\n' : text;
 }
 
 /// A line of the report, its name in the first column.

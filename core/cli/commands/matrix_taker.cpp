@@ -33,7 +33,7 @@ std::string adviceFor(const MatrixFinding &finding, NumberOrder order, bool hasC
     case MatrixFault::YDown:
         return tr(hasConventions ? "; it stays so: if it is not meant, give --conventions of the API that it is for"
                                  : "; --y down turns it back, --y up leaves it so");
-    case MatrixFault::Rounded: return tr("; --orthonormal takes the nearest that are");
+    case MatrixFault::Rounded: return tr("; --orthonormal takes the nearest axes that are");
     case MatrixFault::Negated: return tr("; its signs are turned round");
     case MatrixFault::UnknownForm: return tr(": only the inverted matrix will answer");
     case MatrixFault::Mirrored:

@@ -15,10 +15,12 @@ std::string reasonText(const ImportError &error)
 {
     const bool isPlain = error.detail.empty();
     switch (error.code) {
-    case ImportErrorCode::NotFound: return tr("there is no such file");
+    case ImportErrorCode::NotFound: return tr("there is no such file; check the name and the folder");
     case ImportErrorCode::IsDirectory: return tr("this is a folder; give a model file in it");
     case ImportErrorCode::NotReadable:
-        return tr(isPlain ? "the file cannot be read" : "the file cannot be read (%1)", error.detail);
+        return tr(isPlain ? "the file cannot be read; check its permissions"
+                          : "the file cannot be read; check its permissions (%1)",
+                  error.detail);
     case ImportErrorCode::EmptyFile: return tr("the file is empty");
     case ImportErrorCode::UnknownFormat:
         return tr(isPlain ? "this is no model that can be read here; give OBJ, STL, PLY, OFF, glTF or GLB"
