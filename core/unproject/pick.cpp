@@ -43,7 +43,7 @@ Result<Pick> pickAt(const Unprojector &unprojector, const PixelClick &click, con
         return eye.error();
     const Result<WorldPoint> &world = pick.point.world[Method::Formula];
     const DrawnSurface surface = pick.hit() && world && surfaceAt ? surfaceAt(*world) : DrawnSurface{};
-    return refined(std::move(pick), surface);
+    return refined(pick, surface);
 }
 
 } // namespace unprojector::unproject

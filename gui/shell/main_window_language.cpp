@@ -10,6 +10,8 @@
 #include <QSettings>
 #include <QStatusBar>
 
+#include <algorithm>
+
 namespace unprojector::gui {
 namespace {
 
@@ -37,9 +39,13 @@ void MainWindow::createLanguageMenu(QMenu &menu)
     menu.setToolTipsVisible(true); // they say why there is no Chinese
     const Language kept = keptLanguage();
     const auto add = [&](Language language, const QString &text, const QString &whatComes) {
-        QAction *action = addAction(&menu, text, {}, whatComes, [this, language, whatComes] {
+        QAction *action = addAction(&menu, text, {}, whatComes, [this, group, language, whatComes] {
             keepLanguage(language);
-            if (message().isEmpty())
+            const QList<QAction *> choices = group->actions();
+            const bool isOfLanguage = std::any_of(choices.begin(), choices.end(), [this](const QAction *choice) {
+                return choice->statusTip() == message() || choice->toolTip() == message();
+            });
+            if (message().isEmpty() || isOfLanguage)
                 m_message->showMessage(whatComes);
             else // which has not been read yet
                 statusBar()->showMessage(whatComes);
