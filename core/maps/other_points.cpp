@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -116,6 +117,7 @@ const std::vector<NamedConvention> &namedConventions()
 {
     static const std::vector<NamedConvention> all = [] {
         std::vector<NamedConvention> named;
+        named.reserve(std::size(kOtherPrograms) + std::size(kMistakes) + 1);
         for (const OtherProgram program : kOtherPrograms)
             named.push_back({keyOf(program), program});
         for (const MistakeMade &mistake : kMistakes)
