@@ -110,7 +110,7 @@ QMap<QString, ClassSize> classesUnder(const QStringList &folders)
 /// a class no longer needs is an error too.
 const QMap<QString, ClassSize> kLarge{
     {"MainWindow",
-     {1880,
+     {1890,
       58,
       {"main_window_actions.cpp", "main_window_docks.cpp", "main_window_language.cpp", "main_window_lessons.cpp"}}},
     {"ObserverView", {kMostLines, kMostMembers, {"observer_view_input.cpp"}}},
