@@ -60,7 +60,7 @@ std::string verdictSentence(const Diagnosis &diagnosis)
 
 std::string digitsText(const Candidate &candidate, const Diagnosis &diagnosis)
 {
-    // Digits that rounding leaves nothing of are given, and explained by nobody.
+    // Digits to which rounding leaves no meaning are written in the point, but no candidate explains them.
     const int counted = diagnosis.digitsGiven;
     const bool countAll = counted == diagnosis.digitsWritten;
     const bool hasAll = candidate.digits == counted;

@@ -6,7 +6,7 @@
 
 namespace unprojector::doctor {
 
-// What is said of a diagnosis, in the language of text::tr(), for the command and the window.
+// The sentences about a diagnosis, for the command and the window, in the language of text::tr().
 
 /// "y not flipped", and which of several ways to make it: "pixel corner (x only)".
 std::string candidateName(const Candidate &candidate);

@@ -37,7 +37,7 @@ constexpr MistakeMade kMistakes[] = {{"y-not-flipped"},
                                      {"no-w-divide"},
                                      {"model-left-in"}};
 
-/// What the depth buffer holds: on the background what it was cleared to; outside the window nobody knows.
+/// What the depth buffer holds: on the background what it was cleared to; outside the window the depth is unknown.
 double depthIn(const SurfaceImage &surfaces, const Picture &picture, const DevicePixel &pixel)
 {
     if (pixel.i < 0 || pixel.i >= surfaces.widthPixels || !surfaces.has(pixel.j))

@@ -62,7 +62,8 @@ void SceneDocument::tell(Changes changes)
 
 Result<Changes> SceneDocument::take(const SceneState &state)
 {
-    // In place, since a copy of the scene would copy all its objects and landmarks; and back again where that is no picture.
+    // The scene is changed in place: objects and landmarks are copied only where they differ. Where no picture results, it is
+    // changed back.
     const bool hasOtherObjects = state.objects != m_state.objects,
                hasOtherPoints = state.landmarks != m_state.landmarks;
     const auto put = [&](const SceneState &which) {

@@ -154,7 +154,7 @@ ViewTool::Press LandmarkTool::press(const QMouseEvent &event, const QString &mer
     } else {
         m_document.points().selectOnly(pressed.place);
     }
-    // A hand that turns the view must not take a landmark along that nobody has chosen.
+    // The user may be about to turn the view: a landmark that was not selected before must not move along.
     if (!m_isPlacing && !pressed.isSelected)
         return Press::Navigates;
     m_dragged = pressed.place;

@@ -56,7 +56,7 @@ void MainWindow::createLanguageMenu(QMenu &menu)
         return action;
     };
     add(Language::System, tr("&System"), tr("The program uses the language of the desktop when it starts next time."));
-    // In their own words: whoever cannot read the others finds them.
+    // Each name is in its own language, so that its readers find it.
     add(Language::English, QStringLiteral("&English"),
         QStringLiteral("The program uses English when it starts next time."));
     QAction *chinese =

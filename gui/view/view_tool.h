@@ -42,8 +42,8 @@ public:
     virtual void hover(const std::optional<QPointF> &local) = 0;
 
     /// Whether a key is for the tool as things are.
-    /// @param isDragged  a hand drags something
     virtual bool isKey(const QKeyEvent &event) const = 0;
+    /// @param isDragged  a hand drags something, the view or what the tool has
     virtual void pressKey(const QKeyEvent &event, bool isDragged) = 0;
     /// @return whether the tool has tips here, and has shown or hidden one
     virtual bool showTip(const QHelpEvent &event) = 0;
