@@ -1,11 +1,11 @@
 #include "core/files/standard_streams.h"
 #include "core/threads/parallel.h"
 #include "gui/document/portable.h"
+#include "gui/lessons/lesson_player.h"
 #include "gui/shell/appearance.h"
+#include "gui/shell/language_menu.h"
 #include "gui/shell/main_window.h"
-#include "gui/shell/place_ids.h"
 #include "gui/shell/screenshot_run.h"
-#include "gui/shell/work_places.h"
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
 #include "gui/text/translation.h"
@@ -167,8 +167,8 @@ int main(int argc, char **argv)
         QStringLiteral("WxH"));
     const QCommandLineOption noPanels(QStringLiteral("no-panels"), CommandLine::tr("Give the view the whole window."));
     QStringList places;
-    for (const char *id : kPlaceIds)
-        places << QLatin1String(id);
+    for (const char *name : lessons::kWorkspaceNames)
+        places << QLatin1String(name);
     const QCommandLineOption place(
         QStringLiteral("place"),
         CommandLine::tr(
@@ -334,12 +334,13 @@ int main(int argc, char **argv)
         window.session().openFiles(std::move(files));
     window.session().offerRecovery();
     if (parser.isSet(place))
-        window.places().enter(parser.value(place).toUtf8().constData());
+        window.workspaces().enter(*lessons::workspaceOf(parser.value(place).toStdString()));
     if (parser.isSet(noPanels))
-        window.hidePanels(true);
+        window.workspaces().hidePanels(true);
     window.show();
     if (parser.isSet(lesson)) {
-        if (const QString unknown = window.startLesson(parser.value(lesson)); !unknown.isEmpty())
+        if (const QString unknown = window.findChild<LessonPlayer *>()->startAt(parser.value(lesson));
+            !unknown.isEmpty())
             return usageError(unknown);
     }
     console.reset(); // whoever started the program goes on with it

@@ -24,14 +24,6 @@ const SceneObject *modelOf(const Scene &scene)
 
 } // namespace
 
-std::optional<Highlight> highlightOf(std::string_view name)
-{
-    const auto found = std::find(kHighlightNames.begin(), kHighlightNames.end(), name);
-    if (found == kHighlightNames.end())
-        return std::nullopt;
-    return static_cast<Highlight>(found - kHighlightNames.begin());
-}
-
 std::vector<NamedAxes> namedAxes(const Scene &scene, const EyeFrame &eye)
 {
     std::vector<NamedAxes> all;

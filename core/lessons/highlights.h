@@ -18,8 +18,7 @@ namespace unprojector::lessons {
 using namespace scene;
 
 /// The names that files have for them, in the order of Highlight.
-inline constexpr std::array<std::string_view, 4> kHighlightNames{"axes", "volume", "cube", "viewport"};
-std::optional<Highlight> highlightOf(std::string_view name);
+inline constexpr std::array kHighlightNames{"axes", "volume", "cube", "viewport"};
 
 /// A letter and its index: x with MC.
 struct Letter {

@@ -162,18 +162,17 @@ std::string listed(const Names &names)
     return text;
 }
 
-void readHighlights(LessonReader &reader, const JsonNode &node, FieldReader &json, Step &step)
+/// Each link of the texts must lead somewhere.
+void checkLinks(LessonReader &reader, const JsonNode &node, const std::vector<std::string> &paragraphs)
 {
-    std::vector<std::string> names;
-    json.list("highlights", names);
-    for (const std::string &name : names) {
-        const std::optional<Highlight> highlight = highlightOf(name);
-        if (highlight) {
-            step.highlights.insert(*highlight);
-            continue;
+    constexpr std::string_view kStart = "<a href='";
+    for (const std::string &paragraph : paragraphs) {
+        for (auto at = paragraph.find(kStart); at != std::string::npos; at = paragraph.find(kStart, at + 1)) {
+            const std::size_t from = at + kStart.size();
+            const std::string link = paragraph.substr(from, paragraph.find('\'', from) - from);
+            if (!parseLink(link))
+                reader.fail(node, "the link \"" + link + "\" leads nowhere");
         }
-        reader.fail(node.member("highlights"),
-                    "there is no highlight \"" + name + "\"; there are " + listed(kHighlightNames));
     }
 }
 
@@ -236,7 +235,7 @@ void readStep(LessonReader &reader, const JsonNode &node, const std::vector<Step
         if (const bool hasScene = json.has("scene", true); before && !hasScene) {
             step.scene = before->scene;
             step.view = before->view;
-            step.place = before->place;
+            step.workspace = before->workspace;
             step.points = before->points;
             step.changes = before->changes;
         }
@@ -253,9 +252,12 @@ void readStep(LessonReader &reader, const JsonNode &node, const std::vector<Step
             else
                 reader.fail(node, "\"view\" must be two whole numbers from 1 to " + std::to_string(kMostDrawnPixels));
         }
-        json.optional("place", step.place);
-        json.list("panels", step.panels);
-        readHighlights(reader, node, json, step);
+        if (json.has("place", true))
+            json.required("place", step.workspace.emplace(), Words{kWorkspaceNames});
+        json.list("panels", step.panels, kPanelNames.size(), Words{kPanelNames});
+        std::vector<Highlight> highlights;
+        json.list("highlights", highlights, kHighlightNames.size(), Words{kHighlightNames});
+        step.highlights = {highlights.begin(), highlights.end()};
         readChanges(reader, node, json, step);
         static_cast<void>(json.has("points", true));
         if (const JsonNode points = node.member("points"); points.exists() && points.isObject()) {
@@ -275,16 +277,18 @@ void readStep(LessonReader &reader, const JsonNode &node, const std::vector<Step
                 describeTexts(fields, asked);
                 fields.required("answer", asked.answer);
                 fields.required("tolerance", asked.tolerance);
-                fields.list("hides", asked.hides);
+                fields.list("hides", asked.hides, kPanelNames.size(), Words{kPanelNames});
             });
-            for (const std::string &panel : panelsWithAnswer(asked.answer, clickedPoints(step, earlier))) {
+            for (const Panel panel : panelsWithAnswer(asked.answer, clickedPoints(step, earlier))) {
                 if (std::find(asked.hides.begin(), asked.hides.end(), panel) == asked.hides.end())
                     asked.hides.push_back(panel);
             }
+            checkLinks(reader, question, asked.reveal);
             if (!(asked.tolerance > 0.0))
                 reader.fail(question, "\"tolerance\" must be greater than 0");
         }
     });
+    checkLinks(reader, node, step.text);
     if (!isName(step.id))
         reader.fail(node, "\"id\" must be of small letters, digits and _, a letter first");
     if (step.title.empty() || step.text.empty())
@@ -331,7 +335,7 @@ const Step *Lesson::step(std::string_view id) const
     return found == steps.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> panelsWithAnswer(std::string_view answer, const std::set<std::string> &clicked)
+std::vector<Panel> panelsWithAnswer(std::string_view answer, const std::set<std::string> &clicked)
 {
     constexpr std::array kSpaces{"object", "world",  "eye",    "clip",    "ndc",
                                  "window", "device", "widget", "formula", "inverse"};
@@ -352,9 +356,9 @@ std::vector<std::string> panelsWithAnswer(std::string_view answer, const std::se
         head = answer.substr(0, answer.find_first_of(".["));
     }
     if (isOneOf(kSpaces, head))
-        return {"pipeline", "comparison"};
+        return {Panel::Pipeline, Panel::Comparison};
     if (isOneOf(kMatrices, head))
-        return {"pipeline"};
+        return {Panel::Pipeline};
     return {};
 }
 

@@ -3,6 +3,7 @@
 #include "core/geometry/given_point.h"
 #include "core/geometry/result.h"
 #include "core/geometry/viewport.h"
+#include "core/lessons/link.h"
 #include "core/ray/scene_rays.h"
 #include "core/text/json_value.h"
 
@@ -30,8 +31,8 @@
 ///       "scene": "zhangci-model-view",          one of scene::examples(), or a scene document as in scene_file.h
 ///       "change": {"projection": {"near": 2}},  or, instead: the scene of the step before, with this merged in (RFC 7396)
 ///       "view": [300, 300],                     optional: the view's size, device pixels, that the numbers need
-///       "place": "pipeline",                    optional: the work place
-///       "panels": ["parameters"],               optional: shown there
+///       "place": "pipeline",                    optional: the workspace, see kWorkspaceNames
+///       "panels": ["parameters"],               optional: shown there, see kPanelNames
 ///       "highlights": ["axes", "volume"],       optional: letters written into the pictures, see Highlight
 ///       "points": {                             optional: what paths and links name
 ///         "corner": {"space": "object", "coordinates": [4, 4, -4], "object": "Quad"},
@@ -54,10 +55,7 @@
 /// StepNumbers, or is the word "quoted" for numbers of the source that the text speaks of. A test computes all but those, and
 /// takes none that has no path in it: {1 = 1} would always be right.
 ///
-/// Links lead on: formulas:NAME in the page of formulas, click:POINT ("point" is the followed one), set:CHANGE, panel:ID,
-/// place:ID, step:ID, view:300x300, apart:view and apart:projection (the factors of the matrix, in the pipeline's panel), and
-/// action:NAME, which does what a menu entry or a switch of a panel does that has the name; one that can be off is switched on,
-/// by action:NAME:off it is switched off.
+/// Links lead on; link.h says where to.
 namespace unprojector::lessons {
 using namespace geometry;
 
@@ -88,7 +86,7 @@ struct Question {
     std::string answer;              ///< an expression of StepNumbers, or "quoted" and a number of the source
     double tolerance = 0.0;          ///< how far off an answer may be
     std::vector<std::string> reveal; ///< paragraphs: why it is so
-    std::vector<std::string> hides;  ///< panels that have the answer, closed until it is given
+    std::vector<Panel> hides;        ///< panels that have the answer, closed until it is given
 };
 
 struct Step {
@@ -98,8 +96,8 @@ struct Step {
     std::string source;            ///< may be empty
     text::JsonValue scene;         ///< the whole document, or the name of one of scene::examples()
     std::optional<glm::ivec2> view;
-    std::string place; ///< empty: wherever one is
-    std::vector<std::string> panels;
+    std::optional<Workspace> workspace; ///< nothing: wherever one is
+    std::vector<Panel> panels;
     std::set<Highlight> highlights;
     std::map<std::string, StepPoint> points;
     std::map<std::string, text::JsonValue> changes; ///< "set": merge patches of the scene document, by name
@@ -129,7 +127,7 @@ Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson,
 /// clicked; the pipeline's of a matrix's entry. So nobody who writes a question can forget to close them.
 /// @param answer   an expression of StepNumbers: one that is more than a path, or of another step, stands in no panel
 /// @param clicked  the step's points that a click can read
-std::vector<std::string> panelsWithAnswer(std::string_view answer, const std::set<std::string> &clicked);
+std::vector<Panel> panelsWithAnswer(std::string_view answer, const std::set<std::string> &clicked);
 
 /// The names that lessons.json lists.
 Result<std::vector<std::string>, LessonError> parseLessonNames(std::string_view json);

@@ -97,6 +97,9 @@ public:
     /// Gives up what is loading, and says so by `noticed`.
     void cancelLoading();
 
+    /// What is being typed counts now.
+    void commitTyped() { emit typedToCount(); }
+
     // ---- saving
 
     /// To its file, or as saveAs.
@@ -132,7 +135,7 @@ public:
     void clearRecentFiles();
 
 signals:
-    /// What is being typed is to count now: something of the scene is about to be written or left.
+    /// What is being typed is to count now: something of the scene is about to be written or left. See commitTyped.
     void typedToCount();
     /// The scene is to be saved or left, with all that was typed.
     void aboutToSaveOrLeave();

@@ -10,10 +10,10 @@
 #include "gui/landmarks/point_templates.h"
 #include "gui/landmarks/points_model.h"
 #include "gui/landmarks/points_table.h"
-#include "gui/landmarks/save_name.h"
 #include "gui/text/error_text.h"
 #include "gui/text/note_text.h"
 #include "gui/widgets/copy_menu.h"
+#include "gui/widgets/save_name.h"
 
 #include <nlohmann/json.hpp>
 

@@ -378,7 +378,7 @@ bool ScanSeries::isAsKept() const
 
 bool ScanSeries::keep()
 {
-    emit m_session.typedToCount();
+    m_session.commitTyped();
     if (!m_shown)
         return true;
     if (takePoints(m_document.landmarkSet()) && isAsKept()) {

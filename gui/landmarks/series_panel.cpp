@@ -1,10 +1,10 @@
 #include "gui/landmarks/series_panel.h"
 
-#include "gui/landmarks/save_name.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/landmarks/series_model.h"
 #include "gui/text/error_text.h"
 #include "gui/widgets/elided_label.h"
+#include "gui/widgets/save_name.h"
 
 #include <QFileDialog>
 #include <QHBoxLayout>

@@ -237,16 +237,17 @@ void LessonPanel::showHint()
 
 void LessonPanel::follow(const QString &link)
 {
-    const QString scheme = link.section(u':', 0, 0), target = link.section(u':', 1);
-    if (scheme == QLatin1String("restart")) {
+    const std::optional<lessons::Link> to = lessons::parseLink(link.toStdString());
+    if (!to)
+        return;
+    if (std::holds_alternative<lessons::RestartLink>(*to)) {
         m_player.restart();
         showHint();
-    } else if (scheme == QLatin1String("step")) {
-        const lessons::Step *step = m_player.lesson()->step(target.toStdString());
-        if (step)
-            m_player.goTo(static_cast<std::size_t>(step - m_player.lesson()->steps.data()));
+    } else if (const auto *step = std::get_if<lessons::StepLink>(&*to)) {
+        if (const lessons::Step *one = m_player.lesson()->step(step->id))
+            m_player.goTo(static_cast<std::size_t>(one - m_player.lesson()->steps.data()));
     } else {
-        emit linkFollowed(scheme, target);
+        emit linkFollowed(*to);
     }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/lessons/link.h"
+
 #include <QSize>
 #include <QString>
 #include <QWidget>
@@ -35,9 +37,8 @@ public:
 signals:
     /// Its own button was pressed.
     void closeRequested();
-    /// A link was followed: "formulas", "click", "set", "panel", "apart", "place", "view" or "action", and what stands behind the
-    /// colon.
-    void linkFollowed(const QString &scheme, const QString &target);
+    /// A link that leads out of the panel was followed.
+    void linkFollowed(const unprojector::lessons::Link &link);
 
 protected:
     void changeEvent(QEvent *event) override;

@@ -79,6 +79,26 @@ bool LessonPlayer::start(const std::string &name)
     return found != all.end() && show(*found, 0);
 }
 
+QString LessonPlayer::startAt(const QString &nameAndStep)
+{
+    const std::string name = nameAndStep.section(u':', 0, 0).toStdString();
+    bool isNumber = true;
+    const int step = nameAndStep.contains(u':') ? nameAndStep.section(u':', 1).toInt(&isNumber) : 1;
+    QStringList names;
+    for (const Lesson &lesson : lessons()) {
+        const int steps = static_cast<int>(lesson.steps.size());
+        if (lesson.name == name && isNumber && step >= 1 && step <= steps) {
+            if (start(name) && step > 1)
+                goTo(static_cast<std::size_t>(step - 1));
+            return {}; // what failed beyond that is told where every failure is
+        }
+        names << QStringLiteral("%1:1-%2").arg(QString::fromStdString(lesson.name)).arg(steps);
+    }
+    //: %2 are all lessons with their steps: first:1-7, weng:1-16
+    return tr("--lesson is %1; give a lesson, or one of its steps behind a colon: %2.")
+        .arg(nameAndStep, names.join(QStringLiteral(", ")));
+}
+
 bool LessonPlayer::goTo(std::size_t place)
 {
     return show(*m_lesson, place);

@@ -38,6 +38,9 @@ public:
 
     /// Starts a lesson at its first step.
     bool start(const std::string &name);
+    /// Starts a lesson by its name, and goes to a step behind a colon, from 1 on: "weng:3".
+    /// @return an error of the option --lesson where there is no such step; else empty
+    QString startAt(const QString &nameAndStep);
     /// @pre lesson(), place < its number of steps
     bool goTo(std::size_t place);
     bool hasNext() const { return m_lesson && m_place + 1 < m_lesson->steps.size(); }

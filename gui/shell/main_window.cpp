@@ -1,51 +1,40 @@
 #include "gui/shell/main_window.h"
 
-#include "gui/click/comparison_panel.h"
-#include "gui/doctor/doctor_panel.h"
-#include "gui/document/point_files.h"
-#include "gui/document/scene_curves.h"
+#include "core/lessons/lesson.h"
+#include "gui/document/overwriting.h"
 #include "gui/document/scene_document.h"
-#include "gui/landmarks/curve_waiting.h"
-#include "gui/landmarks/landmark_tool.h"
-#include "gui/landmarks/point_templates.h"
-#include "gui/landmarks/points_panel.h"
-#include "gui/landmarks/save_name.h"
-#include "gui/landmarks/scan_series.h"
-#include "gui/lessons/lesson_player.h"
-#include "gui/map/map_overlay.h"
-#include "gui/map/map_panel.h"
-#include "gui/outside/observer_panel.h"
-#include "gui/outside/observer_view.h"
-#include "gui/parameters/parameters_panel.h"
-#include "gui/pipeline/viewport_inspector.h"
+#include "gui/shell/features.h"
+#include "gui/shell/language_menu.h"
 #include "gui/shell/overlay_bars.h"
 #include "gui/shell/picture_note.h"
-#include "gui/shell/place_ids.h"
-#include "gui/shell/scene_files.h"
+#include "gui/shell/status_readout.h"
+#include "gui/shell/window_menus.h"
 #include "gui/shell/window_questions.h"
-#include "gui/shell/work_places.h"
 #include "gui/text/error_text.h"
-#include "gui/text/number_text.h"
-#include "gui/view/lifecycle_log.h"
 #include "gui/view/scene_view.h"
-#include "gui/widgets/digits_font.h"
 #include "gui/widgets/icons.h"
+#include "gui/window/feature.h"
+#include "gui/window/kept_bytes.h"
+#include "gui/window/view_frame.h"
 
+#include <QAction>
 #include <QCloseEvent>
-#include <QGridLayout>
+#include <QDockWidget>
 #include <QGuiApplication>
-#include <QLabel>
+#include <QMenu>
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QUrl>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <utility>
 
 namespace unprojector::gui {
 namespace {
+
+constexpr char kGeometryKey[] = "window/geometry";
 
 /// As large as is comfortable, but within the screen with a frame and a title around it.
 QSize startSize()
@@ -57,49 +46,21 @@ QSize startSize()
 } // namespace
 
 MainWindow::MainWindow(const Options &options, QWidget *parent)
-    : QMainWindow(parent), m_options(options), m_document(new SceneDocument(this)),
-      m_questions(std::make_unique<WindowQuestions>(*this)), m_templates(std::make_unique<PointTemplates>()),
-      m_pointFiles(new PointFiles(*m_document, options.remembers ? m_questions.get() : nullptr, this)),
+    : Window(parent), m_options(options), m_document(new SceneDocument(this)),
+      m_questions(std::make_unique<WindowQuestions>(*this)),
       m_session(
           new Session(*m_document, *m_questions, {options.remembers, options.recoveryFolder, options.autosave}, this)),
-      m_series(new ScanSeries(*m_document, *m_session, this)), m_lifecycle(new LifecycleLog(this)),
-      m_lessons(new LessonPlayer(*m_document, *m_session, this))
+      m_view(new SceneView(*m_document)), m_frame(new ViewFrame(*m_view)), m_message(new MessageBar)
 {
     setWindowTitle(tr("Unprojector") + QStringLiteral("[*]"));
     setWindowIcon(programIcon());
     resize(startSize());
-    const bool chosen = !options.remembers || QSettings().value(QStringLiteral("view/smoothEdges"), true).toBool();
-    m_smoothEdges = options.smoothEdges.value_or(chosen);
-
-    m_viewFrame = new QWidget;
-    m_center = new QGridLayout(m_viewFrame);
-    m_center->setContentsMargins(0, 0, 0, 0);
-    setCentralWidget(m_viewFrame);
-    m_recovery = new RecoveryBar;
-    m_message = new MessageBar;
-    m_loading = new LoadingBar;
-    createPanels();
-    createStatusBar();
-    createActions();
+    setCentralWidget(m_frame);
     createView();
-    createOverlays();
-    connectPanels();
-    showCamera();
-
-    connect(m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & Change::Pick && m_document->pick())
-            showFirstSteps(false);
-        if (changes & Change::Picture)
-            showCamera();
-    });
-    connect(m_document, &SceneDocument::pickFailed, this,
-            [this](const Error &error) { m_message->showMessage(errorText(error)); });
-    if (options.remembers) // somebody is there to wait
-        m_document->curves().setWaiting([this] { return waitForCurves(*this, *m_document); });
+    createFeatures();
+    new StatusReadout(*this);
     connectSession();
     restoreLayout();
-    if (options.remembers && !QSettings().value(QStringLiteral("firstSteps/areDone"), false).toBool())
-        showFirstSteps(true);
 }
 
 MainWindow::~MainWindow()
@@ -107,95 +68,18 @@ MainWindow::~MainWindow()
     // The undo stack is emptied when it ends; unsaved changes must not be forgotten then.
     m_document->disconnect(this);
     delete m_session;
-    delete m_map; // its colours lie on the view
-    // The view tells the log of its end, so it goes while the log is there.
+    qDeleteAll(std::exchange(m_features, {})); // what they draw lies on the view
     delete m_view;
-}
-
-void MainWindow::connectSession()
-{
-    connect(m_session, &Session::changed, this, &MainWindow::showName);
-    connect(m_session, &Session::opened, this, &MainWindow::showName);
-    connect(m_session, &Session::failed, this, &MainWindow::showFailure);
-    connect(m_session, &Session::noticed, this,
-            [this](const QString &text) { statusBar()->showMessage(text, kNoticeMilliseconds); });
-    connect(m_session, &Session::pointFilesOpened, this, [this](const std::vector<std::filesystem::path> &files) {
-        for (const std::filesystem::path &file : files) {
-            if (!PointFiles::isTemplate(file))
-                m_pointFiles->importFrom(file);
-        }
-    });
-    connect(m_series, &ScanSeries::failed, this, &MainWindow::showFailure);
-    connect(m_series, &ScanSeries::warned, m_session, &Session::warned);
-    connect(m_series, &ScanSeries::noticed, m_session, &Session::noticed);
-    connect(m_pointFiles, &PointFiles::failed, this, &MainWindow::showFailure);
-    connect(m_pointFiles, &PointFiles::noticed, m_session, &Session::noticed);
-    connect(m_session, &Session::recentFilesChanged, this, &MainWindow::updateRecentMenu);
-    connect(m_lessons, &LessonPlayer::changed, this, &MainWindow::showLesson);
-    connect(m_lessons, &LessonPlayer::revealed, this, [this] {
-        showPanelsOfStep();
-        m_places->show(kLessonPanel); // which says why it is so, where they are tabs of one column
-    });
-    connect(m_lessons, &LessonPlayer::clickWanted, this, [this](const std::string &point) {
-        followLessonLink(QStringLiteral("click"), QString::fromStdString(point));
-    });
-    connect(m_lessons, &LessonPlayer::failed, this, &MainWindow::showFailure);
-    m_viewTimer.setSingleShot(true);
-    m_viewTimer.setInterval(kSettlingMilliseconds);
-    connect(&m_viewTimer, &QTimer::timeout, this, &MainWindow::fitViewOfLesson);
-    connect(&m_document->rayCasters(), &RayCasters::progressed, this, &MainWindow::showPreparing);
-    connect(&m_document->rayCasters(), &RayCasters::finished, this, [this] {
-        m_sincePreparing.invalidate();
-        m_preparing->hide();
-    });
-}
-
-void MainWindow::connectPanels()
-{
-    connect(m_comparison, &ComparisonPanel::pickRequested, m_view, &SceneView::onLButtonDown);
-    connect(m_doctor, &DoctorPanel::pickRequested, m_view, &SceneView::pickPixel);
-    connect(m_landmarkTool, &LandmarkTool::placingChanged, m_placingAction, &QAction::setChecked);
-    connect(m_landmarkTool, &LandmarkTool::placingChanged, m_pointsPanel, &PointsPanel::setPlacing);
-    connect(m_pointsPanel, &PointsPanel::placingRequested, m_placingAction,
-            [this] { m_placingAction->setChecked(true); });
-    // Queued: it may be told while the view is painted.
-    connect(m_view, &SceneView::drawingProgressed, m_loading, &LoadingBar::setDrawn, Qt::QueuedConnection);
-    connect(m_session, &Session::typedToCount, m_parameters, &ParametersPanel::applyTyped);
-    connect(m_session, &Session::warned, m_message, &MessageBar::showMessage);
-    connect(m_session, &Session::progressed, m_message, &QWidget::hide);
-    connect(m_pointFiles, &PointFiles::warned, m_message, &MessageBar::showMessage);
-
-    connect(m_session, &Session::loadingStarted, m_loading, &LoadingBar::start);
-    connect(m_session, &Session::loadingProgressed, m_loading, &LoadingBar::setProgress);
-    connect(m_session, &Session::loadingEnded, m_loading, [this] { m_loading->finish(!m_view->awaitPicture()); });
-    connect(m_loading, &LoadingBar::cancelRequested, m_session, &Session::cancelLoading);
-
-    connect(m_session, &Session::offeredChanged, m_recovery, [this] { m_recovery->offer(m_session->offered()); });
-    // What is being recovered stays offered until it is shown, and is asked for once.
-    connect(m_session, &Session::loadingStarted, m_recovery, [this] { m_recovery->setEnabled(false); });
-    connect(m_session, &Session::loadingEnded, m_recovery, [this] { m_recovery->setEnabled(true); });
-    connect(m_recovery, &RecoveryBar::recoverRequested, m_session,
-            [this](int place) { m_session->recover(static_cast<std::size_t>(place)); });
-    connect(m_recovery, &RecoveryBar::discardRequested, m_session,
-            [this](int place) { m_session->discardOffered(static_cast<std::size_t>(place)); });
-    connect(m_recovery, &RecoveryBar::laterRequested, m_session, &Session::postponeOffered);
 }
 
 void MainWindow::createView()
 {
-    m_view = new SceneView(*m_document);
-    m_landmarkTool = new LandmarkTool(*m_document, *m_view);
-    m_view->setTool(*m_landmarkTool);
-    m_view->setSmoothEdges(m_smoothEdges);
+    const bool chosen = !m_options.remembers || QSettings().value(QStringLiteral("view/smoothEdges"), true).toBool();
+    m_hasSmoothEdges = m_options.smoothEdges.value_or(chosen);
+    m_view->setSmoothEdges(m_hasSmoothEdges);
     m_view->setModelStore(m_session->models());
-    m_center->addWidget(m_view, 0, 0);
-    connect(m_view, &SceneView::happened, m_lifecycle, &LifecycleLog::append);
-    connect(m_view, &SceneView::hovered, this, &MainWindow::showHover);
-    connect(m_view, &SceneView::pointerLeft, this, [this] {
-        m_hover->clear();
-        m_inspector->clearPointer();
-        m_map->setPointer(std::nullopt);
-    });
+    connect(m_view, &SceneView::hovered, this, [this](const PixelClick &click) { emit pointed(click); });
+    connect(m_view, &SceneView::pointerLeft, this, [this] { emit pointed(std::nullopt); });
     connect(m_view, &SceneView::failed, this, &MainWindow::showFailure);
     connect(m_view, &SceneView::filesDropped, this, [this](const QList<QUrl> &urls) {
         std::vector<std::filesystem::path> files;
@@ -205,38 +89,74 @@ void MainWindow::createView()
     });
 }
 
-void MainWindow::createOverlays()
+void MainWindow::createFeatures()
 {
-    // A layout, not a widget: beside what stands in it the view is clicked.
-    m_overlays = new QVBoxLayout;
-    m_overlays->setSpacing(0);
-    m_overlays->addWidget(m_recovery);
-    m_overlays->addWidget(m_message);
-    m_overlays->addStretch();
-    m_center->addLayout(m_overlays, 0, 0);
-    m_center->addWidget(m_loading, 0, 0, Qt::AlignBottom | Qt::AlignHCenter);
-    auto *note = new PictureNote(*m_document, m_viewFrame);
-    m_center->addWidget(note, 0, 0, Qt::AlignCenter);
-    note->raise();
-    m_map = new MapOverlay(*m_document, *m_view);
-    m_center->addWidget(&m_map->panel(), 0, 0, Qt::AlignTop | Qt::AlignRight);
-    m_map->panel().raise();
-    m_view->setCornerWidget(&m_map->panel());
-    connect(m_map, &MapOverlay::closeRequested, this, [this] { m_mapAction->setChecked(false); });
-    connect(&m_map->panel(), &MapPanel::exportRequested, this, &MainWindow::exportMap);
-    for (QWidget *bar :
-         {static_cast<QWidget *>(m_recovery), static_cast<QWidget *>(m_message), static_cast<QWidget *>(m_loading)})
+    auto *recovery = new RecoveryBar;
+    auto *loading = new LoadingBar;
+    m_frame->addBar(*recovery);
+    m_frame->addBar(*m_message);
+    m_frame->add(*new PictureNote(*m_document, m_frame), Qt::AlignCenter);
+    m_features = makeFeatures(*this);
+    m_frame->add(*loading, Qt::AlignBottom | Qt::AlignHCenter);
+    for (QWidget *bar : {static_cast<QWidget *>(recovery), static_cast<QWidget *>(m_message)})
         bar->raise();
+    connectBars(*loading, *recovery);
+
+    std::vector<PanelSpec> panels;
+    std::vector<WorkspaceSpec> workspaces;
+    for (Feature *feature : m_features) {
+        for (PanelSpec &panel : feature->panels())
+            panels.push_back(std::move(panel));
+        if (auto workspace = feature->workspace())
+            workspaces.push_back(std::move(*workspace));
+        if (ViewTool *tool = feature->tool())
+            m_view->setTool(*tool);
+    }
+    m_workspaces = new Workspaces(*this, std::move(panels), std::move(workspaces));
+    m_menus = new WindowMenus(*this, m_features, *m_message, m_options.translation);
+    connect(m_menus, &WindowMenus::smoothEdgesChosen, this, &MainWindow::setSmoothEdges);
 }
 
-void MainWindow::setSmoothEdges(bool smooth)
+void MainWindow::connectSession()
 {
-    m_smoothEdges = smooth;
-    m_view->setSmoothEdges(smooth);
-    if (m_observer)
-        m_observer->view().setSmoothEdges(smooth);
+    connect(m_document, &SceneDocument::pickFailed, this,
+            [this](const Error &error) { showMessage(errorText(error)); });
+    connect(m_session, &Session::changed, this, &MainWindow::showName);
+    connect(m_session, &Session::opened, this, &MainWindow::showName);
+    connect(m_session, &Session::failed, this, &MainWindow::showFailure);
+    connect(m_session, &Session::noticed, this, &MainWindow::notice);
+    connect(m_session, &Session::warned, this, &MainWindow::showMessage);
+    connect(m_session, &Session::progressed, m_message, &QWidget::hide);
+}
+
+void MainWindow::connectBars(LoadingBar &loading, RecoveryBar &recovery)
+{
+    // Queued: it may be told while the view is painted.
+    connect(m_view, &SceneView::drawingProgressed, &loading, &LoadingBar::setDrawn, Qt::QueuedConnection);
+    connect(m_session, &Session::loadingStarted, &loading, &LoadingBar::start);
+    connect(m_session, &Session::loadingProgressed, &loading, &LoadingBar::setProgress);
+    connect(m_session, &Session::loadingEnded, &loading, [this, &loading] { loading.finish(!m_view->awaitPicture()); });
+    connect(&loading, &LoadingBar::cancelRequested, m_session, &Session::cancelLoading);
+
+    connect(m_session, &Session::offeredChanged, &recovery,
+            [this, &recovery] { recovery.offer(m_session->offered()); });
+    // What is being recovered stays offered until it is shown, and is asked for once.
+    connect(m_session, &Session::loadingStarted, &recovery, [&recovery] { recovery.setEnabled(false); });
+    connect(m_session, &Session::loadingEnded, &recovery, [&recovery] { recovery.setEnabled(true); });
+    connect(&recovery, &RecoveryBar::recoverRequested, m_session,
+            [this](int index) { m_session->recover(static_cast<std::size_t>(index)); });
+    connect(&recovery, &RecoveryBar::discardRequested, m_session,
+            [this](int index) { m_session->discardOffered(static_cast<std::size_t>(index)); });
+    connect(&recovery, &RecoveryBar::laterRequested, m_session, &Session::postponeOffered);
+}
+
+void MainWindow::setSmoothEdges(bool isSmooth)
+{
+    m_hasSmoothEdges = isSmooth;
+    m_view->setSmoothEdges(isSmooth);
+    emit smoothEdgesChanged(isSmooth);
     if (m_options.remembers)
-        QSettings().setValue(QStringLiteral("view/smoothEdges"), smooth);
+        QSettings().setValue(QStringLiteral("view/smoothEdges"), isSmooth);
 }
 
 void MainWindow::setViewSize(const QSize &wanted)
@@ -249,10 +169,21 @@ void MainWindow::setViewSize(const QSize &wanted)
     }
 }
 
+void MainWindow::showMessage(const QString &text)
+{
+    m_message->showMessage(text);
+}
+
 void MainWindow::showFailure(const QString &reason)
 {
-    m_message->showMessage(reason);
+    showMessage(reason);
     emit openFailed(reason);
+}
+
+void MainWindow::notice(const QString &text)
+{
+    constexpr int kMilliseconds = 12000;
+    statusBar()->showMessage(text, kMilliseconds);
 }
 
 QString MainWindow::message() const
@@ -274,95 +205,78 @@ bool MainWindow::mayExportTo(const std::filesystem::path &file)
     return refusal.isEmpty();
 }
 
-void MainWindow::exportMap()
+void MainWindow::follow(const lessons::Link &link)
 {
-    const SaveName named =
-        askSaveName(*this, tr("Export Map"), {tr("Picture with its scale (*.png)"), tr("Float map (*.pfm)")},
-                    pathText(m_session->proposedName().stem()) + QStringLiteral("-map"));
-    if (named.file.empty() || !mayExportTo(named.file))
+    static_cast<void>(
+        std::any_of(m_features.begin(), m_features.end(), [&link](Feature *feature) { return feature->follow(link); }));
+}
+
+void MainWindow::showStep(const lessons::Step *step)
+{
+    m_view->setHighlights(step ? step->highlights : std::set<lessons::Highlight>());
+    emit stepShown(step);
+}
+
+Window::State MainWindow::state()
+{
+    State state{m_workspaces->layout(), {}};
+    for (const Feature *feature : m_features)
+        state.features.push_back(feature->state());
+    return state;
+}
+
+void MainWindow::restore(const State &state)
+{
+    for (std::size_t i = 0; i < m_features.size(); ++i)
+        m_features[i]->restore(state.features[i]);
+    m_workspaces->restore(state.layout);
+}
+
+QMenu *MainWindow::createPopupMenu()
+{
+    auto *menu = new QMenu(this);
+    for (QDockWidget *dock : m_workspaces->sharedDocks())
+        menu->addAction(dock->toggleViewAction());
+    menu->addSeparator();
+    menu->addAction(findChild<QToolBar *>()->toggleViewAction());
+    return menu;
+}
+
+void MainWindow::restoreLayout()
+{
+    if (!m_options.remembers)
         return;
-    if (const QString problem = m_map->exportTo(named.file); !problem.isEmpty())
-        showFailure(problem);
-    else
-        statusBar()->showMessage(tr("Map written to %1").arg(pathText(named.file.filename())), kNoticeMilliseconds);
+    const QSettings settings;
+    restoreGeometry(unsealed(settings.value(QLatin1String(kGeometryKey)), kGeometryKey));
+    m_workspaces->restore(settings);
+    for (Feature *feature : m_features)
+        feature->restore(settings);
 }
 
-void MainWindow::createStatusBar()
+void MainWindow::keepLayout() const
 {
-    m_hover = new QLabel;
-    m_hover->setAccessibleName(tr("World coordinate under the pointer"));
-    m_hover->setToolTip(tr("World coordinate under the pointer, with the digits that its pixel leaves certain"));
-    // An empty label asks for another height than one with text, and the view would change its size with it.
-    m_hover->setMinimumHeight(
-        std::max(m_hover->sizeHint().height(), lineHeight(m_hover->font(), tr("background, %1"))));
-    m_camera = new QLabel;
-    m_camera->setAccessibleName(tr("Projection"));
-    m_camera->setToolTip(tr("Projection and distances of the near and far planes, world units"));
-    statusBar()->addWidget(m_hover, 1);
-    m_preparing = new QLabel;
-    m_preparing->setAccessibleName(tr("Preparing the ray on the mesh"));
-    m_preparing->setToolTip(
-        tr("Clicks have the depth buffer's answer already; the ray's comes when the model is prepared "
-           "for it"));
-    m_preparing->hide();
-    statusBar()->addPermanentWidget(m_preparing);
-    statusBar()->addPermanentWidget(m_camera);
-}
-
-void MainWindow::showPreparing(double share)
-{
-    constexpr qint64 kUnnoticedMilliseconds = 500;
-    if (!m_sincePreparing.isValid())
-        m_sincePreparing.start();
-    m_preparing->setText(tr("Preparing the ray on the mesh: %1 %").arg(static_cast<int>(100.0 * share)));
-    m_preparing->setVisible(m_sincePreparing.hasExpired(kUnnoticedMilliseconds));
-}
-
-void MainWindow::showHover(const PixelClick &click)
-{
-    m_inspector->setPointer(click.position);
-    m_map->setPointer(click.position);
-    const Result<Pick> pick = m_document->unprojected(click);
-    if (!pick || (pick->hit() && !pick->point.world[Method::Formula])) {
-        m_hover->clear();
+    if (!m_options.remembers)
         return;
-    }
-    const QString pixel = tr("pixel (%1, %2)").arg(click.pixel.i).arg(click.pixel.j);
-    if (!pick->hit()) {
-        m_hover->setText(tr("background, %1").arg(pixel));
-        return;
-    }
-    // All to the same place, as far as the least certain of them is.
-    const WorldVector &open = pick->withinPixel.world;
-    const double most = std::max({open.x, open.y, open.z});
-    m_hover->setText(
-        tr("world %1, %2").arg(pointText(*pick->point.world[Method::Formula], WorldVector(most, most, most)), pixel));
-}
-
-void MainWindow::showCamera()
-{
-    const Projection &projection = m_document->geometry().projection();
-    const ProjectionWindow w = projectionWindow(projection);
-    m_projectionAction->setChecked(isPerspective(projection));
-    const QString kind = isPerspective(projection)                       ? tr("Perspective")
-                         : kindOf(projection) == ProjectionKind::Oblique ? tr("Oblique")
-                                                                         : tr("Orthographic");
-    m_camera->setText(
-        tr("%1, near %2, far %3").arg(kind, writtenText(w.nearDistance, 4), writtenText(w.farDistance, 4)));
+    QSettings settings;
+    settings.setValue(QLatin1String(kGeometryKey), sealed(saveGeometry(), kGeometryKey));
+    m_workspaces->keep(settings);
+    for (const Feature *feature : m_features)
+        feature->keep(settings);
 }
 
 void MainWindow::resizeEvent(QResizeEvent *event)
 {
-    QMainWindow::resizeEvent(event);
-    fitToolBar();
-    m_places->windowResized();
+    Window::resizeEvent(event);
+    m_menus->fitToolBar();
+    m_workspaces->windowResized();
 }
 
 void MainWindow::showEvent(QShowEvent *event)
 {
-    QMainWindow::showEvent(event);
-    m_places->windowResized();
-    tellOfFont(); // not sooner: what is opened takes away what was said before
+    Window::showEvent(event);
+    m_workspaces->windowResized();
+    if (m_options.translation && message().isEmpty()) // not sooner: what is opened takes away what was said before
+        tellOfFont(*this, *m_options.translation);
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)
@@ -372,9 +286,9 @@ void MainWindow::closeEvent(QCloseEvent *event)
         return;
     }
     m_session->end();
-    m_lessons->end(); // its window and panels are not what the user wants the next time
+    emit closing();
     keepLayout();
-    QMainWindow::closeEvent(event);
+    Window::closeEvent(event);
 }
 
 } // namespace unprojector::gui

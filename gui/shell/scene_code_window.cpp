@@ -1,13 +1,13 @@
 #include "gui/shell/scene_code_window.h"
 
 #include "core/files/replace_file.h"
+#include "gui/document/overwriting.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
-#include "gui/landmarks/save_name.h"
-#include "gui/shell/scene_files.h"
 #include "gui/shell/window_questions.h"
 #include "gui/text/error_text.h"
 #include "gui/widgets/digits_font.h"
+#include "gui/widgets/save_name.h"
 #include "gui/widgets/segmented_switch.h"
 
 #include <QClipboard>

@@ -3,10 +3,11 @@
 #include "core/files/replace_file.h"
 #include "core/scene_file/clicks.h"
 #include "core/scene_file/scene_error_text.h"
+#include "gui/document/overwriting.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
-#include "gui/shell/scene_files.h"
-#include "gui/shell/work_places.h"
+#include "gui/lessons/lesson_player.h"
+#include "gui/lessons/view_size.h"
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
 #include "gui/view/scene_view.h"
@@ -57,9 +58,9 @@ void ScreenshotRun::start()
     connect(m_window.get(), &MainWindow::openFailed, this, &ScreenshotRun::fail);
     m_window->resize(m_request.windowSize);
     if (!m_request.place.isEmpty())
-        m_window->places().enter(m_request.place.toUtf8().constData());
+        m_window->workspaces().enter(*lessons::workspaceOf(m_request.place.toStdString()));
     if (!m_request.hasPanels)
-        m_window->hidePanels(true);
+        m_window->workspaces().hidePanels(true);
     if (m_request.files.empty())
         m_window->session().openBundledScene();
     else
@@ -71,7 +72,8 @@ void ScreenshotRun::start()
     connect(&m_window->session(), &Session::loadingEnded, this, finish);
     m_window->show();
     if (!m_request.lesson.isEmpty()) {
-        if (const QString problem = m_window->startLesson(m_request.lesson); !problem.isEmpty()) {
+        if (const QString problem = m_window->findChild<LessonPlayer *>()->startAt(m_request.lesson);
+            !problem.isEmpty()) {
             fail(problem);
             return;
         }
@@ -114,7 +116,7 @@ void ScreenshotRun::pressAndSave()
 {
     if (m_hasEnded)
         return;
-    if (!m_window->isSettled()) {
+    if (!m_window->findChild<ViewSize *>()->isSettled()) {
         QTimer::singleShot(kAgainMilliseconds, this, &ScreenshotRun::pressAndSave);
         return;
     }

@@ -826,6 +826,57 @@
     </message>
 </context>
 <context>
+    <name>unprojector::gui::ClickFeature</name>
+    <message>
+        <source>Comparison</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>点击</translation>
+    </message>
+    <message>
+        <source>The view and what a click gives</source>
+        <translation>视图，以及一次点击得到的结果</translation>
+    </message>
+    <message>
+        <source>A Click Takes</source>
+        <translation>点击选取</translation>
+    </message>
+    <message>
+        <source>&amp;Surface</source>
+        <translation>表面(&amp;S)</translation>
+    </message>
+    <message>
+        <source>A click takes the surface under it</source>
+        <translation>点击选取其下的表面</translation>
+    </message>
+    <message>
+        <source>&amp;Vertex</source>
+        <translation>顶点(&amp;V)</translation>
+    </message>
+    <message>
+        <source>A click takes the vertex in sight within 8 pixels, its very coordinate</source>
+        <translation>点击选取 8 像素以内可见的顶点，给出其精确坐标</translation>
+    </message>
+    <message>
+        <source>&amp;Edge</source>
+        <translation>边(&amp;E)</translation>
+    </message>
+    <message>
+        <source>A click takes the nearest point of an edge in sight within 8 pixels</source>
+        <translation>点击选取 8 像素以内可见的边上最近的点</translation>
+    </message>
+    <message>
+        <source>&amp;Face</source>
+        <translation>面(&amp;F)</translation>
+    </message>
+    <message>
+        <source>A click takes the face under it, with its plane</source>
+        <translation>点击选取其下的面及其所在平面</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ClipGroup</name>
     <message>
         <source>Kept is where A x + B y + C z + D ≥ 0, in world coordinates.</source>
@@ -1592,6 +1643,17 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
 </context>
 <context>
+    <name>unprojector::gui::DoctorFeature</name>
+    <message>
+        <source>Doctor</source>
+        <translation>诊断</translation>
+    </message>
+    <message>
+        <source>Find the mistake by which your program gets a wrong coordinate</source>
+        <translation>找出您的程序因哪个错误得到了错误的坐标</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::DoctorPanel</name>
     <message>
         <source>As it is &amp;now</source>
@@ -1916,6 +1978,45 @@ Both are as large as fits.</source>
     <message>
         <source>As sixteen numbers, as it was given, there is nothing to take apart; this is its conversion&apos;s.</source>
         <translation>给定的矩阵只是十六个数，无从分解；这里分解的是由它转换来的矩阵。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::FileQuestions</name>
+    <message>
+        <source>Points that are placed already: %1. Points in the file: %2. Replace them, or put the new ones behind them?</source>
+        <translation>已放置的点：%1 个。文件中的点：%2 个。替换它们，还是把新的点放在它们后面？</translation>
+    </message>
+    <message>
+        <source>Names of the template that wait for their points: %1. Replace takes them away as well; Append gives those that the file has their places.</source>
+        <translation>模板中等待放置的名称：%1 个。“替换”也会去掉它们；“追加”会让文件中有的点占据它们的位置。</translation>
+    </message>
+    <message>
+        <source>Import Points</source>
+        <translation>导入点</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>替换(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Append</source>
+        <translation>追加(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Move Them onto the Mesh</source>
+        <translation>移到网格上(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Leave Them Where They Are</source>
+        <translation>留在原处(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Take the Names in Order</source>
+        <translation>按顺序取用名称(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Put Them Behind</source>
+        <translation>排在其后(&amp;P)</translation>
     </message>
 </context>
 <context>
@@ -2495,6 +2596,180 @@ Both are as large as fits.</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::LandmarksFeature</name>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Place points on the surface, name them, move them, measure between them</source>
+        <translation>在表面上放置点、命名、移动、测量</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>系列</translation>
+    </message>
+    <message>
+        <source>Import Points</source>
+        <translation>导入点</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Export Points</source>
+        <translation>导出点</translation>
+    </message>
+    <message>
+        <source>&amp;Import Points…</source>
+        <translation>导入点(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Read points from a file of this or another program</source>
+        <translation>从本程序或其他程序的文件读取点</translation>
+    </message>
+    <message>
+        <source>E&amp;xport Points…</source>
+        <translation>导出点(&amp;X)…</translation>
+    </message>
+    <message>
+        <source>Write the points to a file; its suffix says for which program</source>
+        <translation>将点写入文件；由后缀决定供哪个程序使用</translation>
+    </message>
+    <message>
+        <source>Series of S&amp;cans</source>
+        <translation>扫描系列(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Open Folder…</source>
+        <translation>打开文件夹(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a folder of scans, to place the same points on each</source>
+        <translation>打开一个扫描文件夹，在每个扫描上放置相同的点</translation>
+    </message>
+    <message>
+        <source>&amp;Next Scan</source>
+        <translation>下一个扫描(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Keep the points and show the next scan</source>
+        <translation>保留各点并显示下一个扫描</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Scan</source>
+        <translation>上一个扫描(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Keep the points and show the scan before</source>
+        <translation>保留各点并显示上一个扫描</translation>
+    </message>
+    <message>
+        <source>&amp;Repeats…</source>
+        <translation>重复测量(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Write the mean of each point&apos;s placings, and how far they scatter, to a table</source>
+        <translation>把每个点各次放置的平均值及离散程度写入表格</translation>
+    </message>
+    <message>
+        <source>&amp;Close Series</source>
+        <translation>关闭系列(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Keep the points and leave the series</source>
+        <translation>保存各点并离开此系列</translation>
+    </message>
+    <message>
+        <source>&amp;Place Points</source>
+        <translation>放置点(&amp;P)</translation>
+    </message>
+    <message>
+        <source>A click places a point; what is dragged turns the view</source>
+        <translation>点击放置一个点；拖动则转动视图</translation>
+    </message>
+    <message>
+        <source>&amp;Go to Point</source>
+        <translation>转到该点(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Turn the camera to face the surface at the selected point</source>
+        <translation>转动相机，使其正对选中点处的表面</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to ± 0.01</source>
+        <translation>放大到 ± 0.01(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Get closer to the selected point until its pixel leaves no more open than 0.01</source>
+        <translation>靠近选中的点，直到它的像素所含的不确定不超过 0.01</translation>
+    </message>
+    <message>
+        <source>Put &amp;Back on the Surface</source>
+        <translation>放回表面(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Put the selected points onto the surface, where it is closest to them</source>
+        <translation>将选中的点放到表面上离它们最近的位置</translation>
+    </message>
+    <message>
+        <source>&amp;Join on the Surface</source>
+        <translation>沿曲面连接(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Lead a curve through the selected points as a thread pulled tight on the surface</source>
+        <translation>像在曲面上拉紧的线那样，引一条曲线通过选中的点</translation>
+    </message>
+    <message>
+        <source>Join Along a P&amp;lane</source>
+        <translation>沿平面连接(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Lead a curve through the selected points where the plane along the surface&apos;s normals cuts it</source>
+        <translation>在沿曲面法线的平面与曲面相交处，引一条曲线通过选中的点</translation>
+    </message>
+    <message>
+        <source>Select a placed point first: its mark in the view, or its row under Points.</source>
+        <translation>请先选择一个已放置的点：点击视图中的标记，或“点”面板中的那一行。</translation>
+    </message>
+    <message>
+        <source>Select placed points first: their marks in the view, or their rows under Points.</source>
+        <translation>请先选择已放置的点：点击视图中的标记，或“点”面板中的各行。</translation>
+    </message>
+    <message>
+        <source>Select two points or more first: their rows under Points, with Ctrl.</source>
+        <translation>请先选择两个或更多的点：按住 Ctrl 点击“点”面板中的各行。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::LanguageMenu</name>
+    <message>
+        <source>Add Chinese in Settings &gt; Time &amp; Language &gt; Language.</source>
+        <translation>请在“设置 &gt; 时间和语言 &gt; 语言”中添加中文。</translation>
+    </message>
+    <message>
+        <source>Install one, such as the package fonts-noto-cjk of Debian and Ubuntu.</source>
+        <translation>请安装一种，例如 Debian 和 Ubuntu 的软件包 fonts-noto-cjk。</translation>
+    </message>
+    <message>
+        <source>The program speaks Chinese, but no font here has its characters. %1 Then start the program again.</source>
+        <translation>本程序有中文界面，但这里没有含汉字的字体。%1然后重新启动本程序。</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>跟随系统(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The program uses the language of the desktop when it starts next time.</source>
+        <translation>程序下次启动时使用桌面的语言。</translation>
+    </message>
+    <message>
+        <source>No font here has Chinese characters. %1 Then start the program again.</source>
+        <translation>这里没有含汉字的字体。%1然后重新启动本程序。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::LessonPanel</name>
     <message>
         <source>Chec&amp;k</source>
@@ -2623,6 +2898,74 @@ Both are as large as fits.</source>
     <message>
         <source>Change by the Lesson</source>
         <translation>课程所作的更改</translation>
+    </message>
+    <message>
+        <source>--lesson is %1; give a lesson, or one of its steps behind a colon: %2.</source>
+        <extracomment>%2 are all lessons with their steps: first:1-7, weng:1-16</extracomment>
+        <translation>--lesson 为 %1；请给出一门课程，或在冒号后给出其中一步：%2。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::LessonsFeature</name>
+    <message>
+        <source>Lesson</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>&amp;Bundled Scene</source>
+        <translation>自带场景(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the scene that comes with the program</source>
+        <translation>显示程序自带的场景</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>课程(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Formulas</source>
+        <translation>公式(&amp;F)</translation>
+    </message>
+    <message>
+        <source>All formulas with their sources, and the errors in the originals</source>
+        <translation>所有公式及其出处，以及原文中的错误</translation>
+    </message>
+    <message>
+        <source>First &amp;Steps</source>
+        <translation>入门(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Three things to try</source>
+        <translation>可以试试这三件事</translation>
+    </message>
+    <message>
+        <source>&amp;Next Step</source>
+        <translation>下一步(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The next step of the lesson</source>
+        <translation>课程的下一步</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Step</source>
+        <translation>上一步(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The step of the lesson before this one</source>
+        <translation>课程的上一步</translation>
+    </message>
+    <message>
+        <source>L&amp;eave Lesson</source>
+        <translation>退出课程(&amp;E)</translation>
+    </message>
+    <message>
+        <source>End the lesson; the scene that was shown before it comes back</source>
+        <translation>结束课程；恢复之前显示的场景</translation>
+    </message>
+    <message>
+        <source>The point is not in the picture as it is now. Put the picture back as the step has it.</source>
+        <translation>该点不在现在的画面中。请恢复本步的画面。</translation>
     </message>
 </context>
 <context>
@@ -2753,525 +3096,12 @@ Both are as large as fits.</source>
         <translation>Unprojector</translation>
     </message>
     <message>
-        <source>Parameters</source>
-        <translation>参数</translation>
-    </message>
-    <message>
-        <source>Comparison</source>
-        <translation>比较</translation>
-    </message>
-    <message>
-        <source>Pipeline</source>
-        <translation>渲染管线</translation>
-    </message>
-    <message>
-        <source>Viewport</source>
-        <translation>视口</translation>
-    </message>
-    <message>
-        <source>Life of the View</source>
-        <translation>视图生命周期</translation>
-    </message>
-    <message>
-        <source>World coordinate under the pointer</source>
-        <translation>指针处的世界坐标</translation>
-    </message>
-    <message>
-        <source>World coordinate under the pointer, with the digits that its pixel leaves certain</source>
-        <translation>指针处的世界坐标，只显示在其像素之内可靠的数位</translation>
-    </message>
-    <message>
-        <source>Projection</source>
-        <translation>投影</translation>
-    </message>
-    <message>
-        <source>Projection and distances of the near and far planes, world units</source>
-        <translation>投影方式，以及近、远平面的距离，世界单位</translation>
-    </message>
-    <message>
-        <source>pixel (%1, %2)</source>
-        <translation>像素 (%1, %2)</translation>
-    </message>
-    <message>
-        <source>background, %1</source>
-        <translation>背景，%1</translation>
-    </message>
-    <message>
-        <source>world %1, %2</source>
-        <translation>世界坐标 %1，%2</translation>
-    </message>
-    <message>
-        <source>%1, near %2, far %3</source>
-        <translation>%1，近 %2，远 %3</translation>
-    </message>
-    <message>
-        <source>Perspective</source>
-        <translation>透视投影</translation>
-    </message>
-    <message>
-        <source>Orthographic</source>
-        <translation>正投影</translation>
-    </message>
-    <message>
-        <source>Tools</source>
-        <translation>工具</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>文件(&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>打开(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Open &amp;Recent</source>
-        <translation>最近打开(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Bundled Scene</source>
-        <translation>自带场景(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Show the scene that comes with the program</source>
-        <translation>显示程序自带的场景</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>退出(&amp;Q)</translation>
-    </message>
-    <message>
-        <source>Close the window</source>
-        <translation>关闭窗口</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>编辑(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>撤销(&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>重做(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>视图(&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Fit</source>
-        <translation>适合窗口(&amp;F)</translation>
-    </message>
-    <message>
-        <source>Move the camera until all objects fill the view</source>
-        <translation>移动相机，使所有物体充满视图</translation>
-    </message>
-    <message>
-        <source>&amp;Home</source>
-        <translation>初始视图(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Back to the camera that the scene opened with</source>
-        <translation>回到场景打开时的相机</translation>
-    </message>
-    <message>
-        <source>Fr&amp;ont</source>
-        <translation>前视(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Look from the front, along −z</source>
-        <translation>从前方看，沿 −z 方向</translation>
-    </message>
-    <message>
-        <source>&amp;Right</source>
-        <translation>右视(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Look from the right, along −x</source>
-        <translation>从右方看，沿 −x 方向</translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation>俯视(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Look from the top, along −y</source>
-        <translation>从上方看，沿 −y 方向</translation>
-    </message>
-    <message>
-        <source>B&amp;ack</source>
-        <translation>后视(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Look from the back, along z</source>
-        <translation>从后方看，沿 z 方向</translation>
-    </message>
-    <message>
-        <source>&amp;Left</source>
-        <translation>左视(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Look from the left, along x</source>
-        <translation>从左方看，沿 x 方向</translation>
-    </message>
-    <message>
-        <source>Botto&amp;m</source>
-        <translation>仰视(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Look from below, along y</source>
-        <translation>从下方看，沿 y 方向</translation>
-    </message>
-    <message>
-        <source>&amp;Perspective</source>
-        <translation>透视投影(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Switch between perspective (glFrustum) and orthographic (glOrtho)</source>
-        <translation>在透视投影 (glFrustum) 与正投影 (glOrtho) 之间切换</translation>
-    </message>
-    <message>
-        <source>&amp;View from Outside</source>
-        <translation>从外部观察(&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Smooth Edges</source>
-        <translation>平滑边缘(&amp;S)</translation>
-    </message>
-    <message>
-        <source>H&amp;ide All Panels</source>
-        <translation>隐藏所有面板(&amp;I)</translation>
-    </message>
-    <message>
-        <source>Give the view the whole window</source>
-        <translation>让视图占满整个窗口</translation>
-    </message>
-    <message>
-        <source>R&amp;eset Layout</source>
-        <translation>恢复布局(&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>帮助(&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;Formulas</source>
-        <translation>公式(&amp;F)</translation>
-    </message>
-    <message>
-        <source>All formulas with their sources, and the errors in the originals</source>
-        <translation>所有公式及其出处，以及原文中的错误</translation>
-    </message>
-    <message>
-        <source>&amp;Mouse and Keys</source>
-        <translation>鼠标与键盘(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;About Unprojector</source>
-        <translation>关于 Unprojector(&amp;A)</translation>
-    </message>
-    <message>
-        <source>What this program is</source>
-        <translation>本程序的用途</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>&amp;Clear This List</source>
-        <translation>清空列表(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Open model files or a scene</source>
-        <translation>打开模型文件或场景</translation>
-    </message>
-    <message>
-        <source>&amp;Save Scene</source>
-        <translation>保存场景(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Write the scene to its file</source>
-        <translation>将场景写入其文件</translation>
-    </message>
-    <message>
-        <source>Save Scene &amp;As…</source>
-        <translation>场景另存为(&amp;A)…</translation>
-    </message>
-    <message>
-        <source>Write the scene to another file</source>
-        <translation>将场景写入另一个文件</translation>
-    </message>
-    <message>
-        <source>Scenes (*.json)</source>
-        <translation>场景 (*.json)</translation>
-    </message>
-    <message>
-        <source>Open Models or a Scene</source>
-        <translation>打开模型或场景</translation>
-    </message>
-    <message>
         <source>%1[*] – Unprojector</source>
         <translation>%1[*] – Unprojector</translation>
     </message>
-    <message>
-        <source>Draw the edges of surfaces without steps. The depths that clicks read stay the same</source>
-        <translation>把表面的边缘画得没有锯齿。点击读到的深度不变</translation>
-    </message>
-    <message>
-        <source>Put more models beside the objects of this scene</source>
-        <translation>把更多模型放到此场景的物体旁</translation>
-    </message>
-    <message>
-        <source>Add Models</source>
-        <translation>添加模型</translation>
-    </message>
-    <message>
-        <source>Oblique</source>
-        <translation>斜投影</translation>
-    </message>
-    <message>
-        <source>A&amp;dd to Scene…</source>
-        <translation>添加到场景(&amp;D)…</translation>
-    </message>
-    <message>
-        <source>Co&amp;lours</source>
-        <translation>颜色(&amp;L)</translation>
-    </message>
-    <message>
-        <source>As the &amp;Desktop Has Them</source>
-        <translation>与桌面相同(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Light or dark as the desktop is</source>
-        <translation>浅色或深色，与桌面一致</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>浅色(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Dark letters on a light ground</source>
-        <translation>浅底深字</translation>
-    </message>
-    <message>
-        <source>D&amp;ark</source>
-        <translation>深色(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Light letters on a dark ground</source>
-        <translation>深底浅字</translation>
-    </message>
-    <message>
-        <source>What the mouse and every key do</source>
-        <translation>鼠标和每个按键的作用</translation>
-    </message>
-    <message>
-        <source>First &amp;Steps</source>
-        <translation>入门(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Three things to try</source>
-        <translation>可以试试这三件事</translation>
-    </message>
-    <message>
-        <source>This graphics driver draws no integers, so the view tells by colours which object was clicked.</source>
-        <translation>此显卡驱动不能绘制整数，因此视图用颜色判断点击的是哪个物体。</translation>
-    </message>
-    <message>
-        <source>View from Outside</source>
-        <translation>从外部观察</translation>
-    </message>
-    <message>
-        <source>Click</source>
-        <translation>点击</translation>
-    </message>
-    <message>
-        <source>The view and what a click gives</source>
-        <translation>视图，以及一次点击得到的结果</translation>
-    </message>
-    <message>
-        <source>Every number and every matrix between an object and its pixel</source>
-        <translation>从物体到像素之间的每个数和每个矩阵</translation>
-    </message>
-    <message>
-        <source>Put all panels of this work place back to where they were at first</source>
-        <translation>将此工作区的所有面板恢复到最初的位置</translation>
-    </message>
-    <message>
-        <source>Objects</source>
-        <translation>物体</translation>
-    </message>
-    <message>
-        <source>Show the camera and its view volume from outside, in a corner of the view or in a panel</source>
-        <translation>在视图的一角或面板中，从外部显示相机及其视景体</translation>
-    </message>
-    <message>
-        <source>&amp;Work Place</source>
-        <translation>工作区(&amp;W)</translation>
-    </message>
-    <message>
-        <source>Preparing the ray on the mesh</source>
-        <translation>正在准备网格上的射线</translation>
-    </message>
-    <message>
-        <source>Clicks have the depth buffer&apos;s answer already; the ray&apos;s comes when the model is prepared for it</source>
-        <translation>点击已有深度缓冲的结果；模型准备好后即有射线的结果</translation>
-    </message>
-    <message>
-        <source>Preparing the ray on the mesh: %1 %</source>
-        <translation>正在准备网格上的射线：%1 %</translation>
-    </message>
-    <message>
-        <source>A Click Takes</source>
-        <translation>点击选取</translation>
-    </message>
-    <message>
-        <source>&amp;Surface</source>
-        <translation>表面(&amp;S)</translation>
-    </message>
-    <message>
-        <source>A click takes the surface under it</source>
-        <translation>点击选取其下的表面</translation>
-    </message>
-    <message>
-        <source>&amp;Vertex</source>
-        <translation>顶点(&amp;V)</translation>
-    </message>
-    <message>
-        <source>A click takes the vertex in sight within 8 pixels, its very coordinate</source>
-        <translation>点击选取 8 像素以内可见的顶点，给出其精确坐标</translation>
-    </message>
-    <message>
-        <source>&amp;Edge</source>
-        <translation>边(&amp;E)</translation>
-    </message>
-    <message>
-        <source>A click takes the nearest point of an edge in sight within 8 pixels</source>
-        <translation>点击选取 8 像素以内可见的边上最近的点</translation>
-    </message>
-    <message>
-        <source>&amp;Face</source>
-        <translation>面(&amp;F)</translation>
-    </message>
-    <message>
-        <source>A click takes the face under it, with its plane</source>
-        <translation>点击选取其下的面及其所在平面</translation>
-    </message>
-    <message>
-        <source>&amp;Import Points…</source>
-        <translation>导入点(&amp;I)…</translation>
-    </message>
-    <message>
-        <source>Read points from a file of this or another program</source>
-        <translation>从本程序或其他程序的文件读取点</translation>
-    </message>
-    <message>
-        <source>E&amp;xport Points…</source>
-        <translation>导出点(&amp;X)…</translation>
-    </message>
-    <message>
-        <source>Write the points to a file; its suffix says for which program</source>
-        <translation>将点写入文件；由后缀决定供哪个程序使用</translation>
-    </message>
-    <message>
-        <source>Series of S&amp;cans</source>
-        <translation>扫描系列(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Open Folder…</source>
-        <translation>打开文件夹(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Open a folder of scans, to place the same points on each</source>
-        <translation>打开一个扫描文件夹，在每个扫描上放置相同的点</translation>
-    </message>
-    <message>
-        <source>&amp;Next Scan</source>
-        <translation>下一个扫描(&amp;N)</translation>
-    </message>
-    <message>
-        <source>Keep the points and show the next scan</source>
-        <translation>保留各点并显示下一个扫描</translation>
-    </message>
-    <message>
-        <source>&amp;Previous Scan</source>
-        <translation>上一个扫描(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Keep the points and show the scan before</source>
-        <translation>保留各点并显示上一个扫描</translation>
-    </message>
-    <message>
-        <source>Import Points</source>
-        <translation>导入点</translation>
-    </message>
-    <message>
-        <source>Export Points</source>
-        <translation>导出点</translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation>点</translation>
-    </message>
-    <message>
-        <source>Series</source>
-        <translation>系列</translation>
-    </message>
-    <message>
-        <source>&amp;Place Points</source>
-        <translation>放置点(&amp;P)</translation>
-    </message>
-    <message>
-        <source>A click places a point; what is dragged turns the view</source>
-        <translation>点击放置一个点；拖动则转动视图</translation>
-    </message>
-    <message>
-        <source>&amp;Go to Point</source>
-        <translation>转到该点(&amp;G)</translation>
-    </message>
-    <message>
-        <source>Turn the camera to face the surface at the selected point</source>
-        <translation>转动相机，使其正对选中点处的表面</translation>
-    </message>
-    <message>
-        <source>&amp;Zoom to ± 0.01</source>
-        <translation>放大到 ± 0.01(&amp;Z)</translation>
-    </message>
-    <message>
-        <source>Get closer to the selected point until its pixel leaves no more open than 0.01</source>
-        <translation>靠近选中的点，直到它的像素所含的不确定不超过 0.01</translation>
-    </message>
-    <message>
-        <source>Put &amp;Back on the Surface</source>
-        <translation>放回表面(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Put the selected points onto the surface, where it is closest to them</source>
-        <translation>将选中的点放到表面上离它们最近的位置</translation>
-    </message>
-    <message>
-        <source>Place points on the surface, name them, move them, measure between them</source>
-        <translation>在表面上放置点、命名、移动、测量</translation>
-    </message>
-    <message>
-        <source>&amp;Join on the Surface</source>
-        <translation>沿曲面连接(&amp;J)</translation>
-    </message>
-    <message>
-        <source>Lead a curve through the selected points as a thread pulled tight on the surface</source>
-        <translation>像在曲面上拉紧的线那样，引一条曲线通过选中的点</translation>
-    </message>
-    <message>
-        <source>Join Along a P&amp;lane</source>
-        <translation>沿平面连接(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Lead a curve through the selected points where the plane along the surface&apos;s normals cuts it</source>
-        <translation>在沿曲面法线的平面与曲面相交处，引一条曲线通过选中的点</translation>
-    </message>
+</context>
+<context>
+    <name>unprojector::gui::MapFeature</name>
     <message>
         <source>&amp;Map of Differences</source>
         <translation>差异映射图(&amp;M)</translation>
@@ -3295,141 +3125,6 @@ Both are as large as fits.</source>
     <message>
         <source>Map written to %1</source>
         <translation>映射图已写入 %1</translation>
-    </message>
-    <message>
-        <source>&amp;Repeats…</source>
-        <translation>重复测量(&amp;R)…</translation>
-    </message>
-    <message>
-        <source>Write the mean of each point&apos;s placings, and how far they scatter, to a table</source>
-        <translation>把每个点各次放置的平均值及离散程度写入表格</translation>
-    </message>
-    <message>
-        <source>&amp;Close Series</source>
-        <translation>关闭系列(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Keep the points and leave the series</source>
-        <translation>保存各点并离开此系列</translation>
-    </message>
-    <message>
-        <source>Sce&amp;ne as Code…</source>
-        <translation>场景代码(&amp;N)…</translation>
-    </message>
-    <message>
-        <source>The calls that make this picture, for GLU and MFC, GLM, Qt or three.js, with the way back from a pixel</source>
-        <translation>生成这幅画面的调用（GLU 与 MFC、GLM、Qt 或 three.js），以及从像素反算回去的函数</translation>
-    </message>
-    <message>
-        <source>Depth Precision</source>
-        <translation>深度精度</translation>
-    </message>
-    <message>
-        <source>Doctor</source>
-        <translation>诊断</translation>
-    </message>
-    <message>
-        <source>Paste &amp;Matrices…</source>
-        <translation>粘贴矩阵(&amp;M)…</translation>
-    </message>
-    <message>
-        <source>Take the camera from projection and view, or their product, as another program prints them</source>
-        <translation>让相机取自其他程序打印的投影矩阵和观察矩阵，或它们的乘积</translation>
-    </message>
-    <message>
-        <source>Select a placed point first: its mark in the view, or its row under Points.</source>
-        <translation>请先选择一个已放置的点：点击视图中的标记，或“点”面板中的那一行。</translation>
-    </message>
-    <message>
-        <source>Select placed points first: their marks in the view, or their rows under Points.</source>
-        <translation>请先选择已放置的点：点击视图中的标记，或“点”面板中的各行。</translation>
-    </message>
-    <message>
-        <source>Select two points or more first: their rows under Points, with Ctrl.</source>
-        <translation>请先选择两个或更多的点：按住 Ctrl 点击“点”面板中的各行。</translation>
-    </message>
-    <message>
-        <source>&amp;Lessons</source>
-        <translation>课程(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Lesson</source>
-        <translation>课程</translation>
-    </message>
-    <message>
-        <source>&amp;Next Step</source>
-        <translation>下一步(&amp;N)</translation>
-    </message>
-    <message>
-        <source>The next step of the lesson</source>
-        <translation>课程的下一步</translation>
-    </message>
-    <message>
-        <source>&amp;Previous Step</source>
-        <translation>上一步(&amp;P)</translation>
-    </message>
-    <message>
-        <source>The step of the lesson before this one</source>
-        <translation>课程的上一步</translation>
-    </message>
-    <message>
-        <source>L&amp;eave Lesson</source>
-        <translation>退出课程(&amp;E)</translation>
-    </message>
-    <message>
-        <source>End the lesson; the scene that was shown before it comes back</source>
-        <translation>结束课程；恢复之前显示的场景</translation>
-    </message>
-    <message>
-        <source>The point is not in the picture as it is now. Put the picture back as the step has it.</source>
-        <translation>该点不在现在的画面中。请恢复本步的画面。</translation>
-    </message>
-    <message>
-        <source>Lan&amp;guage</source>
-        <translation>语言 Language(&amp;G)</translation>
-    </message>
-    <message>
-        <source>&amp;System</source>
-        <translation>跟随系统(&amp;S)</translation>
-    </message>
-    <message>
-        <source>The program uses the language of the desktop when it starts next time.</source>
-        <translation>程序下次启动时使用桌面的语言。</translation>
-    </message>
-    <message>
-        <source>Add Chinese in Settings &gt; Time &amp; Language &gt; Language.</source>
-        <translation>请在“设置 &gt; 时间和语言 &gt; 语言”中添加中文。</translation>
-    </message>
-    <message>
-        <source>Install one, such as the package fonts-noto-cjk of Debian and Ubuntu.</source>
-        <translation>请安装一种，例如 Debian 和 Ubuntu 的软件包 fonts-noto-cjk。</translation>
-    </message>
-    <message>
-        <source>No font here has Chinese characters. %1 Then start the program again.</source>
-        <translation>这里没有含汉字的字体。%1然后重新启动本程序。</translation>
-    </message>
-    <message>
-        <source>The program speaks Chinese, but no font here has its characters. %1 Then start the program again.</source>
-        <translation>本程序有中文界面，但这里没有含汉字的字体。%1然后重新启动本程序。</translation>
-    </message>
-    <message>
-        <source>The view is %1 × %2 now, and cannot be %3 × %4 on a screen that is scaled by %5: numbers differ a little from those of the text.</source>
-        <extracomment>Sizes in pixels: what the view has, then what it should have; the last is the scale of the screen, such as 1.75.</extracomment>
-        <translation>视图现在是 %1 × %2；在缩放 %5 倍的屏幕上无法达到 %3 × %4：数字会与文中的略有不同。</translation>
-    </message>
-    <message>
-        <source>The view is %1 × %2 now: in this window it cannot be %3 × %4. Close panels beside it, or take the window out of full screen.</source>
-        <extracomment>Sizes in pixels: what the view has, then what it should have.</extracomment>
-        <translation>视图现在是 %1 × %2：在这个窗口中无法达到 %3 × %4。请关闭旁边的面板，或退出全屏。</translation>
-    </message>
-    <message>
-        <source>--lesson is %1; give a lesson, or one of its steps behind a colon: %2.</source>
-        <extracomment>%2 are all lessons with their steps: first:1-7, weng:1-16</extracomment>
-        <translation>--lesson 为 %1；请给出一门课程，或在冒号后给出其中一步：%2。</translation>
-    </message>
-    <message>
-        <source>Find the mistake by which your program gets a wrong coordinate</source>
-        <translation>找出您的程序因哪个错误得到了错误的坐标</translation>
     </message>
 </context>
 <context>
@@ -4355,6 +4050,13 @@ Both are as large as fits.</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::ObjectsFeature</name>
+    <message>
+        <source>Objects</source>
+        <translation>物体</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ObjectsModel</name>
     <message>
         <source>comes with the program</source>
@@ -4591,6 +4293,21 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     </message>
 </context>
 <context>
+    <name>unprojector::gui::OutsideFeature</name>
+    <message>
+        <source>View from Outside</source>
+        <translation>从外部观察</translation>
+    </message>
+    <message>
+        <source>&amp;View from Outside</source>
+        <translation>从外部观察(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Show the camera and its view volume from outside, in a corner of the view or in a panel</source>
+        <translation>在视图的一角或面板中，从外部显示相机及其视景体</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ParameterGroup</name>
     <message>
         <source>%1 is empty; type a number.</source>
@@ -4642,6 +4359,13 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>Why the number is not taken</source>
         <translation>该数不被接受的原因</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ParametersFeature</name>
+    <message>
+        <source>Parameters</source>
+        <translation>参数</translation>
     </message>
 </context>
 <context>
@@ -4822,6 +4546,37 @@ m[0] … m[15]、JSON、C、three.js</translation>
     <message>
         <source>The viewport (x %1, y %2, width %3, height %4) lies wholly outside the window, which is %5 × %6 pixels: nothing is drawn. Change x or y, or Reset it.</source>
         <translation>视口（x %1，y %2，宽 %3，高 %4）完全位于窗口之外，窗口为 %5 × %6 像素：什么也不会绘制。请修改 x 或 y，或将其重置。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PipelineFeature</name>
+    <message>
+        <source>Pipeline</source>
+        <translation>渲染管线</translation>
+    </message>
+    <message>
+        <source>Every number and every matrix between an object and its pixel</source>
+        <translation>从物体到像素之间的每个数和每个矩阵</translation>
+    </message>
+    <message>
+        <source>Viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>Life of the View</source>
+        <translation>视图生命周期</translation>
+    </message>
+    <message>
+        <source>Depth Precision</source>
+        <translation>深度精度</translation>
+    </message>
+    <message>
+        <source>Paste &amp;Matrices…</source>
+        <translation>粘贴矩阵(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Take the camera from projection and view, or their product, as another program prints them</source>
+        <translation>让相机取自其他程序打印的投影矩阵和观察矩阵，或它们的乘积</translation>
     </message>
 </context>
 <context>
@@ -6071,13 +5826,6 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::SceneFiles</name>
-    <message>
-        <source>%1: the scene that is open uses this file, which would be destroyed. Give another name.</source>
-        <translation>%1：打开的场景正在使用此文件，写入会毁掉它。请另给一个名称。</translation>
-    </message>
-</context>
-<context>
     <name>unprojector::gui::SceneCodeWindow</name>
     <message>
         <source>Scene as Code</source>
@@ -6268,6 +6016,13 @@ of a point that needs no division</source>
     <message>
         <source>Rename object</source>
         <translation>重命名物体</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SceneFiles</name>
+    <message>
+        <source>%1: the scene that is open uses this file, which would be destroyed. Give another name.</source>
+        <translation>%1：打开的场景正在使用此文件，写入会毁掉它。请另给一个名称。</translation>
     </message>
 </context>
 <context>
@@ -6655,6 +6410,65 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::StatusReadout</name>
+    <message>
+        <source>World coordinate under the pointer</source>
+        <translation>指针处的世界坐标</translation>
+    </message>
+    <message>
+        <source>World coordinate under the pointer, with the digits that its pixel leaves certain</source>
+        <translation>指针处的世界坐标，只显示在其像素之内可靠的数位</translation>
+    </message>
+    <message>
+        <source>background, %1</source>
+        <translation>背景，%1</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>Projection and distances of the near and far planes, world units</source>
+        <translation>投影方式，以及近、远平面的距离，世界单位</translation>
+    </message>
+    <message>
+        <source>Preparing the ray on the mesh</source>
+        <translation>正在准备网格上的射线</translation>
+    </message>
+    <message>
+        <source>Clicks have the depth buffer&apos;s answer already; the ray&apos;s comes when the model is prepared for it</source>
+        <translation>点击已有深度缓冲的结果；模型准备好后即有射线的结果</translation>
+    </message>
+    <message>
+        <source>Preparing the ray on the mesh: %1 %</source>
+        <translation>正在准备网格上的射线：%1 %</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>像素 (%1, %2)</translation>
+    </message>
+    <message>
+        <source>world %1, %2</source>
+        <translation>世界坐标 %1，%2</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>透视投影</translation>
+    </message>
+    <message>
+        <source>Oblique</source>
+        <translation>斜投影</translation>
+    </message>
+    <message>
+        <source>Orthographic</source>
+        <translation>正投影</translation>
+    </message>
+    <message>
+        <source>%1, near %2, far %3</source>
+        <translation>%1，近 %2，远 %3</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::SteadyLabel</name>
     <message>
         <source>Copy the &amp;selection</source>
@@ -6714,6 +6528,19 @@ of a point that needs no division</source>
     <message>
         <source>Back to the view that the scene opened with</source>
         <translation>回到打开场景时的视图</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ViewSize</name>
+    <message>
+        <source>The view is %1 × %2 now, and cannot be %3 × %4 on a screen that is scaled by %5: numbers differ a little from those of the text.</source>
+        <extracomment>Sizes in pixels: what the view has, then what it should have; the last is the scale of the screen, such as 1.75.</extracomment>
+        <translation>视图现在是 %1 × %2；在缩放 %5 倍的屏幕上无法达到 %3 × %4：数字会与文中的略有不同。</translation>
+    </message>
+    <message>
+        <source>The view is %1 × %2 now: in this window it cannot be %3 × %4. Close panels beside it, or take the window out of full screen.</source>
+        <extracomment>Sizes in pixels: what the view has, then what it should have.</extracomment>
+        <translation>视图现在是 %1 × %2：在这个窗口中无法达到 %3 × %4。请关闭旁边的面板，或退出全屏。</translation>
     </message>
 </context>
 <context>
@@ -6998,6 +6825,261 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     </message>
 </context>
 <context>
+    <name>unprojector::gui::WindowMenus</name>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>打开(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open model files or a scene</source>
+        <translation>打开模型文件或场景</translation>
+    </message>
+    <message>
+        <source>Open Models or a Scene</source>
+        <translation>打开模型或场景</translation>
+    </message>
+    <message>
+        <source>Scenes (*.json)</source>
+        <translation>场景 (*.json)</translation>
+    </message>
+    <message>
+        <source>A&amp;dd to Scene…</source>
+        <translation>添加到场景(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Put more models beside the objects of this scene</source>
+        <translation>把更多模型放到此场景的物体旁</translation>
+    </message>
+    <message>
+        <source>Add Models</source>
+        <translation>添加模型</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Save Scene</source>
+        <translation>保存场景(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Write the scene to its file</source>
+        <translation>将场景写入其文件</translation>
+    </message>
+    <message>
+        <source>Save Scene &amp;As…</source>
+        <translation>场景另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Write the scene to another file</source>
+        <translation>将场景写入另一个文件</translation>
+    </message>
+    <message>
+        <source>Sce&amp;ne as Code…</source>
+        <translation>场景代码(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>The calls that make this picture, for GLU and MFC, GLM, Qt or three.js, with the way back from a pixel</source>
+        <translation>生成这幅画面的调用（GLU 与 MFC、GLM、Qt 或 three.js），以及从像素反算回去的函数</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>关闭窗口</translation>
+    </message>
+    <message>
+        <source>&amp;Clear This List</source>
+        <translation>清空列表(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>适合窗口(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Move the camera until all objects fill the view</source>
+        <translation>移动相机，使所有物体充满视图</translation>
+    </message>
+    <message>
+        <source>&amp;Home</source>
+        <translation>初始视图(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Back to the camera that the scene opened with</source>
+        <translation>回到场景打开时的相机</translation>
+    </message>
+    <message>
+        <source>Fr&amp;ont</source>
+        <translation>前视(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Look from the front, along −z</source>
+        <translation>从前方看，沿 −z 方向</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>右视(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Look from the right, along −x</source>
+        <translation>从右方看，沿 −x 方向</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>俯视(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Look from the top, along −y</source>
+        <translation>从上方看，沿 −y 方向</translation>
+    </message>
+    <message>
+        <source>B&amp;ack</source>
+        <translation>后视(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Look from the back, along z</source>
+        <translation>从后方看，沿 z 方向</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>左视(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Look from the left, along x</source>
+        <translation>从左方看，沿 x 方向</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>仰视(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Look from below, along y</source>
+        <translation>从下方看，沿 y 方向</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>透视投影(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Switch between perspective (glFrustum) and orthographic (glOrtho)</source>
+        <translation>在透视投影 (glFrustum) 与正投影 (glOrtho) 之间切换</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth Edges</source>
+        <translation>平滑边缘(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Draw the edges of surfaces without steps. The depths that clicks read stay the same</source>
+        <translation>把表面的边缘画得没有锯齿。点击读到的深度不变</translation>
+    </message>
+    <message>
+        <source>Co&amp;lours</source>
+        <translation>颜色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>语言 Language(&amp;G)</translation>
+    </message>
+    <message>
+        <source>As the &amp;Desktop Has Them</source>
+        <translation>与桌面相同(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop is</source>
+        <translation>浅色或深色，与桌面一致</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Dark letters on a light ground</source>
+        <translation>浅底深字</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>深色(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Light letters on a dark ground</source>
+        <translation>深底浅字</translation>
+    </message>
+    <message>
+        <source>&amp;Work Place</source>
+        <translation>工作区(&amp;W)</translation>
+    </message>
+    <message>
+        <source>H&amp;ide All Panels</source>
+        <translation>隐藏所有面板(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Give the view the whole window</source>
+        <translation>让视图占满整个窗口</translation>
+    </message>
+    <message>
+        <source>R&amp;eset Layout</source>
+        <translation>恢复布局(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Put all panels of this work place back to where they were at first</source>
+        <translation>将此工作区的所有面板恢复到最初的位置</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and Keys</source>
+        <translation>鼠标与键盘(&amp;M)</translation>
+    </message>
+    <message>
+        <source>What the mouse and every key do</source>
+        <translation>鼠标和每个按键的作用</translation>
+    </message>
+    <message>
+        <source>&amp;About Unprojector</source>
+        <translation>关于 Unprojector(&amp;A)</translation>
+    </message>
+    <message>
+        <source>What this program is</source>
+        <translation>本程序的用途</translation>
+    </message>
+    <message>
+        <source>This graphics driver draws no integers, so the view tells by colours which object was clicked.</source>
+        <translation>此显卡驱动不能绘制整数，因此视图用颜色判断点击的是哪个物体。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::WindowQuestions</name>
     <message>
         <source>Unsaved Changes</source>
@@ -7032,44 +7114,8 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>要永久删除对“%1”的未保存更改吗？</translation>
     </message>
     <message>
-        <source>Import Points</source>
-        <translation>导入点</translation>
-    </message>
-    <message>
-        <source>&amp;Replace</source>
-        <translation>替换(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Append</source>
-        <translation>追加(&amp;A)</translation>
-    </message>
-    <message>
-        <source>&amp;Move Them onto the Mesh</source>
-        <translation>移到网格上(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;Leave Them Where They Are</source>
-        <translation>留在原处(&amp;L)</translation>
-    </message>
-    <message>
         <source>Save what was made of %1 as a scene? Models stay as they are.</source>
         <translation>要把对“%1”的更改另存为场景吗？模型文件保持不变。</translation>
-    </message>
-    <message>
-        <source>Points that are placed already: %1. Points in the file: %2. Replace them, or put the new ones behind them?</source>
-        <translation>已放置的点：%1 个。文件中的点：%2 个。替换它们，还是把新的点放在它们后面？</translation>
-    </message>
-    <message>
-        <source>Names of the template that wait for their points: %1. Replace takes them away as well; Append gives those that the file has their places.</source>
-        <translation>模板中等待放置的名称：%1 个。“替换”也会去掉它们；“追加”会让文件中有的点占据它们的位置。</translation>
-    </message>
-    <message>
-        <source>&amp;Take the Names in Order</source>
-        <translation>按顺序取用名称(&amp;T)</translation>
-    </message>
-    <message>
-        <source>&amp;Put Them Behind</source>
-        <translation>排在其后(&amp;P)</translation>
     </message>
 </context>
 <context>

@@ -36,6 +36,8 @@ private slots:
     void aFaultNamesItsPlace();
     void translationsMayBeIncomplete();
     void aChangeLeavesTheRest();
+    void linksAreRead_data();
+    void linksAreRead();
 };
 
 void TestLessonReading::panelsThatShowTheAnswerAreClosed_data()
@@ -77,8 +79,8 @@ void TestLessonReading::panelsThatShowTheAnswerAreClosed()
     const auto lesson = parseLesson("t", QByteArray(json).replace('%', answer).toStdString());
     QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
     QStringList found;
-    for (const std::string &panel : lesson->steps[1].question->hides)
-        found << QString::fromStdString(panel);
+    for (const Panel panel : lesson->steps[1].question->hides)
+        found << QString::fromLatin1(nameOf(panel));
     QCOMPARE(found, hidden);
 }
 
@@ -258,8 +260,14 @@ void TestLessonReading::aFaultNamesItsPlace_data()
     row("a change without a name", oneStep(R"(, "scene": "zhangci-2d", "set": {"A b": {"point": null}})"),
         "t.json: steps[0].set: \"A b\" is no name");
     row("an unknown highlight", oneStep(R"(, "scene": "zhangci-2d", "highlights": ["axes", "stars"])"),
-        "t.json: steps[0].highlights: there is no highlight \"stars\"; there are \"axes\", \"volume\", \"cube\", "
-        "\"viewport\"");
+        "t.json: steps[0].highlights[1]: ");
+    row("an unknown panel", oneStep(R"(, "scene": "zhangci-2d", "panels": ["pipeline", "kitchen"])"),
+        "t.json: steps[0].panels[1]: ");
+    row("an unknown workspace", oneStep(R"(, "scene": "zhangci-2d", "place": "garden")"), "t.json: steps[0].place: ");
+    row("a link that leads nowhere",
+        R"({"title": "T", "steps": [{"id": "a", "title": "A", "text": ["<a href='panel:kitchen'>x</a>"],
+            "scene": "zhangci-2d"}]})",
+        "t.json: steps[0]: the link \"panel:kitchen\" leads nowhere");
     row("a view beyond all numbers", oneStep(R"(, "scene": "zhangci-2d", "view": [1e12, 2])"),
         "t.json: steps[0]: \"view\" must be two whole numbers from 1 to 16384");
 }
@@ -320,6 +328,56 @@ void TestLessonReading::aChangeLeavesTheRest()
         settingsWith(scene, picture, text::JsonValue(nlohmann::ordered_json::parse(R"({"projection": {"left": 1}})")));
     QVERIFY(!unknown);
     QCOMPARE(QByteArray::fromStdString(unknown.error().text), QByteArray("set: there is no projection.left"));
+}
+
+/// What a link says, written anew from what was read.
+QString writtenAgain(const Link &link)
+{
+    struct Writer {
+        QString operator()(const FormulasLink &one) const { return "formulas:" + QString::fromStdString(one.anchor); }
+        QString operator()(const ClickLink &one) const { return "click:" + QString::fromStdString(one.point); }
+        QString operator()(const SetLink &one) const { return "set:" + QString::fromStdString(one.change); }
+        QString operator()(const PanelLink &one) const { return QString("panel:") + nameOf(one.panel); }
+        QString operator()(const WorkspaceLink &one) const { return QString("place:") + nameOf(one.workspace); }
+        QString operator()(const StepLink &one) const { return "step:" + QString::fromStdString(one.id); }
+        QString operator()(const RestartLink &) const { return "restart:"; }
+        QString operator()(const GivenPointLink &) const { return "point:"; }
+        QString operator()(const FactorsLink &one) const
+        {
+            return one.matrix == FactorsLink::Matrix::View ? "apart:view" : "apart:projection";
+        }
+        QString operator()(const ActionLink &one) const
+        {
+            return "action:" + QString::fromStdString(one.name) + (one.isOn ? "" : ":off");
+        }
+        QString operator()(const ViewSizeLink &one) const
+        {
+            return QString("view:%1x%2").arg(one.size.x).arg(one.size.y);
+        }
+    };
+    return std::visit(Writer(), link);
+}
+
+void TestLessonReading::linksAreRead_data()
+{
+    QTest::addColumn<bool>("isLink");
+    for (const char *link : {"formulas:w9", "click:corner", "set:other", "panel:observer", "panel:points",
+                             "place:doctor", "step:ortho", "restart:", "point:", "apart:view", "apart:projection",
+                             "action:rows", "action:perspective:off", "view:300x200"})
+        QTest::newRow(link) << true;
+    for (const char *link : {"", "formulas", "formulas:", "panel:kitchen", "place:comparison", "apart:model", "action:",
+                             "action::off", "action:rows:on", "view:300", "view:300x", "view:0x200", "view:-300x200",
+                             "view:300x200x", "view:3e2x200", "restart:1", "http://example.org", "Panel:observer"})
+        QTest::newRow(link) << false;
+}
+
+void TestLessonReading::linksAreRead()
+{
+    QFETCH(bool, isLink);
+    const std::optional<Link> link = parseLink(QTest::currentDataTag());
+    QCOMPARE(link.has_value(), isLink);
+    if (link)
+        QCOMPARE(writtenAgain(*link), QString::fromLatin1(QTest::currentDataTag()));
 }
 
 QTEST_APPLESS_MAIN(TestLessonReading)

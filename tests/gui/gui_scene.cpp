@@ -122,6 +122,16 @@ int differentPixels(const QImage &a, const QImage &b)
 
 // ---- windows -----------------------------------------------------------------------------------------------------
 
+void enter(MainWindow &window, const char *name)
+{
+    window.workspaces().enter(*lessons::workspaceOf(name));
+}
+
+Panel panelNamed(const QString &name)
+{
+    return *lessons::panelOf(name.toStdString());
+}
+
 void bringUp(MainWindow &window)
 {
     window.show();
@@ -137,7 +147,7 @@ std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, boo
     options.remembers = false;
     auto window = std::make_unique<MainWindow>(options);
     if (!withDock)
-        window->hidePanels(true);
+        window->workspaces().hidePanels(true);
     window->resize(size);
     window->move(0, 0);
     bringUp(*window);

@@ -62,6 +62,18 @@ int differentPixels(const QImage &a, const QImage &b);
 
 /// Shows a window, and waits until it is on the screen and its view ready.
 void bringUp(MainWindow &window);
+
+/// Goes to the workspace of this name.
+void enter(MainWindow &window, const char *name);
+/// The panel of this name that the window has.
+Panel panelNamed(const QString &name);
+
+/// The one object of a class in the window: a part of a feature.
+template <class Part>
+Part &part(const MainWindow &window)
+{
+    return *window.findChild<Part *>();
+}
 /// On the screen, its view ready, without the dock unless asked for. Remembers nothing.
 std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, bool withDock = false);
 /// The cube, seen from the right, above and in front, in a window of 500 x 400.

@@ -15,7 +15,7 @@ inline constexpr double kStillPixels = 1e-3;
 
 inline QString heading(MainWindow &window)
 {
-    for (const QLabel *label : window.comparison().findChildren<QLabel *>()) {
+    for (const QLabel *label : part<ComparisonPanel>(window).findChildren<QLabel *>()) {
         if (label->accessibleName() == QStringLiteral("What was clicked"))
             return label->text();
     }

@@ -4,11 +4,14 @@
 #include "gui/document/scene_document.h"
 #include "gui/lessons/lesson_panel.h"
 #include "gui/lessons/lesson_player.h"
+#include "gui/outside/observer_panel.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/view/scene_view.h"
 #include "tests/support/patience.h"
 #include "window_user.h"
 
+#include <QDockWidget>
+#include <QMap>
 #include <QTest>
 #include <QTextBrowser>
 
@@ -45,8 +48,8 @@ bool grow(MainWindow &window)
 std::unique_ptr<MainWindow> windowWithQuestion()
 {
     auto window = windowOfSize(kWide);
-    const bool isThere = window->lessons().start("weng") && window->lessons().goTo(1);
-    return isThere && window->lessons().step().question ? std::move(window) : nullptr;
+    const bool isThere = part<LessonPlayer>(*window).start("weng") && part<LessonPlayer>(*window).goTo(1);
+    return isThere && part<LessonPlayer>(*window).step().question ? std::move(window) : nullptr;
 }
 
 } // namespace
@@ -61,6 +64,8 @@ private slots:
     void answeredPanelsComeBackAtTheirPlace();
     void hiddenPanelsAreHiddenAgain();
     void theFirstPanelIsInFrontAgain();
+    void theLayoutIsExactlyAsBefore_data();
+    void theLayoutIsExactlyAsBefore();
     void whatIsPutBackHasItsClick();
     void takingApartGoesBack();
     void aWindowThatGrewIsAsBefore();
@@ -85,13 +90,13 @@ void TestAroundLessons::anAnswerIsHiddenAtEveryPlace()
     QVERIFY(window);
     QVERIFY(dockOf(*window, "comparison")->isHidden());
     for (const char *place : {"pipeline", "points", "click"}) {
-        window->places().enter(place);
+        enter(*window, place);
         QVERIFY2(dockOf(*window, "comparison")->isHidden(), place);
         QVERIFY2(dockOf(*window, "pipeline")->isHidden(), place);
     }
-    window->places().reset();
+    window->workspaces().reset();
     QVERIFY(dockOf(*window, "comparison")->isHidden());
-    window->lessons().reveal();
+    part<LessonPlayer>(*window).reveal();
     QVERIFY(isSeen(*window, "comparison"));
 }
 
@@ -99,37 +104,37 @@ void TestAroundLessons::answeredPanelsComeBackAtTheirPlace()
 {
     const auto window = windowWithQuestion();
     QVERIFY(window);
-    QCOMPARE(QByteArray(window->places().current()), QByteArray("click"));
-    window->places().enter("points");
-    window->lessons().reveal();
+    QVERIFY(window->workspaces().current() == Workspace::Click);
+    window->workspaces().enter(Workspace::Landmarks);
+    part<LessonPlayer>(*window).reveal();
     QVERIFY(dockOf(*window, "comparison")->isHidden()); // it is not of this place
-    window->places().enter("click");
+    window->workspaces().enter(Workspace::Click);
     QVERIFY(isSeen(*window, "comparison"));
-    window->places().enter("pipeline");
+    window->workspaces().enter(Workspace::Pipeline);
     QVERIFY(isSeen(*window, "pipeline"));
 }
 
 void TestAroundLessons::hiddenPanelsAreHiddenAgain()
 {
     const auto window = windowOfSize(kWide);
-    window->hidePanels(true);
-    QVERIFY(window->lessons().start("first"));
-    QVERIFY(!window->places().arePanelsHidden() && isSeen(*window, "comparison") && isSeen(*window, "lesson"));
-    QVERIFY(window->lessons().leave());
-    QVERIFY(window->places().arePanelsHidden());
+    window->workspaces().hidePanels(true);
+    QVERIFY(part<LessonPlayer>(*window).start("first"));
+    QVERIFY(!window->workspaces().arePanelsHidden() && isSeen(*window, "comparison") && isSeen(*window, "lesson"));
+    QVERIFY(part<LessonPlayer>(*window).leave());
+    QVERIFY(window->workspaces().arePanelsHidden());
     QVERIFY(dockOf(*window, "comparison")->isHidden());
 
-    window->hidePanels(false);
-    QVERIFY(window->lessons().start("first"));
-    window->hidePanels(true); // F9 gives the view the whole window
-    QVERIFY(window->lessons().leave());
-    QVERIFY(!window->places().arePanelsHidden() && isSeen(*window, "comparison"));
+    window->workspaces().hidePanels(false);
+    QVERIFY(part<LessonPlayer>(*window).start("first"));
+    window->workspaces().hidePanels(true); // F9 gives the view the whole window
+    QVERIFY(part<LessonPlayer>(*window).leave());
+    QVERIFY(!window->workspaces().arePanelsHidden() && isSeen(*window, "comparison"));
 }
 
 void TestAroundLessons::theFirstPanelIsInFrontAgain()
 {
     const auto window = windowOfSize(kWide);
-    LessonPlayer &lessons = window->lessons();
+    LessonPlayer &lessons = part<LessonPlayer>(*window);
     for (const char *other : {"pipeline", "weng", "rows"}) {
         QVERIFY(lessons.start(other));
         while (lessons.hasNext())
@@ -143,10 +148,75 @@ void TestAroundLessons::theFirstPanelIsInFrontAgain()
     QVERIFY(isSeen(*window, "comparison"));
 }
 
+/// Where each panel stands, those behind others without a place.
+QMap<QString, QRect> layoutOf(MainWindow &window)
+{
+    QMap<QString, QRect> layout;
+    for (const QDockWidget *dock : window.findChildren<QDockWidget *>()) {
+        if (!dock->isHidden())
+            layout[dock->objectName()] = window.workspaces().isFront(*dock) ? dock->geometry() : QRect();
+    }
+    layout[QStringLiteral("the view")] = window.view().geometry();
+    return layout;
+}
+
+void TestAroundLessons::theLayoutIsExactlyAsBefore_data()
+{
+    QTest::addColumn<QString>("workspace");
+    QTest::addColumn<bool>("hasObserver");
+    for (const char *workspace : lessons::kWorkspaceNames) {
+        QTest::addRow("%s", workspace) << QString(workspace) << false;
+        QTest::addRow("%s with the view from outside", workspace) << QString(workspace) << true;
+    }
+}
+
+/// Panels, tabs and splits, also where the user has made a panel larger.
+void TestAroundLessons::theLayoutIsExactlyAsBefore()
+{
+    QFETCH(QString, workspace);
+    QFETCH(bool, hasObserver);
+    const auto window = windowOfSize(kWide);
+    enter(*window, workspace.toUtf8());
+    settle();
+    if (hasObserver) {
+        actionOf(*window, QStringLiteral("View from Outside"))->trigger();
+        emit part<ObserverPanel>(*window).dockRequested(true);
+        settle();
+    }
+    for (QDockWidget *dock :
+         window->findChildren<QDockWidget *>()) { // the last one of its column has a size of its own
+        if (isSeen(*window, dock->objectName().toUtf8()) && dock->objectName() != QLatin1String("observer"))
+            window->resizeDocks({dock}, {dock->height() - 37}, Qt::Vertical);
+    }
+    window->workspaces().show(Panel::Objects);
+    settle();
+    const QMap<QString, QRect> before = layoutOf(*window);
+    const QSize size = window->size();
+    for (const char *name : {"pipeline", "first", "weng"}) {
+        LessonPlayer &lessons = part<LessonPlayer>(*window);
+        QVERIFY(lessons.start(name));
+        while (lessons.hasNext()) {
+            follow(*window, QStringLiteral("panel:lifecycle"));
+            if (lessons.step().question)
+                lessons.reveal();
+            QVERIFY(lessons.next());
+        }
+        follow(*window, QStringLiteral("place:points"));
+        follow(*window, QStringLiteral("panel:observer"));
+        settle();
+        QVERIFY(lessons.leave());
+        settle();
+        QCOMPARE(window->size(), size);
+        QCOMPARE(layoutOf(*window), before);
+        settle(200); // what is done a little later changes nothing
+        QCOMPARE(layoutOf(*window), before);
+    }
+}
+
 void TestAroundLessons::whatIsPutBackHasItsClick()
 {
     const auto window = windowOfSize(kWide);
-    LessonPlayer &lessons = window->lessons();
+    LessonPlayer &lessons = part<LessonPlayer>(*window);
     QVERIFY(lessons.start("first"));
     follow(*window, QStringLiteral("click:clicked"));
     QVERIFY(window->document().pick());
@@ -168,11 +238,11 @@ void TestAroundLessons::takingApartGoesBack()
     const auto window = windowOfSize(kWide);
     auto *pipeline = window->findChild<PipelinePanel *>();
     pipeline->setDirection(PipelineDirection::Backward);
-    QVERIFY(window->lessons().start("derivation"));
+    QVERIFY(part<LessonPlayer>(*window).start("derivation"));
     follow(*window, QStringLiteral("apart:projection"));
     QCOMPARE(pipeline->direction(), PipelineDirection::Forward);
     follow(*window, QStringLiteral("action:rows"));
-    QVERIFY(window->lessons().leave());
+    QVERIFY(part<LessonPlayer>(*window).leave());
     QCOMPARE(pipeline->direction(), PipelineDirection::Backward);
 }
 
@@ -180,9 +250,9 @@ void TestAroundLessons::aWindowThatGrewIsAsBefore()
 {
     const QSize before(900, 560);
     const auto window = windowOfSize(before);
-    QVERIFY(window->lessons().start("weng"));
+    QVERIFY(part<LessonPlayer>(*window).start("weng"));
     QVERIFY(grow(*window));
-    QVERIFY(window->lessons().leave());
+    QVERIFY(part<LessonPlayer>(*window).leave());
     QTRY_COMPARE_WITH_TIMEOUT(window->size(), before, kPatienceMilliseconds);
 }
 
@@ -190,11 +260,11 @@ void TestAroundLessons::aWindowOfTheUsersSizeStaysSo()
 {
     const QSize before(900, 560), users(1000, 720);
     const auto window = windowOfSize(before);
-    QVERIFY(window->lessons().start("weng"));
+    QVERIFY(part<LessonPlayer>(*window).start("weng"));
     QVERIFY(grow(*window));
     window->resize(users);
     QTRY_COMPARE_WITH_TIMEOUT(window->size(), users, kPatienceMilliseconds);
-    QVERIFY(window->lessons().leave());
+    QVERIFY(part<LessonPlayer>(*window).leave());
     settle(); // a size that is put back needs the window manager
     QCOMPARE(window->size(), users);
 }
@@ -202,21 +272,21 @@ void TestAroundLessons::aWindowOfTheUsersSizeStaysSo()
 void TestAroundLessons::aSizeThatTheScreenCannotShowIsTold()
 {
     const auto window = windowOfSize(kWide);
-    QVERIFY(window->lessons().start("weng"));
+    QVERIFY(part<LessonPlayer>(*window).start("weng"));
     const double ratio = window->view().devicePixelRatioF();
     const int logical = static_cast<int>(std::lround(500 / ratio));
     const int device = static_cast<int>(std::floor(logical * ratio + 0.5)); // of a widget that is so large
     follow(*window, QStringLiteral("view:500x500"));
     QTRY_COMPARE_WITH_TIMEOUT(window->view().width(), logical, kPatienceMilliseconds);
     if (device == 500) {
-        QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
+        QTRY_VERIFY_WITH_TIMEOUT(part<LessonPlayer>(*window).hasViewOfStep(), kPatienceMilliseconds);
         QCOMPARE(window->message(), QString());
     } else {
         QTRY_VERIFY_WITH_TIMEOUT(window->message().contains(QString::number(device))
                                      && window->message().contains(QStringLiteral("500")),
                                  kPatienceMilliseconds);
         QVERIFY(window->message().contains(QString::number(ratio)));
-        QVERIFY(!window->lessons().hasViewOfStep());
+        QVERIFY(!part<LessonPlayer>(*window).hasViewOfStep());
     }
 }
 

@@ -14,7 +14,6 @@
 #include "gui/document/camera_looks.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
-#include "gui/shell/place_ids.h"
 #include "gui/text/doctor_text.h"
 #include "gui/text/mistake_text.h"
 #include "gui/widgets/segmented_switch.h"
@@ -48,7 +47,7 @@ std::unique_ptr<MainWindow> doctorWindow()
     auto window = shownWindow(false, kWindow, true);
     openObjects(window->document(), cubeScene(),
                 {WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
-    window->places().enter(kDoctorPlace);
+    window->workspaces().enter(Workspace::Doctor);
     settle();
     return window;
 }
@@ -577,9 +576,9 @@ void TestDoctorPlace::theMarksGoWithThePlace()
     const QPoint at(int(place.x), marked.height() - 1 - int(place.y));
     QVERIFY(marked.rect().contains(at));
     QVERIFY(marked.pixelColor(at) != before.pixelColor(at));
-    window->places().enter(kClickPlace);
+    window->workspaces().enter(Workspace::Click);
     QTRY_VERIFY_WITH_TIMEOUT(window->document().wrongPoints().empty(), kPatienceMilliseconds);
-    window->places().enter(kDoctorPlace);
+    window->workspaces().enter(Workspace::Doctor);
     QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
 }
 

@@ -1,7 +1,7 @@
 // What is kept of the window from one run to the next, and read back only where it is what was written.
 
-#include "gui/shell/kept_bytes.h"
-#include "gui/shell/work_places.h"
+#include "gui/window/kept_bytes.h"
+#include "gui/window/workspaces.h"
 #include "tests/gui/gui_scene.h"
 
 #include <QDockWidget>
@@ -90,11 +90,11 @@ void TestKeptBytes::aDamagedLayoutIsNotTaken()
         window->show();
         return window;
     };
-    const auto isObjectsShown = [](MainWindow &window) { return !window.places().dock("objects")->isHidden(); };
+    const auto isObjectsShown = [](MainWindow &window) { return !window.workspaces().dock(Panel::Objects).isHidden(); };
     {
         const auto first = start();
         QVERIFY(isObjectsShown(*first));
-        first->places().dock("objects")->close();
+        first->workspaces().dock(Panel::Objects).close();
         first->close();
     }
     QVERIFY(!isObjectsShown(*start())); // what was kept is taken

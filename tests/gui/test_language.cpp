@@ -7,6 +7,7 @@
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_edits.h"
 #include "gui/shell/appearance.h"
+#include "gui/shell/language_menu.h"
 #include "gui/text/bundled_names.h"
 #include "tests/support/patience.h"
 
@@ -34,6 +35,8 @@
 #include <filesystem>
 #include <utility>
 #include <vector>
+
+#include "gui/shell/language_menu.h"
 
 using namespace unprojector;
 using namespace unprojector::gui;

@@ -89,17 +89,16 @@ void TestLanguagePanels::noTextOfAPanelIsCut()
     const auto window = windowIn(translation);
     QStringList cut;
     for (const char *place : {"click", "pipeline", "points", "doctor"}) {
-        window->places().enter(place);
-        for (const WorkPlaces::Panel &panel : window->places().panels()) {
-            if (qstrcmp(panel.id, "lesson") == 0 || qstrcmp(panel.id, "observer") == 0)
-                continue; // there is none of them: a lesson has both
-            window->places().show(panel.id);
+        enter(*window, place);
+        // Without those that stand alone, a lesson and the view from outside, which a lesson has both.
+        for (const QDockWidget *dock : window->workspaces().sharedDocks()) {
+            window->workspaces().show(panelNamed(dock->objectName()));
             settle(20);
             QStringList texts;
-            for (int trial = 0; trial < 5 && !(texts = cutTexts(*panel.widget)).isEmpty(); ++trial)
+            for (int trial = 0; trial < 5 && !(texts = cutTexts(*dock->widget())).isEmpty(); ++trial)
                 settle(); // until it is laid out
             for (const QString &text : texts)
-                cut << QStringLiteral("%1 in %2: %3").arg(QLatin1String(panel.id), QLatin1String(place), text);
+                cut << QStringLiteral("%1 in %2: %3").arg(dock->objectName(), QLatin1String(place), text);
         }
     }
     QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
@@ -120,7 +119,7 @@ void TestLanguagePanels::noTextOfALessonIsCut()
     const TemporaryFontSize size(points);
     const Translation translation({language});
     const auto window = windowIn(translation);
-    LessonPlayer &lessons = window->lessons();
+    LessonPlayer &lessons = part<LessonPlayer>(*window);
     QStringList cut;
     const auto look = [&] {
         for (const char *id : {"lesson", "observer"}) {

@@ -28,8 +28,8 @@ private slots:
 void TestLessonsAnswers::anAnswerIsChecked()
 {
     const auto window = windowOfSize(kWide);
-    QVERIFY(window->lessons().start("first"));
-    QVERIFY(window->lessons().goTo(1));
+    QVERIFY(part<LessonPlayer>(*window).start("first"));
+    QVERIFY(part<LessonPlayer>(*window).goTo(1));
     const QString shown = panelOf(*window).text();
     QVERIFY(!shown.contains(QStringLiteral("312.5")));
     answer(*window, QStringLiteral("312"));
@@ -42,14 +42,14 @@ void TestLessonsAnswers::anAnswerIsChecked()
     answer(*window, QStringLiteral("500 - 187.5"));
     QCOMPARE(verdictOf(*window), QStringLiteral("Right: 312.5."));
     QVERIFY(panelOf(*window).text().contains(QStringLiteral("500 − (187 + 0.5) = 312.5")));
-    QVERIFY(window->lessons().goTo(2));
+    QVERIFY(part<LessonPlayer>(*window).goTo(2));
     QVERIFY(verdictOf(*window).isEmpty());
 }
 
 void TestLessonsAnswers::anAnswerIsShown()
 {
     const auto window = windowOfSize(kWide);
-    QVERIFY(window->lessons().start("pipeline"));
+    QVERIFY(part<LessonPlayer>(*window).start("pipeline"));
     follow(*window, QStringLiteral("step:model_view"));
     QVERIFY(!panelOf(*window).text().contains(QStringLiteral("m[14] = −8")));
     buttonOf(*window, QStringLiteral("Show"))->click();
@@ -60,7 +60,7 @@ void TestLessonsAnswers::anAnswerIsShown()
 void TestLessonsAnswers::whatHasTheAnswerWaitsForIt()
 {
     const auto window = windowOfSize(kWide);
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     const auto goTo = [&](const char *id) {
         return player.goTo(std::size_t(player.lesson()->step(id) - player.lesson()->steps.data()));
     };
@@ -93,7 +93,7 @@ void TestLessonsAnswers::whatHasTheAnswerWaitsForIt()
     QVERIFY(isSeen(*window, "comparison"));
     QVERIFY(player.leave());
     // The user's own stays the user's.
-    window->places().show("pipeline");
+    window->workspaces().show(Panel::Pipeline);
     QVERIFY(player.start("pipeline"));
     QVERIFY(dockOf(*window, "pipeline")->isHidden());
     QVERIFY(player.leave());
@@ -104,7 +104,7 @@ void TestLessonsAnswers::whatHasTheAnswerWaitsForIt()
 void TestLessonsAnswers::thePapersAnswersWait()
 {
     const auto window = windowOfSize(kWide);
-    QVERIFY(window->lessons().start("weng"));
+    QVERIFY(part<LessonPlayer>(*window).start("weng"));
     follow(*window, QStringLiteral("panel:pipeline"));
     for (const char *id : {"look_at", "viewport", "windows", "back", "world", "ortho", "oblique", "clip_plane"}) {
         follow(*window, QStringLiteral("step:") + QLatin1String(id));
@@ -120,7 +120,7 @@ void TestLessonsAnswers::theReasonStaysInFront()
 {
     const int digit = QFontMetrics(QApplication::font()).horizontalAdvance(u'0'); // what is narrow goes by it
     const auto window = windowOfSize({100 * digit, 700});
-    QVERIFY(window->lessons().start("weng"));
+    QVERIFY(part<LessonPlayer>(*window).start("weng"));
     follow(*window, QStringLiteral("step:look_at"));
     QVERIFY(isSeen(*window, "lesson"));
     buttonOf(*window, QStringLiteral("Show"))->click();
@@ -135,7 +135,7 @@ void TestLessonsAnswers::theViewIsCalledAsThePaperSays()
     const auto *log = window->findChild<LifecycleLog *>();
     QVERIFY(log);
     const auto calls = [log](int first) { return log->text(first, log->rowCount() - 1); };
-    QVERIFY(window->lessons().start("weng"));
+    QVERIFY(part<LessonPlayer>(*window).start("weng"));
     follow(*window, QStringLiteral("step:mfc"));
     QVERIFY(dockOf(*window, "lifecycle")->isHidden());
     answer(*window, QStringLiteral("5"));
@@ -145,7 +145,7 @@ void TestLessonsAnswers::theViewIsCalledAsThePaperSays()
 
     follow(*window, QStringLiteral("step:mfc_size"));
     follow(*window, QStringLiteral("view:500x500"));
-    QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(part<LessonPlayer>(*window).hasViewOfStep(), kPatienceMilliseconds);
     settle(*window);
     const int before = log->rowCount();
     follow(*window, QStringLiteral("view:500x250"));
@@ -161,7 +161,7 @@ void TestLessonsAnswers::theViewIsCalledAsThePaperSays()
         const ProjectionWindow w = projectionWindow(g.projection());
         return g.viewport.width / (w.right - w.left) / (g.viewport.height / (w.top - w.bottom));
     };
-    QCOMPARE(stretch(), *window->lessons().answer());
+    QCOMPARE(stretch(), *part<LessonPlayer>(*window).answer());
     follow(*window, QStringLiteral("set:follows"));
     QCOMPARE(stretch(), 1.0);
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
@@ -169,11 +169,12 @@ void TestLessonsAnswers::theViewIsCalledAsThePaperSays()
     follow(*window, QStringLiteral("step:mfc_click"));
     emit hintOf(*window)->linkActivated(QStringLiteral("restart:"));
     follow(*window, QStringLiteral("view:500x500"));
-    QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(part<LessonPlayer>(*window).hasViewOfStep(), kPatienceMilliseconds);
     QVERIFY(dockOf(*window, "lifecycle")->isHidden());
     follow(*window, QStringLiteral("click:clicked"));
-    QVERIFY2(calls(0).contains(QStringLiteral("glReadPixels(230, %1, 1, 1,").arg(*window->lessons().answer())),
-             qPrintable(calls(0)));
+    QVERIFY2(
+        calls(0).contains(QStringLiteral("glReadPixels(230, %1, 1, 1,").arg(*part<LessonPlayer>(*window).answer())),
+        qPrintable(calls(0)));
 }
 
 QTEST_MAIN(TestLessonsAnswers)

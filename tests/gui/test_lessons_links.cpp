@@ -36,12 +36,6 @@ QSet<QString> anchorsOfHelp()
     return names;
 }
 
-template <class List>
-bool has(const List &list, const QString &id)
-{
-    return std::any_of(list.begin(), list.end(), [&id](const auto &one) { return id == QLatin1String(one.id); });
-}
-
 /// The links of a text.
 QStringList linksOf(const std::vector<std::string> &paragraphs)
 {
@@ -74,7 +68,7 @@ void TestLessonsLinks::everyStepOpensAndItsLinksLead_data()
 {
     QTest::addColumn<QByteArray>("name");
     const auto window = windowOfSize(kWide);
-    for (const Lesson &lesson : window->lessons().lessons())
+    for (const Lesson &lesson : part<LessonPlayer>(*window).lessons())
         QTest::newRow(lesson.name.c_str()) << QByteArray::fromStdString(lesson.name);
 }
 
@@ -83,20 +77,18 @@ void TestLessonsLinks::everyStepOpensAndItsLinksLead()
     QFETCH(QByteArray, name);
     static const QSet<QString> formulas = anchorsOfHelp();
     const auto window = windowOfSize(kWide);
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     QVERIFY(dockOf(*window, "lesson")->isHidden());
     QVERIFY(player.start(name.toStdString()));
     for (std::size_t place = 0; place < player.lesson()->steps.size(); ++place) {
         QVERIFY(player.goTo(place));
         const lessons::Step &step = player.step();
         QVERIFY(isSeen(*window, "lesson"));
-        QVERIFY(step.place.empty() || step.place == window->places().current());
+        QVERIFY(!step.workspace || *step.workspace == window->workspaces().current());
         QVERIFY(player.isAsTheStep());
         QVERIFY(!step.question || player.answer());
         QVERIFY2(panelOf(*window).sizeHint().width() <= 360, step.id.c_str());
         QVERIFY(!panelOf(*window).text().contains(u'{'));
-        for (const std::string &panel : step.panels)
-            QVERIFY2(has(window->places().panels(), QString::fromStdString(panel)), step.id.c_str());
         if (step.view) {
             follow(*window, QStringLiteral("view:%1x%2").arg(step.view->x).arg(step.view->y));
             QTRY_VERIFY2_WITH_TIMEOUT(player.hasViewOfStep(), step.id.c_str(), kPatienceMilliseconds);
@@ -106,13 +98,13 @@ void TestLessonsLinks::everyStepOpensAndItsLinksLead()
                 break;
             if (isAnswered) {
                 // Whatever was done until then: no panel has given it away.
-                for (const std::string &panel : step.question->hides)
-                    QVERIFY2(dockOf(*window, panel.c_str())->isHidden(), step.id.c_str());
+                for (const Panel panel : step.question->hides)
+                    QVERIFY2(window->workspaces().dock(panel).isHidden(), step.id.c_str());
                 player.reveal();
                 if (step.view)
                     QTRY_VERIFY2_WITH_TIMEOUT(player.hasViewOfStep(), step.id.c_str(), kPatienceMilliseconds);
-                for (const std::string &panel : step.panels)
-                    QVERIFY2(!dockOf(*window, panel.c_str())->isHidden(), step.id.c_str());
+                for (const Panel panel : step.panels)
+                    QVERIFY2(!window->workspaces().dock(panel).isHidden(), step.id.c_str());
             }
             for (const QString &link : linksOf(isAnswered ? step.question->reveal : step.text)) {
                 const QByteArray where = (QString::fromStdString(step.id) + u' ' + link).toUtf8();
@@ -122,7 +114,6 @@ void TestLessonsLinks::everyStepOpensAndItsLinksLead()
                     follow(*window, link);
                     QVERIFY2(window->document().pick() && window->document().pick()->hit(), where);
                 } else if (link.startsWith(QLatin1String("panel:"))) {
-                    QVERIFY2(has(window->places().panels(), to), where);
                     follow(*window, link);
                     QVERIFY2(!dockOf(*window, to.toLatin1())->isHidden(), where);
                 } else if (link.startsWith(QLatin1String("set:"))) {
@@ -148,8 +139,6 @@ void TestLessonsLinks::everyStepOpensAndItsLinksLead()
                     for (const QSlider *slider : shares->findChildren<QSlider *>())
                         QTRY_VERIFY2_WITH_TIMEOUT(!slider->isVisible() || !slider->visibleRegion().isEmpty(), where,
                                                   kPatienceMilliseconds);
-                } else if (link.startsWith(QLatin1String("place:"))) {
-                    QVERIFY2(has(window->places().places(), to), where);
                 } else if (link.startsWith(QLatin1String("formulas:"))) {
                     QVERIFY2(formulas.contains(to), where);
                 }
@@ -165,7 +154,7 @@ void TestLessonsLinks::whatLinksSwitchGoesBack()
     const auto isOn = [&](const char *name) { return window->findChild<QAction *>(QLatin1String(name))->isChecked(); };
     const auto *pipeline = window->findChild<PipelinePanel *>();
     window->findChild<QAction *>(QStringLiteral("edge"))->trigger();
-    QVERIFY(window->lessons().start("rows"));
+    QVERIFY(part<LessonPlayer>(*window).start("rows"));
     for (const char *name : {"vertex", "place_points", "backward", "rows"})
         follow(*window, QStringLiteral("action:") + QLatin1String(name));
     QVERIFY(isOn("vertex") && isOn("place_points") && window->document().snap() == ray::Snap::Vertex);
@@ -176,7 +165,7 @@ void TestLessonsLinks::whatLinksSwitchGoesBack()
     QVERIFY(!isOn("place_points"));
     follow(*window, QStringLiteral("action:place_points"));
     follow(*window, QStringLiteral("action:nothing")); // what is not there does nothing
-    QVERIFY(window->lessons().leave());
+    QVERIFY(part<LessonPlayer>(*window).leave());
     QVERIFY(isOn("edge") && !isOn("place_points") && window->document().snap() == ray::Snap::Edge);
     QVERIFY(pipeline->direction() == PipelineDirection::Forward && pipeline->matrixView() == MatrixView());
 }
@@ -188,15 +177,15 @@ void TestLessonsLinks::theWayToWriteVectorsGoesBackUnseen()
     auto *pipeline = window->findChild<PipelinePanel *>();
     const MatrixView rows{MatrixLayout::Row, false};
     pipeline->setMatrixView(rows);
-    QVERIFY(window->lessons().start("rows"));
+    QVERIFY(part<LessonPlayer>(*window).start("rows"));
     follow(*window, QStringLiteral("action:columns"));
     QVERIFY(pipeline->matrixView().layout == MatrixLayout::Column);
     follow(*window, QStringLiteral("action:conventions_direct3d"));
     QVERIFY(window->document().scene().conventions == Api::Direct3d && isSeen(*window, "pipeline"));
     dockOf(*window, "pipeline")->hide();
-    QVERIFY(window->lessons().leave());
+    QVERIFY(part<LessonPlayer>(*window).leave());
     QVERIFY(window->document().scene().conventions == Api::OpenGl);
-    window->places().show("pipeline");
+    window->workspaces().show(Panel::Pipeline);
     QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "pipeline"), kPatienceMilliseconds);
     QVERIFY(pipeline->matrixView() == rows);
 }
@@ -204,7 +193,7 @@ void TestLessonsLinks::theWayToWriteVectorsGoesBackUnseen()
 void TestLessonsLinks::whatALinkLeadsToHasRoom()
 {
     const auto window = windowOfSize(kWide);
-    QVERIFY(window->lessons().start("pipeline"));
+    QVERIFY(part<LessonPlayer>(*window).start("pipeline"));
     follow(*window, QStringLiteral("step:ortho"));
     const QDockWidget *pipeline = dockOf(*window, "pipeline"), *observer = dockOf(*window, "observer");
     QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "observer") && observer->height() > window->height() / 3,
@@ -218,13 +207,13 @@ void TestLessonsLinks::aLinkChangesTheScene()
 {
     const auto window = windowOfSize(kWide);
     SceneDocument &document = window->document();
-    QVERIFY(window->lessons().start("pipeline") && window->lessons().next());
+    QVERIFY(part<LessonPlayer>(*window).start("pipeline") && part<LessonPlayer>(*window).next());
     const std::optional<GivenPoint> followed = document.scene().givenPoint;
     QVERIFY(followed);
     follow(*window, QStringLiteral("set:other"));
     QVERIFY(document.scene().givenPoint == (GivenPoint{ObjectPoint(2, 1, 0), followed->object}));
     QCOMPARE(document.undoStack().count(), 1); // one change for all that it says
-    QVERIFY(window->lessons().isAsTheStep());
+    QVERIFY(part<LessonPlayer>(*window).isAsTheStep());
     // Where a click is followed, the link leads back to the point, which is the same already.
     const PipelineModel &model = dockOf(*window, "pipeline")->findChild<PipelinePanel *>()->model();
     QVERIFY(model.followsGiven());
@@ -250,8 +239,8 @@ void TestLessonsLinks::aChangeThatDoesNotFitIsTold()
 {
     const auto window = windowOfSize(kWide);
     SceneDocument &document = window->document();
-    QVERIFY(window->lessons().start("derivation"));
-    QVERIFY(window->lessons().goTo(window->lessons().lesson()->steps.size() - 1));
+    QVERIFY(part<LessonPlayer>(*window).start("derivation"));
+    QVERIFY(part<LessonPlayer>(*window).goTo(part<LessonPlayer>(*window).lesson()->steps.size() - 1));
     // Which has no left and right to exchange.
     QVERIFY(editProjection(document, {Perspective{1.0, 1.0, 1.0, 10.0}, false, false}, {QStringLiteral("Other")}));
     const int steps = document.undoStack().count();

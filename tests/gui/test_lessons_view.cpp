@@ -54,25 +54,25 @@ void TestLessonsView::theViewGetsTheSizeOfTheNumbers()
     QFETCH(QSize, size);
     const auto window = windowOfSize(size);
     const QSize before = window->view().size();
-    QVERIFY(window->lessons().start("first"));
-    QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
+    QVERIFY(part<LessonPlayer>(*window).start("first"));
+    QTRY_VERIFY_WITH_TIMEOUT(part<LessonPlayer>(*window).hasViewOfStep(), kPatienceMilliseconds);
     QTRY_VERIFY_WITH_TIMEOUT(!hintOf(*window), kPatienceMilliseconds);
     follow(*window, QStringLiteral("click:clicked"));
     const auto &pick = window->document().pick();
     QVERIFY(pick && pick->hit());
     const WorldPoint read = *pick->point.world[Method::Formula];
     QVERIFY(distance(read, WorldPoint(-1.5, 3.5, 5.0)) < 1e-5);
-    window->places().show("pipeline");
+    window->workspaces().show(Panel::Pipeline);
     settle(*window);
     QVERIFY(isSeen(*window, "pipeline"));
-    QVERIFY(window->lessons().hasViewOfStep());
-    window->places().hidePanels(true);
+    QVERIFY(part<LessonPlayer>(*window).hasViewOfStep());
+    window->workspaces().hidePanels(true);
     QTRY_COMPARE_WITH_TIMEOUT(window->view().width(), window->width(),
                               kPatienceMilliseconds); // it has the whole window
-    window->places().hidePanels(false);
-    QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
+    window->workspaces().hidePanels(false);
+    QTRY_VERIFY_WITH_TIMEOUT(part<LessonPlayer>(*window).hasViewOfStep(), kPatienceMilliseconds);
     QCOMPARE(window->size(), size);
-    QVERIFY(window->lessons().leave());
+    QVERIFY(part<LessonPlayer>(*window).leave());
     QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), before, kPatienceMilliseconds);
 }
 
@@ -82,17 +82,17 @@ void TestLessonsView::aLinkMakesRoom()
     const QSize small(820, 480); // less than the step's view by itself
     const auto window = windowOfSize(small);
     QCOMPARE(window->size(), small);
-    QVERIFY(window->lessons().start("first"));
-    QVERIFY(window->lessons().step().view->y > small.height());
+    QVERIFY(part<LessonPlayer>(*window).start("first"));
+    QVERIFY(part<LessonPlayer>(*window).step().view->y > small.height());
     settle(*window);
-    QVERIFY(!window->lessons().hasViewOfStep());
+    QVERIFY(!part<LessonPlayer>(*window).hasViewOfStep());
     QCOMPARE(window->size(), small);
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
     QVERIFY(hintOf(*window) && hintOf(*window)->text().contains(QStringLiteral("500 × 500")));
     emit hintOf(*window)->linkActivated(QStringLiteral("view:500x500"));
-    QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(part<LessonPlayer>(*window).hasViewOfStep(), kPatienceMilliseconds);
     QTRY_VERIFY_WITH_TIMEOUT(!hintOf(*window), kPatienceMilliseconds);
-    QVERIFY(window->lessons().leave());
+    QVERIFY(part<LessonPlayer>(*window).leave());
     QTRY_COMPARE_WITH_TIMEOUT(window->size(), small, kPatienceMilliseconds);
 }
 
@@ -108,7 +108,7 @@ void TestLessonsView::theLastLinkSaysTheSize()
     QFETCH(QStringList, links);
     for (const bool atOnce : {true, false}) {
         const auto window = windowOfSize(kWide);
-        QVERIFY(window->lessons().start("rows"));
+        QVERIFY(part<LessonPlayer>(*window).start("rows"));
         follow(*window, QStringLiteral("step:round_trip"));
         const auto hasSize = [&](const QString &link) {
             return QStringLiteral("view:%1x%2").arg(window->view().width()).arg(window->view().height()) == link;
@@ -128,7 +128,7 @@ void TestLessonsView::theLastLinkSaysTheSize()
 void TestLessonsView::aSizeThatCannotBeIsTold()
 {
     const auto window = windowOfSize({1100, 700});
-    QVERIFY(window->lessons().start("rows"));
+    QVERIFY(part<LessonPlayer>(*window).start("rows"));
     follow(*window, QStringLiteral("step:round_trip"));
     window->setMaximumHeight(700);
     follow(*window, QStringLiteral("view:300x900"));
@@ -149,9 +149,9 @@ void TestLessonsView::aDragEndsWithItsScene()
     const QPoint middle = view.rect().center();
     for (const Qt::KeyboardModifiers keys :
          {Qt::KeyboardModifiers(Qt::NoModifier), Qt::KeyboardModifiers(Qt::ShiftModifier)}) {
-        QVERIFY(window->lessons().start("pipeline"));
+        QVERIFY(part<LessonPlayer>(*window).start("pipeline"));
         QTest::mousePress(&view, Qt::LeftButton, keys, middle);
-        QVERIFY(window->lessons().leave()); // by a key
+        QVERIFY(part<LessonPlayer>(*window).leave()); // by a key
         const QPointF away = middle + QPointF(60.0, 40.0);
         QMouseEvent move(QEvent::MouseMove, away, view.mapToGlobal(away), Qt::NoButton, Qt::LeftButton, keys);
         QApplication::sendEvent(&view, &move);
@@ -168,9 +168,9 @@ void TestLessonsView::aDraggedPointEndsWithItsScene()
     SceneDocument &document = window->document();
     SceneView &view = window->view();
     const QImage before = view.grabFramebuffer();
-    QVERIFY(window->lessons().start("first"));
+    QVERIFY(part<LessonPlayer>(*window).start("first"));
     follow(*window, QStringLiteral("view:500x500"));
-    QTRY_VERIFY_WITH_TIMEOUT(window->lessons().hasViewOfStep(), kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(part<LessonPlayer>(*window).hasViewOfStep(), kPatienceMilliseconds);
     const QPointF at = view.rect().center();
     const auto there =
         document.points().onMeshAt(deviceFromWidget(document.geometry().surface, view.widgetPosition(at)));
@@ -183,7 +183,7 @@ void TestLessonsView::aDraggedPointEndsWithItsScene()
     send(QEvent::MouseButtonPress, {}, Qt::LeftButton, Qt::LeftButton);
     send(QEvent::MouseMove, {20.0, 0.0}, Qt::NoButton, Qt::LeftButton);
     QVERIFY(differentPixels(without, view.grabFramebuffer()) > 1000); // the loupe
-    QVERIFY(window->lessons().leave());
+    QVERIFY(part<LessonPlayer>(*window).leave());
     const LookAt camera = document.scene().camera;
     send(QEvent::MouseMove, {40.0, 0.0}, Qt::NoButton, Qt::LeftButton);
     send(QEvent::MouseButtonRelease, {40.0, 0.0}, Qt::LeftButton, Qt::NoButton);
@@ -195,7 +195,7 @@ void TestLessonsView::aDraggedPointEndsWithItsScene()
 void TestLessonsView::theCrosshairIsInTheMiddleOfAnotherScene()
 {
     const auto window = windowOfSize(kWide);
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     QVERIFY(player.start("weng"));
     SceneView &view = window->view();
     const auto pixelOfEnter = [&] {
@@ -232,7 +232,7 @@ void TestLessonsView::aClickMeetsTheStepsPointInEveryView()
     QFETCH(WorldPoint, wanted);
     QFETCH(double, pixel);
     const auto window = windowOfSize(kWide);
-    QVERIFY(window->lessons().start(lesson.toStdString()));
+    QVERIFY(part<LessonPlayer>(*window).start(lesson.toStdString()));
     follow(*window, QStringLiteral("step:") + QString::fromLatin1(step));
     for (const QSize &size : {QSize(640, 480), QSize(420, 560)}) {
         follow(*window, QStringLiteral("view:%1x%2").arg(size.width()).arg(size.height()));
@@ -249,7 +249,7 @@ void TestLessonsView::aClickMeetsTheStepsPointInEveryView()
 void TestLessonsView::lettersAreDrawnWhereAStepWantsThem()
 {
     const auto window = windowOfSize(kWide);
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     QVERIFY(player.start("weng"));
     follow(*window, QStringLiteral("view:500x500"));
     QTRY_VERIFY_WITH_TIMEOUT(player.hasViewOfStep(), kPatienceMilliseconds);
@@ -287,7 +287,7 @@ void TestLessonsView::lettersOverlapNothing()
     QFETCH(QByteArray, step);
     QFETCH(QSize, size);
     const auto window = windowOfSize(kWide);
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     QVERIFY(player.start(lesson.toStdString()));
     QVERIFY(player.goTo(std::size_t(player.lesson()->step(step.toStdString()) - player.lesson()->steps.data())));
     follow(*window, QStringLiteral("view:%1x%2").arg(size.width()).arg(size.height()));
@@ -318,7 +318,7 @@ void TestLessonsView::lettersOverlapNothing()
 void TestLessonsView::theViewFromOutsideComesAndGoes()
 {
     const auto window = windowOfSize(kWide);
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
     QVERIFY(action && !action->isChecked());
     QVERIFY(player.start("first"));
@@ -337,9 +337,11 @@ void TestLessonsView::theViewFromOutsideComesAndGoes()
     observer->setMorph(0.5);
     QVERIFY(player.goTo(3));
     QCOMPARE(observer->morph(), 1.0);
-    QVERIFY(player.leave());
+    QVERIFY(player.goTo(5)); // as the user has it in the lesson
     QVERIFY(action->isChecked() && observer->isVisible() && dockOf(*window, "observer")->isHidden());
     QCOMPARE(observer->morph(), 0.5);
+    QVERIFY(player.leave()); // as it was before the lesson
+    QVERIFY(!action->isChecked() && !observer->isVisible() && dockOf(*window, "observer")->isHidden());
 }
 
 QTEST_MAIN(TestLessonsView)

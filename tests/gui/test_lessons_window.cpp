@@ -2,9 +2,9 @@
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
+#include "gui/lessons/first_steps.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/pipeline/pipeline_panel.h"
-#include "gui/shell/first_steps.h"
 #include "gui/view/scene_view.h"
 #include "lessons_user.h"
 #include "tests/support/patience.h"
@@ -37,7 +37,7 @@ private slots:
 void TestLessonsWindow::whatIsDoneStaysInTheSameScene()
 {
     const auto window = windowOfSize(kWide);
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     QVERIFY(player.start("first"));
     follow(*window, QStringLiteral("view:500x500"));
     QTRY_VERIFY_WITH_TIMEOUT(player.hasViewOfStep(), kPatienceMilliseconds);
@@ -63,13 +63,13 @@ void TestLessonsWindow::whatWasShownComesBack()
 {
     const auto window = windowOfSize(kLow);
     SceneDocument &document = window->document();
-    window->places().enter("points");
+    window->workspaces().enter(Workspace::Landmarks);
     QVERIFY(editClipPlanes(document, {{0.0, 1.0, 0.0, 0.5}}, {}, {QStringLiteral("Plane")}));
     const QString name = window->session().name();
     const Model *model = document.objects().front().model.get();
     const QSize size = window->size();
-    QVERIFY(window->lessons().start("first"));
-    QCOMPARE(window->places().current(), "click");
+    QVERIFY(part<LessonPlayer>(*window).start("first"));
+    QVERIFY(window->workspaces().current() == Workspace::Click);
     const auto height = heightToGrowFor(*window);
     if (!height)
         QSKIP("The screen is too low for a view that the window grows for.");
@@ -79,19 +79,19 @@ void TestLessonsWindow::whatWasShownComesBack()
     QVERIFY(window->session().name() != name);
     follow(*window, QStringLiteral("panel:pipeline"));
     QVERIFY(isSeen(*window, "pipeline"));
-    window->places().enter("pipeline"); // which has the panel as its own
+    window->workspaces().enter(Workspace::Pipeline); // which has the panel as its own
     dockOf(*window, "lesson")->close();
-    QVERIFY(!window->lessons().lesson());
+    QVERIFY(!part<LessonPlayer>(*window).lesson());
     QVERIFY(dockOf(*window, "lesson")->isHidden());
     QCOMPARE(window->session().name(), name);
     QCOMPARE(document.objects().front().model.get(), model);
     QCOMPARE(document.scene().clipPlanes.size(), std::size_t(1));
     QVERIFY(window->session().hasUnsavedChanges());
-    QCOMPARE(window->places().current(), "points");
+    QVERIFY(window->workspaces().current() == Workspace::Landmarks);
     QCOMPARE(window->size(), size);
-    window->places().enter("click");
+    window->workspaces().enter(Workspace::Click);
     QVERIFY(dockOf(*window, "pipeline")->isHidden());
-    window->places().enter("pipeline");
+    window->workspaces().enter(Workspace::Pipeline);
     QVERIFY(!dockOf(*window, "pipeline")->isHidden());
 }
 
@@ -112,9 +112,9 @@ void TestLessonsWindow::aClosedWindowIsAsBeforeTheLesson()
     {
         const auto window = windowOfSize(kLow, true);
         window->resize(kLow);
-        window->places().enter("points");
+        window->workspaces().enter(Workspace::Landmarks);
         size = window->size();
-        QVERIFY(window->lessons().start("first"));
+        QVERIFY(part<LessonPlayer>(*window).start("first"));
         const auto height = heightToGrowFor(*window);
         if (!height)
             QSKIP("The screen is too low for a view that the window grows for.");
@@ -126,22 +126,22 @@ void TestLessonsWindow::aClosedWindowIsAsBeforeTheLesson()
     }
     const auto window = windowOfSize(kWide, true);
     QCOMPARE(window->size(), size);
-    QCOMPARE(window->places().current(), "points");
+    QVERIFY(window->workspaces().current() == Workspace::Landmarks);
     QVERIFY(dockOf(*window, "lesson")->isHidden());
-    window->places().enter("click");
+    window->workspaces().enter(Workspace::Click);
     QVERIFY(dockOf(*window, "pipeline")->isHidden());
 }
 
 void TestLessonsWindow::anotherSceneEndsTheLesson()
 {
     const auto window = windowOfSize(kWide);
-    QVERIFY(window->lessons().start("rows"));
-    const QSignalSpy changes(&window->lessons(), &LessonPlayer::changed);
+    QVERIFY(part<LessonPlayer>(*window).start("rows"));
+    const QSignalSpy changes(&part<LessonPlayer>(*window), &LessonPlayer::changed);
     window->session().openBundledScene();
-    QVERIFY(!window->lessons().lesson());
+    QVERIFY(!part<LessonPlayer>(*window).lesson());
     QCOMPARE(changes.size(), 1);
     QVERIFY(dockOf(*window, "lesson")->isHidden());
-    QVERIFY(!window->lessons().leave());
+    QVERIFY(!part<LessonPlayer>(*window).leave());
 }
 
 void TestLessonsWindow::theKeysGoFromStepToStep()
@@ -151,27 +151,27 @@ void TestLessonsWindow::theKeysGoFromStepToStep()
             *back = actionOf(*window, QStringLiteral("Previous Step")),
             *leave = actionOf(*window, QStringLiteral("Leave Lesson"));
     QVERIFY(!next->isEnabled() && !back->isEnabled() && !leave->isEnabled());
-    QVERIFY(window->lessons().start("derivation"));
+    QVERIFY(part<LessonPlayer>(*window).start("derivation"));
     QVERIFY(next->isEnabled() && !back->isEnabled() && leave->isEnabled());
     window->activateWindow(); // keys are for the active one
     QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
     QTest::keyClick(&window->view(), Qt::Key_PageDown, Qt::AltModifier);
-    QCOMPARE(window->lessons().place(), std::size_t(1));
+    QCOMPARE(part<LessonPlayer>(*window).place(), std::size_t(1));
     auto *steps = panelOf(*window).findChild<QComboBox *>();
     QCOMPARE(steps->currentIndex(), 1);
-    const std::size_t count = window->lessons().lesson()->steps.size();
+    const std::size_t count = part<LessonPlayer>(*window).lesson()->steps.size();
     QVERIFY(steps->currentText().startsWith(QStringLiteral("2 of %1").arg(count)));
     follow(*window, QStringLiteral("step:frustum"));
-    QCOMPARE(window->lessons().place(), count - 1);
+    QCOMPARE(part<LessonPlayer>(*window).place(), count - 1);
     QVERIFY(!next->isEnabled() && !buttonOf(*window, QStringLiteral("Next ›")));
     QTest::keyClick(&window->view(), Qt::Key_PageUp, Qt::AltModifier);
-    QCOMPARE(window->lessons().place(), count - 2);
+    QCOMPARE(part<LessonPlayer>(*window).place(), count - 2);
     leave->trigger();
-    QVERIFY(!window->lessons().lesson() && !next->isEnabled());
-    QVERIFY(window->lessons().start("derivation"));
+    QVERIFY(!part<LessonPlayer>(*window).lesson() && !next->isEnabled());
+    QVERIFY(part<LessonPlayer>(*window).start("derivation"));
     follow(*window, QStringLiteral("step:frustum"));
     buttonOf(*window, QStringLiteral("Finish"))->click();
-    QVERIFY(!window->lessons().lesson());
+    QVERIFY(!part<LessonPlayer>(*window).lesson());
 }
 
 void TestLessonsWindow::theNoteForNewcomersWaits()
@@ -180,12 +180,12 @@ void TestLessonsWindow::theNoteForNewcomersWaits()
     const auto window = windowOfSize({1100, 700}, true);
     const auto *note = window->findChild<FirstSteps *>();
     QVERIFY(note && note->isVisible());
-    QVERIFY(window->lessons().start("rows"));
+    QVERIFY(part<LessonPlayer>(*window).start("rows"));
     QVERIFY(!note->isVisible());
     follow(*window, QStringLiteral("step:round_trip"));
     follow(*window, QStringLiteral("view:300x300"));
     QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), QSize(300, 300), kPatienceMilliseconds);
-    QVERIFY(window->lessons().leave());
+    QVERIFY(part<LessonPlayer>(*window).leave());
     QVERIFY(note->isVisible());
 }
 
@@ -193,7 +193,7 @@ void TestLessonsWindow::aLessonBeginsAsIfNoneHadBeenBefore()
 {
     const auto window = windowOfSize(kLow);
     const QSize size = window->size();
-    QVERIFY(window->lessons().start("pipeline"));
+    QVERIFY(part<LessonPlayer>(*window).start("pipeline"));
     const auto height = heightToGrowFor(*window);
     if (!height)
         QSKIP("The screen is too low for a view that the window grows for.");
@@ -201,11 +201,11 @@ void TestLessonsWindow::aLessonBeginsAsIfNoneHadBeenBefore()
     QTRY_VERIFY_WITH_TIMEOUT(window->size() != size, kPatienceMilliseconds);
     follow(*window, QStringLiteral("action:backward"));
     QVERIFY(isSeen(*window, "pipeline"));
-    QVERIFY(window->lessons().start("first"));
+    QVERIFY(part<LessonPlayer>(*window).start("first"));
     QTRY_COMPARE_WITH_TIMEOUT(window->size(), size, kPatienceMilliseconds);
     QVERIFY(dockOf(*window, "pipeline")->isHidden() && isSeen(*window, "lesson"));
     QCOMPARE(window->findChild<PipelinePanel *>()->direction(), PipelineDirection::Forward);
-    QVERIFY(window->lessons().leave());
+    QVERIFY(part<LessonPlayer>(*window).leave());
     QCOMPARE(window->size(), size);
     QVERIFY(dockOf(*window, "lesson")->isHidden());
 }
@@ -213,20 +213,20 @@ void TestLessonsWindow::aLessonBeginsAsIfNoneHadBeenBefore()
 void TestLessonsWindow::theTextHasRoomBesideOtherPanels()
 {
     const auto window = windowOfSize(kWide);
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     const QDockWidget *lesson = dockOf(*window, "lesson"), *parameters = dockOf(*window, "parameters");
     const auto isLarger = [&] {
         return isSeen(*window, "lesson") && isSeen(*window, "parameters") && lesson->height() > parameters->height();
     };
     QVERIFY(player.start("first"));
-    window->places().enter("pipeline");
+    window->workspaces().enter(Workspace::Pipeline);
     QTRY_VERIFY_WITH_TIMEOUT(isLarger(), kPatienceMilliseconds);
     // Drawn to another size it keeps that.
     window->resizeDocks({dockOf(*window, "lesson")}, {200}, Qt::Vertical);
     QTRY_VERIFY_WITH_TIMEOUT(!isLarger(), kPatienceMilliseconds);
     QVERIFY(player.next());
-    window->places().enter("click");
-    window->places().enter("pipeline");
+    window->workspaces().enter(Workspace::Click);
+    window->workspaces().enter(Workspace::Pipeline);
     settle(*window);
     QVERIFY(isSeen(*window, "lesson") && isSeen(*window, "parameters") && !isLarger());
 }

@@ -128,7 +128,7 @@ void TestLetters::eachIsAtItsOwn()
 {
     QFETCH(QString, lesson);
     const auto window = windowOfSize({1280, 800});
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     QVERIFY(player.start(lesson.toStdString()));
     for (std::size_t step = 0; step < player.lesson()->steps.size(); ++step) {
         QVERIFY(player.goTo(step));
@@ -158,7 +158,7 @@ void TestLetters::eachIsAtItsOwn()
 void TestLetters::axesUponEachOtherAreOne()
 {
     const auto window = windowOfSize({1280, 800});
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     QVERIFY(player.start("pipeline"));
     QVERIFY(goTo(player, "model_view")); // MC is moved along z, along which the eye looks as well
     QCOMPARE(namesOf(highlightsInView(window->document(), player.step().highlights)),
@@ -168,7 +168,7 @@ void TestLetters::axesUponEachOtherAreOne()
 void TestLetters::theEyesOwnAxesAreNotInAPerspective()
 {
     const auto window = windowOfSize({1280, 800});
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     QVERIFY(player.start("first"));
     QVERIFY(goTo(player, "world"));
     const std::set<Highlight> highlights = player.step().highlights;
@@ -188,7 +188,7 @@ void TestLetters::theEyesOwnAxesAreNotInAPerspective()
 void TestLetters::aLengthLeavesTheMiddleFree()
 {
     const auto window = windowOfSize({1280, 800});
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     for (const auto &[lesson, step] : {std::pair("rows", "round_trip"), std::pair("weng", "windows"),
                                        std::pair("weng", "viewport"), std::pair("weng", "back")}) {
         QVERIFY(player.start(lesson));
@@ -213,7 +213,7 @@ void TestLetters::aLengthLeavesTheMiddleFree()
 void TestLetters::anAxisLineStrikesNoLetter()
 {
     const auto window = windowOfSize({1280, 800});
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     for (const auto &[lesson, step] : {std::pair("first", "world"), std::pair("weng", "look_at"),
                                        std::pair("pipeline", "load_identity"), std::pair("pipeline", "look_at")}) {
         QVERIFY(player.start(lesson));

@@ -4,13 +4,12 @@
 #include "window_user.h"
 
 #include "gui/document/camera_looks.h"
+#include "gui/lessons/first_steps.h"
 #include "gui/lessons/formulas_window.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "gui/shell/appearance.h"
-#include "gui/shell/first_steps.h"
 #include "gui/shell/key_sheet.h"
-#include "gui/shell/place_ids.h"
 #include "gui/view/scene_view.h"
 #include "gui/widgets/help_link.h"
 #include "tests/support/patience.h"
@@ -84,7 +83,7 @@ void TestMainWindow::eachPlaceShowsItsPanels()
     const auto window = windowOfSize({1280, 800});
     const SceneView &view = window->view();
     actionOf(*window, QStringLiteral("Pipeline"))->trigger();
-    QCOMPARE(window->places().current(), "pipeline");
+    QVERIFY(window->workspaces().current() == Workspace::Pipeline);
     settle();
     const auto leftOf = [&](const QWidget &widget) { return widget.mapTo(window.get(), QPoint(0, 0)).x(); };
     for (const char *name : {"parameters", "pipeline", "inspector"})
@@ -117,7 +116,7 @@ void TestMainWindow::aPlaceCanBeMadeNarrow()
 {
     for (const char *place : {"click", "pipeline"}) {
         const auto window = windowOfSize({1280, 800});
-        window->places().enter(place);
+        enter(*window, place);
         settle();
         QVERIFY2(window->minimumSizeHint().width() <= 800 && window->minimumSizeHint().height() <= 600,
                  qPrintable(QStringLiteral("%1: %2 x %3")
@@ -131,7 +130,7 @@ void TestMainWindow::theViewKeepsItsHalfOfASmallWindow()
 {
     const auto window = windowOfSize({800, 600});
     for (const char *place : {"click", "pipeline"}) {
-        window->places().enter(place);
+        enter(*window, place);
         settle();
         QCOMPARE(window->size(), QSize(800, 600));
         QVERIFY2(2 * window->view().width() >= window->width(), place);
@@ -146,9 +145,9 @@ void TestMainWindow::theViewCanHaveTheWholeWindow()
 {
     const auto window = windowOfSize({1280, 800});
     const int before = window->view().width();
-    window->hidePanels(true);
+    window->workspaces().hidePanels(true);
     QTRY_COMPARE_WITH_TIMEOUT(window->view().width(), window->width(), kPatienceMilliseconds);
-    window->hidePanels(false);
+    window->workspaces().hidePanels(false);
     QTRY_COMPARE_WITH_TIMEOUT(window->view().width(), before, kPatienceMilliseconds);
 }
 
@@ -157,22 +156,22 @@ void TestMainWindow::eachPlaceKeepsItsLayoutAndCanBeReset()
     {
         const auto window = windowOfSize({1280, 800}, true);
         window->addDockWidget(Qt::LeftDockWidgetArea, dockOf(*window, "comparison"));
-        window->places().enter("pipeline");
+        window->workspaces().enter(Workspace::Pipeline);
         settle(20);
         dockOf(*window, "inspector")->hide();
         dockOf(*window, "lifecycle")->hide();
-        window->places().enter("click");
+        window->workspaces().enter(Workspace::Click);
         QCOMPARE(window->dockWidgetArea(dockOf(*window, "comparison")), Qt::LeftDockWidgetArea);
-        window->places().enter("pipeline");
+        window->workspaces().enter(Workspace::Pipeline);
         QVERIFY(dockOf(*window, "inspector")->isHidden());
         window->close();
     }
     const auto window = windowOfSize({1280, 800}, true);
-    QCOMPARE(window->places().current(), "pipeline");
+    QVERIFY(window->workspaces().current() == Workspace::Pipeline);
     QVERIFY(dockOf(*window, "inspector")->isHidden());
     actionOf(*window, QStringLiteral("Reset Layout"))->trigger();
     QVERIFY(!dockOf(*window, "inspector")->isHidden());
-    window->places().enter("click");
+    window->workspaces().enter(Workspace::Click);
     QCOMPARE(window->dockWidgetArea(dockOf(*window, "comparison")), Qt::LeftDockWidgetArea);
     actionOf(*window, QStringLiteral("Reset Layout"))->trigger();
     QCOMPARE(window->dockWidgetArea(dockOf(*window, "comparison")), Qt::RightDockWidgetArea);
@@ -191,7 +190,7 @@ void TestMainWindow::narrowingAndWideningBringsTheOldLayoutBack()
 {
     QFETCH(QString, place);
     const auto window = windowOfSize({1280, 800});
-    window->places().enter(place.toUtf8().constData());
+    enter(*window, place.toUtf8().constData());
     settle();
     const QSize before = window->view().size();
     for (const QSize &size : {QSize(1000, 640), QSize(800, 600), QSize(1280, 800)}) {
@@ -211,7 +210,7 @@ void TestMainWindow::nothingThatIsSaidChangesTheViewsSize()
 {
     QFETCH(QString, place);
     const auto window = windowOfSize({1280, 800});
-    window->places().enter(place.toUtf8().constData());
+    enter(*window, place.toUtf8().constData());
     settle();
     SceneView &view = window->view();
     const QSize before = view.size();
@@ -247,7 +246,7 @@ void TestMainWindow::aPanelsNameStandsOnce()
 {
     const auto window = windowOfSize({1280, 800});
     for (const char *place : {"click", "pipeline"}) {
-        window->places().enter(place);
+        enter(*window, place);
         settle();
         for (const char *name : kPanels) {
             QDockWidget *dock = dockOf(*window, name);
@@ -300,7 +299,7 @@ void TestMainWindow::theViewFromOutsideCanBeAPanel()
 void TestMainWindow::theMorphHasRoomInACorner()
 {
     const auto window = windowOfSize({1280, 800});
-    window->places().enter(kPipelinePlace);
+    window->workspaces().enter(Workspace::Pipeline);
     actionOf(*window, QStringLiteral("View from Outside"))->setChecked(true);
     const auto *slider = window->findChild<ObserverPanel *>()->findChild<QSlider *>();
     QTRY_VERIFY_WITH_TIMEOUT(slider->isVisible() && slider->width() >= 3 * slider->height(), kPatienceMilliseconds);

@@ -27,7 +27,7 @@ namespace {
 
 QComboBox *boxOf(MainWindow &window, const QString &accessibleName)
 {
-    for (QComboBox *box : window.map().panel().findChildren<QComboBox *>()) {
+    for (QComboBox *box : part<MapOverlay>(window).panel().findChildren<QComboBox *>()) {
         if (box->accessibleName() == accessibleName)
             return box;
     }
@@ -113,45 +113,46 @@ void TestMapOverlay::scales()
 void TestMapOverlay::itComesAndGoes()
 {
     const auto window = windowOfSize({900, 600});
-    QVERIFY(window->map().panel().isHidden()); // off at first
-    QVERIFY(window->map().map() == nullptr);
+    QVERIFY(part<MapOverlay>(*window).panel().isHidden()); // off at first
+    QVERIFY(part<MapOverlay>(*window).map() == nullptr);
     QAction *action = actionOf(*window, "Map of Differences");
     QCOMPARE(action->shortcut(), QKeySequence(Qt::Key_M));
     action->trigger();
-    QVERIFY(!window->map().panel().isHidden());
-    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
+    QVERIFY(!part<MapOverlay>(*window).panel().isHidden());
+    QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
     const Picture before = window->document().geometry();
-    QVERIFY(window->map().map()->picture == before);
+    QVERIFY(part<MapOverlay>(*window).map()->picture == before);
 
     LookAt camera = before.camera();
     camera.eye += WorldVector(0.5, 0.0, 0.0);
     setCamera(window->document(), camera);
-    QVERIFY(window->map().map() == nullptr); // no stale colours
-    QVERIFY(window->map().image().isNull());
-    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
-    QVERIFY(window->map().map()->picture == window->document().geometry());
-    QVERIFY(!(window->map().map()->picture == before));
+    QVERIFY(part<MapOverlay>(*window).map() == nullptr); // no stale colours
+    QVERIFY(part<MapOverlay>(*window).image().isNull());
+    QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
+    QVERIFY(part<MapOverlay>(*window).map()->picture == window->document().geometry());
+    QVERIFY(!(part<MapOverlay>(*window).map()->picture == before));
 
     action->trigger();
-    QVERIFY(window->map().panel().isHidden());
-    QVERIFY(window->map().map() == nullptr);
+    QVERIFY(part<MapOverlay>(*window).panel().isHidden());
+    QVERIFY(part<MapOverlay>(*window).map() == nullptr);
     setCamera(window->document(), before.camera());
     QTest::qWait(300); // longer than it takes to come to rest
-    QVERIFY(window->map().map() == nullptr);
+    QVERIFY(part<MapOverlay>(*window).map() == nullptr);
 }
 
 void TestMapOverlay::itIsOfThePicture()
 {
     const auto window = windowOfSize({900, 600});
-    window->map().setShown(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
-    const MadeMap &made = *window->map().map();
+    part<MapOverlay>(*window).setShown(true);
+    QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
+    const MadeMap &made = *part<MapOverlay>(*window).map();
     const Picture &picture = window->document().geometry();
     QCOMPARE(made.map.widthPixels, picture.surface.widthPixels);
-    QCOMPARE(window->map().image().size(), QSize(picture.surface.widthPixels, picture.surface.heightPixels));
+    QCOMPARE(part<MapOverlay>(*window).image().size(),
+             QSize(picture.surface.widthPixels, picture.surface.heightPixels));
     const std::optional<DevicePixel> pixel = seenPixel(made.map);
     QVERIFY(pixel);
-    QCOMPARE(window->map().image().pixelColor(pixel->i, pixel->j).alpha(), 255);
+    QCOMPARE(part<MapOverlay>(*window).image().pixelColor(pixel->i, pixel->j).alpha(), 255);
     // The depth as a buffer of 24 bits has it.
     const auto hit = window->document().rays()->at(pixelCenter(*pixel)).value();
     const double depth = DepthFormat().kept(windowFromWorld(picture, hit->world).value().z);
@@ -159,38 +160,38 @@ void TestMapOverlay::itIsOfThePicture()
         window->document().unprojector().at(windowFromDevice(picture.surface, pixelCenter(*pixel), depth));
     QVERIFY(std::abs(double(made.map.at(*pixel)) - length(click.world.difference())) < 1e-14);
 
-    window->map().setPointer(widgetFromDevice(picture.surface, pixelCenter(*pixel)));
+    part<MapOverlay>(*window).setPointer(widgetFromDevice(picture.surface, pixelCenter(*pixel)));
     const auto says = [&window](const QString &start) {
-        for (const QLabel *label : window->map().panel().findChildren<QLabel *>()) {
+        for (const QLabel *label : part<MapOverlay>(*window).panel().findChildren<QLabel *>()) {
             if (label->text().startsWith(start))
                 return true;
         }
         return false;
     };
     QVERIFY(says("here: "));
-    window->map().setPointer(WidgetPoint(0.5, 0.5));
+    part<MapOverlay>(*window).setPointer(WidgetPoint(0.5, 0.5));
     QVERIFY(says("no number here"));
 }
 
 void TestMapOverlay::theQuestion()
 {
     const auto window = windowOfSize({900, 600});
-    window->map().setShown(true);
+    part<MapOverlay>(*window).setShown(true);
     QComboBox *quantity = boxOf(*window, "What the map shows"), *convention = boxOf(*window, "Whose displacement");
     QVERIFY(convention->isHidden());
     quantity->setCurrentIndex(4);
     QVERIFY(!convention->isHidden());
     convention->setCurrentIndex(2);
     boxOf(*window, "Unit")->setCurrentIndex(1);
-    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
-    const maps::Question &question = window->map().map()->question;
+    QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
+    const maps::Question &question = part<MapOverlay>(*window).map()->question;
     QVERIFY(question.quantity == maps::Quantity::Displacement);
     QVERIFY(question.unit == maps::Unit::Ulps);
     QVERIFY(std::get<OtherProgram>(question.other) == OtherProgram::MeshLab);
-    QCOMPARE(window->map().panel().title(), QString("Displacement: MeshLab, ulps"));
-    const QImage viridis = window->map().image();
+    QCOMPARE(part<MapOverlay>(*window).panel().title(), QString("Displacement: MeshLab, ulps"));
+    const QImage viridis = part<MapOverlay>(*window).image();
     boxOf(*window, "Colours")->setCurrentIndex(1);
-    QVERIFY(window->map().image() != viridis);
+    QVERIFY(part<MapOverlay>(*window).image() != viridis);
 }
 
 void TestMapOverlay::files()
@@ -200,21 +201,21 @@ void TestMapOverlay::files()
     const auto path = [&folder](const char *name) {
         return std::filesystem::path(folder.filePath(QLatin1String(name)).toStdU16String());
     };
-    QVERIFY(!window->map().exportTo(path("none.pfm")).isEmpty()); // no map yet
-    window->map().setShown(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
-    QCOMPARE(window->map().exportTo(path("a.PFM")), QString());
-    QCOMPARE(window->map().exportTo(path("a.png")), QString());
+    QVERIFY(!part<MapOverlay>(*window).exportTo(path("none.pfm")).isEmpty()); // no map yet
+    part<MapOverlay>(*window).setShown(true);
+    QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
+    QCOMPARE(part<MapOverlay>(*window).exportTo(path("a.PFM")), QString());
+    QCOMPARE(part<MapOverlay>(*window).exportTo(path("a.png")), QString());
     QFile pfm(folder.filePath("a.PFM"));
     QVERIFY(pfm.open(QIODevice::ReadOnly));
-    QCOMPARE(pfm.readAll(), QByteArray::fromStdString(maps::pfmText(window->map().map()->map)));
-    const QImage png(folder.filePath("a.png")), shown = window->map().image();
+    QCOMPARE(pfm.readAll(), QByteArray::fromStdString(maps::pfmText(part<MapOverlay>(*window).map()->map)));
+    const QImage png(folder.filePath("a.png")), shown = part<MapOverlay>(*window).image();
     QCOMPARE(png.width(), shown.width());
     QVERIFY(png.height() > shown.height());
-    const std::optional<DevicePixel> pixel = seenPixel(window->map().map()->map);
+    const std::optional<DevicePixel> pixel = seenPixel(part<MapOverlay>(*window).map()->map);
     QCOMPARE(png.pixelColor(pixel->i, pixel->j), shown.pixelColor(pixel->i, pixel->j));
-    QVERIFY(window->map().exportTo(path("a.txt")).contains(".png or .pfm"));
-    QVERIFY(window->map().exportTo(path("none/a.pfm")).contains("none"));
+    QVERIFY(part<MapOverlay>(*window).exportTo(path("a.txt")).contains(".png or .pfm"));
+    QVERIFY(part<MapOverlay>(*window).exportTo(path("none/a.pfm")).contains("none"));
 }
 
 void TestMapOverlay::pointsAreOverTheMap()
@@ -222,16 +223,16 @@ void TestMapOverlay::pointsAreOverTheMap()
     const auto window = windowOfSize({900, 600});
     SceneDocument &document = window->document();
     SceneView &view = window->view();
-    window->map().setShown(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
-    const std::optional<DevicePixel> pixel = seenPixel(window->map().map()->map);
+    part<MapOverlay>(*window).setShown(true);
+    QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
+    const std::optional<DevicePixel> pixel = seenPixel(part<MapOverlay>(*window).map()->map);
     QVERIFY(pixel);
     const QImage shown = view.grabFramebuffer();
-    QCOMPARE(shown.pixelColor(pixel->i, pixel->j), window->map().image().pixelColor(pixel->i, pixel->j));
+    QCOMPARE(shown.pixelColor(pixel->i, pixel->j), part<MapOverlay>(*window).image().pixelColor(pixel->i, pixel->j));
     landmarks::Landmark point;
     point.world = document.rays()->at(pixelCenter(*pixel)).value()->world;
     QVERIFY(document.points().place(point));
-    QVERIFY(window->map().map() != nullptr); // a point is no other picture
+    QVERIFY(part<MapOverlay>(*window).map() != nullptr); // a point is no other picture
     const QImage marked = view.grabFramebuffer();
     int changed = 0;
     for (int j = -8; j <= 8; ++j) {
@@ -253,7 +254,7 @@ void TestMapOverlay::pointsAreOverTheMap()
     QVERIFY(below.top() > usual.bottom());
     QVERIFY(loupeBox(surface, deviceFromWidget(surface, {below.center().x(), below.center().y()}), all - 50.0).right()
             < below.left());
-    window->map().setShown(false);
+    part<MapOverlay>(*window).setShown(false);
     QCOMPARE(view.grabFramebuffer().pixelColor(pixel->i, pixel->j) == shown.pixelColor(pixel->i, pixel->j), false);
 }
 
@@ -262,9 +263,9 @@ void TestMapOverlay::uncertaintyIsThatOfAClick()
 {
     const auto window = windowOfSize({900, 600});
     boxOf(*window, "What the map shows")->setCurrentIndex(3);
-    window->map().setShown(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
-    const MadeMap &made = *window->map().map();
+    part<MapOverlay>(*window).setShown(true);
+    QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
+    const MadeMap &made = *part<MapOverlay>(*window).map();
     const Picture &picture = window->document().geometry();
     std::vector<DevicePixel> seen; // of the model
     for (int i = 0; i < made.map.widthPixels; ++i) {
@@ -288,11 +289,11 @@ void TestMapOverlay::noEffectIsNoDifference()
     boxOf(*window, "What the map shows")->setCurrentIndex(4);
     QComboBox *convention = boxOf(*window, "Whose displacement");
     convention->setCurrentIndex(convention->findText("viewport's origin ignored")); // it is 0, 0
-    window->map().setShown(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
-    QVERIFY(window->map().map()->statistics.count > 0);
-    QCOMPARE(window->map().map()->statistics.greatest, 0.0);
-    const QList<QLabel *> labels = window->map().panel().findChildren<QLabel *>();
+    part<MapOverlay>(*window).setShown(true);
+    QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
+    QVERIFY(part<MapOverlay>(*window).map()->statistics.count > 0);
+    QCOMPARE(part<MapOverlay>(*window).map()->statistics.greatest, 0.0);
+    const QList<QLabel *> labels = part<MapOverlay>(*window).panel().findChildren<QLabel *>();
     QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel *label) {
         return label->text().endsWith(QStringLiteral("no difference beyond rounding."));
     }));
@@ -304,20 +305,20 @@ void TestMapOverlay::withoutAMapItSaysWhy()
     QFETCH(QString, reason);
     const auto window = windowOfSize({900, 600});
     const auto says = [&](const QString &text) {
-        const QList<QLabel *> labels = window->map().panel().findChildren<QLabel *>();
+        const QList<QLabel *> labels = part<MapOverlay>(*window).panel().findChildren<QLabel *>();
         return std::any_of(labels.begin(), labels.end(), [&](const QLabel *label) { return label->text() == text; });
     };
     {
         const jobfaults::Fault fault(kind);
-        window->map().setShown(true);
+        part<MapOverlay>(*window).setShown(true);
         QTRY_VERIFY_WITH_TIMEOUT(
             says(QStringLiteral("There is no map: %1. Make the window smaller, or close other programs.").arg(reason)),
             kPatienceMilliseconds);
-        QVERIFY(window->map().map() == nullptr);
+        QVERIFY(part<MapOverlay>(*window).map() == nullptr);
     }
-    window->map().setShown(false);
-    window->map().setShown(true);
-    QTRY_VERIFY_WITH_TIMEOUT(window->map().map() != nullptr, kPatienceMilliseconds);
+    part<MapOverlay>(*window).setShown(false);
+    part<MapOverlay>(*window).setShown(true);
+    QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
 }
 
 QTEST_MAIN(TestMapOverlay)

@@ -459,7 +459,7 @@ void TestOpenFiles::aWindowThatRemembersNothingLeavesTheSettingsAlone()
 {
     const auto window = shownWindow(false, {500, 400});
     QVERIFY(openAndWait(*window, {write(QStringLiteral("triangle.obj"), kTriangleObj)}));
-    window->comparison().setShowsFloat(true);
+    part<ComparisonPanel>(*window).setShowsFloat(true);
     QVERIFY(window->close());
     QVERIFY(QSettings().allKeys().isEmpty());
 }

@@ -8,7 +8,7 @@
 #include "gui/parameters/number_field.h"
 #include "gui/parameters/parameter_group.h"
 #include "gui/parameters/parameters_panel.h"
-#include "gui/shell/work_places.h"
+#include "gui/window/workspaces.h"
 #include "tests/support/patience.h"
 
 #include <QFile>
@@ -73,7 +73,7 @@ void TestParametersWindow::savingSavesWhatIsTyped()
     const auto window = shownWindow(false, {1100, 800}, true);
     window->session().openBundledScene();
     QVERIFY(window->session().saveScene(file.toStdString()));
-    window->places().enter("pipeline");
+    window->workspaces().enter(Workspace::Pipeline);
     auto *panel = window->findChild<ParametersPanel *>();
     auto *nearField = panel->findChild<NumberField *>(QStringLiteral("nearDistance"));
     window->document().undoStack().setClean();
@@ -104,13 +104,13 @@ void TestParametersWindow::whatIsTypedCountsBeforeAnotherSceneIsOpened()
     QFETCH(bool, counts);
     const auto window = shownWindow(false, {1100, 800}, true);
     window->session().openBundledScene();
-    window->places().enter("pipeline");
+    window->workspaces().enter(Workspace::Pipeline);
     auto *nearField = window->findChild<ParametersPanel *>()->findChild<NumberField *>(QStringLiteral("nearDistance"));
     nearField->setText(typed);
     const auto nearNow = [&] { return projectionWindow(window->document().scene().projection).nearDistance; };
     bool hasCounted = false;
     connect(&window->document(), &SceneDocument::changed, this, [&] { hasCounted |= nearNow() == 0.12345; });
-    QVERIFY(window->lessons().start("pipeline"));
+    QVERIFY(part<LessonPlayer>(*window).start("pipeline"));
     QCOMPARE(hasCounted, counts);
     QVERIFY(!nearField->isTyping() && !nearField->isBad());
     const double opened = nearNow();
@@ -126,7 +126,7 @@ void TestParametersWindow::savingSavesTheNameThatIsTyped()
     const auto window = shownWindow(false, {1100, 800}, true);
     window->session().openBundledScene();
     QVERIFY(window->session().saveScene(file.toStdString()));
-    window->places().show("objects");
+    window->workspaces().show(Panel::Objects);
     auto *list = window->findChild<ObjectsPanel *>()->findChild<QTreeView *>();
     list->setFocus();
     list->edit(list->model()->index(0, 0));

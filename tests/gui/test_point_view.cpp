@@ -114,7 +114,7 @@ void TestPointView::aClickPlacesOnRelease()
 {
     const auto window = cubeWindow(false);
     trigger(*window, Qt::Key_P);
-    QVERIFY(window->landmarkTool().isPlacing());
+    QVERIFY(part<LandmarkTool>(*window).isPlacing());
     const QPointF at = localOf(*window, kFront);
     sendMouse(window->view(), QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
     QVERIFY(window->document().landmarks().empty());
@@ -228,20 +228,20 @@ void TestPointView::escapeEndsADragAndThenPlacing()
 {
     const auto window = cubeWindow(false);
     putPoint(*window);
-    window->landmarkTool().setPlacing(true);
+    part<LandmarkTool>(*window).setPlacing(true);
     const QPointF at = localOf(*window, kFront);
     sendMouse(window->view(), QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
     sendMouse(window->view(), QEvent::MouseMove, at + QPointF(30, 0), Qt::NoButton, Qt::LeftButton);
     QVERIFY(length(*only(*window).world - WorldPoint(kFront)) > 0.1);
     QTest::keyClick(&window->view(), Qt::Key_Escape);
     QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9);
-    QVERIFY(window->landmarkTool().isPlacing());
+    QVERIFY(part<LandmarkTool>(*window).isPlacing());
     sendMouse(window->view(), QEvent::MouseMove, at + QPointF(60, 0), Qt::NoButton, Qt::LeftButton);
     sendMouse(window->view(), QEvent::MouseButtonRelease, at + QPointF(60, 0), Qt::LeftButton, Qt::NoButton);
     QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9);
     QCOMPARE(window->document().landmarks().size(), std::size_t{1});
     QTest::keyClick(&window->view(), Qt::Key_Escape);
-    QVERIFY(!window->landmarkTool().isPlacing());
+    QVERIFY(!part<LandmarkTool>(*window).isPlacing());
 }
 
 void TestPointView::arrowKeysMoveByPixels_data()
@@ -264,7 +264,7 @@ void TestPointView::arrowKeysMoveByPixels()
     putPoint(*window);
     window->document().points().selectOnly(0);
     const LookAt camera = window->document().scene().camera;
-    window->landmarkTool().setPlacing(true);
+    part<LandmarkTool>(*window).setPlacing(true);
     const glm::dvec2 before = placeOf(*window, only(*window).world->coordinates());
     const int steps = window->document().undoStack().count();
     for (int i = 0; i < 3; ++i)
@@ -275,7 +275,7 @@ void TestPointView::arrowKeysMoveByPixels()
     QCOMPARE(window->document().undoStack().count(), steps + 1);
     QVERIFY(window->document().scene().camera == camera);
     // Otherwise they turn the view.
-    window->landmarkTool().setPlacing(false);
+    part<LandmarkTool>(*window).setPlacing(false);
     QTest::keyClick(&window->view(), Qt::Key_Right);
     QVERIFY(window->document().scene().camera != camera);
 }
@@ -293,7 +293,7 @@ void TestPointView::arrowKeysMoveAllThatIsSelected()
                           {QStringLiteral("put")}));
     document.rayCasters().complete(document.objects());
     document.points().select({0, 1, 3, 4}, 1);
-    window->landmarkTool().setPlacing(true);
+    part<LandmarkTool>(*window).setPlacing(true);
     const std::vector<Landmark> before = document.landmarks();
     const int steps = document.undoStack().count();
     QTest::keyClick(&window->view(), Qt::Key_Right);
@@ -617,7 +617,7 @@ void TestPointView::theLoupeShowsThePlace()
     const QRectF box = loupeBox(surface, place);
     QVERIFY(!box.contains(at));
     QVERIFY(loupeBox(surface, deviceFromWidget(surface, {box.center().x(), box.center().y()})) != box);
-    window->landmarkTool().setPlacing(true);
+    part<LandmarkTool>(*window).setPlacing(true);
     sendMouse(window->view(), QEvent::MouseMove, at + QPointF(1, 0), Qt::NoButton, Qt::NoButton);
     const QImage with = window->view().grabFramebuffer();
     // In the loupe, the blue face; outside, the picture is the same.
@@ -631,7 +631,7 @@ void TestPointView::theLoupeShowsThePlace()
     const ray::SceneRays *rays = window->document().rays();
     QVERIFY(rays);
     QVERIFY(loupeEdges(*rays, deviceFromWidget(surface, {corner.x(), corner.y()})).size() >= 6);
-    window->landmarkTool().setPlacing(false);
+    part<LandmarkTool>(*window).setPlacing(false);
     QCOMPARE(differentPixels(without, window->view().grabFramebuffer()), 0);
 }
 
@@ -650,7 +650,7 @@ void TestPointView::arrowsMoveOffTheSurface()
     putPoint(*window);
     SceneDocument &document = window->document();
     document.points().selectOnly(0);
-    window->landmarkTool().setPlacing(true);
+    part<LandmarkTool>(*window).setPlacing(true);
     const std::array<AxisArrow, 3> arrows = axisArrows(document.geometry(), *only(*window).world);
     const AxisArrow &arrow = arrows[static_cast<std::size_t>(axis)];
     QVERIFY(arrow.isUsable);

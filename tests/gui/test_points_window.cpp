@@ -77,7 +77,7 @@ void TestPointsWindow::droppedPointsComeToTheTable()
     emit window->view().filesDropped(
         {QUrl::fromLocalFile(path(QStringLiteral("p.csv"))), QUrl::fromLocalFile(path(QStringLiteral("a.obj")))});
     QTRY_COMPARE_WITH_TIMEOUT(window->document().landmarks().size(), std::size_t(1), kPatienceMilliseconds);
-    window->places().show("points");
+    window->workspaces().show(Panel::Landmarks);
     QVERIFY(isSeen(*window, "points"));
     auto *table = window->findChild<PointsTable *>();
     QVERIFY(table);
@@ -101,7 +101,7 @@ void TestPointsWindow::aDroppedTemplateHasItsNamesPlaced()
     QVERIFY2(points.size() == 2, qPrintable(window->message()));
     QVERIFY(points[0].name == "tip" && points[0].isMissing() && points[1].name == "chin");
     QCOMPARE(window->document().points().waiting(), std::optional<std::size_t>(0));
-    QVERIFY(window->landmarkTool().isPlacing()); // nobody chooses one for anything else
+    QVERIFY(part<LandmarkTool>(*window).isPlacing()); // nobody chooses one for anything else
     QVERIFY(!actionOf(*window, QStringLiteral("Next Scan"))->isEnabled());
     QVERIFY(!actionOf(*window, QStringLiteral("Repeats…"))->isEnabled());
     // With a model, to that one.
@@ -138,7 +138,7 @@ void TestPointsWindow::longMessagesAreFolded()
 void TestPointsWindow::keysGoThroughASeries()
 {
     std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
-    QVERIFY(window->series().open(m_folder->path().toStdU16String()));
+    QVERIFY(part<ScanSeries>(*window).open(m_folder->path().toStdU16String()));
     QTRY_COMPARE_WITH_TIMEOUT(window->document().objects().size(), std::size_t(1), kPatienceMilliseconds);
     QVERIFY(actionOf(*window, QStringLiteral("Next Scan"))->isEnabled());
     QVERIFY(!actionOf(*window, QStringLiteral("Previous Scan"))->isEnabled());
@@ -162,9 +162,9 @@ void TestPointsWindow::whatIsBeingTypedIsKeptWithItsScan()
 {
     write(QStringLiteral("a.obj.points.csv"), "name,x,y,z\nfirst,1,2,0\nlast,,,\n");
     const std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
-    QVERIFY(window->series().open(m_folder->path().toStdU16String()));
+    QVERIFY(part<ScanSeries>(*window).open(m_folder->path().toStdU16String()));
     QTRY_COMPARE_WITH_TIMEOUT(window->document().landmarks().size(), std::size_t(2), kPatienceMilliseconds);
-    window->places().show("points");
+    window->workspaces().show(Panel::Landmarks);
     auto *table = window->findChild<PointsTable *>();
     const auto type = [table](const QString &text) {
         const QModelIndex name = table->model()->index(0, PointsModel::Name);
@@ -179,11 +179,11 @@ void TestPointsWindow::whatIsBeingTypedIsKeptWithItsScan()
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     };
     type(QStringLiteral("nasion"));
-    window->series().next();
+    part<ScanSeries>(*window).next();
     QTRY_COMPARE_WITH_TIMEOUT(window->document().objects()[0].name, std::string("b.obj"), kPatienceMilliseconds);
     QVERIFY2(kept().contains("nasion,1,2,0"), kept().constData());
     QVERIFY(window->document().landmarks()[0].isMissing());
-    window->series().previous();
+    part<ScanSeries>(*window).previous();
     QTRY_COMPARE_WITH_TIMEOUT(window->document().objects()[0].name, std::string("a.obj"), kPatienceMilliseconds);
     type(QStringLiteral("bregma"));
     QVERIFY(window->close());
@@ -230,14 +230,14 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
         answer(path(QStringLiteral("hill.obj")));
         actionOf(*window, QStringLiteral("Open…"))->trigger();
         QTRY_COMPARE_WITH_TIMEOUT(document.objects()[0].name, std::string("hill.obj"), kPatienceMilliseconds);
-        window->places().show("points");
+        window->workspaces().show(Panel::Landmarks);
         settle();
         answer(path(QStringLiteral("three.csv")));
         actionOf(*window, QStringLiteral("Load Template…"))->trigger();
         QCOMPARE(document.landmarks().size(), std::size_t(3));
         QCOMPARE(document.points().waiting(), std::optional<std::size_t>(0));
 
-        QVERIFY(window->landmarkTool().isPlacing());
+        QVERIFY(part<LandmarkTool>(*window).isPlacing());
         fitAll(document);
         document.rayCasters().complete(document.objects());
         for (const glm::dvec3 &place :

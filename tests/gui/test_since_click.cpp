@@ -253,7 +253,7 @@ void TestSinceClick::computingAgainPicksTheSamePixelOfTheViewAsItIs()
     window->view().onLButtonDown(WidgetPoint(position.x(), position.y()));
     const Pick before = *document.pick();
     QVERIFY(before.hit());
-    QPushButton *again = againButton(window->comparison());
+    QPushButton *again = againButton(part<ComparisonPanel>(*window));
     QVERIFY(!again->isEnabled());
     LookAt camera = document.geometry().camera();
     camera.eye.z += 0.5;

@@ -1,4 +1,5 @@
 #include "gui/shell/main_window.h"
+#include "gui/shell/window_menus.h"
 #include "gui/text/error_text.h"
 #include "gui/text/mistake_text.h"
 #include "gui/text/sentences.h"
@@ -161,12 +162,12 @@ void TestTranslation::theFirstLanguageCounts()
 #endif
     const auto nameOfTools = [](const QStringList &languages) {
         const Translation translation(languages);
-        return MainWindow::tr("Tools");
+        return WindowMenus::tr("Tools");
     };
     QCOMPARE(nameOfTools({QStringLiteral("en-US"), QStringLiteral("zh-CN")}), QStringLiteral("Tools"));
     QCOMPARE(nameOfTools({QStringLiteral("C")}), QStringLiteral("Tools"));
     QCOMPARE(nameOfTools({QStringLiteral("fr-FR"), QStringLiteral("zh-Hans-CN")}), QStringLiteral("工具"));
-    QCOMPARE(MainWindow::tr("Tools"), QStringLiteral("Tools"));
+    QCOMPARE(WindowMenus::tr("Tools"), QStringLiteral("Tools"));
 }
 
 void TestTranslation::chineseSentencesHaveNoBlankBetween()

@@ -347,7 +347,7 @@ void TestUnsavedChanges::ofALessonsSceneOnlyASavedOneIsAskedAbout()
     const auto window = this->window();
     window->session().openBundledScene();
     bringUp(*window);
-    LessonPlayer &player = window->lessons();
+    LessonPlayer &player = part<LessonPlayer>(*window);
     {
         const MessageBoxAnswers answers(QMessageBox::Cancel);
         QVERIFY(player.start("pipeline"));

@@ -4,9 +4,9 @@
 #include "cut_texts.h"
 #include "gui_scene.h"
 
-#include "gui/shell/work_places.h"
 #include "gui/text/translation.h"
 #include "gui/view/scene_view.h"
+#include "gui/window/workspaces.h"
 #include "tests/support/patience.h"
 
 #include <QApplication>
@@ -36,17 +36,16 @@ QStringList faultsOf(MainWindow &window, QSet<QString> &looked)
     // In the least window, panels may scroll.
     const bool hasRoom = window.width() > kLeast.width();
     QStringList faults;
-    for (const WorkPlaces::Panel &panel : window.places().panels()) {
-        const QDockWidget *dock = panel.dock;
-        if (!hasRoom || !window.places().isFront(*dock))
+    for (const QDockWidget *dock : window.findChildren<QDockWidget *>()) {
+        if (!hasRoom || !window.workspaces().isFront(*dock))
             continue;
-        looked << QLatin1String(panel.id);
+        looked << dock->objectName();
         for (const QString &text : cutTexts(*dock->widget()))
-            faults << QStringLiteral("%1: %2").arg(QLatin1String(panel.id), text);
+            faults << QStringLiteral("%1: %2").arg(dock->objectName(), text);
         for (const QScrollBar *bar : dock->findChildren<QScrollBar *>()) {
             if (bar->orientation() == Qt::Horizontal && bar->isVisible() && bar->maximum() > 0)
                 faults << QStringLiteral("%1: scrolls sideways, %2 of %3")
-                              .arg(QLatin1String(panel.id))
+                              .arg(dock->objectName())
                               .arg(bar->maximum())
                               .arg(dock->width());
         }
@@ -133,13 +132,13 @@ void TestWindowGrid::everythingFits()
             }
             wasLookedAt = true;
             for (const char *place : {"click", "pipeline", "doctor"}) {
-                window.places().enter(place);
-                window.places().reset(); // as it starts at this size
+                enter(window, place);
+                window.workspaces().reset(); // as it starts at this size
                 settle(10);
                 QStringList shown;
-                for (const WorkPlaces::Panel &panel : window.places().panels()) {
-                    if (!panel.dock->isHidden())
-                        shown << QLatin1String(panel.id);
+                for (const QDockWidget *dock : window.findChildren<QDockWidget *>()) {
+                    if (!dock->isHidden())
+                        shown << dock->objectName();
                 }
                 QVERIFY(shown.size() >= 2);
                 QCOMPARE(window.size(), size);
@@ -155,10 +154,10 @@ void TestWindowGrid::everythingFits()
                     QCOMPARE(window.view().size(), viewSize);
                 }
                 // And the tabs that stand behind others.
-                for (const WorkPlaces::Panel &panel : window.places().panels()) {
-                    if (panel.dock->isHidden() || window.places().isFront(*panel.dock))
+                for (const QDockWidget *dock : window.findChildren<QDockWidget *>()) {
+                    if (dock->isHidden() || window.workspaces().isFront(*dock))
                         continue;
-                    window.places().show(panel.id);
+                    window.workspaces().show(panelNamed(dock->objectName()));
                     QTest::qWait(1);
                     faults += faultsOf(window, looked);
                     QCOMPARE(window.view().size(), viewSize);

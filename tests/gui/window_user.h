@@ -2,7 +2,7 @@
 
 #include "gui_scene.h"
 
-#include "gui/shell/work_places.h"
+#include "gui/window/workspaces.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -47,7 +47,7 @@ inline std::unique_ptr<MainWindow> windowOfSize(const QSize &size, bool remember
 /// On the screen, not behind another tab.
 inline bool isSeen(MainWindow &window, const char *name)
 {
-    return window.places().isFront(*dockOf(window, name));
+    return window.workspaces().isFront(*dockOf(window, name));
 }
 
 } // namespace guitest

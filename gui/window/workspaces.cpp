@@ -1,6 +1,6 @@
-#include "gui/shell/work_places.h"
+#include "gui/window/workspaces.h"
 
-#include "gui/shell/kept_bytes.h"
+#include "gui/window/kept_bytes.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace unprojector::gui {
 namespace {
@@ -38,11 +37,6 @@ constexpr double kMostOfTheWindow = 0.62;
 constexpr double kMostOfOneSide = 0.40;
 constexpr double kMostOfANarrowWindow = 0.48;
 
-bool isSame(const char *a, const char *b)
-{
-    return std::strcmp(a, b) == 0;
-}
-
 struct AreaName {
     Qt::DockWidgetArea area;
     const char *name; ///< in the settings
@@ -62,35 +56,42 @@ QString settingOf(const char *what, const QByteArray &place)
 
 } // namespace
 
-WorkPlaces::WorkPlaces(QMainWindow &window, std::vector<Panel> panels, std::vector<Place> places)
-    : QObject(&window), m_window(window), m_panels(std::move(panels)), m_places(std::move(places))
+Workspaces::Workspaces(QMainWindow &window, std::vector<PanelSpec> panels, std::vector<WorkspaceSpec> workspaces)
+    : QObject(&window), m_window(window)
 {
-    for (Panel &panel : m_panels) {
-        panel.dock = new QDockWidget(panel.title, &m_window);
-        panel.dock->setObjectName(QLatin1String(panel.id));
-        panel.dock->setWidget(panel.widget);
-        panel.dock->hide(); // until it has a place
-        panel.dock->toggleViewAction()->setShortcut(panel.key);
-        panel.dock->installEventFilter(this);
-        connect(panel.dock, &QDockWidget::topLevelChanged, this, &WorkPlaces::settle, Qt::QueuedConnection);
-        connect(panel.dock, &QDockWidget::dockLocationChanged, this, &WorkPlaces::settle, Qt::QueuedConnection);
-        connect(panel.dock->toggleViewAction(), &QAction::toggled, this, &WorkPlaces::settle, Qt::QueuedConnection);
-        connect(panel.dock->toggleViewAction(), &QAction::triggered, panel.dock, [dock = panel.dock](bool isShown) {
+    const auto byId = [](const auto &a, const auto &b) { return a.id < b.id; };
+    std::sort(panels.begin(), panels.end(), byId);
+    std::sort(workspaces.begin(), workspaces.end(), byId);
+    for (PanelSpec &panel : panels) {
+        auto *dock = new QDockWidget(panel.title, &m_window);
+        dock->setObjectName(QLatin1String(nameOf(panel.id)));
+        dock->setWidget(panel.widget);
+        dock->hide(); // until it has a place
+        QAction *toggle = dock->toggleViewAction();
+        toggle->setShortcut(panel.key);
+        dock->installEventFilter(this);
+        connect(dock, &QDockWidget::topLevelChanged, this, &Workspaces::settle, Qt::QueuedConnection);
+        connect(dock, &QDockWidget::dockLocationChanged, this, &Workspaces::settle, Qt::QueuedConnection);
+        connect(toggle, &QAction::toggled, this, &Workspaces::settle, Qt::QueuedConnection);
+        connect(toggle, &QAction::triggered, dock, [dock](bool isShown) {
             if (isShown)
                 dock->raise(); // whoever asks for a panel does not want a tab behind another
         });
+        m_panels.push_back({std::move(panel), dock});
     }
     auto *group = new QActionGroup(this);
-    for (Place &place : m_places) {
-        place.action = new QAction(place.title, group);
-        place.action->setCheckable(true);
-        place.action->setShortcut(place.key);
-        place.action->setToolTip(
-            QStringLiteral("%1 (%2)").arg(place.tip, place.key.toString(QKeySequence::NativeText)));
-        place.action->setStatusTip(place.tip);
-        connect(place.action, &QAction::triggered, this, [this, id = place.id] { enter(id); });
+    for (WorkspaceSpec &workspace : workspaces) {
+        auto *action = new QAction(workspace.title, group);
+        action->setCheckable(true);
+        action->setShortcut(workspace.key);
+        action->setToolTip(
+            QStringLiteral("%1 (%2)").arg(workspace.tip, workspace.key.toString(QKeySequence::NativeText)));
+        action->setStatusTip(workspace.tip);
+        connect(action, &QAction::triggered, this, [this, id = workspace.id] { enter(id); });
+        m_workspaces.push_back({std::move(workspace), action});
     }
-    m_places[m_current].action->setChecked(true);
+    m_current = m_workspaces.front().spec.id;
+    m_workspaces.front().action->setChecked(true);
     // Not animated: the sizes of panels are read, and given, as soon as one was
     // dropped.
     m_window.setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
@@ -101,31 +102,50 @@ WorkPlaces::WorkPlaces(QMainWindow &window, std::vector<Panel> panels, std::vect
     m_window.installEventFilter(this);
 }
 
-QDockWidget *WorkPlaces::dock(const char *panel) const
+std::vector<QDockWidget *> Workspaces::sharedDocks() const
 {
-    const auto found =
-        std::find_if(m_panels.begin(), m_panels.end(), [panel](const Panel &p) { return isSame(p.id, panel); });
-    return found == m_panels.end() ? nullptr : found->dock;
+    std::vector<QDockWidget *> docks;
+    for (const Docked &panel : m_panels) {
+        if (!panel.spec.standsAlone)
+            docks.push_back(panel.dock);
+    }
+    return docks;
 }
 
-void WorkPlaces::leave()
+QList<QAction *> Workspaces::actions() const
+{
+    QList<QAction *> actions;
+    for (const Entered &workspace : m_workspaces)
+        actions << workspace.action;
+    return actions;
+}
+
+QDockWidget &Workspaces::dock(Panel panel) const
+{
+    return *std::find_if(m_panels.begin(), m_panels.end(), [&](const Docked &one) {
+                return one.spec.id == panel;
+            })->dock;
+}
+
+const Workspaces::Entered &Workspaces::entered(Workspace workspace) const
+{
+    return *std::find_if(m_workspaces.begin(), m_workspaces.end(),
+                         [&](const Entered &one) { return one.spec.id == workspace; });
+}
+
+void Workspaces::leave()
 {
     if (m_isArranged)
-        m_layouts[current()] = m_arePanelsHidden ? m_layoutWithPanels : m_window.saveState(kLayoutVersion);
+        m_layouts[name()] = m_arePanelsHidden ? m_layoutWithPanels : m_window.saveState(kLayoutVersion);
 }
 
-void WorkPlaces::enter(const char *place)
+void Workspaces::enter(Workspace workspace)
 {
-    const auto found =
-        std::find_if(m_places.begin(), m_places.end(), [place](const Place &p) { return isSame(p.id, place); });
-    if (found == m_places.end())
-        return;
-    const auto next = static_cast<std::size_t>(found - m_places.begin());
-    if (next != m_current || m_arePanelsHidden) {
+    if (workspace != m_current || m_arePanelsHidden) {
         leave();
-        m_current = next;
+        m_current = workspace;
         m_arePanelsHidden = false;
-        const QByteArray kept = m_layouts.value(current());
+        const QByteArray kept = m_layouts.value(name());
         if (kept.isEmpty() || !m_window.restoreState(kept, kLayoutVersion))
             arrange();
         else
@@ -133,52 +153,95 @@ void WorkPlaces::enter(const char *place)
         settle();
         emit panelsHidden(false);
     }
-    found->action->setChecked(true);
+    entered(workspace).action->setChecked(true);
 }
 
-void WorkPlaces::show(const char *panel)
+void Workspaces::show(Panel panel)
 {
-    QDockWidget *shown = dock(panel);
-    shown->show();
-    shown->raise();
+    QDockWidget &shown = dock(panel);
+    shown.show();
+    shown.raise();
     settle();
 }
 
-void WorkPlaces::reset()
+void Workspaces::giveRoom(Panel panel, Panel other)
 {
-    m_layouts.remove(current());
+    // Once all stands where it will.
+    QTimer::singleShot(0, this, [this, &own = dock(panel), &beside = dock(other)] {
+        constexpr double kShare = 0.6;
+        const int wanted = static_cast<int>(kShare * m_window.height());
+        if (isFront(own) && isFront(beside) && m_window.dockWidgetArea(&own) == m_window.dockWidgetArea(&beside)
+            && own.height() < wanted)
+            m_window.resizeDocks({&own}, {wanted}, Qt::Vertical);
+    });
+}
+
+Workspaces::Layout Workspaces::layout()
+{
+    std::vector<Panel> front;
+    for (const Docked &panel : m_panels) {
+        if (isFront(*panel.dock))
+            front.push_back(panel.spec.id);
+    }
+    const QByteArray panels = m_arePanelsHidden ? m_layoutWithPanels
+                              : m_isArranged    ? m_window.saveState(kLayoutVersion)
+                                                : QByteArray();
+    return {m_current, m_layouts, m_wanted, panels, front, m_arePanelsHidden};
+}
+
+void Workspaces::restore(const Layout &layout)
+{
+    m_current = layout.current;
+    m_layouts = layout.layouts;
+    m_wanted = layout.wanted;
+    m_arePanelsHidden = false;
+    entered(m_current).action->setChecked(true);
+    if (layout.panels.isEmpty() || !m_window.restoreState(layout.panels, kLayoutVersion))
+        arrange();
+    else
+        emit laidOut();
+    for (const Panel panel : layout.front)
+        dock(panel).raise(); // Qt does so a little later
+    settle();
+    emit panelsHidden(false);
+    hidePanels(layout.arePanelsHidden);
+}
+
+void Workspaces::reset()
+{
+    m_layouts.remove(name());
     m_arePanelsHidden = false;
     arrange();
     emit panelsHidden(false);
 }
 
-void WorkPlaces::arrange()
+void Workspaces::arrange()
 {
     const QFontMetrics metrics(m_window.font());
     const int digit = metrics.horizontalAdvance(u'0');
     const bool isWide = m_window.width() >= kWideWindow * digit;
     const bool isHigh = m_window.height() >= kHighWindow * metrics.lineSpacing();
-    const QList<const char *> &shown = m_places[m_current].panels;
-    const auto rank = [&shown](const Panel &panel) {
-        return std::find_if(shown.begin(), shown.end(), [&](const char *id) { return isSame(id, panel.id); })
-               - shown.begin();
+    const QList<Panel> &shown = entered(m_current).spec.panels;
+    const auto rank = [&shown](const Docked &panel) {
+        const auto place = shown.indexOf(panel.spec.id);
+        return place < 0 ? shown.size() : place;
     };
-    std::vector<const Panel *> inOrder;
-    for (const Panel &panel : m_panels) {
+    std::vector<const Docked *> inOrder;
+    for (const Docked &panel : m_panels) {
         panel.dock->setFloating(false);
         m_window.removeDockWidget(panel.dock);
         inOrder.push_back(&panel);
     }
     std::stable_sort(inOrder.begin(), inOrder.end(),
-                     [&](const Panel *a, const Panel *b) { return rank(*a) < rank(*b); });
+                     [&](const Docked *a, const Docked *b) { return rank(*a) < rank(*b); });
     QMap<Qt::DockWidgetArea, QDockWidget *> fronts, lasts;
-    for (const Panel *panel : inOrder) {
-        const bool isRoom = panel->area == Qt::BottomDockWidgetArea ? isHigh && isWide : isWide;
-        const Qt::DockWidgetArea area = isRoom ? panel->area : Qt::RightDockWidgetArea;
+    for (const Docked *panel : inOrder) {
+        const bool isRoom = panel->spec.area == Qt::BottomDockWidgetArea ? isHigh && isWide : isWide;
+        const Qt::DockWidgetArea area = isRoom ? panel->spec.area : Qt::RightDockWidgetArea;
         m_window.addDockWidget(area, panel->dock);
-        if (lasts.contains(area) && !(panel->standsAlone && isRoom))
+        if (lasts.contains(area) && !(panel->spec.standsAlone && isRoom))
             m_window.tabifyDockWidget(lasts[area], panel->dock);
-        if (!panel->standsAlone || !isRoom) {
+        if (!panel->spec.standsAlone || !isRoom) {
             if (!fronts.contains(area))
                 fronts[area] = panel->dock;
             lasts[area] = panel->dock;
@@ -187,22 +250,22 @@ void WorkPlaces::arrange()
     }
     for (QDockWidget *front : std::as_const(fronts))
         front->raise();
-    m_wanted[current()] = firstSizes(isWide);
+    m_wanted[name()] = firstSizes(isWide);
     m_isArranged = true;
     emit laidOut();
     settle();
 }
 
-WorkPlaces::Sizes WorkPlaces::firstSizes(bool isWide) const
+Workspaces::Sizes Workspaces::firstSizes(bool isWide) const
 {
     const QFontMetrics metrics(m_window.font());
     const int digit = metrics.horizontalAdvance(u'0'), line = metrics.lineSpacing();
     const int oneSide = static_cast<int>((isWide ? kMostOfOneSide : kMostOfANarrowWindow) * m_window.width());
-    const QList<const char *> &shown = m_places[m_current].panels;
+    const QList<Panel> &shown = entered(m_current).spec.panels;
     bool hasLeft = false;
     int right = kRightDigits * digit;
-    for (const Panel &panel : m_panels) {
-        if (std::none_of(shown.begin(), shown.end(), [&panel](const char *id) { return isSame(id, panel.id); }))
+    for (const auto &[panel, dock] : m_panels) {
+        if (!shown.contains(panel.id))
             continue;
         hasLeft = hasLeft || panel.area == Qt::LeftDockWidgetArea;
         // What is on the right shows numbers, and says what room they need.
@@ -215,13 +278,13 @@ WorkPlaces::Sizes WorkPlaces::firstSizes(bool isWide) const
             {Qt::BottomDockWidgetArea, kBottomLines * line}};
 }
 
-void WorkPlaces::hidePanels(bool isHidden)
+void Workspaces::hidePanels(bool isHidden)
 {
     if (isHidden == m_arePanelsHidden)
         return;
     if (isHidden) {
         m_layoutWithPanels = m_isArranged ? m_window.saveState(kLayoutVersion) : QByteArray();
-        for (const Panel &panel : m_panels)
+        for (const Docked &panel : m_panels)
             panel.dock->hide();
         m_isArranged = true;
     } else if (m_layoutWithPanels.isEmpty() || !m_window.restoreState(m_layoutWithPanels, kLayoutVersion)) {
@@ -234,7 +297,7 @@ void WorkPlaces::hidePanels(bool isHidden)
     emit panelsHidden(isHidden);
 }
 
-bool WorkPlaces::isFront(const QDockWidget &dock) const
+bool Workspaces::isFront(const QDockWidget &dock) const
 {
     if (!dock.isVisible() || dock.isFloating() || dock.window() != &m_window)
         return false;
@@ -244,10 +307,10 @@ bool WorkPlaces::isFront(const QDockWidget &dock) const
     return there && (there == &dock || dock.isAncestorOf(there));
 }
 
-WorkPlaces::Sizes WorkPlaces::sizesNow() const
+Workspaces::Sizes Workspaces::sizesNow() const
 {
     QMap<Qt::DockWidgetArea, QRect> places;
-    for (const Panel &panel : m_panels) {
+    for (const Docked &panel : m_panels) {
         if (isFront(*panel.dock))
             places[m_window.dockWidgetArea(panel.dock)] |= panel.dock->geometry();
     }
@@ -257,7 +320,7 @@ WorkPlaces::Sizes WorkPlaces::sizesNow() const
     return sizes;
 }
 
-void WorkPlaces::setLeastForView(const QSize &size)
+void Workspaces::setLeastForView(const QSize &size)
 {
     if (size == m_leastForView)
         return;
@@ -265,12 +328,12 @@ void WorkPlaces::setLeastForView(const QSize &size)
     applySizes();
 }
 
-void WorkPlaces::applySizes()
+void Workspaces::applySizes()
 {
     if (!m_isArranged || !m_window.isVisible())
         return;
     m_window.layout()->activate(); // what was shown a moment ago has its place only then
-    Sizes &wanted = m_wanted[current()];
+    Sizes &wanted = m_wanted[name()];
     const Sizes now = sizesNow();
     for (const bool isAcross : {true, false}) {
         int sum = 0, sumNow = 0;
@@ -288,7 +351,7 @@ void WorkPlaces::applySizes()
         const double share = sum > room ? room / sum : 1.0;
         QList<QDockWidget *> docks;
         QList<int> sizes;
-        for (const Panel &panel : m_panels) {
+        for (const Docked &panel : m_panels) {
             const Qt::DockWidgetArea area = m_window.dockWidgetArea(panel.dock);
             if (isSide(area) != isAcross || !isFront(*panel.dock))
                 continue;
@@ -302,7 +365,7 @@ void WorkPlaces::applySizes()
     }
 }
 
-void WorkPlaces::windowResized()
+void Workspaces::windowResized()
 {
     if (m_isArranged)
         applySizes();
@@ -310,7 +373,7 @@ void WorkPlaces::windowResized()
         arrange(); // only now the window has the size that the arrangement goes by
 }
 
-bool WorkPlaces::eventFilter(QObject *watched, QEvent *event)
+bool Workspaces::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == &m_window) {
         // The separators between docks belong to the window itself: an area that
@@ -322,28 +385,28 @@ bool WorkPlaces::eventFilter(QObject *watched, QEvent *event)
                 const Sizes now = sizesNow();
                 for (auto size = now.cbegin(); size != now.cend(); ++size) {
                     if (m_pressed.contains(size.key()) && m_pressed[size.key()] != *size)
-                        m_wanted[current()][size.key()] = *size;
+                        m_wanted[name()][size.key()] = *size;
                 }
             });
     } else if (event->type() == QEvent::Close) {
-        for (const Panel &panel : m_panels) {
+        for (const Docked &panel : m_panels) {
             if (panel.dock == watched)
-                emit closed(panel.id);
+                emit closed(panel.spec.id);
         }
     }
     return QObject::eventFilter(watched, event);
 }
 
-void WorkPlaces::settle()
+void Workspaces::settle()
 {
     setTitleBars();
     applySizes();
 }
 
 /// A tab has the panel's name already.
-void WorkPlaces::setTitleBars()
+void Workspaces::setTitleBars()
 {
-    for (const Panel &panel : m_panels) {
+    for (const Docked &panel : m_panels) {
         const QList<QDockWidget *> others = m_window.tabifiedDockWidgets(panel.dock);
         const bool isTab = !panel.dock->isFloating()
                            && std::any_of(others.begin(), others.end(), [](QDockWidget *d) { return !d->isHidden(); });
@@ -352,47 +415,47 @@ void WorkPlaces::setTitleBars()
             continue;
         panel.dock->setTitleBarWidget(isTab ? new QWidget(panel.dock) : nullptr);
         delete bar;
-        emit titled(panel.id, !isTab);
+        emit titled(panel.spec.id, !isTab);
     }
 }
 
-bool WorkPlaces::restore(const QSettings &settings)
+bool Workspaces::restore(const QSettings &settings)
 {
-    for (const Place &place : m_places) {
-        const QString key = settingOf("places", place.id);
+    for (const Entered &workspace : m_workspaces) {
+        const char *name = nameOf(workspace.spec.id);
+        const QString key = settingOf("places", name);
         const QByteArray layout = unsealed(settings.value(key), key.toLatin1());
         if (!layout.isEmpty())
-            m_layouts[place.id] = layout;
-        const QVariantMap sizes = settings.value(settingOf("sizes", place.id)).toMap();
+            m_layouts[name] = layout;
+        const QVariantMap sizes = settings.value(settingOf("sizes", name)).toMap();
         for (const AreaName &area : kAreaNames) {
             if (const int size = sizes.value(QLatin1String(area.name)).toInt(); size > 0 && size < kMostKeptSize)
-                m_wanted[place.id][area.area] = size;
+                m_wanted[name][area.area] = size;
         }
     }
     const QByteArray kept = settings.value(QStringLiteral("window/place")).toByteArray();
-    const auto found = std::find_if(m_places.begin(), m_places.end(), [&](const Place &p) { return kept == p.id; });
-    if (found != m_places.end()) {
-        m_current = static_cast<std::size_t>(found - m_places.begin());
-        found->action->setChecked(true);
+    if (const auto workspace = lessons::workspaceOf(kept.toStdString())) {
+        m_current = *workspace;
+        entered(m_current).action->setChecked(true);
     }
-    const QByteArray layout = m_layouts.value(current());
+    const QByteArray layout = m_layouts.value(name());
     if (layout.isEmpty())
         return false;
-    const Sizes sizes = m_wanted.value(current());
+    const Sizes sizes = m_wanted.value(name());
     arrange(); // every dock needs a place before a kept one can be given to it
     m_isArranged = m_window.restoreState(layout, kLayoutVersion);
     if (m_isArranged) {
-        m_wanted[current()] = sizes;
+        m_wanted[name()] = sizes;
         emit laidOut();
         settle();
     }
     return m_isArranged;
 }
 
-void WorkPlaces::keep(QSettings &settings)
+void Workspaces::keep(QSettings &settings)
 {
     leave();
-    settings.setValue(QStringLiteral("window/place"), QByteArray(current()));
+    settings.setValue(QStringLiteral("window/place"), QByteArray(name()));
     for (auto layout = m_layouts.cbegin(); layout != m_layouts.cend(); ++layout)
         settings.setValue(settingOf("places", layout.key()),
                           sealed(*layout, settingOf("places", layout.key()).toLatin1()));

@@ -1,4 +1,4 @@
-#include "gui/shell/scene_files.h"
+#include "gui/document/overwriting.h"
 
 #include "core/files/replace_file.h"
 #include "core/mesh/import/named_files.h"

@@ -3,13 +3,12 @@
 
 #include "window_user.h"
 
+#include "gui/lessons/first_steps.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/outside/observer_inset.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
-#include "gui/shell/first_steps.h"
 #include "gui/shell/overlay_bars.h"
-#include "gui/shell/place_ids.h"
 #include "tests/support/patience.h"
 
 #include <QLabel>
@@ -50,7 +49,7 @@ void widen(MainWindow &window, const char *panel, int pixels)
 
 } // namespace
 
-class TestWorkPlaces : public QObject {
+class TestWorkspaces : public QObject {
     Q_OBJECT
 
 private slots:
@@ -79,13 +78,13 @@ private slots:
     void aSmallWindowHasEveryPanelOfItsPlace();
 };
 
-void TestWorkPlaces::thePanelInFrontIsKnown()
+void TestWorkspaces::thePanelInFrontIsKnown()
 {
     const auto window = windowOfSize(kWide);
     QVERIFY(isSeen(*window, "comparison") && !isSeen(*window, "objects"));
-    window->places().show("objects");
+    window->workspaces().show(Panel::Objects);
     QTRY_VERIFY_WITH_TIMEOUT(!isSeen(*window, "comparison") && isSeen(*window, "objects"), kPatienceMilliseconds);
-    window->places().enter("pipeline");
+    window->workspaces().enter(Workspace::Pipeline);
     QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "pipeline") && isSeen(*window, "parameters")
                                  && isSeen(*window, "inspector"),
                              kPatienceMilliseconds);
@@ -94,15 +93,15 @@ void TestWorkPlaces::thePanelInFrontIsKnown()
     QVERIFY(!isSeen(*window, "inspector"));
 }
 
-void TestWorkPlaces::theOldSizesComeBack_data()
+void TestWorkspaces::theOldSizesComeBack_data()
 {
     QTest::addColumn<Act>("before");
     QTest::addColumn<Act>("whileNarrow");
     const Act nothing = [](MainWindow &) {};
     const Act thereAndBack = [](MainWindow &window) {
-        window.places().enter("pipeline");
+        window.workspaces().enter(Workspace::Pipeline);
         settle(20);
-        window.places().enter("click");
+        window.workspaces().enter(Workspace::Click);
     };
     QTest::newRow("narrow, then wide") << nothing << nothing;
     QTest::newRow("after another place") << thereAndBack << nothing;
@@ -112,19 +111,19 @@ void TestWorkPlaces::theOldSizesComeBack_data()
         settle(10);
     });
     QTest::newRow("all panels hidden meanwhile") << nothing << Act([](MainWindow &window) {
-        window.hidePanels(true);
+        window.workspaces().hidePanels(true);
         settle(10);
-        window.hidePanels(false);
+        window.workspaces().hidePanels(false);
     });
     QTest::newRow("with a panel that was shown by its key")
         << Act([](MainWindow &window) { dockOf(window, "parameters")->toggleViewAction()->trigger(); }) << nothing;
     QTest::newRow("with one below that was shown by its key")
         << Act([](MainWindow &window) { dockOf(window, "inspector")->toggleViewAction()->trigger(); }) << nothing;
     QTest::newRow("with the other tab in front")
-        << Act([](MainWindow &window) { window.places().show("objects"); }) << nothing;
+        << Act([](MainWindow &window) { window.workspaces().show(Panel::Objects); }) << nothing;
 }
 
-void TestWorkPlaces::theOldSizesComeBack()
+void TestWorkspaces::theOldSizesComeBack()
 {
     QFETCH(Act, before);
     QFETCH(Act, whileNarrow);
@@ -140,14 +139,14 @@ void TestWorkPlaces::theOldSizesComeBack()
     QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), wide, kPatienceMilliseconds);
 }
 
-void TestWorkPlaces::whatTheUserMadeWiderStaysWider_data()
+void TestWorkspaces::whatTheUserMadeWiderStaysWider_data()
 {
     QTest::addColumn<bool>("withOtherPlace");
     QTest::newRow("here") << false;
     QTest::newRow("after another place") << true;
 }
 
-void TestWorkPlaces::whatTheUserMadeWiderStaysWider()
+void TestWorkspaces::whatTheUserMadeWiderStaysWider()
 {
     QFETCH(bool, withOtherPlace);
     const auto window = windowOfSize(kWide);
@@ -157,15 +156,15 @@ void TestWorkPlaces::whatTheUserMadeWiderStaysWider()
     QCOMPARE(wider, first + 60);
     resizeTo(*window, kNarrow);
     if (withOtherPlace) {
-        window->places().enter("pipeline");
+        window->workspaces().enter(Workspace::Pipeline);
         settle(20);
-        window->places().enter("click");
+        window->workspaces().enter(Workspace::Click);
     }
     resizeTo(*window, kWide);
     QTRY_COMPARE_WITH_TIMEOUT(dockOf(*window, "comparison")->width(), wider, kPatienceMilliseconds);
 }
 
-void TestWorkPlaces::theOldSizesComeBackAfterARestart()
+void TestWorkspaces::theOldSizesComeBackAfterARestart()
 {
     int wider = 0;
     {
@@ -182,7 +181,7 @@ void TestWorkPlaces::theOldSizesComeBackAfterARestart()
     QTRY_COMPARE_WITH_TIMEOUT(dockOf(*window, "comparison")->width(), wider, kPatienceMilliseconds);
 }
 
-void TestWorkPlaces::theViewFromOutsideComesBackAsItWasLeft_data()
+void TestWorkspaces::theViewFromOutsideComesBackAsItWasLeft_data()
 {
     QTest::addColumn<bool>("isDocked");
     QTest::addColumn<bool>("isShown");
@@ -191,7 +190,7 @@ void TestWorkPlaces::theViewFromOutsideComesBackAsItWasLeft_data()
     QTest::newRow("in a dock, not shown") << true << false;
 }
 
-void TestWorkPlaces::theViewFromOutsideComesBackAsItWasLeft()
+void TestWorkspaces::theViewFromOutsideComesBackAsItWasLeft()
 {
     QFETCH(bool, isDocked);
     QFETCH(bool, isShown);
@@ -233,7 +232,7 @@ void TestWorkPlaces::theViewFromOutsideComesBackAsItWasLeft()
     QCOMPARE(static_cast<ObserverInset *>(panel->parentWidget())->share(), share);
 }
 
-void TestWorkPlaces::theViewFromOutsideIsOffOnceItsDockIsClosed()
+void TestWorkspaces::theViewFromOutsideIsOffOnceItsDockIsClosed()
 {
     const auto window = windowOfSize(kWide);
     QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
@@ -243,18 +242,18 @@ void TestWorkPlaces::theViewFromOutsideIsOffOnceItsDockIsClosed()
     dockOf(*window, "observer")->close(); // as the x of its frame does
     QVERIFY(!action->isChecked());
     for (const char *place : {"pipeline", "click"}) {
-        window->places().enter(place);
+        enter(*window, place);
         QVERIFY2(dockOf(*window, "observer")->isHidden(), place);
     }
-    window->places().reset();
+    window->workspaces().reset();
     QVERIFY(dockOf(*window, "observer")->isHidden());
     action->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "observer"), kPatienceMilliseconds);
-    window->places().enter("pipeline");
+    window->workspaces().enter(Workspace::Pipeline);
     QTRY_VERIFY_WITH_TIMEOUT(!dockOf(*window, "observer")->isHidden(), kPatienceMilliseconds);
 }
 
-void TestWorkPlaces::aLessonHasOneButtonThatClosesIt_data()
+void TestWorkspaces::aLessonHasOneButtonThatClosesIt_data()
 {
     QTest::addColumn<QSize>("size");
     QTest::addColumn<bool>("isTab");
@@ -262,14 +261,14 @@ void TestWorkPlaces::aLessonHasOneButtonThatClosesIt_data()
     QTest::newRow("small") << QSize(700, 560) << true;
 }
 
-void TestWorkPlaces::aLessonHasOneButtonThatClosesIt()
+void TestWorkspaces::aLessonHasOneButtonThatClosesIt()
 {
     QFETCH(QSize, size);
     QFETCH(bool, isTab);
     const auto window = windowOfSize(size);
-    for (const char *place : {kClickPlace, kPipelinePlace}) {
-        window->places().enter(place);
-        QVERIFY(window->lessons().start("rows"));
+    for (const Workspace workspace : {Workspace::Click, Workspace::Pipeline}) {
+        window->workspaces().enter(workspace);
+        QVERIFY(part<LessonPlayer>(*window).start("rows"));
         const QDockWidget *lesson = dockOf(*window, "lesson");
         QTRY_VERIFY_WITH_TIMEOUT(lesson->isVisible(), kPatienceMilliseconds);
         QCOMPARE(lesson->titleBarWidget() != nullptr, isTab);
@@ -287,49 +286,52 @@ void TestWorkPlaces::aLessonHasOneButtonThatClosesIt()
     }
 }
 
-void TestWorkPlaces::aLessonGoesAlongUntilItIsClosed()
+void TestWorkspaces::aLessonGoesAlongUntilItIsClosed()
 {
     const auto window = windowOfSize(kWide);
-    QVERIFY(window->lessons().start("rows"));
+    QVERIFY(part<LessonPlayer>(*window).start("rows"));
     const QDockWidget *lesson = dockOf(*window, "lesson");
     QVERIFY(!lesson->isHidden());
-    window->places().enter("pipeline");
+    window->workspaces().enter(Workspace::Pipeline);
     QVERIFY(!lesson->isHidden());
     dockOf(*window, "lesson")->close();
-    window->places().enter("click");
+    window->workspaces().enter(Workspace::Click);
     QVERIFY(lesson->isHidden());
-    window->places().reset();
+    window->workspaces().reset();
     QVERIFY(lesson->isHidden());
-    QVERIFY(window->lessons().start("parallel"));
+    QVERIFY(part<LessonPlayer>(*window).start("parallel"));
     QVERIFY(!lesson->isHidden());
 }
 
-void TestWorkPlaces::hiddenPanelsComeBackAsTheyAreNow()
+void TestWorkspaces::hiddenPanelsComeBackAsTheyAreNow()
 {
     const auto window = windowOfSize(kWide);
-    QVERIFY(window->lessons().start("rows"));
+    QVERIFY(part<LessonPlayer>(*window).start("rows"));
     QVERIFY(!dockOf(*window, "lesson")->isHidden());
-    window->hidePanels(true);
+    window->workspaces().hidePanels(true);
     QVERIFY(dockOf(*window, "lesson")->isHidden());
     window->session().openBundledScene();
-    window->hidePanels(false);
+    window->workspaces().hidePanels(false);
     QVERIFY(dockOf(*window, "lesson")->isHidden());
     QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "comparison"), kPatienceMilliseconds);
 }
 
-void TestWorkPlaces::aRightClickOffersNoEmptyPanel()
+void TestWorkspaces::aRightClickOffersNoEmptyPanel()
 {
     const auto window = windowOfSize(kWide);
     const std::unique_ptr<QMenu> menu(window->createPopupMenu());
     QStringList texts;
     for (const QAction *action : menu->actions())
         texts << action->text();
-    for (const WorkPlaces::Panel &panel : window->places().panels())
-        QCOMPARE(texts.contains(panel.title), !panel.standsAlone);
+    for (const QDockWidget *dock : window->findChildren<QDockWidget *>()) {
+        const bool standsAlone =
+            dock->objectName() == QLatin1String("lesson") || dock->objectName() == QLatin1String("observer");
+        QCOMPARE(texts.contains(dock->windowTitle()), !standsAlone);
+    }
     QVERIFY(texts.contains(QStringLiteral("Tools")));
 }
 
-void TestWorkPlaces::theInsetsBorderAloneHasItsPointer()
+void TestWorkspaces::theInsetsBorderAloneHasItsPointer()
 {
     const auto window = windowOfSize(kWide);
     actionOf(*window, QStringLiteral("View from Outside"))->trigger();
@@ -344,7 +346,7 @@ void TestWorkPlaces::theInsetsBorderAloneHasItsPointer()
 }
 
 /// At the first start, with the name of a file that is not there.
-void TestWorkPlaces::messagesAreReadBesideTheFirstSteps()
+void TestWorkspaces::messagesAreReadBesideTheFirstSteps()
 {
     const auto window = windowOfSize(kWide, true);
     const auto *steps = window->findChild<FirstSteps *>();
@@ -365,29 +367,29 @@ void TestWorkPlaces::messagesAreReadBesideTheFirstSteps()
     QCOMPARE(window->childAt(beside), &window->view());
 }
 
-void TestWorkPlaces::theFirstStepsStayInTheirPlace()
+void TestWorkspaces::theFirstStepsStayInTheirPlace()
 {
     const auto window = windowOfSize(kWide, true);
     auto *steps = window->findChild<FirstSteps *>();
     QVERIFY(steps && steps->isVisible());
-    window->places().enter(kPipelinePlace);
+    window->workspaces().enter(Workspace::Pipeline);
     QVERIFY(steps->isHidden());
-    window->places().reset();
+    window->workspaces().reset();
     QVERIFY(steps->isHidden());
-    window->places().enter(kClickPlace);
+    window->workspaces().enter(Workspace::Click);
     QVERIFY2(steps->isVisible(), "nobody has closed them");
     emit steps->closeRequested();
-    window->places().enter(kPointsPlace);
-    window->places().enter(kClickPlace);
+    window->workspaces().enter(Workspace::Landmarks);
+    window->workspaces().enter(Workspace::Click);
     QVERIFY(steps->isHidden());
     // Who asks for them is taken to where they are.
-    window->places().enter(kPipelinePlace);
+    window->workspaces().enter(Workspace::Pipeline);
     actionOf(*window, QStringLiteral("First Steps"))->trigger();
-    QCOMPARE(window->places().current(), kClickPlace);
+    QVERIFY(window->workspaces().current() == Workspace::Click);
     QVERIFY(steps->isVisible());
 }
 
-void TestWorkPlaces::aSmallWindowHasEveryPanelOfItsPlace_data()
+void TestWorkspaces::aSmallWindowHasEveryPanelOfItsPlace_data()
 {
     QTest::addColumn<QSize>("size");
     QTest::newRow("wide and high") << kWide;
@@ -396,20 +398,25 @@ void TestWorkPlaces::aSmallWindowHasEveryPanelOfItsPlace_data()
 }
 
 /// Where there is no room for all side by side, some are tabs.
-void TestWorkPlaces::aSmallWindowHasEveryPanelOfItsPlace()
+void TestWorkspaces::aSmallWindowHasEveryPanelOfItsPlace()
 {
     QFETCH(QSize, size);
     const auto window = windowOfSize(size);
-    for (const WorkPlaces::Place &place : window->places().places()) {
-        window->places().enter(place.id);
-        window->places().reset();
-        for (const char *panel : place.panels) {
-            QVERIFY2(!dockOf(*window, panel)->isHidden(), panel);
-            window->places().show(panel);
-            QTRY_VERIFY2_WITH_TIMEOUT(isSeen(*window, panel), panel, kPatienceMilliseconds);
+    const std::vector<std::pair<Workspace, std::vector<Panel>>> all{
+        {Workspace::Click, {Panel::Comparison, Panel::Objects}},
+        {Workspace::Pipeline, {Panel::Pipeline, Panel::Parameters, Panel::Inspector, Panel::Lifecycle}},
+        {Workspace::Landmarks, {Panel::Landmarks, Panel::Objects}},
+        {Workspace::Doctor, {Panel::Doctor, Panel::Objects}}};
+    for (const auto &[workspace, panels] : all) {
+        window->workspaces().enter(workspace);
+        window->workspaces().reset();
+        for (const Panel panel : panels) {
+            QVERIFY2(!window->workspaces().dock(panel).isHidden(), nameOf(panel));
+            window->workspaces().show(panel);
+            QTRY_VERIFY2_WITH_TIMEOUT(isSeen(*window, nameOf(panel)), nameOf(panel), kPatienceMilliseconds);
         }
     }
 }
 
-QTEST_MAIN(TestWorkPlaces)
-#include "test_work_places.moc"
+QTEST_MAIN(TestWorkspaces)
+#include "test_workspaces.moc"

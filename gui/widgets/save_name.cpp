@@ -1,4 +1,4 @@
-#include "gui/landmarks/save_name.h"
+#include "gui/widgets/save_name.h"
 
 #include <QFileDialog>
 

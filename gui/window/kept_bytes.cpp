@@ -1,4 +1,4 @@
-#include "gui/shell/kept_bytes.h"
+#include "gui/window/kept_bytes.h"
 
 #include <QCryptographicHash>
 

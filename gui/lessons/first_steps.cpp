@@ -1,4 +1,4 @@
-#include "gui/shell/first_steps.h"
+#include "gui/lessons/first_steps.h"
 
 #include "gui/widgets/icons.h"
 

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+/// Where the links of a lesson lead, and the parts of the window that a lesson speaks of.
+namespace unprojector::lessons {
+
+/// The panels of the window, in the order in which its menus list them.
+enum class Panel {
+    Comparison,
+    Pipeline,
+    Parameters,
+    Inspector,
+    Lifecycle,
+    Precision,
+    Objects,
+    Landmarks,
+    Series,
+    Doctor,
+    Observer,
+    Lesson
+};
+/// The names of panels, in their order: in lessons, in kept layouts, as names of docks.
+inline constexpr std::array kPanelNames{"comparison", "pipeline", "parameters", "inspector", "lifecycle", "precision",
+                                        "objects",    "points",   "series",     "doctor",    "observer",  "lesson"};
+
+/// The workspaces of the window, in the order of its tool bar; the first one is shown at first.
+enum class Workspace { Click, Pipeline, Landmarks, Doctor };
+/// The names of workspaces, in their order: in lessons, in kept layouts, on the command line.
+inline constexpr std::array kWorkspaceNames{"click", "pipeline", "points", "doctor"};
+
+constexpr const char *nameOf(Panel panel)
+{
+    return kPanelNames[static_cast<std::size_t>(panel)];
+}
+constexpr const char *nameOf(Workspace workspace)
+{
+    return kWorkspaceNames[static_cast<std::size_t>(workspace)];
+}
+/// @return nothing where none has the name
+std::optional<Panel> panelOf(std::string_view name);
+std::optional<Workspace> workspaceOf(std::string_view name);
+
+/// "formulas:frustum": a place in the page of formulas.
+struct FormulasLink {
+    std::string anchor;
+};
+/// "click:corner": a click on a point of the step.
+struct ClickLink {
+    std::string point;
+};
+/// "set:other": a change of the scene that the step describes under that name.
+struct SetLink {
+    std::string change;
+};
+/// "panel:pipeline": shows the panel.
+struct PanelLink {
+    Panel panel;
+};
+/// "place:click": goes to the workspace.
+struct WorkspaceLink {
+    Workspace workspace;
+};
+/// "step:ortho": goes to a step of the same lesson.
+struct StepLink {
+    std::string id;
+};
+/// "restart:": shows the scene of the step as it was at first.
+struct RestartLink {};
+/// "apart:view" and "apart:projection": the factors of a matrix, in the pipeline's panel.
+struct FactorsLink {
+    enum class Matrix { View, Projection };
+    Matrix matrix;
+};
+/// "action:perspective": triggers the action of a menu or of a panel that has the name, and switches on one that can be off;
+/// "action:perspective:off" switches it off.
+struct ActionLink {
+    std::string name;
+    bool isOn = true;
+};
+/// "view:300x300": gives the view a size.
+struct ViewSizeLink {
+    glm::ivec2 size; ///< device pixels
+};
+/// "point:": shows the given point on its way through the pipeline.
+struct GivenPointLink {};
+
+using Link = std::variant<FormulasLink, ClickLink, SetLink, PanelLink, WorkspaceLink, StepLink, RestartLink,
+                          FactorsLink, ActionLink, ViewSizeLink, GivenPointLink>;
+
+/// @return nothing where the text is no link of a lesson
+std::optional<Link> parseLink(std::string_view text);
+
+} // namespace unprojector::lessons

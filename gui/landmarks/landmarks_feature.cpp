@@ -1,0 +1,259 @@
+#include "gui/landmarks/landmarks_feature.h"
+
+#include "gui/document/point_files.h"
+#include "gui/document/point_surface.h"
+#include "gui/document/point_views.h"
+#include "gui/document/scene_curves.h"
+#include "gui/document/scene_document.h"
+#include "gui/document/session.h"
+#include "gui/landmarks/curve_waiting.h"
+#include "gui/landmarks/file_questions.h"
+#include "gui/landmarks/landmark_tool.h"
+#include "gui/landmarks/point_templates.h"
+#include "gui/landmarks/points_panel.h"
+#include "gui/landmarks/scan_series.h"
+#include "gui/landmarks/series_panel.h"
+#include "gui/text/error_text.h"
+#include "gui/view/scene_view.h"
+#include "gui/widgets/save_name.h"
+#include "gui/window/actions.h"
+#include "gui/window/feature.h"
+#include "gui/window/window.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QMenu>
+#include <QToolBar>
+
+#include <algorithm>
+
+namespace unprojector::gui {
+
+class LandmarksFeature : public Feature {
+    Q_OBJECT
+public:
+    explicit LandmarksFeature(Window &window);
+
+    std::vector<PanelSpec> panels() override;
+    std::optional<WorkspaceSpec> workspace() override
+    {
+        return WorkspaceSpec{Workspace::Landmarks,
+                             tr("Points"),
+                             tr("Place points on the surface, name them, move them, measure between them"),
+                             Qt::Key_F7,
+                             {Panel::Landmarks, Panel::Objects}};
+    }
+    void addActions(MenuKind kind, QMenu &menu, QToolBar &bar) override;
+    ViewTool *tool() override { return m_tool; }
+    QVariantMap state() const override { return {{kIsPlacing, m_placing->isChecked()}}; }
+    void restore(const QVariantMap &state) override { m_placing->setChecked(state[kIsPlacing].toBool()); }
+    using Feature::restore;
+
+private:
+    static inline const QString kIsPlacing = QStringLiteral("isPlacing");
+
+    void openFiles(const std::vector<std::filesystem::path> &files);
+    void importLandmarks();
+    void exportLandmarks();
+    void addFileActions(QMenu &menu);
+    void addSeriesActions(QMenu &menu);
+    void addPlacingActions(QMenu &menu, QToolBar &bar);
+    bool isPlaced(std::size_t index) const { return !m_document.landmarks()[index].isMissing(); }
+    /// Does something with the landmark that is selected, where it is placed.
+    void withCurrent(void (*change)(SceneDocument &, std::size_t));
+    void putSelectedOnSurface();
+    void join(landmarks::CurveKind kind);
+
+    Window &m_window;
+    SceneDocument &m_document;
+    FileQuestions m_questions;
+    PointTemplates m_templates;
+    PointFiles *m_files;
+    ScanSeries *m_series;
+    PointsPanel *m_panel;
+    SeriesPanel *m_seriesPanel;
+    LandmarkTool *m_tool;
+    QAction *m_placing = nullptr;
+};
+
+LandmarksFeature::LandmarksFeature(Window &window)
+    : Feature(&window), m_window(window), m_document(window.document()), m_questions(window),
+      m_files(new PointFiles(m_document, window.remembers() ? &m_questions : nullptr, this)),
+      m_series(new ScanSeries(m_document, window.session(), this)), m_panel(new PointsPanel(m_document, m_templates)),
+      m_seriesPanel(new SeriesPanel(*m_series)), m_tool(new LandmarkTool(m_document, window.view()))
+{
+    Session &session = window.session();
+    connect(&session, &Session::typedToCount, m_panel, &PointsPanel::applyTyped);
+    connect(&session, &Session::pointFilesOpened, this, &LandmarksFeature::openFiles);
+    connect(m_panel, &PointsPanel::warned, &session, &Session::warned);
+    connect(m_panel, &PointsPanel::placingRequested, this, [this] { m_placing->setChecked(true); });
+    connect(m_tool, &LandmarkTool::placingChanged, m_panel, &PointsPanel::setPlacing);
+    connect(m_series, &ScanSeries::failed, &window, &Window::showFailure);
+    connect(m_series, &ScanSeries::warned, &session, &Session::warned);
+    connect(m_series, &ScanSeries::noticed, &session, &Session::noticed);
+    connect(m_files, &PointFiles::failed, &window, &Window::showFailure);
+    connect(m_files, &PointFiles::warned, &window, &Window::showMessage);
+    connect(m_files, &PointFiles::noticed, &session, &Session::noticed);
+    if (window.remembers()) // somebody is there to wait
+        m_document.curves().setWaiting([this] { return waitForCurves(m_window, m_document); });
+}
+
+std::vector<PanelSpec> LandmarksFeature::panels()
+{
+    return {
+        {Panel::Landmarks, tr("Points"), m_panel, Qt::RightDockWidgetArea, Qt::ALT | Qt::Key_7},
+        {Panel::Series, tr("Series"), m_seriesPanel, Qt::BottomDockWidgetArea, Qt::ALT | Qt::Key_8},
+    };
+}
+
+void LandmarksFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
+{
+    if (kind == MenuKind::File) {
+        menu.addSeparator();
+        addFileActions(menu);
+    } else if (kind == MenuKind::Edit) {
+        menu.addSeparator();
+        addPlacingActions(menu, bar);
+    }
+}
+
+void LandmarksFeature::openFiles(const std::vector<std::filesystem::path> &files)
+{
+    for (const std::filesystem::path &file : files) {
+        if (PointFiles::isTemplate(file))
+            m_panel->takeTemplate(file);
+    }
+    for (const std::filesystem::path &file : files) { // they fill the names of the templates
+        if (!PointFiles::isTemplate(file))
+            m_files->importFrom(file);
+    }
+}
+
+void LandmarksFeature::importLandmarks()
+{
+    m_window.session().commitTyped();
+    const QString name = QFileDialog::getOpenFileName(
+        &m_window, tr("Import Points"), {}, PointFiles::importFilter() + QStringLiteral(";;") + tr("All files (*)"));
+    if (!name.isEmpty())
+        m_files->importFrom(std::filesystem::path(name.toStdU16String()));
+}
+
+void LandmarksFeature::exportLandmarks()
+{
+    m_window.session().commitTyped();
+    const SaveName named =
+        askSaveName(m_window, tr("Export Points"), PointFiles::exportFilters().split(QStringLiteral(";;")),
+                    pathText(m_window.session().proposedName().stem()));
+    if (!named.file.empty() && m_window.mayExportTo(named.file))
+        m_files->exportTo(named.file);
+}
+
+void LandmarksFeature::addFileActions(QMenu &menu)
+{
+    addAction(menu, tr("&Import Points…"), {}, tr("Read points from a file of this or another program"),
+              [this] { importLandmarks(); });
+    addAction(menu, tr("E&xport Points…"), {}, tr("Write the points to a file; its suffix says for which program"),
+              [this] { exportLandmarks(); });
+    addSeriesActions(*menu.addMenu(tr("Series of S&cans")));
+}
+
+void LandmarksFeature::addSeriesActions(QMenu &menu)
+{
+    addAction(menu, tr("&Open Folder…"), {}, tr("Open a folder of scans, to place the same points on each"), [this] {
+        if (m_seriesPanel->chooseFolder())
+            m_window.workspaces().show(Panel::Series);
+    });
+    QAction *next = addAction(menu, tr("&Next Scan"), Qt::CTRL | Qt::Key_PageDown,
+                              tr("Keep the points and show the next scan"), [this] { m_series->next(); });
+    QAction *previous = addAction(menu, tr("&Previous Scan"), Qt::CTRL | Qt::Key_PageUp,
+                                  tr("Keep the points and show the scan before"), [this] { m_series->previous(); });
+    QAction *repeats = addAction(menu, tr("&Repeats…"), {},
+                                 tr("Write the mean of each point's placings, and how far they scatter, to a table"),
+                                 [this] { m_seriesPanel->exportRepeats(); });
+    QAction *close = addAction(menu, tr("&Close Series"), {}, tr("Keep the points and leave the series"), [this] {
+        if (m_series->close())
+            m_window.workspaces().dock(Panel::Series).hide();
+    });
+    const auto enable = [this, next, previous, repeats, close] {
+        next->setEnabled(m_series->hasNext());
+        previous->setEnabled(m_series->hasPrevious());
+        repeats->setEnabled(m_series->isOpen());
+        close->setEnabled(m_series->isOpen());
+    };
+    connect(m_series, &ScanSeries::changed, &menu, enable);
+    enable();
+}
+
+void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
+{
+    menu.addSection(tr("Points"));
+    m_placing =
+        addSwitch(menu, tr("&Place Points"), Qt::Key_P, tr("A click places a point; what is dragged turns the view"));
+    m_placing->setObjectName(QStringLiteral("place_points")); // by which lessons link to it
+    connect(m_placing, &QAction::toggled, this, [this](bool isOn) {
+        m_tool->setPlacing(isOn);
+        if (isOn)
+            m_window.view().setFocus(); // arrow keys move the point
+    });
+    connect(m_tool, &LandmarkTool::placingChanged, m_placing, &QAction::setChecked);
+    putOnBar(bar, *m_placing, Drawing::Points);
+    bar.addSeparator();
+    addAction(menu, tr("&Go to Point"), Qt::Key_G, tr("Turn the camera to face the surface at the selected point"),
+              [this] { withCurrent([](SceneDocument &document, std::size_t index) { goToPoint(document, index); }); });
+    addAction(menu, tr("&Zoom to ± 0.01"), Qt::SHIFT | Qt::Key_G,
+              tr("Get closer to the selected point until its pixel leaves no more open than 0.01"),
+              [this] {
+                  withCurrent([](SceneDocument &document, std::size_t index) {
+                      constexpr double kHalf = 0.01;
+                      zoomToPoint(document, index, kHalf);
+                  });
+              })
+        ->setObjectName(QStringLiteral("zoom_to_point"));
+    addAction(menu, tr("Put &Back on the Surface"), Qt::Key_B,
+              tr("Put the selected points onto the surface, where it is closest to them"),
+              [this] { putSelectedOnSurface(); });
+    addAction(menu, tr("&Join on the Surface"), Qt::Key_J,
+              tr("Lead a curve through the selected points as a thread pulled tight on the surface"),
+              [this] { join(landmarks::CurveKind::Geodesic); });
+    addAction(menu, tr("Join Along a P&lane"), Qt::SHIFT | Qt::Key_J,
+              tr("Lead a curve through the selected points where the plane along the surface's normals cuts it"),
+              [this] { join(landmarks::CurveKind::PlaneSection); });
+}
+
+void LandmarksFeature::withCurrent(void (*change)(SceneDocument &, std::size_t))
+{
+    const std::optional<std::size_t> index = m_document.points().current();
+    if (index && isPlaced(*index))
+        change(m_document, *index);
+    else
+        m_window.notice(tr("Select a placed point first: its mark in the view, or its row under Points."));
+}
+
+void LandmarksFeature::putSelectedOnSurface()
+{
+    const std::vector<std::size_t> &selected = m_document.points().selection();
+    if (std::any_of(selected.begin(), selected.end(), [this](std::size_t index) { return isPlaced(index); }))
+        static_cast<void>(putOnSurface(m_document, selected));
+    else
+        m_window.notice(tr("Select placed points first: their marks in the view, or their rows under Points."));
+}
+
+void LandmarksFeature::join(landmarks::CurveKind kind)
+{
+    if (m_document.points().selection().size() < 2) {
+        m_window.notice(tr("Select two points or more first: their rows under Points, with Ctrl."));
+        return;
+    }
+    m_window.workspaces().show(Panel::Landmarks); // where the curve is listed, or why there is none
+    m_panel->join(kind);
+}
+
+Feature *makeLandmarksFeature(Window &window)
+{
+    return new LandmarksFeature(window);
+}
+
+} // namespace unprojector::gui
+
+#include "landmarks_feature.moc"

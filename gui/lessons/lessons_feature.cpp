@@ -1,0 +1,266 @@
+#include "gui/lessons/lessons_feature.h"
+
+#include "core/lessons/lesson.h"
+#include "gui/document/scene_document.h"
+#include "gui/document/session.h"
+#include "gui/lessons/first_steps.h"
+#include "gui/lessons/formulas_window.h"
+#include "gui/lessons/lesson_panel.h"
+#include "gui/lessons/lesson_player.h"
+#include "gui/lessons/lesson_stage.h"
+#include "gui/lessons/lesson_text.h"
+#include "gui/view/scene_view.h"
+#include "gui/widgets/help_link.h"
+#include "gui/window/actions.h"
+#include "gui/window/feature.h"
+#include "gui/window/view_frame.h"
+#include "gui/window/window.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QSettings>
+#include <QTimer>
+
+namespace unprojector::gui {
+namespace {
+
+/// Visitors of a variant, one an alternative.
+template <class... Visitors>
+struct Overloaded : Visitors... {
+    using Visitors::operator()...;
+};
+
+} // namespace
+
+class LessonsFeature : public Feature {
+    Q_OBJECT
+public:
+    explicit LessonsFeature(Window &window);
+
+    std::vector<PanelSpec> panels() override
+    {
+        return {{Panel::Lesson, tr("Lesson"), m_panel, Qt::LeftDockWidgetArea, {}, true}};
+    }
+    void addActions(MenuKind kind, QMenu &menu, QToolBar &) override;
+    bool follow(const lessons::Link &link) override;
+    void restore(const QSettings &settings) override;
+    using Feature::restore;
+
+private:
+    void addLessonActions(QMenu &menu);
+    void connectWorkspaces();
+    void leaveOrStay();
+    void click(const std::string &point);
+    void change(const std::string &name);
+    void trigger(const lessons::ActionLink &link);
+    void showFormulas(const QString &anchor);
+    void showFirstSteps(bool isShown);
+    /// They speak of the workspace Click, and are seen there.
+    void placeFirstSteps();
+
+    Window &m_window;
+    LessonPlayer *m_player;
+    LessonPanel *m_panel;
+    LessonStage *m_stage;
+    FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
+    FirstSteps *m_firstSteps = nullptr;   ///< the same
+    bool m_areFirstStepsShown = false;    ///< where they are seen
+};
+
+LessonsFeature::LessonsFeature(Window &window)
+    : Feature(&window), m_window(window), m_player(new LessonPlayer(window.document(), window.session(), this)),
+      m_panel(new LessonPanel(*m_player, window.document())), m_stage(new LessonStage(window, *m_player))
+{
+    connect(m_player, &LessonPlayer::changed, m_stage, &LessonStage::showStep);
+    connect(m_player, &LessonPlayer::changed, this, &LessonsFeature::placeFirstSteps);
+    connect(m_player, &LessonPlayer::revealed, m_stage, [this] {
+        m_stage->showPanels();
+        m_window.workspaces().show(Panel::Lesson); // which says why it is so, where they are tabs of one column
+    });
+    connect(m_player, &LessonPlayer::clickWanted, this, &LessonsFeature::click);
+    connect(m_player, &LessonPlayer::failed, &window, &Window::showFailure);
+    connect(m_panel, &LessonPanel::closeRequested, m_player, &LessonPlayer::leave);
+    connect(m_panel, &LessonPanel::linkFollowed, &window, &Window::follow);
+    connect(&window, &Window::closing, m_player, &LessonPlayer::end); // the next start has the layout before the lesson
+    connect(&window.document(), &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Pick && m_window.document().pick())
+            showFirstSteps(false);
+    });
+}
+
+void LessonsFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
+{
+    if (kind == MenuKind::File) {
+        connectWorkspaces();
+        menu.addSeparator();
+        addAction(menu, tr("&Bundled Scene"), {}, tr("Show the scene that comes with the program"),
+                  [this] { m_window.session().openBundledScene(); });
+        addLessonActions(*menu.addMenu(tr("&Lessons")));
+    } else if (kind == MenuKind::Help) {
+        new HelpOpener([this](const QString &anchor) { showFormulas(anchor); }, this);
+        addAction(menu, tr("&Formulas"), QKeySequence::HelpContents,
+                  tr("All formulas with their sources, and the errors in the originals"), [this] { showFormulas({}); });
+        addAction(menu, tr("First &Steps"), {}, tr("Three things to try"), [this] {
+            m_window.workspaces().enter(Workspace::Click);
+            showFirstSteps(true);
+        });
+    }
+}
+
+void LessonsFeature::connectWorkspaces()
+{
+    Workspaces &workspaces = m_window.workspaces();
+    connect(&workspaces, &Workspaces::titled, this, [this](Panel panel, bool hasTitleBar) {
+        if (panel == Panel::Lesson)
+            m_panel->setClosesItself(!hasTitleBar);
+    });
+    connect(&workspaces, &Workspaces::laidOut, m_stage, &LessonStage::arrange);
+    connect(&workspaces, &Workspaces::laidOut, this, &LessonsFeature::placeFirstSteps);
+    connect(&workspaces, &Workspaces::panelsHidden, &m_stage->viewSize(), &ViewSize::wantAgain);
+    connect(&workspaces, &Workspaces::closed, this, [this](Panel panel) {
+        if (panel == Panel::Lesson)
+            leaveOrStay();
+    });
+}
+
+void LessonsFeature::addLessonActions(QMenu &menu)
+{
+    for (const Lesson &lesson : m_player->lessons()) {
+        addAction(menu, lessonTitle(lesson.title), {}, lessonTitle(lesson.title),
+                  [this, name = lesson.name] { m_player->start(name); });
+    }
+    menu.addSeparator();
+    QAction *next = addAction(menu, tr("&Next Step"), Qt::ALT | Qt::Key_PageDown, tr("The next step of the lesson"),
+                              [this] { m_player->next(); });
+    QAction *back = addAction(menu, tr("&Previous Step"), Qt::ALT | Qt::Key_PageUp,
+                              tr("The step of the lesson before this one"), [this] { m_player->previous(); });
+    QAction *leave =
+        addAction(menu, tr("L&eave Lesson"), {}, tr("End the lesson; the scene that was shown before it comes back"),
+                  [this] { m_player->leave(); });
+    const auto enable = [this, next, back, leave] {
+        next->setEnabled(m_player->hasNext());
+        back->setEnabled(m_player->hasPrevious());
+        leave->setEnabled(m_player->lesson() != nullptr);
+    };
+    connect(m_player, &LessonPlayer::changed, &menu, enable);
+    enable();
+}
+
+void LessonsFeature::leaveOrStay()
+{
+    if (m_player->leave())
+        return;
+    // Once the dock, which is only about to close, has closed.
+    QTimer::singleShot(0, this, [this] {
+        if (m_player->lesson())
+            m_window.workspaces().show(Panel::Lesson);
+    });
+}
+
+bool LessonsFeature::follow(const lessons::Link &link)
+{
+    std::visit(Overloaded{
+                   [this](const lessons::FormulasLink &to) { showFormulas(QString::fromStdString(to.anchor)); },
+                   [this](const lessons::ClickLink &to) { click(to.point); },
+                   [this](const lessons::SetLink &to) { change(to.change); },
+                   [this](const lessons::PanelLink &to) { m_stage->showPanel(to.panel); },
+                   [this](const lessons::WorkspaceLink &to) { m_stage->enter(to.workspace); },
+                   [this](const lessons::ActionLink &to) { trigger(to); },
+                   [this](const lessons::ViewSizeLink &to) {
+                       m_stage->viewSize().want({to.size.x, to.size.y}, true);
+                   },
+                   [](const auto &) {}, // of another feature, or of the lesson's panel
+               },
+               link);
+    return true;
+}
+
+void LessonsFeature::click(const std::string &point)
+{
+    if (const auto pixel = m_player->clickedPixel(point))
+        m_window.view().pickPixel(*pixel);
+    else
+        m_window.showMessage(
+            tr("The point is not in the picture as it is now. Put the picture back as the step has it."));
+}
+
+void LessonsFeature::change(const std::string &name)
+{
+    if (m_player->change(name) && m_player->step().changes.at(name).json().contains("point"))
+        m_window.follow(lessons::GivenPointLink{});
+}
+
+void LessonsFeature::trigger(const lessons::ActionLink &link)
+{
+    auto *action = m_window.findChild<QAction *>(QString::fromStdString(link.name));
+    if (!action)
+        return;
+    for (QObject *owner = action->parent(); owner; owner = owner->parent()) {
+        const auto panel = lessons::panelOf(owner->objectName().toStdString());
+        if (qobject_cast<QDockWidget *>(owner) && panel) { // where the switch stands
+            m_window.follow(lessons::PanelLink{*panel});
+            m_window.workspaces().giveRoom(*panel, Panel::Observer);
+        }
+    }
+    if (!action->isCheckable() || action->isChecked() != link.isOn)
+        action->trigger();
+}
+
+void LessonsFeature::showFormulas(const QString &anchor)
+{
+    if (!m_formulas)
+        m_formulas = new FormulasWindow(&m_window);
+    m_formulas->show();
+    m_formulas->raise();
+    m_formulas->activateWindow();
+    if (!anchor.isEmpty())
+        m_formulas->showFormula(anchor);
+}
+
+void LessonsFeature::restore(const QSettings &settings)
+{
+    if (!settings.value(QStringLiteral("firstSteps/areDone"), false).toBool())
+        showFirstSteps(true);
+}
+
+void LessonsFeature::showFirstSteps(bool isShown)
+{
+    const std::vector<Lesson> &lessons = m_player->lessons();
+    if (isShown && !m_firstSteps && !lessons.empty()) { // the note offers the first one
+        m_firstSteps = new FirstSteps(lessonTitle(lessons.front().title));
+        m_window.frame().addNote(*m_firstSteps);
+        connect(m_firstSteps, &FirstSteps::closeRequested, this, [this] { showFirstSteps(false); });
+        connect(m_firstSteps, &FirstSteps::lessonRequested, this, [this] {
+            showFirstSteps(false);
+            m_player->start(m_player->lessons().front().name);
+        });
+    }
+    if (!m_firstSteps)
+        return;
+    m_areFirstStepsShown = isShown;
+    placeFirstSteps();
+    if (!isShown && m_window.remembers())
+        QSettings().setValue(QStringLiteral("firstSteps/areDone"), true);
+}
+
+void LessonsFeature::placeFirstSteps()
+{
+    if (!m_firstSteps)
+        return;
+    // Not in a lesson either: it is one of them, and the view can be smaller without the note.
+    m_firstSteps->setVisible(m_areFirstStepsShown && m_window.workspaces().current() == Workspace::Click
+                             && !m_player->lesson());
+    m_firstSteps->raise();
+}
+
+Feature *makeLessonsFeature(Window &window)
+{
+    return new LessonsFeature(window);
+}
+
+} // namespace unprojector::gui
+
+#include "lessons_feature.moc"

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/unproject/pick.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include <optional>
+
+class QLabel;
+
+namespace unprojector::gui {
+
+class Window;
+
+/// The status bar: the world coordinate under the pointer, how far the models are prepared for rays, and the projection.
+class StatusReadout : public QObject {
+    Q_OBJECT
+public:
+    explicit StatusReadout(Window &window);
+
+private:
+    void showPointed(const std::optional<unproject::PixelClick> &click);
+    void showPreparing(double share);
+    void showProjection();
+
+    Window &m_window;
+    QLabel *m_pointed;
+    QLabel *m_preparing;
+    QElapsedTimer m_sincePreparing; ///< invalid while nothing is prepared
+    QLabel *m_projection;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,280 @@
+#include "gui/shell/window_menus.h"
+
+#include "gui/document/camera_looks.h"
+#include "gui/document/recent_files.h"
+#include "gui/document/scene_document.h"
+#include "gui/document/session.h"
+#include "gui/shell/about_dialog.h"
+#include "gui/shell/appearance.h"
+#include "gui/shell/key_sheet.h"
+#include "gui/shell/language_menu.h"
+#include "gui/shell/plain_tool_tip.h"
+#include "gui/shell/scene_code_window.h"
+#include "gui/text/error_text.h"
+#include "gui/view/scene_view.h"
+#include "gui/window/actions.h"
+#include "gui/window/window.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+#include <QToolBar>
+
+#include <algorithm>
+
+namespace unprojector::gui {
+namespace {
+
+std::vector<std::filesystem::path> askForModels(QWidget &window, const QString &title, const QString &filter)
+{
+    std::vector<std::filesystem::path> files;
+    for (const QString &name : QFileDialog::getOpenFileNames(&window, title, {}, filter))
+        files.emplace_back(name.toStdU16String());
+    return files;
+}
+
+} // namespace
+
+WindowMenus::WindowMenus(Window &window, const std::vector<Feature *> &features, MessageBar &messages,
+                         const Translation *translation)
+    : QObject(&window), m_window(window), m_features(features), m_messages(messages), m_translation(translation),
+      m_bar(window.addToolBar(tr("Tools")))
+{
+    m_bar->setObjectName(QStringLiteral("tools"));
+    fitToolBar();
+    // The entered workspace stands first: a narrow window cuts the others off.
+    m_bar->addActions(window.workspaces().actions());
+    m_bar->addSeparator();
+    addFileMenu();
+    addEditMenu();
+    addViewMenu();
+    addHelpMenu();
+}
+
+void WindowMenus::fitToolBar()
+{
+    constexpr int kShareOfWidth = 40;
+    const QFontMetrics metrics = m_window.fontMetrics();
+    const int icon = std::min(metrics.height() * 3 / 2, std::max(m_window.width() / kShareOfWidth, metrics.ascent()));
+    m_bar->setIconSize({icon, icon});
+}
+
+QMenu *WindowMenus::addMenu(const QString &title)
+{
+    return m_window.menuBar()->addMenu(title);
+}
+
+void WindowMenus::addFeatureActions(MenuKind kind, QMenu &menu)
+{
+    for (Feature *feature : m_features)
+        feature->addActions(kind, menu, *m_bar);
+}
+
+void WindowMenus::addFileMenu()
+{
+    const QString models = modelFileFilter(), all = QStringLiteral(";;") + tr("All files (*)");
+    QMenu &menu = *addMenu(tr("&File"));
+    Session &session = m_window.session();
+    putOnBar(*m_bar,
+             *addAction(menu, tr("&Open…"), QKeySequence::Open, tr("Open model files or a scene"),
+                        [this, &session, models, all] {
+                            std::vector<std::filesystem::path> files =
+                                askForModels(m_window, tr("Open Models or a Scene"),
+                                             openableFileFilter() + QStringLiteral(";;") + models + QStringLiteral(";;")
+                                                 + tr("Scenes (*.json)") + all);
+                            if (!files.empty())
+                                session.openFiles(std::move(files));
+                        }),
+             Drawing::Open);
+    addAction(menu, tr("A&dd to Scene…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
+              tr("Put more models beside the objects of this scene"), [this, &session, models, all] {
+                  std::vector<std::filesystem::path> files = askForModels(m_window, tr("Add Models"), models + all);
+                  if (!files.empty())
+                      session.addFiles(std::move(files));
+              });
+    m_recent = menu.addMenu(tr("Open &Recent"));
+    putOnBar(*m_bar,
+             *addAction(menu, tr("&Save Scene"), QKeySequence::Save, tr("Write the scene to its file"),
+                        [&session] { session.save(); }),
+             Drawing::Save);
+    m_bar->addSeparator();
+    addAction(menu, tr("Save Scene &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, tr("Write the scene to another file"),
+              [&session] { session.saveAs(); });
+    addAction(
+        menu, tr("Sce&ne as Code…"), {},
+        tr("The calls that make this picture, for GLU and MFC, GLM, Qt or three.js, with the way back from a pixel"),
+        [this] { showCode(); });
+    addFeatureActions(MenuKind::File, menu);
+    menu.addSeparator();
+    addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"), [this] { m_window.close(); });
+    connect(&session, &Session::recentFilesChanged, this, &WindowMenus::updateRecentFiles);
+    updateRecentFiles();
+}
+
+void WindowMenus::updateRecentFiles()
+{
+    Session &session = m_window.session();
+    m_recent->clear();
+    const QStringList files = session.recentFiles();
+    m_recent->setEnabled(!files.isEmpty());
+    for (const QString &file : files)
+        connect(m_recent->addAction(recentFileText(file)), &QAction::triggered, this,
+                [&session, file] { session.openFiles({std::filesystem::path(file.toStdU16String())}); });
+    if (files.isEmpty())
+        return;
+    m_recent->addSeparator();
+    connect(m_recent->addAction(tr("&Clear This List")), &QAction::triggered, &session, &Session::clearRecentFiles);
+}
+
+void WindowMenus::addEditMenu()
+{
+    QMenu &menu = *addMenu(tr("&Edit"));
+    QUndoStack &stack = m_window.document().undoStack();
+    QAction *undo = stack.createUndoAction(&menu, tr("&Undo"));
+    undo->setObjectName(QStringLiteral("undo")); // by which lessons link to it
+    undo->setShortcut(QKeySequence::Undo);
+    QAction *redo = stack.createRedoAction(&menu, tr("&Redo"));
+    QList<QKeySequence> redoKeys = QKeySequence::keyBindings(QKeySequence::Redo);
+    if (const QKeySequence key(Qt::CTRL | Qt::Key_Y); !redoKeys.contains(key))
+        redoKeys << key; // not every desktop has it
+    redo->setShortcuts(redoKeys);
+    for (QAction *action : {undo, redo})
+        keepToolTipPlain(action);
+    menu.addActions({undo, redo});
+    putOnBar(*m_bar, *undo, Drawing::Undo);
+    putOnBar(*m_bar, *redo, Drawing::Redo);
+    m_bar->addSeparator();
+    addFeatureActions(MenuKind::Edit, menu);
+}
+
+void WindowMenus::addLooks(QMenu &menu)
+{
+    SceneDocument &document = m_window.document();
+    const auto look = [&document](StandardView side) {
+        return [&document, side] { setCamera(document, seenFrom(document.geometry().camera(), side)); };
+    };
+    putOnBar(*m_bar,
+             *addAction(menu, tr("&Fit"), Qt::Key_F, tr("Move the camera until all objects fill the view"),
+                        [&document] { fitAll(document); }),
+             Drawing::Fit);
+    putOnBar(*m_bar,
+             *addAction(menu, tr("&Home"), Qt::Key_Home, tr("Back to the camera that the scene opened with"),
+                        [&document] { goHome(document); }),
+             Drawing::Home);
+    menu.addSeparator();
+    m_bar->addSeparator();
+    // These have keys, and no room on the bar of a small window.
+    addAction(menu, tr("Fr&ont"), Qt::Key_1, tr("Look from the front, along −z"), look(StandardView::Front));
+    addAction(menu, tr("&Right"), Qt::Key_3, tr("Look from the right, along −x"), look(StandardView::Right));
+    addAction(menu, tr("&Top"), Qt::Key_7, tr("Look from the top, along −y"), look(StandardView::Top));
+    addAction(menu, tr("B&ack"), Qt::CTRL | Qt::Key_1, tr("Look from the back, along z"), look(StandardView::Back));
+    addAction(menu, tr("&Left"), Qt::CTRL | Qt::Key_3, tr("Look from the left, along x"), look(StandardView::Left));
+    addAction(menu, tr("Botto&m"), Qt::CTRL | Qt::Key_7, tr("Look from below, along y"), look(StandardView::Bottom));
+    menu.addSeparator();
+    QAction *perspective = addSwitch(menu, tr("&Perspective"), Qt::Key_5,
+                                     tr("Switch between perspective (glFrustum) and orthographic (glOrtho)"));
+    perspective->setObjectName(QStringLiteral("perspective")); // by which lessons link to it
+    connect(perspective, &QAction::triggered, this, [&document] { switchProjection(document); });
+    putOnBar(*m_bar, *perspective, Drawing::Perspective);
+    const auto show = [&document, perspective] {
+        perspective->setChecked(isPerspective(document.geometry().projection()));
+    };
+    connect(&document, &SceneDocument::changed, perspective, [show](Changes changes) {
+        if (changes & Change::Picture)
+            show();
+    });
+    show();
+}
+
+void WindowMenus::addViewMenu()
+{
+    QMenu &menu = *addMenu(tr("&View"));
+    addLooks(menu);
+    addFeatureActions(MenuKind::View, menu);
+    QAction *smooth =
+        addSwitch(menu, tr("&Smooth Edges"), {},
+                  tr("Draw the edges of surfaces without steps. The depths that clicks read stay the same"));
+    smooth->setChecked(m_window.hasSmoothEdges());
+    connect(smooth, &QAction::toggled, this, &WindowMenus::smoothEdgesChosen);
+    addAppearanceMenu(*menu.addMenu(tr("Co&lours")));
+    if (m_window.remembers() && m_translation)
+        fillLanguageMenu(*menu.addMenu(tr("Lan&guage")), m_window, *m_translation, m_messages);
+    menu.addSeparator();
+    addWorkspaceActions(menu);
+}
+
+void WindowMenus::addAppearanceMenu(QMenu &menu)
+{
+    auto *group = new QActionGroup(&menu);
+    const auto add = [&](Appearance appearance, const QString &text, const QString &tip) {
+        QAction *action = addAction(menu, text, {}, tip, [this, appearance] {
+            setAppearance(appearance);
+            if (m_window.remembers())
+                QSettings().setValue(QStringLiteral("window/appearance"), appearanceName(appearance));
+        });
+        action->setCheckable(true);
+        action->setActionGroup(group);
+        action->setChecked(appearance == currentAppearance());
+    };
+    add(Appearance::Desktop, tr("As the &Desktop Has Them"), tr("Light or dark as the desktop is"));
+    add(Appearance::Light, tr("&Light"), tr("Dark letters on a light ground"));
+    add(Appearance::Dark, tr("D&ark"), tr("Light letters on a dark ground"));
+}
+
+void WindowMenus::addWorkspaceActions(QMenu &menu)
+{
+    Workspaces &workspaces = m_window.workspaces();
+    menu.addMenu(tr("&Work Place"))->addActions(workspaces.actions()); // two panels have the names of workspaces
+    menu.addSeparator();
+    for (QDockWidget *dock : workspaces.sharedDocks())
+        menu.addAction(dock->toggleViewAction());
+    QAction *hides = addSwitch(menu, tr("H&ide All Panels"), Qt::Key_F9, tr("Give the view the whole window"));
+    connect(hides, &QAction::toggled, &workspaces, &Workspaces::hidePanels);
+    connect(&workspaces, &Workspaces::panelsHidden, hides, &QAction::setChecked);
+    addAction(menu, tr("R&eset Layout"), {}, tr("Put all panels of this work place back to where they were at first"),
+              [&workspaces] { workspaces.reset(); });
+}
+
+void WindowMenus::addHelpMenu()
+{
+    QMenu &menu = *addMenu(tr("&Help"));
+    addFeatureActions(MenuKind::Help, menu);
+    addAction(menu, tr("&Mouse and Keys"), Qt::Key_Question, tr("What the mouse and every key do"),
+              [this] { showKeys(); });
+    menu.addSeparator();
+    addAction(menu, tr("&About Unprojector"), {}, tr("What this program is"), [this] { showAbout(); });
+}
+
+void WindowMenus::showCode()
+{
+    m_window.session().commitTyped();
+    if (!m_code)
+        m_code = new SceneCodeWindow(m_window.document(), m_window.session(), &m_window);
+    m_code->show();
+    m_code->raise();
+    m_code->activateWindow();
+}
+
+void WindowMenus::showKeys()
+{
+    if (!m_keys)
+        m_keys = new KeySheet(*m_window.menuBar(), &m_window);
+    m_keys->show();
+    m_keys->raise();
+}
+
+void WindowMenus::showAbout()
+{
+    const SceneView &view = m_window.view();
+    const QString wayBack = view.objectIds() == ObjectIds::Colors
+                                ? tr("This graphics driver draws no integers, so the view tells by colours which "
+                                     "object was clicked.")
+                                : QString();
+    AboutDialog(view.openGLName(), wayBack, &m_window).exec();
+}
+
+} // namespace unprojector::gui

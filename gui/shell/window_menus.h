@@ -1,0 +1,61 @@
+#pragma once
+
+#include "gui/window/feature.h"
+
+#include <QObject>
+
+#include <vector>
+
+class QAction;
+class QMenu;
+class QToolBar;
+
+namespace unprojector::gui {
+
+class KeySheet;
+class MessageBar;
+class SceneCodeWindow;
+class Translation;
+class Window;
+
+/// The menus and the tool bar of the window: the window's own actions, and among them those of its features.
+class WindowMenus : public QObject {
+    Q_OBJECT
+public:
+    /// @param translation  what the menu of languages goes by; null: without that menu. It and the others outlive the menus
+    WindowMenus(Window &window, const std::vector<Feature *> &features, MessageBar &messages,
+                const Translation *translation);
+
+    /// Makes the drawings on the tool bar so small that a narrow window has room for all of them.
+    void fitToolBar();
+
+signals:
+    void smoothEdgesChosen(bool isSmooth);
+
+private:
+    QMenu *addMenu(const QString &title);
+    void addFeatureActions(MenuKind kind, QMenu &menu);
+    void addFileMenu();
+    void addEditMenu();
+    void addViewMenu();
+    void addLooks(QMenu &menu);
+    void addAppearanceMenu(QMenu &menu);
+    void addWorkspaceActions(QMenu &menu);
+    void addHelpMenu();
+    void updateRecentFiles();
+    void showCode();
+    void showKeys();
+    void showAbout();
+
+    Window &m_window;
+    const std::vector<Feature *> &m_features;
+    MessageBar &m_messages;
+    const Translation *m_translation;
+    QToolBar *m_bar;
+    QMenu *m_recent = nullptr;
+    QAction *m_perspective = nullptr;
+    KeySheet *m_keys = nullptr;        ///< made when it is first asked for
+    SceneCodeWindow *m_code = nullptr; ///< the same
+};
+
+} // namespace unprojector::gui
