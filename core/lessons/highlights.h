@@ -4,7 +4,7 @@
 #include "core/geometry/projection.h"
 #include "core/geometry/spaces.h"
 #include "core/geometry/viewport.h"
-#include "core/lessons/lesson.h"
+#include "core/lessons/highlight.h"
 #include "core/scene/scene.h"
 
 #include <array>

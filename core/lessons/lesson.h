@@ -4,6 +4,7 @@
 #include "core/geometry/result.h"
 #include "core/geometry/viewport.h"
 #include "core/lessons/link.h"
+#include "core/lessons/highlight.h"
 #include "core/ray/scene_rays.h"
 #include "core/text/json_value.h"
 
@@ -72,14 +73,6 @@ struct ClickedPixel {
 
 /// A point that a step's paths and links name: in numbers, or by a click.
 using StepPoint = std::variant<GivenPoint, ClickedPixel>;
-
-/// What of a step is lettered in the view and in View from Outside; see highlights.h.
-enum class Highlight {
-    Axes,    ///< "axes": those of the model, the world and the eye, in both views
-    Volume,  ///< "volume": the sides of the view volume, in View from Outside
-    Cube,    ///< "cube": −1 and 1 at the normalised cube that View from Outside morphs the volume into
-    Viewport ///< "viewport": where the viewport lies in the view
-};
 
 struct Question {
     std::string text;

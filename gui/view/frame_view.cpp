@@ -12,6 +12,7 @@
 #include <QWindow>
 
 #include <algorithm>
+#include <cstddef>
 #include <set>
 #include <utility>
 
@@ -348,6 +349,36 @@ void FrameView::resizeEvent(QResizeEvent *event)
         QOpenGLWidget::resizeEvent(event);
     }
     update(); // one whose height alone changes is not painted by the window once more
+}
+
+WidgetPoint FrameView::widgetPosition(const QPointF &local) const
+{
+    const QPointF corner = mapTo(window(), QPointF(0.0, 0.0));
+    return widgetOnSurface(currentSurface(), WidgetPoint(local.x(), local.y()), WidgetPoint(corner.x(), corner.y()));
+}
+
+QImage FrameView::pixelsIn(const QRect &wanted)
+{
+    const Surface surface = currentSurface();
+    const QRect there = wanted & QRect(0, 0, surface.widthPixels, surface.heightPixels);
+    QImage pixels(wanted.size(), QImage::Format_RGBA8888);
+    pixels.fill(Qt::black);
+    if (there.isEmpty())
+        return pixels;
+    QImage read(there.size(), QImage::Format_RGBA8888);
+    // Four bytes a pixel: no row is padded.
+    glReadPixels(there.left(), framebufferRow(surface, {there.left(), there.bottom()}), there.width(), there.height(),
+                 GL_RGBA, GL_UNSIGNED_BYTE, read.bits());
+    for (int row = 0; row < there.height(); ++row) {
+        const uchar *from = read.constScanLine(there.height() - 1 - row);
+        const std::ptrdiff_t beside = there.left() - wanted.left();
+        uchar *to = pixels.scanLine(there.top() - wanted.top() + row) + 4 * beside;
+        for (std::ptrdiff_t i = 0; i < there.width(); ++i) {
+            std::copy_n(from + 4 * i, 3, to + 4 * i);
+            to[4 * i + 3] = 255; // whatever the framebuffer has there
+        }
+    }
+    return pixels;
 }
 
 } // namespace unprojector::gui

@@ -7,8 +7,10 @@
 #include "gui/view/painters/mesh_painter.h"
 
 #include <QElapsedTimer>
+#include <QImage>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLWidget>
+#include <QRect>
 #include <QTimer>
 
 #include <array>
@@ -59,6 +61,13 @@ public:
     bool awaitPicture();
     /// How this driver tells the object under a pixel; valid once the view is ready.
     ObjectIds objectIds() const { return m_frames[0].ids(); }
+
+    /// The widget position of a mouse event, corrected for fractional pixel ratios: Qt composes the view onto whole
+    /// device pixels, while the event's position is relative to the view's logical corner.
+    WidgetPoint widgetPosition(const QPointF &local) const;
+    /// The pixels of what has been drawn, the top row first, black outside the view. While the view is painted.
+    /// @param wanted  device pixels, origin top-left
+    QImage pixelsIn(const QRect &wanted);
 
     /// Version and renderer, as OpenGL names them; empty before the view is ready.
     QString openGLName() const { return m_openGLName; }

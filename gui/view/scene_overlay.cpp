@@ -160,6 +160,15 @@ int SceneOverlay::axesSide(const Drawable &drawn)
                                         : static_cast<int>(std::lround(side));
 }
 
+QRectF SceneOverlay::axesBox(const Drawable &drawn)
+{
+    const Picture &g = drawn.picture;
+    const double side = axesSide(drawn);
+    const WidgetPoint corner =
+        widgetFromDevice(g.surface, deviceFromWindow(g.surface, WindowPoint(g.viewport.x, g.viewport.y + side, 0.0)));
+    return {QPointF(corner.x, corner.y), QSizeF(side, side) / g.surface.devicePixelRatio};
+}
+
 void SceneOverlay::drawAxes(const EyeFrame &frame, const Drawable &drawn)
 {
     const int pixels = axesSide(drawn);
@@ -193,6 +202,22 @@ void SceneOverlay::drawCrosshair(const DevicePixel &pixel, const Surface &surfac
     };
     draw(1.0, {0.0f, 0.0f, 0.0f, 0.75f}, 3.5);
     draw(0.0, {1.0f, 1.0f, 1.0f, 1.0f}, 1.5);
+}
+
+std::optional<SnapMark> snapMarkAt(const SceneDocument &document, const WidgetPoint &position)
+{
+    const ray::Snap snap = document.snap();
+    const ray::SceneRays *rays = snap == ray::Snap::Surface ? nullptr : document.rays();
+    const Result<DevicePixel> pixel = devicePixelFromWidget(document.geometry().surface, position);
+    if (!rays || !pixel)
+        return std::nullopt;
+    const Result<std::optional<ray::SceneHit>> hit = rays->at(pixelCenter(*pixel), snap);
+    if (!hit || !*hit)
+        return std::nullopt;
+    SnapMark mark{snap, **hit, {}};
+    if (mark.hit.triangle)
+        mark.corners = rays->corners(mark.hit);
+    return mark;
 }
 
 } // namespace unprojector::gui

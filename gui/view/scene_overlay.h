@@ -8,10 +8,14 @@
 #include "gui/view/painters/snap_shapes.h"
 
 #include <QOpenGLExtraFunctions>
+#include <QRectF>
 
 #include <optional>
 
 namespace unprojector::gui {
+
+/// What a click at a position would take of the meshes; nothing where that is the surface itself.
+std::optional<SnapMark> snapMarkAt(const SceneDocument &document, const WidgetPoint &position);
 
 /// What is drawn over the objects and cannot be clicked: ground, axes, clip planes, curves, the picked point, what a click would take,
 /// the directions of the axes in the corner and the crosshair of the keys. All calls need the OpenGL context current.
@@ -29,6 +33,8 @@ public:
     /// The side of the square, in device pixels, that the directions of the axes take in the lower left corner of the viewport; 0
     /// where that is too small.
     static int axesSide(const Drawable &drawn);
+    /// The same square, logical pixels of the view.
+    static QRectF axesBox(const Drawable &drawn);
 
 private:
     void drawClipPlanes(const SceneDocument &document, const glm::dmat4 &clipFromWorld);

@@ -2,36 +2,40 @@
 
 #include "core/scene/point_size.h"
 #include "gui/document/camera_looks.h"
-#include "gui/text/number_text.h"
 #include "gui/view/highlight_marks.h"
+#include "gui/view/lifecycle_timer.h"
 #include "gui/view/scene_overlay.h"
+#include "gui/view/view_menu.h"
 #include "gui/view/view_tool.h"
 
-#include <QElapsedTimer>
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QPainter>
-#include <QSurfaceFormat>
+#include <QWheelEvent>
 
-#include <algorithm>
-#include <cstddef>
+#include <cmath>
 #include <utility>
-
-// The hand is in scene_view_input.cpp, the keys are in scene_view_keys.cpp.
 
 namespace unprojector::gui {
 namespace {
 
-const QString kObjectCalls = QStringLiteral("glBindFramebuffer, glClearBuffer, glDrawElements");
-
-double milliseconds(const QElapsedTimer &timer)
+/// A hand that only clicks trembles: it drags from the desktop's distance on.
+bool isDrag(const QPointF &way)
 {
-    return static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+    return std::abs(way.x()) + std::abs(way.y()) >= QApplication::startDragDistance();
 }
 
 } // namespace
 
 SceneView::SceneView(SceneDocument &document, QWidget *parent)
-    : FrameView(parent), m_document(document), m_overlay(std::make_unique<SceneOverlay>())
+    : FrameView(parent), m_document(document), m_overlay(std::make_unique<SceneOverlay>()),
+      m_hover(*this, document, [this] { return isReady() && !m_isStale && !isCoarse() ? &frame() : nullptr; }),
+      m_navigation(document, [this](const WidgetPoint &position) { return pivotAt(position); }), m_crosshair(document)
 {
     setAcceptDrops(true);
     setCursor(Qt::CrossCursor);
@@ -41,7 +45,6 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
         tr("Click the model, or press Enter, to read the world coordinate of the pixel under the "
            "pointer or the crosshair. Arrow keys turn, with Shift they move, with Ctrl they move the "
            "crosshair; plus and minus zoom"));
-    m_hoverTimer.setSingleShot(true);
 
     // Its pixel says nothing of another scene, and what a hand turns or is about to place is not there any more.
     connect(&m_document, &SceneDocument::opened, this, [this] {
@@ -59,9 +62,12 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
                     | Change::LandmarkSelection | Change::Curves))
             update(); // they are drawn over the frame
         if (changes & Change::Snap)
-            clearMark();
+            setMark(std::nullopt);
     });
-    connect(&m_hoverTimer, &QTimer::timeout, this, &SceneView::takeHover);
+    connect(&m_hover, &HoverReader::answered, this, [this](PixelClick click) {
+        click.sample = withDot(click.sample);
+        emit hovered(click);
+    });
 }
 
 SceneView::~SceneView()
@@ -72,7 +78,7 @@ SceneView::~SceneView()
 void SceneView::redraw()
 {
     m_isStale = true;
-    m_stillPivot.reset();
+    m_navigation.forgetStill();
     m_mark.reset();
     update();
 }
@@ -93,60 +99,36 @@ void SceneView::setHighlights(const std::set<lessons::Highlight> &highlights)
 
 void SceneView::onCreate()
 {
-    QElapsedTimer timer;
-    timer.start();
+    const LifecycleTimer timer;
     if (!createFrame())
         return;
     m_overlay->initialize();
     m_isStale = true;
-    const auto described = [](const QSurfaceFormat &format) {
-        return tr("OpenGL %1.%2 core, depth %3 bits, stencil %4 bits, %5 samples")
-            .arg(format.majorVersion())
-            .arg(format.minorVersion())
-            .arg(format.depthBufferSize())
-            .arg(format.stencilBufferSize())
-            .arg(std::max(0, format.samples()));
-    };
-    emit happened({LifecycleEvent::Kind::PreCreateWindow, QString(),
-                   tr("asked for: %1; came: %2").arg(described(preCreateWindow()), described(context()->format())),
-                   0.0});
-    emit happened({LifecycleEvent::Kind::OnCreate, QString(),
-                   QStringLiteral("glCreateProgram, glCreateShader, glCompileShader, glLinkProgram"),
-                   milliseconds(timer)});
+    emit happened(LifecycleTimer::preCreateWindow(preCreateWindow(), context()->format()));
+    emit happened(timer.onCreate());
 }
 
 void SceneView::onSize()
 {
-    QElapsedTimer timer;
-    timer.start();
-    const Surface surface = currentSurface();
-    m_document.setSurface(surface);
-    const Result<Drawable> drawn = drawable(m_document.geometry());
-    if (!drawn)
-        return;
-    emit happened(
-        {LifecycleEvent::Kind::OnSize, QStringLiteral("%1, %2").arg(surface.widthPixels).arg(surface.heightPixels),
-         QStringLiteral("glViewport(%1, %2, %3, %4)").arg(drawn->x).arg(drawn->y).arg(drawn->width).arg(drawn->height),
-         milliseconds(timer)});
+    const LifecycleTimer timer;
+    m_document.setSurface(currentSurface());
+    if (const Result<Drawable> drawn = drawable(m_document.geometry()))
+        emit happened(timer.onSize(*drawn));
 }
 
 void SceneView::onDraw()
 {
     if (!isReady())
         return;
-    QElapsedTimer timer;
-    timer.start();
+    const LifecycleTimer timer;
     const Drawn drawn = updateFrame();
     if (showFrame()) {
         drawMap();
-        m_overlay->draw(m_document, m_isCrosshairShown ? std::optional(crosshair()) : std::nullopt, m_mark);
+        m_overlay->draw(m_document, m_crosshair.shown(), m_mark);
         drawTexts();
     }
-    emit happened({LifecycleEvent::Kind::OnDraw, QString(),
-                   drawn == Drawn::Nothing ? tr("glDrawArrays: the objects are as they were drawn before")
-                                           : kObjectCalls + QStringLiteral(", glDrawArrays"),
-                   milliseconds(timer), drawn == Drawn::StandIns});
-    requestHover();
+    emit happened(timer.onDraw(drawn != Drawn::Nothing, drawn == Drawn::StandIns));
+    m_hover.request();
 }
 
 FrameView::Drawn SceneView::updateFrame()
@@ -157,11 +139,7 @@ FrameView::Drawn SceneView::updateFrame()
     if (!m_isStale)
         return Drawn::Nothing;
     m_isStale = false;
-    // What the pointer was to be told of the last picture is read in this one.
-    if (const std::optional<PixelClick> dropped = std::exchange(m_requested, std::nullopt); dropped && !m_hovered)
-        m_hovered = dropped->position;
-    if (!m_hovered && m_drag == Drag::None) // the pointer rests, and what is under it is another place
-        m_hovered = m_pointed;
+    m_hover.renew(m_drag == Drag::None);
     const Picture &g = m_document.geometry();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
     const Result<EyeFrame> frame = eyeFrame(g.camera());
@@ -177,17 +155,13 @@ void SceneView::onDestroy()
 {
     if (!isReady())
         return;
-    QElapsedTimer timer;
-    timer.start();
+    const LifecycleTimer timer;
     makeCurrent();
     releaseFrame();
     m_overlay->release();
-    m_requested.reset();
+    m_hover.forgetRequest();
     doneCurrent();
-    emit happened({LifecycleEvent::Kind::OnDestroy, QString(),
-                   QStringLiteral("glDeleteFramebuffers, glDeleteProgram, glDeleteBuffers, glDeleteVertexArrays, "
-                                  "glDeleteTextures"),
-                   milliseconds(timer)});
+    emit happened(timer.onDestroy());
 }
 
 double SceneView::cornerShiftPixels()
@@ -204,11 +178,10 @@ std::optional<PixelClick> SceneView::clickAt(const WidgetPoint &position)
 {
     if (!isReady())
         return std::nullopt;
-    QElapsedTimer timer;
-    timer.start();
+    const LifecycleTimer timer;
     makeCurrent();
     if (updateFrame() != Drawn::Nothing)
-        emit happened({LifecycleEvent::Kind::OnDraw, QString(), kObjectCalls, milliseconds(timer)});
+        emit happened(timer.onDrawFrame());
     completeFrame();
     std::optional<PixelClick> click;
     if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, position)) {
@@ -219,11 +192,6 @@ std::optional<PixelClick> SceneView::clickAt(const WidgetPoint &position)
     }
     doneCurrent();
     return click;
-}
-
-void SceneView::setTool(ViewTool &tool)
-{
-    m_tool = &tool;
 }
 
 void SceneView::endToolDrag()
@@ -246,13 +214,8 @@ void SceneView::drawMap()
 std::vector<QRectF> SceneView::takenCorners() const
 {
     std::vector<QRectF> taken;
-    const Picture &g = m_document.geometry();
-    if (const Result<Drawable> drawn = drawable(g)) {
-        const double side = SceneOverlay::axesSide(*drawn);
-        const WidgetPoint low = widgetFromDevice(
-            g.surface, deviceFromWindow(g.surface, WindowPoint(g.viewport.x, g.viewport.y + side, 0.0)));
-        taken.emplace_back(QPointF(low.x, low.y), QSizeF(side, side) / g.surface.devicePixelRatio);
-    }
+    if (const Result<Drawable> drawn = drawable(m_document.geometry()))
+        taken.push_back(SceneOverlay::axesBox(*drawn));
     if (const int width = cornerWidth(); width > 0)
         taken.emplace_back(QRectF(rect().topRight() - QPoint(width, 0), QSizeF(m_corner->size())));
     return taken;
@@ -272,30 +235,6 @@ void SceneView::drawTexts()
     });
 }
 
-QImage SceneView::pixelsIn(const QRect &wanted)
-{
-    const Surface surface = currentSurface();
-    const QRect there = wanted & QRect(0, 0, surface.widthPixels, surface.heightPixels);
-    QImage pixels(wanted.size(), QImage::Format_RGBA8888);
-    pixels.fill(Qt::black);
-    if (there.isEmpty())
-        return pixels;
-    QImage read(there.size(), QImage::Format_RGBA8888);
-    // Four bytes a pixel: no row is padded.
-    glReadPixels(there.left(), framebufferRow(surface, {there.left(), there.bottom()}), there.width(), there.height(),
-                 GL_RGBA, GL_UNSIGNED_BYTE, read.bits());
-    for (int row = 0; row < there.height(); ++row) {
-        const uchar *from = read.constScanLine(there.height() - 1 - row);
-        const std::ptrdiff_t beside = there.left() - wanted.left();
-        uchar *to = pixels.scanLine(there.top() - wanted.top() + row) + 4 * beside;
-        for (std::ptrdiff_t i = 0; i < there.width(); ++i) {
-            std::copy_n(from + 4 * i, 3, to + 4 * i);
-            to[4 * i + 3] = 255; // whatever the framebuffer has there
-        }
-    }
-    return pixels;
-}
-
 DepthSample SceneView::withDot(DepthSample sample) const
 {
     const std::vector<SceneObject> &objects = m_document.objects();
@@ -306,22 +245,250 @@ DepthSample SceneView::withDot(DepthSample sample) const
 
 void SceneView::onLButtonDown(const WidgetPoint &position)
 {
-    QElapsedTimer timer;
-    timer.start();
+    const LifecycleTimer timer;
     const std::optional<PixelClick> click = clickAt(position);
     if (!click)
         return;
-    emit happened(
-        {LifecycleEvent::Kind::OnLButtonDown, QStringLiteral("%1, %2").arg(position.x).arg(position.y),
-         QStringLiteral("glReadPixels(%1, %2, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth): depth = %3, object id %4")
-             .arg(click->pixel.i)
-             .arg(framebufferRow(m_document.geometry().surface, click->pixel))
-             .arg(depthText(click->sample.depth))
-             .arg(click->sample.object ? *click->sample.object + 1 : 0),
-         milliseconds(timer)});
+    emit happened(timer.onLButtonDown(m_document.geometry().surface, *click));
     const Result<Pick> pick = m_document.unprojected(*click);
-    m_pivot = pivotOf(m_document.geometry().camera(), pick);
+    m_navigation.setPivot(pivotOf(m_document.geometry().camera(), pick));
     m_document.setPick(pick);
+}
+
+void SceneView::mousePressEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::RightButton && m_drag == Drag::None)
+        m_menuPosition = event->position();
+    const bool pans = isPan(event->button(), event->modifiers());
+    if (m_drag != Drag::None || (!pans && event->button() != Qt::LeftButton))
+        return;
+    m_lastPosition = event->position();
+    m_hasMoved = false;
+    const QString &mergeKey = m_navigation.beginDrag();
+    const WidgetPoint position = widgetPosition(event->position());
+    setCrosshairShown(false);
+    const ViewTool::Press pressed = pans || !m_tool ? ViewTool::Press::Passed : m_tool->press(*event, mergeKey);
+    if (pressed == ViewTool::Press::Drags) {
+        m_drag = Drag::Tool;
+        return;
+    }
+    m_toolTakesClick = pressed == ViewTool::Press::Passed && !pans && m_tool && m_tool->takesClicks();
+    if (pans || m_toolTakesClick || pressed == ViewTool::Press::Navigates) {
+        m_navigation.grab(position);
+    } else {
+        m_navigation.setPivot(m_document.geometry().camera().center); // where nothing can be read
+        m_formerPick = m_document.keptPick();
+        pickAt(position);
+    }
+    m_drag = pans ? Drag::Pan : Drag::Orbit;
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent *event)
+{
+    if (m_menuPosition && isDrag(event->position() - *m_menuPosition))
+        m_menuPosition.reset();
+    const QPointF delta = event->position() - m_lastPosition;
+    if (m_drag != Drag::None && !m_hasMoved) {
+        if (!isDrag(delta))
+            return;
+        // A drag it is and not a click: what the press has picked goes, and what was picked before comes back.
+        if (const std::optional<KeptPick> former = std::exchange(m_formerPick, std::nullopt))
+            m_document.putBack(*former);
+    }
+    m_hasMoved = true;
+    m_lastPosition = event->position();
+    switch (m_drag) {
+    case Drag::None:
+        if (event->buttons() == Qt::NoButton)
+            lookAt(widgetPosition(event->position()));
+        if (m_tool && event->buttons() == Qt::NoButton)
+            m_tool->hover(event->position());
+        return;
+    case Drag::Orbit: m_navigation.orbit(delta, height()); return;
+    case Drag::Pan: m_navigation.pan(delta); return;
+    case Drag::Tool: m_tool->dragTo(event->position()); return;
+    }
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::RightButton) {
+        const std::optional<QPointF> position = std::exchange(m_menuPosition, std::nullopt);
+        if (position && m_drag == Drag::None)
+            showViewMenu(*this, m_document, widgetPosition(*position), event->globalPosition().toPoint());
+    }
+    if (event->buttons() != Qt::NoButton)
+        return;
+    if (m_tool && m_drag != Drag::None)
+        m_tool->release(event->position());
+    const bool isClick = std::exchange(m_drag, Drag::None) != Drag::None && !m_hasMoved;
+    if (std::exchange(m_toolTakesClick, false) && isClick)
+        m_tool->click(event->position());
+    m_formerPick.reset();
+    if (rect().contains(event->position().toPoint()))
+        lookAt(widgetPosition(event->position()));
+}
+
+void SceneView::lookAt(const WidgetPoint &position)
+{
+    setMark(snapMarkAt(m_document, position));
+    reportHover(position);
+}
+
+void SceneView::setMark(const std::optional<SnapMark> &mark)
+{
+    if (!m_mark && !mark)
+        return;
+    m_mark = mark;
+    update();
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    if (m_drag != Drag::None || event->button() != Qt::LeftButton)
+        return;
+    if (m_tool && m_tool->takesClicks()) { // two clicks, one soon after the other
+        mousePressEvent(event);
+        return;
+    }
+    const std::optional<PixelClick> click = clickAt(widgetPosition(event->position()));
+    if (!click || !click->sample.hit())
+        return;
+    const Result<Pick> pick = m_document.unprojected(*click);
+    m_document.setPick(pick);
+    setCamera(m_document, recentered(m_document.geometry(), pivotOf(m_document.geometry().camera(), pick)));
+}
+
+void SceneView::wheelEvent(QWheelEvent *event)
+{
+    if (event->angleDelta().y() == 0)
+        return; // sideways
+    setCrosshairShown(false);
+    const WidgetPoint position = widgetPosition(event->position());
+    m_navigation.zoomByWheel(position, event->angleDelta().y() / 120.0);
+    lookAt(position);
+    event->accept();
+}
+
+WorldPoint SceneView::pivotAt(const WidgetPoint &position)
+{
+    const std::optional<PixelClick> click = clickAt(position);
+    return click ? pivotOf(m_document.geometry().camera(), m_document.unprojected(*click))
+                 : m_document.geometry().camera().center;
+}
+
+void SceneView::leaveEvent(QEvent *event)
+{
+    FrameView::leaveEvent(event);
+    setMark(std::nullopt);
+    if (m_tool && m_drag == Drag::None)
+        m_tool->hover(std::nullopt);
+    m_hover.stop();
+    emit pointerLeft();
+}
+
+void SceneView::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (event->mimeData()->hasUrls())
+        event->acceptProposedAction();
+}
+
+void SceneView::dropEvent(QDropEvent *event)
+{
+    event->acceptProposedAction();
+    emit filesDropped(event->mimeData()->urls());
+}
+
+void SceneView::contextMenuEvent(QContextMenuEvent *event)
+{
+    event->accept();
+    if (event->reason() == QContextMenuEvent::Mouse)
+        return; // at the release, where it was no drag
+    setCrosshairShown(true);
+    const WidgetPoint position = m_crosshair.position();
+    showViewMenu(*this, m_document, position, mapToGlobal(QPointF(position.x, position.y).toPoint()));
+}
+
+void SceneView::setCrosshairShown(bool isShown)
+{
+    if (m_crosshair.setShown(isShown))
+        update();
+}
+
+void SceneView::pickAt(const WidgetPoint &position)
+{
+    m_crosshair.put(position);
+    onLButtonDown(position);
+}
+
+void SceneView::pickPixel(const DevicePixel &pixel)
+{
+    const WidgetPoint position = widgetFromDevice(m_document.geometry().surface, pixelCenter(pixel));
+    m_crosshair.put(position);
+    setCrosshairShown(true);
+    update();
+    onLButtonDown(position);
+}
+
+bool SceneView::event(QEvent *event)
+{
+    // The view's keys come before the window's shortcuts.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto &key = *static_cast<QKeyEvent *>(event);
+        if ((m_tool && m_tool->isKey(key)) || viewKeyOf(key)) {
+            event->accept();
+            return true;
+        }
+    }
+    if (event->type() == QEvent::ToolTip && m_tool && m_tool->showTip(*static_cast<QHelpEvent *>(event)))
+        return true;
+    return FrameView::event(event);
+}
+
+void SceneView::keyPressEvent(QKeyEvent *event)
+{
+    if (m_tool && m_tool->isKey(*event)) {
+        m_tool->pressKey(*event, m_drag != Drag::None);
+        return;
+    }
+    const std::optional<ViewKey> key = viewKeyOf(*event);
+    if (!key) {
+        FrameView::keyPressEvent(event);
+        return;
+    }
+    if (m_drag != Drag::None)
+        return; // a hand is turning already
+    setCrosshairShown(true);
+    switch (key->kind) {
+    case ViewKey::Kind::Turn:
+    case ViewKey::Kind::Move:
+    case ViewKey::Kind::Zoom: m_navigation.press(*key, m_crosshair.position(), height()); return;
+    case ViewKey::Kind::Aim:
+        m_crosshair.move(key->way);
+        lookAt(m_crosshair.position());
+        update();
+        return;
+    case ViewKey::Kind::Pick:
+        onLButtonDown(m_crosshair.position());
+        // Reported like what is under the mouse: the panel with the numbers may be behind another.
+        m_hover.readOnce(m_crosshair.position());
+        return;
+    }
+}
+
+void SceneView::focusInEvent(QFocusEvent *event)
+{
+    FrameView::focusInEvent(event);
+    // Whoever comes by a key goes on with keys, and sees where the focus is.
+    if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
+        setCrosshairShown(true);
+}
+
+void SceneView::focusOutEvent(QFocusEvent *event)
+{
+    FrameView::focusOutEvent(event);
+    if (event->reason() != Qt::PopupFocusReason)
+        setCrosshairShown(false);
 }
 
 } // namespace unprojector::gui

@@ -114,7 +114,6 @@ const QMap<QString, ClassSize> kLarge{
     {"ScanSeries", {kMostLines, kMostMembers, {"scan_series_tables.cpp"}}},
     {"SceneDocument", {kMostLines, kMostMembers, {"scene_picks.cpp"}}},
     {"ScenePoints", {kMostLines, kMostMembers, {"scene_points_placing.cpp"}}},
-    {"SceneView", {920, kMostMembers, {"scene_view_input.cpp", "scene_view_keys.cpp"}}},
     {"Session", {840, kMostMembers, {"session_opening.cpp"}}},
 };
 
