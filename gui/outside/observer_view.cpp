@@ -3,42 +3,42 @@
 #include "core/geometry/angle.h"
 #include "core/geometry/framing.h"
 #include "gui/text/error_text.h"
-#include "gui/view/painters/clip_plane_shapes.h"
-#include "gui/view/painters/observer_shapes.h"
-#include "gui/view/painters/scene_lines.h"
-#include "gui/view/wrong_point_marks.h"
+#include "gui/view/navigation.h"
 
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPainter>
-
-#include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-// The hand is in observer_view_input.cpp.
-
 namespace unprojector::gui {
 namespace {
 
-constexpr double kSignPixels = 30.0;
-
-/// World size of the camera's sign at a point of the picture: always as many pixels, because it is a sign, not a thing.
-double signSize(const Picture &observer, const WorldPoint &point)
+/// The keys that this view takes before the window's shortcuts see them.
+bool isOwnKey(const QKeyEvent &event)
 {
-    return kSignPixels * worldPerLogicalPixel(observer, point);
-}
-
-glm::vec4 withAlpha(glm::vec4 color, float alpha)
-{
-    color.a = alpha;
-    return color;
+    if ((event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) != Qt::NoModifier)
+        return false;
+    switch (event.key()) {
+    case Qt::Key_F:
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+    case Qt::Key_Minus: return true;
+    default: return false;
+    }
 }
 
 } // namespace
 
-ObserverView::ObserverView(SceneDocument &document, QWidget *parent) : FrameView(parent), m_document(document)
+ObserverView::ObserverView(SceneDocument &document, QWidget *parent)
+    : FrameView(parent), m_document(document), m_overlay(document)
 {
     setAccessibleName(tr("Observer view"));
     setAccessibleDescription(
@@ -83,9 +83,7 @@ void ObserverView::initializeGL()
 {
     if (!createFrame())
         return;
-    m_lines.initialize();
-    m_faces.initialize();
-    m_pickPainter.initialize();
+    m_overlay.initialize();
     m_isStale = true;
 }
 
@@ -95,9 +93,7 @@ void ObserverView::releaseGL()
         return;
     makeCurrent();
     releaseFrame();
-    m_lines.release();
-    m_faces.release();
-    m_pickPainter.release();
+    m_overlay.release();
     doneCurrent();
 }
 
@@ -151,7 +147,7 @@ void ObserverView::fit()
             framing.add(mark.got);
         m_observer.camera() = framing.picture().camera();
         // The camera's sign has a constant size in the picture: how large it is follows from the first try.
-        const double size = signSize(m_observer, frame->eye);
+        const double size = cameraSignSize(m_observer, frame->eye);
         for (const WorldVector &axis : {frame->side, frame->upward, frame->forward}) {
             for (const double sign : {-1.0, 1.0})
                 framing.add(frame->eye + axis * (sign * size));
@@ -192,13 +188,11 @@ void ObserverView::paintGL()
     updateFrame(*p);
     if (!showFrame())
         return;
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
-    drawGround(*p);
-    drawClipPlanes(*p);
-    drawVolume(*p);
-    drawCamera(*p);
-    drawPick(*p);
+    // A lesson that letters the same axes names them otherwise, and has another f.
+    m_overlay.draw(*p, m_hotPlane,
+                   !m_highlights.contains(lessons::Highlight::Axes)
+                       && !m_highlights.contains(lessons::Highlight::Volume));
+    tellWrongPoints(*p);
     drawHighlighted();
     glDisable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
@@ -235,167 +229,15 @@ void ObserverView::updateFrame(const ObserverPicture &p)
         emit failed(errorText(drawn.error()));
 }
 
-void ObserverView::drawGround(const ObserverPicture &p)
+void ObserverView::tellWrongPoints(const ObserverPicture &p)
 {
-    glDepthMask(GL_FALSE);
-    const float opacity = static_cast<float>(0.8 - 0.4 * p.t);
-    const Surface &surface = p.observer.surface;
-    const glm::vec2 size(surface.widthPixels, surface.heightPixels);
-    const float ratio = static_cast<float>(surface.devicePixelRatio);
-    m_lines.draw(clippedLines(groundLines(m_document.ground(), m_document.groundSpacing()), p.planes, opacity),
-                 p.clipFromDrawn * p.drawnFromWorld, size, ratio);
-    glDepthMask(GL_TRUE);
-}
-
-void ObserverView::drawClipPlanes(const ObserverPicture &p)
-{
-    glDepthMask(GL_FALSE);
-    const glm::dmat4 clipFromWorld = p.clipFromDrawn * p.drawnFromWorld;
-    const Surface &surface = p.observer.surface;
-    const std::vector<glm::dvec4> bounds(p.planes.begin(), p.planes.end());
-    for (const glm::dvec4 &plane : m_document.scene().clipPlanes) {
-        const ClipPlaneShape shape = clipPlaneShape(plane, m_document.bounds(), bounds);
-        m_faces.draw(shape.faces, clipFromWorld);
-        m_lines.draw(shape.border, clipFromWorld, glm::vec2(surface.widthPixels, surface.heightPixels),
-                     static_cast<float>(surface.devicePixelRatio));
-    }
-    glDepthMask(GL_TRUE);
-}
-
-void ObserverView::drawLines(const std::vector<LineSegment> &lines, const glm::dmat4 &clipFromSource,
-                             double widthLogical)
-{
-    const Surface &surface = m_observer.surface;
-    const glm::vec2 size(surface.widthPixels, surface.heightPixels);
-    const float widthPixels = static_cast<float>(widthLogical * surface.devicePixelRatio);
-    m_lines.draw(lines, clipFromSource, size, widthPixels);
-    glDisable(GL_DEPTH_TEST);
-    std::vector<LineSegment> hidden = lines;
-    for (LineSegment &line : hidden)
-        line.color.a *= 0.4f;
-    m_lines.draw(hidden, clipFromSource, size, widthPixels);
-    glEnable(GL_DEPTH_TEST);
-}
-
-void ObserverView::drawVolume(const ObserverPicture &p)
-{
-    glDepthMask(GL_FALSE);
-    const glm::dmat4 clipFromEye = p.clipFromDrawn * p.drawnFromEye;
-    const std::array<glm::dvec3, 4> nearCorners = planeCorners(p.corners, 0), farCorners = planeCorners(p.corners, 4);
-    const auto isHot = [this](ClipPlane plane) { return m_hotPlane == plane; };
-    const Face nearFace{nearCorners, withAlpha(observer_color::kNearPlane, isHot(ClipPlane::Near) ? 0.34f : 0.22f)};
-    const Face farFace{farCorners, withAlpha(observer_color::kFarPlane, isHot(ClipPlane::Far) ? 0.28f : 0.16f)};
-    // The deeper one first, because they are blended.
-    const auto depthOf = [&](const std::array<glm::dvec3, 4> &corners) {
-        double z = 0.0;
-        for (const glm::dvec3 &corner : corners) {
-            if (const std::optional<WorldPoint> point = p.drawnPoint(EyePoint(corner)))
-                z += eyeFromWorld(p.observerFrame, *point).z;
-        }
-        return z;
-    };
-    const bool isNearDeeper = depthOf(nearCorners) < depthOf(farCorners);
-    m_faces.draw(isNearDeeper ? std::vector<Face>{nearFace, farFace} : std::vector<Face>{farFace, nearFace},
-                 clipFromEye);
-
-    constexpr double kWidth = 1.6, kPlaneWidth = 2.2, kHotWidth = 4.5;
-    drawLines(sideEdges(p.corners), clipFromEye, kWidth);
-    drawLines(outline(farCorners, observer_color::kFarPlane), clipFromEye,
-              isHot(ClipPlane::Far) ? kHotWidth : kPlaneWidth);
-    drawLines(outline(nearCorners, observer_color::kNearPlane), clipFromEye,
-              isHot(ClipPlane::Near) ? kHotWidth : kPlaneWidth);
-    if (isPerspective(p.projection) && p.t < 1.0)
-        drawLines(edgesFromEye(p.corners, 0.6f * eyeOpacity(p.projection, p.t)), clipFromEye, 1.2);
-
-    // The axes of NDC, from the cube's middle to a little outside of it.
-    if (const float opacity = cubeOpacity(p.t); opacity > 0.0f) {
-        const glm::dmat4 drawnFromNdc = matrixOf(p.placement) * p.morph.morphedFromNdc;
-        const glm::dvec3 origin(drawnFromNdc[3]);
-        std::array<glm::dvec3, 3> tips;
-        for (int axis = 0; axis < 3; ++axis)
-            tips[static_cast<std::size_t>(axis)] = origin + glm::dvec3(drawnFromNdc[axis]) * 1.35;
-        const double letter = 5.5 * worldPerLogicalPixel(p.observer, WorldPoint(origin));
-        drawLines(letteredAxes(origin, tips, "xyz", (p.observerFrame.side * letter).coordinates(),
-                               (p.observerFrame.upward * letter).coordinates(), opacity),
-                  p.clipFromDrawn, 1.6);
-    }
-    glDepthMask(GL_TRUE);
-}
-
-void ObserverView::drawCamera(const ObserverPicture &p)
-{
-    const float opacity = eyeOpacity(p.projection, p.t);
-    const std::optional<WorldPoint> eye = p.drawnPoint(EyePoint());
-    if (!eye || opacity < 0.02f || !(eyeFromWorld(p.observerFrame, *eye).z < 0.0))
-        return;
-    const glm::dmat4 clipFromGlyph =
-        p.clipFromDrawn * matrixOf({eye->coordinates(), p.placement.rotation, signSize(p.observer, *eye)});
-    m_faces.draw(cameraFaces(opacity), clipFromGlyph);
-    glDepthMask(GL_FALSE);
-    drawLines(cameraLines(opacity), clipFromGlyph, 1.3);
-    glDepthMask(GL_TRUE);
-    if (m_highlights.contains(lessons::Highlight::Axes) || m_highlights.contains(lessons::Highlight::Volume))
-        return; // the lesson names the same axes otherwise, and has another f
-
-    glDepthMask(GL_FALSE);
-    const glm::dmat3 glyphFromObserver = glm::transpose(glm::mat3_cast(p.placement.rotation));
-    constexpr double kHalfLetter = 5.0 / kSignPixels, kLength = 1.7;
-    drawLines(
-        letteredAxes(glm::dvec3(0.0),
-                     {glm::dvec3(kLength, 0.0, 0.0), glm::dvec3(0.0, kLength, 0.0), glm::dvec3(0.0, 0.0, -kLength)},
-                     "suf", glyphFromObserver * p.observerFrame.side.coordinates() * kHalfLetter,
-                     glyphFromObserver * p.observerFrame.upward.coordinates() * kHalfLetter, opacity),
-        clipFromGlyph, 2.0);
-    glDepthMask(GL_TRUE);
-}
-
-void ObserverView::drawWrong(const ObserverPicture &p)
-{
-    std::vector<WrongPointMark> marks;
-    bool areSeen = true;
-    for (WrongPointMark mark : m_document.wrongPoints()) {
+    const std::vector<WrongPointMark> &marks = m_document.wrongPoints();
+    const bool areSeen = std::all_of(marks.begin(), marks.end(), [&](const WrongPointMark &mark) {
         const std::optional<QPointF> place = p.holds(mark.got) ? placeOf(mark.got) : std::nullopt;
-        areSeen = areSeen && place && QRectF(rect()).contains(*place);
-        if (!p.holds(mark.got))
-            continue;
-        if (mark.right && !p.holds(*mark.right))
-            mark.right.reset();
-        marks.push_back(mark);
-    }
-    const Surface &surface = p.observer.surface;
-    glDisable(GL_DEPTH_TEST);
-    drawWrongPoints(marks, p.clipFromDrawn * p.drawnFromWorld, glm::vec2(surface.widthPixels, surface.heightPixels),
-                    static_cast<float>(surface.devicePixelRatio), m_lines, m_pickPainter);
+        return place && QRectF(rect()).contains(*place);
+    });
     if (std::exchange(m_areWrongPointsSeen, areSeen) != areSeen)
         emit wrongPointsSeen(areSeen);
-}
-
-void ObserverView::drawPick(const ObserverPicture &p)
-{
-    const glm::dmat4 clipFromWorld = p.clipFromDrawn * p.drawnFromWorld;
-    const auto drawMark = [&](const WorldPoint &point, PickPainter::Mark mark) {
-        const Surface &surface = p.observer.surface;
-        m_pickPainter.draw(point, clipFromWorld, glm::vec2(surface.widthPixels, surface.heightPixels),
-                           static_cast<float>(surface.devicePixelRatio), mark);
-    };
-    // Also where it is not in the view volume: that is to be seen here.
-    if (const std::optional<WorldPoint> given = m_document.givenWorld(); given && p.holds(*given)) {
-        glDisable(GL_DEPTH_TEST);
-        drawMark(*given, PickPainter::Mark::Given);
-    }
-    drawWrong(p);
-    const std::optional<Pick> &pick = m_document.pick();
-    if (!pick)
-        return;
-    glEnable(GL_DEPTH_TEST);
-    if (const std::optional<Segment> ray = rayThrough(*pick, p)) {
-        glDepthMask(GL_FALSE);
-        drawLines(clippedLines({{ray->from, ray->to, observer_color::kRay}}, p.planes, 1.0f), clipFromWorld, 2.2);
-        glDepthMask(GL_TRUE);
-    }
-    glDisable(GL_DEPTH_TEST);
-    if (pick->hit() && pick->point.world[Method::Formula] && p.holds(*pick->point.world[Method::Formula]))
-        drawMark(*pick->point.world[Method::Formula], PickPainter::Mark::Picked);
 }
 
 HighlightMarks ObserverView::highlightMarks() const
@@ -412,6 +254,158 @@ void ObserverView::drawHighlighted()
     paintOver(m_observer.surface.devicePixelRatio, [&](QPainter &painter) {
         drawHighlights(painter, marks, boxesOf(marks, painter.font(), QRectF(rect()), {}));
     });
+}
+
+void ObserverView::setHotPlane(const std::optional<ClipPlaneDrag> &drag)
+{
+    const std::optional<ClipPlane> plane = drag ? std::optional(drag->plane()) : std::nullopt;
+    if (drag) {
+        const glm::dvec2 rate = drag->pixelsPerUnit();
+        setCursor(std::abs(rate.x) >= std::abs(rate.y) ? Qt::SizeHorCursor : Qt::SizeVerCursor);
+    } else {
+        unsetCursor();
+    }
+    if (plane == m_hotPlane)
+        return;
+    m_hotPlane = plane;
+    update();
+}
+
+void ObserverView::dragPlane(const QPointF &position)
+{
+    const Scene &scene = m_document.scene();
+    const std::optional<Projection> projection =
+        m_planeDrag->projectionAt(scene.projection, {position.x(), position.y()});
+    if (!projection)
+        return;
+    // A step that would leave no valid picture is not taken.
+    static_cast<void>(m_document.edit(
+        {m_planeDrag->plane() == ClipPlane::Near ? tr("Near plane") : tr("Far plane"), m_gesture}, [&](Scene &changed) {
+            changed.projection = *projection;
+            changed.clipDistancesFitObjects = false;
+        }));
+}
+
+std::optional<ClipPlaneDrag> ObserverView::planeAt(const QPointF &position) const
+{
+    const std::optional<ObserverPicture> p = picture();
+    return p ? clipPlaneAt(*p, {width(), height()}, {position.x(), position.y()}) : std::nullopt;
+}
+
+void ObserverView::setCamera(const LookAt &camera)
+{
+    m_observer.camera() = camera;
+    m_isTouched = true;
+    update();
+}
+
+void ObserverView::turn(int right, int down)
+{
+    setCamera(orbited(observer(), observer().center, right * kKeyTurnRadians, down * kKeyTurnRadians));
+}
+
+void ObserverView::zoom(const QPointF &position, double notches)
+{
+    const Result<EyeFrame> frame = eyeFrame(m_observer.camera());
+    if (!frame)
+        return;
+    // The point under the pointer at the depth of the centre keeps its place.
+    const double scale = worldPerLogicalPixel(m_observer, m_observer.camera().center);
+    const WorldPoint anchor = m_observer.camera().center + frame->side * ((position.x() - width() / 2.0) * scale)
+                              - frame->upward * ((position.y() - height() / 2.0) * scale);
+    Picture next = zoomed(m_observer, anchor, zoomFactor(notches));
+    // Closer than this the picture would lose its digits, farther off it shows nothing.
+    const double away = distance(next.camera().center, next.camera().eye);
+    if (away < 1e-3 * m_reference.scale || away > 1e3 * m_reference.scale || !check(next))
+        return;
+    setCamera(next.camera());
+}
+
+bool ObserverView::event(QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride && isOwnKey(*static_cast<QKeyEvent *>(event))) {
+        event->accept();
+        return true;
+    }
+    const bool isHandled = QOpenGLWidget::event(event);
+    // Shown in another place of the window it has got a new, empty framebuffer, and Qt paints what lies over the window's
+    // own picture only when it is asked to.
+    if (event->type() == QEvent::Show)
+        update();
+    return isHandled;
+}
+
+void ObserverView::mousePressEvent(QMouseEvent *event)
+{
+    const bool pans = isPan(event->button(), event->modifiers());
+    if (m_drag != Drag::None || (!pans && event->button() != Qt::LeftButton))
+        return;
+    m_lastPosition = event->position();
+    m_gesture = QStringLiteral("observer drag %1").arg(++m_gestureCount);
+    m_planeDrag = pans ? std::nullopt : planeAt(event->position());
+    setHotPlane(m_planeDrag);
+    m_drag = pans ? Drag::Pan : m_planeDrag ? Drag::Plane : Drag::Orbit;
+}
+
+void ObserverView::mouseMoveEvent(QMouseEvent *event)
+{
+    const QPointF delta = event->position() - m_lastPosition;
+    m_lastPosition = event->position();
+    switch (m_drag) {
+    case Drag::None: setHotPlane(planeAt(event->position())); return;
+    case Drag::Plane:
+        if (!delta.isNull())
+            dragPlane(event->position());
+        return;
+    case Drag::Orbit: setCamera(turnedBy(delta, observer(), observer().center, height())); return;
+    case Drag::Pan: setCamera(pannedBy(delta, m_observer, observer().center)); return;
+    }
+}
+
+void ObserverView::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (event->buttons() != Qt::NoButton)
+        return;
+    m_drag = Drag::None;
+    m_planeDrag.reset();
+    setHotPlane(rect().contains(event->position().toPoint()) ? planeAt(event->position()) : std::nullopt);
+}
+
+void ObserverView::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    mousePressEvent(event); // two quick drags are no double click
+}
+
+void ObserverView::wheelEvent(QWheelEvent *event)
+{
+    zoom(event->position(), event->angleDelta().y() / 120.0);
+    setHotPlane(planeAt(event->position()));
+    event->accept();
+}
+
+void ObserverView::keyPressEvent(QKeyEvent *event)
+{
+    if (!isOwnKey(*event)) {
+        QOpenGLWidget::keyPressEvent(event);
+        return;
+    }
+    const QPointF middle(width() / 2.0, height() / 2.0);
+    switch (event->key()) {
+    case Qt::Key_F: fit(); break;
+    case Qt::Key_Left: turn(-1, 0); break;
+    case Qt::Key_Right: turn(1, 0); break;
+    case Qt::Key_Up: turn(0, -1); break;
+    case Qt::Key_Down: turn(0, 1); break;
+    case Qt::Key_Minus: zoom(middle, -1.0); break;
+    default: zoom(middle, 1.0); break;
+    }
+}
+
+void ObserverView::leaveEvent(QEvent *event)
+{
+    QOpenGLWidget::leaveEvent(event);
+    if (m_drag == Drag::None)
+        setHotPlane(std::nullopt);
 }
 
 } // namespace unprojector::gui

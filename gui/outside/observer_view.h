@@ -1,13 +1,11 @@
 #pragma once
 
-#include "core/lessons/lesson.h"
+#include "core/lessons/highlight.h"
 #include "gui/document/scene_document.h"
+#include "gui/outside/observer_overlay.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/highlight_marks.h"
 #include "gui/view/observer_picture.h"
-#include "gui/view/painters/face_painter.h"
-#include "gui/view/painters/line_painter.h"
-#include "gui/view/painters/pick_painter.h"
 
 #include <optional>
 #include <set>
@@ -71,27 +69,21 @@ private:
     std::vector<glm::dvec4> cuttingPlanes(const ObserverPicture &p) const;
     /// Draws the objects into the frame where it does not show the document from here, as it is.
     void updateFrame(const ObserverPicture &p);
-    void drawGround(const ObserverPicture &p);
-    void drawClipPlanes(const ObserverPicture &p);
-    void drawVolume(const ObserverPicture &p);
-    void drawCamera(const ObserverPicture &p);
-    void drawPick(const ObserverPicture &p);
-    void drawWrong(const ObserverPicture &p);
+    void tellWrongPoints(const ObserverPicture &p);
     void drawHighlighted();
-    /// Where they are hidden, the lines show faintly.
-    void drawLines(const std::vector<LineSegment> &lines, const glm::dmat4 &clipFromSource, double widthLogical);
 
     /// The plane whose edge is under the pointer, in the hand.
     std::optional<ClipPlaneDrag> planeAt(const QPointF &position) const;
     void dragPlane(const QPointF &position);
     void setHotPlane(const std::optional<ClipPlaneDrag> &drag);
-    void orbit(double yawRadians, double pitchRadians);
-    void zoom(const QPointF &position, double factor);
+    /// A hand moves the observer.
+    void setCamera(const LookAt &camera);
+    /// By steps of the arrow keys.
+    void turn(int right, int down);
+    void zoom(const QPointF &position, double notches);
 
     SceneDocument &m_document;
-    LinePainter m_lines;
-    FacePainter m_faces;
-    PickPainter m_pickPainter;
+    ObserverOverlay m_overlay;
 
     glm::dmat4 m_drawnFrom{0.0}; ///< clipFromWorld of the frame, whether or not it could be drawn
     Surface m_drawnOn;           ///< the same of its surface

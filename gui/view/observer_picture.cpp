@@ -116,4 +116,47 @@ std::vector<WorldPoint> pointsToFit(const ObserverPicture &picture)
     return points;
 }
 
+std::optional<ClipPlaneDrag> clipPlaneAt(const ObserverPicture &picture, const glm::dvec2 &size,
+                                         const glm::dvec2 &pointer)
+{
+    glm::dmat4 widgetFromClip(1.0);
+    widgetFromClip[0][0] = size.x / 2.0;
+    widgetFromClip[1][1] = -size.y / 2.0;
+    widgetFromClip[3] = {size.x / 2.0, size.y / 2.0, 0.0, 1.0};
+    const glm::dmat4 widgetFromEye = widgetFromClip * picture.clipFromDrawn * picture.drawnFromEye;
+
+    constexpr double kReachPixels = 6.0;
+    double closest = kReachPixels;
+    std::optional<ClipPlaneDrag> found;
+    constexpr std::array<std::array<std::size_t, 2>, 4> kEdges{{{0, 1}, {1, 3}, {3, 2}, {2, 0}}};
+    for (const ClipPlane plane : {ClipPlane::Near, ClipPlane::Far}) {
+        const std::size_t first = plane == ClipPlane::Near ? 0 : 4;
+        for (const auto &edge : kEdges) {
+            const glm::dvec3 from = picture.corners[first + edge[0]].coordinates(),
+                             to = picture.corners[first + edge[1]].coordinates();
+            const glm::dvec4 a = widgetFromEye * glm::dvec4(from, 1.0), b = widgetFromEye * glm::dvec4(to, 1.0);
+            if (!(a.w > 0.0) || !(b.w > 0.0))
+                continue;
+            const glm::dvec2 pixelA = glm::dvec2(a) / a.w, along = glm::dvec2(b) / b.w - pixelA;
+            const double length = glm::dot(along, along);
+            const double share = length > 0.0 ? std::clamp(glm::dot(pointer - pixelA, along) / length, 0.0, 1.0) : 0.0;
+            const double distance = glm::length(pointer - pixelA - along * share);
+            if (!(distance < closest))
+                continue;
+            // Back from the share of the edge in the picture to that of the edge itself.
+            const double s = share * a.w / (share * a.w + (1.0 - share) * b.w);
+            const ClipPlaneDrag drag(picture.projection, plane, EyePoint(from * (1.0 - s) + to * s), widgetFromEye,
+                                     pointer);
+            // Seen from straight ahead a plane does not move in the picture.
+            constexpr double kLeastPixels = 12.0;
+            const ProjectionWindow w = projectionWindow(picture.projection);
+            if (glm::length(drag.pixelsPerUnit()) * (w.farDistance - w.nearDistance) < kLeastPixels)
+                continue;
+            closest = distance;
+            found = drag;
+        }
+    }
+    return found;
+}
+
 } // namespace unprojector::gui

@@ -58,4 +58,11 @@ std::optional<Segment> rayThrough(const Pick &pick, const ObserverPicture &pictu
 /// @param picture  with its reference where the watched camera is
 std::vector<WorldPoint> pointsToFit(const ObserverPicture &picture);
 
+/// The near or far plane whose edge is under the pointer, ready to be dragged. Nothing where none is within a few pixels, or
+/// where the plane would hardly move in the picture.
+/// @param size     of the widget, logical pixels
+/// @param pointer  logical pixels, origin top-left
+std::optional<ClipPlaneDrag> clipPlaneAt(const ObserverPicture &picture, const glm::dvec2 &size,
+                                         const glm::dvec2 &pointer);
+
 } // namespace unprojector::gui
