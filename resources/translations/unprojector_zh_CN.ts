@@ -1566,6 +1566,13 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
 </context>
 <context>
+    <name>unprojector::gui::DerivationLine</name>
+    <message>
+        <source>How the chosen number comes about</source>
+        <translation>所选的数是怎样算出来的</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::DiagnosisView</name>
     <message>
         <source>Verdict</source>
@@ -2071,6 +2078,37 @@ Both are as large as fits.</source>
     <message>
         <source>&lt;p&gt;&lt;b&gt;Three things to try&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click&lt;/b&gt; a point of the model: its world coordinate stands beside, computed twice.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Drag&lt;/b&gt;: the view turns about the point under the pointer. The wheel zooms.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Take a lesson&lt;/b&gt; of five minutes: &lt;a href=&apos;lesson&apos;&gt;%1&lt;/a&gt;, more in File &amp;gt; Lessons.&lt;/p&gt;</source>
         <translation>&lt;p&gt;&lt;b&gt;可以试试这三件事&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击&lt;/b&gt;模型上的一点：旁边会显示它的世界坐标，计算两遍。&lt;/p&gt;&lt;p&gt;&lt;b&gt;拖动&lt;/b&gt;：视图绕指针下的点转动；滚轮缩放。&lt;/p&gt;&lt;p&gt;&lt;b&gt;花五分钟上一课&lt;/b&gt;：&lt;a href=&apos;lesson&apos;&gt;%1&lt;/a&gt;，更多课程在“文件 &amp;gt; 课程”中。&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::FollowedPointRow</name>
+    <message>
+        <source>What the points are</source>
+        <translation>各点的含义</translation>
+    </message>
+    <message>
+        <source>Remove your point</source>
+        <translation>移除您的点</translation>
+    </message>
+    <message>
+        <source>Which point to follow</source>
+        <translation>跟随哪个点</translation>
+    </message>
+    <message>
+        <source>The click</source>
+        <translation>点击的点</translation>
+    </message>
+    <message>
+        <source>Your point</source>
+        <translation>您的点</translation>
+    </message>
+    <message>
+        <source>Follow the clicked point again; yours stays</source>
+        <translation>重新跟踪点击的点；您的点仍保留</translation>
+    </message>
+    <message>
+        <source>Follow the point that you have given in numbers</source>
+        <translation>跟踪您用数值给出的点</translation>
     </message>
 </context>
 <context>
@@ -4665,37 +4703,28 @@ m[0] … m[15]、JSON、C、three.js</translation>
 <context>
     <name>unprojector::gui::PipelinePanel</name>
     <message>
-        <source>Model</source>
-        <translation>模型</translation>
+        <source>Point in %1 coordinates</source>
+        <translation>%1坐标中的点</translation>
     </message>
     <message>
-        <source>View</source>
-        <translation>观察</translation>
+        <source>↓  divide by w</source>
+        <translation>↓  透视除法：除以 w</translation>
     </message>
     <message>
-        <source>Projection</source>
-        <translation>投影</translation>
+        <source>↓  divide by its own w′, as gluUnProject does</source>
+        <translation>↓  除以它自己的 w′，与 gluUnProject 相同</translation>
     </message>
     <message>
-        <source>Viewport</source>
-        <translation>视口</translation>
+        <source>As it was given.</source>
+        <translation>原样保留。</translation>
     </message>
     <message>
-        <source>Modelview</source>
-        <translation>模型视图</translation>
+        <source>Forward shows the factors; this matrix is the inverse of their product.</source>
+        <translation>选“正向”可看各因子；此矩阵是它们乘积的逆矩阵。</translation>
     </message>
-    <message>
-        <source>What the points are</source>
-        <translation>各点的含义</translation>
-    </message>
-    <message>
-        <source>&amp;Copy all</source>
-        <translation>全部复制(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Copy all points and matrices with all digits</source>
-        <translation>复制带全部数位的所有点和矩阵</translation>
-    </message>
+</context>
+<context>
+    <name>unprojector::gui::PipelineSwitches</name>
     <message>
         <source>Direction</source>
         <translation>方向</translation>
@@ -4757,38 +4786,6 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <translation>数位</translation>
     </message>
     <message>
-        <source>Rounded to single precision, with all the digits that it has</source>
-        <translation>舍入到单精度，显示其全部数位</translation>
-    </message>
-    <message>
-        <source>Object</source>
-        <translation>物体</translation>
-    </message>
-    <message>
-        <source>&amp;Object:</source>
-        <translation>物体(&amp;O)：</translation>
-    </message>
-    <message>
-        <source>Point in %1 coordinates</source>
-        <translation>%1坐标中的点</translation>
-    </message>
-    <message>
-        <source>↓  divide by w</source>
-        <translation>↓  透视除法：除以 w</translation>
-    </message>
-    <message>
-        <source>None (identity)</source>
-        <translation>无（单位矩阵）</translation>
-    </message>
-    <message>
-        <source>Automatic: %1</source>
-        <translation>自动：%1</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>自动</translation>
-    </message>
-    <message>
         <source>Nine digits of the double; all of them in the tooltip and when copied</source>
         <translation>显示双精度的九位数字；提示和复制中有全部数字</translation>
     </message>
@@ -4801,56 +4798,40 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <translation>双精度的全部数字，最多 17 位；需要较宽的位置</translation>
     </message>
     <message>
-        <source>↓  divide by its own w′, as gluUnProject does</source>
-        <translation>↓  除以它自己的 w′，与 gluUnProject 相同</translation>
+        <source>Rounded to single precision, with all the digits that it has</source>
+        <translation>舍入到单精度，显示其全部数位</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
     </message>
     <message>
         <source>Whose object space: by itself that of the object that was drawn at the picked pixel</source>
         <translation>属于哪个物体的物体坐标：自动时为所选像素上绘制的那个物体</translation>
     </message>
     <message>
-        <source>Remove your point</source>
-        <translation>移除您的点</translation>
-    </message>
-    <message>
-        <source>The click</source>
-        <translation>点击的点</translation>
-    </message>
-    <message>
-        <source>Your point</source>
-        <translation>您的点</translation>
-    </message>
-    <message>
-        <source>Follow the clicked point again; yours stays</source>
-        <translation>重新跟踪点击的点；您的点仍保留</translation>
-    </message>
-    <message>
-        <source>Follow the point that you have given in numbers</source>
-        <translation>跟踪您用数值给出的点</translation>
-    </message>
-    <message>
-        <source>Which point to follow</source>
-        <translation>跟随哪个点</translation>
+        <source>&amp;Object:</source>
+        <translation>物体(&amp;O)：</translation>
     </message>
     <message>
         <source>Conventions</source>
         <translation>约定</translation>
     </message>
     <message>
+        <source>Conve&amp;ntions:</source>
+        <translation>约定(&amp;N)：</translation>
+    </message>
+    <message>
         <source>What is otherwise than in OpenGL</source>
         <translation>与 OpenGL 的不同之处</translation>
     </message>
     <message>
-        <source>Whose axes, depths and pixels are shown, kept in the scene. %1</source>
-        <translation>按哪种 API 的坐标轴、深度和像素显示，随场景保存。%1</translation>
+        <source>&amp;Copy all</source>
+        <translation>全部复制(&amp;C)</translation>
     </message>
     <message>
-        <source>%1, depth as read</source>
-        <translation>%1，深度为读取值</translation>
-    </message>
-    <message>
-        <source>%1, depth computed</source>
-        <translation>%1，深度为计算值</translation>
+        <source>Copy all points and matrices with all digits</source>
+        <translation>复制带全部数位的所有点和矩阵</translation>
     </message>
     <message>
         <source>P&amp;aste…</source>
@@ -4865,20 +4846,20 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <translation>粘贴矩阵</translation>
     </message>
     <message>
-        <source>As it was given.</source>
-        <translation>原样保留。</translation>
+        <source>Whose axes, depths and pixels are shown, kept in the scene. %1</source>
+        <translation>按哪种 API 的坐标轴、深度和像素显示，随场景保存。%1</translation>
     </message>
     <message>
-        <source>Conve&amp;ntions:</source>
-        <translation>约定(&amp;N)：</translation>
+        <source>None (identity)</source>
+        <translation>无（单位矩阵）</translation>
     </message>
     <message>
-        <source>How the chosen number comes about</source>
-        <translation>所选的数是怎样算出来的</translation>
+        <source>Automatic: %1</source>
+        <translation>自动：%1</translation>
     </message>
     <message>
-        <source>Forward shows the factors; this matrix is the inverse of their product.</source>
-        <translation>选“正向”可看各因子；此矩阵是它们乘积的逆矩阵。</translation>
+        <source>Automatic</source>
+        <translation>自动</translation>
     </message>
 </context>
 <context>

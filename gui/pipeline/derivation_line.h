@@ -1,0 +1,42 @@
+#pragma once
+
+#include "gui/pipeline/pipeline_model.h"
+
+#include <QWidget>
+
+#include <optional>
+
+namespace unprojector::gui {
+
+class HelpLink;
+class SceneDocument;
+class SteadyLabel;
+struct EntryDerivation;
+
+/// How the chosen coordinate comes about, with a link to Help. The numbers that it comes from are marked in the model.
+class DerivationLine : public QWidget {
+    Q_OBJECT
+public:
+    DerivationLine(const SceneDocument &document, PipelineModel &model, QWidget *parent = nullptr);
+
+    /// @param coordinate  of the space, as it is shown: 0 for x, 3 for w
+    void choose(PointModel::Space space, int coordinate);
+    void refresh();
+    /// Keeps room for the longest text with as many digits as the model shows.
+    void keepRoom();
+
+private:
+    QString helpOf(const EntryDerivation &derivation) const;
+
+    const SceneDocument &m_document;
+    PipelineModel &m_model;
+    SteadyLabel *m_label;
+    HelpLink *m_help;
+    struct Entry {
+        PointModel::Space space;
+        int coordinate;
+    };
+    std::optional<Entry> m_chosen;
+};
+
+} // namespace unprojector::gui
