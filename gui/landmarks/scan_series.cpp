@@ -54,10 +54,35 @@ bool isStill(const Landmark &now, const Landmark &was)
 
 } // namespace
 
-std::size_t ScanSeries::Scan::placedCount() const
+std::size_t Scan::placedCount() const
 {
     return static_cast<std::size_t>(std::count_if(points.landmarks.begin(), points.landmarks.end(),
                                                   [](const Landmark &point) { return !point.isMissing(); }));
+}
+
+void readKept(Scan &scan, int placing)
+{
+    const std::filesystem::path file = landmarksBeside(scan.file, placing);
+    scan.points = {};
+    scan.problem.clear();
+    scan.isDamaged = false;
+    std::error_code error;
+    scan.isKept = std::filesystem::exists(file, error);
+    if (!scan.isKept)
+        return;
+    auto read = readLandmarkFile(file);
+    if (!read)
+        scan.problem = QString::fromStdString(errorText(read.error()));
+    else if (read->sets.size() > 1)
+        scan.problem =
+            ScanSeries::tr(
+                "%1: the points of %2 specimens stand here; a scan is one specimen, so put each into a file of "
+                "its own.")
+                .arg(pathText(file))
+                .arg(read->sets.size());
+    else
+        scan.points = std::move(std::move(read).value().sets.front());
+    scan.isDamaged = !scan.problem.isEmpty();
 }
 
 ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *parent)
@@ -116,30 +141,6 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
         takePoints(m_document.landmarkSet()); // what follows from them is waited for when they are kept
         emit this->changed();
     });
-}
-
-void ScanSeries::readKept(Scan &scan, int placing) const
-{
-    const std::filesystem::path file = landmarksBeside(scan.file, placing);
-    scan.points = {};
-    scan.problem.clear();
-    scan.isDamaged = false;
-    std::error_code error;
-    scan.isKept = std::filesystem::exists(file, error);
-    if (!scan.isKept)
-        return;
-    auto read = readLandmarkFile(file);
-    if (!read)
-        scan.problem = QString::fromStdString(errorText(read.error()));
-    else if (read->sets.size() > 1)
-        scan.problem =
-            tr("%1: the points of %2 specimens stand here; a scan is one specimen, so put each into a file of "
-               "its own.")
-                .arg(pathText(file))
-                .arg(read->sets.size());
-    else
-        scan.points = std::move(std::move(read).value().sets.front());
-    scan.isDamaged = !scan.problem.isEmpty();
 }
 
 bool ScanSeries::open(const std::filesystem::path &folder)
@@ -466,6 +467,21 @@ bool ScanSeries::mayPlaceAs(int placing)
     }
     // What is not kept beside the scan would be gone.
     return m_shown || !m_document.isEdited() || m_session.mayLeave();
+}
+
+bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
+{
+    if (!keep())
+        return false;
+    const auto written = writeSeries(file, table, m_scans, m_names);
+    if (!written) {
+        emit failed(written.error());
+        return false;
+    }
+    if (!written->warning.isEmpty())
+        emit warned(written->warning);
+    emit noticed(written->notice);
+    return true;
 }
 
 } // namespace unprojector::gui

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/files/file_stamp.h"
-#include "core/landmark_files/repeats_table.h"
 #include "core/landmarks/landmark.h"
 #include "core/scene/scene.h"
+#include "gui/landmarks/series_table.h"
 
 #include <QObject>
 #include <QString>
@@ -19,6 +19,22 @@ namespace unprojector::gui {
 class SceneDocument;
 class Session;
 
+/// How often a series can be gone through.
+inline constexpr int kMostPlacings = 99;
+
+/// A scan of a series, with its points.
+struct Scan {
+    std::filesystem::path file;
+    landmarks::LandmarkSet points; ///< as they are kept, or as they are now; coordinates of the scan's own file
+    QString problem;               ///< why the scan or its points could not be read; empty: none
+    bool isKept = false;           ///< there is a file of its points
+    bool isDamaged = false;        ///< that file could not be read
+    std::size_t placedCount() const;
+};
+
+/// Reads the points that are kept beside the scan, of one placing.
+void readKept(Scan &scan, int placing);
+
 /// A folder of scans on which the same points are placed, one scan after the other. The points of each are kept beside it, in
 /// "face.ply.points.csv": they are written when another scan is shown, when the scene is saved, and when it is left. What has no
 /// name there yet is taken from the scan before.
@@ -29,24 +45,7 @@ class Session;
 class ScanSeries : public QObject {
     Q_OBJECT
 public:
-    struct Scan {
-        std::filesystem::path file;
-        landmarks::LandmarkSet points; ///< as they are kept, or as they are now; coordinates of the scan's own file
-        QString problem;               ///< why the scan or its points could not be read; empty: none
-        bool isKept = false;           ///< there is a file of its points
-        bool isDamaged = false;        ///< that file could not be read
-        std::size_t placedCount() const;
-    };
-    /// What the points of all scans are written as.
-    enum class Table {
-        Long, ///< a row a point
-        Wide, ///< a row a scan
-        Tps,
-        Nts,
-        Repeats ///< a row a point of each scan, of all placings: their mean and how far they scatter
-    };
-
-    static constexpr int kMostPlacings = 99;
+    using Table = SeriesTable;
 
     /// @param document, session  outlive it
     ScanSeries(SceneDocument &document, Session &session, QObject *parent = nullptr);
@@ -102,8 +101,6 @@ private:
     /// Where next and previous count from: in a lesson from the scan that it is left for.
     std::optional<std::size_t> place() const { return m_current || !m_aside ? m_current : m_aside->inView; }
     void step(int by);
-    /// @param scan  whose points are read
-    void readKept(Scan &scan, int placing) const;
     bool mayPlaceAs(int placing);
     /// The current scan is in the view: its points come to it.
     void takeShown();
@@ -118,14 +115,6 @@ private:
     void goBack();
     /// Whether the scene holds nothing but the scan that is shown, as its file has it, and its points.
     bool isScanAlone() const;
-    std::vector<landmarks::LandmarkSet> alignedSets() const;
-    /// @param problems  what could not be read
-    /// @param said      of what it is made
-    std::vector<landmark_files::RepeatedSpecimen> repeatedScans(QStringList &problems, QString &said) const;
-    /// What a table lacks.
-    QStringList leftOut() const;
-    /// Whether a file is a scan of the series or has the points of one.
-    bool holds(const std::filesystem::path &file) const;
 
     /// What was open before a series whose first scan is being loaded.
     struct Former {

@@ -43,7 +43,7 @@ int SeriesModel::columnCount(const QModelIndex &parent) const
 
 QVariant SeriesModel::text(const QModelIndex &index) const
 {
-    const ScanSeries::Scan &scan = m_series.scans()[static_cast<std::size_t>(index.row())];
+    const auto &scan = m_series.scans()[static_cast<std::size_t>(index.row())];
     if (index.column() == Scan)
         return pathText(scan.file.filename());
     if (index.column() == Placed)
@@ -63,7 +63,7 @@ QVariant SeriesModel::data(const QModelIndex &index, int role) const
     // Another folder may have fewer before the rows follow.
     if (!index.isValid() || static_cast<std::size_t>(index.row()) >= m_series.scans().size())
         return {};
-    const ScanSeries::Scan &scan = m_series.scans()[static_cast<std::size_t>(index.row())];
+    const auto &scan = m_series.scans()[static_cast<std::size_t>(index.row())];
     const bool isCurrent = m_series.current() == static_cast<std::size_t>(index.row());
     switch (role) {
     case Qt::DisplayRole: return text(index);

@@ -51,7 +51,7 @@ SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     connect(m_previous, &QToolButton::clicked, &m_series, &ScanSeries::previous);
     connect(m_next, &QToolButton::clicked, &m_series, &ScanSeries::next);
     connect(m_export, &QToolButton::clicked, this, &SeriesPanel::exportTable);
-    m_placing->setRange(1, ScanSeries::kMostPlacings);
+    m_placing->setRange(1, kMostPlacings);
     m_placing->setKeyboardTracking(false); // on the way to 12 nobody means 1
     m_placing->setAccessibleName(tr("Placing"));
     m_placing->setToolTip(

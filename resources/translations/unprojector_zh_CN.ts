@@ -5738,10 +5738,6 @@ of a point that needs no division</source>
 <context>
     <name>unprojector::gui::ScanSeries</name>
     <message>
-        <source>%1: the series has this file, which would be destroyed. Give another name.</source>
-        <translation>%1：系列中已有此文件，写入会毁掉它。请另给一个名称。</translation>
-    </message>
-    <message>
         <source>%1: there is no model file in this folder. %2 are read.</source>
         <translation>%1：此文件夹中没有模型文件。可读取：%2。</translation>
     </message>
@@ -5752,18 +5748,6 @@ of a point that needs no division</source>
     <message>
         <source>Points of %1 kept beside it.</source>
         <translation>%1 的点已保存在它旁边。</translation>
-    </message>
-    <message>
-        <source>On no scan of the series is a point yet.</source>
-        <translation>此系列的扫描上还没有任何点。</translation>
-    </message>
-    <message>
-        <source>Scans written to %1: %2.</source>
-        <translation>写入 %1 的扫描：%2 个。</translation>
-    </message>
-    <message>
-        <source>%1: the points of %2 specimens stand here; a scan is one specimen, so put each into a file of its own.</source>
-        <translation>%1：这里有 %2 个标本的点；一个扫描是一个标本，请把每个标本放进各自的文件。</translation>
     </message>
     <message>
         <source>It is not written over: what is placed now is kept only by saving the scene. Mend the file, or move it away, and open the scan again.</source>
@@ -5782,28 +5766,12 @@ of a point that needs no division</source>
         <translation>仍继续第 %1 遍。请修好该文件，或把它移走。</translation>
     </message>
     <message>
-        <source>Not in %1, since they could not be read:</source>
-        <translation>以下内容无法读取，因此不在 %1 中：</translation>
-    </message>
-    <message>
-        <source>Scans written to %1: %2. Not in it, without a point: %3.</source>
-        <translation>已写入 %1 的扫描：%2。没有点而未写入的：%3。</translation>
-    </message>
-    <message>
         <source>The points of %1 are not kept yet: %2.</source>
         <translation>%1 的点尚未保存：%2。</translation>
     </message>
     <message>
-        <source>Scans that were placed more than once: %1; placings up to number %2.</source>
-        <translation>放置不止一次的扫描：%1 个；放置序号最大为 %2。</translation>
-    </message>
-    <message>
-        <source>No scan was placed more than once, so there is no scatter: set Placing to 2 and go through the scans again.</source>
-        <translation>没有放置不止一次的扫描，因此没有离散程度：把“遍次”设为 2，再把各扫描过一遍。</translation>
-    </message>
-    <message>
-        <source>Repeats written to %1.</source>
-        <translation>重复测量已写入 %1。</translation>
+        <source>%1: the points of %2 specimens stand here; a scan is one specimen, so put each into a file of its own.</source>
+        <translation>%1：这里有 %2 个标本的点；一个扫描是一个标本，请把每个标本放进各自的文件。</translation>
     </message>
 </context>
 <context>
@@ -6329,6 +6297,41 @@ of a point that needs no division</source>
     <message>
         <source>Table (%1)</source>
         <translation>表格 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SeriesTable</name>
+    <message>
+        <source>Scans that were placed more than once: %1; placings up to number %2.</source>
+        <translation>放置不止一次的扫描：%1 个；放置序号最大为 %2。</translation>
+    </message>
+    <message>
+        <source>No scan was placed more than once, so there is no scatter: set Placing to 2 and go through the scans again.</source>
+        <translation>没有放置不止一次的扫描，因此没有离散程度：把“遍次”设为 2，再把各扫描过一遍。</translation>
+    </message>
+    <message>
+        <source>%1: the series has this file, which would be destroyed. Give another name.</source>
+        <translation>%1：系列中已有此文件，写入会毁掉它。请另给一个名称。</translation>
+    </message>
+    <message>
+        <source>On no scan of the series is a point yet.</source>
+        <translation>此系列的扫描上还没有任何点。</translation>
+    </message>
+    <message>
+        <source>Not in %1, since they could not be read:</source>
+        <translation>以下内容无法读取，因此不在 %1 中：</translation>
+    </message>
+    <message>
+        <source>Repeats written to %1.</source>
+        <translation>重复测量已写入 %1。</translation>
+    </message>
+    <message>
+        <source>Scans written to %1: %2. Not in it, without a point: %3.</source>
+        <translation>已写入 %1 的扫描：%2。没有点而未写入的：%3。</translation>
+    </message>
+    <message>
+        <source>Scans written to %1: %2.</source>
+        <translation>写入 %1 的扫描：%2 个。</translation>
     </message>
 </context>
 <context>

@@ -1,34 +1,41 @@
-// The tables of a series: of all its scans, and of how their points scatter.
+#include "gui/landmarks/series_table.h"
 
 #include "core/files/path_text.h"
 #include "core/files/replace_file.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
+#include "core/landmark_files/repeats_table.h"
 #include "core/landmarks/point_template.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/text/error_text.h"
 #include "gui/text/note_text.h"
 #include "gui/text/sentences.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <system_error>
 #include <utility>
 
 namespace unprojector::gui {
+namespace {
 
 using namespace landmark_files;
 
-/// Each with all names in the same order, as tables of numbers have them.
-std::vector<landmarks::LandmarkSet> ScanSeries::alignedSets() const
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::SeriesTable)
+};
+
+/// The points of each scan that has any, all in the same order, as tables of numbers have them.
+std::vector<LandmarkSet> alignedSets(const std::vector<Scan> &scans, std::vector<Landmark> names)
 {
-    std::vector<Landmark> names = m_names;
-    for (const Scan &scan : m_scans)
+    for (const Scan &scan : scans)
         names = landmarks::withTemplate(std::move(names), scan.points.landmarks);
-    std::vector<landmarks::LandmarkSet> sets;
-    for (const Scan &scan : m_scans) {
+    std::vector<LandmarkSet> sets;
+    for (const Scan &scan : scans) {
         if (scan.placedCount() == 0)
             continue;
-        landmarks::LandmarkSet set = scan.points;
+        LandmarkSet set = scan.points;
         set.name = files::utf8FromPath(scan.file.stem());
         if (std::any_of(sets.begin(), sets.end(), [&](const LandmarkSet &other) { return other.name == set.name; }))
             set.name = files::utf8FromPath(scan.file.filename());
@@ -50,12 +57,15 @@ std::vector<landmarks::LandmarkSet> ScanSeries::alignedSets() const
     return sets;
 }
 
-std::vector<RepeatedSpecimen> ScanSeries::repeatedScans(QStringList &problems, QString &said) const
+/// The scans with their points of every placing.
+/// @param problems  what could not be read
+/// @param said      of what the table is made
+std::vector<RepeatedSpecimen> repeatedScans(const std::vector<Scan> &scans, QStringList &problems, QString &said)
 {
     std::size_t repeated = 0;
     int most = 0;
     std::vector<RepeatedSpecimen> specimens;
-    for (const Scan &scan : m_scans) {
+    for (const Scan &scan : scans) {
         RepeatedSpecimen &specimen = specimens.emplace_back();
         specimen.name = files::utf8FromPath(scan.file.stem());
         std::error_code error;
@@ -75,26 +85,30 @@ std::vector<RepeatedSpecimen> ScanSeries::repeatedScans(QStringList &problems, Q
         if (specimen.placings.size() > 1)
             ++repeated;
     }
-    said = repeated > 0
-               ? tr("Scans that were placed more than once: %1; placings up to number %2.").arg(repeated).arg(most)
-               : tr("No scan was placed more than once, so there is no scatter: set Placing to 2 and go through the "
-                    "scans again.");
+    said =
+        repeated > 0
+            ? Texts::tr("Scans that were placed more than once: %1; placings up to number %2.").arg(repeated).arg(most)
+            : Texts::tr(
+                "No scan was placed more than once, so there is no scatter: set Placing to 2 and go through the "
+                "scans again.");
     return specimens;
 }
 
-QStringList ScanSeries::leftOut() const
+/// What a table lacks.
+QStringList leftOut(const std::vector<Scan> &scans)
 {
     QStringList problems;
-    for (const Scan &scan : m_scans) {
+    for (const Scan &scan : scans) {
         if (scan.isDamaged)
             problems << scan.problem;
     }
     return problems;
 }
 
-bool ScanSeries::holds(const std::filesystem::path &file) const
+/// Whether a file is a scan of the series or has the points of one.
+bool holds(const std::vector<Scan> &scans, const std::filesystem::path &file)
 {
-    return std::any_of(m_scans.begin(), m_scans.end(), [&file](const Scan &scan) {
+    return std::any_of(scans.begin(), scans.end(), [&file](const Scan &scan) {
         bool isIt = files::isSameFile(scan.file, file);
         for (int placing = 1; placing <= kMostPlacings && !isIt; ++placing)
             isIt = files::isSameFile(landmarksBeside(scan.file, placing), file);
@@ -102,29 +116,26 @@ bool ScanSeries::holds(const std::filesystem::path &file) const
     });
 }
 
-bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
+} // namespace
+
+Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, SeriesTable table,
+                                           const std::vector<Scan> &scans, const std::vector<Landmark> &names)
 {
-    if (!keep())
-        return false;
-    if (holds(file)) {
-        emit failed(
-            tr("%1: the series has this file, which would be destroyed. Give another name.").arg(pathText(file)));
-        return false;
-    }
-    const std::vector<landmarks::LandmarkSet> sets = alignedSets();
-    if (sets.empty()) {
-        emit failed(tr("On no scan of the series is a point yet."));
-        return false;
-    }
-    QStringList problems = table == Table::Repeats ? QStringList() : leftOut();
+    if (holds(scans, file))
+        return Texts::tr("%1: the series has this file, which would be destroyed. Give another name.")
+            .arg(pathText(file));
+    const std::vector<LandmarkSet> sets = alignedSets(scans, names);
+    if (sets.empty())
+        return Texts::tr("On no scan of the series is a point yet.");
+    QStringList problems = table == SeriesTable::Repeats ? QStringList() : leftOut(scans);
     QString ofRepeats;
     const auto textOf = [&]() -> Result<WrittenLandmarks, LandmarkFileError> {
         switch (table) {
-        case Table::Long: return landmarksText(sets, Format::Csv);
-        case Table::Wide: return wideTable(sets);
-        case Table::Tps: return landmarksText(sets, Format::Tps);
-        case Table::Nts: return landmarksText(sets, Format::Nts);
-        case Table::Repeats: return repeatsTable(repeatedScans(problems, ofRepeats));
+        case SeriesTable::Long: return landmarksText(sets, Format::Csv);
+        case SeriesTable::Wide: return wideTable(sets);
+        case SeriesTable::Tps: return landmarksText(sets, Format::Tps);
+        case SeriesTable::Nts: return landmarksText(sets, Format::Nts);
+        case SeriesTable::Repeats: return repeatsTable(repeatedScans(scans, problems, ofRepeats));
         }
         return WrittenLandmarks{};
     };
@@ -132,31 +143,26 @@ bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
     if (!text) {
         LandmarkFileError error = text.error();
         error.file = files::utf8FromPath(file);
-        emit failed(QString::fromStdString(errorText(error)));
-        return false;
+        return QString::fromStdString(errorText(error));
     }
-    if (const files::Written written = files::replaceFile(file, text->text); !written) {
-        emit failed(QStringLiteral("%1: %2").arg(pathText(file),
-                                                 QString::fromStdString(files::fileErrorText(written.error()))));
-        return false;
-    }
+    if (const files::Written written = files::replaceFile(file, text->text); !written)
+        return QStringLiteral("%1: %2").arg(pathText(file),
+                                            QString::fromStdString(files::fileErrorText(written.error())));
     if (!problems.isEmpty())
-        problems.prepend(tr("Not in %1, since they could not be read:").arg(pathText(file.filename())));
+        problems.prepend(Texts::tr("Not in %1, since they could not be read:").arg(pathText(file.filename())));
     if (const QString lost = pointNotesText(pathText(file.filename()), text->notes); !lost.isEmpty())
         problems << lost;
-    if (!problems.isEmpty())
-        emit warned(problems.join(u'\n'));
-    if (table == Table::Repeats) {
-        emit noticed(inARow({tr("Repeats written to %1.").arg(pathText(file.filename())), ofRepeats}));
-        return true;
-    }
-    const std::size_t without = m_scans.size() - sets.size();
-    emit noticed(without > 0 ? tr("Scans written to %1: %2. Not in it, without a point: %3.")
+    const QString warning = problems.join(u'\n');
+    if (table == SeriesTable::Repeats)
+        return WrittenSeries{warning,
+                             inARow({Texts::tr("Repeats written to %1.").arg(pathText(file.filename())), ofRepeats})};
+    const std::size_t without = scans.size() - sets.size();
+    return WrittenSeries{
+        warning, without > 0 ? Texts::tr("Scans written to %1: %2. Not in it, without a point: %3.")
                                    .arg(pathText(file.filename()))
                                    .arg(sets.size())
                                    .arg(without)
-                             : tr("Scans written to %1: %2.").arg(pathText(file.filename())).arg(sets.size()));
-    return true;
+                             : Texts::tr("Scans written to %1: %2.").arg(pathText(file.filename())).arg(sets.size())};
 }
 
 } // namespace unprojector::gui
