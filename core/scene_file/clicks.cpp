@@ -94,9 +94,9 @@ std::optional<ClickedObject> objectOf(const Pick &pick, const Scene &scene)
 /// The picture of a click as a scene file has it, whatever rules of the window made it.
 SceneFile sceneOf(const Pick &pick, const Scene &scene)
 {
-    SceneFile file = sceneFileFrom(scene, pick.geometry, {});
-    file.viewport = pick.geometry.viewport;
-    file.depthRange = pick.geometry.depthRange; // in single precision, as OpenGL had it
+    SceneFile file = sceneFileFrom(scene, pick.picture, {});
+    file.viewport = pick.picture.viewport;
+    file.depthRange = pick.picture.depthRange; // in single precision, as OpenGL had it
     file.aspectFromViewport = false;
     file.ui = {};
     // They are no part of what a click is computed from.

@@ -11,13 +11,13 @@ Pick refined(Pick pick, const DrawnSurface &surface)
     if (!pick.hit() || !eye || !world)
         return pick;
     pick.certainty =
-        certaintyAt(pick.geometry, -eye->z, depthErrorAt(pick.geometry, pick.window, *world, pick.sample, surface));
+        certaintyAt(pick.picture, -eye->z, depthErrorAt(pick.picture, pick.window, *world, pick.sample, surface));
     // Of a dot only this is known: its point's pixel is one of those that the dot covers.
     pick.certainty.footprintWidth *= pick.sample.dotPixels;
     pick.certainty.footprintHeight *= pick.sample.dotPixels;
-    pick.withinPixel = withinPixel(pick.geometry, *eye, *world, pick.certainty);
+    pick.withinPixel = withinPixel(pick.picture, *eye, *world, pick.certainty);
     const bool isPoint = surface.isPoint || (pick.sample.dotPixels > 1.0 && !surface.triangle);
-    pick.uncertainty = isPoint ? pick.withinPixel : uncertaintyOf(pick.geometry, *eye, *world, pick.certainty);
+    pick.uncertainty = isPoint ? pick.withinPixel : uncertaintyOf(pick.picture, *eye, *world, pick.certainty);
     return pick;
 }
 

@@ -23,7 +23,7 @@ struct Pick {
     DevicePixel devicePixel;
     WindowPoint window;                ///< the pixel's centre, with the depth as read
     std::optional<std::size_t> object; ///< whose surface, its place in the scene's list at the click; none: background
-    Picture geometry;                  ///< as it was at the click
+    Picture picture;                   ///< as it was at the click
 
     Unprojected point;       ///< of the surface; meaningful on a hit
     Certainty certainty;     ///< of the surface; meaningful on a hit

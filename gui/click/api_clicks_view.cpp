@@ -108,7 +108,7 @@ void ApiClicksView::setPick(const std::optional<Pick> &pick)
     m_plain.clear();
     const bool hasPoint = pick && pick->hit() && pick->point.eye[Method::Formula] && pick->point.world[Method::Formula];
     for (const Api api : kApis) {
-        const auto click = hasPoint ? apiClick(pick->geometry, api, pick->window, *pick->point.eye[Method::Formula],
+        const auto click = hasPoint ? apiClick(pick->picture, api, pick->window, *pick->point.eye[Method::Formula],
                                                *pick->point.world[Method::Formula])
                                     : Result<ApiClick>(Error{ErrorCode::NotFinite});
         std::array<Cell, ColumnCount> cells;

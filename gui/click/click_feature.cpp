@@ -1,6 +1,7 @@
 #include "gui/click/click_feature.h"
 
 #include "gui/click/comparison_panel.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/actions.h"
@@ -72,8 +73,8 @@ void ClickFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
     const auto add = [&](const char *name, ray::Snap snap, const QString &text, const QKeySequence &key,
                          const QString &tip, Drawing drawing) {
         QAction *action = addSwitch(menu, text, key, tip);
-        connect(action, &QAction::triggered, this, [this, snap] { m_document.setSnap(snap); });
-        action->setChecked(snap == m_document.snap());
+        connect(action, &QAction::triggered, this, [this, snap] { m_document.picks().setSnap(snap); });
+        action->setChecked(snap == m_document.picks().snap());
         action->setActionGroup(m_snaps);
         action->setData(static_cast<int>(snap));
         action->setObjectName(QLatin1String(name)); // by which lessons link to it

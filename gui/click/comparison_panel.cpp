@@ -7,6 +7,7 @@
 #include "gui/click/ray_model.h"
 #include "gui/click/ray_table.h"
 #include "gui/document/object_names.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/since_click_text.h"
 #include "gui/text/formula_text.h"
@@ -200,8 +201,8 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     });
     connect(m_copy, &QPushButton::clicked, this, [this] { copyToClipboard(text()); });
     connect(m_again, &QPushButton::clicked, this, [this] {
-        if (m_document.pick())
-            emit pickRequested(m_document.pick()->widget);
+        if (m_document.picks().pick())
+            emit pickRequested(m_document.picks().pick()->widget);
     });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Conventions)
@@ -219,14 +220,14 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
 /// Marked while the numbers are not those of the view as it is.
 void ComparisonPanel::showSinceClick()
 {
-    const bool isStale = m_document.sinceClick().isAnything();
+    const bool isStale = m_document.picks().sinceClick().isAnything();
     m_sinceClick->setText(sinceClickText(m_document));
     m_sinceClick->setToolTip(m_sinceClick->text());
     m_sinceClick->setBackgroundRole(isStale ? QPalette::ToolTipBase : QPalette::Window);
     m_sinceClick->setForegroundRole(isStale ? QPalette::ToolTipText : QPalette::WindowText);
     m_sinceClick->setAutoFillBackground(isStale);
-    const std::optional<Pick> &pick = m_document.pick();
-    m_again->setEnabled(isStale && devicePixelFromWidget(m_document.geometry().surface, pick->widget).hasValue());
+    const std::optional<Pick> &pick = m_document.picks().pick();
+    m_again->setEnabled(isStale && devicePixelFromWidget(m_document.picture().surface, pick->widget).hasValue());
 }
 
 QSize ComparisonPanel::sizeHint() const
@@ -245,8 +246,8 @@ QString ComparisonPanel::nameOf(const std::optional<std::size_t> &object, const 
 
 void ComparisonPanel::showRay()
 {
-    const std::optional<Pick> &pick = m_document.pick();
-    const PickedRay *ray = m_document.pickedRay();
+    const std::optional<Pick> &pick = m_document.picks().pick();
+    const PickedRay *ray = m_document.picks().pickedRay();
     m_rayModel->setRay(pick ? &*pick : nullptr, ray);
     m_ray->clear();
     m_ray->setValue({});
@@ -279,7 +280,7 @@ void ComparisonPanel::showRay()
 /// What the click has taken instead of the surface under the pixel; null where it has not.
 const MetPlace *ComparisonPanel::takenPlace() const
 {
-    const PickedRay *ray = m_document.pickedRay();
+    const PickedRay *ray = m_document.picks().pickedRay();
     return ray && ray->snap != ray::Snap::Surface && ray->taken ? &*ray->taken : nullptr;
 }
 
@@ -287,7 +288,7 @@ void ComparisonPanel::showCertainty(const Pick &pick)
 {
     if (const MetPlace *taken = takenPlace()) {
         const WorldVector &uncertainty = taken->hit.uncertainty;
-        m_certainty->setText(takenCertaintyText(m_document.pickedRay()->snap, taken->hit));
+        m_certainty->setText(takenCertaintyText(m_document.picks().pickedRay()->snap, taken->hit));
         m_certainty->setValue({QStringLiteral("takenUncertainty"), {uncertainty.x, uncertainty.y, uncertainty.z}});
         return;
     }
@@ -300,7 +301,7 @@ void ComparisonPanel::showCertainty(const Pick &pick)
 
 void ComparisonPanel::showPick()
 {
-    const std::optional<Pick> &pick = m_document.pick();
+    const std::optional<Pick> &pick = m_document.picks().pick();
     m_model->setPick(pick);
     m_apis->setPick(pick);
     showSinceClick();
@@ -324,12 +325,12 @@ void ComparisonPanel::showPick()
     m_copy->setEnabled(true);
     if (const MetPlace *taken = takenPlace())
         m_heading->setFullText(
-            takenText(m_document.pickedRay()->snap, taken->hit, nameOf(taken->object, taken->objectName)));
+            takenText(m_document.picks().pickedRay()->snap, taken->hit, nameOf(taken->object, taken->objectName)));
     else
         m_heading->setFullText(pick->hit() ? tr("A point on %1").arg(nameOf(pick->object, {}))
                                            : tr("Background: no surface here"));
     m_widget->setText(widgetText(pick->widget));
-    m_devicePixel->setText(devicePixelText(pick->devicePixel, pick->geometry.surface));
+    m_devicePixel->setText(devicePixelText(pick->devicePixel, pick->picture.surface));
     m_window->setText(windowText(pick->window));
     m_depth->setText(clickedDepthText(depthText(pick->window.z), pick->hit()));
     m_widget->setValue({QStringLiteral("widget"), {pick->widget.x, pick->widget.y}});
@@ -355,7 +356,7 @@ void ComparisonPanel::setShowsFloat(bool shows)
 QString ComparisonPanel::text() const
 {
     QString text = m_heading->fullText() + u'\n' + m_sinceClick->text() + u'\n';
-    const std::optional<Pick> &pick = m_document.pick();
+    const std::optional<Pick> &pick = m_document.picks().pick();
     for (const SteadyLabel *link : {m_widget, m_devicePixel, m_window, m_depth}) {
         const bool isDepth = link == m_depth && pick;
         text += link->accessibleName() + u'\t'

@@ -8,6 +8,7 @@
 #include "gui/doctor/diagnoser.h"
 #include "gui/doctor/diagnosis_view.h"
 #include "gui/doctor/wrong_points_form.h"
+#include "gui/document/picks.h"
 #include "gui/text/bundled_names.h"
 #include "gui/text/error_text.h"
 #include "gui/widgets/contrast.h"
@@ -155,7 +156,7 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
         else
             refresh();
     });
-    connect(&document.rayCasters(), &RayCasters::built, this, [this] {
+    connect(&document.picks().rayCasters(), &RayCasters::built, this, [this] {
         if (isVisible())
             ask();
     });
@@ -241,9 +242,9 @@ std::optional<Picture> DoctorPanel::pictureNow() const
 {
     std::optional<Surface> own = sizeOf(m_window->text());
     if (!own)
-        return m_document.geometry();
-    own->devicePixelRatio = m_document.geometry().surface.devicePixelRatio; // a window on the same screen
-    const Result<Picture> picture = pictureOf(m_document.scene(), *own, m_document.ground());
+        return m_document.picture();
+    own->devicePixelRatio = m_document.picture().surface.devicePixelRatio; // a window on the same screen
+    const Result<Picture> picture = pictureOf(m_document.scene(), *own, m_document.ground().box);
     return picture ? std::optional(*picture) : std::nullopt;
 }
 
@@ -254,7 +255,7 @@ std::optional<Picture> DoctorPanel::picture() const
 
 std::shared_ptr<const ray::SceneRays> DoctorPanel::raysOf(const Picture &picture) const
 {
-    const auto casters = m_document.rayCasters().of(m_document.objects());
+    const auto casters = m_document.picks().rayCasters().of(m_document.objects());
     const Result<Unprojector> unprojector = Unprojector::of(picture);
     if (m_document.objects().empty() || !casters || !unprojector)
         return nullptr;
@@ -264,8 +265,8 @@ std::shared_ptr<const ray::SceneRays> DoctorPanel::raysOf(const Picture &picture
 
 void DoctorPanel::takePick()
 {
-    const std::optional<Pick> &pick = m_document.pick();
-    const std::optional<Taken> taken = pick ? std::optional(Taken{pick->devicePixel, pick->geometry}) : std::nullopt;
+    const std::optional<Pick> &pick = m_document.picks().pick();
+    const std::optional<Taken> taken = pick ? std::optional(Taken{pick->devicePixel, pick->picture}) : std::nullopt;
     if (taken == m_taken)
         return;
     if (taken == m_takenBefore) {
@@ -282,16 +283,16 @@ void DoctorPanel::takePick()
     m_pictureBefore = m_picture;
     m_form->forgetClick(); // of the pick before: this one may fill nothing in
     const bool isOfView = !sizeOf(m_window->text());
-    const std::optional<Picture> own = !m_form->points().empty() ? picture() : isOfView ? pick->geometry : pictureNow();
+    const std::optional<Picture> own = !m_form->points().empty() ? picture() : isOfView ? pick->picture : pictureNow();
     if (!own)
         return; // showPicture says why
-    if (*own == pick->geometry) {
+    if (*own == pick->picture) {
         m_picture = own;
         m_form->addClick(pixelCenter(pick->devicePixel), pick->window.z);
         return;
     }
     // Where the clicked point is in the program's own picture.
-    const std::optional<WorldPoint> world = m_document.pickedPoint();
+    const std::optional<WorldPoint> world = m_document.picks().pickedPoint();
     if (!world) {
         m_pictureText->setText(tr("Not taken: the background is at no pixel of another picture."));
         return;
@@ -308,7 +309,7 @@ void DoctorPanel::takePick()
 
 void DoctorPanel::goToPixel(const DevicePoint &pixel)
 {
-    if (picture() == m_document.geometry()) {
+    if (picture() == m_document.picture()) {
         emit pickRequested({static_cast<int>(std::floor(pixel.x)), static_cast<int>(std::floor(pixel.y))});
     } else {
         m_form->addClick(pixel, {});
@@ -328,7 +329,7 @@ void DoctorPanel::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
     m_diagnoser->cancel();
-    m_document.markWrongPoints({});
+    m_document.picks().markWrongPoints({});
 }
 
 void DoctorPanel::refresh()
@@ -346,7 +347,7 @@ void DoctorPanel::refresh()
 
 void DoctorPanel::showPicture()
 {
-    m_window->setPlaceholderText(tr("as the view, %1").arg(sizeText(m_document.geometry().surface)));
+    m_window->setPlaceholderText(tr("as the view, %1").arg(sizeText(m_document.picture().surface)));
     const std::optional<Picture> own = picture(), now = pictureNow();
     if (!own) {
         m_pictureText->setText(tr("The scene has no picture in a window of %1.").arg(m_window->text()));
@@ -452,7 +453,7 @@ void DoctorPanel::mark()
             marks.push_back(mark);
         }
     }
-    m_document.markWrongPoints(std::move(marks));
+    m_document.picks().markWrongPoints(std::move(marks));
 }
 
 } // namespace unprojector::gui

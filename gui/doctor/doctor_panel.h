@@ -1,10 +1,12 @@
 #pragma once
 
 #include "core/doctor/diagnosis.h"
+#include "core/ray/scene_rays.h"
 #include "gui/document/scene_document.h"
 
 #include <QWidget>
 
+#include <memory>
 #include <optional>
 #include <vector>
 

@@ -45,7 +45,7 @@ void setView(SceneDocument &document, const LookAt &camera, const Projection &pr
 
 void fitAll(SceneDocument &document)
 {
-    Framing framing(document.geometry());
+    Framing framing(document.picture());
     for (const SceneObject &object : document.objects()) {
         if (!object.isHidden)
             add(framing, object);
@@ -66,7 +66,7 @@ void fitObject(SceneDocument &document, std::size_t index)
 {
     Q_ASSERT(index < document.objects().size());
     const SceneObject &object = document.objects()[index];
-    Framing framing(document.geometry());
+    Framing framing(document.picture());
     add(framing, object);
     showFramed(document, framing.picture(), boundsOf(object));
 }
@@ -93,7 +93,7 @@ void switchProjection(SceneDocument &document)
 
 void openObjects(SceneDocument &document, std::vector<SceneObject> objects)
 {
-    const LookAt camera = openingCamera(objects, document.geometry().surface);
+    const LookAt camera = openingCamera(objects, document.picture().surface);
     openObjects(document, std::move(objects), camera);
 }
 

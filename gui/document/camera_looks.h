@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/geometry/camera_motion.h"
+#include "core/unproject/pick.h"
 #include "gui/document/scene_document.h"
 
 #include <QString>
@@ -11,7 +13,7 @@ namespace unprojector::gui {
 
 // Looking around in a document. Each is undoable, and ignored where it would leave no valid picture or changes nothing.
 
-/// @param mergeKey  see Deed
+/// @param mergeKey  see EditLabel
 void setCamera(SceneDocument &document, const LookAt &camera, const QString &mergeKey = {});
 void setProjection(SceneDocument &document, const Projection &projection, const QString &mergeKey = {});
 void setView(SceneDocument &document, const LookAt &camera, const Projection &projection, const QString &mergeKey = {});

@@ -1,5 +1,6 @@
 #include "gui/document/given_points.h"
 
+#include "core/matrices/pipeline.h"
 #include "gui/document/document_change.h"
 
 #include <algorithm>
@@ -13,6 +14,19 @@ std::optional<std::size_t> placeOf(const GivenPoint &given, const std::vector<Sc
     const auto found = std::find_if(objects.begin(), objects.end(),
                                     [&](const SceneObject &object) { return object.name == given.object; });
     return found == objects.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - objects.begin()));
+}
+
+std::optional<WorldPoint> givenWorld(const Scene &scene, const Picture &picture)
+{
+    if (!scene.givenPoint)
+        return std::nullopt;
+    const std::optional<std::size_t> object = placeOf(*scene.givenPoint, scene.objects);
+    const Result<matrices::Pipeline> pipeline =
+        matrices::pipeline(picture, object ? worldFromObject(scene.objects[*object].transform) : glm::dmat4(1.0));
+    if (!pipeline)
+        return std::nullopt;
+    const Result<WorldPoint> world = pointsFrom(*pipeline, *scene.givenPoint).world;
+    return world ? std::optional(*world) : std::nullopt;
 }
 
 GivenPoint withObjects(const GivenPoint &given, const std::vector<SceneObject> &before,

@@ -41,18 +41,4 @@ struct PickedRay {
     std::optional<MetPlace> taken; ///< what the click takes, in that mode: of a surface the same
 };
 
-/// What a ray goes through besides the picture.
-struct RayScene {
-    std::shared_ptr<const std::vector<SceneObject>> objects;
-    std::vector<glm::dvec4> clipPlanes;
-};
-
-/// What is picked at a moment, to come back to.
-struct KeptPick {
-    std::optional<Pick> pick = {};
-    glm::dmat4 placement{1.0};             ///< worldFromObject of its object at the click
-    PickedRay ray = {};                    ///< meaningful with a pick
-    std::optional<RayScene> rayScene = {}; ///< at the click, until the ray has its answer
-};
-
 } // namespace unprojector::gui

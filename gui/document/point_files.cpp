@@ -304,7 +304,7 @@ bool PointFiles::importFrom(const std::filesystem::path &file)
     QStringList said{tr("Points read from %1: %2.").arg(name).arg(count), *done};
     if (taken > 0)
         said << semilandmarksText(set, taken);
-    const landmarks::LandmarkSet &before = m_document.landmarkSet();
+    const landmarks::LandmarkSet &before = m_document.scene().landmarks;
     if (const QString lost = pointNotesText(name, read.notes); !lost.isEmpty())
         notes << lost;
     if (read.sets.size() > 1)

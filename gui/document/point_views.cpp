@@ -122,7 +122,7 @@ void zoomToPoint(SceneDocument &document, std::size_t place, double half)
     if (!point || !(half > 0.0))
         return;
     const WorldPoint world = *point->world;
-    Picture picture = document.geometry();
+    Picture picture = document.picture();
     picture.camera() = recentered(picture, world);
     const double pixel = worldPerLogicalPixel(picture, world) / picture.surface.devicePixelRatio;
     picture = zoomed(picture, world, pixel / 2.0 / half);

@@ -1,28 +1,26 @@
 #include "gui/document/scene_change.h"
 
-#include "gui/document/scene_document.h"
-
 #include <utility>
 
 namespace unprojector::gui {
 
-SceneChange::SceneChange(SceneDocument &document, SceneState before, SceneState after, const QString &text,
-                         QString mergeKey)
-    : QUndoCommand(text), m_document(document), m_before(std::move(before)), m_after(std::move(after)),
-      m_mergeKey(std::move(mergeKey))
+SceneChange::SceneChange(SceneState before, SceneState after, const EditLabel &label,
+                         std::function<void(const SceneState &)> restore)
+    : QUndoCommand(label.text), m_before(std::move(before)), m_after(std::move(after)), m_mergeKey(label.mergeKey),
+      m_restore(std::move(restore))
 {
 }
 
 void SceneChange::undo()
 {
-    m_document.restore(m_before);
+    m_restore(m_before);
 }
 
 void SceneChange::redo()
 {
     if (std::exchange(m_isApplied, false))
         return;
-    m_document.restore(m_after);
+    m_restore(m_after);
 }
 
 bool SceneChange::mergeWith(const QUndoCommand *next)

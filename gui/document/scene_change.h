@@ -6,13 +6,18 @@
 #include <QUndoCommand>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
 namespace unprojector::gui {
 using namespace scene;
 
-class SceneDocument;
+/// The name of an edit in the undo menu.
+struct EditLabel {
+    QString text;          ///< "Near"
+    QString mergeKey = {}; ///< edits with the same key, one right after the other, are undone as one; empty: never
+};
 
 /// A state of the document. Copies share the objects and the landmarks, of which there may be many: a look around costs a few
 /// numbers.
@@ -28,7 +33,9 @@ struct SceneState {
 /// One undoable change: the state before and after it.
 class SceneChange : public QUndoCommand {
 public:
-    SceneChange(SceneDocument &document, SceneState before, SceneState after, const QString &text, QString mergeKey);
+    /// @param restore  puts a state in place
+    SceneChange(SceneState before, SceneState after, const EditLabel &label,
+                std::function<void(const SceneState &)> restore);
 
     void undo() override;
     void redo() override;
@@ -38,10 +45,10 @@ public:
 private:
     bool isEdit() const { return m_before.edit != m_after.edit; }
 
-    SceneDocument &m_document;
     SceneState m_before;
     SceneState m_after;
     QString m_mergeKey;
+    std::function<void(const SceneState &)> m_restore;
     bool m_isApplied = true; ///< the document made the change before it pushed this command
 };
 

@@ -140,10 +140,11 @@ struct SceneCurves::Task {
     std::atomic<std::size_t> done{0};
 };
 
-SceneCurves::SceneCurves(SceneDocument &document) : m_document(document), m_surfaces(std::make_shared<Surfaces>())
+SceneCurves::SceneCurves(SceneDocument &document, ChangeNotifier &changes)
+    : m_document(document), m_changes(changes), m_surfaces(std::make_shared<Surfaces>())
 {
-    connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & (Change::Landmarks | Change::LandmarkSelection | Change::Objects | Change::Placement))
+    connect(&document, &SceneDocument::changed, this, [this](Changes changed) {
+        if (changed & (Change::Landmarks | Change::LandmarkSelection | Change::Objects | Change::Placement))
             refresh();
     });
 }
@@ -157,7 +158,7 @@ SceneCurves::~SceneCurves()
 
 const std::vector<Curve> &SceneCurves::all() const
 {
-    return m_document.landmarkSet().curves;
+    return m_document.scene().landmarks.curves;
 }
 
 const SceneCurves::Line &SceneCurves::line(std::size_t curve) const
@@ -330,7 +331,7 @@ void SceneCurves::take(const JobResult<std::vector<Line>> &lines)
     if (m_selected)
         put(*m_selected);
     begin();
-    m_document.tell(Change::Curves);
+    m_changes.notify(Change::Curves);
 }
 
 SceneCurves::Progress SceneCurves::progress() const
@@ -362,7 +363,7 @@ geometry::Result<landmarks::LandmarkSet, QString> SceneCurves::withSemilandmarks
         if (known.line.failure)
             return failureText(*known.line.failure);
     }
-    landmarks::LandmarkSet set = m_document.landmarkSet();
+    landmarks::LandmarkSet set = m_document.scene().landmarks;
     for (std::size_t i = 0; i < set.curves.size(); ++i) {
         Curve &curve = set.curves[i];
         if (curve.points.empty())
@@ -379,14 +380,14 @@ void SceneCurves::showMeasure(std::optional<ShownMeasure> measure)
     if (measure == m_shownMeasure)
         return;
     m_shownMeasure = std::move(measure);
-    m_document.tell(Change::Curves);
+    m_changes.notify(Change::Curves);
 }
 
 // ---- edits -------------------------------------------------------------------------------------------------------
 
 void SceneCurves::edit(std::vector<Curve> curves, const QString &text, const QString &mergeKey)
 {
-    landmarks::LandmarkSet set = m_document.landmarkSet();
+    landmarks::LandmarkSet set = m_document.scene().landmarks;
     set.curves = std::move(curves);
     static_cast<void>(editLandmarkSet(m_document, std::move(set), {text, mergeKey}));
 }

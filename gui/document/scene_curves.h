@@ -4,6 +4,7 @@
 #include "core/landmarks/landmark.h"
 #include "core/scene/scene.h"
 #include "gui/document/background.h"
+#include "gui/document/change_notifier.h"
 
 #include <QObject>
 #include <QString>
@@ -36,7 +37,7 @@ struct ShownMeasure {
 };
 
 /// The curves between the placed points of a document's scene: how they go on the surface now, and what is done to single ones. Each
-/// edit is one step of undo, by the name of the curve. Places are places in SceneDocument::landmarkSet().curves.
+/// edit is one step of undo, by the name of the curve. Places are places in SceneDocument::scene().landmarks.curves.
 ///
 /// How a curve goes follows from where its points are; it is worked out anew whenever they move, of small models at once, of others
 /// on a thread of its own. Until then the line before is shown as what it is. Change::Curves tells of what has come.
@@ -51,7 +52,8 @@ public:
         std::optional<JobFailure> failure;     ///< the reason is no fault of the curve: complete() tries again
     };
 
-    explicit SceneCurves(SceneDocument &document);
+    /// @param changes  reports the lines that were computed
+    SceneCurves(SceneDocument &document, ChangeNotifier &changes);
     ~SceneCurves() override;
 
     const std::vector<landmarks::Curve> &all() const;
@@ -113,6 +115,7 @@ private:
     void edit(std::vector<landmarks::Curve> curves, const QString &text, const QString &mergeKey = {});
 
     SceneDocument &m_document;
+    ChangeNotifier &m_changes;
     std::shared_ptr<Surfaces> m_surfaces;
     std::vector<Known> m_known;        ///< one a curve
     std::unique_ptr<Known> m_selected; ///< of what is selected

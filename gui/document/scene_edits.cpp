@@ -1,5 +1,6 @@
 #include "gui/document/scene_edits.h"
 
+#include "core/geometry/camera_motion.h"
 #include "core/scene/given_matrices.h"
 #include "core/scene/opening_view.h"
 
@@ -66,7 +67,7 @@ Check addObjects(SceneDocument &document, std::vector<SceneObject> objects)
             object.name = freeName(object.name, scene.objects);
             scene.objects.push_back(std::move(object));
         }
-        showAdded(scene, document.geometry(), scene.objects, added);
+        showAdded(scene, document.picture(), scene.objects, added);
     });
 }
 
@@ -125,24 +126,23 @@ NameFault renameObject(SceneDocument &document, std::size_t index, const QString
     return NameFault::None;
 }
 
-Check editLandmarks(SceneDocument &document, std::vector<landmarks::Landmark> landmarks, const Deed &deed)
+Check editLandmarks(SceneDocument &document, std::vector<landmarks::Landmark> landmarks, const EditLabel &label)
 {
-    return document.edit(deed, [&](Scene &scene) { scene.landmarks.landmarks = std::move(landmarks); });
+    return document.edit(label, [&](Scene &scene) { scene.landmarks.landmarks = std::move(landmarks); });
 }
 
-Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const Deed &deed)
+Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const EditLabel &label)
 {
-    return document.edit(deed, [&](Scene &scene) { scene.landmarks = std::move(set); });
+    return document.edit(label, [&](Scene &scene) { scene.landmarks = std::move(set); });
 }
 
 Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection> &projection,
-                   const std::optional<glm::dmat4> &eyeFromWorld, const Deed &deed)
+                   const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label)
 {
-    const Result<SceneSettings> settings =
-        withMatrices(document.scene(), document.geometry(), projection, eyeFromWorld);
+    const Result<SceneSettings> settings = withMatrices(document.scene(), document.picture(), projection, eyeFromWorld);
     if (!settings)
         return settings.error();
-    return document.edit(deed, [&](Scene &scene) { static_cast<SceneSettings &>(scene) = *settings; });
+    return document.edit(label, [&](Scene &scene) { static_cast<SceneSettings &>(scene) = *settings; });
 }
 
 } // namespace unprojector::gui

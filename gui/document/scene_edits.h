@@ -28,12 +28,12 @@ bool hasHiddenObjects(const Scene &scene);
 NameFault renameObject(SceneDocument &document, std::size_t index, const QString &name);
 
 /// All placed landmarks, for those that are there. What is done to single ones: ScenePoints.
-Check editLandmarks(SceneDocument &document, std::vector<landmarks::Landmark> landmarks, const Deed &deed);
-Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const Deed &deed);
+Check editLandmarks(SceneDocument &document, std::vector<landmarks::Landmark> landmarks, const EditLabel &label);
+Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const EditLabel &label);
 
 /// Takes a projection, a view or both from matrices, see withMatrices.
 /// @return the errors of byParameters and pictureOf
 Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection> &projection,
-                   const std::optional<glm::dmat4> &eyeFromWorld, const Deed &deed);
+                   const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label);
 
 } // namespace unprojector::gui

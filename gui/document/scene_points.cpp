@@ -7,8 +7,6 @@
 #include <numeric>
 #include <utility>
 
-// Where points are placed is in scene_points_placing.cpp.
-
 namespace unprojector::gui {
 namespace {
 
@@ -85,7 +83,12 @@ void takePlace(Landmark &point, const Landmark &of)
 
 } // namespace
 
-ScenePoints::ScenePoints(SceneDocument &document) : m_document(document) {}
+ScenePoints::ScenePoints(SceneDocument &document, ChangeNotifier &changes) : m_document(document), m_changes(changes)
+{
+    // In another scene nothing is selected, and the first missing landmark waits.
+    connect(&document, &SceneDocument::opened, this,
+            [this] { take({}, std::nullopt, nextMissing(all(), std::nullopt)); });
+}
 
 const std::vector<Landmark> &ScenePoints::all() const
 {
@@ -129,7 +132,7 @@ void ScenePoints::select(std::vector<std::size_t> places, std::optional<std::siz
         places.end());
     const bool waits = current && *current < points.size() && points[*current].isMissing();
     if (take(std::move(places), current, waits ? current : m_waiting))
-        m_document.tell(Change::LandmarkSelection);
+        m_changes.notify(Change::LandmarkSelection);
 }
 
 void ScenePoints::toggle(std::size_t place)
@@ -149,7 +152,7 @@ void ScenePoints::setWaiting(std::optional<std::size_t> place)
     if (place && (*place >= all().size() || !all()[*place].isMissing()))
         place = std::nullopt;
     if (take(m_selection, m_current, place))
-        m_document.tell(Change::LandmarkSelection);
+        m_changes.notify(Change::LandmarkSelection);
 }
 
 void ScenePoints::waitForNext(std::optional<std::size_t> after)
@@ -157,7 +160,7 @@ void ScenePoints::waitForNext(std::optional<std::size_t> after)
     setWaiting(nextMissing(all(), after));
 }
 
-bool ScenePoints::follow(const std::vector<Landmark> &before, const std::vector<Landmark> &after)
+Changes ScenePoints::follow(const std::vector<Landmark> &before, const std::vector<Landmark> &after)
 {
     PlacesAfter places(before, after);
     std::vector<std::size_t> selection;
@@ -175,12 +178,7 @@ bool ScenePoints::follow(const std::vector<Landmark> &before, const std::vector<
         waiting = std::nullopt;
     if (const std::optional<std::size_t> again = unplaced(before, after))
         waiting = again;
-    return take(std::move(selection), current, waiting);
-}
-
-void ScenePoints::forget()
-{
-    take({}, std::nullopt, nextMissing(all(), std::nullopt));
+    return take(std::move(selection), current, waiting) ? Change::LandmarkSelection : Changes();
 }
 
 // ---- edits -------------------------------------------------------------------------------------------------------
@@ -198,7 +196,7 @@ std::string ScenePoints::freeName() const
 
 Check ScenePoints::place(Landmark placed)
 {
-    const SceneDocument::Telling telling(m_document);
+    const ChangeNotifier::Batch batch(m_changes);
     std::vector<Landmark> points = all();
     const std::size_t place = m_waiting.value_or(points.size());
     if (m_waiting) {
@@ -265,7 +263,7 @@ Check ScenePoints::moveTo(std::size_t place, const WorldPoint &to, const QString
 Check ScenePoints::rename(std::size_t place, const QString &name)
 {
     Q_ASSERT(place < all().size());
-    landmarks::LandmarkSet set = m_document.landmarkSet();
+    landmarks::LandmarkSet set = m_document.scene().landmarks;
     const std::string before = std::exchange(set.landmarks[place].name, name.trimmed().toStdString());
     for (landmarks::Curve &curve : set.curves) { // which know their points by their names
         if (!before.empty())
@@ -295,7 +293,7 @@ Check ScenePoints::setHidden(const std::vector<std::size_t> &places, bool isHidd
 
 Check ScenePoints::setMissing(const std::vector<std::size_t> &places)
 {
-    const SceneDocument::Telling telling(m_document);
+    const ChangeNotifier::Batch batch(m_changes);
     const std::optional<std::size_t> waiting = m_waiting; // what is not there is not what is placed next
     const Check done = edit(places, tr("%1 missing"), tr("%n points missing", nullptr, static_cast<int>(places.size())),
                             [](Landmark &point) { takePlace(point, {}); });

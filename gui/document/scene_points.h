@@ -1,8 +1,7 @@
 #pragma once
 
 #include "core/landmarks/landmark.h"
-#include "core/ray/scene_rays.h"
-#include "core/unproject/pick.h"
+#include "gui/document/change_notifier.h"
 
 #include <QObject>
 #include <QString>
@@ -13,7 +12,6 @@
 
 namespace unprojector::gui {
 using namespace geometry;
-using namespace unproject;
 
 class SceneDocument;
 
@@ -27,7 +25,8 @@ class ScenePoints : public QObject {
 public:
     using Landmark = landmarks::Landmark;
 
-    explicit ScenePoints(SceneDocument &document);
+    /// @param changes  reports what is selected
+    ScenePoints(SceneDocument &document, ChangeNotifier &changes);
 
     const std::vector<Landmark> &all() const;
 
@@ -84,42 +83,24 @@ public:
     /// @param order  of the points as they are, each once
     Check arrange(const std::vector<std::size_t> &order);
 
-    // Placing. Nothing of it changes anything.
-
-    /// What would be placed at a position of the picture as clicks snap now: held by the mesh that is met there.
-    /// @param position  device pixels, origin top-left: a pixel's centre has halves
-    /// @param pixels    see ray::landmarkAt
-    /// @return nothing where no mesh is met, and while models are not prepared for rays
-    std::optional<Landmark> onMeshAt(const DevicePoint &position, double pixels = 1.0) const;
-    /// The same on the surface itself, whatever clicks snap to.
-    std::optional<Landmark> onSurfaceAt(const DevicePoint &position, double pixels = 1.0) const;
-    /// What stands for the depth that a click has read: its point by the formula, held by nothing.
-    /// @return nothing for the background
-    std::optional<Landmark> of(const Pick &pick) const;
-    /// What would be placed by a click: on the mesh, else by the depth that was read.
-    std::optional<Landmark> placedAt(const WidgetPoint &position, const std::optional<DepthSample> &sample) const;
-
     /// Its name, as texts have it; "point 3" for one without.
     static QString shownNameOf(const std::vector<Landmark> &points, std::size_t place);
 
-private:
-    friend class SceneDocument;
+    /// The selection follows a change of the list of landmarks.
+    /// @return the changes of the selection
+    Changes follow(const std::vector<Landmark> &before, const std::vector<Landmark> &after);
 
-    std::optional<Landmark> metAt(const DevicePoint &position, ray::Snap snap, double pixels) const;
+private:
     /// A change of single points.
     template <class Change>
     Check edit(const std::vector<std::size_t> &places, const QString &one, const QString &several, const Change &change,
                const QString &mergeKey = {});
-    /// What is selected goes with the points.
-    /// @return whether anything of it is other than before
-    bool follow(const std::vector<Landmark> &before, const std::vector<Landmark> &after);
-    /// In another scene: nothing is selected, and the first missing point waits.
-    void forget();
     /// @return whether it is another selection
     bool take(std::vector<std::size_t> places, std::optional<std::size_t> current, std::optional<std::size_t> waiting);
     std::string freeName() const;
 
     SceneDocument &m_document;
+    ChangeNotifier &m_changes;
     std::vector<std::size_t> m_selection;
     std::optional<std::size_t> m_current;
     std::optional<std::size_t> m_waiting;

@@ -96,7 +96,7 @@ bool Session::saveScene(const std::filesystem::path &file)
     emit typedToCount();
     emit aboutToSaveOrLeave();
     const std::filesystem::path path = absolutePath(file);
-    SceneFile contents = sceneFileFrom(m_document.scene(), m_document.geometry(), path, m_contents);
+    SceneFile contents = sceneFileFrom(m_document.scene(), m_document.picture(), path, m_contents);
     const std::optional<files::FileStamp> onlyIf = path == m_file ? m_stamp : std::nullopt;
     Result<files::FileStamp, SceneFileError> written = writeSceneFile(path, contents, onlyIf);
     if (!written && written.error().code == SceneFileErrorCode::ChangedMeanwhile) {
@@ -232,7 +232,7 @@ void Session::followChanges()
 
 SceneFile Session::contents() const
 {
-    return sceneFileFrom(m_document.scene(), m_document.geometry(), m_file, m_contents);
+    return sceneFileFrom(m_document.scene(), m_document.picture(), m_file, m_contents);
 }
 
 Result<Autosave::Content, QString> Session::unsavedContent() const

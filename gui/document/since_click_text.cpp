@@ -1,5 +1,6 @@
 #include "gui/document/since_click_text.h"
 
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 
 #include <QCoreApplication>
@@ -65,10 +66,10 @@ QString clipTestText(const ClipPoint &point)
 
 QString sinceClickText(const SceneDocument &document)
 {
-    const std::optional<Pick> &pick = document.pick();
+    const std::optional<Pick> &pick = document.picks().pick();
     if (!pick)
         return {};
-    const SinceClick since = document.sinceClick();
+    const SinceClick since = document.picks().sinceClick();
     if (since.isObjectHidden)
         return hiddenText();
     if (since.isObjectMoved)
@@ -78,7 +79,7 @@ QString sinceClickText(const SceneDocument &document)
     if (!since.isOtherPicture)
         return SinceClickTexts::tr("The view is as it was at the click.");
     const Result<WorldPoint> &world = pick->point.world[Method::Formula];
-    const Result<glm::dmat4> matrix = clipFromWorld(document.geometry());
+    const Result<glm::dmat4> matrix = clipFromWorld(document.picture());
     if (pick->hit() && world && matrix) {
         const ClipPoint clip(*matrix * glm::dvec4(world->coordinates(), 1.0));
         if (const QString outside = clipTestText(clip); !outside.isEmpty())

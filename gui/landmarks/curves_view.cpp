@@ -261,7 +261,7 @@ void CurvesView::showLengths()
 {
     const QSignalBlocker blocker(m_rows);
     const SceneCurves &curves = m_document.curves();
-    const QString unit = QString::fromStdString(m_document.landmarkSet().unit);
+    const QString unit = QString::fromStdString(m_document.scene().landmarks.unit);
     for (std::size_t i = 0; i < curves.all().size(); ++i) {
         QTreeWidgetItem *item = m_rows->topLevelItem(static_cast<int>(i));
         if (!item)

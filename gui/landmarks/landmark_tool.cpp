@@ -1,5 +1,7 @@
 #include "gui/landmarks/landmark_tool.h"
 
+#include "gui/document/landmark_placing.h"
+#include "gui/document/picks.h"
 #include "gui/landmarks/measure_mark.h"
 #include "gui/landmarks/point_loupe.h"
 #include "gui/view/scene_view.h"
@@ -59,7 +61,7 @@ LandmarkTool::LandmarkTool(SceneDocument &document, SceneView &view)
             m_marks.reset();
     });
     // Only now it can be said which landmarks are behind something.
-    connect(&m_document.rayCasters(), &RayCasters::built, this, [this] {
+    connect(&m_document.picks().rayCasters(), &RayCasters::built, this, [this] {
         m_marks.reset();
         if (!m_document.landmarks().empty())
             m_view.update();
@@ -117,8 +119,8 @@ void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
     if (shownArrows)
         drawAxes(painter, *shownArrows, m_drag == Drag::Axis ? std::optional(m_axis) : std::nullopt);
     if (m_loupeAt) {
-        const ray::SceneRays *rays = m_document.rays();
-        drawLoupe(painter, loupeBox(m_document.geometry().surface, *m_loupeAt, m_view.cornerWidth()), *m_loupeAt,
+        const ray::SceneRays *rays = m_document.picks().rays();
+        drawLoupe(painter, loupeBox(m_document.picture().surface, *m_loupeAt, m_view.cornerWidth()), *m_loupeAt,
                   m_loupe, rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>());
     }
 }
@@ -133,8 +135,7 @@ void LandmarkTool::aimLoupe(const std::optional<DevicePoint> &at)
 
 std::optional<DevicePoint> LandmarkTool::pointedAt(const QPointF &local) const
 {
-    const Result<DevicePixel> pixel =
-        devicePixelFromWidget(m_document.geometry().surface, m_view.widgetPosition(local));
+    const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.picture().surface, m_view.widgetPosition(local));
     return pixel ? std::optional(pixelCenter(*pixel)) : std::nullopt;
 }
 
@@ -200,14 +201,14 @@ void LandmarkTool::dragLandmark(const QPointF &local)
 {
     const WidgetPoint position = m_view.widgetPosition(local);
     const QPointF wanted = QPointF(position.x, position.y) + m_grab;
-    const std::optional<Landmark> there = m_document.points().onMeshAt(deviceOf(m_document.geometry().surface, wanted));
+    const std::optional<Landmark> there = landmarkOnMesh(m_document, deviceOf(m_document.picture().surface, wanted));
     if (!there) // beside the mesh it waits where it was last on it
         return;
     m_hasMoved = true;
     std::vector<ScenePoints::Move> moves{{m_dragged, *there}};
     for (const auto &[place, at] : m_draggedWith) {
         const std::optional<Landmark> other =
-            m_document.points().onMeshAt(deviceOf(m_document.geometry().surface, at + wanted - m_dragStart));
+            landmarkOnMesh(m_document, deviceOf(m_document.picture().surface, at + wanted - m_dragStart));
         const std::string &before = m_document.landmarks()[place].object;
         if (other && (before.empty() || other->object == before)) // not from one object onto another
             moves.push_back({place, *other});
@@ -220,7 +221,7 @@ void LandmarkTool::dragLandmark(const QPointF &local)
     m_leftBehind = wantedMoves - std::min(wantedMoves, moves.size());
     const QScopedValueRollback<bool> moving(m_isMoving, true);
     static_cast<void>(m_document.points().moveAll(moves, m_mergeKey));
-    aimLoupe(deviceOf(m_document.geometry().surface, wanted));
+    aimLoupe(deviceOf(m_document.picture().surface, wanted));
 }
 
 std::optional<std::array<AxisArrow, 3>> LandmarkTool::arrows() const
@@ -231,19 +232,19 @@ std::optional<std::array<AxisArrow, 3>> LandmarkTool::arrows() const
     const Landmark &point = m_document.landmarks()[*current];
     if (point.isMissing() || point.isHidden)
         return std::nullopt;
-    return axisArrows(m_document.geometry(), *point.world);
+    return axisArrows(m_document.picture(), *point.world);
 }
 
 bool LandmarkTool::pressArrow(const QPointF &pointer)
 {
     const auto shown = arrows();
     const std::optional<int> axis = shown ? axisUnder(*shown, pointer) : std::nullopt;
-    const ray::SceneRays *rays = axis ? m_document.rays() : nullptr;
+    const ray::SceneRays *rays = axis ? m_document.picks().rays() : nullptr;
     if (!rays)
         return false;
     m_dragged = *m_document.points().current();
     m_axisStart = *m_document.landmarks()[m_dragged].world;
-    const auto ray = rays->rays().at(deviceOf(m_document.geometry().surface, pointer));
+    const auto ray = rays->rays().at(deviceOf(m_document.picture().surface, pointer));
     const std::optional<double> from = ray ? wayAlong(m_axisStart, *axis, *ray) : std::nullopt;
     if (!from)
         return false;
@@ -257,11 +258,11 @@ bool LandmarkTool::pressArrow(const QPointF &pointer)
 
 void LandmarkTool::dragAlongAxis(const QPointF &local)
 {
-    const ray::SceneRays *rays = m_document.rays();
+    const ray::SceneRays *rays = m_document.picks().rays();
     if (!rays)
         return;
     const WidgetPoint position = m_view.widgetPosition(local);
-    const auto ray = rays->rays().at(deviceFromWidget(m_document.geometry().surface, position));
+    const auto ray = rays->rays().at(deviceFromWidget(m_document.picture().surface, position));
     const std::optional<double> way = ray ? wayAlong(m_axisStart, m_axis, *ray) : std::nullopt;
     if (!way)
         return;
@@ -277,7 +278,7 @@ void LandmarkTool::click(const QPointF &local)
     const WidgetPoint position = m_view.widgetPosition(local);
     const std::optional<PixelClick> click = m_view.clickAt(position);
     const std::optional<Landmark> there =
-        m_document.points().placedAt(position, click ? std::optional(click->sample) : std::nullopt);
+        landmarkOfClick(m_document, position, click ? std::optional(click->sample) : std::nullopt);
     if (there) {
         static_cast<void>(m_document.points().place(*there));
         return;
@@ -352,10 +353,10 @@ void LandmarkTool::nudge(const QPointF &way)
     for (const PointMark &mark : marks()) {
         if (!points.isSelected(mark.place))
             continue;
-        DevicePoint to = deviceOf(m_document.geometry().surface, mark.at);
+        DevicePoint to = deviceOf(m_document.picture().surface, mark.at);
         to.x += way.x();
         to.y += way.y();
-        const std::optional<Landmark> there = mark.isBehind ? std::nullopt : points.onSurfaceAt(to, pixels);
+        const std::optional<Landmark> there = mark.isBehind ? std::nullopt : landmarkOnSurface(m_document, to, pixels);
         if (mark.isBehind && (!left || mark.isCurrent))
             left = mark.at;
         if (!there)
@@ -370,7 +371,7 @@ void LandmarkTool::nudge(const QPointF &way)
     static_cast<void>(points.moveAll(moves, key));
     if (aim) {
         aimLoupe(*aim);
-        m_view.reportHover(widgetFromDevice(m_document.geometry().surface, *aim));
+        m_view.reportHover(widgetFromDevice(m_document.picture().surface, *aim));
     }
     const auto unmoved = static_cast<int>(wanted) - static_cast<int>(moves.size());
     if (wanted == 1 && left)

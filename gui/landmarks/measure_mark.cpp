@@ -107,7 +107,7 @@ std::optional<MeasureMark> measureMark(const SceneDocument &document)
             return std::nullopt; // the list of measures follows at once
         at.push_back(document.landmarks()[place].world->coordinates());
     }
-    Drawing drawing(document.geometry());
+    Drawing drawing(document.picture());
     glm::dvec3 middle(0.0);
     switch (shown->shape) {
     case Shape::Polyline: middle = addPolyline(drawing, at); break;

@@ -87,7 +87,7 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
 void MeasuresView::showUnit()
 {
     const QSignalBlocker blocker(m_unit);
-    const QString unit = QString::fromStdString(m_document.landmarkSet().unit);
+    const QString unit = QString::fromStdString(m_document.scene().landmarks.unit);
     m_unit->clear();
     m_unit->addItem(tr("world units"), QString());
     for (const char *known : {"mm", "cm", "m", "in"})
@@ -99,14 +99,14 @@ void MeasuresView::showUnit()
 
 void MeasuresView::setUnit(int index)
 {
-    landmarks::LandmarkSet set = m_document.landmarkSet();
+    landmarks::LandmarkSet set = m_document.scene().landmarks;
     set.unit = m_unit->itemData(index).toString().toStdString();
     static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Unit")}));
 }
 
 std::vector<MeasureRow> MeasuresView::rows() const
 {
-    const landmarks::LandmarkSet &set = m_document.landmarkSet();
+    const landmarks::LandmarkSet &set = m_document.scene().landmarks;
     if (m_what->choice() == OfSides)
         return sidesOf(set);
     const std::vector<std::size_t> &selection = m_document.points().selection();
@@ -196,7 +196,7 @@ void MeasuresView::showChosen()
 
 QString MeasuresView::csv() const
 {
-    return csvOf(rows(), QString::fromStdString(m_document.landmarkSet().unit));
+    return csvOf(rows(), QString::fromStdString(m_document.scene().landmarks.unit));
 }
 
 void MeasuresView::showMenu(const QPoint &place)

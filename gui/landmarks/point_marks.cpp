@@ -2,6 +2,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/geometry/camera_motion.h"
+#include "gui/document/picks.h"
 #include "gui/text/number_text.h"
 
 #include <QCoreApplication>
@@ -27,13 +28,13 @@ const QColor kDark(0x18, 0x1a, 0x1c), kLight(0xff, 0xff, 0xff);
 bool isBehind(const SceneDocument &document, const Landmark &point, const DevicePoint &at)
 {
     const std::vector<glm::dvec4> &planes = document.scene().clipPlanes;
-    const double pixel = worldPerLogicalPixel(document.geometry(), *point.world);
+    const double pixel = worldPerLogicalPixel(document.picture(), *point.world);
     const auto isCutAway = [&](const glm::dvec4 &plane) {
         return glm::dot(plane, glm::dvec4(point.world->coordinates(), 1.0)) < -pixel * glm::length(glm::dvec3(plane));
     };
     if (std::any_of(planes.begin(), planes.end(), isCutAway))
         return true;
-    const ray::SceneRays *rays = document.rays();
+    const ray::SceneRays *rays = document.picks().rays();
     if (!rays)
         return false;
     const Result<std::optional<ray::SceneHit>> hit = rays->at(at);
@@ -117,7 +118,7 @@ std::vector<PointMark> pointMarks(const SceneDocument &document)
 {
     std::vector<PointMark> marks;
     const std::vector<Landmark> &points = document.landmarks();
-    const Picture &g = document.geometry();
+    const Picture &g = document.picture();
     const Result<glm::dmat4> clipFromPicture = points.empty() ? Result<glm::dmat4>(glm::dmat4(1.0)) : clipFromWorld(g);
     if (points.empty() || !clipFromPicture)
         return marks;

@@ -295,7 +295,7 @@ void PointsPanel::copySelected()
     for (const std::size_t place : m_table->selectedPlaces())
         set.landmarks.push_back(m_document.landmarks()[place]);
     if (set.landmarks.empty())
-        set = m_document.landmarkSet();
+        set = m_document.scene().landmarks;
     const auto text = landmark_files::landmarksText({&set, 1}, landmark_files::Format::Csv);
     if (text)
         copyToClipboard(QString::fromStdString(text->text));

@@ -138,7 +138,7 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (!(changes & Change::Landmarks) || !m_shown)
             return;
-        takePoints(m_document.landmarkSet()); // what follows from them is waited for when they are kept
+        takePoints(m_document.scene().landmarks); // what follows from them is waited for when they are kept
         emit this->changed();
     });
 }
@@ -329,7 +329,7 @@ void ScanSeries::comeBack()
         m_current = m_inView;
     if (aside.isShown) {
         m_shown = m_inView;
-        takePoints(m_document.landmarkSet());
+        takePoints(m_document.scene().landmarks);
     }
     emit changed();
 }
@@ -382,7 +382,7 @@ bool ScanSeries::keep()
     m_session.commitTyped();
     if (!m_shown)
         return true;
-    if (takePoints(m_document.landmarkSet()) && isAsKept()) {
+    if (takePoints(m_document.scene().landmarks) && isAsKept()) {
         m_scans[*m_shown].points = m_kept;
         if (isScanAlone())
             m_document.markSaved();

@@ -224,7 +224,7 @@ void LessonPanel::showHint()
     QString hint;
     if (m_player.lesson() && !m_player.isAsTheStep())
         hint = tr("The picture is not as the step has it. <a href='restart:'>Put it back</a>");
-    else if (const Surface surface = m_document.geometry().surface; m_player.lesson() && !m_player.hasViewOfStep())
+    else if (const Surface surface = m_document.picture().surface; m_player.lesson() && !m_player.hasViewOfStep())
         hint = tr("The pixels that are spoken of are those of a view of <a href='view:%1x%2'>%1 × %2</a>. This one is "
                   "%3 × %4.")
                    .arg(m_player.step().view->x)

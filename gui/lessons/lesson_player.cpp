@@ -146,8 +146,8 @@ bool LessonPlayer::isAsTheStep() const
     if (!m_shown)
         return false;
     const Scene &now = m_document.scene();
-    const Result<Picture> picture = pictureOf(*m_shown, m_document.geometry().surface, m_document.ground());
-    return picture && *picture == m_document.geometry() && now.clipPlanes == m_shown->clipPlanes
+    const Result<Picture> picture = pictureOf(*m_shown, m_document.picture().surface, m_document.ground().box);
+    return picture && *picture == m_document.picture() && now.clipPlanes == m_shown->clipPlanes
            && haveSameTransforms(now, *m_shown);
 }
 
@@ -163,14 +163,14 @@ bool LessonPlayer::restart()
 
 bool LessonPlayer::hasViewOfStep() const
 {
-    const Surface &surface = m_document.geometry().surface;
+    const Surface &surface = m_document.picture().surface;
     return !step().view || *step().view == glm::ivec2(surface.widthPixels, surface.heightPixels);
 }
 
 std::optional<double> LessonPlayer::answer() const
 {
     // Of the step as it is written, whatever was done to its scene.
-    const auto numbers = lessons::LessonNumbers::of(*m_lesson, m_document.geometry().surface);
+    const auto numbers = lessons::LessonNumbers::of(*m_lesson, m_document.picture().surface);
     if (!numbers)
         return std::nullopt;
     const auto values = numbers->values(step().id, step().question->answer);
@@ -185,7 +185,7 @@ void LessonPlayer::reveal()
 
 std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const
 {
-    const Surface &surface = m_document.geometry().surface;
+    const Surface &surface = m_document.picture().surface;
     std::map<std::string, lessons::StepPoint> points;
     if (const auto found = step().points.find(point); found != step().points.end()) {
         points.insert(*found);
@@ -221,7 +221,7 @@ bool LessonPlayer::change(const std::string &name)
             tr("The scene as it is now cannot be changed so. Put it back as the step has it. (%1)").arg(reason));
         return false;
     };
-    const auto settings = lessons::settingsWith(m_document.scene(), m_document.geometry(), found->second);
+    const auto settings = lessons::settingsWith(m_document.scene(), m_document.picture(), found->second);
     if (!settings)
         return refuse(QString::fromStdString(settings.error().text));
     const Check done = m_document.edit({tr("Change by the Lesson")},

@@ -1,6 +1,7 @@
 #include "gui/lessons/lessons_feature.h"
 
 #include "core/lessons/lesson.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
 #include "gui/lessons/first_steps.h"
@@ -86,7 +87,7 @@ LessonsFeature::LessonsFeature(Window &window)
     connect(m_panel, &LessonPanel::linkFollowed, &window, &Window::follow);
     connect(&window, &Window::closing, m_player, &LessonPlayer::end); // the next start has the layout before the lesson
     connect(&window.document(), &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & Change::Pick && m_window.document().pick())
+        if (changes & Change::Pick && m_window.document().picks().pick())
             showFirstSteps(false);
     });
 }

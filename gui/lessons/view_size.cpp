@@ -65,7 +65,7 @@ void ViewSize::fit()
 
 void ViewSize::tell(bool isFitted)
 {
-    const Surface &surface = m_window.document().geometry().surface;
+    const Surface &surface = m_window.document().picture().surface;
     const QSize there(surface.widthPixels, surface.heightPixels);
     if (there == m_size)
         return;

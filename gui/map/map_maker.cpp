@@ -1,5 +1,7 @@
 #include "gui/map/map_maker.h"
 
+#include "gui/document/picks.h"
+
 #include <optional>
 #include <utility>
 
@@ -57,7 +59,7 @@ bool MapMaker::ask(const maps::Question &question)
 {
     cancel();
     if (!m_seen) {
-        const ray::SceneRays *rays = m_document.rays();
+        const ray::SceneRays *rays = m_document.picks().rays();
         if (rays == nullptr)
             return false;
         m_seen =

@@ -1,6 +1,7 @@
 #include "gui/map/map_overlay.h"
 
 #include "core/files/replace_file.h"
+#include "gui/document/picks.h"
 #include "gui/map/map_panel.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
@@ -37,7 +38,7 @@ MapOverlay::MapOverlay(SceneDocument &document, SceneView &view)
         }
     });
     // Only now rays can be asked.
-    connect(&m_document.rayCasters(), &RayCasters::built, this, [this] {
+    connect(&m_document.picks().rayCasters(), &RayCasters::built, this, [this] {
         if (m_isShown && !m_map && !m_maker.isMaking())
             m_rest.start();
     });
@@ -94,7 +95,7 @@ void MapOverlay::ask()
         question.cornerShiftPixels = m_view.cornerShiftPixels();
     if (m_maker.ask(question))
         m_panel->setNote(tr("Computing the map…"));
-    else if (const auto failure = m_document.rayCasters().failureOf(m_document.objects()))
+    else if (const auto failure = m_document.picks().rayCasters().failureOf(m_document.objects()))
         m_panel->setNote(
             tr("There is no map, since the model is not prepared for rays: %1.").arg(failureText(*failure)));
     else

@@ -1,5 +1,7 @@
 #include "gui/outside/observer_overlay.h"
 
+#include "gui/document/given_points.h"
+#include "gui/document/picks.h"
 #include "gui/view/highlight_marks.h"
 #include "gui/view/painters/clip_plane_shapes.h"
 #include "gui/view/painters/observer_shapes.h"
@@ -69,7 +71,7 @@ void ObserverOverlay::drawGround(const ObserverPicture &p)
 {
     glDepthMask(GL_FALSE);
     const float opacity = static_cast<float>(0.8 - 0.4 * p.t);
-    m_lines.draw(clippedLines(groundLines(m_document.ground(), m_document.groundSpacing()), p.planes, opacity),
+    m_lines.draw(clippedLines(groundLines(m_document.ground().box, m_document.ground().spacing), p.planes, opacity),
                  p.clipFromDrawn * p.drawnFromWorld, sizePixels(p), pixelRatio(p));
     glDepthMask(GL_TRUE);
 }
@@ -168,12 +170,13 @@ void ObserverOverlay::drawPick(const ObserverPicture &p)
         m_points.draw(point, clipFromWorld, sizePixels(p), pixelRatio(p), mark);
     };
     // Also where it is not in the view volume: that is to be seen here.
-    if (const std::optional<WorldPoint> given = m_document.givenWorld(); given && p.holds(*given)) {
+    if (const std::optional<WorldPoint> given = givenWorld(m_document.scene(), m_document.picture());
+        given && p.holds(*given)) {
         glDisable(GL_DEPTH_TEST);
         drawMark(*given, PickPainter::Mark::Given);
     }
     drawWrong(p);
-    const std::optional<Pick> &pick = m_document.pick();
+    const std::optional<Pick> &pick = m_document.picks().pick();
     if (!pick)
         return;
     glEnable(GL_DEPTH_TEST);
@@ -190,7 +193,7 @@ void ObserverOverlay::drawPick(const ObserverPicture &p)
 void ObserverOverlay::drawWrong(const ObserverPicture &p)
 {
     std::vector<WrongPointMark> marks;
-    for (WrongPointMark mark : m_document.wrongPoints()) {
+    for (WrongPointMark mark : m_document.picks().wrongPoints()) {
         if (!p.holds(mark.got))
             continue;
         if (mark.right && !p.holds(*mark.right))

@@ -1,5 +1,6 @@
 #include "gui/outside/observer_panel.h"
 
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/outside/observer_view.h"
 #include "gui/text/help_anchors.h"
@@ -213,13 +214,13 @@ void ObserverPanel::showMorph(double t)
 
 void ObserverPanel::showDistances()
 {
-    const Projection &projection = m_document.geometry().projection();
+    const Projection &projection = m_document.picture().projection();
     m_help->setAnchor(helpAnchorOfSteps(kindOf(projection)));
     const ProjectionWindow w = projectionWindow(projection);
     constexpr int kDigits = 5;
     m_nearDistance->setText(writtenText(w.nearDistance, kDigits));
     m_farDistance->setText(writtenText(w.farDistance, kDigits));
-    const std::optional<Pick> &pick = m_document.pick();
+    const std::optional<Pick> &pick = m_document.picks().pick();
     m_ray->setText(!pick ? tr("none") : pick->hit() ? tr("hit") : tr("no hit"));
 }
 

@@ -1,7 +1,10 @@
 #include "gui/outside/observer_view.h"
 
 #include "core/geometry/angle.h"
+#include "core/geometry/camera_motion.h"
 #include "core/geometry/framing.h"
+#include "gui/document/given_points.h"
+#include "gui/document/picks.h"
 #include "gui/text/error_text.h"
 #include "gui/view/navigation.h"
 
@@ -117,7 +120,7 @@ void ObserverView::updateSurface()
 
 void ObserverView::placeObserver()
 {
-    const Picture &g = m_document.geometry();
+    const Picture &g = m_document.picture();
     const bool isResized = !m_isTouched && m_placedFor != g.surface;
     if (m_isPlaced && !isResized)
         return;
@@ -133,7 +136,7 @@ void ObserverView::placeObserver()
 
 void ObserverView::fit()
 {
-    const Picture &g = m_document.geometry();
+    const Picture &g = m_document.picture();
     const Result<EyeFrame> frame = eyeFrame(g.camera());
     const Result<ViewVolumeMorph> morph = viewVolumeMorph(g.projection());
     if (!frame || !morph)
@@ -143,7 +146,7 @@ void ObserverView::fit()
         Framing framing(m_observer);
         for (const WorldPoint &point : pointsToFit(*p))
             framing.add(point);
-        for (const WrongPointMark &mark : m_document.wrongPoints())
+        for (const WrongPointMark &mark : m_document.picks().wrongPoints())
             framing.add(mark.got);
         m_observer.camera() = framing.picture().camera();
         // The camera's sign has a constant size in the picture: how large it is follows from the first try.
@@ -160,8 +163,8 @@ void ObserverView::fit()
 std::optional<ObserverPicture> ObserverView::picture() const
 {
     Box extent = m_document.bounds();
-    extent.add(m_document.ground());
-    return observerPicture(m_document.geometry(), extent, m_reference, m_observer, m_t);
+    extent.add(m_document.ground().box);
+    return observerPicture(m_document.picture(), extent, m_reference, m_observer, m_t);
 }
 
 std::optional<QPointF> ObserverView::placeOf(const WorldPoint &point) const
@@ -231,7 +234,7 @@ void ObserverView::updateFrame(const ObserverPicture &p)
 
 void ObserverView::tellWrongPoints(const ObserverPicture &p)
 {
-    const std::vector<WrongPointMark> &marks = m_document.wrongPoints();
+    const std::vector<WrongPointMark> &marks = m_document.picks().wrongPoints();
     const bool areSeen = std::all_of(marks.begin(), marks.end(), [&](const WrongPointMark &mark) {
         const std::optional<QPointF> place = p.holds(mark.got) ? placeOf(mark.got) : std::nullopt;
         return place && QRectF(rect()).contains(*place);

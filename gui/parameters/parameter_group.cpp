@@ -233,9 +233,9 @@ bool ParameterGroup::isThere(const FieldPointer &field) const
     return field->widget && std::find(m_fields.begin(), m_fields.end(), field) != m_fields.end();
 }
 
-Check ParameterGroup::changeTogether(const std::vector<FieldPointer> &fields, const Deed &deed)
+Check ParameterGroup::changeTogether(const std::vector<FieldPointer> &fields, const EditLabel &label)
 {
-    const Check changed = m_document.edit(deed, [&](Scene &scene) {
+    const Check changed = m_document.edit(label, [&](Scene &scene) {
         for (const FieldPointer &field : fields)
             field->binding.write(scene, *field->widget->typed());
     });
@@ -338,7 +338,7 @@ QString ParameterGroup::refusalOf(const Field &field) const
     }
     Scene next = m_document.scene();
     field.binding.write(next, *typed);
-    const Result<Picture> geometry = pictureOf(next, m_document.geometry().surface, m_document.ground());
+    const Result<Picture> geometry = pictureOf(next, m_document.picture().surface, m_document.ground().box);
     return geometry ? QString() : errorText(geometry.error());
 }
 

@@ -122,7 +122,7 @@ private:
     bool isThere(const FieldPointer &field) const;
     void apply(const FieldPointer &field);
     /// Writes the numbers in these fields into the scene, as one change.
-    Check changeTogether(const std::vector<FieldPointer> &fields, const Deed &deed);
+    Check changeTogether(const std::vector<FieldPointer> &fields, const EditLabel &label);
     void refuse(const FieldPointer &field);
     /// Why the number in this field would be refused as the scene is now; empty if it would not.
     QString refusalOf(const Field &field) const;

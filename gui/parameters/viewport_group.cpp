@@ -140,7 +140,7 @@ void ViewportGroup::choose(ViewportRule::Kind kind)
     restoreFields();
     next.viewport.kind = kind;
     if (kind == ViewportRule::Kind::Fixed)
-        next.viewport.fixed = document().geometry().viewport; // the picture stays; its numbers can now be edited
+        next.viewport.fixed = document().picture().viewport; // the picture stays; its numbers can now be edited
     change(next, m_kind->currentText());
 }
 
@@ -153,7 +153,7 @@ Scene ViewportGroup::withDefaults(Scene scene) const
 
 void ViewportGroup::showScene()
 {
-    const Picture &geometry = document().geometry();
+    const Picture &geometry = document().picture();
     if (geometry.surface != m_shownSurface) {
         m_shownSurface = geometry.surface;
         m_window->setText(

@@ -1,6 +1,7 @@
 #include "gui/pipeline/depth_precision_panel.h"
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/depth_precision_plot.h"
 #include "gui/text/number_text.h"
@@ -55,9 +56,9 @@ struct Place {
 
 Place placeOf(const SceneDocument &document, const DepthScale &scale)
 {
-    if (document.pick() && document.pick()->hit()) {
-        if (const std::optional<WorldPoint> point = document.pickedPoint()) {
-            const double distance = -eyeFromWorld(eyeFrame(document.geometry().camera()).value(), *point).z;
+    if (document.picks().pick() && document.picks().pick()->hit()) {
+        if (const std::optional<WorldPoint> point = document.picks().pickedPoint()) {
+            const double distance = -eyeFromWorld(eyeFrame(document.picture().camera()).value(), *point).z;
             if (distance >= scale.nearDistance && distance <= scale.farDistance)
                 return {distance, true};
         }
@@ -147,13 +148,13 @@ void DepthPrecisionPanel::showEvent(QShowEvent *event)
 
 void DepthPrecisionPanel::refresh()
 {
-    const Picture &picture = m_document.geometry();
+    const Picture &picture = m_document.picture();
     const DepthScale scale = depthScaleOf(picture);
     // Which format the driver has given is told by a click.
-    const DepthFormat format = m_document.pick() ? m_document.pick()->sample.format : DepthFormat();
+    const DepthFormat format = m_document.picks().pick() ? m_document.picks().pick()->sample.format : DepthFormat();
     const Place place = placeOf(m_document, scale);
     const double now = halfDepthStepAt(scale, format, place.distance);
-    const QString drawn = m_document.pick() ? tr("as drawn: %1") : tr("as drawn: %1, assumed");
+    const QString drawn = m_document.picks().pick() ? tr("as drawn: %1") : tr("as drawn: %1, assumed");
     std::vector<DepthPrecisionPlot::Curve> curves{{drawn.arg(formatName(format)), scale, format}};
 
     QStringList said{
@@ -199,7 +200,7 @@ void DepthPrecisionPanel::refresh()
             said << tr("A buffer of floats with 1 at near would change little here (±%1).").arg(errorText(then));
         }
     }
-    if (!m_document.pick())
+    if (!m_document.picks().pick())
         said << assumedText();
     const QString words = inARow(said);
     m_words->setPlain(words);

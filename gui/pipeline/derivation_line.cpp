@@ -39,7 +39,7 @@ void DerivationLine::keepRoom()
 void DerivationLine::refresh()
 {
     const EntryDerivation derivation =
-        m_chosen ? entryDerivation(m_model, m_document.geometry(), m_chosen->space, m_chosen->coordinate)
+        m_chosen ? entryDerivation(m_model, m_document.picture(), m_chosen->space, m_chosen->coordinate)
                  : EntryDerivation{entryHint(), {}, 0, {}, {}};
     m_label->setText(unbrokenTerms(derivation.text));
     m_help->setAnchor(helpOf(derivation));
@@ -67,7 +67,7 @@ void DerivationLine::refresh()
 QString DerivationLine::helpOf(const EntryDerivation &derivation) const
 {
     if (derivation.stage)
-        return stageHelp(*derivation.stage, m_model.direction(), kindOf(m_document.geometry().projection()));
+        return stageHelp(*derivation.stage, m_model.direction(), kindOf(m_document.picture().projection()));
     if (!m_chosen || !derivation.source)
         return QStringLiteral("spaces");
     // The flip, and the division.

@@ -1,5 +1,6 @@
 #include "gui/pipeline/followed_point_row.h"
 
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/pipeline_model.h"
 #include "gui/widgets/steady_label.h"
@@ -58,7 +59,7 @@ void FollowedPointRow::showButtons()
     m_follow->setText(isGiven ? tr("The click") : tr("Your point"));
     m_follow->setToolTip(isGiven ? tr("Follow the clicked point again; yours stays")
                                  : tr("Follow the point that you have given in numbers"));
-    m_follow->setVisible(m_document.scene().givenPoint && (!isGiven || m_document.pick()));
+    m_follow->setVisible(m_document.scene().givenPoint && (!isGiven || m_document.picks().pick()));
     m_remove->setVisible(m_document.scene().givenPoint.has_value());
 }
 

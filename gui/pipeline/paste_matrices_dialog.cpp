@@ -151,7 +151,7 @@ QString PasteMatricesDialog::meaning(const MatrixPaste::Camera &camera, bool &is
                   "Paste projection and view.");
     if (!camera.isAnything())
         return {};
-    Picture picture = m_document.geometry();
+    Picture picture = m_document.picture();
     if (camera.projection)
         picture.lens = *camera.projection;
     if (camera.eyeFromWorld)

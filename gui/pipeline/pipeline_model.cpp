@@ -5,6 +5,7 @@
 #include "core/text/expression.h"
 #include "gui/document/given_points.h"
 #include "gui/document/object_names.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
 #include "gui/document/since_click_text.h"
@@ -59,7 +60,7 @@ PipelineModel::PipelineModel(SceneDocument &document, QObject *parent)
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::GivenPoint)
             m_followsGiven = m_document.scene().givenPoint.has_value();
-        else if (changes & Change::Pick && m_document.pick())
+        else if (changes & Change::Pick && m_document.picks().pick())
             m_followsGiven = false;
         else
             return;
@@ -135,7 +136,7 @@ void PipelineModel::take(Space space, int coordinate, const QString &typed)
                 tr("A widget position says nothing of the depth. Give the window point, whose third number it is."));
             return;
         }
-        const Surface &surface = m_document.geometry().surface;
+        const Surface &surface = m_document.picture().surface;
         const double depth = (m_spaces.window.inverse() * glm::dvec3(window[0], window[1], window[2])).z;
         given.point = windowFromDevice(surface, deviceFromWidget(surface, WidgetPoint(values[0], values[1])), depth);
         break;
@@ -159,7 +160,7 @@ std::optional<std::size_t> PipelineModel::shownObject() const
         return chosen;
     if (followsGiven() && std::holds_alternative<ObjectPoint>(m_document.scene().givenPoint->point))
         return placeOf(*m_document.scene().givenPoint, m_document.objects());
-    const std::size_t picked = m_document.pick() ? m_document.pick()->object.value_or(0) : 0;
+    const std::size_t picked = m_document.picks().pick() ? m_document.picks().pick()->object.value_or(0) : 0;
     return picked < count ? std::optional(picked) : std::nullopt;
 }
 
@@ -199,10 +200,10 @@ void PipelineModel::setView(const MatrixView &view)
 
 void PipelineModel::update()
 {
-    const std::optional<Pick> &pick = m_document.pick();
+    const std::optional<Pick> &pick = m_document.picks().pick();
     const std::optional<std::size_t> object = shownObject();
     const glm::dmat4 model = object ? worldFromObject(m_document.objects()[*object].transform) : glm::dmat4(1.0);
-    const Result<Pipeline> pipeline = matrices::pipeline(m_document.geometry(), model);
+    const Result<Pipeline> pipeline = matrices::pipeline(m_document.picture(), model);
     if (!pipeline) {
         // The matrices stay as they last were good.
         clearPoints();
@@ -211,7 +212,7 @@ void PipelineModel::update()
     }
     showApi();
     showGiven();
-    const ProjectionKind kind = kindOf(m_document.geometry().projection());
+    const ProjectionKind kind = kindOf(m_document.picture().projection());
     const Pipeline shown = m_api == Api::OpenGl ? *pipeline : inApi(*pipeline, m_spaces);
     for (const PipelineStage stage : kPipelineStages) {
         const glm::dmat4 &entries = shown.matrix(stage, m_direction);
@@ -249,7 +250,7 @@ std::optional<std::vector<MatrixFactor>> PipelineModel::factors(PipelineStage st
 {
     if (m_direction == PipelineDirection::Backward)
         return std::nullopt;
-    const Picture &picture = m_document.geometry();
+    const Picture &picture = m_document.picture();
     if (stage == PipelineStage::ViewMatrix) {
         if (const auto parts = matrices::factors(picture.camera()))
             return inConventions(*parts, m_spaces.world, m_spaces.eye);
@@ -269,7 +270,7 @@ void PipelineModel::setApi(Api api)
 void PipelineModel::showApi()
 {
     m_api = m_document.scene().conventions;
-    m_spaces = apiSpaces(m_document.geometry(), m_api);
+    m_spaces = apiSpaces(m_document.picture(), m_api);
     for (PointModel *point : m_points)
         point->setApi(m_api);
     m_apiNote.clear();
@@ -279,7 +280,7 @@ void PipelineModel::showApi()
     if (m_api != Api::OpenCv)
         return;
     // Its own camera has no clip space and no buffer of depths: these rows are OpenGL's from OpenCV's eye.
-    const auto camera = apiCamera(m_document.geometry(), m_api);
+    const auto camera = apiCamera(m_document.picture(), m_api);
     m_apiNote = inARow({m_apiNote, tr("Here clip, NDC and depth stay OpenGL's; the view's matrix is [R t].")}) + u'\n';
     m_apiNote += camera && camera->intrinsics ? intrinsicsText(*camera->intrinsics)
                                               : tr("Without a perspective there is no camera matrix K.");
@@ -301,7 +302,7 @@ void PipelineModel::showGiven()
         return;
     m_projectionFindings = findings(given->clipFromEye, MatrixRole::Projection, given->ndcDepth);
     m_given->setMatrix(apiFromOurs(*given, m_api).clipFromEye, PipelineDirection::Forward,
-                       kindOf(m_document.geometry().projection()), m_api == Api::OpenGl);
+                       kindOf(m_document.picture().projection()), m_api == Api::OpenGl);
     QStringList said{form->ndcDepth == NdcDepth::ZeroToOne ? tr("z of NDC from 0 to 1") : tr("z of NDC from −1 to 1")};
     if (form->reversed)
         said << tr("reversed: the depth range is turned round for it");
@@ -319,7 +320,7 @@ const std::vector<MatrixFinding> &PipelineModel::givenFindings(MatrixRole role) 
 
 void PipelineModel::repair(MatrixRole role, const MatrixFinding &finding)
 {
-    const Deed deed{repairName(finding, NumberOrder::ByColumns)};
+    const EditLabel label{repairName(finding, NumberOrder::ByColumns)};
     std::optional<MatrixProjection> projection;
     std::optional<glm::dmat4> view;
     if (const MatrixProjection *given = givenProjection(m_document.scene()); given && role == MatrixRole::Projection) {
@@ -330,13 +331,13 @@ void PipelineModel::repair(MatrixRole role, const MatrixFinding &finding)
                eyeFromWorld && role == MatrixRole::View) {
         view = repaired(*eyeFromWorld, finding);
     }
-    if (const Check done = editMatrices(m_document, projection, view, deed); !done)
+    if (const Check done = editMatrices(m_document, projection, view, label); !done)
         emit refused(errorText(done.error()));
 }
 
 void PipelineModel::showPoints(const Pipeline &pipeline)
 {
-    const Pick &pick = *m_document.pick();
+    const Pick &pick = *m_document.picks().pick();
     const Result<WorldPoint> &world = pick.point.world[Method::Formula];
     if (!world) {
         clearPoints();
@@ -355,7 +356,7 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
     }
     // What has changed since the click is said in the words of the comparison; only that the numbers of the other view are
     // shown here, and not those of the click, is the pipeline's own.
-    const SinceClick since = m_document.sinceClick();
+    const SinceClick since = m_document.picks().sinceClick();
     const bool isOutside = since.isOtherPicture && points.clip && !isInsideViewVolume(*points.clip);
     if (since.isObjectMoved || since.isObjectHidden || since.isCutAway || isOutside)
         m_status = sinceClickText(m_document);
@@ -409,8 +410,8 @@ bool PipelineModel::isDepthRead() const
 {
     if (followsGiven())
         return false;
-    const std::optional<Pick> &pick = m_document.pick();
-    return pick && pick->hit() && pick->geometry == m_document.geometry();
+    const std::optional<Pick> &pick = m_document.picks().pick();
+    return pick && pick->hit() && pick->picture == m_document.picture();
 }
 
 void PipelineModel::clearPoints()

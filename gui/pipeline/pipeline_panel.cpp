@@ -198,7 +198,7 @@ void PipelinePanel::arrange()
     m_division->setText(isForward ? tr("↓  divide by w") : tr("↓  divide by its own w′, as gluUnProject does"));
     for (int i = 0; i < PointModel::kSpaces; ++i)
         m_pointNames[static_cast<std::size_t>(i)]->setText(m_model->point(static_cast<Space>(i))->name());
-    m_flip->setText(flipText(*m_model, m_document.geometry().surface));
+    m_flip->setText(flipText(*m_model, m_document.picture().surface));
     showTitles();
 }
 
@@ -236,7 +236,7 @@ void PipelinePanel::showHelp()
 {
     for (const PipelineStage stage : kPipelineStages)
         m_sections[static_cast<std::size_t>(stage)]->setHelp(
-            stageHelp(stage, m_model->direction(), kindOf(m_document.geometry().projection())));
+            stageHelp(stage, m_model->direction(), kindOf(m_document.picture().projection())));
 }
 
 void PipelinePanel::showTitles()
@@ -253,7 +253,7 @@ void PipelinePanel::showTitles()
 
 void PipelinePanel::showFactors()
 {
-    const Projection projection = m_document.geometry().projection();
+    const Projection projection = m_document.picture().projection();
     const auto show = [this](PipelineStage stage, FactorsView *view, bool isGiven, const Projection *of) {
         if (!m_sections[static_cast<std::size_t>(stage)]->showsFactors())
             return;
@@ -274,7 +274,7 @@ void PipelinePanel::showStatus()
     showHelp();
     showFactors();
     m_derivation->refresh();
-    m_flip->setText(flipText(*m_model, m_document.geometry().surface));
+    m_flip->setText(flipText(*m_model, m_document.picture().surface));
 }
 
 void PipelinePanel::showGiven()

@@ -320,14 +320,14 @@ void ViewportInspector::clearPointer()
 
 void ViewportInspector::refresh()
 {
-    if (!isVisible() || (m_shown && isSameWindow(*m_shown, m_document.geometry())))
+    if (!isVisible() || (m_shown && isSameWindow(*m_shown, m_document.picture())))
         return;
     showPicture();
 }
 
 void ViewportInspector::showPicture()
 {
-    m_shown = m_document.geometry();
+    m_shown = m_document.picture();
     m_corners->setPicture(*m_shown);
     m_drawing->setPicture(*m_shown);
     const Viewport &v = m_shown->viewport;

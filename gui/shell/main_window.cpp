@@ -2,6 +2,7 @@
 
 #include "core/lessons/lesson.h"
 #include "gui/document/overwriting.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/shell/features.h"
 #include "gui/shell/language_menu.h"
@@ -119,8 +120,7 @@ void MainWindow::createFeatures()
 
 void MainWindow::connectSession()
 {
-    connect(m_document, &SceneDocument::pickFailed, this,
-            [this](const Error &error) { showMessage(errorText(error)); });
+    connect(&m_document->picks(), &Picks::failed, this, [this](const Error &error) { showMessage(errorText(error)); });
     connect(m_session, &Session::changed, this, &MainWindow::showName);
     connect(m_session, &Session::opened, this, &MainWindow::showName);
     connect(m_session, &Session::failed, this, &MainWindow::showFailure);

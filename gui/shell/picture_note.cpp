@@ -56,7 +56,7 @@ QString emptyPictureText(const SceneDocument &document)
         return {};
     if (std::all_of(objects.begin(), objects.end(), [](const SceneObject &object) { return object.isHidden; }))
         return PictureNote::tr("All objects are hidden. The Objects panel shows them again.");
-    const auto &[surface, viewport, range, lens, pose] = document.geometry();
+    const auto &[surface, viewport, range, lens, pose] = document.picture();
     if (isOutside(viewport, surface))
         return PictureNote::tr(
                    "The viewport (x %1, y %2, width %3, height %4) lies wholly outside the window, which is "
@@ -65,9 +65,9 @@ QString emptyPictureText(const SceneDocument &document)
                  readableText(viewport.height))
             .arg(surface.widthPixels)
             .arg(surface.heightPixels);
-    const Projection &projection = document.geometry().projection();
+    const Projection &projection = document.picture().projection();
     const ProjectionWindow window = projectionWindow(projection);
-    const Result<EyeFrame> frame = eyeFrame(document.geometry().camera());
+    const Result<EyeFrame> frame = eyeFrame(document.picture().camera());
     if (!frame || document.bounds().isEmpty())
         return {};
     const Extent extent = extentOf(document.bounds(), *frame);

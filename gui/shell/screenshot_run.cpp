@@ -4,6 +4,7 @@
 #include "core/scene_file/clicks.h"
 #include "core/scene_file/scene_error_text.h"
 #include "gui/document/overwriting.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/lessons/lesson_player.h"
@@ -29,7 +30,7 @@ constexpr int kAgainMilliseconds = 20;
 
 std::optional<RayOnMesh> rayOf(const SceneDocument &document)
 {
-    const PickedRay *ray = document.pickedRay();
+    const PickedRay *ray = document.picks().pickedRay();
     if (!ray || ray->state != PickedRay::State::Answered)
         return std::nullopt;
     return ray->met ? RayOnMesh{ray->met->hit, ray->met->objectName} : RayOnMesh{};
@@ -54,7 +55,7 @@ void ScreenshotRun::start()
     options.remembers = false;
     m_window = std::make_unique<MainWindow>(options);
     if (m_request.clicks.empty())
-        m_window->document().rayCasters().waitUntilAsked();
+        m_window->document().picks().rayCasters().waitUntilAsked();
     connect(m_window.get(), &MainWindow::openFailed, this, &ScreenshotRun::fail);
     m_window->resize(m_request.windowSize);
     if (!m_request.place.isEmpty())
@@ -136,13 +137,13 @@ void ScreenshotRun::pressAndSave()
     }
     // Rays say what a click meets, and which points are behind something.
     if (!m_request.clicks.empty() || !m_window->document().landmarks().empty())
-        m_window->document().rayCasters().complete(m_window->document().objects());
+        m_window->document().picks().rayCasters().complete(m_window->document().objects());
     m_window->document().curves().complete();
     std::vector<Click> clicks;
     for (const WidgetPoint &position : m_request.clicks) {
         SceneView &view = m_window->view();
         SceneDocument &document = m_window->document();
-        const Result<DevicePixel> pixel = devicePixelFromWidget(document.geometry().surface, position);
+        const Result<DevicePixel> pixel = devicePixelFromWidget(document.picture().surface, position);
         if (!pixel) {
             fail(tr("The click %1,%2 lies outside the view, which is %3 × %4 logical pixels.")
                      .arg(position.x)
@@ -151,13 +152,13 @@ void ScreenshotRun::pressAndSave()
                      .arg(view.height()));
             return;
         }
-        document.clearPick();
+        document.picks().clearPick();
         view.onLButtonDown(position);
-        if (!document.pick()) {
+        if (!document.picks().pick()) {
             fail(tr("The click %1,%2 could not be read.").arg(position.x).arg(position.y));
             return;
         }
-        clicks.push_back(clickOf(*document.pick(), document.scene(), rayOf(document)));
+        clicks.push_back(clickOf(*document.picks().pick(), document.scene(), rayOf(document)));
     }
     const Result<std::string, SceneFileError> text = clicksText(clicks);
     if (!text) {

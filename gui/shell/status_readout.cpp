@@ -1,5 +1,6 @@
 #include "gui/shell/status_readout.h"
 
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/text/number_text.h"
 #include "gui/widgets/digits_font.h"
@@ -33,8 +34,8 @@ StatusReadout::StatusReadout(Window &window)
 
     SceneDocument &document = window.document();
     connect(&window, &Window::pointed, this, &StatusReadout::showPointed);
-    connect(&document.rayCasters(), &RayCasters::progressed, this, &StatusReadout::showPreparing);
-    connect(&document.rayCasters(), &RayCasters::finished, this, [this] {
+    connect(&document.picks().rayCasters(), &RayCasters::progressed, this, &StatusReadout::showPreparing);
+    connect(&document.picks().rayCasters(), &RayCasters::finished, this, [this] {
         m_sincePreparing.invalidate();
         m_preparing->hide();
     });
@@ -59,7 +60,7 @@ void StatusReadout::showPointed(const std::optional<PixelClick> &click)
     m_pointed->clear();
     if (!click)
         return;
-    const Result<Pick> pick = m_window.document().unprojected(*click);
+    const Result<Pick> pick = m_window.document().picks().unprojected(*click);
     if (!pick || (pick->hit() && !pick->point.world[Method::Formula]))
         return;
     const QString pixel = tr("pixel (%1, %2)").arg(click->pixel.i).arg(click->pixel.j);
@@ -76,7 +77,7 @@ void StatusReadout::showPointed(const std::optional<PixelClick> &click)
 
 void StatusReadout::showProjection()
 {
-    const Projection &projection = m_window.document().geometry().projection();
+    const Projection &projection = m_window.document().picture().projection();
     const ProjectionWindow w = projectionWindow(projection);
     const QString kind = isPerspective(projection)                       ? tr("Perspective")
                          : kindOf(projection) == ProjectionKind::Oblique ? tr("Oblique")

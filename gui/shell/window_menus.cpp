@@ -155,7 +155,7 @@ void WindowMenus::addLooks(QMenu &menu)
 {
     SceneDocument &document = m_window.document();
     const auto look = [&document](StandardView side) {
-        return [&document, side] { setCamera(document, seenFrom(document.geometry().camera(), side)); };
+        return [&document, side] { setCamera(document, seenFrom(document.picture().camera(), side)); };
     };
     putOnBar(*m_bar,
              *addAction(menu, tr("&Fit"), Qt::Key_F, tr("Move the camera until all objects fill the view"),
@@ -181,7 +181,7 @@ void WindowMenus::addLooks(QMenu &menu)
     connect(perspective, &QAction::triggered, this, [&document] { switchProjection(document); });
     putOnBar(*m_bar, *perspective, Drawing::Perspective);
     const auto show = [&document, perspective] {
-        perspective->setChecked(isPerspective(document.geometry().projection()));
+        perspective->setChecked(isPerspective(document.picture().projection()));
     };
     connect(&document, &SceneDocument::changed, perspective, [show](Changes changes) {
         if (changes & Change::Picture)

@@ -57,17 +57,17 @@ FormulaTerms termsOf(const Pick &pick, const EyePoint &eye, const WorldPoint &wo
                      const EyeFrame &frame)
 {
     const DevicePoint device = pixelCenter(pick.devicePixel);
-    const Viewport &v = pick.geometry.viewport;
-    const ProjectionWindow w = projectionWindow(pick.geometry.projection());
+    const Viewport &v = pick.picture.viewport;
+    const ProjectionWindow w = projectionWindow(pick.picture.projection());
     const double z = -eye.z;
-    const auto *oblique = std::get_if<Oblique>(&pick.geometry.projection());
+    const auto *oblique = std::get_if<Oblique>(&pick.picture.projection());
     FormulaTerms terms{
         {"px", scalar("px", Formulas::tr("The pixel's centre from the window's left edge, device pixels"), device.x,
                       kPixelDigits)},
         {"py", scalar("py", Formulas::tr("The pixel's centre from the window's upper edge, device pixels"), device.y,
                       kPixelDigits)},
         {"H", scalar("rect.bottom", Formulas::tr("Height of the window, device pixels"),
-                     pick.geometry.surface.heightPixels, kPixelDigits)},
+                     pick.picture.surface.heightPixels, kPixelDigits)},
         {"vx", scalar("v<sub>x</sub>", Formulas::tr("Left edge of the viewport, device pixels"), v.x, kPixelDigits)},
         {"vy", scalar("v<sub>y</sub>", Formulas::tr("Lower edge of the viewport, device pixels"), v.y, kPixelDigits)},
         {"width", scalar("width", Formulas::tr("Width of the viewport, device pixels"), v.width)},
@@ -113,8 +113,8 @@ PickFormulas surfaceFormulas(const Pick &pick)
 {
     const Result<EyePoint> &eye = pick.point.eye[Method::Formula];
     const Result<WorldPoint> &world = pick.point.world[Method::Formula];
-    const Result<double> depth = unitDepth(pick.geometry.depthRange, pick.window.z);
-    const Result<EyeFrame> frame = eyeFrame(pick.geometry.camera());
+    const Result<double> depth = unitDepth(pick.picture.depthRange, pick.window.z);
+    const Result<EyeFrame> frame = eyeFrame(pick.picture.camera());
     if (!eye || !world || !depth || !frame)
         return {};
     PickFormulas result{{}, termsOf(pick, *eye, *world, *depth, *frame)};
@@ -122,8 +122,8 @@ PickFormulas surfaceFormulas(const Pick &pick)
         result.formulas.emplace_back(QString::fromUtf8(number), QString::fromUtf8(left), QString::fromUtf8(expression),
                                      result.terms);
     };
-    const bool isOblique = std::holds_alternative<Oblique>(pick.geometry.projection());
-    if (isPerspective(pick.geometry.projection())) {
+    const bool isOblique = std::holds_alternative<Oblique>(pick.picture.projection());
+    if (isPerspective(pick.picture.projection())) {
         add("(13)", "z", "{[n]*[f] | [f]*(1 − [d]) + [n]*[d]}");
         add("(9)", "x", "{([px] − [vx])*([r] − [l])*[z] | [width] · [n]} + {[l]*[z] | [n]}");
         add("(10)", "y", "{([H] − [py] − [vy])*([t] − [b])*[z] | [height] · [n]} + {[b]*[z] | [n]}");
@@ -227,14 +227,14 @@ QString differenceCauseText(const Pick &pick)
     if (!eye)
         return {};
     // Near the world's origin the eye and the way from it cancel, and what rounding did to either stands out.
-    const WorldPoint point = *world[Method::Formula], origin = pick.geometry.camera().eye;
+    const WorldPoint point = *world[Method::Formula], origin = pick.picture.camera().eye;
     const auto largest = [](const Components<3> &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
     const double cancelled = std::max(largest(origin), largest(*eye)) / largest(point);
     const QString byCancelling = significantText(std::max(1.0, cancelled), 2);
-    if (!isPerspective(pick.geometry.projection()))
+    if (!isPerspective(pick.picture.projection()))
         return boxCauseText(byCancelling);
     // z_ndc changes by n f / (f - n) / z^2 a unit of z: what rounding does to the one shows in the other that much larger.
-    const ProjectionWindow w = projectionWindow(pick.geometry.projection());
+    const ProjectionWindow w = projectionWindow(pick.picture.projection());
     const double n = w.nearDistance, f = w.farDistance, z = -eye->z;
     return perspectiveCauseText(significantText(std::max(1.0, z * (f - n) / (f * n)), 2), byCancelling);
 }

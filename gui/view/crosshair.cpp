@@ -8,7 +8,7 @@ namespace unprojector::gui {
 
 DevicePixel Crosshair::pixel() const
 {
-    const auto &[surface, viewport, depthRange, projection, view] = m_document.geometry();
+    const auto &[surface, viewport, depthRange, projection, view] = m_document.picture();
     if (m_pixel && m_pixel->i < surface.widthPixels && m_pixel->j < surface.heightPixels)
         return *m_pixel;
     const DevicePoint middle = deviceFromWindow(
@@ -22,18 +22,18 @@ DevicePixel Crosshair::pixel() const
 
 WidgetPoint Crosshair::position() const
 {
-    return widgetFromDevice(m_document.geometry().surface, pixelCenter(pixel()));
+    return widgetFromDevice(m_document.picture().surface, pixelCenter(pixel()));
 }
 
 void Crosshair::put(const WidgetPoint &position)
 {
-    if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, position))
+    if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.picture().surface, position))
         m_pixel = *pixel;
 }
 
 void Crosshair::move(const QPoint &way)
 {
-    const Surface &surface = m_document.geometry().surface;
+    const Surface &surface = m_document.picture().surface;
     const DevicePixel from = pixel();
     m_pixel = {std::clamp(from.i + way.x(), 0, surface.widthPixels - 1),
                std::clamp(from.j + way.y(), 0, surface.heightPixels - 1)};

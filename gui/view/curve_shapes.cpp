@@ -72,7 +72,7 @@ CurveShapes curveShapes(const SceneDocument &document)
     const bool isMeasured = measure && measure->shape == ShownMeasure::Shape::Surface;
     if (curves.all().empty() && !isMeasured)
         return shapes;
-    const Picture &picture = document.geometry();
+    const Picture &picture = document.picture();
     const Result<EyeFrame> frame = eyeFrame(picture.camera());
     if (!frame)
         return shapes;

@@ -1,5 +1,8 @@
 #include "gui/view/highlight_marks.h"
 
+#include "core/geometry/camera_motion.h"
+#include "gui/document/given_points.h"
+#include "gui/document/picks.h"
 #include "gui/view/letter_places.h"
 #include "gui/view/painters/scene_lines.h"
 
@@ -148,7 +151,7 @@ std::optional<QPointF> placeInPicture(const Picture &picture, const glm::dvec4 &
 HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Highlight> &highlights)
 {
     HighlightMarks marks;
-    const Picture &g = document.geometry();
+    const Picture &g = document.picture();
     const Result<EyeFrame> eye = eyeFrame(g.camera());
     const Result<glm::dmat4> clip = clipFromWorld(g);
     if (highlights.contains(Highlight::Axes) && eye && clip) {
@@ -181,12 +184,13 @@ HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Hi
     }
     if (marks.isEmpty() || !clip)
         return marks;
-    for (const LineSegment &axis : axisLines(document.ground())) {
+    for (const LineSegment &axis : axisLines(document.ground().box)) {
         if (const std::optional<QLineF> line =
                 lineInPicture(g, *clip * glm::dvec4(axis.from, 1.0), *clip * glm::dvec4(axis.to, 1.0)))
             marks.lines.push_back(*line);
     }
-    for (const std::optional<WorldPoint> &point : {document.pickedPoint(), document.givenWorld()}) {
+    for (const std::optional<WorldPoint> &point :
+         {document.picks().pickedPoint(), givenWorld(document.scene(), document.picture())}) {
         const std::optional<QPointF> at =
             point ? placeInPicture(g, *clip * glm::dvec4(point->coordinates(), 1.0)) : std::nullopt;
         constexpr double kHalf = 15.0; // the arms of the crosshair

@@ -33,7 +33,7 @@ void HoverReader::request()
     if (!frame || !m_waiting || frame->isRequested())
         return;
     const WidgetPoint position = *std::exchange(m_waiting, std::nullopt);
-    const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, position);
+    const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.picture().surface, position);
     if (!pixel)
         return;
     m_requested = {position, *pixel, {}};

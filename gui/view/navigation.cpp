@@ -45,12 +45,12 @@ const QString &Navigation::beginDrag()
 
 void Navigation::orbit(const QPointF &way, int viewHeight)
 {
-    setCamera(m_document, turnedBy(way, m_document.geometry().camera(), m_pivot, viewHeight), m_mergeKey);
+    setCamera(m_document, turnedBy(way, m_document.picture().camera(), m_pivot, viewHeight), m_mergeKey);
 }
 
 void Navigation::pan(const QPointF &way)
 {
-    setCamera(m_document, pannedBy(way, m_document.geometry(), m_pivot), m_mergeKey);
+    setCamera(m_document, pannedBy(way, m_document.picture(), m_pivot), m_mergeKey);
 }
 
 void Navigation::zoomByWheel(const WidgetPoint &position, double notches)
@@ -64,7 +64,7 @@ void Navigation::press(const ViewKey &key, const WidgetPoint &position, int view
     case ViewKey::Kind::Turn: {
         const WorldPoint pivot = pivotAt(position);
         const QPointF radians = QPointF(key.way) * kKeyTurnRadians;
-        setCamera(m_document, orbited(m_document.geometry().camera(), pivot, radians.x(), radians.y()),
+        setCamera(m_document, orbited(m_document.picture().camera(), pivot, radians.x(), radians.y()),
                   QStringLiteral("turn by keys"));
         keepPivot(position, pivot);
         return;
@@ -72,7 +72,7 @@ void Navigation::press(const ViewKey &key, const WidgetPoint &position, int view
     case ViewKey::Kind::Move: {
         constexpr double kShare = 0.05; // of the view's height
         setCamera(m_document,
-                  pannedBy(QPointF(key.way) * (kShare * viewHeight), m_document.geometry(), pivotAt(position)),
+                  pannedBy(QPointF(key.way) * (kShare * viewHeight), m_document.picture(), pivotAt(position)),
                   QStringLiteral("move by keys"));
         return;
     }
@@ -92,7 +92,7 @@ WorldPoint Navigation::pivotAt(const WidgetPoint &position)
 void Navigation::zoom(const WidgetPoint &position, double notches, const QString &mergeKey)
 {
     const WorldPoint pivot = pivotAt(position);
-    const Picture next = zoomed(m_document.geometry(), pivot, zoomFactor(notches));
+    const Picture next = zoomed(m_document.picture(), pivot, zoomFactor(notches));
     setView(m_document, next.camera(), next.projection(), mergeKey);
     keepPivot(position, pivot);
 }

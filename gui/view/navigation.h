@@ -37,7 +37,7 @@ public:
     Navigation(SceneDocument &document, PivotLookup lookup);
 
     /// A drag begins, the view's or another one.
-    /// @return its merge key, see Deed
+    /// @return its merge key, see EditLabel
     const QString &beginDrag();
     void setPivot(const WorldPoint &pivot) { m_pivot = pivot; }
     /// The pivot of the drag is what is under a position.

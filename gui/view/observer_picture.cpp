@@ -86,11 +86,11 @@ std::optional<ObserverPicture> observerPicture(const Picture &watched, const Box
 
 std::optional<Segment> rayThrough(const Pick &pick, const ObserverPicture &picture)
 {
-    const Result<EyeFrame> frame = eyeFrame(pick.geometry.camera());
+    const Result<EyeFrame> frame = eyeFrame(pick.picture.camera());
     const Result<WorldPoint> &enter = pick.rayNear.world[Method::Formula], &leave = pick.rayFar.world[Method::Formula];
     if (!frame || !enter || !leave)
         return std::nullopt;
-    const bool perspective = isPerspective(pick.geometry.projection());
+    const bool perspective = isPerspective(pick.picture.projection());
     const WorldPoint from = perspective ? frame->eye : *enter;
     const WorldVector along = *leave - from;
     const bool isSameCamera = frame->eye == picture.watched.eye && frame->forward == picture.watched.forward

@@ -1,5 +1,7 @@
 #include "gui/view/scene_overlay.h"
 
+#include "gui/document/given_points.h"
+#include "gui/document/picks.h"
 #include "gui/view/curve_shapes.h"
 #include "gui/view/frame.h"
 #include "gui/view/painters/clip_plane_shapes.h"
@@ -43,7 +45,7 @@ void SceneOverlay::release()
 void SceneOverlay::draw(const SceneDocument &document, const std::optional<DevicePixel> &crosshair,
                         const std::optional<SnapMark> &mark)
 {
-    const Picture &g = document.geometry();
+    const Picture &g = document.picture();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
     const Result<EyeFrame> frame = eyeFrame(g.camera());
     const Result<Drawable> drawn = drawable(g);
@@ -54,8 +56,9 @@ void SceneOverlay::draw(const SceneDocument &document, const std::optional<Devic
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(drawn->depthAtNear < drawn->depthAtFar ? GL_LESS : GL_GREATER);
     glDepthMask(GL_FALSE);
-    m_lines.draw(groundLines(document.ground(), document.groundSpacing()), *matrix, viewportPixels(g), pixelRatio(g));
-    m_lines.draw(axisLines(document.ground()), *matrix, viewportPixels(g), 2.0f * pixelRatio(g));
+    m_lines.draw(groundLines(document.ground().box, document.ground().spacing), *matrix, viewportPixels(g),
+                 pixelRatio(g));
+    m_lines.draw(axisLines(document.ground().box), *matrix, viewportPixels(g), 2.0f * pixelRatio(g));
     drawClipPlanes(document, *matrix);
     drawCurves(document, *matrix);
     glEnable(GL_DEPTH_TEST);
@@ -71,7 +74,7 @@ void SceneOverlay::draw(const SceneDocument &document, const std::optional<Devic
 
 void SceneOverlay::drawClipPlanes(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
 {
-    const Picture &g = document.geometry();
+    const Picture &g = document.picture();
     for (const glm::dvec4 &plane : document.scene().clipPlanes) {
         const ClipPlaneShape shape = clipPlaneShape(plane, document.bounds());
         m_faces.draw(shape.faces, clipFromWorld);
@@ -82,7 +85,7 @@ void SceneOverlay::drawClipPlanes(const SceneDocument &document, const glm::dmat
 void SceneOverlay::drawCurves(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
 {
     constexpr float kWidthLogical = 2.5f, kRimLogical = 4.5f, kDotLogical = 9.0f;
-    const Picture &g = document.geometry();
+    const Picture &g = document.picture();
     const CurveShapes shapes = curveShapes(document);
     const auto draw = [&](const std::vector<LineSegment> &lines, float widthLogical) {
         m_lines.draw(lines, clipFromWorld, viewportPixels(g), widthLogical * pixelRatio(g));
@@ -99,24 +102,24 @@ void SceneOverlay::drawCurves(const SceneDocument &document, const glm::dmat4 &c
 
 void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
 {
-    const Picture &g = document.geometry();
-    if (const std::optional<WorldPoint> given = document.givenWorld()) {
+    const Picture &g = document.picture();
+    if (const std::optional<WorldPoint> given = givenWorld(document.scene(), document.picture())) {
         glDisable(GL_DEPTH_TEST);
         m_pick.draw(*given, clipFromWorld, viewportPixels(g), pixelRatio(g), PickPainter::Mark::Given);
     }
     glDisable(GL_DEPTH_TEST);
-    drawWrongPoints(document.wrongPoints(), clipFromWorld, viewportPixels(g), pixelRatio(g), m_lines, m_pick);
-    const std::optional<Pick> &pick = document.pick();
+    drawWrongPoints(document.picks().wrongPoints(), clipFromWorld, viewportPixels(g), pixelRatio(g), m_lines, m_pick);
+    const std::optional<Pick> &pick = document.picks().pick();
     if (pick && !pick->hit()) { // no surface there, but a ray: its far end lies under the click
         if (const Result<WorldPoint> &end = pick->rayFar.world[Method::Formula])
             m_pick.draw(*end, clipFromWorld, viewportPixels(g), pixelRatio(g), PickPainter::Mark::Background);
         return;
     }
-    const std::optional<WorldPoint> point = document.pickedPoint();
+    const std::optional<WorldPoint> point = document.picks().pickedPoint();
     if (!point)
         return;
     glEnable(GL_DEPTH_TEST);
-    const std::vector<LineSegment> drops = dropLines(*point, document.ground());
+    const std::vector<LineSegment> drops = dropLines(*point, document.ground().box);
     m_lines.draw(drops, clipFromWorld, viewportPixels(g), 2.0f * pixelRatio(g));
     glDisable(GL_DEPTH_TEST);
     m_lines.draw(faded(drops), clipFromWorld, viewportPixels(g), 1.5f * pixelRatio(g));
@@ -206,9 +209,9 @@ void SceneOverlay::drawCrosshair(const DevicePixel &pixel, const Surface &surfac
 
 std::optional<SnapMark> snapMarkAt(const SceneDocument &document, const WidgetPoint &position)
 {
-    const ray::Snap snap = document.snap();
-    const ray::SceneRays *rays = snap == ray::Snap::Surface ? nullptr : document.rays();
-    const Result<DevicePixel> pixel = devicePixelFromWidget(document.geometry().surface, position);
+    const ray::Snap snap = document.picks().snap();
+    const ray::SceneRays *rays = snap == ray::Snap::Surface ? nullptr : document.picks().rays();
+    const Result<DevicePixel> pixel = devicePixelFromWidget(document.picture().surface, position);
     if (!rays || !pixel)
         return std::nullopt;
     const Result<std::optional<ray::SceneHit>> hit = rays->at(pixelCenter(*pixel), snap);

@@ -2,6 +2,7 @@
 
 #include "core/scene/point_size.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/view/highlight_marks.h"
 #include "gui/view/lifecycle_timer.h"
 #include "gui/view/scene_overlay.h"
@@ -112,7 +113,7 @@ void SceneView::onSize()
 {
     const LifecycleTimer timer;
     m_document.setSurface(currentSurface());
-    if (const Result<Drawable> drawn = drawable(m_document.geometry()))
+    if (const Result<Drawable> drawn = drawable(m_document.picture()))
         emit happened(timer.onSize(*drawn));
 }
 
@@ -134,13 +135,13 @@ void SceneView::onDraw()
 FrameView::Drawn SceneView::updateFrame()
 {
     // A pixel ratio can change without a change of size.
-    if (m_document.geometry().surface != currentSurface())
+    if (m_document.picture().surface != currentSurface())
         m_document.setSurface(currentSurface());
     if (!m_isStale)
         return Drawn::Nothing;
     m_isStale = false;
     m_hover.renew(m_drag == Drag::None);
-    const Picture &g = m_document.geometry();
+    const Picture &g = m_document.picture();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
     const Result<EyeFrame> frame = eyeFrame(g.camera());
     const Result<Drawable> drawn = drawable(g);
@@ -184,7 +185,7 @@ std::optional<PixelClick> SceneView::clickAt(const WidgetPoint &position)
         emit happened(timer.onDrawFrame());
     completeFrame();
     std::optional<PixelClick> click;
-    if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.geometry().surface, position)) {
+    if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.picture().surface, position)) {
         if (const std::optional<DepthSample> sample = frame().sample(*pixel))
             click = {position, *pixel, withDot(*sample)};
         else
@@ -214,7 +215,7 @@ void SceneView::drawMap()
 std::vector<QRectF> SceneView::takenCorners() const
 {
     std::vector<QRectF> taken;
-    if (const Result<Drawable> drawn = drawable(m_document.geometry()))
+    if (const Result<Drawable> drawn = drawable(m_document.picture()))
         taken.push_back(SceneOverlay::axesBox(*drawn));
     if (const int width = cornerWidth(); width > 0)
         taken.emplace_back(QRectF(rect().topRight() - QPoint(width, 0), QSizeF(m_corner->size())));
@@ -239,7 +240,7 @@ DepthSample SceneView::withDot(DepthSample sample) const
 {
     const std::vector<SceneObject> &objects = m_document.objects();
     if (sample.object && *sample.object < objects.size() && objects[*sample.object].model->pointCount() > 0)
-        sample.dotPixels = pointPixels(m_document.geometry().surface);
+        sample.dotPixels = pointPixels(m_document.picture().surface);
     return sample;
 }
 
@@ -249,10 +250,10 @@ void SceneView::onLButtonDown(const WidgetPoint &position)
     const std::optional<PixelClick> click = clickAt(position);
     if (!click)
         return;
-    emit happened(timer.onLButtonDown(m_document.geometry().surface, *click));
-    const Result<Pick> pick = m_document.unprojected(*click);
-    m_navigation.setPivot(pivotOf(m_document.geometry().camera(), pick));
-    m_document.setPick(pick);
+    emit happened(timer.onLButtonDown(m_document.picture().surface, *click));
+    const Result<Pick> pick = m_document.picks().unprojected(*click);
+    m_navigation.setPivot(pivotOf(m_document.picture().camera(), pick));
+    m_document.picks().setPick(pick);
 }
 
 void SceneView::mousePressEvent(QMouseEvent *event)
@@ -276,8 +277,8 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     if (pans || m_toolTakesClick || pressed == ViewTool::Press::Navigates) {
         m_navigation.grab(position);
     } else {
-        m_navigation.setPivot(m_document.geometry().camera().center); // where nothing can be read
-        m_formerPick = m_document.keptPick();
+        m_navigation.setPivot(m_document.picture().camera().center); // where nothing can be read
+        m_formerPick = m_document.picks().keptPick();
         pickAt(position);
     }
     m_drag = pans ? Drag::Pan : Drag::Orbit;
@@ -293,7 +294,7 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
             return;
         // A drag it is and not a click: what the press has picked goes, and what was picked before comes back.
         if (const std::optional<KeptPick> former = std::exchange(m_formerPick, std::nullopt))
-            m_document.putBack(*former);
+            m_document.picks().putBack(*former);
     }
     m_hasMoved = true;
     m_lastPosition = event->position();
@@ -354,9 +355,9 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
     const std::optional<PixelClick> click = clickAt(widgetPosition(event->position()));
     if (!click || !click->sample.hit())
         return;
-    const Result<Pick> pick = m_document.unprojected(*click);
-    m_document.setPick(pick);
-    setCamera(m_document, recentered(m_document.geometry(), pivotOf(m_document.geometry().camera(), pick)));
+    const Result<Pick> pick = m_document.picks().unprojected(*click);
+    m_document.picks().setPick(pick);
+    setCamera(m_document, recentered(m_document.picture(), pivotOf(m_document.picture().camera(), pick)));
 }
 
 void SceneView::wheelEvent(QWheelEvent *event)
@@ -373,8 +374,8 @@ void SceneView::wheelEvent(QWheelEvent *event)
 WorldPoint SceneView::pivotAt(const WidgetPoint &position)
 {
     const std::optional<PixelClick> click = clickAt(position);
-    return click ? pivotOf(m_document.geometry().camera(), m_document.unprojected(*click))
-                 : m_document.geometry().camera().center;
+    return click ? pivotOf(m_document.picture().camera(), m_document.picks().unprojected(*click))
+                 : m_document.picture().camera().center;
 }
 
 void SceneView::leaveEvent(QEvent *event)
@@ -423,7 +424,7 @@ void SceneView::pickAt(const WidgetPoint &position)
 
 void SceneView::pickPixel(const DevicePixel &pixel)
 {
-    const WidgetPoint position = widgetFromDevice(m_document.geometry().surface, pixelCenter(pixel));
+    const WidgetPoint position = widgetFromDevice(m_document.picture().surface, pixelCenter(pixel));
     m_crosshair.put(position);
     setCrosshairShown(true);
     update();

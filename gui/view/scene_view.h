@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/lessons/highlight.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/view/crosshair.h"
 #include "gui/view/frame_view.h"

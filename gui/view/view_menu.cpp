@@ -1,6 +1,7 @@
 #include "gui/view/view_menu.h"
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 #include "gui/text/number_text.h"
 #include "gui/text/ray_text.h"
@@ -18,7 +19,7 @@ void showViewMenu(SceneView &view, SceneDocument &document, const WidgetPoint &p
     const std::optional<PixelClick> click = view.clickAt(position);
     std::optional<WorldPoint> surface;
     if (click && click->sample.hit())
-        surface = pivotOf(document.geometry().camera(), document.unprojected(*click));
+        surface = pivotOf(document.picture().camera(), document.picks().unprojected(*click));
     const std::optional<std::size_t> object = click ? click->sample.object : std::nullopt;
 
     auto *menu = new QMenu(&view);
@@ -36,21 +37,21 @@ void showViewMenu(SceneView &view, SceneDocument &document, const WidgetPoint &p
     add("pickHere", SceneView::tr("Pick Here"), Qt::Key_Return,
         SceneView::tr("Read the world coordinate of this pixel"), click.has_value(),
         [&view, position] { view.pickAt(position); });
-    const bool isPrepared = document.snap() == ray::Snap::Surface || document.rays();
+    const bool isPrepared = document.picks().snap() == ray::Snap::Surface || document.picks().rays();
     add("copyPoint", SceneView::tr("Pick and Copy Point"), {},
         !surface      ? SceneView::tr("Background: no surface here")
         : !isPrepared ? rayPreparingText()
                       : SceneView::tr("Read the world coordinate of this pixel and copy it, all its digits"),
         surface && isPrepared, [&view, &document, position] {
             view.pickAt(position);
-            if (const std::optional<WorldPoint> point = document.pickedPoint())
+            if (const std::optional<WorldPoint> point = document.picks().pickedPoint())
                 QGuiApplication::clipboard()->setText(
                     QStringLiteral("%1, %2, %3")
                         .arg(shortestText(point->x), shortestText(point->y), shortestText(point->z)));
         });
     add("lookHere", SceneView::tr("Look at This Point"), {},
         SceneView::tr("Bring it to the middle; the view turns about it"), surface.has_value(),
-        [&document, surface] { setCamera(document, recentered(document.geometry(), *surface)); });
+        [&document, surface] { setCamera(document, recentered(document.picture(), *surface)); });
     menu->addSeparator();
     add("fit", SceneView::tr("Fit"), Qt::Key_F, SceneView::tr("Move the camera until all objects fill the view"), true,
         [&document] { fitAll(document); });

@@ -1,5 +1,7 @@
 #include "gui/view/wrong_point_marks.h"
 
+#include "gui/document/picks.h"
+
 #include <vector>
 
 namespace unprojector::gui {

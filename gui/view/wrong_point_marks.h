@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/view/painters/line_painter.h"
 #include "gui/view/painters/pick_painter.h"

@@ -35,7 +35,7 @@ struct Panels {
     {
         document.setSurface(surfaceFromWidget(600, 516, 1.0));
         openObjects(document, examples::bundledScene());
-        document.pickAt(WidgetPoint(300.0, 250.0), {0.5, 0, 24});
+        pickAt(document, WidgetPoint(300.0, 250.0), {0.5, 0, 24});
         comparison.resize(440, 700);
         parameters.resize(240, 700);
         pipeline.resize(440, 700);

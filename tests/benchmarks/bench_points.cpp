@@ -3,6 +3,8 @@
 //
 //   QT_QPA_PLATFORM=offscreen bench_points
 
+#include "gui/document/landmark_placing.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
 #include "gui/landmarks/point_marks.h"
@@ -59,12 +61,12 @@ SceneDocument &document()
         fresh->setSurface({kWidth, kHeight, 1.0});
         openObjects(*fresh, {{"hills", {}, hills(), {}}},
                     {WorldPoint(0.0, -4.5, 3.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 0.0, 1.0}});
-        fresh->rayCasters().complete(fresh->objects());
+        fresh->picks().rayCasters().complete(fresh->objects());
         std::mt19937 random(1);
         std::vector<Landmark> points;
         while (points.size() < kPoints) {
             const auto at =
-                fresh->points().onSurfaceAt({double(random() % kWidth) + 0.5, double(random() % kHeight) + 0.5});
+                landmarkOnSurface(*fresh, {double(random() % kWidth) + 0.5, double(random() % kHeight) + 0.5});
             if (at)
                 points.push_back(*at);
         }
@@ -111,7 +113,7 @@ void drag(benchmark::State &state)
     for (auto _ : state) {
         ++step;
         const DevicePoint to(double(kWidth / 2 + step % 100), double(kHeight / 2 + step % 37));
-        if (const auto there = points.points().onMeshAt(to))
+        if (const auto there = landmarkOnMesh(points, to))
             static_cast<void>(points.points().move(0, *there, QStringLiteral("drag")));
     }
 }

@@ -148,7 +148,7 @@ private:
 DepthError errorOf(const DepthSample &sample, const DrawnSurface &surface = {}, const Projection &projection = kBox)
 {
     const Pick pick = pickAt(pictureOf(projection, {}), WidgetPoint(400.0, 300.0), sample).value();
-    return depthErrorAt(pick.geometry, pick.window, *pick.point.world[Method::Formula], sample, surface);
+    return depthErrorAt(pick.picture, pick.window, *pick.point.world[Method::Formula], sample, surface);
 }
 
 } // namespace

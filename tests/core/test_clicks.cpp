@@ -132,7 +132,7 @@ void TestClicks::everyClickComputedFromItsJsonIsTheSame()
         const glm::dvec3 centre = pick->point.world[Method::Formula].hasValue()
                                       ? pick->point.world[Method::Formula]->coordinates()
                                       : glm::dvec3(0.0);
-        const Click click = readAgain({clickOf(*pick, sceneAround(pick->geometry, centre))}).at(0);
+        const Click click = readAgain({clickOf(*pick, sceneAround(pick->picture, centre))}).at(0);
         QVERIFY(click.hit && click.devicePixel == pick->devicePixel);
         QVERIFY(isSameBits(click.window.coordinates(), pick->window.coordinates()));
         QVERIFY(isSame(click.eye.surface, pick->point.eye) && isSame(click.world.surface, pick->point.world));
@@ -142,9 +142,9 @@ void TestClicks::everyClickComputedFromItsJsonIsTheSame()
         QVERIFY(isSameBits(click.uncertainty->world, pick->uncertainty.world.coordinates()));
 
         const Picture picture = pictureOf(click.scene);
-        QVERIFY(picture.surface == pick->geometry.surface && picture.viewport == pick->geometry.viewport);
-        QVERIFY(picture.depthRange == pick->geometry.depthRange);
-        QVERIFY(isSame(picture.lens, pick->geometry.lens));
+        QVERIFY(picture.surface == pick->picture.surface && picture.viewport == pick->picture.viewport);
+        QVERIFY(picture.depthRange == pick->picture.depthRange);
+        QVERIFY(isSame(picture.lens, pick->picture.lens));
         const Unprojected again = unprojectedAt(picture, click.window);
         QVERIFY(isSame(click.eye.surface, again.eye) && isSame(click.world.surface, again.world));
 
@@ -162,11 +162,11 @@ void TestClicks::aClickOnTheBackgroundHasItsRay()
 {
     oracle::Random random(1);
     const Pick pick = randomPick(random, oracle::RandomKind::Perspective, false).value();
-    const std::string text = clicksText({clickOf(pick, sceneAround(pick.geometry, {}))}).value();
+    const std::string text = clicksText({clickOf(pick, sceneAround(pick.picture, {}))}).value();
     const Json json = Json::parse(text).at(0);
     QVERIFY(json["hit"] == false && json["object"].is_null() && !json.contains("uncertainty"));
     QVERIFY(json["eye"].contains("near") && json["eye"].contains("far") && !json["eye"].contains("formula"));
-    const Click click = readAgain({clickOf(pick, sceneAround(pick.geometry, {}))}).at(0);
+    const Click click = readAgain({clickOf(pick, sceneAround(pick.picture, {}))}).at(0);
     QVERIFY(!click.hit && !click.object);
     QVERIFY(isSame(click.eye.rayNear, pick.rayNear.eye) && isSame(click.eye.rayFar, pick.rayFar.eye));
     QVERIFY(isSame(click.world.rayNear, pick.rayNear.world) && isSame(click.world.rayFar, pick.rayFar.world));
@@ -176,7 +176,7 @@ void TestClicks::theRayOnTheMeshIsWritten()
 {
     oracle::Random random(3);
     const Pick pick = randomPick(random, oracle::RandomKind::Perspective, true).value();
-    const Scene scene = sceneAround(pick.geometry, {});
+    const Scene scene = sceneAround(pick.picture, {});
     const auto written = [&](const std::optional<RayOnMesh> &ray) {
         const std::string text = clicksText({clickOf(pick, scene, ray)}).value();
         const Click again = std::get<std::vector<Click>>(parseSceneOrClicks(text, "clicks.json").value()).at(0);
@@ -209,7 +209,7 @@ void TestClicks::aClicksSceneIsASceneFile()
 {
     oracle::Random random(2);
     const Pick pick = randomPick(random, oracle::RandomKind::Perspective, true).value();
-    const Scene scene = sceneAround(pick.geometry, pick.point.world[Method::Formula]->coordinates());
+    const Scene scene = sceneAround(pick.picture, pick.point.world[Method::Formula]->coordinates());
     const Json json = Json::parse(clicksText({clickOf(pick, scene)}).value()).at(0);
     const SceneFile read = parseScene(json["scene"].dump(), "scene.json").value();
     QVERIFY(json["scene"]["projection"]["type"] == "perspective" && json["scene"]["projection"].contains("aspect"));
@@ -222,7 +222,7 @@ void TestClicks::aClicksSceneIsASceneFile()
     // The window that opens it does not choose other numbers.
     const Scene opened = sceneFromFile(read, "scene.json", {scene.objects[0].model, scene.objects[1].model}).value();
     QVERIFY(!opened.projectionFollowsViewport && !opened.clipDistancesFitObjects);
-    QVERIFY(opened.projection == pick.geometry.projection());
+    QVERIFY(opened.projection == pick.picture.projection());
     // Alone it is a scene, in a click a click.
     QVERIFY(std::holds_alternative<SceneFile>(parseSceneOrClicks(json["scene"].dump(), "scene.json").value()));
     QCOMPARE(std::get<std::vector<Click>>(parseSceneOrClicks(json.dump(), "click.json").value()).size(),
@@ -234,7 +234,7 @@ void TestClicks::whatIsNotNeededMayBeLeftOut()
 {
     oracle::Random random(3);
     const Pick pick = randomPick(random, oracle::RandomKind::Ortho, true).value();
-    Json json = Json::parse(clicksText({clickOf(pick, sceneAround(pick.geometry, {}))}).value());
+    Json json = Json::parse(clicksText({clickOf(pick, sceneAround(pick.picture, {}))}).value());
     for (const char *key : {"widget", "devicePixel", "hit", "eye", "world", "uncertainty", "object"})
         json[0].erase(key);
     const auto read = std::get<std::vector<Click>>(parseSceneOrClicks(json.dump(), "clicks.json").value());
@@ -268,7 +268,7 @@ void TestClicks::malformedClicksAreRefusedWithTheirPlace()
     QFETCH(QString, message);
     oracle::Random random(4);
     const Pick pick = randomPick(random, oracle::RandomKind::Frustum, true).value();
-    const Click click = clickOf(pick, sceneAround(pick.geometry, {}));
+    const Click click = clickOf(pick, sceneAround(pick.picture, {}));
     Json json = Json::parse(clicksText({click, click}).value());
     json[Json::json_pointer(pointer.toStdString())] = Json::parse(value.toStdString());
     const auto read = parseSceneOrClicks(json.dump(), "clicks.json");

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "document_edits.h"
+
 #include "core/unproject/pick.h"
 #include "gui/click/comparison_model.h"
 #include "gui/click/comparison_panel.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "tests/support/unprojecting.h"
 
@@ -70,9 +73,9 @@ struct PanelOfPicks : WithDocument, gui::ComparisonPanel {
     void setPick(const std::optional<Pick> &pick)
     {
         if (pick)
-            document.setPick(*pick);
+            document.picks().setPick(*pick);
         else
-            document.clearPick();
+            document.picks().clearPick();
     }
 };
 

@@ -1,3 +1,5 @@
+#include "document_edits.h"
+
 #include "tests/gui/drawn_clicks.h"
 
 #include "core/ray/drawn_surface.h"

@@ -219,14 +219,14 @@ glm::dvec2 windowOf(const SceneView &view, const DevicePixel &pixel)
 glm::dvec2 placeOf(const MainWindow &window, const glm::dvec3 &world)
 {
     const Result<WindowPoint> point =
-        windowFromWorld(const_cast<MainWindow &>(window).document().geometry(), WorldPoint(world));
+        windowFromWorld(const_cast<MainWindow &>(window).document().picture(), WorldPoint(world));
     return point ? glm::dvec2(point->x, point->y) : glm::dvec2(std::nan(""));
 }
 
 QPointF localOf(const MainWindow &window, const glm::dvec3 &world)
 {
     SceneView &view = const_cast<MainWindow &>(window).view();
-    const Picture &g = const_cast<MainWindow &>(window).document().geometry();
+    const Picture &g = const_cast<MainWindow &>(window).document().picture();
     const glm::dvec2 place = placeOf(window, world);
     const WidgetPoint widget =
         widgetFromDevice(g.surface, deviceFromWindow(g.surface, WindowPoint(place.x, place.y, 0.0)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gui/click/comparison_panel.h"
+#include "gui/document/picks.h"
 #include "gui_scene.h"
 
 #include <QLabel>
@@ -25,7 +26,7 @@ inline QString heading(MainWindow &window)
 /// The picked point by formula.
 inline glm::dvec3 picked(MainWindow &window)
 {
-    return window.document().pick()->point.world[Method::Formula]->coordinates();
+    return window.document().picks().pick()->point.world[Method::Formula]->coordinates();
 }
 
 inline bool isAt(const MainWindow &window, const glm::dvec3 &world, const glm::dvec2 &place, double tolerance)

@@ -1,6 +1,7 @@
 // What stands around a lesson: panels, places, switches and the window are after it as they were before.
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/lessons/lesson_panel.h"
 #include "gui/lessons/lesson_player.h"
@@ -38,7 +39,7 @@ bool grow(MainWindow &window)
     const int high = static_cast<int>(std::lround(before * window.view().devicePixelRatioF()));
     follow(window, QStringLiteral("view:%1x%1").arg(high));
     const bool hasGrown = QTest::qWaitFor(
-        [&] { return window.height() > before && window.document().geometry().surface.heightPixels == high; },
+        [&] { return window.height() > before && window.document().picture().surface.heightPixels == high; },
         kPatienceMilliseconds);
     settle(200);
     return hasGrown;
@@ -219,18 +220,18 @@ void TestAroundLessons::whatIsPutBackHasItsClick()
     LessonPlayer &lessons = part<LessonPlayer>(*window);
     QVERIFY(lessons.start("first"));
     follow(*window, QStringLiteral("click:clicked"));
-    QVERIFY(window->document().pick());
+    QVERIFY(window->document().picks().pick());
     QVERIFY(lessons.goTo(2)); // which speaks of the click
-    const DevicePixel pixel = window->document().pick()->devicePixel;
+    const DevicePixel pixel = window->document().picks().pick()->devicePixel;
     setCamera(window->document(), LookAt{{9.0, 3.0, 12.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
     QVERIFY(!lessons.isAsTheStep());
     follow(*window, QStringLiteral("restart:"));
     QVERIFY(lessons.isAsTheStep());
-    QVERIFY(window->document().pick() && window->document().pick()->devicePixel == pixel);
+    QVERIFY(window->document().picks().pick() && window->document().picks().pick()->devicePixel == pixel);
     // Nothing is clicked that was not.
     QVERIFY(lessons.start("weng"));
     follow(*window, QStringLiteral("restart:"));
-    QVERIFY(!window->document().pick());
+    QVERIFY(!window->document().picks().pick());
 }
 
 void TestAroundLessons::takingApartGoesBack()

@@ -132,7 +132,7 @@ void TestCopyMenu::aPointOfThePipelineIsCopied()
 {
     SceneDocument document;
     document.setSurface({800, 600, 1.0});
-    document.pickAt(WidgetPoint(400, 300), {0.75, 0, 24});
+    pickAt(document, WidgetPoint(400, 300), {0.75, 0, 24});
     PipelinePanel panel(document);
     panel.resize(460, 2000);
     panel.show();
@@ -195,4 +195,5 @@ void TestCopyMenu::whereNothingIsThereIsNoMenu()
 }
 
 QTEST_MAIN(TestCopyMenu)
+#include "document_edits.h"
 #include "test_copy_menu.moc"

@@ -2,6 +2,7 @@
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/pipeline/depth_precision_panel.h"
 #include "gui/pipeline/depth_precision_plot.h"
 #include "gui_scene.h"
@@ -71,7 +72,7 @@ void TestDepthPrecisionPanel::aNearThatFitsIsLeftAlone()
     QVERIFY2(!m_panel->text().contains(QStringLiteral("instead of")), qPrintable(m_panel->text()));
     const QString fits = QStringLiteral("Near is about as far away as the objects let it be");
     QVERIFY2(m_panel->text().contains(fits), qPrintable(m_panel->text()));
-    LookAt inside = m_document->geometry().camera();
+    LookAt inside = m_document->picture().camera();
     inside.eye = WorldPoint(guitest::kCubeCenter + glm::dvec3(0.0, 0.0, 0.5));
     setCamera(*m_document, inside);
     setPerspective(0.001);
@@ -92,10 +93,10 @@ void TestDepthPrecisionPanel::theClickedPointIsMarked()
 {
     setPerspective(0.1);
     DepthSample sample;
-    sample.depth = unitDepthAt(depthScaleOf(m_document->geometry()), 4.0); // on the cube's front
+    sample.depth = unitDepthAt(depthScaleOf(m_document->picture()), 4.0); // on the cube's front
     sample.object = 0;
     sample.format = DepthFormat(16);
-    m_document->pickAt(WidgetPoint(400.0, 300.0), sample);
+    pickAt(*m_document, WidgetPoint(400.0, 300.0), sample);
     QVERIFY(m_panel->plot().marked());
     QVERIFY(std::abs(*m_panel->plot().marked() - 4.0) < 1e-9);
     QVERIFY2(m_panel->text().startsWith(
@@ -105,7 +106,7 @@ void TestDepthPrecisionPanel::theClickedPointIsMarked()
     QCOMPARE(m_panel->plot().curves()[0].name, QStringLiteral("as drawn: 16 bits"));
     const DepthFormat format(16);
     QCOMPARE(halfDepthStepAt(m_panel->plot().curves()[0].scale, format, 4.0),
-             m_document->pick()->certainty.halfDepthStep);
+             m_document->picks().pick()->certainty.halfDepthStep);
 }
 
 void TestDepthPrecisionPanel::aCurveStaysWhereItGainsNothing()
@@ -113,9 +114,9 @@ void TestDepthPrecisionPanel::aCurveStaysWhereItGainsNothing()
     setPerspective(3.5);
     QCOMPARE(m_panel->plot().curves().back().name, QStringLiteral("floats, reversed"));
     DepthSample sample; // just behind the near plane, where floats have no finer steps than 24 bits
-    sample.depth = unitDepthAt(depthScaleOf(m_document->geometry()), 4.0);
+    sample.depth = unitDepthAt(depthScaleOf(m_document->picture()), 4.0);
     sample.object = 0;
-    m_document->pickAt(WidgetPoint(400.0, 300.0), sample);
+    pickAt(*m_document, WidgetPoint(400.0, 300.0), sample);
     QVERIFY2(m_panel->text().contains(QStringLiteral("A buffer of floats with 1 at near would change little here (±")),
              qPrintable(m_panel->text()));
     QVERIFY2(!m_panel->text().contains(QStringLiteral("assumed")), qPrintable(m_panel->text()));

@@ -2,9 +2,11 @@
 // themselves.
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "tests/gui/depth_ranges.h"
+#include "tests/gui/document_edits.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
 
@@ -36,7 +38,7 @@ std::vector<std::optional<glm::dvec3>> pointsOf(MainWindow &window)
     for (int y = 3; y < window.view().height(); y += 17) {
         for (int x = 2; x < window.view().width(); x += 14) {
             click(window.view(), QPointF(x, y));
-            const Pick &pick = *window.document().pick();
+            const Pick &pick = *window.document().picks().pick();
             points.push_back(pick.hit() ? std::optional(pick.point.world[Method::Formula]->coordinates())
                                         : std::nullopt);
         }
@@ -79,7 +81,7 @@ void TestDepthRanges::thePictureIsTheSame()
             return view.grabFramebuffer();
         };
         const QImage whole = picture();
-        QVERIFY(window->document().pick()->hit());
+        QVERIFY(window->document().picks().pick()->hit());
         setDepthRange(window->document(), range);
         const int different = differentPixels(picture(), whole);
         QVERIFY2(different < 40, qPrintable(QString::number(different)));
@@ -116,12 +118,12 @@ void TestDepthRanges::theBackgroundHasTheFarPlanesDepth()
     const DepthRange range = depthranges::ofThisRow();
     const auto window = cubesWindow(range);
     click(window->view(), QPointF(window->view().width() - 6.0, 7.0));
-    const Pick &pick = *window->document().pick();
+    const Pick &pick = *window->document().picks().pick();
     QVERIFY(!pick.hit());
     QCOMPARE(pick.window.z, double(float(range.atFar)));
-    const ProjectionWindow w = projectionWindow(pick.geometry.projection());
+    const ProjectionWindow w = projectionWindow(pick.picture.projection());
     const auto distance = [&](const Unprojected &end) {
-        return distanceOf(pick.geometry.camera(), end.world[Method::Formula]->coordinates());
+        return distanceOf(pick.picture.camera(), end.world[Method::Formula]->coordinates());
     };
     QVERIFY(std::abs(distance(pick.rayNear) - w.nearDistance) < 1e-9);
     QVERIFY(std::abs(distance(pick.rayFar) - w.farDistance) < 1e-9);
@@ -139,8 +141,8 @@ void TestDepthRanges::thePointerReadsWhatAClickReads()
                                  kPatienceMilliseconds);
         click(view, place);
         const auto read = hovered.last().at(0).value<PixelClick>().sample;
-        QCOMPARE(read.depth, window->document().pick()->window.z);
-        QCOMPARE(read.hit(), window->document().pick()->hit());
+        QCOMPARE(read.depth, window->document().picks().pick()->window.z);
+        QCOMPARE(read.hit(), window->document().picks().pick()->hit());
     }
 }
 
@@ -152,8 +154,8 @@ void TestDepthRanges::thePointStaysUnderThePointer()
         SceneView &view = window->view();
         const QPointF place = localOf(*window, kCubeCenter + glm::dvec3(0.3, 0.2, 1.0));
         click(view, place);
-        QVERIFY(window->document().pick()->hit());
-        const glm::dvec3 point = window->document().pick()->point.world[Method::Formula]->coordinates();
+        QVERIFY(window->document().picks().pick()->hit());
+        const glm::dvec3 point = window->document().picks().pick()->point.world[Method::Formula]->coordinates();
         const auto isAt = [&](const glm::dvec2 &expected) {
             return glm::length(placeOf(*window, point) - expected) < 1e-3;
         };
@@ -161,9 +163,10 @@ void TestDepthRanges::thePointStaysUnderThePointer()
         turnWheel(view, place, 2);
         QVERIFY(isAt(center));
         drag(view, place, place + QPointF(40.0, -15.0), Qt::LeftButton);
-        QVERIFY(glm::length(placeOf(*window, window->document().pick()->point.world[Method::Formula]->coordinates())
-                            - center)
-                < 1e-3);
+        QVERIFY(
+            glm::length(placeOf(*window, window->document().picks().pick()->point.world[Method::Formula]->coordinates())
+                        - center)
+            < 1e-3);
         const glm::dvec2 before = placeOf(*window, point);
         drag(view, place, place + QPointF(-30.0, 10.0), Qt::MiddleButton);
         const glm::dvec2 way = placeOf(*window, point) - before;
@@ -186,11 +189,12 @@ void TestDepthRanges::theViewFromOutsideIsTheSame()
     ObserverView &view = panel.view();
     const auto pictures = [&] {
         std::vector<QImage> seen;
-        const DepthRange &drawn = document.geometry().depthRange;
+        const DepthRange &drawn = document.picture().depthRange;
         for (const bool hit : {true, false}) {
             const double share = hit ? 0.9 : 1.0;
-            document.pickAt(WidgetPoint(190.0, 170.0), {drawn.atNear + share * (drawn.atFar - drawn.atNear),
-                                                        hit ? std::optional<std::size_t>(0) : std::nullopt});
+            pickAt(document, WidgetPoint(190.0, 170.0),
+                   {drawn.atNear + share * (drawn.atFar - drawn.atNear),
+                    hit ? std::optional<std::size_t>(0) : std::nullopt});
             for (const double t : {0.0, 0.5, 1.0}) {
                 view.setMorph(t);
                 seen.push_back(view.grabFramebuffer());

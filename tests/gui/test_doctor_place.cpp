@@ -12,6 +12,7 @@
 #include "gui/doctor/doctor_panel.h"
 #include "gui/doctor/wrong_points_form.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "gui/text/doctor_text.h"
@@ -112,7 +113,7 @@ QString pointText(const glm::dvec3 &point)
 /// What a program gives for a window position: the product inverted, whole.
 glm::dvec3 unprojected(const MainWindow &window, const glm::dvec3 &at)
 {
-    const Picture &g = const_cast<MainWindow &>(window).document().geometry();
+    const Picture &g = const_cast<MainWindow &>(window).document().picture();
     const glm::dvec4 ndc(2.0 * (at.x - g.viewport.x) / g.viewport.width - 1.0,
                          2.0 * (at.y - g.viewport.y) / g.viewport.height - 1.0, 2.0 * at.z - 1.0, 1.0);
     const glm::dvec4 world = glm::inverse(*clipFromWorld(g)) * ndc;
@@ -123,8 +124,8 @@ glm::dvec3 unprojected(const MainWindow &window, const glm::dvec3 &at)
 glm::dvec3 clickedAndWrong(MainWindow &window, const glm::dvec3 &off = {0.4, 0.6, 1.0})
 {
     click(window.view(), localOf(window, kCubeCenter + off));
-    const Pick &pick = *window.document().pick();
-    const double height = window.document().geometry().surface.heightPixels;
+    const Pick &pick = *window.document().picks().pick();
+    const double height = window.document().picture().surface.heightPixels;
     return unprojected(window, {pick.window.x, height - pick.window.y, pick.window.z});
 }
 
@@ -166,7 +167,7 @@ void TestDoctorPlace::theMistakeIsNamed()
 {
     const auto window = doctorWindow();
     const glm::dvec3 got = clickedAndWrong(*window);
-    const DevicePixel pixel = window->document().pick()->devicePixel;
+    const DevicePixel pixel = window->document().picks().pick()->devicePixel;
     QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).value(0)->text(),
              QStringLiteral("%1, %2").arg(pixel.i + 0.5).arg(pixel.j + 0.5));
     type(gotOf(*window), pointText(got));
@@ -182,18 +183,18 @@ void TestDoctorPlace::theMistakeIsNamed()
                             "+ gluUnProject(x, H - y, d, modelview, projection, viewport, &X, &Y, &Z);\n"));
     const auto *candidates = panelOf(*window).findChild<CandidatesTable *>();
     QVERIFY(candidates->isVisible() && candidates->rowCount() >= 5);
-    const std::vector<WrongPointMark> &marks = window->document().wrongPoints();
+    const std::vector<WrongPointMark> &marks = window->document().picks().wrongPoints();
     QCOMPARE(marks.size(), std::size_t(1));
     QVERIFY(distance(marks[0].got, WorldPoint(got)) < 1e-4);
     QVERIFY(marks[0].right
-            && distance(*marks[0].right, *window->document().pick()->point.world[Method::Formula]) < 1e-4);
+            && distance(*marks[0].right, *window->document().picks().pick()->point.world[Method::Formula]) < 1e-4);
 }
 
 void TestDoctorPlace::aRightPointIsRight()
 {
     const auto window = doctorWindow();
     clickedAndWrong(*window);
-    type(gotOf(*window), pointText(window->document().pick()->point.world[Method::Formula]->coordinates()));
+    type(gotOf(*window), pointText(window->document().picks().pick()->point.world[Method::Formula]->coordinates()));
     QTRY_COMPARE_WITH_TIMEOUT(verdictOf(*window), QStringLiteral("The point is right to the digits given."),
                               kPatienceMilliseconds);
     QVERIFY(!panelOf(*window).code().isVisible());
@@ -203,7 +204,7 @@ void TestDoctorPlace::theDepthOfAClickIsItsOwn()
 {
     const auto window = doctorWindow();
     type(gotOf(*window), pointText(clickedAndWrong(*window)));
-    const double depth = window->document().pick()->window.z;
+    const double depth = window->document().picks().pick()->window.z;
     const QString shown = QString::number(depth, 'f', 7);
     QVERIFY(shown.toDouble() != depth);
     QLineEdit *field = fieldsOf(*window, QStringLiteral("Depth")).value(0);
@@ -219,7 +220,7 @@ void TestDoctorPlace::aPointOfTheSceneIsNamed()
 {
     const auto window = doctorWindow();
     clickedAndWrong(*window);
-    type(gotOf(*window), pointText(window->document().geometry().camera().eye.coordinates()));
+    type(gotOf(*window), pointText(window->document().picture().camera().eye.coordinates()));
     QTRY_VERIFY_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("The point given is the eye. Usually")),
                              kPatienceMilliseconds);
     QVERIFY(!panelOf(*window).code().isVisible());
@@ -235,8 +236,8 @@ void TestDoctorPlace::whatCannotBeToldApartIsNamedTogether()
 {
     const auto window = doctorWindow();
     clickedAndWrong(*window);
-    const Picture &g = window->document().geometry();
-    const Pick &pick = *window->document().pick();
+    const Picture &g = window->document().picture();
+    const Pick &pick = *window->document().picks().pick();
     const glm::dvec4 ndc(2.0 * (pick.window.x - g.viewport.x) / g.viewport.width - 1.0,
                          2.0 * (pick.window.y - g.viewport.y) / g.viewport.height - 1.0, 2.0 * pick.window.z - 1.0,
                          1.0);
@@ -287,7 +288,7 @@ void TestDoctorPlace::nonsenseIsNamedAndStays()
     QCOMPARE(gotOf(*window)->text(), QStringLiteral("0.7051 -0.41x2 0.0918"));
     QVERIFY2(fault().contains(QStringLiteral("0.7051 -0.41x2 0.0918")), qPrintable(fault()));
     QVERIFY2(fault().contains(QStringLiteral("\"-0.41x2\" is no number; give three")), qPrintable(fault()));
-    QVERIFY(window->document().wrongPoints().empty());
+    QVERIFY(window->document().picks().wrongPoints().empty());
     type(gotOf(*window), QStringLiteral("nan -0.41 0.0918"));
     QVERIFY2(fault().contains(QStringLiteral("\"nan\" is no finite number")), qPrintable(fault()));
     type(gotOf(*window), QStringLiteral("0,5 0,25 1,0"));
@@ -370,7 +371,7 @@ void TestDoctorPlace::aSecondClickMakesASecondRow()
     const glm::dvec3 second = clickedAndWrong(*window, {-0.7, 0.3, 1.0});
     QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).size(), 2);
     type(gotOf(*window, 1), pointText(second));
-    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(2), kPatienceMilliseconds);
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().picks().wrongPoints().size(), std::size_t(2), kPatienceMilliseconds);
     QVERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
     for (QToolButton *button : panelOf(*window).findChildren<QToolButton *>()) {
         if (button->accessibleName() == QStringLiteral("Remove this point")) {
@@ -378,7 +379,7 @@ void TestDoctorPlace::aSecondClickMakesASecondRow()
             break;
         }
     }
-    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().picks().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
 }
 
 void TestDoctorPlace::aDragIsNoClick()
@@ -398,7 +399,7 @@ void TestDoctorPlace::aDragOnTheBackgroundTakesNothingBack()
     typeOwnWindow(*window, QStringLiteral("500 x 300"));
     const auto pixel = [&] { return fieldsOf(*window, QStringLiteral("Pixel")).value(0)->text(); };
     click(window->view(), background);
-    QVERIFY(window->document().pick() && !window->document().pick()->hit());
+    QVERIFY(window->document().picks().pick() && !window->document().picks().pick()->hit());
     QVERIFY(pixel().isEmpty());
     const QLabel *said = labelOf(*window, QStringLiteral("The picture of the pixels"));
     QVERIFY2(said->text().startsWith(QStringLiteral("Not taken: the background")), qPrintable(said->text()));
@@ -417,7 +418,7 @@ void TestDoctorPlace::aWindowOfOnesOwnHasTheRatioOfTheScreen()
 {
     const auto window = doctorWindow();
     constexpr double kRatio = 2.625;
-    Surface surface = window->document().geometry().surface;
+    Surface surface = window->document().picture().surface;
     surface.devicePixelRatio = kRatio;
     window->document().setSurface(surface);
     typeOwnWindow(*window, QStringLiteral("%1 x %2").arg(surface.widthPixels).arg(surface.heightPixels));
@@ -436,7 +437,7 @@ void TestDoctorPlace::withoutAnAnswerTheLastOneGoes()
     const auto window = doctorWindow();
     const glm::dvec3 wrong = clickedAndWrong(*window);
     type(gotOf(*window), pointText(wrong));
-    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().picks().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
     {
         const jobfaults::Fault fault(kind);
         type(gotOf(*window), pointText(wrong + 1.0));
@@ -446,10 +447,10 @@ void TestDoctorPlace::withoutAnAnswerTheLastOneGoes()
             kPatienceMilliseconds);
         QVERIFY(!panelOf(*window).code().isVisible());
         QVERIFY(!panelOf(*window).findChild<CandidatesTable *>()->isVisible());
-        QVERIFY(window->document().wrongPoints().empty());
+        QVERIFY(window->document().picks().wrongPoints().empty());
     }
     type(gotOf(*window), pointText(wrong));
-    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().picks().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
 }
 
 void TestDoctorPlace::theVerdictIsLargeInEveryFont()
@@ -479,7 +480,7 @@ void TestDoctorPlace::theClickThatTellsIsPicked()
         there = button;
     QTRY_VERIFY_WITH_TIMEOUT(there && there->isVisible(), kPatienceMilliseconds);
     QTest::mouseClick(there, Qt::LeftButton);
-    const DevicePixel pixel = window->document().pick()->devicePixel;
+    const DevicePixel pixel = window->document().picks().pick()->devicePixel;
     const QString text = QStringLiteral("%1, %2").arg(pixel.i + 0.5).arg(pixel.j + 0.5);
     QVERIFY2(there->text().endsWith(text), qPrintable(there->text()));
     QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).value(1)->text(), text);
@@ -569,17 +570,17 @@ void TestDoctorPlace::theMarksGoWithThePlace()
     const auto window = doctorWindow();
     const QImage before = window->view().grabFramebuffer();
     type(gotOf(*window), pointText(clickedAndWrong(*window)));
-    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
-    const WrongPointMark mark = window->document().wrongPoints().front();
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().picks().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
+    const WrongPointMark mark = window->document().picks().wrongPoints().front();
     const QImage marked = window->view().grabFramebuffer();
     const glm::dvec2 place = placeOf(*window, mark.got.coordinates());
     const QPoint at(int(place.x), marked.height() - 1 - int(place.y));
     QVERIFY(marked.rect().contains(at));
     QVERIFY(marked.pixelColor(at) != before.pixelColor(at));
     window->workspaces().enter(Workspace::Click);
-    QTRY_VERIFY_WITH_TIMEOUT(window->document().wrongPoints().empty(), kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(window->document().picks().wrongPoints().empty(), kPatienceMilliseconds);
     window->workspaces().enter(Workspace::Doctor);
-    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().picks().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
 }
 
 void TestDoctorPlace::theWrongPointIsFoundFromOutside()
@@ -595,11 +596,11 @@ void TestDoctorPlace::theWrongPointIsFoundFromOutside()
     };
     clickedAndWrong(*window);
     type(gotOf(*window), QStringLiteral("300.1234 222.2345 3000.3456"));
-    QTRY_COMPARE_WITH_TIMEOUT(window->document().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
+    QTRY_COMPARE_WITH_TIMEOUT(window->document().picks().wrongPoints().size(), std::size_t(1), kPatienceMilliseconds);
     QTRY_VERIFY_WITH_TIMEOUT(button()->isVisible(), kPatienceMilliseconds);
     QTest::mouseClick(button(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!button()->isVisible(), kPatienceMilliseconds);
-    const auto place = observer->view().placeOf(window->document().wrongPoints().front().got);
+    const auto place = observer->view().placeOf(window->document().picks().wrongPoints().front().got);
     QVERIFY(place && QRectF(observer->view().rect()).contains(*place));
 }
 

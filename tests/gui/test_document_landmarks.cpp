@@ -8,6 +8,8 @@
 #include "core/ray/closest_place.h"
 #include "core/scene_file/scene_file.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/landmark_placing.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 
 #include <QTest>
@@ -47,7 +49,7 @@ using Places = std::vector<std::size_t>;
 void openPoints(SceneDocument &document)
 {
     openScene(document);
-    QVERIFY(editLandmarks(document, {pointAt(0, "a"), pointAt(1, "b"), pointAt(2, "c")}, kDeed));
+    QVERIFY(editLandmarks(document, {pointAt(0, "a"), pointAt(1, "b"), pointAt(2, "c")}, kLabel));
 }
 
 /// One triangle (0,0,0) (4,0,0) (0,4,0), looked at from (1, 1, 10).
@@ -61,13 +63,13 @@ void openTriangle(SceneDocument &document, ray::Snap snap = ray::Snap::Surface)
     document.setSurface({801, 601, 1.0});
     openObjects(document, {{"triangle", {}, model, {}}},
                 {WorldPoint(1.0, 1.0, 10.0), WorldPoint(1.0, 1.0, 0.0), {0.0, 1.0, 0.0}});
-    document.setSnap(snap);
+    document.picks().setSnap(snap);
 }
 
 /// The device position of a world point, by hand.
 DevicePoint deviceOf(const SceneDocument &document, const glm::dvec3 &world)
 {
-    const Picture &g = document.geometry();
+    const Picture &g = document.picture();
     const glm::dvec4 clip = *clipFromWorld(g) * glm::dvec4(world, 1.0);
     return {(clip.x / clip.w + 1.0) / 2.0 * g.surface.widthPixels,
             (1.0 - clip.y / clip.w) / 2.0 * g.surface.heightPixels};
@@ -134,7 +136,7 @@ void TestDocumentLandmarks::eachVerbIsOneStepByName()
     SceneDocument document;
     openPoints(document);
     document.markSaved();
-    const landmarks::LandmarkSet before = document.landmarkSet();
+    const landmarks::LandmarkSet before = document.scene().landmarks;
     const int steps = document.undoStack().count();
     Told told(document);
     verb(document);
@@ -145,13 +147,13 @@ void TestDocumentLandmarks::eachVerbIsOneStepByName()
     QCOMPARE(document.undoStack().undoText(), text);
     QCOMPARE(pointNames(document), names);
     QVERIFY(document.isEdited());
-    const landmarks::LandmarkSet after = document.landmarkSet();
+    const landmarks::LandmarkSet after = document.scene().landmarks;
     QVERIFY(after != before);
     document.undoStack().undo();
-    QVERIFY(document.landmarkSet() == before);
+    QVERIFY(document.scene().landmarks == before);
     QVERIFY(!document.isEdited());
     document.undoStack().redo();
-    QVERIFY(document.landmarkSet() == after);
+    QVERIFY(document.scene().landmarks == after);
 }
 
 void TestDocumentLandmarks::aDragIsOneStep()
@@ -179,7 +181,7 @@ void TestDocumentLandmarks::whatWaitsIsPlacedFirst()
     missing.name = "nasion";
     std::vector<Landmark> points{missing, pointAt(1, "there"), missing};
     points[2].name = "gnathion";
-    QVERIFY(editLandmarks(document, points, kDeed));
+    QVERIFY(editLandmarks(document, points, kLabel));
     ScenePoints &list = document.points();
     QVERIFY(!list.waiting());
     list.waitForNext(std::nullopt);
@@ -214,7 +216,7 @@ void TestDocumentLandmarks::anUndonePlacingWaitsAgain()
     Landmark first, second;
     first.name = "first";
     second.name = "second";
-    QVERIFY(editLandmarks(document, {first, second}, kDeed));
+    QVERIFY(editLandmarks(document, {first, second}, kLabel));
     ScenePoints &points = document.points();
     points.waitForNext(std::nullopt);
     QVERIFY(points.place(pointAt(1)));
@@ -235,7 +237,7 @@ void TestDocumentLandmarks::aTwinIsAnotherPoint()
 {
     SceneDocument document;
     openScene(document);
-    QVERIFY(editLandmarks(document, {pointAt(1, "a"), pointAt(1, "a")}, kDeed));
+    QVERIFY(editLandmarks(document, {pointAt(1, "a"), pointAt(1, "a")}, kLabel));
     document.points().selectOnly(0);
     QVERIFY(document.points().moveTo(0, WorldPoint(7, 7, 7)));
     QVERIFY(document.points().selection() == Places{0});
@@ -311,7 +313,7 @@ void TestDocumentLandmarks::pointsGoWithTheirObject_data()
     QTest::addColumn<glm::dvec3>("free");
     const glm::dvec3 held(1.0, 1.0, 0.0), free(1.0, 1.0, 2.0);
     const auto transform = [](const std::vector<TransformStep> &steps) {
-        return [steps](SceneDocument &d) { QVERIFY(editTransform(d, 0, steps, kDeed)); };
+        return [steps](SceneDocument &d) { QVERIFY(editTransform(d, 0, steps, kLabel)); };
     };
     QTest::newRow("moved") << Verb(transform({Translate{{10, 0, 0}}})) << "triangle" << held + glm::dvec3(10, 0, 0)
                            << free + glm::dvec3(10, 0, 0);
@@ -339,14 +341,14 @@ void TestDocumentLandmarks::pointsGoWithTheirObject()
     QFETCH(glm::dvec3, free);
     SceneDocument document;
     openTriangle(document);
-    Landmark onMesh = *document.points().onMeshAt(deviceOf(document, {1.0, 1.0, 0.0}));
+    Landmark onMesh = *landmarkOnMesh(document, deviceOf(document, {1.0, 1.0, 0.0}));
     Landmark above = onMesh, elsewhere = onMesh;
     above.hold = landmarks::Free{};
     above.world = WorldPoint(1.0, 1.0, 2.0);
     elsewhere.hold = landmarks::Free{};
     elsewhere.object.clear();
-    QVERIFY(editLandmarks(document, {onMesh, above, elsewhere}, kDeed));
-    const landmarks::LandmarkSet before = document.landmarkSet();
+    QVERIFY(editLandmarks(document, {onMesh, above, elsewhere}, kLabel));
+    const landmarks::LandmarkSet before = document.scene().landmarks;
     const int steps = document.undoStack().count();
     verb(document);
     const std::vector<Landmark> &now = document.landmarks();
@@ -358,20 +360,20 @@ void TestDocumentLandmarks::pointsGoWithTheirObject()
     QCOMPARE(std::holds_alternative<landmarks::OnTriangle>(now[0].hold), !object.isEmpty());
     while (document.undoStack().count() > steps && document.undoStack().index() > steps)
         document.undoStack().undo();
-    QVERIFY(document.landmarkSet() == before); // and with the object they are back
+    QVERIFY(document.scene().landmarks == before); // and with the object they are back
 }
 
 void TestDocumentLandmarks::turnedUncertaintyDoesNotGrow()
 {
     SceneDocument document;
     openTriangle(document);
-    Landmark point = *document.points().onMeshAt(deviceOf(document, {1.0, 1.0, 0.0}));
+    Landmark point = *landmarkOnMesh(document, deviceOf(document, {1.0, 1.0, 0.0}));
     point.uncertainty = WorldVector(0.1, 0.2, 0.2);
-    QVERIFY(editLandmarks(document, {point}, kDeed));
+    QVERIFY(editLandmarks(document, {point}, kLabel));
     for (int degrees = 1; degrees <= 360; ++degrees)
         QVERIFY(editTransform(document, 0, {Rotate{double(degrees), {1, 2, 3}}}, {QStringLiteral("turn")}));
     QVERIFY(std::abs(length(*document.landmarks()[0].uncertainty) - 0.3) < 1e-9);
-    QVERIFY(editTransform(document, 0, {Scale{{2, 2, 2}}}, kDeed));
+    QVERIFY(editTransform(document, 0, {Scale{{2, 2, 2}}}, kLabel));
     QVERIFY(std::abs(length(*document.landmarks()[0].uncertainty) - 0.6) < 1e-9);
 }
 
@@ -396,7 +398,7 @@ void TestDocumentLandmarks::clicksAreHeldByTheMesh()
     QFETCH(landmarks::Hold, hold);
     SceneDocument document;
     openTriangle(document, snap);
-    const std::optional<Landmark> point = document.points().onMeshAt(deviceOf(document, world));
+    const std::optional<Landmark> point = landmarkOnMesh(document, deviceOf(document, world));
     QVERIFY(point);
     QCOMPARE(point->object, std::string("triangle"));
     QCOMPARE(point->hold.index(), hold.index());
@@ -404,53 +406,55 @@ void TestDocumentLandmarks::clicksAreHeldByTheMesh()
     QVERIFY(glm::length(ray::placeOf(point->hold, model)->coordinates() - world) < 1e-9);
     QVERIFY(glm::length(ray::placeOf(hold, model)->coordinates() - world) < 1e-9); // the row itself
     QVERIFY(glm::length(ray::placeOf(point->hold, model)->coordinates() - point->world->coordinates()) < 1e-14);
-    QVERIFY(!document.points().onMeshAt(deviceOf(document, {4.0, 4.0, 0.0})));
+    QVERIFY(!landmarkOnMesh(document, deviceOf(document, {4.0, 4.0, 0.0})));
 }
 
 void TestDocumentLandmarks::aHandIsAsSureAsItsPixel()
 {
     SceneDocument document;
     openTriangle(document);
-    const Picture &g = document.geometry();
+    const Picture &g = document.picture();
     const DevicePoint at = deviceOf(document, {1.0, 1.0, 0.0});
     const ProjectionWindow window = projectionWindow(g.projection());
     const double footprint = (window.right - window.left) / window.nearDistance * 10.0 / g.surface.widthPixels;
-    const WorldVector off = *document.points().onMeshAt(at)->uncertainty;
+    const WorldVector off = *landmarkOnMesh(document, at)->uncertainty;
     QVERIFY(std::abs(off.x - footprint / 2.0) < 1e-3 * footprint); // the surface faces the eye
     QVERIFY(std::abs(off.y - footprint / 2.0) < 1e-3 * footprint);
     QVERIFY(off.z < 1e-3 * footprint);
-    const WorldVector tenth = *document.points().onMeshAt(at, 0.1)->uncertainty;
+    const WorldVector tenth = *landmarkOnMesh(document, at, 0.1)->uncertainty;
     QVERIFY(std::abs(tenth.x - footprint / 20.0) < 1e-3 * footprint);
     // Tilted by 60 degrees about the x axis, it is twice as long a way up the surface: y stays, z is tan 60 degrees of it.
-    QVERIFY(editTransform(document, 0, {Translate{{1, 1, 0}}, Rotate{60.0, {1, 0, 0}}, Translate{{-1, -1, 0}}}, kDeed));
-    const WorldVector tilted = *document.points().onMeshAt(deviceOf(document, {1.0, 1.0, 0.0}))->uncertainty;
+    QVERIFY(
+        editTransform(document, 0, {Translate{{1, 1, 0}}, Rotate{60.0, {1, 0, 0}}, Translate{{-1, -1, 0}}}, kLabel));
+    const WorldVector tilted = *landmarkOnMesh(document, deviceOf(document, {1.0, 1.0, 0.0}))->uncertainty;
     QVERIFY(std::abs(tilted.x - footprint / 2.0) < 0.01 * footprint);
     QVERIFY(std::abs(tilted.z - std::tan(kPi / 3.0) * footprint / 2.0) < 0.01 * footprint);
     // A vertex is where the file has it.
-    document.setSnap(ray::Snap::Vertex);
+    document.picks().setSnap(ray::Snap::Vertex);
     const glm::dvec3 corner = ray::cornersOf(document.objects()[0].model->meshes[0], 0)[0];
     const glm::dvec3 there(worldFromObject(document.objects()[0].transform) * glm::dvec4(corner, 1.0));
-    QVERIFY(length(*document.points().onMeshAt(deviceOf(document, there))->uncertainty) < 1e-6 * footprint);
+    QVERIFY(length(*landmarkOnMesh(document, deviceOf(document, there))->uncertainty) < 1e-6 * footprint);
 }
 
 void TestDocumentLandmarks::aDepthWithoutAMeshIsFree()
 {
     SceneDocument document;
     openTriangle(document);
-    QVERIFY(editTransform(document, 0, {Translate{{0, 0, 0}}}, kDeed));
+    QVERIFY(editTransform(document, 0, {Translate{{0, 0, 0}}}, kLabel));
     // Beside the triangle no ray meets it, but the frame may have drawn its rim there.
     const DevicePoint beside = deviceOf(document, {-0.5, 1.0, 0.0});
-    const WidgetPoint position = widgetFromDevice(document.geometry().surface, beside);
-    const std::optional<Landmark> point = document.points().placedAt(position, DepthSample{0.5, 0, 24});
+    const WidgetPoint position = widgetFromDevice(document.picture().surface, beside);
+    const std::optional<Landmark> point = landmarkOfClick(document, position, DepthSample{0.5, 0, 24});
     QVERIFY(point);
     QVERIFY(std::holds_alternative<landmarks::Free>(point->hold));
     QCOMPARE(point->object, std::string("triangle"));
-    const Result<Pick> pick = document.unprojected({position, DevicePixel{int(beside.x), int(beside.y)}, {0.5, 0, 24}});
+    const Result<Pick> pick =
+        document.picks().unprojected({position, DevicePixel{int(beside.x), int(beside.y)}, {0.5, 0, 24}});
     QVERIFY(*point->world == *pick->point.world[Method::Formula]);
     QVERIFY(length(*point->uncertainty) > 0.0);
-    QVERIFY(!document.points().placedAt(position, DepthSample{1.0, std::nullopt, 24})); // the background
-    QVERIFY(!document.points().placedAt(position, std::nullopt));
-    QVERIFY(!document.points().placedAt(WidgetPoint(-5, 5), DepthSample{0.5, 0, 24}));
+    QVERIFY(!landmarkOfClick(document, position, DepthSample{1.0, std::nullopt, 24})); // the background
+    QVERIFY(!landmarkOfClick(document, position, std::nullopt));
+    QVERIFY(!landmarkOfClick(document, WidgetPoint(-5, 5), DepthSample{0.5, 0, 24}));
 }
 
 void TestDocumentLandmarks::aThousandStepsAndBack()
@@ -458,14 +462,14 @@ void TestDocumentLandmarks::aThousandStepsAndBack()
     SceneDocument document;
     document.undoStack().setUndoLimit(0);
     openScene(document);
-    QVERIFY(editLandmarks(document, {pointAt(0, "a"), pointAt(1, "b")}, kDeed));
+    QVERIFY(editLandmarks(document, {pointAt(0, "a"), pointAt(1, "b")}, kLabel));
     for (Landmark point : {pointAt(5, "c"), pointAt(6, "d")}) {
         point.object = document.objects()[1].name;
         point.hold = landmarks::OnTriangle{1, glm::dvec3(0.25, 0.25, 0.5)};
         QVERIFY(document.points().place(point));
     }
     document.markSaved();
-    const landmarks::LandmarkSet begin = document.landmarkSet();
+    const landmarks::LandmarkSet begin = document.scene().landmarks;
     const int first = document.undoStack().index();
     std::mt19937 random(20240607);
     const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
@@ -509,7 +513,7 @@ void TestDocumentLandmarks::aThousandStepsAndBack()
             points.toggle(some);
         } else if (kind == 12) {
             const auto objects = document.objects().size();
-            QVERIFY(editTransform(document, below(objects), {Translate{{double(random() % 9), 0, 0}}}, kDeed));
+            QVERIFY(editTransform(document, below(objects), {Translate{{double(random() % 9), 0, 0}}}, kLabel));
         } else if (kind == 13) {
             static_cast<void>(renameObject(document, below(document.objects().size()),
                                            QStringLiteral("object %1").arg(random() % 5)));
@@ -525,35 +529,35 @@ void TestDocumentLandmarks::aThousandStepsAndBack()
         QVERIFY(isSelectionValid());
         const auto index = static_cast<std::size_t>(document.undoStack().index() - first);
         if (index < states.size() && kind >= 15) {
-            QVERIFY(states[index] == document.landmarkSet());
+            QVERIFY(states[index] == document.scene().landmarks);
         } else {
             states.resize(index + 1);
-            states[index] = document.landmarkSet();
+            states[index] = document.scene().landmarks;
         }
     }
     QVERIFY(states.size() > 100);
     const auto last = document.undoStack().index();
-    const landmarks::LandmarkSet end = document.landmarkSet();
+    const landmarks::LandmarkSet end = document.scene().landmarks;
     while (document.undoStack().index() > first) {
         document.undoStack().undo();
-        QVERIFY(states[static_cast<std::size_t>(document.undoStack().index() - first)] == document.landmarkSet());
+        QVERIFY(states[static_cast<std::size_t>(document.undoStack().index() - first)] == document.scene().landmarks);
         QVERIFY(isSelectionValid());
     }
-    QVERIFY(document.landmarkSet() == begin);
+    QVERIFY(document.scene().landmarks == begin);
     QVERIFY(!document.isModified());
     QVERIFY(!document.isEdited());
     document.undoStack().setIndex(last);
-    QVERIFY(document.landmarkSet() == end);
+    QVERIFY(document.scene().landmarks == end);
 }
 
 void TestDocumentLandmarks::pointsAreInTheSceneFile()
 {
     SceneDocument document;
     openScene(document);
-    document.rayCasters().complete(document.objects());
+    document.picks().rayCasters().complete(document.objects());
     std::optional<Landmark> held;
     for (int x = 5; x < 800 && !held; x += 5)
-        held = document.points().onMeshAt({x + 0.5, 300.5});
+        held = landmarkOnMesh(document, {x + 0.5, 300.5});
     QVERIFY(held);
     QVERIFY(document.points().place(*held));
     QVERIFY(document.points().place(pointAt(0.1, "b")));
@@ -561,12 +565,12 @@ void TestDocumentLandmarks::pointsAreInTheSceneFile()
     QVERIFY(document.points().setHidden({1}, true));
     QVERIFY(document.points().setMissing({1}));
     const scene_file::SceneFile file =
-        scene_file::sceneFileFrom(document.scene(), document.geometry(), "scene.json", {});
+        scene_file::sceneFileFrom(document.scene(), document.picture(), "scene.json", {});
     const auto text = scene_file::sceneText(file);
     QVERIFY(text);
     const auto read = scene_file::parseScene(*text, "scene.json");
     QVERIFY(read);
-    QVERIFY(read->landmarks == document.landmarkSet());
+    QVERIFY(read->landmarks == document.scene().landmarks);
     QVERIFY(std::holds_alternative<landmarks::OnTriangle>(read->landmarks.landmarks[0].hold));
 }
 

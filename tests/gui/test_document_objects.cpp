@@ -2,6 +2,7 @@
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 #include "told_changes.h"
 
@@ -60,9 +61,9 @@ void TestDocumentObjects::aPickGoesWithItsObject()
 {
     SceneDocument document;
     openScene(document);
-    const auto place = [&document] { return document.pick() ? document.pick()->object : std::nullopt; };
+    const auto place = [&document] { return document.picks().pick() ? document.picks().pick()->object : std::nullopt; };
     using Place = std::optional<std::size_t>;
-    document.pickAt(WidgetPoint(400, 300), {0.5, 1, 24});
+    pickAt(document, WidgetPoint(400, 300), {0.5, 1, 24});
     QCOMPARE(place(), Place(1));
     QVERIFY(addObjects(document, {examples::bundledScene()[0]}));
     QCOMPARE(place(), Place(1));
@@ -76,13 +77,13 @@ void TestDocumentObjects::aPickGoesWithItsObject()
     for (int k = 0; k < 4; ++k)
         document.undoStack().undo();
     QCOMPARE(place(), Place(1));
-    QVERIFY(!document.sinceClick().isObjectMoved);
+    QVERIFY(!document.picks().sinceClick().isObjectMoved);
     QVERIFY(removeObject(document, 1));
-    QVERIFY(!document.pick());
+    QVERIFY(!document.picks().pick());
     // One of the background is on no object.
-    document.pickAt(WidgetPoint(1, 1), {1.0, std::nullopt, 24});
+    pickAt(document, WidgetPoint(1, 1), {1.0, std::nullopt, 24});
     QVERIFY(removeObject(document, 0));
-    QVERIFY(document.pick());
+    QVERIFY(document.picks().pick());
 }
 
 void TestDocumentObjects::objectsAreMovedInTheirList_data()
@@ -122,20 +123,20 @@ void TestDocumentObjects::hiddenObjectsAreOutOfSight()
     QVERIFY(setObjectHidden(document, 1, true));
     QVERIFY(document.bounds().highest.x < both.highest.x - 40.0);
     fitAll(document);
-    const LookAt one = document.geometry().camera();
+    const LookAt one = document.picture().camera();
     document.undoStack().undo();
     document.undoStack().undo();
     QCOMPARE(document.bounds().highest.x, both.highest.x);
     fitAll(document);
-    QVERIFY(distance(document.geometry().camera().eye, one.eye) > 10.0);
+    QVERIFY(distance(document.picture().camera().eye, one.eye) > 10.0);
     // A hidden one can be looked at all the same, and all can be hidden.
     fitObject(document, 0);
-    QVERIFY(distance(document.geometry().camera().eye, one.eye) < 1e-9);
+    QVERIFY(distance(document.picture().camera().eye, one.eye) < 1e-9);
     QVERIFY(setObjectHidden(document, 0, true) && setObjectHidden(document, 1, true));
     QVERIFY(document.bounds().isEmpty());
     fitAll(document);
     fitObject(document, 1);
-    QVERIFY(std::abs(document.geometry().camera().center.x - both.highest.x) < 10.0);
+    QVERIFY(std::abs(document.picture().camera().center.x - both.highest.x) < 10.0);
 }
 
 void TestDocumentObjects::namesStayUnique_data()
@@ -184,7 +185,7 @@ SceneObject placed(const glm::dvec3 &middle, double scale)
 bool isInSight(const SceneDocument &document, const SceneObject &object, glm::dvec2 *share = nullptr)
 {
     glm::dvec2 lowest(1e300), highest(-1e300);
-    const glm::dmat4 clipFromObject = clipFromWorld(document.geometry()).value() * worldFromObject(object.transform);
+    const glm::dmat4 clipFromObject = clipFromWorld(document.picture()).value() * worldFromObject(object.transform);
     for (const Mesh &mesh : object.model->meshes) {
         for (std::size_t element = 0; element < mesh.elementCount(); ++element) {
             const glm::dvec4 clip = clipFromObject * glm::dvec4(mesh.position(mesh.vertexAt(element)), 1.0);
@@ -226,19 +227,19 @@ void TestDocumentObjects::whatIsAddedIsInSight()
     document.setSurface({801, 601, 1.0});
     openObjects(document, {placed({0.0, 0.0, 0.0}, 1.0)},
                 {WorldPoint(0.0, 0.0, 12.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
-    const Projection typed = withClipDistances(document.geometry().projection(), 1.0, 30.0);
+    const Projection typed = withClipDistances(document.picture().projection(), 1.0, 30.0);
     if (!fits)
-        QVERIFY(editProjection(document, {typed, true, false}, kDeed));
-    const Picture before = document.geometry();
+        QVERIFY(editProjection(document, {typed, true, false}, kLabel));
+    const Picture before = document.picture();
     const int steps = document.undoStack().count();
     QVERIFY(addObjects(document, {placed(middle, scale)}));
     QCOMPARE(document.undoStack().count(), steps + 1);
     QVERIFY(isInSight(document, document.objects()[0]));
     QVERIFY(isInSight(document, document.objects()[1]));
-    QCOMPARE(document.geometry().camera() != before.camera(), moves);
+    QCOMPARE(document.picture().camera() != before.camera(), moves);
     QCOMPARE(document.scene().clipDistancesFitObjects, fits); // a rule stays what it is
     document.undoStack().undo();
-    QVERIFY(document.geometry() == before);
+    QVERIFY(document.picture() == before);
     QCOMPARE(document.objects().size(), std::size_t(1));
 }
 

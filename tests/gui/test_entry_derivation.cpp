@@ -20,7 +20,7 @@ namespace {
 
 QString derivation(const SceneDocument &document, const PipelineModel &model, Space space, int coordinate)
 {
-    return entryDerivation(model, document.geometry(), space, coordinate).text;
+    return entryDerivation(model, document.picture(), space, coordinate).text;
 }
 
 /// The value of "0.1 · (-4.2) + 1"; not a number where it is none.
@@ -53,7 +53,7 @@ void TestEntryDerivation::aRowTimesTheVectorIsWrittenOut()
     openFigures(document);
     PipelineModel model(document);
     QVERIFY(derivation(document, model, Space::Clip, 1).contains(QStringLiteral("no number")));
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     model.update();
     const auto shown = [&](Space space, int coordinate) { return derivation(document, model, space, coordinate); };
     QCOMPARE(shown(Space::Clip, 1), QStringLiteral("clip y = row 2 of clipFromEye · eye\n"
@@ -94,7 +94,7 @@ void TestEntryDerivation::everyNumberIsWhatItsTermsMake()
     setView(document, {WorldPoint(1, 2, 9), WorldPoint(0.3, -0.2, 0), {0.1, 1, 0}}, Frustum{-1, 2, -1, 1.5, 1.5, 40});
     PipelineModel model(document);
     model.setView({layout, false, Digits::Double, true});
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     model.setApi(api);
     for (const PipelineDirection direction : {PipelineDirection::Forward, PipelineDirection::Backward}) {
         model.setDirection(direction);
@@ -151,7 +151,7 @@ void TestEntryDerivation::aClickOrAKeyShowsItAndMarksItsSource()
 {
     SceneDocument document;
     openFigures(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     PipelinePanel panel(document);
     panel.resize(460, 1600);
     panel.show();
@@ -212,7 +212,7 @@ void TestEntryDerivation::nothingOfItIsCutOff()
     openFigures(document);
     document.setSurface(surfaceFromWidget(1237, 811, 1.0));
     setView(document, {WorldPoint(1, 2, 9), WorldPoint(0.3, -0.2, 0), {0.1, 1, 0}}, Frustum{-1, 2, -1, 1.5, 1.5, 40});
-    document.pickAt(WidgetPoint(40, 600), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(40, 600), {0.85, 0, 24});
     PipelinePanel panel(document);
     QFont font = panel.font();
     font.setPointSize(points);

@@ -2,6 +2,7 @@
 // that point.
 
 #include "core/examples/examples.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/view/scene_view.h"
 #include "tests/support/patience.h"
@@ -112,13 +113,13 @@ void TestExamplesDrawn::aClickReadsThePointOfTheNote()
     QVERIFY(QTest::qWaitForWindowExposed(&stage.view, kPatienceMilliseconds));
     QVERIFY(!stage.picture(example(id.toStdString()).scene).isNull());
     const WorldPoint expected(x, y, z);
-    const Picture &geometry = stage.document.geometry();
+    const Picture &geometry = stage.document.picture();
     const Result<WindowPoint> window = windowFromWorld(geometry, expected);
     QVERIFY(window);
     const WidgetPoint widget = widgetFromDevice(geometry.surface, deviceFromWindow(geometry.surface, *window));
     QTest::mouseClick(&stage.view, Qt::LeftButton, {}, QPoint(int(widget.x), int(widget.y)));
-    QTRY_VERIFY_WITH_TIMEOUT(stage.document.pick(), kPatienceMilliseconds);
-    const Pick &pick = *stage.document.pick();
+    QTRY_VERIFY_WITH_TIMEOUT(stage.document.picks().pick(), kPatienceMilliseconds);
+    const Pick &pick = *stage.document.picks().pick();
     QVERIFY(pick.hit());
     QVERIFY(pick.point.world[Method::Formula] && pick.point.world[Method::Matrix]);
     // Within the pixel clicked, which is beside the point by at most one; and on the surface, which faces the eye.

@@ -2,6 +2,7 @@
 // can hold them, drawn, and clicked.
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/text/formula_text.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/mesh_model.h"
@@ -226,11 +227,11 @@ void TestFarModels::millimetresArePicked()
         for (int square = 0; square < kCount; ++square) {
             const QPointF local = localOf(*window, middleOf(square));
             click(view, local);
-            QVERIFY(document.pick());
-            const Pick &pick = *document.pick();
+            QVERIFY(document.picks().pick());
+            const Pick &pick = *document.picks().pick();
             QVERIFY2(pick.hit(), qPrintable(QStringLiteral("square %1").arg(square)));
-            const glm::dvec3 truth = onPlane(rayThrough(pick.geometry, windowOf(view, pixelUnder(view, local))),
-                                             middleOf(square), {0, 0, 1});
+            const glm::dvec3 truth =
+                onPlane(rayThrough(pick.picture, windowOf(view, pixelUnder(view, local))), middleOf(square), {0, 0, 1});
             const glm::dvec3 picked = pick.point.world[Method::Formula]->coordinates();
             const double off = glm::length(picked - truth);
             QVERIFY2(off < 0.25 * kMillimetre,
@@ -239,7 +240,7 @@ void TestFarModels::millimetresArePicked()
         }
     }
     // And it can be read.
-    const QString text = formulasOf(*document.pick()).text();
+    const QString text = formulasOf(*document.picks().pick()).text();
     QVERIFY2(text.contains(QStringLiteral("(4000000.")) && text.contains(QStringLiteral(", 500000."))
                  && !text.contains(u'e' + QStringLiteral("+0")),
              qPrintable(text));
@@ -287,8 +288,8 @@ void TestFarModels::theLargestAndTheSmallestAreDrawnAsOthers()
         openObjects(document, pyramid(factor, isFlat));
         const QColor color = view.grabFramebuffer().pixelColor(local.toPoint());
         click(view, local);
-        QVERIFY(document.pick() && document.pick()->hit());
-        const glm::dvec3 picked = document.pick()->point.world[Method::Formula]->coordinates() / double(factor);
+        QVERIFY(document.picks().pick() && document.picks().pick()->hit());
+        const glm::dvec3 picked = document.picks().pick()->point.world[Method::Formula]->coordinates() / double(factor);
         if (factor == 1.0f) {
             usual = picked;
             usualColor = color;

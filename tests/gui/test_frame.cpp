@@ -2,6 +2,7 @@
 // range; and what is cut away. Run once more with object ids as colours.
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "gui/view/painters/frame_painter.h"
@@ -97,12 +98,12 @@ void TestFrame::everyPixelIsTheSurfaceThatIsThere()
         std::array<int, 2> seen{};
         for (int y = 3; y < view.height(); y += 17 * kCoarser) {
             for (int x = 2; x < view.width(); x += 14 * kCoarser) {
-                window->document().clearPick();
+                window->document().picks().clearPick();
                 click(view, QPointF(x, y));
-                QVERIFY(window->document().pick());
-                const Pick &pick = *window->document().pick();
+                QVERIFY(window->document().picks().pick());
+                const Pick &pick = *window->document().picks().pick();
                 const DevicePixel pixel = pixelUnder(view, QPointF(x, y));
-                const guitest::Ray ray = rayThrough(window->document().geometry(), windowOf(view, pixel));
+                const guitest::Ray ray = rayThrough(window->document().picture(), windowOf(view, pixel));
                 std::optional<std::size_t> object;
                 double nearest = std::numeric_limits<double>::infinity();
                 for (std::size_t i = 0; i < kTwoCubeCenters.size(); ++i) {
@@ -144,7 +145,7 @@ void TestFrame::smoothEdgesMoveNoDepth()
         for (int y = 0; y < view.height(); y += 13 * kCoarser) {
             for (int x = 0; x < view.width(); x += 11 * kCoarser) {
                 click(view, QPointF(x, y));
-                read.push_back(window->document().pick()->window.z);
+                read.push_back(window->document().picks().pick()->window.z);
             }
         }
         return read;
@@ -183,8 +184,8 @@ void TestFrame::aPickIsNeverOnAClippedPart()
     for (int y = 0; y < window->view().height(); y += 12 * kCoarser) {
         for (int x = 0; x < window->view().width(); x += 10 * kCoarser) {
             click(window->view(), QPointF(x, y));
-            const Pick &pick = *window->document().pick();
-            const guitest::Ray ray = rayThrough(window->document().geometry(),
+            const Pick &pick = *window->document().picks().pick();
+            const guitest::Ray ray = rayThrough(window->document().picture(),
                                                 windowOf(window->view(), pixelUnder(window->view(), QPointF(x, y))));
             const std::optional<double> uncut = entry(ray, kTwoCubeCenters[0]);
             if (!pick.hit()) {
@@ -261,8 +262,8 @@ void TestFrame::aPlaneIsShownAndCannotBePicked()
     QVERIFY(before.rect().contains(pixel.i, pixel.j));
     QVERIFY(before.pixel(pixel.i, pixel.j) != with.pixel(pixel.i, pixel.j));
     click(view, localOf(*window, beside));
-    QVERIFY(window->document().pick()->hit());
-    const glm::dvec3 picked = window->document().pick()->point.world[Method::Formula]->coordinates();
+    QVERIFY(window->document().picks().pick()->hit());
+    const glm::dvec3 picked = window->document().picks().pick()->point.world[Method::Formula]->coordinates();
     QVERIFY(std::abs(picked.z - (kCubeCenter.z + 1.0)) < 0.01);
 }
 

@@ -2,6 +2,7 @@
 // colours.
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 #include "gui/outside/observer_view.h"
 #include "tests/gui/gui_scene.h"
@@ -187,7 +188,7 @@ void TestFrameView::objectsAreDrawnOnceAChange()
     steps.clear();
     click(view, {200.0, 150.0});
     (void)view.grabFramebuffer();
-    QVERIFY(document.pick() && document.pick()->hit());
+    QVERIFY(document.picks().pick() && document.picks().pick()->hit());
     QVERIFY(pictures(steps) > 0);
     QCOMPARE(drawnObjects(steps), 0);
     settle();
@@ -239,7 +240,7 @@ void TestFrameView::theReadoutFollowsThePointer()
               {WorldPoint(kCubeCenter + glm::dvec3(0.0, 0.0, 9.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
     QTRY_VERIFY_WITH_TIMEOUT(!hovered.isEmpty(), kPatienceMilliseconds);
     click(view, place);
-    QCOMPARE(hovered.last().at(0).value<PixelClick>().sample.depth, window->document().pick()->window.z);
+    QCOMPARE(hovered.last().at(0).value<PixelClick>().sample.depth, window->document().picks().pick()->window.z);
     // Nothing is told of a pointer that has left.
     hovered.clear();
     sendMouse(view, QEvent::MouseMove, place + QPointF(3.0, 0.0), Qt::NoButton, Qt::NoButton);
@@ -250,7 +251,7 @@ void TestFrameView::theReadoutFollowsThePointer()
     // It comes back.
     sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
     QTRY_COMPARE_WITH_TIMEOUT(hovered.size(), 1, kPatienceMilliseconds);
-    QCOMPARE(hovered.last().at(0).value<PixelClick>().sample.depth, window->document().pick()->window.z);
+    QCOMPARE(hovered.last().at(0).value<PixelClick>().sample.depth, window->document().picks().pick()->window.z);
 }
 
 void TestFrameView::anAnswerThatIsOvertakenIsGivenOfTheNextPicture()
@@ -269,7 +270,7 @@ void TestFrameView::anAnswerThatIsOvertakenIsGivenOfTheNextPicture()
     view.setUpdatesEnabled(true);
     QTRY_COMPARE_WITH_TIMEOUT(hovered.size(), 1, kPatienceMilliseconds);
     click(view, place);
-    QCOMPARE(hovered.last().at(0).value<PixelClick>().sample.depth, window->document().pick()->window.z);
+    QCOMPARE(hovered.last().at(0).value<PixelClick>().sample.depth, window->document().picks().pick()->window.z);
 }
 
 QTEST_MAIN(TestFrameView)

@@ -3,6 +3,7 @@
 #include "document_edits.h"
 #include "pipeline_figures.h"
 
+#include "gui/document/given_points.h"
 #include "gui/document/scene_edits.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/text/typed_numbers.h"
@@ -119,7 +120,7 @@ void TestGivenPoint::aTypedNumberIsAPointBothWays()
     QVERIFY(isPoint(shown.model().point(Space::Widget), {25, 25}));
     QVERIFY(shown.tells(QStringLiteral("given in eye coordinates")));
     QVERIFY(shown.document.scene().givenPoint->point == GivenPoint{EyePoint(0, 0, -8)}.point);
-    QVERIFY(shown.document.givenWorld().value() == WorldPoint(0, 0, -3));
+    QVERIFY(givenWorld(shown.document.scene(), shown.document.picture()).value() == WorldPoint(0, 0, -3));
     QVERIFY(shown.document.isEdited());
     // The camera goes on, the eye point stays what it is.
     QVERIFY(shown.document.scene().givenPoint.has_value());
@@ -173,7 +174,7 @@ void TestGivenPoint::theLaterOfClickAndGivenPointIsFollowed()
     ShownPanel shown;
     shown.paste(Space::World, QStringLiteral("1 2 3"));
     QVERIFY(shown.model().followsGiven());
-    shown.document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(shown.document, WidgetPoint(30, 35), {0.85, 0, 24});
     QVERIFY(!shown.model().followsGiven());
     QVERIFY(isPoint(shown.model().point(Space::World), {2.2, -4.2, -2}));
     // Both are there, and either can be followed.
@@ -231,7 +232,8 @@ void TestGivenPoint::outsideTheViewVolumeIsSaid()
     const ShownPanel shown;
     shown.paste(Space::World, QStringLiteral("100 0 0"));
     QVERIFY(shown.tells(QStringLiteral("x > w")));
-    QVERIFY(shown.document.givenWorld().has_value()); // it is marked in the view from outside
+    QVERIFY(givenWorld(shown.document.scene(), shown.document.picture())
+                .has_value()); // it is marked in the view from outside
 }
 
 void TestGivenPoint::aWidgetPositionKeepsTheDepth()

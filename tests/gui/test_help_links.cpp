@@ -4,6 +4,7 @@
 #include "gui/click/comparison_panel.h"
 #include "gui/doctor/doctor_panel.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/map/map_panel.h"
 #include "gui/outside/observer_panel.h"
@@ -180,7 +181,7 @@ void TestHelpLinks::everyPanelLeadsToHelp()
     panel->show();
     if (name == "comparison")
         QVERIFY(!linksOf(*panel).contains(QStringLiteral("certainty"))); // nothing is said of it yet
-    document.setPick(picked(frustumGeometry(), 412.0, 299.0, 0.75));
+    document.picks().setPick(picked(frustumGeometry(), 412.0, 299.0, 0.75));
     const QMap<QString, QString> all = places();
     const QSet<QString> links = linksOf(*panel);
     for (const QString &link : links)

@@ -1,6 +1,7 @@
 // What the user reads where a thread cannot start or memory runs out, and that the document goes on: for each of those that have
 // background jobs. The map's and the doctor's sentences are in test_map_overlay and test_doctor_place.
 
+#include "document_edits.h"
 #include "job_faults.h"
 #include "session_desk.h"
 
@@ -8,6 +9,7 @@
 #include "core/ray/closest_place.h"
 #include "gui/doctor/diagnoser.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_edits.h"
 #include "gui/map/map_maker.h"
@@ -120,21 +122,22 @@ void TestJobFailures::theRayIsImpossible()
     {
         const Fault fault(kind);
         openObjects(document, ball(kMany));
-        document.pickAt(WidgetPoint(200.0, 150.0), {0.3, 0, 24});
-        QVERIFY(document.pickedRay());
-        QTRY_VERIFY_WITH_TIMEOUT(document.pickedRay()->state == PickedRay::State::Impossible, kPatienceMilliseconds);
-        QVERIFY(document.pickedRay()->failure);
-        QCOMPARE(failureText(*document.pickedRay()->failure), reason);
-        QVERIFY(!document.rays());
-        document.rayCasters().complete(document.objects());
-        QVERIFY(document.rayCasters().failureOf(document.objects()));
+        pickAt(document, WidgetPoint(200.0, 150.0), {0.3, 0, 24});
+        QVERIFY(document.picks().pickedRay());
+        QTRY_VERIFY_WITH_TIMEOUT(document.picks().pickedRay()->state == PickedRay::State::Impossible,
+                                 kPatienceMilliseconds);
+        QVERIFY(document.picks().pickedRay()->failure);
+        QCOMPARE(failureText(*document.picks().pickedRay()->failure), reason);
+        QVERIFY(!document.picks().rays());
+        document.picks().rayCasters().complete(document.objects());
+        QVERIFY(document.picks().rayCasters().failureOf(document.objects()));
     }
     // No thread is a matter of the moment; for more memory the model is opened again.
     if (kind == JobFailure::Kind::OutOfMemory)
         openObjects(document, ball(kMany));
-    document.rayCasters().complete(document.objects());
-    QVERIFY(document.rays());
-    QVERIFY(!document.rayCasters().failureOf(document.objects()));
+    document.picks().rayCasters().complete(document.objects());
+    QVERIFY(document.picks().rays());
+    QVERIFY(!document.picks().rayCasters().failureOf(document.objects()));
 }
 
 void TestJobFailures::aMapIsNotMade()
@@ -144,7 +147,7 @@ void TestJobFailures::aMapIsNotMade()
     SceneDocument document;
     document.setSurface({40, 30, 1.0});
     openObjects(document, {{"cube", {}, modelOf(examples::cubeMesh(2.0)), {}}});
-    QVERIFY(document.rays());
+    QVERIFY(document.picks().rays());
     MapMaker maker(document);
     QSignalSpy failed(&maker, &MapMaker::jobFailed), made(&maker, &MapMaker::made);
     {
@@ -164,7 +167,7 @@ void TestJobFailures::curvesSayWhy()
     QFETCH(QString, reason);
     SceneDocument document;
     openObjects(document, ball(kMany));
-    document.rayCasters().complete(document.objects());
+    document.picks().rayCasters().complete(document.objects());
     const SceneObject &ball = document.objects()[0];
     const std::vector<landmarks::Landmark> points{
         pointOn(ball, {0.0, 0.0, 1.0}, "a"), pointOn(ball, {0.0, 0.6, 0.8}, "b"), pointOn(ball, {0.6, 0.0, 0.8}, "c")};

@@ -3,6 +3,7 @@
 #include "core/examples/solids.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/model_store.h"
+#include "gui/document/picks.h"
 #include "gui/shell/overlay_bars.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
@@ -131,8 +132,8 @@ void TestLargeModels::whatIsReadIsWhole()
         whole.onLButtonDown(position);
         shown.view.onLButtonDown(position);
         QVERIFY2(!shown.view.isCoarse(), "a click completes the picture");
-        QVERIFY(document.pick() && shown.document.pick() && document.pick()->hit());
-        QCOMPARE(shown.document.pick()->window.z, document.pick()->window.z);
+        QVERIFY(document.picks().pick() && shown.document.picks().pick() && document.picks().pick()->hit());
+        QCOMPARE(shown.document.picks().pick()->window.z, document.picks().pick()->window.z);
     }
 }
 

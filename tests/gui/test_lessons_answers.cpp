@@ -157,7 +157,7 @@ void TestLessonsAnswers::theViewIsCalledAsThePaperSays()
                              kPatienceMilliseconds);
     QVERIFY2(calls(before).section(u'\n', 0, 0).contains(QStringLiteral("OnSize")), qPrintable(calls(before)));
     const auto stretch = [&] { // of a square
-        const Picture &g = window->document().geometry();
+        const Picture &g = window->document().picture();
         const ProjectionWindow w = projectionWindow(g.projection());
         return g.viewport.width / (w.right - w.left) / (g.viewport.height / (w.top - w.bottom));
     };

@@ -2,6 +2,7 @@
 
 #include "core/lessons/lesson.h"
 #include "document_edits.h"
+#include "gui/document/picks.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/pipeline/factor_shares.h"
 #include "gui/pipeline/factors_view.h"
@@ -110,9 +111,9 @@ void TestLessonsLinks::everyStepOpensAndItsLinksLead()
                 const QByteArray where = (QString::fromStdString(step.id) + u' ' + link).toUtf8();
                 const QString to = link.section(u':', 1);
                 if (link.startsWith(QLatin1String("click:"))) {
-                    window->document().clearPick();
+                    window->document().picks().clearPick();
                     follow(*window, link);
-                    QVERIFY2(window->document().pick() && window->document().pick()->hit(), where);
+                    QVERIFY2(window->document().picks().pick() && window->document().picks().pick()->hit(), where);
                 } else if (link.startsWith(QLatin1String("panel:"))) {
                     follow(*window, link);
                     QVERIFY2(!dockOf(*window, to.toLatin1())->isHidden(), where);
@@ -157,7 +158,7 @@ void TestLessonsLinks::whatLinksSwitchGoesBack()
     QVERIFY(part<LessonPlayer>(*window).start("rows"));
     for (const char *name : {"vertex", "place_points", "backward", "rows"})
         follow(*window, QStringLiteral("action:") + QLatin1String(name));
-    QVERIFY(isOn("vertex") && isOn("place_points") && window->document().snap() == ray::Snap::Vertex);
+    QVERIFY(isOn("vertex") && isOn("place_points") && window->document().picks().snap() == ray::Snap::Vertex);
     QVERIFY(pipeline->direction() == PipelineDirection::Backward && isSeen(*window, "pipeline"));
     follow(*window, QStringLiteral("action:place_points")); // which it is
     QVERIFY(isOn("place_points"));
@@ -166,7 +167,7 @@ void TestLessonsLinks::whatLinksSwitchGoesBack()
     follow(*window, QStringLiteral("action:place_points"));
     follow(*window, QStringLiteral("action:nothing")); // what is not there does nothing
     QVERIFY(part<LessonPlayer>(*window).leave());
-    QVERIFY(isOn("edge") && !isOn("place_points") && window->document().snap() == ray::Snap::Edge);
+    QVERIFY(isOn("edge") && !isOn("place_points") && window->document().picks().snap() == ray::Snap::Edge);
     QVERIFY(pipeline->direction() == PipelineDirection::Forward && pipeline->matrixView() == MatrixView());
 }
 
@@ -218,7 +219,7 @@ void TestLessonsLinks::aLinkChangesTheScene()
     const PipelineModel &model = dockOf(*window, "pipeline")->findChild<PipelinePanel *>()->model();
     QVERIFY(model.followsGiven());
     follow(*window, QStringLiteral("click:point"));
-    QVERIFY(window->document().pick() && !model.followsGiven());
+    QVERIFY(window->document().picks().pick() && !model.followsGiven());
     follow(*window, QStringLiteral("set:other"));
     QVERIFY(model.followsGiven());
     // What was typed in another space, or removed, does not change what it says.

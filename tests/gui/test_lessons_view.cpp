@@ -1,5 +1,7 @@
 // The view in a lesson: it gets the size of the step's numbers, shows what the step highlights, and is clicked where the step says.
 
+#include "gui/document/landmark_placing.h"
+#include "gui/document/picks.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/outside/observer_view.h"
 #include "gui/view/highlight_marks.h"
@@ -58,7 +60,7 @@ void TestLessonsView::theViewGetsTheSizeOfTheNumbers()
     QTRY_VERIFY_WITH_TIMEOUT(part<LessonPlayer>(*window).hasViewOfStep(), kPatienceMilliseconds);
     QTRY_VERIFY_WITH_TIMEOUT(!hintOf(*window), kPatienceMilliseconds);
     follow(*window, QStringLiteral("click:clicked"));
-    const auto &pick = window->document().pick();
+    const auto &pick = window->document().picks().pick();
     QVERIFY(pick && pick->hit());
     const WorldPoint read = *pick->point.world[Method::Formula];
     QVERIFY(distance(read, WorldPoint(-1.5, 3.5, 5.0)) < 1e-5);
@@ -172,8 +174,7 @@ void TestLessonsView::aDraggedPointEndsWithItsScene()
     follow(*window, QStringLiteral("view:500x500"));
     QTRY_VERIFY_WITH_TIMEOUT(part<LessonPlayer>(*window).hasViewOfStep(), kPatienceMilliseconds);
     const QPointF at = view.rect().center();
-    const auto there =
-        document.points().onMeshAt(deviceFromWidget(document.geometry().surface, view.widgetPosition(at)));
+    const auto there = landmarkOnMesh(document, deviceFromWidget(document.picture().surface, view.widgetPosition(at)));
     QVERIFY(there && document.points().place(*there));
     document.points().selectOnly(0);
     const QImage without = view.grabFramebuffer();
@@ -200,7 +201,7 @@ void TestLessonsView::theCrosshairIsInTheMiddleOfAnotherScene()
     SceneView &view = window->view();
     const auto pixelOfEnter = [&] {
         QTest::keyClick(&view, Qt::Key_Return);
-        const auto &pick = window->document().pick();
+        const auto &pick = window->document().picks().pick();
         return pick ? QPoint(pick->devicePixel.i, pick->devicePixel.j) : QPoint(-1, -1);
     };
     follow(*window, QStringLiteral("click:clicked"));
@@ -238,7 +239,7 @@ void TestLessonsView::aClickMeetsTheStepsPointInEveryView()
         follow(*window, QStringLiteral("view:%1x%2").arg(size.width()).arg(size.height()));
         QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), size, kPatienceMilliseconds);
         follow(*window, QStringLiteral("click:") + QString::fromLatin1(point));
-        const auto &pick = window->document().pick();
+        const auto &pick = window->document().picks().pick();
         QVERIFY(pick && pick->hit());
         const WorldPoint read = *pick->point.world[Method::Formula];
         QVERIFY2(std::fabs(read.x - wanted.x) <= pixel && std::fabs(read.y - wanted.y) <= pixel,
@@ -292,7 +293,7 @@ void TestLessonsView::lettersOverlapNothing()
     QVERIFY(player.goTo(std::size_t(player.lesson()->step(step.toStdString()) - player.lesson()->steps.data())));
     follow(*window, QStringLiteral("view:%1x%2").arg(size.width()).arg(size.height()));
     QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), size, kPatienceMilliseconds);
-    const Picture &g = window->document().geometry();
+    const Picture &g = window->document().picture();
     const double side = SceneOverlay::axesSide(*drawable(g));
     const QRectF cross(g.viewport.x, g.surface.heightPixels - g.viewport.y - side, side, side);
     const HighlightMarks marks = highlightsInView(window->document(), player.step().highlights);

@@ -2,6 +2,7 @@
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/lessons/first_steps.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/pipeline/pipeline_panel.h"
@@ -43,9 +44,9 @@ void TestLessonsWindow::whatIsDoneStaysInTheSameScene()
     QTRY_VERIFY_WITH_TIMEOUT(player.hasViewOfStep(), kPatienceMilliseconds);
     QVERIFY(!hintOf(*window));
     follow(*window, QStringLiteral("click:clicked"));
-    QVERIFY(window->document().pick());
+    QVERIFY(window->document().picks().pick());
     QVERIFY(player.goTo(1));
-    QVERIFY(window->document().pick());
+    QVERIFY(window->document().picks().pick());
     QCOMPARE(window->session().name(), QStringLiteral("Window Coordinates"));
     QVERIFY(window->windowTitle().contains(window->session().name()));
     LookAt turned = window->document().scene().camera;

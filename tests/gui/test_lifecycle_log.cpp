@@ -271,7 +271,7 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
     QCOMPARE(names, QStringList({"PreCreateWindow", "OnCreate", "OnSize", "OnDraw", "OnSize", "OnDraw", "OnLButtonDown",
                                  "OnDraw", "OnDestroy"}));
 
-    const double ratio = document.geometry().surface.devicePixelRatio;
+    const double ratio = document.picture().surface.devicePixelRatio;
     if (ratio != 1.0)
         QSKIP("The numbers are those of one device pixel per logical pixel.");
     const auto rowOf = [&steps](const QString &step) { return static_cast<int>(steps.indexOf(step)); };

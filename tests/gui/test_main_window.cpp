@@ -4,6 +4,7 @@
 #include "window_user.h"
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/lessons/first_steps.h"
 #include "gui/lessons/formulas_window.h"
 #include "gui/outside/observer_panel.h"
@@ -455,7 +456,7 @@ void TestMainWindow::anotherKindOfEdgesKeepsTheScene()
     QVERIFY(window->view().smoothEdges());
     QCOMPARE(window->document().objects().size(), objects);
     QVERIFY(window->document().scene().camera.eye.coordinates() == eye);
-    QVERIFY(window->document().pick());
+    QVERIFY(window->document().picks().pick());
 }
 
 void TestMainWindow::aChangeIsUndoneFromTheMenu()

@@ -1,6 +1,7 @@
 // The map over the view: what it shows is what the view shows, and it is gone as soon as that is another picture.
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/landmarks/point_loupe.h"
 #include "gui/map/map_colors.h"
@@ -120,7 +121,7 @@ void TestMapOverlay::itComesAndGoes()
     action->trigger();
     QVERIFY(!part<MapOverlay>(*window).panel().isHidden());
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
-    const Picture before = window->document().geometry();
+    const Picture before = window->document().picture();
     QVERIFY(part<MapOverlay>(*window).map()->picture == before);
 
     LookAt camera = before.camera();
@@ -129,7 +130,7 @@ void TestMapOverlay::itComesAndGoes()
     QVERIFY(part<MapOverlay>(*window).map() == nullptr); // no stale colours
     QVERIFY(part<MapOverlay>(*window).image().isNull());
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
-    QVERIFY(part<MapOverlay>(*window).map()->picture == window->document().geometry());
+    QVERIFY(part<MapOverlay>(*window).map()->picture == window->document().picture());
     QVERIFY(!(part<MapOverlay>(*window).map()->picture == before));
 
     action->trigger();
@@ -146,7 +147,7 @@ void TestMapOverlay::itIsOfThePicture()
     part<MapOverlay>(*window).setShown(true);
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
     const MadeMap &made = *part<MapOverlay>(*window).map();
-    const Picture &picture = window->document().geometry();
+    const Picture &picture = window->document().picture();
     QCOMPARE(made.map.widthPixels, picture.surface.widthPixels);
     QCOMPARE(part<MapOverlay>(*window).image().size(),
              QSize(picture.surface.widthPixels, picture.surface.heightPixels));
@@ -154,7 +155,7 @@ void TestMapOverlay::itIsOfThePicture()
     QVERIFY(pixel);
     QCOMPARE(part<MapOverlay>(*window).image().pixelColor(pixel->i, pixel->j).alpha(), 255);
     // The depth as a buffer of 24 bits has it.
-    const auto hit = window->document().rays()->at(pixelCenter(*pixel)).value();
+    const auto hit = window->document().picks().rays()->at(pixelCenter(*pixel)).value();
     const double depth = DepthFormat().kept(windowFromWorld(picture, hit->world).value().z);
     const Unprojected click =
         window->document().unprojector().at(windowFromDevice(picture.surface, pixelCenter(*pixel), depth));
@@ -230,7 +231,7 @@ void TestMapOverlay::pointsAreOverTheMap()
     const QImage shown = view.grabFramebuffer();
     QCOMPARE(shown.pixelColor(pixel->i, pixel->j), part<MapOverlay>(*window).image().pixelColor(pixel->i, pixel->j));
     landmarks::Landmark point;
-    point.world = document.rays()->at(pixelCenter(*pixel)).value()->world;
+    point.world = document.picks().rays()->at(pixelCenter(*pixel)).value()->world;
     QVERIFY(document.points().place(point));
     QVERIFY(part<MapOverlay>(*window).map() != nullptr); // a point is no other picture
     const QImage marked = view.grabFramebuffer();
@@ -244,7 +245,7 @@ void TestMapOverlay::pointsAreOverTheMap()
     }
     QVERIFY2(changed > 20, qPrintable(QString::number(changed)));
     // The loupe stands beside the panel.
-    const Surface &surface = document.geometry().surface;
+    const Surface &surface = document.picture().surface;
     const QRectF beside = loupeBox(surface, {10.0, 10.0}, 100.0), usual = loupeBox(surface, {10.0, 10.0});
     QCOMPARE(usual.left() - beside.left(), 100.0);
     // Where there is no room beside it, below.
@@ -266,7 +267,7 @@ void TestMapOverlay::uncertaintyIsThatOfAClick()
     part<MapOverlay>(*window).setShown(true);
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
     const MadeMap &made = *part<MapOverlay>(*window).map();
-    const Picture &picture = window->document().geometry();
+    const Picture &picture = window->document().picture();
     std::vector<DevicePixel> seen; // of the model
     for (int i = 0; i < made.map.widthPixels; ++i) {
         if (const DevicePixel pixel{i, made.map.heightPixels / 2}; std::isfinite(made.map.at(pixel)))
@@ -276,7 +277,7 @@ void TestMapOverlay::uncertaintyIsThatOfAClick()
     for (const double share : {0.4, 0.5, 0.6}) {
         const DevicePixel pixel = seen[std::size_t(share * double(seen.size()))];
         window->view().onLButtonDown(widgetFromDevice(picture.surface, pixelCenter(pixel)));
-        const std::optional<Pick> &pick = window->document().pick();
+        const std::optional<Pick> &pick = window->document().picks().pick();
         QVERIFY(pick && pick->hit());
         const double stated = length(pick->uncertainty.world), shown = double(made.map.at(pixel));
         QVERIFY2(std::abs(stated - shown) < 0.02 * shown, qPrintable(QStringLiteral("%1 %2").arg(stated).arg(shown)));

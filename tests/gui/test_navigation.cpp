@@ -2,6 +2,7 @@
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 #include "picking.h"
 
@@ -48,7 +49,7 @@ void TestNavigation::theLeftButtonPicksBeforeItIsReleased()
             [&picks](Changes changes) { picks += changes.testFlag(Change::Pick) ? 1 : 0; });
     QTest::mousePress(&view, Qt::LeftButton, {}, position);
     QCOMPARE(picks, 1);
-    QVERIFY(window->document().pick() && window->document().pick()->hit());
+    QVERIFY(window->document().picks().pick() && window->document().picks().pick()->hit());
     QCOMPARE(heading(*window), QStringLiteral("A point on cube"));
     QTest::mouseRelease(&view, Qt::LeftButton, {}, position);
     QCOMPARE(picks, 1);
@@ -64,7 +65,7 @@ void TestNavigation::aTrembleIsNoDrag()
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
     const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.1, 0.2));
-    const LookAt before = window->document().geometry().camera();
+    const LookAt before = window->document().picture().camera();
     for (const auto &[button, modifiers] :
          {std::pair(Qt::LeftButton, Qt::NoModifier), std::pair(Qt::LeftButton, Qt::ShiftModifier),
           std::pair(Qt::MiddleButton, Qt::NoModifier)}) {
@@ -73,12 +74,12 @@ void TestNavigation::aTrembleIsNoDrag()
         for (const QPointF &step : {QPointF(1.0, 0.0), QPointF(1.0, -1.0), QPointF(-most, 0.0), QPointF(0.0, 0.0)})
             sendMouse(view, QEvent::MouseMove, position + step, Qt::NoButton, button, modifiers);
         sendMouse(view, QEvent::MouseButtonRelease, position, button, Qt::NoButton, modifiers);
-        QVERIFY(window->document().geometry().camera() == before);
+        QVERIFY(window->document().picture().camera() == before);
     }
-    QVERIFY(window->document().pick()); // of the first, which was a click
+    QVERIFY(window->document().picks().pick()); // of the first, which was a click
     // A drag it is from the desktop's distance on.
     drag(view, position, position + QPointF(QApplication::startDragDistance(), 0.0), Qt::LeftButton);
-    QVERIFY(window->document().geometry().camera() != before);
+    QVERIFY(window->document().picture().camera() != before);
 }
 
 void TestNavigation::aDragLeavesThePickAlone_data()
@@ -104,31 +105,31 @@ void TestNavigation::aDragLeavesThePickAlone()
         QVERIFY(
             editTransform(document, 0, {Translate{kCubeCenter + glm::dvec3(0.0, 0.1, 0.0)}}, {QStringLiteral("Move")}));
     }
-    const auto point = [&] { return document.pick() ? std::optional(picked(*window)) : std::nullopt; };
+    const auto point = [&] { return document.picks().pick() ? std::optional(picked(*window)) : std::nullopt; };
     const std::optional<glm::dvec3> former = point();
     QCOMPARE(former.has_value(), hasFormer);
     const QString said = heading(*window);
-    const LookAt before = document.geometry().camera();
+    const LookAt before = document.picture().camera();
     const int steps = document.undoStack().index();
 
     const QPointF from = fromSurface ? localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5)) : QPointF(6.0, 7.0);
     sendMouse(view, QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
-    QVERIFY(document.pick()); // at once
-    QCOMPARE(document.pick()->hit(), fromSurface);
+    QVERIFY(document.picks().pick()); // at once
+    QCOMPARE(document.picks().pick()->hit(), fromSurface);
     QVERIFY(point() != former || !fromSurface);
     QCOMPARE(document.undoStack().index(), steps);
     sendMouse(view, QEvent::MouseMove, from + QPointF(30.0, 8.0), Qt::NoButton, Qt::LeftButton);
     QVERIFY(point() == former);
-    QVERIFY(document.geometry().camera() != before);
+    QVERIFY(document.picture().camera() != before);
     sendMouse(view, QEvent::MouseMove, from + QPointF(45.0, 8.0), Qt::NoButton, Qt::LeftButton);
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::LeftButton, Qt::NoButton); // back where it began
     QVERIFY(point() == former);
-    QCOMPARE(document.sinceClick().isObjectMoved, hasFormer);
+    QCOMPARE(document.picks().sinceClick().isObjectMoved, hasFormer);
     QCOMPARE(heading(*window), said);
     // The whole drag is one step.
     QCOMPARE(document.undoStack().index(), steps + 1);
     document.undoStack().undo();
-    QVERIFY(document.geometry().camera() == before);
+    QVERIFY(document.picture().camera() == before);
     QVERIFY(point() == former);
 }
 
@@ -139,11 +140,11 @@ void TestNavigation::aFormerPickOfAnObjectThatWentStaysAway()
     SceneDocument &document = window->document();
     const QPointF place = localOf(*window, kCubeCenter + glm::dvec3(0.2, 0.2, 1.0));
     click(view, place);
-    QCOMPARE(document.pick()->object, std::optional<std::size_t>(0));
+    QCOMPARE(document.picks().pick()->object, std::optional<std::size_t>(0));
     sendMouse(view, QEvent::MouseButtonPress, place, Qt::LeftButton, Qt::LeftButton);
     QVERIFY(removeObject(document, 0));
     sendMouse(view, QEvent::MouseMove, place + QPointF(40.0, 0.0), Qt::NoButton, Qt::LeftButton);
-    QVERIFY(!document.pick());
+    QVERIFY(!document.picks().pick());
     sendMouse(view, QEvent::MouseButtonRelease, place + QPointF(40.0, 0.0), Qt::LeftButton, Qt::NoButton);
 }
 
@@ -153,12 +154,12 @@ void TestNavigation::aDragTurnsAboutThePickedPoint()
     const auto window = cubeWindow(isOrtho);
     SceneView &view = window->view();
     const QPointF from = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
-    const LookAt before = window->document().geometry().camera();
+    const LookAt before = window->document().picture().camera();
     click(view, from);
     const glm::dvec3 point = picked(*window);
     drag(view, from, from + QPointF(70.0, -25.0), Qt::LeftButton);
     QVERIFY(isAt(*window, point, centerUnder(view, from), kStillPixels));
-    const LookAt &after = window->document().geometry().camera();
+    const LookAt &after = window->document().picture().camera();
     // 70 of the height's logical pixels of half a turn about world up: the scene turns right, the camera left.
     const glm::dvec3 f = forwardOf(before), g = forwardOf(after);
     const double yaw = std::atan2(f.z * g.x - f.x * g.z, f.x * g.x + f.z * g.z);
@@ -167,7 +168,7 @@ void TestNavigation::aDragTurnsAboutThePickedPoint()
     QCOMPARE(glm::length(after.center.coordinates() - after.eye.coordinates()),
              glm::length(before.center.coordinates() - before.eye.coordinates()));
     // The pick stays what was clicked.
-    QVERIFY(window->document().pick()->geometry.camera() == before);
+    QVERIFY(window->document().picks().pick()->picture.camera() == before);
 }
 
 void TestNavigation::aSecondButtonStartsNoOtherDrag_data()
@@ -192,7 +193,7 @@ void TestNavigation::aSecondButtonStartsNoOtherDrag()
     int picks = 0;
     connect(&document, &SceneDocument::changed, this,
             [&picks](Changes changes) { picks += changes.testFlag(Change::Pick) ? 1 : 0; });
-    const auto forward = [&] { return forwardOf(document.geometry().camera()); };
+    const auto forward = [&] { return forwardOf(document.picture().camera()); };
     const int steps = document.undoStack().index();
 
     sendMouse(view, QEvent::MouseButtonPress, position, one, one);
@@ -203,14 +204,14 @@ void TestNavigation::aSecondButtonStartsNoOtherDrag()
     QCOMPARE(glm::length(forward() - before) > 0.01, turns);
     // Nor does it end the first.
     sendMouse(view, QEvent::MouseButtonRelease, position + QPointF(40.0, 0.0), other, one);
-    const LookAt camera = document.geometry().camera();
+    const LookAt camera = document.picture().camera();
     before = forward();
     sendMouse(view, QEvent::MouseMove, position + QPointF(60.0, 0.0), Qt::NoButton, one);
-    QVERIFY(document.geometry().camera() != camera);
+    QVERIFY(document.picture().camera() != camera);
     QCOMPARE(glm::length(forward() - before) > 0.01, turns);
     sendMouse(view, QEvent::MouseButtonRelease, position + QPointF(60.0, 0.0), one, Qt::NoButton);
     QCOMPARE(picks, turns ? 2 : 0); // at the press, and what was before when it turned
-    QVERIFY(!document.pick());
+    QVERIFY(!document.picks().pick());
     QCOMPARE(document.undoStack().index(), steps + 1);
 }
 
@@ -229,10 +230,10 @@ void TestNavigation::aHandThatReadsNothingGoesByTheCentre()
     SceneView view(document); // never shown: without OpenGL there is nothing to read
     view.resize(500, 400);
     document.setSurface(surfaceFromWidget(500, 400, view.devicePixelRatio()));
-    const Picture before = document.geometry();
+    const Picture before = document.picture();
     const WorldPoint center = before.camera().center;
     drag(view, QPointF(100.0, 50.0), QPointF(160.0, 50.0), static_cast<Qt::MouseButton>(button));
-    const LookAt after = document.geometry().camera();
+    const LookAt after = document.picture().camera();
     if (button == Qt::LeftButton) {
         QVERIFY(distance(after.eye, before.camera().eye) > 0.1);
         QVERIFY(distance(after.center, center) < 1e-9);
@@ -266,12 +267,12 @@ void TestNavigation::panningKeepsThePointUnderThePointer()
     const QPointF from = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
     click(view, from);
     const glm::dvec3 point = picked(*window);
-    const glm::dvec3 forward = forwardOf(window->document().geometry().camera());
+    const glm::dvec3 forward = forwardOf(window->document().picture().camera());
     const QPointF way(-90.0, 40.0);
     drag(view, from, from + way, static_cast<Qt::MouseButton>(button), static_cast<Qt::KeyboardModifiers>(modifiers));
     // Window y points up.
     QVERIFY(isAt(*window, point, centerUnder(view, from) + glm::dvec2(way.x(), -way.y()) * ratio, kStillPixels));
-    QVERIFY(glm::length(forwardOf(window->document().geometry().camera()) - forward) < 1e-12);
+    QVERIFY(glm::length(forwardOf(window->document().picture().camera()) - forward) < 1e-12);
     QCOMPARE(picked(*window), point);
 }
 
@@ -297,11 +298,10 @@ void TestNavigation::theWheelKeepsThePointUnderThePointer()
     QVERIFY(isAt(*window, point, centerUnder(view, position), kStillPixels));
     QVERIFY(size() < before);
     // Over the background there is a place to zoom to as well.
-    const LookAt camera = window->document().geometry().camera();
-    const Projection projection = window->document().geometry().projection();
+    const LookAt camera = window->document().picture().camera();
+    const Projection projection = window->document().picture().projection();
     turnWheel(view, QPointF(4.0, 4.0), 1);
-    QVERIFY(window->document().geometry().camera() != camera
-            || window->document().geometry().projection() != projection);
+    QVERIFY(window->document().picture().camera() != camera || window->document().picture().projection() != projection);
 }
 
 void TestNavigation::aDoubleClickBringsThePointToTheMiddle()
@@ -311,27 +311,27 @@ void TestNavigation::aDoubleClickBringsThePointToTheMiddle()
     SceneView &view = window->view();
     const QPoint position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5)).toPoint();
     QTest::mouseDClick(&view, Qt::LeftButton, {}, position);
-    QVERIFY(window->document().pick() && window->document().pick()->hit());
-    const Viewport &viewport = window->document().geometry().viewport;
+    QVERIFY(window->document().picks().pick() && window->document().picks().pick()->hit());
+    const Viewport &viewport = window->document().picture().viewport;
     QVERIFY(isAt(*window, picked(*window), {viewport.width / 2.0, viewport.height / 2.0}, kStillPixels));
     // On the background it leaves the camera alone.
-    const LookAt camera = window->document().geometry().camera();
+    const LookAt camera = window->document().picture().camera();
     QTest::mouseDClick(&view, Qt::LeftButton, {}, QPoint(view.width() - 5, 5));
-    QVERIFY(window->document().geometry().camera() == camera);
+    QVERIFY(window->document().picture().camera() == camera);
 }
 
 void TestNavigation::draggingOnTheBackgroundMovesTheCameraAllTheSame()
 {
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
-    const glm::dvec3 center = window->document().geometry().camera().center.coordinates();
+    const glm::dvec3 center = window->document().picture().camera().center.coordinates();
     const QPointF from(view.width() - 30.0, 30.0);
     drag(view, from, from + QPointF(-40.0, 10.0), Qt::LeftButton);
-    QVERIFY(!window->document().pick());
-    const LookAt turned = window->document().geometry().camera();
+    QVERIFY(!window->document().picks().pick());
+    const LookAt turned = window->document().picture().camera();
     QVERIFY(turned.center.coordinates() != center);
     drag(view, from, from + QPointF(-40.0, 10.0), Qt::MiddleButton);
-    QVERIFY(turned.eye.coordinates() != window->document().geometry().camera().eye.coordinates());
+    QVERIFY(turned.eye.coordinates() != window->document().picture().camera().eye.coordinates());
 }
 
 QTEST_MAIN(TestNavigation)

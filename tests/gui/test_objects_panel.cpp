@@ -218,7 +218,7 @@ void TestObjectsPanel::theButtonsGoToTheCurrentObject()
 {
     m_list->setCurrentIndex(at(1));
     button(QStringLiteral("Fit"))->click();
-    QVERIFY(std::abs(m_document->geometry().camera().center.x - 30.0) < 5.0);
+    QVERIFY(std::abs(m_document->picture().camera().center.x - 30.0) < 5.0);
     button(QStringLiteral("Remove"))->click();
     QCOMPARE(names(), QStringList({"first", "third"}));
     QCOMPARE(m_list->currentIndex().row(), 1); // the next one

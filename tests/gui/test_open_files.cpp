@@ -6,6 +6,7 @@
 
 #include "gui/click/comparison_panel.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/recent_files.h"
 #include "gui/shell/overlay_bars.h"
 
@@ -66,8 +67,8 @@ bool openAndWait(MainWindow &window, const QStringList &files)
 /// What must stay when an opening fails.
 struct State {
     explicit State(MainWindow &window)
-        : objects(window.document().objects()), geometry(window.document().geometry()), pick(window.document().pick()),
-          title(window.windowTitle())
+        : objects(window.document().objects()), geometry(window.document().picture()),
+          pick(window.document().picks().pick()), title(window.windowTitle())
     {
     }
     std::vector<SceneObject> objects;
@@ -167,10 +168,10 @@ void TestOpenFiles::aNamedFileIsShown()
     QVERIFY(!window->session().isLoading());
     // It can be clicked: the triangle lies in z = 0.
     click(window->view(), localOf(*window, {0.5, 0.5, 0.0}));
-    QVERIFY(window->document().pick() && window->document().pick()->hit());
-    QVERIFY(
-        glm::length(window->document().pick()->point.world[Method::Formula]->coordinates() - glm::dvec3(0.5, 0.5, 0.0))
-        < 0.02);
+    QVERIFY(window->document().picks().pick() && window->document().picks().pick()->hit());
+    QVERIFY(glm::length(window->document().picks().pick()->point.world[Method::Formula]->coordinates()
+                        - glm::dvec3(0.5, 0.5, 0.0))
+            < 0.02);
 }
 
 void TestOpenFiles::aDroppedFileIsShown()
@@ -267,7 +268,7 @@ void TestOpenFiles::aBrokenFileChangesNothing()
     const auto window = shownWindow(false, {500, 400});
     openObjects(window->document(), cubeScene());
     click(window->view(), localOf(*window, kCubeCenter));
-    QVERIFY(window->document().pick() && window->document().pick()->hit());
+    QVERIFY(window->document().picks().pick() && window->document().picks().pick()->hit());
     turnWheel(window->view(), QPointF(100.0, 100.0), 1);
     const State before(*window);
     QSignalSpy failures(window.get(), &MainWindow::openFailed);

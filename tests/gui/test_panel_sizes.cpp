@@ -5,6 +5,7 @@
 #include "gui/click/comparison_panel.h"
 #include "gui/click/comparison_table.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/lifecycle_panel.h"
 #include "gui/pipeline/pipeline_panel.h"
@@ -57,15 +58,17 @@ void openScene(SceneDocument &document, double size, double offset = 0.0)
 /// What a user does to the numbers, one after the other.
 const std::vector<std::function<void(SceneDocument &)>> &happenings()
 {
-    const auto pick = [](SceneDocument &document) { document.pickAt(WidgetPoint(412.0, 199.0), {0.712345678, 0, 24}); };
+    const auto pick = [](SceneDocument &document) {
+        pickAt(document, WidgetPoint(412.0, 199.0), {0.712345678, 0, 24});
+    };
     static const std::vector<std::function<void(SceneDocument &)>> list{
         pick,
         [](SceneDocument &document) {
-            document.pickAt(WidgetPoint(3.0, 2.0), {1.0, {}, 24});
+            pickAt(document, WidgetPoint(3.0, 2.0), {1.0, {}, 24});
         },
         [pick](SceneDocument &document) {
             pick(document);
-            LookAt camera = document.geometry().camera();
+            LookAt camera = document.picture().camera();
             camera.eye.x += 37.0;
             camera.eye.y -= 55.0;
             camera.eye.z += 12.0;
@@ -80,7 +83,7 @@ const std::vector<std::function<void(SceneDocument &)>> &happenings()
             pick(document);
         },
         [](SceneDocument &document) {
-            LookAt camera = document.geometry().camera();
+            LookAt camera = document.picture().camera();
             camera.eye.z *= 9.0;
             setCamera(document, camera);
         },
@@ -92,7 +95,7 @@ const std::vector<std::function<void(SceneDocument &)>> &happenings()
             setProjection(document, Oblique{{-0.2, 0.2, -0.1, 0.1, 0.01, 0.9}, 0.7, 0.9});
             pick(document);
         },
-        [](SceneDocument &document) { document.clearPick(); },
+        [](SceneDocument &document) { document.picks().clearPick(); },
     };
     return list;
 }
@@ -269,7 +272,7 @@ void TestPanelSizes::nothingIsCutAndNothingMoves()
     frame.show();
     for (const int width : {least, least + 5 * digit, 60 * digit, 90 * digit, 160 * digit}) {
         openScene(document, 1.0);
-        document.clearPick();
+        document.picks().clearPick();
         panel->resize(width, 2400);
         settle();
         QCOMPARE(panel->width(), width);

@@ -60,7 +60,7 @@ private slots:
 private:
     WindowPoint windowPoint(const WorldPoint &point) const
     {
-        return windowFromWorld(m_document->geometry(), point).value();
+        return windowFromWorld(m_document->picture(), point).value();
     }
 };
 
@@ -220,7 +220,7 @@ void TestParametersGroups::theViewportFollowsItsRule()
     showGroup(QStringLiteral("viewportGroup"));
     choose(QStringLiteral("viewportKind"), kind);
     const auto viewport = [this] {
-        const Viewport &v = m_document->geometry().viewport;
+        const Viewport &v = m_document->picture().viewport;
         return QRect(static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.width),
                      static_cast<int>(v.height));
     };

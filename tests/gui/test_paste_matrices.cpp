@@ -143,13 +143,13 @@ struct Pasting {
         return false;
     }
     /// Of the camera of the scene.
-    glm::dmat4 shownProduct() const { return *clipFromWorld(document.geometry()); }
+    glm::dmat4 shownProduct() const { return *clipFromWorld(document.picture()); }
 };
 
 /// What is written for a document, and read again, without its objects.
 SceneFile saved(const SceneDocument &document)
 {
-    SceneFile file = sceneFileFrom(document.scene(), document.geometry(), {});
+    SceneFile file = sceneFileFrom(document.scene(), document.picture(), {});
     file.objects.clear();
     return parseScene(*sceneText(file), "saved").value();
 }
@@ -316,7 +316,7 @@ void TestPasteMatrices::everyFindingHasItsButton()
     }
     QVERIFY(difference(givenProjection(pasting.document.scene())->clipFromEye, expected) <= 1e-12);
     if (button == "Read as 0 to 1")
-        QVERIFY(std::abs(projectionWindow(pasting.document.geometry().projection()).nearDistance - 2.0) <= 1e-12);
+        QVERIFY(std::abs(projectionWindow(pasting.document.picture().projection()).nearDistance - 2.0) <= 1e-12);
 }
 
 void TestPasteMatrices::theOrderIsToldByTheNumbers()
@@ -355,7 +355,7 @@ void TestPasteMatrices::theDepthsCanBeSaid()
     zeroToOne[2][2] = -kFar / (kFar - kNear);
     zeroToOne[3][2] = -kFar * kNear / (kFar - kNear);
     const auto nearOf = [](const Pasting &pasting) {
-        return projectionWindow(pasting.document.geometry().projection()).nearDistance;
+        return projectionWindow(pasting.document.picture().projection()).nearDistance;
     };
     Pasting pasting;
     QVERIFY(!pasting.button("0 to 1")->isEnabled());
@@ -384,10 +384,10 @@ void TestPasteMatrices::theDepthsCanBeSaid()
 void TestPasteMatrices::theScenesOwnStaysWithoutOne()
 {
     Pasting pasting;
-    const LookAt camera = pasting.document.geometry().camera();
+    const LookAt camera = pasting.document.picture().camera();
     pasting.paste(MatrixRole::Projection, printed(lens(), "C"));
     pasting.ok()->click();
-    QCOMPARE(pasting.document.geometry().camera(), camera);
+    QCOMPARE(pasting.document.picture().camera(), camera);
     QVERIFY(!givenView(pasting.document.scene()));
 }
 
@@ -436,7 +436,7 @@ void TestPasteMatrices::whatIsNoMatrixIsSaid()
 void TestPasteMatrices::oneStepIsUndone()
 {
     Pasting pasting;
-    const Picture before = pasting.document.geometry();
+    const Picture before = pasting.document.picture();
     // Reversed, with its far plane at infinity, near 2.
     glm::dmat4 reversed = lens();
     reversed[2][2] = 0.0;
@@ -446,14 +446,14 @@ void TestPasteMatrices::oneStepIsUndone()
     QVERIFY(pasting.says("It has reversed depths") && pasting.says("far plane at infinity"));
     pasting.ok()->click();
     SceneDocument &document = pasting.document;
-    QCOMPARE(document.geometry().depthRange, (DepthRange{1.0, 0.0}));
+    QCOMPARE(document.picture().depthRange, (DepthRange{1.0, 0.0}));
     QCOMPARE(document.undoStack().undoText(), QStringLiteral("Paste Matrices"));
     // The next one is not reversed: the depth range is as it was.
     QVERIFY(editMatrices(document, MatrixProjection{lens(), std::nullopt}, std::nullopt, {"again"}));
-    QCOMPARE(document.geometry().depthRange, DepthRange{});
+    QCOMPARE(document.picture().depthRange, DepthRange{});
     document.undoStack().undo();
     document.undoStack().undo();
-    QCOMPARE(document.geometry(), before);
+    QCOMPARE(document.picture(), before);
     QVERIFY(!givenProjection(document.scene()) && !givenView(document.scene()));
     document.undoStack().redo();
     QCOMPARE(givenProjection(document.scene())->clipFromEye, reversed);
@@ -475,15 +475,15 @@ void TestPasteMatrices::theSameTextGivesTheSameDepths()
     };
     for (int time = 0; time < 2; ++time) {
         QVERIFY(paste(reversed) && changeProjection());
-        QCOMPARE(document.geometry().depthRange, (DepthRange{1.0, 0.0}));
+        QCOMPARE(document.picture().depthRange, (DepthRange{1.0, 0.0}));
     }
     QVERIFY(paste(lens()));
-    QCOMPARE(document.geometry().depthRange, DepthRange{});
+    QCOMPARE(document.picture().depthRange, DepthRange{});
     // A range that was set since stays.
     QVERIFY(paste(reversed) && changeProjection());
     QVERIFY(editViewport(document, document.scene().viewport, {0.25, 0.75}, {"Depth range"}));
     QVERIFY(paste(lens()));
-    QCOMPARE(document.geometry().depthRange, (DepthRange{0.25, 0.75}));
+    QCOMPARE(document.picture().depthRange, (DepthRange{0.25, 0.75}));
 }
 
 void TestPasteMatrices::theFileKeepsThemAsGiven()
@@ -500,7 +500,7 @@ void TestPasteMatrices::theFileKeepsThemAsGiven()
     QVERIFY(scene && scene->given && scene->givenView);
     QCOMPARE(scene->givenView->eyeFromWorld, view());
     // Who turns the camera has another view, and still the projection; undone, the view is as given again.
-    LookAt camera = document.geometry().camera();
+    LookAt camera = document.picture().camera();
     camera.eye.x += 1.0;
     setCamera(document, camera);
     QVERIFY(std::holds_alternative<LookAt>(saved(document).view));

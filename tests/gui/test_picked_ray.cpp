@@ -7,6 +7,7 @@
 #include "core/examples/solids.h"
 #include "core/ray/drawn_surface.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 #include "tests/support/mesh_model.h"
 #include "tests/support/patience.h"
@@ -47,13 +48,13 @@ const WidgetPoint kInCube(220.0, 140.0);
 
 void pickCube(SceneDocument &document, std::size_t object = 0)
 {
-    document.pickAt(kInCube, {0.3, object, 24});
+    pickAt(document, kInCube, {0.3, object, 24});
 }
 
 /// What is met, as "front 1": the object's name now and z.
 QString met(const SceneDocument &document)
 {
-    const PickedRay *ray = document.pickedRay();
+    const PickedRay *ray = document.picks().pickedRay();
     if (!ray)
         return QStringLiteral("no pick");
     if (ray->state == PickedRay::State::Preparing)
@@ -101,19 +102,19 @@ void TestPickedRay::theRayMeetsWhatIsShown_data()
     row(
         "not what is cut away",
         [](SceneDocument &d) {
-            QVERIFY(editClipPlanes(d, {{0.0, 0.0, -1.0, 0.5}}, {}, kDeed));
+            QVERIFY(editClipPlanes(d, {{0.0, 0.0, -1.0, 0.5}}, {}, kLabel));
         },
         "front -1");
     row(
         "what a plane that is off would cut",
         [](SceneDocument &d) {
-            QVERIFY(editClipPlanes(d, {}, {{0, {0.0, 0.0, -1.0, 0.5}}}, kDeed));
+            QVERIFY(editClipPlanes(d, {}, {{0, {0.0, 0.0, -1.0, 0.5}}}, kLabel));
         },
         "front 1");
     row(
         "not what is before the near plane",
         [](SceneDocument &d) {
-            QVERIFY(editProjection(d, {Ortho{-4, 4, -3, 3, 14, 40}, false, false}, kDeed));
+            QVERIFY(editProjection(d, {Ortho{-4, 4, -3, 3, 14, 40}, false, false}, kLabel));
         },
         "middle -4");
     row(
@@ -126,7 +127,7 @@ void TestPickedRay::theRayMeetsWhatIsShown_data()
     row(
         "where it stands",
         [](SceneDocument &d) {
-            QVERIFY(editTransform(d, 0, {Translate{{0, 0, 3}}}, kDeed));
+            QVERIFY(editTransform(d, 0, {Translate{{0, 0, 3}}}, kLabel));
         },
         "front 4");
 }
@@ -143,7 +144,7 @@ void TestPickedRay::theRayMeetsWhatIsShown()
     pickCube(document);
     QCOMPARE(met(document), expected);
     QCOMPARE(told.count(), std::size_t(1));
-    if (const auto &place = document.pickedRay()->met) {
+    if (const auto &place = document.picks().pickedRay()->met) {
         // By hand: pixels are 0.02 wide, y up.
         QVERIFY(std::abs(place->hit.world.x - (-4.0 + 220.5 * 0.02)) < 1e-14);
         QVERIFY(std::abs(place->hit.world.y - (3.0 - 140.5 * 0.02)) < 1e-14);
@@ -165,13 +166,13 @@ void TestPickedRay::theAnswerIsThatOfTheClick_data()
     row(
         "moved",
         [](SceneDocument &d) {
-            QVERIFY(editTransform(d, 0, {Translate{{0, 0, 3}}}, kDeed));
+            QVERIFY(editTransform(d, 0, {Translate{{0, 0, 3}}}, kLabel));
         },
         "front 1");
     row(
         "cut away",
         [](SceneDocument &d) {
-            QVERIFY(editClipPlanes(d, {{0.0, 0.0, -1.0, 0.5}}, {}, kDeed));
+            QVERIFY(editClipPlanes(d, {{0.0, 0.0, -1.0, 0.5}}, {}, kLabel));
         },
         "front 1");
     row(
@@ -218,10 +219,10 @@ void TestPickedRay::anEarlierPickHasItsAnswer()
     SceneDocument document;
     openCubes(document);
     pickCube(document);
-    const KeptPick kept = document.keptPick();
-    document.pickAt(WidgetPoint(1.0, 1.0), {1.0, {}, 24});
+    const KeptPick kept = document.picks().keptPick();
+    pickAt(document, WidgetPoint(1.0, 1.0), {1.0, {}, 24});
     QCOMPARE(met(document), QStringLiteral("nothing"));
-    document.putBack(kept);
+    document.picks().putBack(kept);
     QCOMPARE(met(document), QStringLiteral("front 1"));
 }
 
@@ -241,7 +242,7 @@ void TestPickedRay::theAnswerComesWhenTheModelIsReady_data()
     row(
         "the ball is moved",
         [](SceneDocument &d) {
-            QVERIFY(editTransform(d, 3, {Translate{{0, 1, 0}}}, kDeed));
+            QVERIFY(editTransform(d, 3, {Translate{{0, 1, 0}}}, kLabel));
         },
         "ball 1");
     row(
@@ -265,16 +266,16 @@ void TestPickedRay::theAnswerComesWhenTheModelIsReady()
     // Of 327,680 triangles; a vertex of it is at z = 1.
     QVERIFY(addObjects(document, {{"ball", {}, modelOf(examples::sphereMesh(1.0, 7)), {}}}));
     QVERIFY(setObjectHidden(document, 0, true));
-    QVERIFY(document.rayCasters().isPreparing());
-    document.pickAt(WidgetPoint(199.5, 149.5), {0.3, 3, 24}); // the pixel at (-0.01, 0.01)
+    QVERIFY(document.picks().rayCasters().isPreparing());
+    pickAt(document, WidgetPoint(199.5, 149.5), {0.3, 3, 24}); // the pixel at (-0.01, 0.01)
     QCOMPARE(met(document), QStringLiteral("preparing"));
     Told told(document);
     meanwhile(document);
-    QVERIFY(QTest::qWaitFor([&] { return document.pickedRay()->state == PickedRay::State::Answered; },
+    QVERIFY(QTest::qWaitFor([&] { return document.picks().pickedRay()->state == PickedRay::State::Answered; },
                             kPatienceMilliseconds));
     QVERIFY(told.all() & Change::Ray);
-    const auto &place = document.pickedRay()->met;
-    QVERIFY(place && place->object == document.pick()->object);
+    const auto &place = document.picks().pickedRay()->met;
+    QVERIFY(place && place->object == document.picks().pick()->object);
     QCOMPARE(QString::fromStdString(document.objects()[*place->object].name), QStringLiteral("ball"));
     QVERIFY(std::abs(glm::length(place->hit.world.coordinates()) - 1.0) < 1e-4);
     QVERIFY(place->hit.world.z > 0.99);
@@ -287,7 +288,7 @@ void TestPickedRay::aSceneThatIsLeftIsNotKept()
     auto model = modelOf(examples::sphereMesh(1.0, 7));
     const std::weak_ptr<const Model> weak = model;
     QVERIFY(addObjects(document, {{"ball", {}, std::move(model), {}}}));
-    document.pickAt(WidgetPoint(199.5, 149.5), {0.3, 3, 24});
+    pickAt(document, WidgetPoint(199.5, 149.5), {0.3, 3, 24});
     openCubes(document);
     QVERIFY(QTest::qWaitFor([&] { return weak.expired(); }, kPatienceMilliseconds));
 }
@@ -312,13 +313,13 @@ void TestPickedRay::itsTriangleSaysHowSureThePointIs()
     SceneDocument document;
     openCubes(document);
     const auto place = static_cast<std::size_t>(object);
-    document.pickAt(kInCube, {depth, place, 24});
+    pickAt(document, kInCube, {depth, place, 24});
     QTRY_COMPARE_WITH_TIMEOUT(met(document), QStringLiteral("front 1"), kPatienceMilliseconds);
-    const Pick pick = *document.pick();
+    const Pick pick = *document.picks().pick();
     const auto distanceWith = [&pick](const DrawnSurface &surface) {
         return refined(pick, surface).certainty.distance;
     };
-    const double known = distanceWith(ray::drawnSurface(document.objects()[0], document.pickedRay()->met->hit));
+    const double known = distanceWith(ray::drawnSurface(document.objects()[0], document.picks().pickedRay()->met->hit));
     const double assumed =
         distanceWith(ray::drawnSurface(document.objects()[place], *pick.point.world[Method::Formula]));
     QVERIFY2(assumed > 1.01 * known, qPrintable(QStringLiteral("%1 > %2").arg(assumed).arg(known)));

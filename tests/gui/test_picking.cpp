@@ -2,6 +2,7 @@
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "picking.h"
 #include "tests/support/patience.h"
 
@@ -37,8 +38,8 @@ void TestPicking::theBackgroundHasNoSurface()
     const QImage empty = view.grabFramebuffer();
     const QPoint position(view.width() - 6, 7);
     QTest::mouseClick(&view, Qt::LeftButton, {}, position);
-    QVERIFY(window->document().pick());
-    const Pick &pick = *window->document().pick();
+    QVERIFY(window->document().picks().pick());
+    const Pick &pick = *window->document().picks().pick();
     QVERIFY(!pick.hit());
     QCOMPARE(pick.window.z, 1.0);
     QCOMPARE(heading(*window), QStringLiteral("Background: no surface here"));
@@ -56,15 +57,15 @@ void TestPicking::theBackgroundHasNoSurface()
     QVERIFY(!isAsBefore(middle - QPointF(7.0, 0.0)));
     QVERIFY(!isAsBefore(middle + QPointF(0.0, 7.0)));
     // The ray is that of the pixel, by hand.
-    const Ray ray = rayThrough(pick.geometry, centerUnder(view, position));
+    const Ray ray = rayThrough(pick.picture, centerUnder(view, position));
     for (const Result<WorldPoint> &end : {pick.rayNear.world[Method::Formula], pick.rayFar.world[Method::Formula]})
         QVERIFY(glm::length(glm::cross(end->coordinates() - ray.origin, ray.direction)) < 1e-9);
-    const ProjectionWindow w = projectionWindow(pick.geometry.projection());
-    QVERIFY(std::abs(distanceOf(pick.geometry.camera(), pick.rayNear.world[Method::Formula]->coordinates())
-                     - w.nearDistance)
-            < 1e-9);
+    const ProjectionWindow w = projectionWindow(pick.picture.projection());
     QVERIFY(
-        std::abs(distanceOf(pick.geometry.camera(), pick.rayFar.world[Method::Formula]->coordinates()) - w.farDistance)
+        std::abs(distanceOf(pick.picture.camera(), pick.rayNear.world[Method::Formula]->coordinates()) - w.nearDistance)
+        < 1e-9);
+    QVERIFY(
+        std::abs(distanceOf(pick.picture.camera(), pick.rayFar.world[Method::Formula]->coordinates()) - w.farDistance)
         < 1e-9);
     // A surface pick does leave a marker.
     click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.0, 0.0)));
@@ -105,7 +106,7 @@ void TestPicking::whatIsOnlyDrawnIsNeverPicked()
     };
     const auto isBackground = [&](const QPointF &local) {
         click(view, local);
-        return document.pick() && !document.pick()->hit() && document.pick()->window.z == 1.0;
+        return document.picks().pick() && !document.picks().pick()->hit() && document.picks().pick()->window.z == 1.0;
     };
 
     // On the axes: x red, y green, z blue. The line is there, and nothing is picked.
@@ -121,8 +122,8 @@ void TestPicking::whatIsOnlyDrawnIsNeverPicked()
         QVERIFY(isBackground(local));
     }
     // On a crossing of ground lines, away from axes and cube: darker than beside it.
-    const double spacing = document.groundSpacing();
-    const glm::dvec3 crossing(std::round(1.5 / spacing) * spacing, document.ground().lowest.y,
+    const double spacing = document.ground().spacing;
+    const glm::dvec3 crossing(std::round(1.5 / spacing) * spacing, document.ground().box.lowest.y,
                               std::round(1.5 / spacing) * spacing);
     const QPointF onLine = localOf(*window, crossing),
                   beside = localOf(*window, crossing + glm::dvec3(0.5, 0.0, 0.5) * spacing);
@@ -184,10 +185,10 @@ void TestPicking::clickingTheMarkerGivesTheSamePoint()
     const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, -0.3));
     click(view, position);
     const glm::dvec3 first = picked(*window);
-    const double depth = window->document().pick()->window.z;
+    const double depth = window->document().picks().pick()->window.z;
     settle(30); // the marker is on the screen
     click(view, position);
-    QCOMPARE(window->document().pick()->window.z, depth);
+    QCOMPARE(window->document().picks().pick()->window.z, depth);
     QCOMPARE(picked(*window), first);
 }
 
@@ -210,7 +211,7 @@ void TestPicking::smoothEdgesCanBeSwitchedWhileAPickIsShown()
         settle(30);
         QCOMPARE(picked(*window), shown); // nothing that was picked is lost
         click(window->view(), position);
-        QVERIFY(window->document().pick()->hit());
+        QVERIFY(window->document().picks().pick()->hit());
         QCOMPARE(picked(*window), before); // smoothing moves no depth
     }
 }
@@ -238,7 +239,7 @@ void TestPicking::thePointerIsReadOutWithoutPicking()
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(&view, &leave);
     QVERIFY(readOut().isEmpty());
-    QVERIFY(!window->document().pick());
+    QVERIFY(!window->document().picks().pick());
 }
 
 QTEST_MAIN(TestPicking)

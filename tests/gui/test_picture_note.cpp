@@ -13,7 +13,7 @@ namespace {
 
 using Verb = std::function<void(SceneDocument &)>;
 
-const Deed kDeed{QStringLiteral("deed")};
+const EditLabel kLabel{QStringLiteral("edit")};
 
 /// The cube's faces lie from 6 to 8 in front of the eye.
 void openCube(SceneDocument &document, const Projection &projection)
@@ -99,7 +99,7 @@ void TestPictureNote::aViewportOutsideTheWindowIsSaid()
     QFETCH(bool, isSaid);
     SceneDocument document;
     openCube(document, Perspective{0.8, 1.3, 1, 100});
-    QVERIFY(editViewport(document, {ViewportRule::Kind::Fixed, viewport, 1.0}, {}, kDeed));
+    QVERIFY(editViewport(document, {ViewportRule::Kind::Fixed, viewport, 1.0}, {}, kLabel));
     const QString text = emptyPictureText(document);
     QCOMPARE(text.contains(QStringLiteral("outside the window")), isSaid);
     QCOMPARE(text.contains(QStringLiteral("x %1, y %2").arg(viewport.x).arg(viewport.y)), isSaid);
@@ -117,7 +117,7 @@ void TestPictureNote::itComesAndGoes()
     QVERIFY(!note.isHidden() && note.text().contains(QStringLiteral("hidden")));
     document.undoStack().undo();
     QVERIFY(note.isHidden());
-    QVERIFY(editProjection(document, {Perspective{0.8, 1.3, 50.0, 100.0}, false, false}, kDeed));
+    QVERIFY(editProjection(document, {Perspective{0.8, 1.3, 50.0, 100.0}, false, false}, kLabel));
     QVERIFY(!note.isHidden() && note.text().contains(QStringLiteral("Nothing lies between")));
 }
 

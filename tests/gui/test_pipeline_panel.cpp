@@ -4,6 +4,7 @@
 #include "pipeline_figures.h"
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/text/error_text.h"
@@ -85,7 +86,7 @@ void TestPipelinePanel::aPickIsFollowedThroughEverySpace()
     openFigures(document);
     PipelineModel model(document);
     // Pixel (30, 35) has its centre at window (30.5, 14.5); depth 0.85 is z_eye = -7.
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     model.update();
     QVERIFY(isPoint(model.point(Space::Object), {2.2, -4.2, 1}));
     QVERIFY(isPoint(model.point(Space::World), {2.2, -4.2, -2}));
@@ -103,10 +104,10 @@ void TestPipelinePanel::theDepthRangeChangesOnlyTheWindow()
     SceneDocument document;
     openFigures(document);
     QVERIFY(editViewport(document, document.scene().viewport, depthranges::ofThisRow(), {QStringLiteral("Depths")}));
-    const auto &[atNear, atFar] = document.geometry().depthRange; // OpenGL's, in single precision
+    const auto &[atNear, atFar] = document.picture().depthRange; // OpenGL's, in single precision
     PipelineModel model(document);
     const double depth = atNear + 0.85 * (atFar - atNear);
-    document.pickAt(WidgetPoint(30, 35), {depth, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {depth, 0, 24});
     model.update();
     QVERIFY(std::abs(value(model.matrix(Stage::ViewportMatrix), 2, 3) - (atFar + atNear) / 2.0) < kRounding);
     for (const PipelineDirection direction : {PipelineDirection::Forward, PipelineDirection::Backward}) {
@@ -122,7 +123,7 @@ void TestPipelinePanel::otherApisHaveTheSamePointInTheirOwnTerms()
     SceneDocument document;
     openFigures(document);
     PipelineModel model(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     for (const PipelineDirection direction : {PipelineDirection::Forward, PipelineDirection::Backward}) {
         model.setDirection(direction);
         model.setApi(Api::Direct3d);
@@ -175,7 +176,7 @@ void TestPipelinePanel::backwardStartsFromTheClickedPixelsCentre()
     SceneDocument document;
     openFigures(document);
     PipelineModel model(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     model.setDirection(PipelineDirection::Backward);
     QCOMPARE(coordinate(model.point(Space::Window), 0), 30.5);
     QCOMPARE(coordinate(model.point(Space::Window), 2), 0.85);
@@ -192,7 +193,7 @@ void TestPipelinePanel::backwardStartsFromThePointOnceTheViewChanged()
     SceneDocument document;
     openFigures(document);
     PipelineModel model(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     model.setDirection(PipelineDirection::Backward);
     setCamera(document, {WorldPoint(1, 0, 5), WorldPoint(1, 0, 0), {0, 1, 0}});
     model.update();
@@ -213,10 +214,10 @@ void TestPipelinePanel::theBackgroundHasNoPoint()
     SceneDocument document;
     openFigures(document);
     PipelineModel model(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     model.update();
     QVERIFY(!isBlank(model));
-    document.pickAt(WidgetPoint(30, 35), {1.0, {}, 24});
+    pickAt(document, WidgetPoint(30, 35), {1.0, {}, 24});
     model.update();
     QVERIFY(isBlank(model));
     QVERIFY(model.status().contains(QStringLiteral("Background")));
@@ -227,7 +228,7 @@ void TestPipelinePanel::pointsAreColumnsWithAWInEverySpace()
 {
     SceneDocument document;
     openFigures(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     PipelineModel model(document);
     for (const MatrixLayout layout : {MatrixLayout::Column, MatrixLayout::Row}) {
         model.setView({layout, false, Digits::Double});
@@ -246,7 +247,7 @@ void TestPipelinePanel::pointsAreColumnsWithAWInEverySpace()
     QCOMPARE(model.point(Space::World)->coordinates().size(), std::size_t(3)); // its w is not one of its own
     QCOMPARE(model.point(Space::Clip)->coordinates().size(), std::size_t(4));
     model.setDirection(PipelineDirection::Forward);
-    document.clearPick();
+    document.picks().clearPick();
     model.update();
     QVERIFY(std::isnan(coordinate(model.point(Space::World), 3)));
 }
@@ -269,7 +270,7 @@ void TestPipelinePanel::theWayBackDividesByItsOwnW()
     SceneDocument document;
     openFigures(document);
     setProjection(document, projection);
-    document.pickAt(WidgetPoint(30, 35), {depth, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {depth, 0, 24});
     PipelinePanel panel(document);
     panel.setDirection(PipelineDirection::Backward);
     panel.show();
@@ -412,14 +413,14 @@ void TestPipelinePanel::theObjectIsThePickedOneUntilAnotherIsChosen()
     SceneDocument document;
     openFigures(document);
     PipelineModel model(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     model.update();
     QCOMPARE(*model.shownObject(), std::size_t(0));
-    document.pickAt(WidgetPoint(30, 35), {0.85, 1, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 1, 24});
     model.update();
     QCOMPARE(*model.shownObject(), std::size_t(1));
     // Window (45.5, 25.5, 0.85) is the world's (8.2, 0.2, -2).
-    document.pickAt(WidgetPoint(45, 24), {0.85, 1, 24});
+    pickAt(document, WidgetPoint(45, 24), {0.85, 1, 24});
     model.update();
     QCOMPARE(*model.shownObject(), std::size_t(1));
     QVERIFY(isPoint(model.point(Space::Object), {4.1, 0.1, -1}));
@@ -452,7 +453,7 @@ void TestPipelinePanel::undoAndRedoTakeTheNumbersAlong()
 {
     SceneDocument document;
     openFigures(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     PipelinePanel panel(document);
     panel.show();
     const PipelineModel &model = panel.model();
@@ -489,7 +490,7 @@ void TestPipelinePanel::aPointInThePlaneOfTheEyeHasNoWindowPosition()
 {
     SceneDocument document;
     openFigures(document);
-    document.pickAt(WidgetPoint(30, 35), {0.75, 0, 24}); // on z = 0
+    pickAt(document, WidgetPoint(30, 35), {0.75, 0, 24}); // on z = 0
     setView(document, {WorldPoint(1, 2, 0), WorldPoint(1, 2, -5), {0, 1, 0}}, Frustum{-1, 1, -1, 1, 1, 10});
     PipelineModel model(document);
     QCOMPARE(coordinate(model.point(Space::Clip), 3), 0.0);

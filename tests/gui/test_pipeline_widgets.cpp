@@ -309,7 +309,7 @@ void TestPipelineWidgets::copyingTakesAllDigits()
 {
     SceneDocument document;
     openFigures(document);
-    document.pickAt(WidgetPoint(30, 35), {0.85, 0, 24});
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     setProjection(document, Ortho{-3, 3, -3, 3, -10, 10});
     PipelinePanel panel(document);
     panel.show();

@@ -4,6 +4,7 @@
 #include "core/mesh/import/mesh_import.h"
 #include "core/scene/point_size.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 #include "gui/text/formula_text.h"
 #include "tests/gui/gui_scene.h"
@@ -79,7 +80,7 @@ void TestPointClouds::aPointIsADot()
     const QImage without = view.grabFramebuffer();
     QVERIFY(setObjectHidden(document, 0, false));
     const QImage with = view.grabFramebuffer();
-    const int dot = static_cast<int>(pointPixels(document.geometry().surface));
+    const int dot = static_cast<int>(pointPixels(document.picture().surface));
     QVERIFY(dot >= 3 && dot >= 3.0 * view.devicePixelRatio() - 0.5);
     QVERIFY2(differentPixels(with, without) >= static_cast<int>(kPoints.size()) * dot * dot,
              qPrintable(QString::number(differentPixels(with, without))));
@@ -93,8 +94,8 @@ void TestPointClouds::aPointIsADot()
         for (int i = -dot; i <= dot; ++i) {
             for (int j = -dot; j <= dot; ++j) {
                 click(view, middle + QPointF(i, j) / view.devicePixelRatio());
-                QVERIFY(document.pick());
-                const Pick pick = *document.pick();
+                QVERIFY(document.picks().pick());
+                const Pick pick = *document.picks().pick();
                 if (!pick.hit())
                     continue;
                 ++hits;
@@ -107,7 +108,7 @@ void TestPointClouds::aPointIsADot()
                          qPrintable(QStringLiteral("%1, %2 of %3").arg(off.x).arg(off.y).arg(claimed.x)));
                 QVERIFY2(off.z < 1e-6, qPrintable(QString::number(off.z))); // a dot is flat: its depth is the point's
                 QVERIFY(pick.certainty.footprintWidth
-                        > (dot - 0.01) * pixelFootprint(pick.geometry, -pick.point.eye[Method::Formula]->z).x);
+                        > (dot - 0.01) * pixelFootprint(pick.picture, -pick.point.eye[Method::Formula]->z).x);
                 farthest = std::max(farthest, off.x / claimed.x);
                 QVERIFY(certaintyText(pick).contains(QStringLiteral("%1 pixels").arg(dot)));
             }

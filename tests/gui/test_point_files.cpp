@@ -88,7 +88,7 @@ void TestPointFiles::pointsWithoutAnObjectAreInSight()
     open({QStringLiteral("p.csv")});
     QCOMPARE(points().size(), std::size_t(2));
     QVERIFY(noticed.count() == 1 && noticed[0][0].toString().contains(QStringLiteral("no object")));
-    const glm::dmat4 clipFromScene = *clipFromWorld(m_document->geometry());
+    const glm::dmat4 clipFromScene = *clipFromWorld(m_document->picture());
     for (const Landmark &point : points()) {
         const glm::dvec4 clip = clipFromScene * glm::dvec4(point.world->coordinates(), 1.0);
         QVERIFY(clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w);

@@ -179,21 +179,21 @@ void TestPointJoining::semilandmarksAreNoPoints()
     write(QStringLiteral("p.pts"), "Version 1.0\n5\na 1 1 0\nb 3 3 0\nbrow:01 1 1 0\nbrow:02 2 2 0\nbrow:03 3 3 0\n");
     QVERIFY(m_files->importFrom(file(QStringLiteral("p.pts"))));
     QCOMPARE(points().size(), std::size_t(2));
-    QCOMPARE(m_document->landmarkSet().curves.size(), std::size_t(1));
-    QCOMPARE(m_document->landmarkSet().curves[0].name, std::string("brow"));
-    QCOMPARE(m_document->landmarkSet().curves[0].semilandmarks.size(), std::size_t(3));
+    QCOMPARE(m_document->scene().landmarks.curves.size(), std::size_t(1));
+    QCOMPARE(m_document->scene().landmarks.curves[0].name, std::string("brow"));
+    QCOMPARE(m_document->scene().landmarks.curves[0].semilandmarks.size(), std::size_t(3));
     QVERIFY2(m_notices[0].contains(QStringLiteral("p.pts: 2."))
                  && m_notices[0].contains(QStringLiteral("3, of “brow”")),
              qPrintable(m_notices[0]));
     // A curve that the scene has itself goes through its points.
-    landmarks::LandmarkSet set = m_document->landmarkSet();
+    landmarks::LandmarkSet set = m_document->scene().landmarks;
     set.curves[0].points = {"a", "b"};
     QVERIFY(editLandmarkSet(*m_document, set, {QStringLiteral("test")}));
     for (const auto join : {PointFileQuestions::Join::Replace, PointFileQuestions::Join::Append}) {
         m_answers->join = join;
         QVERIFY(m_files->importFrom(file(QStringLiteral("p.pts"))));
-        QCOMPARE(m_document->landmarkSet().curves.size(), std::size_t(1));
-        QCOMPARE(m_document->landmarkSet().curves[0].points.size(), std::size_t(2));
+        QCOMPARE(m_document->scene().landmarks.curves.size(), std::size_t(1));
+        QCOMPARE(m_document->scene().landmarks.curves[0].points.size(), std::size_t(2));
         QVERIFY2(m_warnings.back().contains(QStringLiteral("its own stay: brow")), qPrintable(m_warnings.back()));
     }
 }
@@ -258,13 +258,13 @@ void TestPointJoining::unitsAndKeysAreNotLost()
     m_answers->join = static_cast<PointFileQuestions::Join>(answer);
     write(QStringLiteral("p.csv"), text);
     QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
-    QCOMPARE(QString::fromStdString(m_document->landmarkSet().unit), unit);
-    QCOMPARE(m_document->landmarkSet().mesh, std::string("skull.ply"));
-    QVERIFY(m_document->landmarkSet().extra == set.extra);
+    QCOMPARE(QString::fromStdString(m_document->scene().landmarks.unit), unit);
+    QCOMPARE(m_document->scene().landmarks.mesh, std::string("skull.ply"));
+    QVERIFY(m_document->scene().landmarks.extra == set.extra);
     QCOMPARE(m_warnings.size(), said.isEmpty() ? 0 : 1);
     QVERIFY(said.isEmpty() || m_warnings[0].contains(said));
     m_document->undoStack().undo();
-    QVERIFY(m_document->landmarkSet() == set);
+    QVERIFY(m_document->scene().landmarks == set);
 }
 
 void TestPointJoining::aQuestionIsOfTheSceneBelowIt()

@@ -1,6 +1,8 @@
 // Placed points in the view: placed, selected and moved by hand and by keys, and how they are shown.
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/landmark_placing.h"
+#include "gui/document/picks.h"
 #include "gui/document/point_views.h"
 #include "gui/document/scene_edits.h"
 #include "gui/landmarks/landmark_tool.h"
@@ -43,13 +45,13 @@ const Landmark &only(MainWindow &window)
 DevicePoint deviceOf(MainWindow &window, const glm::dvec3 &world)
 {
     const glm::dvec2 place = placeOf(window, world);
-    return {place.x, window.document().geometry().surface.heightPixels - place.y};
+    return {place.x, window.document().picture().surface.heightPixels - place.y};
 }
 
 /// A point on the front face, placed by the document.
 void putPoint(MainWindow &window)
 {
-    const auto there = window.document().points().onSurfaceAt(deviceOf(window, kFront));
+    const auto there = landmarkOnSurface(window.document(), deviceOf(window, kFront));
     QVERIFY(there);
     Landmark point = *there;
     point.name = "nasion";
@@ -124,7 +126,7 @@ void TestPointView::aClickPlacesOnRelease()
     QVERIFY(std::holds_alternative<landmarks::OnTriangle>(only(*window).hold));
     QVERIFY(std::abs(heightOverFront(*only(*window).world)) < 1e-6);
     QVERIFY(std::abs(only(*window).world->x - kFront.x) < 0.05);
-    QVERIFY(!window->document().pick());
+    QVERIFY(!window->document().picks().pick());
     QVERIFY(window->document().points().current() == 0u);
     QCOMPARE(window->document().undoStack().undoText(), QStringLiteral("Place Point 1"));
 
@@ -140,7 +142,7 @@ void TestPointView::outsidePlacingClicksPick()
 {
     const auto window = cubeWindow(false);
     click(window->view(), localOf(*window, kFront));
-    QVERIFY(window->document().pick());
+    QVERIFY(window->document().picks().pick());
     QVERIFY(window->document().landmarks().empty());
 }
 
@@ -162,7 +164,7 @@ void TestPointView::aMarkIsSelectedAndDragged()
     const QPointF at = localOf(*window, kFront);
     click(window->view(), at + QPointF(3, 2)); // beside its middle
     QVERIFY(window->document().points().selection() == std::vector<std::size_t>{0});
-    QVERIFY(!window->document().pick());
+    QVERIFY(!window->document().picks().pick());
     QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9); // a click moves nothing
 
     const int steps = window->document().undoStack().count();
@@ -182,7 +184,7 @@ void TestPointView::aMarkIsSelectedAndDragged()
     window->document().undoStack().setIndex(steps);
     QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9);
     click(window->view(), QPointF(4, 4));
-    QVERIFY(window->document().pick()); // beside marks, clicks pick
+    QVERIFY(window->document().picks().pick()); // beside marks, clicks pick
 }
 
 void TestPointView::selectedMarksAreDraggedTogether()
@@ -291,7 +293,7 @@ void TestPointView::arrowKeysMoveAllThatIsSelected()
                            pointAt(kFront - glm::dvec3(0.4, 0.3, 0.0), "not selected"), pointAt(kCubeCenter, "behind"),
                            missing},
                           {QStringLiteral("put")}));
-    document.rayCasters().complete(document.objects());
+    document.picks().rayCasters().complete(document.objects());
     document.points().select({0, 1, 3, 4}, 1);
     part<LandmarkTool>(*window).setPlacing(true);
     const std::vector<Landmark> before = document.landmarks();
@@ -347,7 +349,7 @@ void TestPointView::marksSayWhatIsBehind()
         QCOMPARE(mark.label.contains(QStringLiteral("behind")), mark.isBehind);
         QCOMPARE(pointTip(window->document(), mark).contains(QStringLiteral("behind")), mark.isBehind);
         const DevicePoint at = deviceOf(*window, window->document().landmarks()[mark.place].world->coordinates());
-        const double ratio = window->document().geometry().surface.devicePixelRatio;
+        const double ratio = window->document().picture().surface.devicePixelRatio;
         QVERIFY(std::hypot(at.x - ratio * mark.at.x(), at.y - ratio * mark.at.y()) < 1e-6);
     }
     QCOMPARE(seen, QStringList({"front", "above", "a little inside"}));
@@ -378,7 +380,7 @@ void TestPointView::aMarkBehindTakesNoClick()
     QVERIFY(markUnder(marks, at) && !markUnder(marks, at, true));
     click(window->view(), at);
     QVERIFY(document.points().selection().empty());
-    QVERIFY(document.pick()); // what is in front is read
+    QVERIFY(document.picks().pick()); // what is in front is read
     trigger(*window, Qt::Key_P);
     click(window->view(), at);
     QCOMPARE(document.landmarks().size(), std::size_t(2)); // and placed on
@@ -390,10 +392,10 @@ void TestPointView::everyObjectCountsItsOwnTriangles()
     const auto window = twoCubesWindow();
     SceneDocument &document = window->document();
     QCOMPARE(renameObject(document, 1, QStringLiteral("second")), NameFault::None);
-    document.rayCasters().complete(document.objects());
+    document.picks().rayCasters().complete(document.objects());
     // Where the first cube is in front of the second, its triangle is hit; the second has one of that number too.
     const DevicePoint at = deviceOf(*window, kTwoCubeCenters[1]);
-    const std::optional<Landmark> front = document.points().onSurfaceAt(at);
+    const std::optional<Landmark> front = landmarkOnSurface(document, at);
     QVERIFY(front && std::holds_alternative<landmarks::OnTriangle>(front->hold));
     QCOMPARE(front->object, document.objects()[0].name);
     Landmark hidden = *front;
@@ -549,7 +551,7 @@ void TestPointView::theZoomIsAsCloseAsAsked()
     goToPoint(window->document(), 0);
     for (const double half : {0.01, 1e-4, 0.05}) {
         zoomToPoint(window->document(), 0, half);
-        const auto there = window->document().points().onSurfaceAt(deviceOf(*window, kFront));
+        const auto there = landmarkOnSurface(window->document(), deviceOf(*window, kFront));
         QVERIFY(there);
         QVERIFY(std::abs(there->uncertainty->x - half) < 0.01 * half);
         QVERIFY(std::abs(there->uncertainty->y - half) < 0.01 * half);
@@ -612,7 +614,7 @@ void TestPointView::theLoupeShowsThePlace()
     const QPointF at = localOf(*window, kFront);
     sendMouse(window->view(), QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton);
     const QImage without = window->view().grabFramebuffer();
-    const Surface &surface = window->document().geometry().surface;
+    const Surface &surface = window->document().picture().surface;
     const DevicePoint place = deviceFromWidget(surface, WidgetPoint(at.x(), at.y()));
     const QRectF box = loupeBox(surface, place);
     QVERIFY(!box.contains(at));
@@ -628,7 +630,7 @@ void TestPointView::theLoupeShowsThePlace()
     QVERIFY(differentPixels(without, with) > 1000);
     // The edges of the face are in it where they are near.
     const QPointF corner = localOf(*window, kCubeCenter + glm::dvec3(1, 0, 1));
-    const ray::SceneRays *rays = window->document().rays();
+    const ray::SceneRays *rays = window->document().picks().rays();
     QVERIFY(rays);
     QVERIFY(loupeEdges(*rays, deviceFromWidget(surface, {corner.x(), corner.y()})).size() >= 6);
     part<LandmarkTool>(*window).setPlacing(false);
@@ -651,7 +653,7 @@ void TestPointView::arrowsMoveOffTheSurface()
     SceneDocument &document = window->document();
     document.points().selectOnly(0);
     part<LandmarkTool>(*window).setPlacing(true);
-    const std::array<AxisArrow, 3> arrows = axisArrows(document.geometry(), *only(*window).world);
+    const std::array<AxisArrow, 3> arrows = axisArrows(document.picture(), *only(*window).world);
     const AxisArrow &arrow = arrows[static_cast<std::size_t>(axis)];
     QVERIFY(arrow.isUsable);
     const QPointF grabbed = arrow.from + 0.7 * (arrow.to - arrow.from);

@@ -703,10 +703,10 @@ void TestPointsPanel::theUnitIsTheScenes()
     QVERIFY(unit);
     unit->setCurrentIndex(unit->findData(QStringLiteral("cm")));
     emit unit->activated(unit->currentIndex());
-    QCOMPARE(m_document->landmarkSet().unit, std::string("cm"));
+    QCOMPARE(m_document->scene().landmarks.unit, std::string("cm"));
     m_document->undoStack().undo();
     QCOMPARE(unit->currentData().toString(), QString());
-    landmarks::LandmarkSet set = m_document->landmarkSet();
+    landmarks::LandmarkSet set = m_document->scene().landmarks;
     set.unit = "furlong"; // as a file may have it
     QVERIFY(editLandmarkSet(*m_document, set, {QStringLiteral("test")}));
     QCOMPARE(unit->currentText(), QStringLiteral("furlong"));

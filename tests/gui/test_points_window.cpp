@@ -4,6 +4,7 @@
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/landmark_objects.h"
+#include "gui/document/picks.h"
 #include "gui/document/point_files.h"
 #include "gui/document/scene_curves.h"
 #include "gui/landmarks/curves_view.h"
@@ -239,7 +240,7 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
 
         QVERIFY(part<LandmarkTool>(*window).isPlacing());
         fitAll(document);
-        document.rayCasters().complete(document.objects());
+        document.picks().rayCasters().complete(document.objects());
         for (const glm::dvec3 &place :
              {glm::dvec3(4.3, 4.6, 1.2), glm::dvec3(12.2, 12.1, 4.0), glm::dvec3(18.4, 7.7, 2.2)})
             click(view, localOf(*window, place));
@@ -249,11 +250,11 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
             QVERIFY(point.uncertainty && length(*point.uncertainty) > 0.0);
         }
         QVERIFY(!document.points().waiting());
-        const landmarks::LandmarkSet placed = document.landmarkSet();
+        const landmarks::LandmarkSet placed = document.scene().landmarks;
 
         const QPointF top = localOf(*window, placed.landmarks[1].world->coordinates());
         drag(view, top, top + QPointF(40, 25), Qt::LeftButton);
-        const landmarks::LandmarkSet dragged = document.landmarkSet();
+        const landmarks::LandmarkSet dragged = document.scene().landmarks;
         QVERIFY(dragged.landmarks[1] != placed.landmarks[1] && dragged.landmarks[2] == placed.landmarks[2]);
         QVERIFY(std::holds_alternative<landmarks::OnTriangle>(dragged.landmarks[1].hold));
         for (const Qt::Key key : {Qt::Key_Right, Qt::Key_Right, Qt::Key_Up})
@@ -262,11 +263,11 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
         const auto undo = [&] { actionOf(*window, QStringLiteral("Undo Move top"))->trigger(); };
         QVERIFY(actionOf(*window, QStringLiteral("Undo Move top")));
         undo(); // all the steps of the keys
-        QVERIFY(document.landmarkSet() == dragged);
+        QVERIFY(document.scene().landmarks == dragged);
         undo();
-        QVERIFY(document.landmarkSet() == placed);
+        QVERIFY(document.scene().landmarks == placed);
         actionOf(*window, QStringLiteral("Redo Move top"))->trigger();
-        QVERIFY(document.landmarkSet() == dragged);
+        QVERIFY(document.scene().landmarks == dragged);
 
         // A curve by its key, given a number of semilandmarks by typing it, and exported; then all three a pixel to the right.
         document.points().select({0, 1});
@@ -299,13 +300,13 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
         actionOf(*window, QStringLiteral("Save Scene"))->trigger();
         QVERIFY(!document.isModified());
         QVERIFY(QFile::exists(path(QStringLiteral("hill.json"))));
-        saved = document.landmarkSet();
+        saved = document.scene().landmarks;
         QVERIFY(window->close());
     }
     const std::unique_ptr<MainWindow> window = windowOfSize({1280, 900});
     window->session().openFiles({std::filesystem::path(path(QStringLiteral("hill.json")).toStdU16String())});
     QTRY_COMPARE_WITH_TIMEOUT(window->document().landmarks().size(), std::size_t(3), kPatienceMilliseconds);
-    QVERIFY(window->document().landmarkSet() == saved); // to the last digit
+    QVERIFY(window->document().scene().landmarks == saved); // to the last digit
     for (const landmarks::Landmark &point : window->document().landmarks()) {
         const auto held = worldOf(point.hold, window->document().objects()[0]);
         QVERIFY(held && length(*held - *point.world) < 1e-12); // and where the mesh has it

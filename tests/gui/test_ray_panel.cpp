@@ -1,12 +1,14 @@
 // What the comparison says of the ray on the mesh, situation by situation: its coordinates, how far they are from the formula's,
 // which to trust, and what is copied. No window of OpenGL is needed.
 
+#include "document_edits.h"
 #include "told_changes.h"
 
 #include "core/examples/solids.h"
 #include "gui/click/comparison_panel.h"
 #include "gui/click/ray_model.h"
 #include "gui/click/ray_table.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 #include "gui/text/ray_text.h"
 #include "tests/support/mesh_model.h"
@@ -122,11 +124,11 @@ void TestRayPanel::eachSituationIsExplained()
     openCubes(document);
     const ComparisonPanel panel(document);
     QCOMPARE(said(panel, "Ray on mesh"), QString());
-    document.pickAt(position, sample);
+    pickAt(document, position, sample);
     const QString text = said(panel, "Ray on mesh");
     for (const QString &part : expected)
         QVERIFY2(text.contains(part), qPrintable(text));
-    document.clearPick();
+    document.picks().clearPick();
     QCOMPARE(said(panel, "Ray on mesh"), QString());
 }
 
@@ -137,9 +139,9 @@ void TestRayPanel::theTableHasTheRaysNumbers()
     const ComparisonPanel panel(document);
     for (int column = 0; column < RayModel::ColumnCount; ++column)
         QCOMPARE(panel.rayModel().index(0, column).data().toString(), QStringLiteral("–"));
-    document.pickAt(WidgetPoint(220, 140), at(0.5, 0));
-    const SceneHit &hit = document.pickedRay()->met->hit;
-    const WorldPoint formula = *document.pick()->point.world[Method::Formula];
+    pickAt(document, WidgetPoint(220, 140), at(0.5, 0));
+    const SceneHit &hit = document.picks().pickedRay()->met->hit;
+    const WorldPoint formula = *document.picks().pick()->point.world[Method::Formula];
     for (int axis = 0; axis < 3; ++axis) {
         QVERIFY(value(panel, axis, RayModel::Met) == hit.world[axis]);
         QVERIFY(value(panel, axis, RayModel::OffBy) == formula[axis] - hit.world[axis]);
@@ -156,7 +158,7 @@ void TestRayPanel::theTableHasTheRaysNumbers()
     const QModelIndex cell = panel.rayModel().index(0, RayModel::Met);
     QVERIFY(cell.data(CoordinatesModel::kCertainLengthRole).toInt() >= 8);
     // Of a background that the ray meets nothing behind, there is nothing.
-    document.pickAt(WidgetPoint(20, 20), kBackground);
+    pickAt(document, WidgetPoint(20, 20), kBackground);
     QVERIFY(std::isnan(value(panel, 0, RayModel::Met)) && std::isnan(value(panel, 0, RayModel::Taken)));
 }
 
@@ -191,8 +193,8 @@ void TestRayPanel::whatAClickTakesIsShown()
     SceneDocument document;
     openCubes(document);
     const ComparisonPanel panel(document);
-    document.setSnap(static_cast<Snap>(snap));
-    document.pickAt(position, at(1.0, 0));
+    document.picks().setSnap(static_cast<Snap>(snap));
+    pickAt(document, position, at(1.0, 0));
     QCOMPARE(panel.rayModel().headerData(RayModel::Taken, Qt::Horizontal).toString(), head);
     for (int axis = 0; axis < 3; ++axis) {
         if (point.isEmpty())
@@ -206,7 +208,7 @@ void TestRayPanel::whatAClickTakesIsShown()
     for (const QString &part : detail)
         QVERIFY2(text.contains(part), qPrintable(text));
     // What is taken later is another matter.
-    document.setSnap(Snap::Surface);
+    document.picks().setSnap(Snap::Surface);
     QCOMPARE(said(panel, "Triangle, vertex and edge"), text);
 }
 
@@ -216,10 +218,10 @@ void TestRayPanel::theAnswerComesByItself()
     openCubes(document);
     const ComparisonPanel panel(document);
     QVERIFY(addObjects(document, {{"ball", {}, modelOf(examples::sphereMesh(1.5, 7)), {}}}));
-    document.pickAt(WidgetPoint(200, 150), at(1.5, 3));
+    pickAt(document, WidgetPoint(200, 150), at(1.5, 3));
     QCOMPARE(said(panel, "Ray on mesh"), rayPreparingText());
     QVERIFY(std::isnan(value(panel, 2, RayModel::Met)));
-    QVERIFY(QTest::qWaitFor([&] { return document.pickedRay()->state == PickedRay::State::Answered; },
+    QVERIFY(QTest::qWaitFor([&] { return document.picks().pickedRay()->state == PickedRay::State::Answered; },
                             kPatienceMilliseconds));
     QVERIFY2(said(panel, "Ray on mesh").contains("Trust the ray"), qPrintable(said(panel, "Ray on mesh")));
     QVERIFY(std::abs(value(panel, 2, RayModel::Met) - 1.5) < 1e-3);
@@ -231,18 +233,19 @@ void TestRayPanel::otherProgramsAnswerTheSameClick()
     SceneDocument document;
     openCubes(document);
     const auto pickOf = [&document](const WidgetPoint &position, const DepthSample &sample) {
-        document.pickAt(position, sample);
-        QTRY_VERIFY_WITH_TIMEOUT(document.pickedRay()->state == PickedRay::State::Answered, kPatienceMilliseconds);
+        pickAt(document, position, sample);
+        QTRY_VERIFY_WITH_TIMEOUT(document.picks().pickedRay()->state == PickedRay::State::Answered,
+                                 kPatienceMilliseconds);
     };
     ComparisonPanel panel(document);
     pickOf({220, 140}, at(1.0, 0));
-    QVERIFY(document.pickedRay()->others);
+    QVERIFY(document.picks().pickedRay()->others);
     // With a cloud in the scene nobody knows what was drawn beside.
-    QVERIFY(!(*document.pickedRay()->others)[2].point);
+    QVERIFY(!(*document.picks().pickedRay()->others)[2].point);
     QVERIFY(removeObject(document, 2));
     pickOf({220, 140}, at(1.0, 0));
-    const WorldPoint formula = *document.pick()->point.world[Method::Formula];
-    for (const OtherAnswer &answer : *document.pickedRay()->others) {
+    const WorldPoint formula = *document.picks().pick()->point.world[Method::Formula];
+    for (const OtherAnswer &answer : *document.picks().pickedRay()->others) {
         QVERIFY(answer.point);
         if (answer.program != OtherProgram::Vtk)
             QVERIFY(std::abs(distance(*answer.point, formula) - 0.02 * std::sqrt(0.5)) < 1e-5);
@@ -251,11 +254,11 @@ void TestRayPanel::otherProgramsAnswerTheSameClick()
     QVERIFY(said(panel, "What other programs would give").contains("<b>MeshLab</b>: 0.0141 off, at "));
 
     pickOf({220, 100}, at(1.0, 0));
-    const OtherAnswer &meshLab = (*document.pickedRay()->others)[2];
+    const OtherAnswer &meshLab = (*document.picks().pickedRay()->others)[2];
     QVERIFY(meshLab.program == OtherProgram::MeshLab);
     QVERIFY(std::abs(meshLab.point->z - -29.0) < 1e-9); // far is 41 before the eye
-    document.pickAt(WidgetPoint(20, 20), kBackground);
-    QVERIFY(!document.pickedRay()->others);
+    pickAt(document, WidgetPoint(20, 20), kBackground);
+    QVERIFY(!document.picks().pickedRay()->others);
     QVERIFY(!panel.text().contains("MeshLab"));
 }
 
@@ -264,11 +267,11 @@ void TestRayPanel::allOfItIsCopied()
     SceneDocument document;
     openCubes(document);
     const ComparisonPanel panel(document);
-    document.pickAt(WidgetPoint(220, 140), at(1.0, 0));
+    pickAt(document, WidgetPoint(220, 140), at(1.0, 0));
     const QString copied = panel.text().replace(QChar::Nbsp, u' ');
     QVERIFY(copied.contains(panel.rayModel().text()));
     QVERIFY(copied.contains(said(panel, "Ray on mesh")) && copied.contains(said(panel, "Triangle, vertex and edge")));
-    QVERIFY(panel.rayModel().text().contains(shortestText(document.pickedRay()->met->hit.world.x)));
+    QVERIFY(panel.rayModel().text().contains(shortestText(document.picks().pickedRay()->met->hit.world.x)));
     const QModelIndex cell = panel.rayModel().index(1, RayModel::Met);
     QCOMPARE(panel.rayModel().pointAt(cell).size(), std::size_t(3));
     QCOMPARE(panel.rayModel().pointNameAt(cell), QStringLiteral("rayOnMesh"));
@@ -290,10 +293,10 @@ void TestRayPanel::nothingMoves()
     };
     const QList<QRect> before = places();
     for (const Snap snap : {Snap::Surface, Snap::Vertex, Snap::Edge, Snap::Face}) {
-        document.setSnap(snap);
+        document.picks().setSnap(snap);
         for (const WidgetPoint &position : {WidgetPoint(220, 140), WidgetPoint(246, 104), WidgetPoint(20, 20)}) {
             for (const DepthSample &sample : {at(1.0, 0), at(-4.0, 1), kBackground}) {
-                document.pickAt(position, sample);
+                pickAt(document, position, sample);
                 QCOMPARE(places(), before);
             }
         }

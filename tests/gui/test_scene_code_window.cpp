@@ -60,7 +60,7 @@ void TestSceneCodeWindow::itFollowsTheScene()
 {
     auto *text = m_code->findChild<QPlainTextEdit *>();
     text->verticalScrollBar()->setValue(7);
-    LookAt camera = m_window->document().geometry().camera();
+    LookAt camera = m_window->document().picture().camera();
     camera.eye = WorldPoint(1.25, 2.5, 7.0625);
     setCamera(m_window->document(), camera);
     QVERIFY2(shown().contains(QStringLiteral("gluLookAt(1.25, 2.5, 7.0625, ")), qPrintable(shown()));

@@ -3,6 +3,7 @@
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
 
@@ -98,7 +99,7 @@ void TestSceneView::theFramebufferHasTheSizeThatDeviceCoordinatesAssume()
         const auto window = shownWindow(false, size);
         if (!wanted.isEmpty())
             QCOMPARE(window->view().devicePixelRatio(), wanted.toDouble());
-        const Surface &surface = window->document().geometry().surface;
+        const Surface &surface = window->document().picture().surface;
         const QImage picture = window->view().grabFramebuffer();
         QCOMPARE(QSize(surface.widthPixels, surface.heightPixels), picture.size());
         QCOMPARE(surface.devicePixelRatio, window->view().devicePixelRatio());
@@ -134,21 +135,21 @@ void TestSceneView::clickFace(MainWindow &window, const Face &face, const glm::d
     QVERIFY2(view.rect().contains(position), face.name);
     const DevicePixel pixel = pixelUnder(view, position);
 
-    document.clearPick();
+    document.picks().clearPick();
     const QImage picture = view.grabFramebuffer();
     const int shown = faceOfColor(picture.pixelColor(pixel.i, pixel.j));
     QCOMPARE(shown < 0 ? "no face" : cubeFaces()[static_cast<std::size_t>(shown)].name, face.name);
 
     QTest::mouseClick(&view, Qt::LeftButton, {}, position);
-    QVERIFY(document.pick());
-    const Pick &pick = *document.pick();
+    QVERIFY(document.picks().pick());
+    const Pick &pick = *document.picks().pick();
     QVERIFY(pick.hit());
     QCOMPARE(QPoint(pick.devicePixel.i, pick.devicePixel.j), QPoint(pixel.i, pixel.j));
     const glm::dvec2 center = windowOf(view, pixel);
     QCOMPARE(pick.window.x, center.x);
     QCOMPARE(pick.window.y, center.y);
 
-    const Picture &g = document.geometry();
+    const Picture &g = document.picture();
     const Ray ray = rayThrough(g, center);
     const glm::dvec3 expected = onPlane(ray, aimed, face.normal);
     const double step = 2.0 * pick.certainty.halfDepthStep;
@@ -187,8 +188,8 @@ void TestSceneView::aClickOnAFaceGivesItsPlane()
         QVERIFY(resized(*window, size));
         for (const Face &face : cubeFaces()) {
             setProjection(window->document(), projectionNamed(projection, window->view()));
-            setCamera(window->document(), cameraBefore(face, window->document().geometry()));
-            QCOMPARE(window->document().geometry().projection().index(),
+            setCamera(window->document(), cameraBefore(face, window->document().picture()));
+            QCOMPARE(window->document().picture().projection().index(),
                      projectionNamed(projection, window->view()).index());
             for (const glm::dvec2 &place : {glm::dvec2(0.0, 0.0), glm::dvec2(0.8, -0.7), glm::dvec2(-0.75, 0.6)}) {
                 clickFace(*window, face, place);
@@ -226,7 +227,7 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
     const double aspect = double(view.width()) / view.height();
     setView(document, {WorldPoint(0.0, 0.0, 0.0), WorldPoint(0.0, 0.0, -30.0), {0.0, 1.0, 0.0}},
             Frustum{-0.15 * aspect, 0.15 * aspect, -0.15, 0.15, 1.0, 100.0});
-    const Picture &g = document.geometry();
+    const Picture &g = document.picture();
     const glm::dvec3 normal = glm::normalize(glm::cross(steep, level));
     const auto depthAt = [&](const glm::dvec3 &p) { return windowFromWorld(g, WorldPoint(p)).value().z; };
 
@@ -236,8 +237,8 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
         positions.push_back({w / 3 + k, h / 3 + k});
     for (const QPoint &position : positions) {
         click(view, position); // QTest takes (0, 0) for the middle
-        QVERIFY(document.pick() && document.pick()->hit());
-        const Pick &pick = *document.pick();
+        QVERIFY(document.picks().pick() && document.picks().pick()->hit());
+        const Pick &pick = *document.picks().pick();
         const DevicePixel pixel = pixelUnder(view, position);
         QCOMPARE(QPoint(pick.devicePixel.i, pick.devicePixel.j), QPoint(pixel.i, pixel.j));
         const glm::dvec2 center = windowOf(view, pixel);
@@ -285,8 +286,9 @@ void TestSceneView::everyDevicePixelCanBeClicked()
         for (int k = 0; k < 12; ++k) {
             const QPoint pointer = first + QPoint(150 + k, 120 + k);
             click(view, QPointF(pointer) / ratio - QPointF(corner));
-            QVERIFY(document.pick());
-            QCOMPARE(QPoint(document.pick()->devicePixel.i, document.pick()->devicePixel.j), QPoint(150 + k, 120 + k));
+            QVERIFY(document.picks().pick());
+            QCOMPARE(QPoint(document.picks().pick()->devicePixel.i, document.picks().pick()->devicePixel.j),
+                     QPoint(150 + k, 120 + k));
         }
     }
     // The corner stood on every fraction of a pixel that the ratio knows.
@@ -304,7 +306,7 @@ void TestSceneView::theViewIsComposedOntoWholeDevicePixels()
     SceneView &view = window->view();
     QVERIFY(view.mapTo(window.get(), QPoint(0, 0)).x() > 61);
     openObjects(window->document(), cubeScene());
-    setCamera(window->document(), cameraBefore(cubeFaces()[0], window->document().geometry()));
+    setCamera(window->document(), cameraBefore(cubeFaces()[0], window->document().picture()));
     const double ratio = view.devicePixelRatio();
     QScreen *screen = window->screen();
     if (!screen->availableGeometry().contains(window->frameGeometry()))

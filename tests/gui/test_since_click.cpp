@@ -4,6 +4,7 @@
 #include "gui/click/comparison_model.h"
 #include "gui/click/comparison_panel.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 #include "gui/document/since_click_text.h"
 #include "gui/pipeline/pipeline_panel.h"
@@ -52,8 +53,8 @@ void openAndPick(SceneDocument &document)
     document.setSurface({400, 300, 1.0});
     QVERIFY(document.open(scene));
     // z = 20 / (10 (1 - d) + 2 d) = 5 for d = 0.75.
-    document.pickAt(WidgetPoint(200.0, 150.0), {0.75, 0, 24});
-    QVERIFY(document.pick());
+    pickAt(document, WidgetPoint(200.0, 150.0), {0.75, 0, 24});
+    QVERIFY(document.picks().pick());
 }
 
 LookAt cameraAt(double x, double y, double z)
@@ -145,7 +146,7 @@ void TestSinceClick::whatHappenedSinceTheClickIsSaid_data()
         "the object taken out and put back",
         [](SceneDocument &document) {
             QVERIFY(removeObject(document, 0));
-            QVERIFY(!document.pick());
+            QVERIFY(!document.picks().pick());
             document.undoStack().undo();
         },
         {QStringLiteral("as it was")}, changed + outside, false);
@@ -188,7 +189,7 @@ void TestSinceClick::whatHappenedSinceTheClickIsSaid()
     QCOMPARE(againButton(panel)->isEnabled(), canCompute);
     // Another click is of the view as it is. What is not drawn is not clicked.
     const bool isDrawn = !document.objects()[0].isHidden && document.scene().clipPlanes.empty();
-    document.pickAt(WidgetPoint(200.0, 150.0), isDrawn ? DepthSample{0.75, 0, 24} : DepthSample{1.0, {}, 24});
+    pickAt(document, WidgetPoint(200.0, 150.0), isDrawn ? DepthSample{0.75, 0, 24} : DepthSample{1.0, {}, 24});
     QVERIFY(labelText(panel, "Since the click").contains(QStringLiteral("as it was")));
     QVERIFY(!againButton(panel)->isEnabled());
 }
@@ -197,7 +198,7 @@ void TestSinceClick::aBackgroundSaysOnlyThatTheViewChanged()
 {
     SceneDocument document;
     openAndPick(document);
-    document.pickAt(WidgetPoint(200.0, 150.0), {1.0, {}, 24});
+    pickAt(document, WidgetPoint(200.0, 150.0), {1.0, {}, 24});
     ComparisonPanel panel(document);
     QCOMPARE(labelText(panel, "What was clicked"), QStringLiteral("Background: no surface here"));
     setCamera(document, cameraAt(0, 0, -30));
@@ -251,19 +252,19 @@ void TestSinceClick::computingAgainPicksTheSamePixelOfTheViewAsItIs()
     SceneDocument &document = window->document();
     const QPointF position = localOf(*window, kCubeCenter);
     window->view().onLButtonDown(WidgetPoint(position.x(), position.y()));
-    const Pick before = *document.pick();
+    const Pick before = *document.picks().pick();
     QVERIFY(before.hit());
     QPushButton *again = againButton(part<ComparisonPanel>(*window));
     QVERIFY(!again->isEnabled());
-    LookAt camera = document.geometry().camera();
+    LookAt camera = document.picture().camera();
     camera.eye.z += 0.5;
     setCamera(document, camera);
     QVERIFY(again->isEnabled());
-    QVERIFY(*document.pick()->point.world[Method::Formula] == *before.point.world[Method::Formula]);
+    QVERIFY(*document.picks().pick()->point.world[Method::Formula] == *before.point.world[Method::Formula]);
     again->click();
-    const Pick &after = *document.pick();
+    const Pick &after = *document.picks().pick();
     QCOMPARE(after.devicePixel, before.devicePixel);
-    QVERIFY(after.geometry == document.geometry());
+    QVERIFY(after.picture == document.picture());
     QVERIFY(after.hit() && *after.point.world[Method::Formula] != *before.point.world[Method::Formula]);
     QVERIFY(!again->isEnabled());
 }

@@ -1,6 +1,7 @@
 // Clicks that take a vertex, an edge or a face: chosen by key, marked under the pointer, exact.
 
 #include "gui/click/comparison_panel.h"
+#include "gui/document/picks.h"
 #include "gui/document/ray_casters.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
@@ -85,9 +86,9 @@ void TestSnapModes::keysAndButtonsChoose()
     QFETCH(int, modifiers);
     QFETCH(int, snap);
     const auto window = activeWindow(false);
-    QCOMPARE(int(window->document().snap()), int(Snap::Surface));
+    QCOMPARE(int(window->document().picks().snap()), int(Snap::Surface));
     QTest::keyClick(&window->view(), Qt::Key(key), Qt::KeyboardModifiers(modifiers));
-    QCOMPARE(int(window->document().snap()), snap);
+    QCOMPARE(int(window->document().picks().snap()), snap);
     int checked = 0;
     for (QToolButton *button : window->findChild<QToolBar *>()->findChildren<QToolButton *>()) {
         const QAction *action = button->defaultAction();
@@ -98,7 +99,7 @@ void TestSnapModes::keysAndButtonsChoose()
     }
     QCOMPARE(checked, 1);
     QTest::keyClick(&window->view(), Qt::Key_S);
-    QCOMPARE(int(window->document().snap()), int(Snap::Surface));
+    QCOMPARE(int(window->document().picks().snap()), int(Snap::Surface));
 }
 
 void TestSnapModes::aClickTakesWhatIsChosen_data()
@@ -116,15 +117,15 @@ void TestSnapModes::aClickTakesWhatIsChosen()
     QFETCH(bool, isOrtho);
     QFETCH(int, snap);
     const auto window = cubeWindow(isOrtho);
-    window->document().setSnap(static_cast<Snap>(snap));
+    window->document().picks().setSnap(static_cast<Snap>(snap));
     const bool isEdge = static_cast<Snap>(snap) == Snap::Edge;
     click(window->view(), beside(*window, isEdge ? kOnEdge : kCorner));
-    const PickedRay *ray = window->document().pickedRay();
+    const PickedRay *ray = window->document().picks().pickedRay();
     QVERIFY(ray && ray->state == PickedRay::State::Answered && ray->met && ray->taken);
-    QVERIFY(ray->met->object == window->document().pick()->object);
+    QVERIFY(ray->met->object == window->document().picks().pick()->object);
     const glm::dvec3 surface = ray->met->hit.world.coordinates(), taken = ray->taken->hit.world.coordinates();
     // What the depth says is the mesh, as far as it goes.
-    const WorldPoint &formula = *window->document().pick()->point.world[Method::Formula];
+    const WorldPoint &formula = *window->document().picks().pick()->point.world[Method::Formula];
     QVERIFY(glm::length(formula.coordinates() - surface) < 1e-5);
     const glm::dvec3 way = glm::abs(taken - kCubeCenter);
     int onFaces = 0; // of an edge two, of a corner three
@@ -171,7 +172,7 @@ void TestSnapModes::whatAClickWouldTakeIsMarked()
     QFETCH(int, snap);
     QFETCH(bool, isMarked);
     const auto window = cubeWindow(false);
-    window->document().setSnap(static_cast<Snap>(snap));
+    window->document().picks().setSnap(static_cast<Snap>(snap));
     const QPointF away(3.0, 3.0);
     hover(*window, away);
     const QImage before = pictureOf(*window);
@@ -181,7 +182,7 @@ void TestSnapModes::whatAClickWouldTakeIsMarked()
     hover(*window, away);
     QCOMPARE(differentPixels(before, pictureOf(*window)), 0);
     hover(*window, beside(*window, kCorner));
-    window->document().setSnap(Snap::Surface);
+    window->document().picks().setSnap(Snap::Surface);
     QCOMPARE(differentPixels(before, pictureOf(*window)), 0);
 }
 

@@ -2,6 +2,7 @@
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
 
@@ -36,17 +37,17 @@ std::unique_ptr<MainWindow> activeCubeWindow()
 /// The pixel that Enter picks.
 QPoint pickedByEnter(MainWindow &window)
 {
-    window.document().clearPick();
+    window.document().picks().clearPick();
     QTest::keyClick(&window.view(), Qt::Key_Return);
-    if (!window.document().pick())
+    if (!window.document().picks().pick())
         return {-1, -1};
-    const DevicePixel &pixel = window.document().pick()->devicePixel;
+    const DevicePixel &pixel = window.document().picks().pick()->devicePixel;
     return {pixel.i, pixel.j};
 }
 
 QPoint middleOf(const MainWindow &window)
 {
-    const Surface &surface = const_cast<MainWindow &>(window).document().geometry().surface;
+    const Surface &surface = const_cast<MainWindow &>(window).document().picture().surface;
     return {surface.widthPixels / 2, surface.heightPixels / 2};
 }
 
@@ -106,9 +107,9 @@ void TestViewKeys::keysLookFromTheSides()
     const auto window = cubeWindow(false);
     window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
-    const LookAt before = window->document().geometry().camera();
+    const LookAt before = window->document().picture().camera();
     QTest::keyClick(&window->view(), static_cast<Qt::Key>(key), static_cast<Qt::KeyboardModifiers>(modifiers));
-    const LookAt &after = window->document().geometry().camera();
+    const LookAt &after = window->document().picture().camera();
     QVERIFY(glm::length(forwardOf(after) - forward) < 1e-12);
     QCOMPARE(after.center.coordinates(), before.center.coordinates());
     const QImage picture = window->view().grabFramebuffer();
@@ -123,15 +124,15 @@ void TestViewKeys::keysFitGoHomeAndSwitchTheProjection()
     const auto window = shownWindow(false, {500, 400});
     SceneDocument &document = window->document();
     openObjects(document, cubeScene());
-    const Picture home = document.geometry();
+    const Picture home = document.picture();
     window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
     SceneView &view = window->view();
 
     QTest::keyClick(&view, Qt::Key_5);
-    QVERIFY(!isPerspective(document.geometry().projection()));
+    QVERIFY(!isPerspective(document.picture().projection()));
     QTest::keyClick(&view, Qt::Key_5);
-    QVERIFY(isPerspective(document.geometry().projection()));
+    QVERIFY(isPerspective(document.picture().projection()));
 
     QTest::keyClick(&view, Qt::Key_1);
     turnWheel(view, QPointF(100.0, 80.0), 8);
@@ -141,11 +142,11 @@ void TestViewKeys::keysFitGoHomeAndSwitchTheProjection()
             kCubeCenter + glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
         QVERIFY(QRectF(view.rect()).contains(localOf(*window, world)));
     }
-    QVERIFY(glm::length(forwardOf(document.geometry().camera()) - glm::dvec3(0.0, 0.0, -1.0)) < 1e-12);
+    QVERIFY(glm::length(forwardOf(document.picture().camera()) - glm::dvec3(0.0, 0.0, -1.0)) < 1e-12);
 
     QTest::keyClick(&view, Qt::Key_Home);
-    QVERIFY(document.geometry().camera() == home.camera());
-    QVERIFY(document.geometry().projection() == home.projection());
+    QVERIFY(document.picture().camera() == home.camera());
+    QVERIFY(document.picture().projection() == home.projection());
 }
 
 void TestViewKeys::addArrows()
@@ -170,13 +171,13 @@ void TestViewKeys::arrowsTurnAboutThePointAtTheCrosshair()
     const auto window = activeCubeWindow();
     SceneDocument &document = window->document();
     QTest::keyClick(&window->view(), Qt::Key_Enter);
-    QVERIFY(document.pick() && document.pick()->hit());
-    const glm::dvec3 point = document.pick()->point.world[Method::Formula]->coordinates();
+    QVERIFY(document.picks().pick() && document.picks().pick()->hit());
+    const glm::dvec3 point = document.picks().pick()->point.world[Method::Formula]->coordinates();
     const glm::dvec2 place = placeOf(*window, point);
-    const glm::dvec3 before = forwardOf(document.geometry().camera());
+    const glm::dvec3 before = forwardOf(document.picture().camera());
     QTest::keyClick(&window->view(), static_cast<Qt::Key>(key));
     QTest::keyClick(&window->view(), static_cast<Qt::Key>(key));
-    const glm::dvec3 after = forwardOf(document.geometry().camera());
+    const glm::dvec3 after = forwardOf(document.picture().camera());
     QVERIFY(glm::length(placeOf(*window, point) - place) < kStillPixels);
     // The scene turns the way of the arrow, the camera the other way: twice five degrees.
     constexpr double kTenDegrees = 3.14159265358979 / 18.0;
@@ -191,9 +192,9 @@ void TestViewKeys::whatEnterPicksIsTold()
     const auto window = activeCubeWindow();
     QSignalSpy told(&window->view(), &SceneView::hovered);
     QTest::keyClick(&window->view(), Qt::Key_Return);
-    QVERIFY(window->document().pick() && window->document().pick()->hit());
+    QVERIFY(window->document().picks().pick() && window->document().picks().pick()->hit());
     QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, kPatienceMilliseconds);
-    QCOMPARE(told[0][0].value<PixelClick>().pixel, window->document().pick()->devicePixel);
+    QCOMPARE(told[0][0].value<PixelClick>().pixel, window->document().picks().pick()->devicePixel);
     const QString x = QStringLiteral("world (");
     bool isShown = false;
     for (const QLabel *label : window->statusBar()->findChildren<QLabel *>())
@@ -208,7 +209,7 @@ void TestViewKeys::shiftAndArrowsMove()
     const auto window = activeCubeWindow();
     SceneDocument &document = window->document();
     QTest::keyClick(&window->view(), Qt::Key_Enter);
-    const glm::dvec3 point = document.pick()->point.world[Method::Formula]->coordinates();
+    const glm::dvec3 point = document.picks().pick()->point.world[Method::Formula]->coordinates();
     const glm::dvec2 place = placeOf(*window, point);
     QTest::keyClick(&window->view(), static_cast<Qt::Key>(key), Qt::ShiftModifier);
     const double step = 0.05 * window->view().height() * window->view().devicePixelRatio();
@@ -238,12 +239,12 @@ void TestViewKeys::plusAndMinusZoomToTheCrosshair()
     const auto window = activeCubeWindow();
     SceneDocument &document = window->document();
     click(window->view(), localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5))); // the crosshair goes there
-    const glm::dvec3 point = document.pick()->point.world[Method::Formula]->coordinates();
+    const glm::dvec3 point = document.picks().pick()->point.world[Method::Formula]->coordinates();
     const glm::dvec2 place = placeOf(*window, point);
-    const double before = distanceOf(document.geometry().camera(), point);
+    const double before = distanceOf(document.picture().camera(), point);
     QTest::keyClick(&window->view(), static_cast<Qt::Key>(key), static_cast<Qt::KeyboardModifiers>(modifiers));
     QVERIFY(glm::length(placeOf(*window, point) - place) < kStillPixels);
-    QVERIFY(std::abs(before / distanceOf(document.geometry().camera(), point) - factor) < 1e-6);
+    QVERIFY(std::abs(before / distanceOf(document.picture().camera(), point) - factor) < 1e-6);
 }
 
 void TestViewKeys::enterPicksAtTheCrosshair()
@@ -264,17 +265,17 @@ void TestViewKeys::enterPicksAtTheCrosshair()
     QTest::keyClick(&view, Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(pickedByEnter(*window), start + QPoint(-9, 9));
     // It moves no camera and no pointer's readout, and what it picks is what a click there picks.
-    const Pick byKey = *window->document().pick();
+    const Pick byKey = *window->document().picks().pick();
     click(view, QPointF(byKey.widget.x, byKey.widget.y));
-    QCOMPARE(window->document().pick()->window.z, byKey.window.z);
-    QCOMPARE(window->document().pick()->hit(), byKey.hit());
+    QCOMPARE(window->document().picks().pick()->window.z, byKey.window.z);
+    QCOMPARE(window->document().picks().pick()->hit(), byKey.hit());
 }
 
 void TestViewKeys::theCrosshairStaysInTheView()
 {
     const auto window = activeCubeWindow();
     SceneView &view = window->view();
-    const Surface &surface = window->document().geometry().surface;
+    const Surface &surface = window->document().picture().surface;
     click(view, QPointF(3.0, 4.0));
     for (int k = 0; k < 2; ++k) {
         QTest::keyClick(&view, Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
@@ -346,11 +347,11 @@ void TestViewKeys::keysInARowAreUndoneAsOne()
     SceneView &view = window->view();
     SceneDocument &document = window->document();
     const int steps = document.undoStack().index();
-    const LookAt before = document.geometry().camera();
+    const LookAt before = document.picture().camera();
     for (int k = 0; k < 3; ++k)
         QTest::keyClick(&view, Qt::Key_Left);
     QCOMPARE(document.undoStack().index(), steps + 1);
-    const LookAt turned = document.geometry().camera();
+    const LookAt turned = document.picture().camera();
     for (int k = 0; k < 3; ++k)
         QTest::keyClick(&view, Qt::Key_Left, Qt::ShiftModifier);
     QTest::keyClick(&view, Qt::Key_Plus);
@@ -360,9 +361,9 @@ void TestViewKeys::keysInARowAreUndoneAsOne()
     QCOMPARE(document.undoStack().index(), steps + 3);
     document.undoStack().undo();
     document.undoStack().undo();
-    QVERIFY(document.geometry().camera() == turned);
+    QVERIFY(document.picture().camera() == turned);
     document.undoStack().undo();
-    QVERIFY(document.geometry().camera() == before);
+    QVERIFY(document.picture().camera() == before);
 }
 
 void TestViewKeys::theViewsKeysComeBeforeTheWindowsShortcuts()
@@ -374,12 +375,12 @@ void TestViewKeys::theViewsKeysComeBeforeTheWindowsShortcuts()
         auto *shortcut = new QShortcut(key, window.get());
         connect(shortcut, &QShortcut::activated, this, [&taken] { ++taken; });
     }
-    const LookAt before = window->document().geometry().camera();
+    const LookAt before = window->document().picture().camera();
     for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Plus, Qt::Key_Return})
         QTest::keyClick(&window->view(), key);
     QCOMPARE(taken, 0);
-    QVERIFY(window->document().geometry().camera() != before);
-    QVERIFY(window->document().pick());
+    QVERIFY(window->document().picture().camera() != before);
+    QVERIFY(window->document().picks().pick());
 }
 
 void TestViewKeys::withoutAPictureKeysGoByTheCentre()
@@ -389,12 +390,12 @@ void TestViewKeys::withoutAPictureKeysGoByTheCentre()
     SceneView view(document); // never shown: without OpenGL there is nothing to read
     view.resize(500, 400);
     document.setSurface(surfaceFromWidget(500, 400, view.devicePixelRatio()));
-    const LookAt before = document.geometry().camera();
+    const LookAt before = document.picture().camera();
     QTest::keyClick(&view, Qt::Key_Right);
-    QVERIFY(distance(document.geometry().camera().eye, before.eye) > 0.01);
-    QVERIFY(distance(document.geometry().camera().center, before.center) < 1e-9);
+    QVERIFY(distance(document.picture().camera().eye, before.eye) > 0.01);
+    QVERIFY(distance(document.picture().camera().center, before.center) < 1e-9);
     QTest::keyClick(&view, Qt::Key_Return);
-    QVERIFY(!document.pick());
+    QVERIFY(!document.picks().pick());
 }
 
 QTEST_MAIN(TestViewKeys)

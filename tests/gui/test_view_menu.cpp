@@ -4,6 +4,7 @@
 #include "tests/gui/gui_scene.h"
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 #include "gui/text/number_text.h"
 
@@ -77,23 +78,23 @@ void TestViewMenu::aRightClickOpensIt()
 {
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
-    const LookAt before = window->document().geometry().camera();
+    const LookAt before = window->document().picture().camera();
     clickRight(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1)));
     QVERIFY(openMenu(view));
-    QVERIFY(!window->document().pick()); // until it is asked for
+    QVERIFY(!window->document().picks().pick()); // until it is asked for
     openMenu(view)->close();
     // Qt tells of the same click once more, by an event of its own: that is not for the window's menu either.
     QContextMenuEvent again(QContextMenuEvent::Mouse, QPoint(50, 50), view.mapToGlobal(QPoint(50, 50)));
     QVERIFY(QCoreApplication::sendEvent(&view, &again) && again.isAccepted());
     QVERIFY(!openMenu(view));
-    QVERIFY(window->document().geometry().camera() == before);
+    QVERIFY(window->document().picture().camera() == before);
 }
 
 void TestViewMenu::aRightDragDoesNot()
 {
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
-    const LookAt before = window->document().geometry().camera();
+    const LookAt before = window->document().picture().camera();
     const QPointF from(100.0, 100.0);
     drag(view, from, from + QPointF(QApplication::startDragDistance() + 5.0, 0.0), Qt::RightButton);
     QVERIFY(!openMenu(view));
@@ -103,7 +104,7 @@ void TestViewMenu::aRightDragDoesNot()
     sendMouse(view, QEvent::MouseMove, from, Qt::NoButton, Qt::RightButton);
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::RightButton, Qt::NoButton);
     QVERIFY(!openMenu(view));
-    QVERIFY(window->document().geometry().camera() == before);
+    QVERIFY(window->document().picture().camera() == before);
     sendMouse(view, QEvent::MouseButtonPress, from, Qt::MiddleButton, Qt::MiddleButton);
     sendMouse(view, QEvent::MouseButtonPress, from, Qt::RightButton, Qt::MiddleButton | Qt::RightButton);
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::RightButton, Qt::MiddleButton);
@@ -126,9 +127,9 @@ void TestViewMenu::theMenuKeyOpensItAtTheCrosshair()
     QAction *pick = actionIn(view, "pickHere");
     QVERIFY(pick);
     pick->trigger();
-    const Surface &surface = window->document().geometry().surface;
-    QCOMPARE(window->document().pick()->devicePixel.i, surface.widthPixels / 2);
-    QCOMPARE(window->document().pick()->devicePixel.j, surface.heightPixels / 2);
+    const Surface &surface = window->document().picture().surface;
+    QCOMPARE(window->document().picks().pick()->devicePixel.i, surface.widthPixels / 2);
+    QCOMPARE(window->document().picks().pick()->devicePixel.j, surface.heightPixels / 2);
     QVERIFY(!openMenu(view)); // another point is picked now
 }
 
@@ -170,12 +171,12 @@ void TestViewMenu::pickHerePicksThatPixel()
     const QPointF local = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1));
     const DevicePixel pixel = pixelUnder(view, local);
     choose(view, local, "pickHere");
-    QVERIFY(window->document().pick() && window->document().pick()->hit());
-    QVERIFY(window->document().pick()->devicePixel == pixel);
+    QVERIFY(window->document().picks().pick() && window->document().picks().pick()->hit());
+    QVERIFY(window->document().picks().pick()->devicePixel == pixel);
     // Keys go on from there.
     QTest::keyClick(&view, Qt::Key_Right, Qt::ControlModifier);
     QTest::keyClick(&view, Qt::Key_Return);
-    QCOMPARE(window->document().pick()->devicePixel.i, pixel.i + 1);
+    QCOMPARE(window->document().picks().pick()->devicePixel.i, pixel.i + 1);
 }
 
 void TestViewMenu::theCopiedPointHasAllDigits()
@@ -185,8 +186,8 @@ void TestViewMenu::theCopiedPointHasAllDigits()
     click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, -0.5, 0.4))); // something else than what is copied
     const QPointF local = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1));
     choose(view, local, "copyPoint");
-    QCOMPARE(window->document().pick()->devicePixel, pixelUnder(view, local));
-    const WorldPoint point = *window->document().pick()->point.world[Method::Formula];
+    QCOMPARE(window->document().picks().pick()->devicePixel, pixelUnder(view, local));
+    const WorldPoint point = *window->document().picks().pick()->point.world[Method::Formula];
     const QStringList numbers = QApplication::clipboard()->text().split(QStringLiteral(", "));
     QCOMPARE(numbers.size(), 3);
     QCOMPARE(numbers[0].toDouble(), point.x);
@@ -197,7 +198,7 @@ void TestViewMenu::theCopiedPointHasAllDigits()
 void TestViewMenu::whatTheModeTakesIsCopied()
 {
     const auto window = cubeWindow(false);
-    window->document().setSnap(ray::Snap::Vertex);
+    window->document().picks().setSnap(ray::Snap::Vertex);
     const glm::dvec3 corner = kCubeCenter + glm::dvec3(1.0, 1.0, 1.0);
     choose(window->view(), localOf(*window, corner) + QPointF(-2.5, 3.0), "copyPoint");
     QCOMPARE(QApplication::clipboard()->text(),
@@ -205,8 +206,9 @@ void TestViewMenu::whatTheModeTakesIsCopied()
     // Where no vertex is within reach, it is what is picked instead: the surface.
     const QPointF onFace = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1));
     choose(window->view(), onFace, "copyPoint");
-    QCOMPARE(window->document().pickedPoint(), std::optional(*window->document().pick()->point.world[Method::Formula]));
-    QVERIFY(QApplication::clipboard()->text().startsWith(shortestText(window->document().pickedPoint()->x)));
+    QCOMPARE(window->document().picks().pickedPoint(),
+             std::optional(*window->document().picks().pick()->point.world[Method::Formula]));
+    QVERIFY(QApplication::clipboard()->text().startsWith(shortestText(window->document().picks().pickedPoint()->x)));
 }
 
 void TestViewMenu::lookingAtAPointBringsItToTheMiddle()
@@ -215,9 +217,9 @@ void TestViewMenu::lookingAtAPointBringsItToTheMiddle()
     SceneView &view = window->view();
     const QPointF local = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
     click(view, local);
-    const glm::dvec3 point = window->document().pick()->point.world[Method::Formula]->coordinates();
+    const glm::dvec3 point = window->document().picks().pick()->point.world[Method::Formula]->coordinates();
     choose(view, local, "lookHere");
-    const Viewport &viewport = window->document().geometry().viewport;
+    const Viewport &viewport = window->document().picture().viewport;
     QVERIFY(glm::length(placeOf(*window, point) - glm::dvec2(viewport.width, viewport.height) / 2.0) < kStillPixels);
 }
 
@@ -228,13 +230,13 @@ void TestViewMenu::fittingShowsTheObjectThatWasClicked()
     SceneDocument &document = window->document();
     const QPointF behind = localOf(*window, kTwoCubeCenters[1] + glm::dvec3(-0.8, 0.9, 1.0));
     click(view, behind);
-    QCOMPARE(document.pick()->object, std::optional<std::size_t>(1));
+    QCOMPARE(document.picks().pick()->object, std::optional<std::size_t>(1));
     choose(view, behind, "fitObject");
-    const LookAt one = document.geometry().camera();
+    const LookAt one = document.picture().camera();
     fitObject(document, 1);
-    QVERIFY(distance(one.eye, document.geometry().camera().eye) < 1e-9);
+    QVERIFY(distance(one.eye, document.picture().camera().eye) < 1e-9);
     choose(view, QPointF(2.0, 2.0), "fit");
-    QVERIFY(distance(one.eye, document.geometry().camera().eye) > 1.0);
+    QVERIFY(distance(one.eye, document.picture().camera().eye) > 1.0);
 }
 
 void TestViewMenu::aHiddenObjectIsNeitherDrawnNorPicked()
@@ -243,7 +245,7 @@ void TestViewMenu::aHiddenObjectIsNeitherDrawnNorPicked()
     SceneView &view = window->view();
     SceneDocument &document = window->document();
     // Near and far stay: fitted to the one that is left they would cut the other one away.
-    QVERIFY(editProjection(document, {document.geometry().projection(), true, false}, {QStringLiteral("Fixed")}));
+    QVERIFY(editProjection(document, {document.picture().projection(), true, false}, {QStringLiteral("Fixed")}));
     const QPointF front = localOf(*window, kCubeCenter + glm::dvec3(0.0, 0.0, 1.0));
     const QImage both = view.grabFramebuffer();
     const int steps = document.undoStack().count();
@@ -252,12 +254,12 @@ void TestViewMenu::aHiddenObjectIsNeitherDrawnNorPicked()
     QVERIFY(document.objects()[0].isHidden);
     QVERIFY(differentPixels(view.grabFramebuffer(), both) > 1000);
     click(view, front);
-    QVERIFY(!document.pick()->hit() || document.pick()->object == std::optional<std::size_t>(1));
-    document.clearPick();
+    QVERIFY(!document.picks().pick()->hit() || document.picks().pick()->object == std::optional<std::size_t>(1));
+    document.picks().clearPick();
     const QPointF other = localOf(*window, kTwoCubeCenters[1] + glm::dvec3(-0.8, 0.9, 1.0));
     click(view, other);
-    QCOMPARE(document.pick()->object, std::optional<std::size_t>(1)); // it kept its number
-    document.clearPick();
+    QCOMPARE(document.picks().pick()->object, std::optional<std::size_t>(1)); // it kept its number
+    document.picks().clearPick();
     choose(view, QPointF(2.0, 2.0), "showAll");
     QVERIFY(!hasHiddenObjects(document.scene()));
     QCOMPARE(differentPixels(view.grabFramebuffer(), both), 0);

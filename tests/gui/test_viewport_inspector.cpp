@@ -326,7 +326,7 @@ void TestViewportInspector::hiddenItDoesNothing()
     changes.clear();
     QVERIFY(editProjection(document, {document.scene().projection, true, false}, {QStringLiteral("Clip distances")}));
     changes.clear();
-    LookAt camera = document.geometry().camera();
+    LookAt camera = document.picture().camera();
     camera.eye.x += 1.0;
     setCamera(document, camera);
     QCOMPARE(changes.count(), 0);

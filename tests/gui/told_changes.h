@@ -39,7 +39,7 @@ private:
     std::vector<Changes> m_tellings;
 };
 
-inline const Deed kDeed{QStringLiteral("deed")};
+inline const EditLabel kLabel{QStringLiteral("edit")};
 
 inline void openScene(SceneDocument &document)
 {

@@ -1,0 +1,137 @@
+#include "gui/document/kept_pick.h"
+
+#include "core/ray/drawn_surface.h"
+#include "gui/document/document_change.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::gui {
+namespace {
+
+const SceneObject *objectOf(const Pick &pick, const std::vector<SceneObject> &objects)
+{
+    return pick.object && *pick.object < objects.size() ? &objects[*pick.object] : nullptr;
+}
+
+bool isCutAway(const Pick &pick, const std::vector<glm::dvec4> &clipPlanes)
+{
+    const Result<WorldPoint> &world = pick.point.world[Method::Formula];
+    if (!pick.hit() || !world)
+        return false;
+    // A point of the cut itself lies on either side of the plane, no farther than its pixel reaches.
+    const Components<3> &uncertainty = pick.withinPixel.world;
+    return std::any_of(clipPlanes.begin(), clipPlanes.end(), [&](const glm::dvec4 &plane) {
+        const double doubt =
+            std::abs(plane.x) * uncertainty.x + std::abs(plane.y) * uncertainty.y + std::abs(plane.z) * uncertainty.z;
+        return glm::dot(plane, glm::dvec4(world->coordinates(), 1.0)) < -doubt;
+    });
+}
+
+/// The depth that the depth buffer holds at a pixel according to the rays: on the background its clear value.
+/// @return nothing outside the window, and where a point of a cloud may have been drawn
+std::optional<double> depthSeen(const ray::SceneRays &rays, const DevicePixel &pixel, const DepthFormat &format)
+{
+    const Picture &picture = rays.rays().picture();
+    const bool isInWindow =
+        pixel.i >= 0 && pixel.j >= 0 && pixel.i < picture.surface.widthPixels && pixel.j < picture.surface.heightPixels;
+    if (!isInWindow || rays.hasPoints())
+        return std::nullopt;
+    const auto &[atNear, atFar] = picture.depthRange;
+    const Result<ray::Ray<WorldSpace>> ray = rays.rays().at(pixelCenter(pixel));
+    const std::optional<ray::FirstTriangle> met =
+        ray && rays.rays().isInPicture(pixelCenter(pixel)) ? rays.firstTriangle(*ray) : std::nullopt;
+    if (!met)
+        return atFar;
+    const Result<WindowPoint> window = windowFromWorld(picture, ray->at(met->hit.t));
+    if (!window)
+        return std::nullopt;
+    return std::clamp(format.kept(window->z), std::min(atNear, atFar), std::max(atNear, atFar));
+}
+
+/// @param clicked  the objects at the click
+MetPlace metPlace(const ray::SceneHit &hit, const std::vector<SceneObject> &clicked,
+                  const std::vector<SceneObject> &now)
+{
+    const std::size_t index = hit.object;
+    // It may have been moved since, which makes it no other object.
+    const bool isThere = index < now.size() && isSameObject(clicked[index], now[index]);
+    return {hit, isThere ? std::optional(index) : placeAfter(clicked, index, now), clicked[index].name};
+}
+
+} // namespace
+
+glm::dmat4 placementOf(const Pick &pick, const std::vector<SceneObject> &objects)
+{
+    const SceneObject *object = objectOf(pick, objects);
+    return object ? worldFromObject(object->transform) : glm::dmat4(1.0);
+}
+
+SinceClick sinceClick(const KeptPick &kept, const Scene &scene, const Picture &picture)
+{
+    if (!kept.pick)
+        return {};
+    const SceneObject *object = objectOf(*kept.pick, scene.objects);
+    return {kept.pick->picture != picture, placementOf(*kept.pick, scene.objects) != kept.placement,
+            object && object->isHidden, isCutAway(*kept.pick, scene.clipPlanes)};
+}
+
+std::optional<WorldPoint> pickedPoint(const KeptPick &kept)
+{
+    if (!kept.pick || !kept.pick->hit())
+        return std::nullopt;
+    if (kept.ray.snap != ray::Snap::Surface && kept.ray.taken)
+        return kept.ray.taken->hit.world;
+    const Result<WorldPoint> &formula = kept.pick->point.world[Method::Formula];
+    return formula ? std::optional(*formula) : std::nullopt;
+}
+
+bool follow(KeptPick &kept, const std::vector<SceneObject> &before, const std::vector<SceneObject> &after)
+{
+    bool isOther = false;
+    const auto followOne = [&](std::optional<std::size_t> &index) {
+        const std::optional<std::size_t> was = index;
+        index = index && *index < before.size() ? placeAfter(before, *index, after) : std::nullopt;
+        isOther = isOther || index != was;
+    };
+    if (kept.pick)
+        followOne(kept.pick->object);
+    for (std::optional<MetPlace> *place : {&kept.ray.met, &kept.ray.taken}) {
+        if (*place)
+            followOne((*place)->object);
+    }
+    return isOther;
+}
+
+void answerRay(KeptPick &kept, const Unprojector &unprojector, const ray::SceneRays &rays,
+               const std::vector<SceneObject> &now)
+{
+    const std::vector<SceneObject> &clicked = *kept.rayScene->objects;
+    Pick &pick = *kept.pick;
+    PickedRay &ray = kept.ray;
+    const DevicePoint position = pixelCenter(pick.devicePixel);
+    const auto met = rays.at(position), taken = ray.snap == ray::Snap::Surface ? met : rays.at(position, ray.snap);
+    if (!met || !taken)
+        return;
+    ray.state = PickedRay::State::Answered;
+    if (*met)
+        ray.met = metPlace(**met, clicked, now);
+    // The triangle says how sure the depth's own point is, where it is the one that was drawn.
+    const bool isSameObject = *met && ray.met->object && ray.met->object == pick.object;
+    const Pick known = isSameObject ? refined(pick, ray::drawnSurface(clicked[(*met)->object], **met)) : pick;
+    ray.comparison = ray::compared(known, *met, isSameObject);
+    if (ray.comparison.kind != ray::RayComparison::Kind::OtherPart)
+        pick = known;
+    if (*taken)
+        ray.taken = metPlace(**taken, clicked, now);
+    if (pick.hit()) {
+        ray.others = otherAnswers(unprojector, pick.devicePixel, [&](const DevicePixel &pixel) {
+            return pixel == pick.devicePixel ? std::optional(pick.window.z)
+                                             : depthSeen(rays, pixel, pick.sample.format);
+        });
+    }
+}
+
+} // namespace unprojector::gui

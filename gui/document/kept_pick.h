@@ -1,0 +1,60 @@
+#pragma once
+
+#include "gui/document/picked_ray.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace unprojector::gui {
+
+/// A list of objects that is never changed in place.
+using ObjectList = std::shared_ptr<const std::vector<scene::SceneObject>>;
+
+/// The objects and clip planes that a ray meets.
+struct RayScene {
+    ObjectList objects;
+    std::vector<glm::dvec4> clipPlanes;
+};
+
+/// A pick with everything that belongs to it.
+struct KeptPick {
+    std::optional<unproject::Pick> pick = {};
+    glm::dmat4 placement{1.0};             ///< worldFromObject of its object at the click
+    PickedRay ray = {};                    ///< meaningful with a pick
+    std::optional<RayScene> rayScene = {}; ///< at the click, until the ray has its answer
+};
+
+/// Changes of the scene and its view since the click.
+struct SinceClick {
+    bool isOtherPicture = false; ///< camera, projection, viewport, depth range or the window's size
+    bool isObjectMoved = false;  ///< the object that was hit: the point is where its surface was
+    bool isObjectHidden = false; ///< the object that was hit
+    bool isCutAway = false;      ///< the point lies on the side of a clip plane where nothing is drawn
+
+    bool isAnything() const { return isOtherPicture || isObjectMoved || isObjectHidden || isCutAway; }
+};
+
+/// worldFromObject of the object of a pick, the identity where it has none.
+glm::dmat4 placementOf(const unproject::Pick &pick, const std::vector<scene::SceneObject> &objects);
+
+/// @param scene, picture  as they are now
+SinceClick sinceClick(const KeptPick &kept, const scene::Scene &scene, const geometry::Picture &picture);
+
+/// The one point that a pick stands for: the snapped point on the mesh, else the surface by the formula. Nothing where there
+/// is neither.
+std::optional<geometry::WorldPoint> pickedPoint(const KeptPick &kept);
+
+/// Moves the indices of a pick from one list of objects to another. An object that `after` does not have leaves no index.
+/// @return whether an index changed
+bool follow(KeptPick &kept, const std::vector<scene::SceneObject> &before,
+            const std::vector<scene::SceneObject> &after);
+
+/// Fills in what the ray of a pick meets, and makes its uncertainty that of the triangle that the ray meets.
+/// @param unprojector  of the pick's picture
+/// @param rays         of the pick's rayScene in that picture
+/// @param now          the objects as they are now
+void answerRay(KeptPick &kept, const unproject::Unprojector &unprojector, const ray::SceneRays &rays,
+               const std::vector<scene::SceneObject> &now);
+
+} // namespace unprojector::gui

@@ -1,0 +1,65 @@
+#include "gui/document/landmark_placing.h"
+
+#include "core/ray/placed_landmark.h"
+#include "gui/document/picks.h"
+#include "gui/document/scene_document.h"
+
+namespace unprojector::gui {
+namespace {
+
+using landmarks::Landmark;
+
+std::optional<Landmark> landmarkMet(const SceneDocument &document, const DevicePoint &position, ray::Snap snap,
+                                    double pixels)
+{
+    const ray::SceneRays *rays = document.picks().rays();
+    if (!rays)
+        return std::nullopt;
+    const Result<std::optional<ray::SceneHit>> hit = rays->at(position, snap);
+    if (!hit || !*hit)
+        return std::nullopt;
+    return ray::landmarkAt(**hit, snap, *rays, position, document.objects()[(*hit)->object].name, pixels);
+}
+
+/// The point of a pick by the formula, held by nothing.
+/// @return nothing for the background
+std::optional<Landmark> landmarkOf(const Pick &pick, const std::vector<SceneObject> &objects)
+{
+    const Result<WorldPoint> &world = pick.point.world[Method::Formula];
+    if (!pick.hit() || !world)
+        return std::nullopt;
+    Landmark landmark;
+    landmark.world = *world;
+    landmark.uncertainty = pick.withinPixel.world;
+    if (*pick.object < objects.size())
+        landmark.object = objects[*pick.object].name;
+    return landmark;
+}
+
+} // namespace
+
+std::optional<Landmark> landmarkOnMesh(const SceneDocument &document, const DevicePoint &position, double pixels)
+{
+    return landmarkMet(document, position, document.picks().snap(), pixels);
+}
+
+std::optional<Landmark> landmarkOnSurface(const SceneDocument &document, const DevicePoint &position, double pixels)
+{
+    return landmarkMet(document, position, ray::Snap::Surface, pixels);
+}
+
+std::optional<Landmark> landmarkOfClick(const SceneDocument &document, const WidgetPoint &position,
+                                        const std::optional<DepthSample> &sample)
+{
+    const Result<DevicePixel> pixel = devicePixelFromWidget(document.picture().surface, position);
+    if (!pixel)
+        return std::nullopt;
+    if (std::optional<Landmark> met = landmarkOnMesh(document, pixelCenter(*pixel)))
+        return met;
+    if (!sample)
+        return std::nullopt;
+    const Result<Pick> pick = document.picks().unprojected({position, *pixel, *sample});
+    return pick ? landmarkOf(*pick, document.objects()) : std::nullopt;
+}
+
+} // namespace unprojector::gui
