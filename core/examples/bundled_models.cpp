@@ -3,7 +3,6 @@
 #include "core/examples/bundled_scene.h"
 #include "core/examples/examples.h"
 #include "core/examples/head.h"
-#include "core/text/translation.h"
 
 namespace unprojector::examples {
 namespace {
@@ -33,11 +32,6 @@ const std::map<std::string, std::shared_ptr<const Model>> &bundledModels()
 {
     static const std::map<std::string, std::shared_ptr<const Model>> models = builtModels();
     return models;
-}
-
-std::string noBundledModelText(const std::string &name)
-{
-    return text::tr("there is no bundled model \"%1\"", name);
 }
 
 } // namespace unprojector::examples

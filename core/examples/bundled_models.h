@@ -13,7 +13,4 @@ using namespace mesh;
 /// whatever thread it comes; all scenes share them.
 const std::map<std::string, std::shared_ptr<const Model>> &bundledModels();
 
-/// That there is none of this name, in the language of text::tr().
-std::string noBundledModelText(const std::string &name);
-
 } // namespace unprojector::examples

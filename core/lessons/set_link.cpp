@@ -39,10 +39,7 @@ Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Pictur
         return failed(file.error());
     if (!file->extra.json().empty())
         return LessonError{"set: there is no " + firstPath(file->extra.json())};
-    std::vector<std::shared_ptr<const Model>> models;
-    for (const SceneObject &object : scene.objects)
-        models.push_back(object.model);
-    const Result<Scene, SceneFileError> made = sceneFromFile(*file, {}, models);
+    const Result<Scene, SceneFileError> made = sceneFromFile(*file, {}, scene.objects);
     if (!made)
         return failed(made.error());
 

@@ -1,9 +1,9 @@
 #include "core/lessons/step_numbers.h"
 
-#include "core/examples/bundled_models.h"
 #include "core/lessons/statements.h"
 #include "core/matrices/matrix_factors.h"
 #include "core/matrices/pipeline.h"
+#include "core/opening/models.h"
 #include "core/ray/mesh_depth.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
@@ -196,21 +196,20 @@ std::optional<std::string> faultOf(const Statement &statement, const std::vector
 
 } // namespace
 
-Result<Scene, LessonError> sceneOf(const Step &step, const std::map<std::string, std::shared_ptr<const Model>> &models)
+Result<Scene, LessonError> sceneOf(const Step &step)
 {
     const std::string where = step.id + ".scene";
     const Result<scene_file::SceneFile, scene_file::SceneFileError> file =
         scene_file::parseScene(step.scene.json().dump(), where);
     if (!file)
         return LessonError{scene_file::sceneErrorText(file.error())};
-    std::vector<std::shared_ptr<const Model>> inOrder;
-    for (const scene_file::SceneFileObject &object : file->objects) {
-        const auto found = models.find(object.bundled);
-        if (found == models.end())
-            return failed(where, examples::noBundledModelText(object.bundled));
-        inOrder.push_back(found->second);
-    }
-    Result<Scene, scene_file::SceneFileError> scene = scene_file::sceneFromFile(*file, {}, inOrder);
+    auto objects = opening::objectsOf(*file, {}, [](const std::filesystem::path &model) {
+        return opening::ReadModel(
+            ImportError{ImportErrorCode::NotFound, model, {}}); // a lesson has no files but its own
+    });
+    if (!objects)
+        return failed(where, objects.error());
+    Result<Scene, scene_file::SceneFileError> scene = scene_file::sceneFromFile(*file, {}, std::move(objects).value());
     if (!scene) {
         scene_file::SceneFileError error = scene.error();
         error.file = where;
@@ -297,10 +296,9 @@ std::optional<DevicePixel> StepNumbers::pixelOf(const std::string &point) const
 Result<LessonNumbers, LessonError> LessonNumbers::of(const Lesson &lesson, const Surface &surface)
 {
     LessonNumbers numbers;
-    const auto &models = examples::bundledModels();
     for (const Step &step : lesson.steps) {
         const std::string where = lesson.name + ".json: " + step.id;
-        const Result<Scene, LessonError> scene = sceneOf(step, models);
+        const Result<Scene, LessonError> scene = sceneOf(step);
         if (!scene)
             return failed(lesson.name + ".json", scene.error().text);
         Result<StepNumbers, LessonError> made =

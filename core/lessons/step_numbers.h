@@ -14,9 +14,8 @@ namespace unprojector::lessons {
 using namespace scene;
 
 /// The scene that a step shows.
-/// @param models  those that the program brings along, see bundledModels
 /// @return an error that names the key
-Result<Scene, LessonError> sceneOf(const Step &step, const std::map<std::string, std::shared_ptr<const Model>> &models);
+Result<Scene, LessonError> sceneOf(const Step &step);
 
 /// The view that a step's numbers hold in: its own size, where it says one.
 /// @param surface  of the view that shows it

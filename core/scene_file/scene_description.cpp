@@ -4,7 +4,6 @@
 #include "core/scene_file/scene_file.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <system_error>
 #include <utility>
@@ -192,9 +191,8 @@ std::filesystem::path objectFile(const SceneFileObject &object, const std::files
 }
 
 Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::filesystem::path &sceneFile,
-                                            const std::vector<std::shared_ptr<const Model>> &models)
+                                            std::vector<SceneObject> objects)
 {
-    assert(models.size() == file.objects.size());
     const std::string name = files::utf8FromPath(sceneFile.filename());
     if (const std::optional<SceneFileError> error = whyNotShown(file, name))
         return *error;
@@ -216,11 +214,9 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::fi
         scene.viewport.fixed = *file.viewport;
     }
     scene.depthRange = picture.depthRange;
-    for (std::size_t i = 0; i < file.objects.size() && i < models.size(); ++i) {
-        const SceneFileObject &object = file.objects[i];
-        scene.objects.push_back(
-            {object.name, objectFile(object, sceneFile), models[i], object.transform, object.isHidden});
-        if (const Check valid = reachable(scene.objects.back()); !valid)
+    scene.objects = std::move(objects);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        if (const Check valid = reachable(scene.objects[i]); !valid)
             return failed(name, "objects[" + std::to_string(i) + "].transform", valid.error());
     }
     scene.clipPlanes = file.clipPlanes;

@@ -141,10 +141,10 @@ std::optional<SceneFileError> whyNotShown(const SceneFile &scene, const std::str
 ///
 /// Without "ui" the file's numbers hold as they stand: near and far are not fitted, and the projection follows the
 /// viewport only where the file leaves its aspect to it. A viewport that takes the whole window keeps doing so.
-/// @param models  one for each of scene.objects
+/// @param objects  of the scene, with their models: see opening::objectsOf
 /// @return InvalidValue: whyNotShown; what reachable says of an object, with its place
 Result<Scene, SceneFileError> sceneFromFile(const SceneFile &scene, const std::filesystem::path &sceneFile,
-                                            const std::vector<std::shared_ptr<const Model>> &models);
+                                            std::vector<SceneObject> objects);
 
 /// What to write for a scene: the numbers of the picture as it is shown, and under "ui" how the window makes them. Only
 /// the depth range is the scene's, with all the digits that were typed: OpenGL has it in single precision, and a depth

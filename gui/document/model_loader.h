@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh/import/mesh_import.h"
+#include "core/opening/models.h"
 #include "gui/document/background.h"
 
 #include <QObject>
@@ -13,8 +13,6 @@
 namespace unprojector::gui {
 using namespace mesh;
 
-class ModelStore;
-
 /// One opened file.
 struct LoadedModel {
     std::filesystem::path file;
@@ -25,8 +23,8 @@ struct LoadedModel {
 class ModelLoader : public QObject {
     Q_OBJECT
 public:
-    /// @param store  outlives the loader; what it holds already is not read again
-    explicit ModelLoader(ModelStore &store, QObject *parent = nullptr);
+    /// @param files  outlive the loader; a model that is in use already is not read again
+    explicit ModelLoader(opening::ModelFiles &files, QObject *parent = nullptr);
 
     /// Starts opening the files, one after the other. A loading that is under way is cancelled.
     void load(std::vector<std::filesystem::path> files);
@@ -46,7 +44,7 @@ signals:
     void cancelled();
 
 private:
-    ModelStore &m_store;
+    opening::ModelFiles &m_files;
     Background m_background{2}; ///< the next need not wait for the cancelled one
 };
 

@@ -3,7 +3,6 @@
 #include "core/mesh/stand_in.h"
 
 #include <algorithm>
-#include <system_error>
 #include <thread>
 
 namespace unprojector::gui {
@@ -24,40 +23,8 @@ ModelStore::ModelStore(QObject *parent)
 {
 }
 
-std::optional<ModelStore::FileState> ModelStore::stateOf(const std::filesystem::path &file)
-{
-    std::error_code error;
-    FileState state;
-    state.size = std::filesystem::file_size(file, error);
-    if (error)
-        return std::nullopt;
-    state.time = std::filesystem::last_write_time(file, error);
-    return error ? std::nullopt : std::optional(state);
-}
-
-std::shared_ptr<const Model> ModelStore::find(const std::filesystem::path &file) const
-{
-    std::error_code error;
-    const auto found = m_files.find(std::filesystem::weakly_canonical(file, error));
-    if (error || found == m_files.end())
-        return nullptr;
-    const std::optional<FileState> state = stateOf(file);
-    return state && *state == found->second.state ? found->second.model.lock() : nullptr;
-}
-
-void ModelStore::keep(const std::filesystem::path &file, const std::optional<FileState> &state,
-                      const std::shared_ptr<const Model> &model)
-{
-    dropUnused();
-    std::error_code error;
-    const std::filesystem::path path = std::filesystem::weakly_canonical(file, error);
-    if (state && !error)
-        m_files[path] = {*state, model};
-}
-
 void ModelStore::dropUnused()
 {
-    std::erase_if(m_files, [](const auto &entry) { return entry.second.model.expired(); });
     std::erase_if(m_standIns, [](const auto &entry) { return entry.second.model.expired(); });
 }
 

@@ -223,7 +223,8 @@ private:
     SessionQuestions &m_questions;
     Options m_options;
     ModelStore m_models;
-    ModelLoader m_loader{m_models};
+    opening::ModelFiles m_modelFiles;
+    ModelLoader m_loader{m_modelFiles};
     std::optional<Pending> m_pending; ///< while it loads
     QString m_name;
     std::filesystem::path m_file;

@@ -1,8 +1,8 @@
 // What a session opens: models, scenes, the bundled one, the lessons' steps.
 
-#include "core/examples/bundled_models.h"
 #include "core/examples/bundled_scene.h"
 #include "core/files/path_text.h"
+#include "core/opening/models.h"
 #include "core/scene_file/scene_error_text.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/landmark_objects.h"
@@ -16,28 +16,9 @@
 #include "gui/text/sentences.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace unprojector::gui {
-namespace {
-
-using ModelPointer = std::shared_ptr<const Model>;
-
-/// A name that ends in .json is meant as a scene even where the contents are beyond recognition: its error says why.
-bool isMeantAsScene(const std::filesystem::path &file)
-{
-    return pathText(file.extension()).compare(QStringLiteral(".json"), Qt::CaseInsensitive) == 0 || isSceneFile(file);
-}
-
-bool hasBundledModels(const SceneFile &scene)
-{
-    return std::any_of(scene.objects.begin(), scene.objects.end(),
-                       [](const SceneFileObject &object) { return !object.bundled.empty(); });
-}
-
-} // namespace
-
 void Session::openFiles(std::vector<std::filesystem::path> files)
 {
     const auto points = std::stable_partition(files.begin(), files.end(), [](const std::filesystem::path &file) {
@@ -50,7 +31,7 @@ void Session::openFiles(std::vector<std::filesystem::path> files)
         emit pointFilesOpened(pointFiles);
         return;
     }
-    const auto scene = std::find_if(files.begin(), files.end(), isMeantAsScene);
+    const auto scene = std::find_if(files.begin(), files.end(), opening::isMeantAsScene);
     if (scene != files.end()) {
         openScene(*scene, std::move(pointFiles));
         return;
@@ -187,15 +168,8 @@ QString Session::namesText(const QString &first, int others)
 void Session::load(Pending pending)
 {
     m_loader.cancel(); // it would take what this is for
-    if (pending.use == Pending::For::SceneFile) {
-        for (const SceneFileObject &object : pending.contents.objects) {
-            if (!object.bundled.empty())
-                continue;
-            std::filesystem::path file = objectFile(object, pending.path);
-            if (std::find(pending.models.begin(), pending.models.end(), file) == pending.models.end())
-                pending.models.push_back(std::move(file));
-        }
-    }
+    if (pending.use == Pending::For::SceneFile)
+        pending.models = opening::modelFiles(pending.contents, pending.path);
     std::vector<std::filesystem::path> models = pending.models;
     m_pending = std::move(pending);
     // A scene of bundled models alone names no file. The loader then has nothing to read and reports that it is done:
@@ -264,25 +238,15 @@ void Session::takeModels(const std::vector<LoadedModel> &models, Pending::For us
 
 QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &models)
 {
-    std::map<std::filesystem::path, ModelPointer> read;
-    for (const LoadedModel &loaded : models)
-        read.emplace(loaded.file, loaded.model);
-    const std::map<std::string, ModelPointer> bundled =
-        hasBundledModels(pending.contents) ? examples::bundledModels() : std::map<std::string, ModelPointer>();
-    std::vector<ModelPointer> inOrder;
-    for (const SceneFileObject &object : pending.contents.objects) {
-        if (object.bundled.empty()) {
-            inOrder.push_back(read.at(objectFile(object, pending.path)));
-            continue;
-        }
-        const auto found = bundled.find(object.bundled);
-        if (found == bundled.end()) {
-            emit failed(tr("%1: %2").arg(pending.name, ended(examples::noBundledModelText(object.bundled))));
-            return {};
-        }
-        inOrder.push_back(found->second);
+    auto objects = opening::objectsOf(pending.contents, pending.path, [&models](const std::filesystem::path &file) {
+        const auto isIt = [&file](const LoadedModel &loaded) { return loaded.file == file; };
+        return opening::ReadModel(std::find_if(models.begin(), models.end(), isIt)->model);
+    });
+    if (!objects) {
+        emit failed(tr("%1: %2").arg(pending.name, ended(objects.error())));
+        return {};
     }
-    Result<Scene, SceneFileError> scene = sceneFromFile(pending.contents, pending.path, inOrder);
+    Result<Scene, SceneFileError> scene = sceneFromFile(pending.contents, pending.path, std::move(objects).value());
     if (!scene) {
         SceneFileError reason = scene.error();
         reason.file = pending.name.toStdString();

@@ -1,6 +1,5 @@
 #include "gui/lessons/lesson_player.h"
 
-#include "core/examples/bundled_models.h"
 #include "core/lessons/set_link.h"
 #include "core/lessons/step_numbers.h"
 #include "gui/document/scene_document.h"
@@ -122,7 +121,7 @@ bool LessonPlayer::show(const Lesson &lesson, std::size_t place)
 
 bool LessonPlayer::open(const Lesson &lesson, const lessons::Step &step)
 {
-    auto scene = lessons::sceneOf(step, examples::bundledModels());
+    auto scene = lessons::sceneOf(step);
     if (!scene) {
         emit failed(QString::fromStdString(scene.error().text));
         return false;

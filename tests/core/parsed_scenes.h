@@ -24,6 +24,16 @@ inline QByteArray written(const SceneFile &scene)
     return QByteArray::fromStdString(sceneText(scene).value());
 }
 
+/// The objects of a scene file, all with this model.
+inline std::vector<SceneObject> objectsWith(const std::shared_ptr<const Model> &model, const SceneFile &scene,
+                                            const std::filesystem::path &sceneFile)
+{
+    std::vector<SceneObject> objects;
+    for (const SceneFileObject &object : scene.objects)
+        objects.push_back({object.name, objectFile(object, sceneFile), model, object.transform, object.isHidden});
+    return objects;
+}
+
 using Json = nlohmann::ordered_json;
 
 /// Puts a key that nobody knows into every object that has room for one.

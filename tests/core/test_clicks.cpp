@@ -220,7 +220,7 @@ void TestClicks::aClicksSceneIsASceneFile()
     QCOMPARE(json["object"]["name"].get<std::string>(), scene.objects[1].name);
     QCOMPARE(json["object"]["index"].get<int>(), 1);
     // The window that opens it does not choose other numbers.
-    const Scene opened = sceneFromFile(read, "scene.json", {scene.objects[0].model, scene.objects[1].model}).value();
+    const Scene opened = sceneFromFile(read, "scene.json", scene.objects).value();
     QVERIFY(!opened.projectionFollowsViewport && !opened.clipDistancesFitObjects);
     QVERIFY(opened.projection == pick.picture.projection());
     // Alone it is a scene, in a click a click.

@@ -1,7 +1,6 @@
 // How a lesson is read: what its steps take from those before, what of its numbers is right, and what is said of one that cannot
 // be read.
 
-#include "core/examples/bundled_models.h"
 #include "core/lessons/lesson.h"
 #include "core/lessons/set_link.h"
 #include "core/lessons/statements.h"
@@ -304,7 +303,7 @@ void TestLessonReading::aChangeLeavesTheRest()
         "wrong": {"projection": {"near": -2}}})"));
     QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
     const Step &step = lesson->steps.front();
-    Scene scene = *sceneOf(step, examples::bundledModels());
+    Scene scene = *sceneOf(step);
     scene.camera.eye = WorldPoint(0.1, 1.0 / 3.0, 5.0);
     std::get<Perspective>(scene.projection).verticalFovRadians = 0.8; // of which degrees have other digits
     const Picture picture = *pictureOf(scene, {800, 600, 1.0}, {});

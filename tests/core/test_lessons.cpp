@@ -1,7 +1,6 @@
 // The lessons that come with the program, each step of each in both languages: every number that a text states is the one that
 // the program computes, every link leads somewhere.
 
-#include "core/examples/bundled_models.h"
 #include "core/lessons/lesson.h"
 #include "core/lessons/set_link.h"
 #include "core/lessons/statements.h"
@@ -184,7 +183,7 @@ void TestLessons::everyLinkLeadsSomewhere()
             else if (link.startsWith(QLatin1String("set:"))) {
                 QVERIFY2(step.changes.contains(to), where.c_str());
                 // Whatever point was typed before, a point that it gives is the same.
-                const Scene opened = *sceneOf(step, examples::bundledModels());
+                const Scene opened = *sceneOf(step);
                 const std::optional<GivenPoint> none, clip = GivenPoint{ClipPoint(2, 3, 4, 5)},
                                                       world = GivenPoint{WorldPoint(1, 2, 3)},
                                                       object = GivenPoint{ObjectPoint(4, 5, 6), opened.objects[0].name};

@@ -69,7 +69,8 @@ void TestSceneDescription::aWindowsSceneSurvivesASave()
         QVERIFY(shown.projection() == geometry.projection() && shown.depthRange == geometry.depthRange);
         QVERIFY(shown.camera() == geometry.camera());
 
-        const Scene again = sceneFromFile(file, "/there/scene.json", {model, model}).value();
+        const Scene again =
+            sceneFromFile(file, "/there/scene.json", objectsWith(model, file, "/there/scene.json")).value();
         QVERIFY(again.camera == scene.camera && again.home == scene.home);
         QVERIFY(again.viewport == scene.viewport && again.depthRange == scene.depthRange);
         QCOMPARE(again.projectionFollowsViewport, follows);
@@ -136,7 +137,7 @@ void TestSceneDescription::aSceneSavedElsewhereKeepsUnknownKeys()
     const auto model = std::make_shared<Model>();
     model->name = "Teapot";
     const SceneFile before = readSceneFile(source).value();
-    const Scene scene = sceneFromFile(before, source, {model, model}).value();
+    const Scene scene = sceneFromFile(before, source, objectsWith(model, before, source)).value();
     const std::filesystem::path written = root / target.toStdU16String();
     const SceneFile after = sceneFileFrom(scene, pictureOf(scene, {801, 599, 1.25}, {}).value(), written, before);
     QVERIFY(writeSceneFile(written, after).hasValue());
@@ -148,7 +149,7 @@ void TestSceneDescription::aSceneSavedElsewhereKeepsUnknownKeys()
     QCOMPARE(QString::fromStdString(json["objects"][0]["file"]), path);
     QVERIFY(again.objects[0].absoluteFile == before.objects[0].absoluteFile);
     // And from there to where it was.
-    const SceneFile back = sceneFileFrom(sceneFromFile(again, written, {model, model}).value(),
+    const SceneFile back = sceneFileFrom(sceneFromFile(again, written, objectsWith(model, again, written)).value(),
                                          pictureOf(scene, {801, 599, 1.25}, {}).value(), source, after);
     QVERIFY(back.objects[0].extra.json()["mark"] == "of the first object");
 }
@@ -160,7 +161,7 @@ void TestSceneDescription::unknownKeysOfStepsGoWithThem()
         parsed(changed("\"window\"", R"("objects": [{"file": "a.obj", "transform": )" + steps + "}], \"window\""));
     const auto model = std::make_shared<Model>();
     const auto extraAfter = [&](const std::vector<TransformStep> &now) {
-        Scene scene = sceneFromFile(before, "scene.json", {model}).value();
+        Scene scene = sceneFromFile(before, "scene.json", objectsWith(model, before, "scene.json")).value();
         scene.objects[0].transform = now;
         return sceneFileFrom(scene, pictureOf(scene, {800, 600, 1}, {}).value(), "scene.json", before)
             .objects[0]
@@ -212,7 +213,7 @@ void TestSceneDescription::whatNoWindowDrawsIsRefusedWithItsKey()
     const SceneFile file = parsed(changed("\"window\"", members + ", \"window\""));
     const auto model = std::make_shared<Model>();
     model->bounds = {glm::dvec3(-1.0), glm::dvec3(1.0)};
-    const auto scene = sceneFromFile(file, "folder/s.json", {file.objects.size(), model});
+    const auto scene = sceneFromFile(file, "folder/s.json", objectsWith(model, file, "folder/s.json"));
     QCOMPARE(scene ? QByteArray() : QByteArray::fromStdString(sceneErrorText(scene.error())), message);
 }
 
@@ -292,7 +293,7 @@ void TestSceneDescription::aModelBehindALinkStaysTheSame()
     };
     QVERIFY(isKept(scene));
     locateObjects(before, sceneFile);
-    Scene again = sceneFromFile(before, sceneFile, {std::make_shared<Model>()}).value();
+    Scene again = sceneFromFile(before, sceneFile, objectsWith(std::make_shared<Model>(), before, sceneFile)).value();
     QVERIFY(isKept(again));
     // One that is called otherwise now is known by its place.
     again.objects[0].name = "other name";

@@ -12,9 +12,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTemporaryDir>
-
-#include <fstream>
 
 using namespace guitest;
 
@@ -84,7 +81,6 @@ private slots:
     void anotherSceneBeginsEmpty();
     void restBringsAll();
     void smallModelsAreDrawnAtOnce();
-    void aFileIsReadOnce();
 };
 
 void TestLargeModels::standInsAreOfWhatIsTooLarge()
@@ -283,24 +279,6 @@ void TestLargeModels::smallModelsAreDrawnAtOnce()
         QTest::qWait(2);
         QVERIFY(!view.isCoarse());
     }
-}
-
-void TestLargeModels::aFileIsReadOnce()
-{
-    QTemporaryDir folder;
-    const std::filesystem::path path = std::filesystem::path(folder.path().toStdU16String()) / "triangle.off";
-    const auto write = [&](const char *text) { std::ofstream(path) << text; };
-    write("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-    ModelStore models;
-    const auto model = std::make_shared<const Model>();
-    models.keep(path, ModelStore::stateOf(path), model);
-    QCOMPARE(models.find(path), model);
-    QVERIFY2(models.find(path.parent_path() / "." / "triangle.off") == model, "another name of the same file");
-    QVERIFY(!models.find(path.parent_path() / "other.off"));
-    write("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 2 1 \n");
-    QVERIFY2(!models.find(path), "the file has changed");
-    models.keep(path, ModelStore::stateOf(path), std::make_shared<const Model>());
-    QVERIFY2(!models.find(path), "nobody has the model any more");
 }
 
 QTEST_MAIN(TestLargeModels)

@@ -1,7 +1,6 @@
 // Loading on a thread of its own, without a window: what the thread sanitizer can follow.
 
 #include "gui/document/model_loader.h"
-#include "gui/document/model_store.h"
 #include "tests/support/patience.h"
 
 #include <QFile>
@@ -12,6 +11,7 @@
 #include <filesystem>
 #include <vector>
 
+using namespace unprojector;
 using namespace unprojector::gui;
 using unprojector::mesh::ImportError;
 
@@ -65,8 +65,8 @@ void TestModelLoader::initTestCase()
 
 void TestModelLoader::theGoodFilesComeInOrderAndTheOthersSayWhy()
 {
-    ModelStore store;
-    ModelLoader loader(store);
+    opening::ModelFiles files;
+    ModelLoader loader(files);
     QSignalSpy finished(&loader, &ModelLoader::finished);
     QSignalSpy progressed(&loader, &ModelLoader::progressed);
     loader.load({m_large, m_broken, m_small});
@@ -91,8 +91,8 @@ void TestModelLoader::theGoodFilesComeInOrderAndTheOthersSayWhy()
 
 void TestModelLoader::nothingComesAfterACancel()
 {
-    ModelStore store;
-    ModelLoader loader(store);
+    opening::ModelFiles files;
+    ModelLoader loader(files);
     QSignalSpy cancelled(&loader, &ModelLoader::cancelled);
     QSignalSpy finished(&loader, &ModelLoader::finished);
     QSignalSpy progressed(&loader, &ModelLoader::progressed);
@@ -106,8 +106,8 @@ void TestModelLoader::nothingComesAfterACancel()
 
 void TestModelLoader::aSecondLoadingTakesTheFirstOnesPlace()
 {
-    ModelStore store;
-    ModelLoader loader(store);
+    opening::ModelFiles files;
+    ModelLoader loader(files);
     QSignalSpy cancelled(&loader, &ModelLoader::cancelled);
     QSignalSpy finished(&loader, &ModelLoader::finished);
     loader.load({m_large});
@@ -123,8 +123,8 @@ void TestModelLoader::aSecondLoadingTakesTheFirstOnesPlace()
 void TestModelLoader::aLoaderMayGoWhileItLoads()
 {
     for (int i = 0; i < 5; ++i) {
-        ModelStore store;
-        ModelLoader loader(store);
+        opening::ModelFiles files;
+        ModelLoader loader(files);
         loader.load({m_large, m_small});
         QTest::qWait(i);
     }

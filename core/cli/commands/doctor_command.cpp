@@ -9,6 +9,7 @@
 #include "core/doctor/mesh_vertices.h"
 #include "core/doctor/written_points.h"
 #include "core/files/path_text.h"
+#include "core/opening/models.h"
 #include "core/ray/mesh_depth.h"
 #include "core/text/error_text.h"
 #include "core/text/number_text.h"
@@ -37,11 +38,13 @@ struct CaseRead {
 bool areModelsThere(const std::string &file)
 {
     const std::optional<SceneFile> scene = file == "-" ? std::nullopt : sceneFile(file);
-    return scene && std::all_of(scene->objects.begin(), scene->objects.end(), [&](const SceneFileObject &object) {
-               std::error_code ignored;
-               return !object.bundled.empty()
-                      || std::filesystem::exists(objectFile(object, files::pathFromUtf8(file)), ignored);
-           });
+    if (!scene)
+        return false;
+    const std::vector<std::filesystem::path> models = opening::modelFiles(*scene, files::pathFromUtf8(file));
+    return std::all_of(models.begin(), models.end(), [](const std::filesystem::path &model) {
+        std::error_code ignored;
+        return std::filesystem::exists(model, ignored);
+    });
 }
 
 /// The vertices of a scene's models, which are read once they are asked for; none where a model is missing.

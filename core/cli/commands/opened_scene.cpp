@@ -2,16 +2,15 @@
 
 #include "core/cli/commands/size_text.h"
 #include "core/cli/rows/scene_input.h"
-#include "core/examples/bundled_models.h"
 #include "core/files/path_text.h"
 #include "core/mesh/import/import_error_text.h"
+#include "core/opening/models.h"
 #include "core/scene/opening_view.h"
 #include "core/scene/reach.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/text/error_text.h"
 #include "core/text/translation.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -22,25 +21,15 @@ using namespace files;
 using namespace text;
 namespace {
 
-using ModelPointer = std::shared_ptr<const Model>;
-
-/// @param asker  in front of what is wrong with it
-ModelPointer readModel(const std::filesystem::path &file, const std::string &asker = {})
-{
-    auto model = importModel(file, {});
-    if (model)
-        return std::move(model).value();
-    complain(asker + importErrorText(model.error()));
-    return nullptr;
-}
-
 std::optional<OpenedScene> openModel(const std::string &file)
 {
     const std::filesystem::path path = pathFromUtf8(file);
-    const ModelPointer model = readModel(path);
-    if (!model)
+    const auto model = importModel(path, {});
+    if (!model) {
+        complain(importErrorText(model.error()));
         return std::nullopt;
-    return OpenedScene{{{utf8FromPath(path.filename()), path, model, {}}}, std::nullopt, file, filesOf(path, *model)};
+    }
+    return OpenedScene{{{utf8FromPath(path.filename()), path, *model, {}}}, std::nullopt, file, filesOf(path, **model)};
 }
 
 } // namespace
@@ -57,13 +46,7 @@ InputFiles filesOf(const std::filesystem::path &file, const Model &model)
 
 bool isMeantAsScene(const std::string &file)
 {
-    constexpr std::string_view kSuffix = ".json";
-    const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
-    return file == "-"
-           || (file.size() >= kSuffix.size()
-               && std::equal(file.end() - static_cast<std::ptrdiff_t>(kSuffix.size()), file.end(), kSuffix.begin(),
-                             isSame))
-           || isSceneFile(pathFromUtf8(file));
+    return file == "-" || opening::isMeantAsScene(pathFromUtf8(file));
 }
 
 std::vector<glm::dvec4> OpenedScene::clipPlanes() const
@@ -79,31 +62,18 @@ std::optional<OpenedScene> openScene(const std::string &file)
     if (!scene)
         return std::nullopt;
     OpenedScene opened{{}, std::move(scene), file == "-" ? "stdin" : file, {file}};
-    std::map<std::filesystem::path, ModelPointer> read;
-    std::map<std::string, ModelPointer> bundled;
-    for (const SceneFileObject &object : opened.file->objects) {
-        const std::filesystem::path path =
-            objectFile(object, file == "-" ? std::filesystem::path() : pathFromUtf8(file));
-        ModelPointer model;
-        if (object.bundled.empty()) {
-            ModelPointer &kept = read[path];
-            if (!kept)
-                kept = readModel(path, opened.name + ": " + object.name + ": ");
-            model = kept;
-        } else {
-            if (bundled.empty())
-                bundled = examples::bundledModels();
-            if (const auto found = bundled.find(object.bundled); found != bundled.end())
-                model = found->second;
-            else
-                complain(opened.name + ": " + examples::noBundledModelText(object.bundled));
-        }
-        if (!model)
-            return std::nullopt;
-        if (object.bundled.empty())
-            for (std::string &named : filesOf(path, *model))
-                opened.files.push_back(std::move(named));
-        opened.objects.push_back({object.name, path, model, object.transform, object.isHidden});
+    const std::filesystem::path path = file == "-" ? std::filesystem::path() : pathFromUtf8(file);
+    opening::ModelFiles store;
+    auto objects =
+        opening::objectsOf(*opened.file, path, [&store](const std::filesystem::path &of) { return store.read(of); });
+    if (!objects) {
+        complain(opened.name + ": " + objects.error());
+        return std::nullopt;
+    }
+    opened.objects = std::move(objects).value();
+    for (const SceneObject &object : opened.objects) {
+        for (std::string &named : object.file.empty() ? InputFiles() : filesOf(object.file, *object.model))
+            opened.files.push_back(std::move(named));
     }
     return opened;
 }
@@ -153,10 +123,7 @@ std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &s
     Result<Scene> scene = Scene{};
     if (opened.file) {
         surface.devicePixelRatio = opened.file->devicePixelRatio;
-        std::vector<ModelPointer> models;
-        for (const SceneObject &object : opened.objects)
-            models.push_back(object.model);
-        Result<Scene, SceneFileError> shown = sceneFromFile(*opened.file, pathFromUtf8(opened.name), models);
+        Result<Scene, SceneFileError> shown = sceneFromFile(*opened.file, pathFromUtf8(opened.name), opened.objects);
         if (!shown) {
             SceneFileError error = shown.error();
             error.file = opened.name;

@@ -2,6 +2,7 @@
 
 #include "core/files/path_text.h"
 #include "core/mesh/import/file_contents.h"
+#include "core/opening/models.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 #include "core/text/translation.h"
@@ -79,11 +80,8 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
 InputFiles filesOf(const SceneFile &scene, const std::string &file)
 {
     InputFiles files{file};
-    for (const SceneFileObject &object : scene.objects) {
-        if (object.bundled.empty())
-            files.push_back(
-                utf8FromPath(objectFile(object, file == "-" ? std::filesystem::path() : pathFromUtf8(file))));
-    }
+    for (const auto &model : opening::modelFiles(scene, file == "-" ? std::filesystem::path() : pathFromUtf8(file)))
+        files.push_back(utf8FromPath(model));
     return files;
 }
 

@@ -1,0 +1,108 @@
+#include "core/opening/models.h"
+
+#include "core/examples/bundled_models.h"
+#include "core/files/path_text.h"
+#include "core/mesh/import/import_error_text.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <new>
+#include <system_error>
+#include <utility>
+
+namespace unprojector::opening {
+using namespace mesh;
+using namespace scene_file;
+
+std::optional<ModelFiles::State> ModelFiles::stateOf(const std::filesystem::path &file)
+{
+    std::error_code error;
+    State state;
+    state.size = std::filesystem::file_size(file, error);
+    if (error)
+        return std::nullopt;
+    state.time = std::filesystem::last_write_time(file, error);
+    return error ? std::nullopt : std::optional(state);
+}
+
+ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgress &progress,
+                           const std::function<bool(Model &)> &prepare)
+{
+    std::error_code error;
+    const std::filesystem::path path = std::filesystem::weakly_canonical(file, error);
+    // Taken before the file is read: what changes in between is seen as a change.
+    const std::optional<State> state = error ? std::nullopt : stateOf(file);
+    if (state) {
+        const std::lock_guard lock(m_mutex);
+        const auto found = m_files.find(path);
+        if (found != m_files.end() && found->second.state == *state) {
+            if (ModelPointer model = found->second.model.lock())
+                return model;
+        }
+    }
+    auto imported = importModel(file, progress);
+    if (!imported)
+        return imported.error();
+    const std::shared_ptr<Model> model = std::move(imported).value();
+    try {
+        if (prepare && !prepare(*model))
+            return ImportError{ImportErrorCode::Cancelled, file, {}};
+    } catch (const std::bad_alloc &) {
+        return ImportError{ImportErrorCode::OutOfMemory, file, {}};
+    }
+    if (state) {
+        const std::lock_guard lock(m_mutex);
+        std::erase_if(m_files, [](const auto &entry) { return entry.second.model.expired(); });
+        m_files[path] = {*state, model};
+    }
+    return ModelPointer(model);
+}
+
+bool isMeantAsScene(const std::filesystem::path &file)
+{
+    const std::string suffix = files::utf8FromPath(file.extension());
+    constexpr std::string_view kJson = ".json";
+    const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+    return std::equal(suffix.begin(), suffix.end(), kJson.begin(), kJson.end(), isSame) || isSceneFile(file);
+}
+
+std::vector<std::filesystem::path> modelFiles(const SceneFile &scene, const std::filesystem::path &sceneFile)
+{
+    std::vector<std::filesystem::path> files;
+    for (const SceneFileObject &object : scene.objects) {
+        if (!object.bundled.empty())
+            continue;
+        std::filesystem::path file = objectFile(object, sceneFile);
+        if (std::find(files.begin(), files.end(), file) == files.end())
+            files.push_back(std::move(file));
+    }
+    return files;
+}
+
+Result<std::vector<SceneObject>, std::string>
+objectsOf(const SceneFile &scene, const std::filesystem::path &sceneFile,
+          const std::function<ReadModel(const std::filesystem::path &)> &read)
+{
+    std::map<std::filesystem::path, ModelPointer> models;
+    std::vector<SceneObject> objects;
+    for (const SceneFileObject &object : scene.objects) {
+        const std::filesystem::path file = objectFile(object, sceneFile);
+        ModelPointer model = object.bundled.empty() ? models[file] : nullptr;
+        if (!object.bundled.empty()) {
+            const auto &bundled = examples::bundledModels();
+            const auto found = bundled.find(object.bundled);
+            if (found == bundled.end())
+                return text::tr("there is no bundled model \"%1\"", object.bundled);
+            model = found->second;
+        } else if (!model) {
+            ReadModel of = read(file);
+            if (!of)
+                return object.name + ": " + importErrorText(of.error());
+            model = models[file] = std::move(of).value();
+        }
+        objects.push_back({object.name, file, std::move(model), object.transform, object.isHidden});
+    }
+    return objects;
+}
+
+} // namespace unprojector::opening
