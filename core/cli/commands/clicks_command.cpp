@@ -47,16 +47,16 @@ public:
     /// @return false where a click cannot be computed at all
     bool add(std::size_t place, const Click &click)
     {
-        const SceneInput scene = sceneInput(click.scene);
-        const std::optional<BatchSpace> space = batchSpace(m_options.rows.space, scene);
+        const std::optional<BatchSpace> space = batchSpace(m_options.rows.space, click.scene);
         if (!space)
             return false;
-        const Result<Unprojector> unprojector = Unprojector::of(scene.geometry);
+        const Picture picture = pictureOf(click.scene);
+        const Result<Unprojector> unprojector = Unprojector::of(picture);
         if (!unprojector) {
             complainOf(place, errorText(unprojector.error()));
             return false;
         }
-        const DevicePoint device = deviceFromWindow(scene.geometry.surface, click.window);
+        const DevicePoint device = deviceFromWindow(picture.surface, click.window);
         for (const double number : {device.x, device.y, click.window.z})
             m_writer.number(number);
         if (click.hit)

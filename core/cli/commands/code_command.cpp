@@ -9,13 +9,13 @@ namespace unprojector::cli {
 
 ExitCode runCode(const CodeOptions &options)
 {
-    const std::optional<SceneFile> scene = sceneFile(options.scene);
+    const std::optional<SceneInput> scene = sceneInput(options.scene);
     if (!scene)
         return ExitCode::UnusableInput;
-    ByteSink sink(options.output, filesOf(*scene, options.scene));
+    ByteSink sink(options.output, scene->files);
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
-    sink.write(scene_code::sceneCode(*scene, options.dialect));
+    sink.write(scene_code::sceneCode(scene->file, options.dialect));
     return sink.finish();
 }
 

@@ -37,10 +37,10 @@ struct CaseRead {
 /// Whether all models of a scene are there to be read.
 bool areModelsThere(const std::string &file)
 {
-    const std::optional<SceneFile> scene = file == "-" ? std::nullopt : sceneFile(file);
+    const std::optional<SceneInput> scene = file == "-" ? std::nullopt : sceneInput(file);
     if (!scene)
         return false;
-    const std::vector<std::filesystem::path> models = opening::modelFiles(*scene, files::pathFromUtf8(file));
+    const std::vector<std::filesystem::path> models = opening::modelFiles(scene->file, files::pathFromUtf8(file));
     return std::all_of(models.begin(), models.end(), [](const std::filesystem::path &model) {
         std::error_code ignored;
         return std::filesystem::exists(model, ignored);
@@ -65,8 +65,8 @@ std::optional<CaseRead> withoutMesh(const std::string &file)
     if (!input)
         return std::nullopt;
     Case result{input->geometry, {}, {}, {}, verticesOnceRead(file)};
-    for (const PlacedObject &object : input->objects)
-        result.models.push_back({object.name, object.worldFromObject});
+    for (const SceneFileObject &object : input->file.objects)
+        result.models.push_back({object.name, worldFromObject(object.transform)});
     return CaseRead{std::move(result), input->files};
 }
 

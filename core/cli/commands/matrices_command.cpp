@@ -51,9 +51,9 @@ std::vector<NamedMatrix> matricesOf(const SceneInput &scene, const Written &writ
             {"world_to_window", "window from world, before the division by w", viewport * projection * view});
     }
     std::vector<std::string> taken;
-    for (const PlacedObject &object : scene.objects) {
+    for (const SceneFileObject &object : scene.file.objects) {
         const std::string name = newIdentifier(object.name, taken);
-        const glm::dmat4 model = written.apiFromWorld * object.worldFromObject, modelview = view * model;
+        const glm::dmat4 model = written.apiFromWorld * worldFromObject(object.transform), modelview = view * model;
         const std::string of = " of \"" + onOneLine(object.name) + '"';
         matrices.push_back({"model_" + name, "world from object" + of, model});
         matrices.push_back({"modelview_" + name, "eye from object" + of, modelview});
@@ -200,7 +200,7 @@ std::string written(const std::vector<NamedMatrix> &matrices, const std::vector<
 /// The camera in the conventions that are asked for; OpenGL's without a word is the scene's own, whatever its NDC depth.
 Result<Written> writtenCamera(const MatricesOptions &options, const SceneInput &scene)
 {
-    const Api api = options.conventions.value_or(scene.conventions);
+    const Api api = options.conventions.value_or(scene.file.conventions.value_or(Api::OpenGl));
     const ApiConventions &conventions = conventionsOf(api);
     const MatrixLayout usual = conventions.areVectorsRows ? MatrixLayout::Row : MatrixLayout::Column;
     Written result{&conventions, options.layout.value_or(usual), {}};

@@ -58,10 +58,10 @@ std::optional<OpenedScene> openScene(const std::string &file)
 {
     if (!isMeantAsScene(file))
         return openModel(file);
-    std::optional<SceneFile> scene = sceneFile(file);
+    std::optional<SceneInput> scene = sceneInput(file);
     if (!scene)
         return std::nullopt;
-    OpenedScene opened{{}, std::move(scene), file == "-" ? "stdin" : file, {file}};
+    OpenedScene opened{{}, std::move(scene->file), file == "-" ? "stdin" : file, {file}};
     const std::filesystem::path path = file == "-" ? std::filesystem::path() : pathFromUtf8(file);
     opening::ModelFiles store;
     auto objects =

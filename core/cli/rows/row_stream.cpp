@@ -29,7 +29,7 @@ std::unique_ptr<RowStream> openRows(const RowOptions &options, const SceneOrClic
     std::optional<SceneInput> scene = sceneInput(given, options.scene);
     if (!scene)
         return nullptr;
-    const std::optional<BatchSpace> space = batchSpace(options.space, *scene);
+    const std::optional<BatchSpace> space = batchSpace(options.space, scene->file);
     if (!space)
         return nullptr;
     auto rows = std::make_unique<RowStream>(std::move(*scene), *space, options.input);

@@ -77,65 +77,41 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
     return std::move(given).value();
 }
 
-InputFiles filesOf(const SceneFile &scene, const std::string &file)
-{
-    InputFiles files{file};
-    for (const auto &model : opening::modelFiles(scene, file == "-" ? std::filesystem::path() : pathFromUtf8(file)))
-        files.push_back(utf8FromPath(model));
-    return files;
-}
-
 InputFiles filesOf(const SceneOrClicks &given, const std::string &file)
 {
-    if (const auto *scene = std::get_if<SceneFile>(&given))
-        return filesOf(*scene, file);
     InputFiles files{file};
-    for (const Click &click : std::get<std::vector<Click>>(given)) {
-        for (std::string &named : filesOf(click.scene, file)) {
-            if (std::find(files.begin(), files.end(), named) == files.end())
+    const auto add = [&](const SceneFile &scene) {
+        for (const auto &model : opening::modelFiles(scene, file == "-" ? "" : pathFromUtf8(file))) {
+            if (std::string named = utf8FromPath(model); std::find(files.begin(), files.end(), named) == files.end())
                 files.push_back(std::move(named));
         }
-    }
+    };
+    if (const auto *clicks = std::get_if<std::vector<Click>>(&given))
+        std::for_each(clicks->begin(), clicks->end(), [&add](const Click &click) { add(click.scene); });
+    else
+        add(std::get<SceneFile>(given));
     return files;
 }
-
-SceneInput sceneInput(const SceneFile &scene)
-{
-    SceneInput input{pictureOf(scene), {}, scene.conventions.value_or(Api::OpenGl), {}};
-    for (const SceneFileObject &object : scene.objects)
-        input.objects.push_back({object.name, worldFromObject(object.transform)});
-    return input;
-}
-
-namespace {
-
-std::optional<SceneInput> withoutFiles(const SceneOrClicks &given, const std::string &file)
-{
-    if (const auto *scene = std::get_if<SceneFile>(&given)) {
-        const ApiConventions &api = conventionsOf(scene->conventions.value_or(Api::OpenGl));
-        if (api.isWorldMirrored)
-            complain(
-                (file == "-" ? "stdin" : file) + ": conventions: "
-                + tr("%1's own world has z negated; world coordinates here are the scene's, right-handed", api.name));
-        return sceneInput(*scene);
-    }
-    const auto &clicks = std::get<std::vector<Click>>(given);
-    if (!clicks.empty() && haveOneScene(clicks))
-        return sceneInput(clicks.front().scene);
-    complain((file == "-" ? "stdin: " : file + ": ")
-             + tr(clicks.empty() ? "no click is in it, and so no scene; give a scene file"
-                                 : "its clicks have different scenes; give one click, or the scene of one"));
-    return std::nullopt;
-}
-
-} // namespace
 
 std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file)
 {
-    std::optional<SceneInput> input = withoutFiles(given, file);
-    if (input)
-        input->files = filesOf(given, file);
-    return input;
+    const std::string name = file == "-" ? "stdin" : file;
+    const auto *scene = std::get_if<SceneFile>(&given);
+    if (!scene) {
+        const auto &clicks = std::get<std::vector<Click>>(given);
+        if (clicks.empty() || !haveOneScene(clicks)) {
+            complain(name + ": "
+                     + tr(clicks.empty() ? "no click is in it, and so no scene; give a scene file"
+                                         : "its clicks have different scenes; give one click, or the scene of one"));
+            return std::nullopt;
+        }
+        scene = &clicks.front().scene;
+    } else if (const ApiConventions &api = conventionsOf(scene->conventions.value_or(Api::OpenGl));
+               api.isWorldMirrored) {
+        complain(name + ": conventions: "
+                 + tr("%1's own world has z negated; world coordinates here are the scene's, right-handed", api.name));
+    }
+    return SceneInput{*scene, pictureOf(*scene), filesOf(given, file)};
 }
 
 std::optional<SceneInput> sceneInput(const std::string &file)
@@ -144,17 +120,10 @@ std::optional<SceneInput> sceneInput(const std::string &file)
     return given ? sceneInput(*given, file) : std::nullopt;
 }
 
-std::optional<SceneFile> sceneFile(const std::string &file)
-{
-    const std::optional<SceneOrClicks> given = sceneOrClicks(file);
-    if (!given || !sceneInput(*given, file)) // which says what is wrong with clicks
-        return std::nullopt;
-    if (const auto *scene = std::get_if<SceneFile>(&*given))
-        return *scene;
-    return std::get<std::vector<Click>>(*given).front().scene;
-}
+namespace {
 
-const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name)
+/// The object of a name; where there is none, stderr says which there are, and where there are several, which those are.
+const SceneFileObject *objectNamed(const SceneFile &scene, const std::string &name)
 {
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -171,7 +140,7 @@ const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name
         return nullptr;
     }
     std::string names;
-    for (const PlacedObject &object : scene.objects)
+    for (const SceneFileObject &object : scene.objects)
         names += (names.empty() ? "" : ", ") + object.name;
     complain(
         tr(names.empty() ? "the scene has no object \"%1\"; it has none" : "the scene has no object \"%1\"; it has: %2",
@@ -179,7 +148,9 @@ const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name
     return nullptr;
 }
 
-std::optional<BatchSpace> batchSpace(const std::string &space, const SceneInput &scene)
+} // namespace
+
+std::optional<BatchSpace> batchSpace(const std::string &space, const SceneFile &scene)
 {
     const std::string_view object = "object:";
     if (space == "eye")
@@ -190,10 +161,10 @@ std::optional<BatchSpace> batchSpace(const std::string &space, const SceneInput 
         complain(tr("--space %1: give world, eye or object:NAME", space));
         return std::nullopt;
     }
-    const PlacedObject *placed = objectNamed(scene, space.substr(object.size()));
+    const SceneFileObject *placed = objectNamed(scene, space.substr(object.size()));
     if (placed == nullptr)
         return std::nullopt;
-    return BatchSpace{BatchSpace::Kind::Object, placed->worldFromObject};
+    return BatchSpace{BatchSpace::Kind::Object, worldFromObject(placed->transform)};
 }
 
 } // namespace unprojector::cli

@@ -15,17 +15,11 @@ namespace unprojector::cli {
 using namespace unproject;
 using namespace scene_file;
 
-struct PlacedObject {
-    std::string name;
-    glm::dmat4 worldFromObject{1.0};
-};
-
-/// What the command needs of a scene file: models are not loaded.
+/// A scene file, the picture that it describes, and all files that it names, see filesOf. Models are not loaded.
 struct SceneInput {
+    SceneFile file;
     Picture geometry;
-    std::vector<PlacedObject> objects;
-    Api conventions = Api::OpenGl; ///< to write matrices in
-    InputFiles files;              ///< see filesOf
+    InputFiles files;
 };
 
 /// Reads a scene file, or the clicks that the window prints; prints errors on stderr.
@@ -34,21 +28,13 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file);
 
 /// The file itself, and those of the models that its scenes name, whether they are read or not.
 /// @param file  as above
-InputFiles filesOf(const SceneFile &scene, const std::string &file);
 InputFiles filesOf(const SceneOrClicks &given, const std::string &file);
 
-SceneInput sceneInput(const SceneFile &scene);
 /// The scene of a file, or the one that all its clicks show. Errors are printed on stderr.
 std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file);
 std::optional<SceneInput> sceneInput(const std::string &file);
 
-/// The same as the scene file that it is.
-std::optional<SceneFile> sceneFile(const std::string &file);
-
-/// The object of a name; where there is none, stderr says which there are, and where there are several, which those are.
-const PlacedObject *objectNamed(const SceneInput &scene, const std::string &name);
-
 /// What --space says: eye, world or object:NAME. Errors are printed on stderr.
-std::optional<BatchSpace> batchSpace(const std::string &space, const SceneInput &scene);
+std::optional<BatchSpace> batchSpace(const std::string &space, const SceneFile &scene);
 
 } // namespace unprojector::cli
