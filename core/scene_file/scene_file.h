@@ -96,6 +96,13 @@ constexpr int kMostWindowPixels = 65536;
 /// @param name  of the file, for the error
 Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name);
 
+/// A scene file with other values.
+/// @param change  their keys in objects as in the file; null removes a key (RFC 7396)
+/// @param name    of the change, for the error
+/// @return as parseScene
+Result<SceneFile, SceneFileError> changed(const SceneFile &scene, const text::JsonValue &change,
+                                          const std::string &name);
+
 /// The bytes of a scene file, no more of them than show that it is too large.
 /// @return NotFound, IsDirectory, NotAFile, NotReadable
 Result<std::string, SceneFileError> readSceneText(const std::filesystem::path &file);

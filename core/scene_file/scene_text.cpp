@@ -7,9 +7,11 @@
 
 namespace unprojector::scene_file {
 
-Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name)
+namespace {
+
+Result<SceneFile, SceneFileError> readScene(const Result<nlohmann::ordered_json, SceneFileError> &json,
+                                            const std::string &name)
 {
-    const Result<nlohmann::ordered_json, SceneFileError> json = parseStrictJson(text);
     JsonNode::FirstError error;
     if (json) {
         SceneFile scene;
@@ -21,6 +23,21 @@ Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::s
     }
     error->file = name;
     return *error;
+}
+
+} // namespace
+
+Result<SceneFile, SceneFileError> parseScene(std::string_view text, const std::string &name)
+{
+    return readScene(parseStrictJson(text), name);
+}
+
+Result<SceneFile, SceneFileError> changed(const SceneFile &scene, const text::JsonValue &change,
+                                          const std::string &name)
+{
+    nlohmann::ordered_json document = FieldWriter::write(scene, Plain{}, nullptr);
+    document.merge_patch(change.json());
+    return readScene(std::move(document), name);
 }
 
 Result<std::string, SceneFileError> sceneText(const SceneFile &scene)
