@@ -335,7 +335,7 @@ MatrixProjection derivationMatrix()
 Scene derivation(const MatrixProjection &given)
 {
     Scene made = derivation(std::get<Frustum>(recognised(given).value().parameters));
-    made.given = {given, made.projection};
+    made.projection = {given, made.projection};
     return made;
 }
 

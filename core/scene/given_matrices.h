@@ -2,25 +2,15 @@
 
 #include "core/scene/scene.h"
 
-#include <optional>
-
 namespace unprojector::scene {
 
-/// The matrix that a scene's projection is given by; null where it is given by parameters, or has been changed since.
-const MatrixProjection *givenProjection(const SceneSettings &settings);
-/// The same of the view: eyeFromWorld.
-const glm::dmat4 *givenView(const SceneSettings &settings);
-
-/// Takes a projection, a view or both from matrices, which the settings keep as they are. What is none stays; the
-/// projection's numbers then hold as they stand.
-/// @param picture  that the settings have in their window
+/// The settings with the projection and the camera of a picture. Matrices are kept as they are; the numbers of a projection
+/// that comes as a matrix hold as they stand. The depth range stays, but for what reversed matrices make of it.
 /// @return the errors of byParameters
-Result<SceneSettings> withMatrices(SceneSettings settings, Picture picture,
-                                   const std::optional<MatrixProjection> &projection,
-                                   const std::optional<glm::dmat4> &eyeFromWorld);
+Result<SceneSettings> withPicture(SceneSettings settings, Picture given);
 
 /// Settings that the user changed to others: a depth range that was set by hand is not the one that a reversed matrix, which
-/// no longer counts, had turned round, so that matrix is forgotten.
+/// has ended, had turned round.
 SceneSettings afterChange(const SceneSettings &before, SceneSettings settings);
 
 } // namespace unprojector::scene

@@ -76,7 +76,7 @@ Check check(const Scene &scene)
 {
     if (const Result<EyeFrame> frame = eyeFrame(scene.camera); !frame)
         return frame.error();
-    for (const Check &valid : {check(scene.projection), check(scene.viewport), check(scene.depthRange)}) {
+    for (const Check &valid : {check(*scene.projection), check(scene.viewport), check(scene.depthRange)}) {
         if (!valid)
             return valid;
     }
@@ -111,7 +111,7 @@ Result<Picture> pictureOf(const Scene &scene, const Surface &surface, const Box 
         return valid.error();
     if (const Check valid = check(surface); !valid)
         return valid.error();
-    Picture geometry{surface, viewportIn(scene.viewport, surface), scene.depthRange, scene.projection, scene.camera};
+    Picture geometry{surface, viewportIn(scene.viewport, surface), scene.depthRange, *scene.projection, *scene.camera};
     if (scene.projectionFollowsViewport)
         geometry.projection() = withAspect(geometry.projection(), geometry.viewport.width / geometry.viewport.height);
     if (scene.clipDistancesFitObjects)

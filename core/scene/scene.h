@@ -58,37 +58,59 @@ struct ClipPlaneOff {
     friend bool operator==(const ClipPlaneOff &, const ClipPlaneOff &) = default;
 };
 
-/// A view that a file or the user gives as a matrix, and the camera that it is shown by.
-struct GivenView {
-    glm::dmat4 eyeFromWorld{1.0};
-    LookAt converted;
-    friend bool operator==(const GivenView &, const GivenView &) = default;
+/// Parameters, or the matrix of another program with the parameters that show it. Setting other parameters ends the matrix.
+template <class Parameters, class Matrix>
+class Importable {
+public:
+    Importable() = default;
+    Importable(const Matrix &matrix, const Parameters &shownBy) : m_parameters(shownBy), m_matrix(matrix) {}
+
+    Importable &operator=(const Parameters &parameters)
+    {
+        if (!(parameters == m_parameters)) {
+            m_parameters = parameters;
+            m_hadMatrix = hadMatrix() || matrix();
+            m_matrix.reset();
+        }
+        return *this;
+    }
+
+    const Parameters &operator*() const { return m_parameters; }
+    const Parameters *operator->() const { return &m_parameters; }
+    operator const Parameters &() const { return m_parameters; }
+    /// Null where the parameters stand for themselves.
+    const Matrix *matrix() const { return m_matrix ? &*m_matrix : nullptr; }
+    /// Whether there was a matrix before these parameters were set.
+    bool hadMatrix() const { return m_hadMatrix; }
+
+    friend bool operator==(const Importable &, const Importable &) = default;
+    friend bool operator==(const Importable &a, const Parameters &b) { return a.m_parameters == b; }
+
+private:
+    Parameters m_parameters;
+    std::optional<Matrix> m_matrix;
+    bool m_hadMatrix = false;
 };
 
-/// A projection that a file or the user gives as a matrix, and the parameters that it is shown by.
-struct GivenProjection {
-    MatrixProjection matrix;
-    Projection converted; ///< of OpenGL's depth; a reversed matrix has the scene's depth range turned round besides
-    friend bool operator==(const GivenProjection &, const GivenProjection &) = default;
-};
+/// Of OpenGL's depth: a reversed matrix is one with the scene's depth range turned round.
+using SceneProjection = Importable<Projection, MatrixProjection>;
+/// The matrix is eyeFromWorld.
+using SceneCamera = Importable<LookAt, glm::dmat4>;
 
 /// How the objects are shown: everything but the objects, the landmarks and the window's size.
 struct SceneSettings {
-    LookAt camera;
-    LookAt home; ///< the camera that the scene opened with
-    Projection projection;
+    SceneCamera camera;
+    SceneCamera home; ///< the camera that the scene opened with
+    SceneProjection projection;
     bool projectionFollowsViewport = true; ///< takes the viewport's aspect, so that a circle stays a circle
     bool clipDistancesFitObjects = true;   ///< near and far hold the objects tightly
     ViewportRule viewport;
     DepthRange depthRange;
+    bool isDepthRangeTurned = false; ///< by a reversed matrix, which may have ended since
     /// (A, B, C, D): of the objects only what has A x + B y + C z + D >= 0 in world space is drawn (glClipPlane).
     std::vector<glm::dvec4> clipPlanes;
     /// Planes that are switched off, by place. With `clipPlanes` no more than kMostClipPlanes.
     std::vector<ClipPlaneOff> clipPlanesOff;
-    /// What `projection` was read from; it counts as long as `projection` is still what that was converted to.
-    std::optional<GivenProjection> given;
-    /// The same of `camera`.
-    std::optional<GivenView> givenView;
     /// A point that the user follows through the pipeline besides what is clicked.
     std::optional<GivenPoint> givenPoint;
     Api conventions =

@@ -1,5 +1,6 @@
 #include "core/files/path_text.h"
 #include "core/geometry/drawable.h"
+#include "core/scene/given_matrices.h"
 #include "core/scene/reach.h"
 #include "core/scene_file/scene_file.h"
 
@@ -10,19 +11,6 @@
 
 namespace unprojector::scene_file {
 namespace {
-
-/// Puts the matrices that the scene was given in place of the parameters that were read from them and are still the same.
-void keepMatrices(SceneFile &file, const Scene &scene)
-{
-    if (scene.given && std::get<Projection>(file.projection) == scene.given->converted) {
-        file.projection = scene.given->matrix;
-        // Of a reversed matrix the window has turned the depth range round.
-        if (const auto form = recognised(scene.given->matrix); form && form->reversed)
-            std::swap(file.depthRange.atNear, file.depthRange.atFar);
-    }
-    if (scene.givenView && std::get<LookAt>(file.view) == scene.givenView->converted)
-        file.view = scene.givenView->eyeFromWorld;
-}
 
 /// The path from the root, without "." and "..". Links stay as they are named, except one before a "..": the folder above
 /// is that of where the link leads, and not the one that the link lies in.
@@ -196,15 +184,13 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::fi
     const std::string name = files::utf8FromPath(sceneFile.filename());
     if (const std::optional<SceneFileError> error = whyNotShown(file, name))
         return *error;
-    const Picture picture = byParameters(pictureOf(file)).value();
+    const Picture picture = pictureOf(file);
     Scene scene;
-    scene.camera = picture.camera();
-    scene.home = file.ui.home.value_or(scene.camera);
-    scene.projection = picture.projection();
-    if (const auto *matrix = std::get_if<MatrixProjection>(&file.projection))
-        scene.given = {*matrix, scene.projection};
-    if (const auto *matrix = std::get_if<glm::dmat4>(&file.view))
-        scene.givenView = {*matrix, scene.camera};
+    scene.depthRange = picture.depthRange;
+    static_cast<SceneSettings &>(scene) = withPicture(scene, picture).value();
+    scene.home = scene.camera;
+    if (file.ui.home)
+        scene.home = *file.ui.home;
     scene.projectionFollowsViewport = file.ui.projectionFollowsViewport.value_or(file.aspectFromViewport);
     scene.clipDistancesFitObjects = file.ui.clipDistancesFitObjects.value_or(false);
     if (file.ui.viewportRule)
@@ -213,7 +199,6 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::fi
         scene.viewport.kind = ViewportRule::Kind::Fixed;
         scene.viewport.fixed = *file.viewport;
     }
-    scene.depthRange = picture.depthRange;
     scene.objects = std::move(objects);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         if (const Check valid = reachable(scene.objects[i]); !valid)
@@ -239,9 +224,17 @@ SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::
         file.viewport = geometry.viewport;
     file.depthRange = scene.depthRange;
     file.projection = geometry.projection();
+    if (const MatrixProjection *matrix = scene.projection.matrix();
+        matrix && geometry.projection() == *scene.projection) {
+        file.projection = *matrix;
+        if (scene.isDepthRangeTurned)
+            std::swap(file.depthRange.atNear, file.depthRange.atFar);
+    }
     file.aspectFromViewport =
         scene.projectionFollowsViewport && std::holds_alternative<Perspective>(geometry.projection());
     file.view = geometry.camera();
+    if (const glm::dmat4 *matrix = scene.camera.matrix(); matrix && geometry.camera() == *scene.camera)
+        file.view = *matrix;
     file.clipPlanes = scene.clipPlanes;
     file.landmarks = scene.landmarks;
     file.point = scene.givenPoint;
@@ -249,7 +242,6 @@ SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::
         file.conventions = scene.conventions;
     file.ui = {scene.viewport, scene.projectionFollowsViewport, scene.clipDistancesFitObjects, scene.home, {}};
     file.extra = before.extra;
-    keepMatrices(file, scene);
 
     std::vector<SceneFilePlaneOff> knownPlanes = before.ui.clipPlanesOff;
     for (const ClipPlaneOff &off : scene.clipPlanesOff) {

@@ -161,8 +161,7 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &scene, const std::f
 /// @param sceneFile  to be written; the objects' files are given relative to its folder
 /// @param before     what the scene was read from: its unknown keys are kept (those of an object while it has its file
 ///                   and its name, or its file and its place in the list, wherever the scene is written; those of a plane that is off while it lies where it did, those of a step while the transform has it, or a step of its kind in its place)
-/// A matrix that the scene was given is written to the last digit while the scene has just the projection or the camera that
-/// was read from it; otherwise their parameters are.
+/// The matrix that a scene's projection or camera came as is written to the last digit, see Importable.
 SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::filesystem::path &sceneFile,
                         const SceneFile &before = {});
 

@@ -77,7 +77,7 @@ Changes changesBetween(const SceneSettings &a, const SceneSettings &b)
     if (a.camera != b.camera || a.home != b.home || a.projection != b.projection
         || a.projectionFollowsViewport != b.projectionFollowsViewport
         || a.clipDistancesFitObjects != b.clipDistancesFitObjects || a.viewport != b.viewport
-        || a.depthRange != b.depthRange || a.given != b.given || a.givenView != b.givenView)
+        || a.depthRange != b.depthRange)
         changes |= Change::Picture;
     if (a.givenPoint != b.givenPoint)
         changes |= Change::GivenPoint;
@@ -121,7 +121,7 @@ Changes changesBetween(const std::vector<SceneObject> &a, const std::vector<Scen
 
 bool isSameLook(const SceneSettings &a, const SceneSettings &b)
 {
-    return differOnlyInLook(a, b) && isNearlySame(a.camera, b.camera) && isNearlySame(a.projection, b.projection);
+    return differOnlyInLook(a, b) && isNearlySame(*a.camera, *b.camera) && isNearlySame(*a.projection, *b.projection);
 }
 
 } // namespace unprojector::gui

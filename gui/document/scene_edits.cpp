@@ -139,7 +139,12 @@ Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const
 Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection> &projection,
                    const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label)
 {
-    const Result<SceneSettings> settings = withMatrices(document.scene(), document.picture(), projection, eyeFromWorld);
+    Picture given = document.picture();
+    if (projection)
+        given.lens = *projection;
+    if (eyeFromWorld)
+        given.pose = *eyeFromWorld;
+    const Result<SceneSettings> settings = withPicture(document.scene(), given);
     if (!settings)
         return settings.error();
     return document.edit(label, [&](Scene &scene) { static_cast<SceneSettings &>(scene) = *settings; });

@@ -31,7 +31,7 @@ NameFault renameObject(SceneDocument &document, std::size_t index, const QString
 Check editLandmarks(SceneDocument &document, std::vector<landmarks::Landmark> landmarks, const EditLabel &label);
 Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const EditLabel &label);
 
-/// Takes a projection, a view or both from matrices, see withMatrices.
+/// Takes a projection, a view or both from matrices, see withPicture.
 /// @return the errors of byParameters and pictureOf
 Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection> &projection,
                    const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label);

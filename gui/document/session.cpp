@@ -110,7 +110,7 @@ bool Session::saveScene(const std::filesystem::path &file)
     }
     emit progressed();
     rememberRecent(path);
-    if (const QString dropped = droppedMatrices(contents); !dropped.isEmpty())
+    if (const QString dropped = droppedMatrices(); !dropped.isEmpty())
         emit noticed(dropped);
     m_file = path;
     m_stamp = written.value();
@@ -120,11 +120,9 @@ bool Session::saveScene(const std::filesystem::path &file)
     return true;
 }
 
-QString Session::droppedMatrices(const SceneFile &written) const
+QString Session::droppedMatrices() const
 {
-    const Scene &scene = m_document.scene();
-    const bool projection = scene.given && !std::holds_alternative<MatrixProjection>(written.projection);
-    const bool view = scene.givenView && !std::holds_alternative<glm::dmat4>(written.view);
+    const bool projection = m_document.scene().projection.hadMatrix(), view = m_document.scene().camera.hadMatrix();
     if (projection && view)
         return tr("Saved. The projection and the view have changed since they came as matrices; they are written by "
                   "their arguments.");

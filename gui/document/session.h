@@ -207,7 +207,7 @@ private:
     void takeRecovered(const RecoveryFile *file);
     std::unique_ptr<RecoveryFile> takeOffered(std::size_t place);
     /// What came as a matrix and was saved by its arguments, in a sentence; empty where nothing was.
-    QString droppedMatrices(const SceneFile &written) const;
+    QString droppedMatrices() const;
     void createAutosave();
     void followChanges();
     Result<Autosave::Content, QString> unsavedContent() const;

@@ -1,7 +1,7 @@
 #include "gui/outside/observer_overlay.h"
 
-#include "gui/document/given_points.h"
 #include "core/geometry/camera_motion.h"
+#include "gui/document/given_points.h"
 #include "gui/document/picks.h"
 #include "gui/view/highlight_marks.h"
 #include "gui/view/painters/clip_plane_shapes.h"

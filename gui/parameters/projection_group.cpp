@@ -153,10 +153,12 @@ void ProjectionGroup::addNumber(Number number, const QString &name, const QStrin
                       return isAngle(number) ? degreesFromRadians(*value) : *value;
                   },
                   [number](Scene &scene, double value) {
-                      double *place = numberIn(scene.projection, number);
+                      Projection projection = scene.projection;
+                      double *place = numberIn(projection, number);
                       if (!place)
                           return;
                       *place = isAngle(number) ? radiansFromDegrees(value) : value;
+                      scene.projection = projection;
                       // What follows something else would take the number back at once.
                       if (number == Number::Left || number == Number::Right || number == Number::Aspect)
                           scene.projectionFollowsViewport = false;

@@ -46,7 +46,11 @@ void ViewGroup::addPoint(const QString &title, const QString &name, const QStrin
                                            LookAt view = scene.camera;
                                            return *number(view, i);
                                        },
-                                       [number, i](Scene &scene, double value) { *number(scene.camera, i) = value; }});
+                                       [number, i](Scene &scene, double value) {
+                                           LookAt view = scene.camera;
+                                           *number(view, i) = value;
+                                           scene.camera = view;
+                                       }});
         field->setObjectName(objectName + axis.toUpper());
     }
 }

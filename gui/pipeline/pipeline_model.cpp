@@ -1,7 +1,6 @@
 #include "gui/pipeline/pipeline_model.h"
 
 #include "core/geometry/matrix_projection.h"
-#include "core/scene/given_matrices.h"
 #include "core/text/expression.h"
 #include "gui/document/given_points.h"
 #include "gui/document/object_names.h"
@@ -291,8 +290,8 @@ void PipelineModel::showGiven()
     m_givenNote.clear();
     m_projectionFindings.clear();
     m_viewFindings.clear();
-    const MatrixProjection *given = givenProjection(m_document.scene());
-    if (const glm::dmat4 *view = scene::givenView(m_document.scene())) {
+    const MatrixProjection *given = m_document.scene().projection.matrix();
+    if (const glm::dmat4 *view = m_document.scene().camera.matrix()) {
         m_givenView->setMatrix(viewFromOurs(*view, m_api), PipelineDirection::Forward, ProjectionKind::Perspective);
         m_viewFindings =
             findings(*view, MatrixRole::View, std::nullopt, given ? std::optional(given->clipFromEye) : std::nullopt);
@@ -323,11 +322,12 @@ void PipelineModel::repair(MatrixRole role, const MatrixFinding &finding)
     const EditLabel label{repairName(finding, NumberOrder::ByColumns)};
     std::optional<MatrixProjection> projection;
     std::optional<glm::dmat4> view;
-    if (const MatrixProjection *given = givenProjection(m_document.scene()); given && role == MatrixRole::Projection) {
+    if (const MatrixProjection *given = m_document.scene().projection.matrix();
+        given && role == MatrixRole::Projection) {
         projection = {repaired(given->clipFromEye, finding), given->ndcDepth};
         if (finding.repair == MatrixRepair::DepthZeroToOne)
             projection->ndcDepth = NdcDepth::ZeroToOne;
-    } else if (const glm::dmat4 *eyeFromWorld = scene::givenView(m_document.scene());
+    } else if (const glm::dmat4 *eyeFromWorld = m_document.scene().camera.matrix();
                eyeFromWorld && role == MatrixRole::View) {
         view = repaired(*eyeFromWorld, finding);
     }
@@ -432,7 +432,7 @@ QString PipelineModel::text() const
     }
     for (const MatrixModel *model : m_matrices)
         text += QStringLiteral("\n%1\n%2").arg(model->variableName(), model->copyText(MatrixSyntax::Text));
-    if (scene::givenView(m_document.scene()))
+    if (m_document.scene().camera.matrix())
         text += QStringLiteral("\n%1\n%2").arg(m_givenView->variableName(), m_givenView->copyText(MatrixSyntax::Text));
     if (!m_givenNote.isEmpty())
         text += QStringLiteral("\n%1\n%2").arg(m_given->variableName(), m_given->copyText(MatrixSyntax::Text));

@@ -262,8 +262,8 @@ void PipelinePanel::showFactors()
         else if (m_model->direction() == PipelineDirection::Backward) // else they stay, as the matrices do
             view->setNone(tr("Forward shows the factors; this matrix is the inverse of their product."));
     };
-    show(PipelineStage::ViewMatrix, m_viewFactors, givenView(m_document.scene()) != nullptr, nullptr);
-    show(PipelineStage::ProjectionMatrix, m_projectionFactors, givenProjection(m_document.scene()) != nullptr,
+    show(PipelineStage::ViewMatrix, m_viewFactors, m_document.scene().camera.matrix() != nullptr, nullptr);
+    show(PipelineStage::ProjectionMatrix, m_projectionFactors, m_document.scene().projection.matrix() != nullptr,
          &projection);
 }
 
@@ -284,7 +284,7 @@ void PipelinePanel::showGiven()
     m_given->setVisible(!m_model->givenNote().isEmpty());
     m_givenView->setTitle(stageName(PipelineStage::ViewMatrix, PipelineDirection::Forward),
                           m_model->givenView()->variableName(), tr("As it was given."));
-    m_givenView->setVisible(givenView(m_document.scene()) != nullptr);
+    m_givenView->setVisible(m_document.scene().camera.matrix() != nullptr);
     // Of what the scene keeps, the order is that of columns.
     m_givenFindings->setFindings(m_model->givenFindings(MatrixRole::Projection), MatrixRole::Projection,
                                  NumberOrder::ByColumns);

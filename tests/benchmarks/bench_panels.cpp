@@ -9,6 +9,7 @@
 #include "gui/parameters/parameters_panel.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/pipeline/viewport_inspector.h"
+#include "tests/gui/document_edits.h"
 
 #include <benchmark/benchmark.h>
 

@@ -113,7 +113,8 @@ void TestExamples::everyExampleCanBeWrittenAndRead()
         QVERIFY2(read, read ? "" : scene_file::sceneErrorText(read.error()).c_str());
         const Picture back = scene_file::pictureOf(*read);
         QVERIFY2(byParameters(back).value() == *picture, e.id.c_str());
-        QVERIFY2(back.isByParameters() || std::get<MatrixProjection>(back.lens) == e.scene.given->matrix, e.id.c_str());
+        QVERIFY2(back.isByParameters() || std::get<MatrixProjection>(back.lens) == *e.scene.projection.matrix(),
+                 e.id.c_str());
     }
 }
 
@@ -243,9 +244,9 @@ void TestExamples::threeProjectionsAreNotEqual()
     const Pipeline matrix = pipelineOf("derivation-matrix"), frustum = pipelineOf("derivation-frustum"),
                    perspective = pipelineOf("derivation-perspective");
     // The sixteen numbers themselves, as the program has them, and not what they are read as.
-    const std::optional<GivenProjection> &given = example("derivation-matrix").scene.given;
-    QVERIFY(given);
-    const glm::dmat4 &handMade = given->matrix.clipFromEye, theirs = *clipFromEye(frustum.geometry);
+    const SceneProjection given = example("derivation-matrix").scene.projection;
+    QVERIFY(given.matrix());
+    const glm::dmat4 &handMade = given.matrix()->clipFromEye, theirs = *clipFromEye(frustum.geometry);
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row)
             QVERIFY2(std::abs(handMade[column][row] - theirs[column][row])

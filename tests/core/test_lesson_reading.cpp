@@ -304,8 +304,12 @@ void TestLessonReading::aChangeLeavesTheRest()
     QVERIFY2(lesson, lesson ? "" : lesson.error().text.c_str());
     const Step &step = lesson->steps.front();
     Scene scene = *sceneOf(step);
-    scene.camera.eye = WorldPoint(0.1, 1.0 / 3.0, 5.0);
-    std::get<Perspective>(scene.projection).verticalFovRadians = 0.8; // of which degrees have other digits
+    LookAt camera = scene.camera;
+    camera.eye = WorldPoint(0.1, 1.0 / 3.0, 5.0);
+    scene.camera = camera;
+    auto perspective = std::get<Perspective>(*scene.projection);
+    perspective.verticalFovRadians = 0.8; // of which degrees have other digits
+    scene.projection = perspective;
     const Picture picture = *pictureOf(scene, {800, 600, 1.0}, {});
 
     const SceneSettings other = *settingsWith(scene, picture, step.changes.at("other"));
@@ -314,7 +318,7 @@ void TestLessonReading::aChangeLeavesTheRest()
     QCOMPARE(other.clipDistancesFitObjects, scene.clipDistancesFitObjects);
 
     const SceneSettings nearer = *settingsWith(scene, picture, step.changes.at("nearer"));
-    QCOMPARE(std::get<Perspective>(nearer.projection).nearDistance, 0.3);
+    QCOMPARE(std::get<Perspective>(*nearer.projection).nearDistance, 0.3);
     QVERIFY(!nearer.clipDistancesFitObjects);
     QVERIFY(nearer.camera == scene.camera && nearer.givenPoint == scene.givenPoint);
 

@@ -75,13 +75,14 @@ Result<Picture> randomPicture(const SceneObject &object, int number, Random &ran
     scene.objects = {object};
     const glm::dvec3 target = bounds.center() + (isClose ? 0.4 * radius * random.direction() : glm::dvec3(0.0));
     scene.camera = {WorldPoint(bounds.center() + distance * random.direction()), WorldPoint(target), {0.1, 1.0, 0.05}};
-    scene.projection = Perspective{2.0 * std::atan(halfWindow), 1.0, distance / 100.0, 3.0 * distance};
-    scene.projection = converted(scene.projection, kKinds[number % 5], distance);
-    if (auto *frustum = std::get_if<Frustum>(&scene.projection)) {
+    Projection projection = Perspective{2.0 * std::atan(halfWindow), 1.0, distance / 100.0, 3.0 * distance};
+    projection = converted(projection, kKinds[number % 5], distance);
+    if (auto *frustum = std::get_if<Frustum>(&projection)) {
         const double shift = 0.2 * (frustum->right - frustum->left);
         frustum->left += shift;
         frustum->right += shift;
     }
+    scene.projection = projection;
     scene.projectionFollowsViewport = true;
     scene.clipDistancesFitObjects = number % 4 != 3;
     scene.depthRange = kRanges[number / 3 % 4];

@@ -26,7 +26,7 @@ inline Scene startScene()
 
 inline const Frustum &frustumOf(const Scene &scene)
 {
-    return std::get<Frustum>(scene.projection);
+    return std::get<Frustum>(*scene.projection);
 }
 
 // What the rows make of it first.

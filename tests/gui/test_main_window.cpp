@@ -451,24 +451,24 @@ void TestMainWindow::anotherKindOfEdgesKeepsTheScene()
     const auto window = windowOfSize({1280, 800});
     click(window->view(), QPointF(window->view().width() / 2.0, window->view().height() / 2.0));
     const std::size_t objects = window->document().objects().size();
-    const glm::dvec3 eye = window->document().scene().camera.eye.coordinates();
+    const glm::dvec3 eye = window->document().scene().camera->eye.coordinates();
     actionOf(*window, QStringLiteral("Smooth Edges"))->trigger();
     QVERIFY(window->view().smoothEdges());
     QCOMPARE(window->document().objects().size(), objects);
-    QVERIFY(window->document().scene().camera.eye.coordinates() == eye);
+    QVERIFY(window->document().scene().camera->eye.coordinates() == eye);
     QVERIFY(window->document().picks().pick());
 }
 
 void TestMainWindow::aChangeIsUndoneFromTheMenu()
 {
     const auto window = windowOfSize({1280, 800});
-    const glm::dvec3 eye = window->document().scene().camera.eye.coordinates();
+    const glm::dvec3 eye = window->document().scene().camera->eye.coordinates();
     actionOf(*window, QStringLiteral("Front"))->trigger();
-    QVERIFY(window->document().scene().camera.eye.coordinates() != eye);
+    QVERIFY(window->document().scene().camera->eye.coordinates() != eye);
     QAction *undo = actionOf(*window, QStringLiteral("Undo Camera"));
     QVERIFY(undo && undo->isEnabled());
     undo->trigger();
-    QVERIFY(window->document().scene().camera.eye.coordinates() == eye);
+    QVERIFY(window->document().scene().camera->eye.coordinates() == eye);
     // Hands from every desktop find its key.
     const QAction *redo = actionOf(*window, QStringLiteral("Redo Camera"));
     QVERIFY(redo && redo->isEnabled());

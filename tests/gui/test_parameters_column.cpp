@@ -270,7 +270,7 @@ void TestParametersColumn::aSliderShowsTheNumber()
     QCOMPARE(nearSlider->value(), atOne - 100); // a hundred places in a power of ten
     type(QStringLiteral("nearDistance"), QStringLiteral("1e-9"));
     QCOMPARE(nearSlider->value(), nearSlider->minimum());
-    QVERIFY(std::get<Perspective>(scene().projection).nearDistance == 1e-9);
+    QVERIFY(std::get<Perspective>(*scene().projection).nearDistance == 1e-9);
     QCOMPARE(m_document->undoStack().count(), steps + 2);
 }
 

@@ -29,8 +29,9 @@ const char *const kGroups[] = {"viewGroup", "projectionGroup", "viewportGroup", 
 Scene fullScene()
 {
     Scene scene = startScene();
-    scene.camera.eye = WorldPoint(-1.0 / 3.0, 1.2345678901234567e-300, 123456789.123456789);
-    scene.camera.up = {1e-5, 1.0, -2.0 / 3.0};
+    scene.camera = {WorldPoint(-1.0 / 3.0, 1.2345678901234567e-300, 123456789.123456789),
+                    scene.camera->center,
+                    {1e-5, 1.0, -2.0 / 3.0}};
     scene.projection = Frustum{-1.0 / 3.0, 2.0 / 3.0, -1e-7, 80000.0, 7.149488340677281, 31.88249808802577};
     scene.viewport = {ViewportRule::Kind::Fixed, Viewport{-16384.0, -16384.0, 16384.0, 16384.0}, 4.0 / 3.0};
     scene.depthRange = {0.649999976, 1.0 / 3.0};

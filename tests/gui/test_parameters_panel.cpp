@@ -173,7 +173,7 @@ void TestParametersPanel::upAlongTheViewIsRed()
     QVERIFY(!field(QStringLiteral("upZ"))->isBad());
     type(QStringLiteral("upY"), QStringLiteral("0"));
     QVERIFY(field(QStringLiteral("upY"))->reason().contains(QStringLiteral("along the view direction")));
-    QVERIFY(scene().camera.up == WorldVector(0.0, 1.0, 1.0));
+    QVERIFY(scene().camera->up == WorldVector(0.0, 1.0, 1.0));
 }
 
 void TestParametersPanel::aRedNumberStaysUntilEscape()

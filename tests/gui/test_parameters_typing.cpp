@@ -104,7 +104,9 @@ void TestParametersTyping::aRefusedNumberIsNotMeantForAnotherScene()
     m_panel->setHidden(isHidden);
     showGroup(QStringLiteral("projectionGroup"))->setOpen(!isFolded);
     Scene other = startScene();
-    std::get<Frustum>(other.projection).farDistance = 1000.0; // 200 would be good there
+    Frustum frustum = frustumOf(other);
+    frustum.farDistance = 1000.0; // 200 would be good there
+    other.projection = frustum;
     open(other);
     m_panel->applyTyped();
     QCOMPARE(frustumOf(scene()).nearDistance, 1.0);

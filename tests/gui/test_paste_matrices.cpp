@@ -4,7 +4,6 @@
 #include "document_edits.h"
 #include "gui_scene.h"
 
-#include "core/scene/given_matrices.h"
 #include "core/scene_file/scene_file.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_edits.h"
@@ -202,8 +201,8 @@ void TestPasteMatrices::everyPrintedFormIsTaken()
     QVERIFY(pasting.ok()->isEnabled());
     pasting.ok()->click();
     QVERIFY(!pasting.dialog.isVisible());
-    QCOMPARE(givenProjection(pasting.document.scene())->clipFromEye, lens());
-    QCOMPARE(*givenView(pasting.document.scene()), view());
+    QCOMPARE(pasting.document.scene().projection.matrix()->clipFromEye, lens());
+    QCOMPARE(*pasting.document.scene().camera.matrix(), view());
     QVERIFY(difference(pasting.shownProduct(), lens() * view()) <= 1e-13);
 }
 
@@ -307,14 +306,14 @@ void TestPasteMatrices::everyFindingHasItsButton()
     QVERIFY(pasting.ok()->isEnabled());
     pasting.ok()->click();
     if (role == MatrixRole::View || isExchanged) {
-        QVERIFY(difference(*givenView(pasting.document.scene()), expected) <= 1e-12);
+        QVERIFY(difference(*pasting.document.scene().camera.matrix(), expected) <= 1e-12);
         return;
     }
     if (button == "Turn to −z") { // with the view, whose product stays
         QVERIFY(difference(pasting.shownProduct(), given * view()) <= 1e-12);
         return;
     }
-    QVERIFY(difference(givenProjection(pasting.document.scene())->clipFromEye, expected) <= 1e-12);
+    QVERIFY(difference(pasting.document.scene().projection.matrix()->clipFromEye, expected) <= 1e-12);
     if (button == "Read as 0 to 1")
         QVERIFY(std::abs(projectionWindow(pasting.document.picture().projection()).nearDistance - 2.0) <= 1e-12);
 }
@@ -331,8 +330,8 @@ void TestPasteMatrices::theOrderIsToldByTheNumbers()
     QTRY_VERIFY_WITH_TIMEOUT(pasting.says("looks transposed"), kPatienceMilliseconds);
     pasting.button("As Pasted")->click();
     pasting.ok()->click();
-    QVERIFY(difference(givenProjection(pasting.document.scene())->clipFromEye, lens()) <= 1e-12);
-    QVERIFY(difference(*givenView(pasting.document.scene()), view()) <= 1e-12);
+    QVERIFY(difference(pasting.document.scene().projection.matrix()->clipFromEye, lens()) <= 1e-12);
+    QVERIFY(difference(*pasting.document.scene().camera.matrix(), view()) <= 1e-12);
 }
 
 void TestPasteMatrices::anOrderThatNothingTellsIsAskedFor()
@@ -344,7 +343,7 @@ void TestPasteMatrices::anOrderThatNothingTellsIsAskedFor()
     pasting.button("Read as Column-major")->click();
     QVERIFY(!pasting.button("Read as Column-major"));
     pasting.ok()->click();
-    QVERIFY(difference(*givenView(pasting.document.scene()), turn) <= 1e-12);
+    QVERIFY(difference(*pasting.document.scene().camera.matrix(), turn) <= 1e-12);
 }
 
 void TestPasteMatrices::theDepthsCanBeSaid()
@@ -366,7 +365,7 @@ void TestPasteMatrices::theDepthsCanBeSaid()
     QVERIFY(pasting.says("near 1.2346, far 87.654"));
     pasting.ok()->click();
     QVERIFY(std::abs(nearOf(pasting) - kNear) <= 1e-12);
-    QCOMPARE(givenProjection(pasting.document.scene())->ndcDepth, std::optional(NdcDepth::ZeroToOne));
+    QCOMPARE(pasting.document.scene().projection.matrix()->ndcDepth, std::optional(NdcDepth::ZeroToOne));
     // What was offered and done is undone by the switch as well.
     Pasting offered;
     glm::dmat4 round = zeroToOne;
@@ -378,7 +377,7 @@ void TestPasteMatrices::theDepthsCanBeSaid()
     offered.button("−1 to 1")->click();
     QVERIFY(!offered.button("As Pasted"));
     offered.ok()->click();
-    QCOMPARE(givenProjection(offered.document.scene())->ndcDepth, std::optional(NdcDepth::MinusOneToOne));
+    QCOMPARE(offered.document.scene().projection.matrix()->ndcDepth, std::optional(NdcDepth::MinusOneToOne));
 }
 
 void TestPasteMatrices::theScenesOwnStaysWithoutOne()
@@ -388,7 +387,7 @@ void TestPasteMatrices::theScenesOwnStaysWithoutOne()
     pasting.paste(MatrixRole::Projection, printed(lens(), "C"));
     pasting.ok()->click();
     QCOMPARE(pasting.document.picture().camera(), camera);
-    QVERIFY(!givenView(pasting.document.scene()));
+    QVERIFY(!pasting.document.scene().camera.matrix());
 }
 
 void TestPasteMatrices::whatIsNoMatrixIsSaid_data()
@@ -454,9 +453,9 @@ void TestPasteMatrices::oneStepIsUndone()
     document.undoStack().undo();
     document.undoStack().undo();
     QCOMPARE(document.picture(), before);
-    QVERIFY(!givenProjection(document.scene()) && !givenView(document.scene()));
+    QVERIFY(!document.scene().projection.matrix() && !document.scene().camera.matrix());
     document.undoStack().redo();
-    QCOMPARE(givenProjection(document.scene())->clipFromEye, reversed);
+    QCOMPARE(document.scene().projection.matrix()->clipFromEye, reversed);
 }
 
 void TestPasteMatrices::theSameTextGivesTheSameDepths()
@@ -497,8 +496,8 @@ void TestPasteMatrices::theFileKeepsThemAsGiven()
     QCOMPARE(std::get<MatrixProjection>(file.projection).clipFromEye, lens());
     QCOMPARE(std::get<glm::dmat4>(file.view), view());
     const auto scene = sceneFromFile(file, {}, {});
-    QVERIFY(scene && scene->given && scene->givenView);
-    QCOMPARE(scene->givenView->eyeFromWorld, view());
+    QVERIFY(scene && scene->projection.matrix() && scene->camera.matrix());
+    QCOMPARE(*scene->camera.matrix(), view());
     // Who turns the camera has another view, and still the projection; undone, the view is as given again.
     LookAt camera = document.picture().camera();
     camera.eye.x += 1.0;
@@ -529,7 +528,7 @@ void TestPasteMatrices::whatStillHoldsIsSaidInThePipeline()
     };
     QVERIFY(button());
     button()->click();
-    QCOMPARE(givenProjection(document.scene())->clipFromEye, lens());
+    QCOMPARE(document.scene().projection.matrix()->clipFromEye, lens());
     QCOMPARE(document.undoStack().undoText(), QStringLiteral("Turn y Back"));
     QVERIFY(!button());
     document.undoStack().undo();
@@ -558,7 +557,7 @@ void TestPasteMatrices::pasteInThePipelineOpensTheDialog()
     QVERIFY(dialog && dialog->isVisible());
     QCOMPARE(dialog->findChildren<PastedMatrixBox *>().at(1)->text(), printed(view(), "Eigen"));
     dialog->accept();
-    QCOMPARE(*givenView(document.scene()), view());
+    QCOMPARE(*document.scene().camera.matrix(), view());
 }
 
 void TestPasteMatrices::whatIsTypedInAMatrixStaysThere()

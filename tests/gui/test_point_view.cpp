@@ -339,7 +339,7 @@ void TestPointView::marksSayWhatIsBehind()
         {pointAt(kFront, "front"), pointAt(kCubeCenter - glm::dvec3(0, 0, 1), "back"), hidden, missing,
          pointAt(kCubeCenter + glm::dvec3(0, 2, 0), "above"),
          pointAt(kFront - glm::dvec3(0, 0, 1e-4), "a little inside"),
-         pointAt(window->document().scene().camera.eye.coordinates() + glm::dvec3(4, 3, 5), "behind the eye")},
+         pointAt(window->document().scene().camera->eye.coordinates() + glm::dvec3(4, 3, 5), "behind the eye")},
         {QStringLiteral("put")}));
     const std::vector<PointMark> marks = pointMarks(window->document());
     QStringList seen, behind;
@@ -369,7 +369,7 @@ void TestPointView::aMarkBehindTakesNoClick()
 {
     const auto window = cubeWindow(false);
     // On the back face, seen through the middle of the front.
-    const glm::dvec3 eye = window->document().scene().camera.eye.coordinates();
+    const glm::dvec3 eye = window->document().scene().camera->eye.coordinates();
     const glm::dvec3 along = kFront - eye;
     const glm::dvec3 back = eye + along * ((kCubeCenter.z - 1.0 - eye.z) / along.z);
     SceneDocument &document = window->document();
@@ -520,7 +520,7 @@ void TestPointView::theCameraFacesThePoint()
     const auto window = cubeWindow(false);
     putPoint(*window);
     window->document().points().selectOnly(0);
-    const double away = distance(window->document().scene().camera.eye, window->document().scene().camera.center);
+    const double away = distance(window->document().scene().camera->eye, window->document().scene().camera->center);
     trigger(*window, Qt::Key_G);
     const LookAt camera = window->document().scene().camera;
     QVERIFY(distance(camera.center, WorldPoint(kFront)) < 1e-9);

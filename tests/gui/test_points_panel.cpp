@@ -317,17 +317,17 @@ void TestPointsPanel::whoPlacesIsNotToldToPressP()
 
 void TestPointsPanel::aDoubleClickOnTheNumberGoesThere()
 {
-    const WorldPoint before = m_document->scene().camera.center;
+    const WorldPoint before = m_document->scene().camera->center;
     const auto doubleClick = [this](int column) {
         const QPoint middle = m_table->visualRect(at(0, column)).center();
         QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {}, middle);
         QTest::mouseDClick(m_table->viewport(), Qt::LeftButton, {}, middle);
     };
     doubleClick(PointsModel::Name); // that one is written
-    QVERIFY(m_document->scene().camera.center == before);
+    QVERIFY(m_document->scene().camera->center == before);
     QTest::keyClick(m_table->findChild<QLineEdit *>(), Qt::Key_Escape);
     doubleClick(PointsModel::Number);
-    QVERIFY(distance(m_document->scene().camera.center, *m_document->landmarks().front().world) < 1e-9);
+    QVERIFY(distance(m_document->scene().camera->center, *m_document->landmarks().front().world) < 1e-9);
 }
 
 void TestPointsPanel::namesAreEditedInPlace()

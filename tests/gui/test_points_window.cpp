@@ -276,14 +276,14 @@ void TestPointsWindow::fromAScanToASavedSceneAndBack()
         QCOMPARE(document.curves().all().size(), std::size_t(1));
         auto *curves = window->findChild<CurvesView *>()->findChild<QTreeWidget *>();
         QVERIFY(curves->isVisible());
-        const glm::dvec3 eye = document.scene().camera.eye.coordinates();
+        const glm::dvec3 eye = document.scene().camera->eye.coordinates();
         QTest::keyClicks(curves, QStringLiteral("1"));
         auto *number = curves->viewport()->findChild<QLineEdit *>();
         QVERIFY(number);
         QTest::keyClicks(number, QStringLiteral("5"));
         QTest::keyClick(number, Qt::Key_Return);
         QTRY_COMPARE_WITH_TIMEOUT(document.curves().all()[0].count, 15u, kPatienceMilliseconds);
-        QVERIFY(document.scene().camera.eye.coordinates() == eye); // no key of the camera
+        QVERIFY(document.scene().camera->eye.coordinates() == eye); // no key of the camera
         for (const char *name : {"hill.csv", "hill.pp", "hill.mrk.json", "hill.fcsv", "hill.pts", "hill.tps"}) {
             answer(path(QLatin1String(name)));
             actionOf(*window, QStringLiteral("Export Points…"))->trigger();

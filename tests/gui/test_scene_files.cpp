@@ -73,7 +73,7 @@ void TestSceneFiles::whatIsSavedOpensAgainAsItWas()
     QVERIFY(opened.projection == saved.projection);
     QVERIFY(opened.projectionFollowsViewport == saved.projectionFollowsViewport);
     QVERIFY(opened.clipDistancesFitObjects == saved.clipDistancesFitObjects);
-    QVERIFY(opened.camera.eye.coordinates() == saved.camera.eye.coordinates());
+    QVERIFY(opened.camera->eye.coordinates() == saved.camera->eye.coordinates());
     QVERIFY(opened.clipPlanes == saved.clipPlanes);
     QCOMPARE(opened.objects.size(), saved.objects.size());
     for (std::size_t i = 0; i < opened.objects.size(); ++i) {
@@ -97,7 +97,7 @@ void TestSceneFiles::modelsAreFoundBesideTheScene()
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
     QCOMPARE(window->document().objects().size(), std::size_t(1));
     QVERIFY(window->document().objects()[0].transform == (std::vector<TransformStep>{Translate{{0.25, 0.0, 0.0}}}));
-    const auto *ortho = std::get_if<Ortho>(&window->document().scene().projection);
+    const auto *ortho = std::get_if<Ortho>(&*window->document().scene().projection);
     QVERIFY(ortho && *ortho == (Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0}));
 }
 
@@ -205,11 +205,11 @@ void TestSceneFiles::aSceneThatCannotBeOpenedChangesNothing()
     write("bad.json", text);
     const auto window = shownWindow(false, {640, 480});
     window->session().openBundledScene();
-    const glm::dvec3 eye = window->document().scene().camera.eye.coordinates();
+    const glm::dvec3 eye = window->document().scene().camera->eye.coordinates();
     openAndWait(*window, path("bad.json"));
     QVERIFY2(window->message().contains(named), qPrintable(window->message()));
     QCOMPARE(window->document().objects().size(), std::size_t(5));
-    QVERIFY(window->document().scene().camera.eye.coordinates() == eye);
+    QVERIFY(window->document().scene().camera->eye.coordinates() == eye);
 }
 
 void TestSceneFiles::aFolderThatIsNotThereIsTold()
