@@ -3,6 +3,7 @@
 //
 //   QT_QPA_PLATFORM=offscreen bench_points
 
+#include "gui/document/camera_looks.h"
 #include "gui/document/landmark_placing.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
