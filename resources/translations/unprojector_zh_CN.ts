@@ -6394,6 +6394,37 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::StageText</name>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>观察</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>Viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>Modelview</source>
+        <translation>模型视图</translation>
+    </message>
+    <message>
+        <source>%1, depth as read</source>
+        <translation>%1，深度为读取值</translation>
+    </message>
+    <message>
+        <source>%1, depth computed</source>
+        <translation>%1，深度为计算值</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::StatusReadout</name>
     <message>
         <source>World coordinate under the pointer</source>
