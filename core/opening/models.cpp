@@ -32,14 +32,17 @@ ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgre
     const std::filesystem::path path = std::filesystem::weakly_canonical(file, error);
     // Taken before the file is read: what changes in between is seen as a change.
     const std::optional<State> state = error ? std::nullopt : stateOf(file);
+    ModelPointer known;
     if (state) {
         const std::lock_guard lock(m_mutex);
         const auto found = m_files.find(path);
-        if (found != m_files.end() && found->second.state == *state) {
-            if (ModelPointer model = found->second.model.lock())
-                return model;
-        }
+        if (found != m_files.end() && found->second.state == *state)
+            known = found->second.model.lock();
     }
+    if (known && progress && !progress(1.0))
+        return ImportError{ImportErrorCode::Cancelled, file, {}};
+    if (known)
+        return known;
     auto imported = importModel(file, progress);
     if (!imported)
         return imported.error();

@@ -65,6 +65,10 @@ void TestOpening::aFileIsReadOnce()
     ModelFiles files;
     ModelPointer model = *files.read(file);
     QCOMPARE(*files.read(file), model);
+    double done = 0.0;
+    QCOMPARE(*files.read(file, [&done](double share) { return (done = share) <= 1.0; }), model);
+    QCOMPARE(done, 1.0);
+    QVERIFY(files.read(file, [](double) { return false; }).error().code == ImportErrorCode::Cancelled);
     QVERIFY2(*files.read(file.parent_path() / "." / "triangle.off") == model, "another name of the same file");
     QVERIFY(files.read(file.parent_path() / "other.off").error().code == ImportErrorCode::NotFound);
     write("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 2 1 \n");

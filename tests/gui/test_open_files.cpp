@@ -128,7 +128,7 @@ private:
     QStringList bigFiles();
 
     QTemporaryDir m_folder;
-    QString m_big;
+    QStringList m_big;
 };
 
 void TestOpenFiles::initTestCase()
@@ -153,9 +153,14 @@ QString TestOpenFiles::write(const QString &name, const QByteArray &content)
 
 QStringList TestOpenFiles::bigFiles()
 {
-    if (m_big.isEmpty())
-        m_big = write(QStringLiteral("big.stl"), triangleStl(300000));
-    return QStringList(50, m_big);
+    if (!m_big.isEmpty())
+        return m_big;
+    m_big << write(QStringLiteral("big.stl"), triangleStl(300000));
+    for (int i = 1; i < 50; ++i) { // each a file of its own, as one that is named again is not read again
+        m_big << m_folder.filePath(QStringLiteral("big%1.stl").arg(i));
+        std::filesystem::create_hard_link(pathOf(m_big[0]), pathOf(m_big[i]));
+    }
+    return m_big;
 }
 
 void TestOpenFiles::aNamedFileIsShown()
