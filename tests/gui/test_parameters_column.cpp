@@ -148,7 +148,9 @@ void TestParametersColumn::resetIsOneStep()
 {
     QFETCH(QString, group);
     Scene changed = startScene();
-    changed.camera.eye.x = 4.0;
+    LookAt camera = changed.camera;
+    camera.eye.x = 4.0;
+    changed.camera = camera;
     fixedViewport(changed);
     changed.depthRange = {0.25, 0.5};
     rotated(changed);
@@ -160,7 +162,7 @@ void TestParametersColumn::resetIsOneStep()
     QCOMPARE(m_document->undoStack().count(), 1);
     const Scene &now = scene();
     if (group == QStringLiteral("viewGroup")) {
-        QVERIFY(now.camera.eye.coordinates() == changed.home.eye.coordinates());
+        QVERIFY(now.camera->eye.coordinates() == changed.home->eye.coordinates());
         QCOMPARE(m_document->undoStack().undoText(), QStringLiteral("Reset View"));
     } else if (group == QStringLiteral("projectionGroup")) {
         QVERIFY(now.projectionFollowsViewport && now.clipDistancesFitObjects);

@@ -21,12 +21,12 @@ struct FieldRow {
 };
 
 const FieldRow kFieldRows[] = {
-    {"eyeX", "1.5", 1.5, [](const Scene &s) { return s.camera.eye.x; }},
-    {"eyeY", "-2", -2.0, [](const Scene &s) { return s.camera.eye.y; }},
-    {"eyeZ", "1e1", 10.0, [](const Scene &s) { return s.camera.eye.z; }},
-    {"centerX", "0,25", 0.25, [](const Scene &s) { return s.camera.center.x; }},
-    {"centerZ", "-7", -7.0, [](const Scene &s) { return s.camera.center.z; }},
-    {"upX", "3", 3.0, [](const Scene &s) { return s.camera.up.x; }},
+    {"eyeX", "1.5", 1.5, [](const Scene &s) { return s.camera->eye.x; }},
+    {"eyeY", "-2", -2.0, [](const Scene &s) { return s.camera->eye.y; }},
+    {"eyeZ", "1e1", 10.0, [](const Scene &s) { return s.camera->eye.z; }},
+    {"centerX", "0,25", 0.25, [](const Scene &s) { return s.camera->center.x; }},
+    {"centerZ", "-7", -7.0, [](const Scene &s) { return s.camera->center.z; }},
+    {"upX", "3", 3.0, [](const Scene &s) { return s.camera->up.x; }},
     {"left", "-0.6", -0.6, [](const Scene &s) { return frustumOf(s).left; }},
     {"right", "2", 2.0, [](const Scene &s) { return frustumOf(s).right; }},
     {"bottom", "-3", -3.0, [](const Scene &s) { return frustumOf(s).bottom; }},
@@ -312,8 +312,10 @@ void TestParametersPanel::lookingChangesNothing()
 {
     Scene prepared = startScene();
     perspective(prepared);
-    std::get<Perspective>(prepared.projection).verticalFovRadians = 0.77777777777777779;
-    prepared.camera.eye = WorldPoint(0.1 + 0.2, 1.0 / 3.0, 1e20 / 3.0);
+    auto perspective = std::get<Perspective>(*prepared.projection);
+    perspective.verticalFovRadians = 0.77777777777777779;
+    prepared.projection = perspective;
+    prepared.camera = {WorldPoint(0.1 + 0.2, 1.0 / 3.0, 1e20 / 3.0), prepared.camera->center, prepared.camera->up};
     prepared.clipPlanes = {{1.0 / 3.0, 0.1 + 0.2, -0.0, 1e-300}};
     rotated(prepared);
     open(prepared);
