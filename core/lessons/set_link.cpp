@@ -27,6 +27,7 @@ Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Pictur
         return LessonError{sceneErrorText(error)};
     };
     SceneFile file = sceneFileFrom(scene, picture, {});
+    file.extra = {}; // so that those of the change are seen
     if (change.json().contains("point"))
         file.point.reset(); // coordinates alone would be of the space in which the user gave the last one
     const Result<SceneFile, SceneFileError> next = changed(file, change, "set");
@@ -37,7 +38,9 @@ Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Pictur
     const Result<Scene, SceneFileError> made = sceneFromFile(*next, {}, scene.objects);
     if (!made)
         return failed(made.error());
-    return SceneSettings(*made);
+    SceneSettings settings = *made;
+    settings.fileKeys = scene.fileKeys;
+    return settings;
 }
 
 } // namespace unprojector::lessons

@@ -103,7 +103,7 @@ objectsOf(const SceneFile &scene, const std::filesystem::path &sceneFile,
                 return object.name + ": " + importErrorText(of.error());
             model = models[file] = std::move(of).value();
         }
-        objects.push_back({object.name, file, std::move(model), object.transform, object.isHidden});
+        objects.push_back({object.name, file, std::move(model), object.transform, object.isHidden, object.extra});
     }
     return objects;
 }

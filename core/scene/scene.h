@@ -7,6 +7,7 @@
 #include "core/geometry/transform.h"
 #include "core/landmarks/landmark.h"
 #include "core/mesh/mesh.h"
+#include "core/text/json_value.h"
 
 #include <filesystem>
 #include <memory>
@@ -25,6 +26,7 @@ struct SceneObject {
     std::shared_ptr<const Model> model;
     std::vector<TransformStep> transform; ///< worldFromObject, step by step
     bool isHidden = false;                ///< neither drawn nor clicked; all that is computed with it stays the same
+    text::JsonValue extra = {};           ///< keys of its file that are not ours; null or an object
 };
 
 /// Which part of a window the viewport takes.
@@ -55,6 +57,7 @@ constexpr std::size_t kMostClipPlanes = 6;
 struct ClipPlaneOff {
     std::size_t place = 0; ///< in the list of all planes, those that cut and those that do not
     glm::dvec4 plane{0.0};
+    text::JsonValue extra = {}; ///< as of an object
     friend bool operator==(const ClipPlaneOff &, const ClipPlaneOff &) = default;
 };
 
@@ -97,6 +100,13 @@ using SceneProjection = Importable<Projection, MatrixProjection>;
 /// The matrix is eyeFromWorld.
 using SceneCamera = Importable<LookAt, glm::dmat4>;
 
+/// What a scene's file says that is not shown, to be written again.
+struct FileKeys {
+    bool hasViewport = false;    ///< also of one that is the whole window
+    bool hasConventions = false; ///< also of OpenGL's
+    text::JsonValue extra; ///< keys that are not ours, each where it stood: {"author": "A", "window": {"title": "T"}}
+};
+
 /// How the objects are shown: everything but the objects, the landmarks and the window's size.
 struct SceneSettings {
     SceneCamera camera;
@@ -115,6 +125,7 @@ struct SceneSettings {
     std::optional<GivenPoint> givenPoint;
     Api conventions =
         Api::OpenGl; ///< whose conventions matrices and points are shown and written in; nothing is computed by them
+    FileKeys fileKeys;
 };
 
 /// What is shown and how: everything but the window's size.

@@ -94,7 +94,11 @@ std::optional<ClickedObject> objectOf(const Pick &pick, const Scene &scene)
 /// The picture of a click as a scene file has it, whatever rules of the window made it.
 SceneFile sceneOf(const Pick &pick, const Scene &scene)
 {
-    SceneFile file = sceneFileFrom(scene, pick.picture, {});
+    Scene own = scene;
+    own.fileKeys = {};
+    for (SceneObject &object : own.objects)
+        object.extra = {};
+    SceneFile file = sceneFileFrom(own, pick.picture, {});
     file.viewport = pick.picture.viewport;
     file.depthRange = pick.picture.depthRange; // in single precision, as OpenGL had it
     file.aspectFromViewport = false;

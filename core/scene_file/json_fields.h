@@ -138,22 +138,6 @@ public:
             static_cast<void>(read(member.element(i), values.emplace_back(), how));
     }
 
-    /// The same of elements that have no place for their unknown keys.
-    /// @param extra  those of each element
-    template <class T>
-    void list(const char *key, std::vector<T> &values, std::vector<text::JsonValue> &extra)
-    {
-        m_known.add(key);
-        const JsonNode member = m_object.member(key);
-        if (!member.exists())
-            return;
-        values.clear();
-        extra.clear();
-        const std::size_t count = member.size();
-        for (std::size_t i = 0; i < count && !failed(); ++i)
-            extra.emplace_back(read(member.element(i), values.emplace_back(), Plain{}));
-    }
-
     /// An angle, in degrees in JSON. Where no number of degrees gives the same radians again, those stand under a key of
     /// their own beside them.
     void angle(const char *degreesKey, const char *radiansKey, double &radians);
@@ -291,16 +275,6 @@ public:
         Json elements = Json::array();
         for (const T &value : values)
             elements.push_back(write(value, how, nullptr));
-        add(key, std::move(elements));
-    }
-    /// @param extra  of the first elements; the others have none
-    template <class T>
-    void list(const char *key, const std::vector<T> &values, const std::vector<text::JsonValue> &extra)
-    {
-        m_known.add(key);
-        Json elements = Json::array();
-        for (std::size_t i = 0; i < values.size(); ++i)
-            elements.push_back(write(values[i], Plain{}, i < extra.size() ? &extra[i].json() : nullptr));
         add(key, std::move(elements));
     }
     void angle(const char *degreesKey, const char *radiansKey, double radians);

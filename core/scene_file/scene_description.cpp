@@ -50,74 +50,6 @@ std::filesystem::path relativePath(const std::filesystem::path &file, const std:
     return failed || failedToo ? file : (to / file.filename()).lexically_proximate(from);
 }
 
-/// What a thing that is written again had of keys that are not ours: those of the first one `isIt` of those before, each
-/// taken once.
-template <class Thing, class IsIt>
-text::JsonValue takeExtra(std::vector<Thing> &before, const IsIt &isIt)
-{
-    const auto found = std::find_if(before.begin(), before.end(), isIt);
-    if (found == before.end())
-        return {};
-    text::JsonValue extra = std::move(found->extra);
-    before.erase(found);
-    return extra;
-}
-
-bool hasSameSource(const SceneFileObject &a, const SceneFileObject &b)
-{
-    const bool isSameFile =
-        a.absoluteFile.empty() || b.absoluteFile.empty() ? a.file == b.file : a.absoluteFile == b.absoluteFile;
-    return isSameFile && a.bundled == b.bundled;
-}
-
-/// What the steps of a transform had of keys that are not ours, each once: to the step that is as it was, else to the one
-/// of its kind that stands in its place.
-std::vector<text::JsonValue> keptExtra(const std::vector<TransformStep> &steps, const SceneFileObject &before)
-{
-    std::vector<text::JsonValue> extra(before.transformExtra.empty() ? 0 : steps.size());
-    const std::size_t count = std::min(before.transform.size(), before.transformExtra.size());
-    std::vector<bool> isTaken(count), isKnown(extra.size());
-    const auto take = [&](std::size_t i, std::size_t k) {
-        if (isTaken[k] || isKnown[i])
-            return;
-        extra[i] = before.transformExtra[k];
-        isTaken[k] = isKnown[i] = true;
-    };
-    for (std::size_t i = 0; i < extra.size(); ++i) {
-        for (std::size_t k = 0; k < count; ++k) {
-            if (steps[i] == before.transform[k])
-                take(i, k);
-        }
-    }
-    for (std::size_t i = 0; i < std::min(extra.size(), count); ++i) {
-        if (steps[i].index() == before.transform[i].index())
-            take(i, i);
-    }
-    return extra;
-}
-
-/// Gives objects the keys that are not ours of those before: each of them once, to the one that has its name, else to the
-/// one that stands in its place, as one that was renamed does.
-void keepUnknownKeys(std::vector<SceneFileObject> &objects, const std::vector<SceneFileObject> &before)
-{
-    std::vector<bool> isTaken(before.size()), isKnown(objects.size());
-    const auto take = [&](std::size_t i, std::size_t k) {
-        if (isTaken[k] || isKnown[i] || !hasSameSource(objects[i], before[k]))
-            return;
-        objects[i].extra = before[k].extra;
-        objects[i].transformExtra = keptExtra(objects[i].transform, before[k]);
-        isTaken[k] = isKnown[i] = true;
-    };
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        for (std::size_t k = 0; k < before.size() && !isKnown[i]; ++k) {
-            if (objects[i].name == before[k].name)
-                take(i, k);
-        }
-    }
-    for (std::size_t i = 0; i < std::min(objects.size(), before.size()); ++i)
-        take(i, i);
-}
-
 SceneFileError failed(const std::string &name, std::string keyPath, const Error &cause)
 {
     SceneFileError error;
@@ -167,12 +99,6 @@ Picture pictureOf(const SceneFile &scene)
     return {surface, scene.viewport.value_or(wholeSurface(surface)), scene.depthRange, scene.projection, scene.view};
 }
 
-void locateObjects(SceneFile &scene, const std::filesystem::path &sceneFile)
-{
-    for (SceneFileObject &object : scene.objects)
-        object.absoluteFile = absolutePath(objectFile(object, sceneFile));
-}
-
 std::filesystem::path objectFile(const SceneFileObject &object, const std::filesystem::path &sceneFile)
 {
     return object.file.empty() ? std::filesystem::path() : sceneFile.parent_path() / object.file;
@@ -208,19 +134,18 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::fi
     scene.landmarks = file.landmarks;
     scene.givenPoint = file.point;
     scene.conventions = file.conventions.value_or(Api::OpenGl);
-    for (const SceneFilePlaneOff &off : file.ui.clipPlanesOff)
-        scene.clipPlanesOff.push_back({off.place, off.plane});
+    scene.clipPlanesOff = file.ui.clipPlanesOff;
+    scene.fileKeys = {file.viewport.has_value(), file.conventions.has_value(), file.extra};
     return scene;
 }
 
-SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::filesystem::path &sceneFile,
-                        const SceneFile &before)
+SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::filesystem::path &sceneFile)
 {
     SceneFile file;
     file.windowWidth = logicalFromDevice(geometry.surface, geometry.surface.widthPixels);
     file.windowHeight = logicalFromDevice(geometry.surface, geometry.surface.heightPixels);
     file.devicePixelRatio = geometry.surface.devicePixelRatio;
-    if (scene.viewport.kind != ViewportRule::Kind::WholeWindow || before.viewport)
+    if (scene.viewport.kind != ViewportRule::Kind::WholeWindow || scene.fileKeys.hasViewport)
         file.viewport = geometry.viewport;
     file.depthRange = scene.depthRange;
     file.projection = geometry.projection();
@@ -238,16 +163,11 @@ SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::
     file.clipPlanes = scene.clipPlanes;
     file.landmarks = scene.landmarks;
     file.point = scene.givenPoint;
-    if (scene.conventions != Api::OpenGl || before.conventions)
+    if (scene.conventions != Api::OpenGl || scene.fileKeys.hasConventions)
         file.conventions = scene.conventions;
-    file.ui = {scene.viewport, scene.projectionFollowsViewport, scene.clipDistancesFitObjects, scene.home, {}};
-    file.extra = before.extra;
-
-    std::vector<SceneFilePlaneOff> knownPlanes = before.ui.clipPlanesOff;
-    for (const ClipPlaneOff &off : scene.clipPlanesOff) {
-        const auto isIt = [&](const SceneFilePlaneOff &known) { return known.plane == off.plane; };
-        file.ui.clipPlanesOff.push_back({off.place, off.plane, takeExtra(knownPlanes, isIt)});
-    }
+    file.ui = {scene.viewport, scene.projectionFollowsViewport, scene.clipDistancesFitObjects, scene.home,
+               scene.clipPlanesOff};
+    file.extra = scene.fileKeys.extra;
 
     const std::filesystem::path folder = absolutePath(sceneFile).parent_path();
     for (const SceneObject &object : scene.objects) {
@@ -256,14 +176,13 @@ SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::
         if (object.file.empty()) {
             described.bundled = object.model ? object.model->name : object.name;
         } else {
-            described.absoluteFile = absolutePath(object.file);
-            described.file = relativePath(described.absoluteFile, folder);
+            described.file = relativePath(absolutePath(object.file), folder);
         }
         described.transform = object.transform;
         described.isHidden = object.isHidden;
+        described.extra = object.extra;
         file.objects.push_back(std::move(described));
     }
-    keepUnknownKeys(file.objects, before.objects);
     return file;
 }
 

@@ -196,7 +196,7 @@ void describe(Fields &json, T &object)
         json.required("file", object.file);
     else
         json.required("bundled", object.bundled, SomeText{});
-    json.list("transform", object.transform, object.transformExtra);
+    json.list("transform", object.transform);
     if (json.has("hidden", object.isHidden))
         json.required("hidden", object.isHidden);
 }

@@ -24,17 +24,7 @@ struct SceneFileObject {
     std::string bundled;        ///< name of a model that the program brings along, UTF-8; empty where there is a file
     std::vector<TransformStep> transform;
     text::JsonValue extra; ///< keys that this version does not know; null or an object
-
-    std::filesystem::path absoluteFile; ///< where `file` is, once that is known (see locateObjects)
-    bool isHidden = false;              ///< "hidden": the window does not show it. Written only where it is so
-    std::vector<text::JsonValue> transformExtra = {}; ///< as `extra`, of the first steps of `transform`
-};
-
-/// A plane that does not cut, see ClipPlaneOff.
-struct SceneFilePlaneOff {
-    std::size_t place = 0;
-    glm::dvec4 plane{0.0};
-    text::JsonValue extra;
+    bool isHidden = false; ///< "hidden": the window does not show it. Written only where it is so
 };
 
 /// What only the window uses of a scene: "ui". Whatever is left out has no value here.
@@ -43,7 +33,7 @@ struct SceneFileUi {
     std::optional<bool> projectionFollowsViewport;
     std::optional<bool> clipDistancesFitObjects;
     std::optional<LookAt> home;
-    std::vector<SceneFilePlaneOff> clipPlanesOff;
+    std::vector<ClipPlaneOff> clipPlanesOff;
 };
 
 /// What a scene file says, independent of any loaded model: the picture's numbers and where its objects are.
@@ -51,7 +41,7 @@ struct SceneFileUi {
 /// JSON; angles in degrees as in gluPerspective and glRotate, `window` in logical pixels, `viewport` in device pixels
 /// from the bottom-left corner. "generator" says which program wrote it, and is ours as soon as we write it. "viewport", "depthRange", "objects", "clipPlanes", "landmarks", "point", "ui", the window's
 /// "devicePixelRatio" and a perspective's "aspect" may be left out. Keys that this version does not know are kept and
-/// written again after those it knows, numbers with all the digits that they have in the file.
+/// written again after those it knows, numbers with all their digits. Those of a transform's steps are not.
 /// "landmarks" are {"points": [{"name", "position": [x, y, z] or null where it is missing, "object", "held", …}], …}, in world
 /// space; what each of them lies on is said by the object's name.
 /// Where no number of degrees makes an angle's radians, "fovyRadians", "thetaRadians" or "phiRadians" say them as well.
@@ -130,10 +120,6 @@ Result<files::FileStamp, SceneFileError> writeSceneFile(const std::filesystem::p
 /// The picture that a scene file describes, in a window of its own size. To show it, take it byParameters.
 Picture pictureOf(const SceneFile &scene);
 
-/// Notes where the files of the objects are, so that the objects are known again when the scene is saved elsewhere.
-/// @param sceneFile  the file that the scene was read from
-void locateObjects(SceneFile &scene, const std::filesystem::path &sceneFile);
-
 /// Where an object's file is.
 /// @param sceneFile  the file that the scene was read from
 std::filesystem::path objectFile(const SceneFileObject &object, const std::filesystem::path &sceneFile);
@@ -159,10 +145,8 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &scene, const std::f
 /// picture, see clickOf.
 /// @param geometry   of the scene, in the window that shows it
 /// @param sceneFile  to be written; the objects' files are given relative to its folder
-/// @param before     what the scene was read from: its unknown keys are kept (those of an object while it has its file
-///                   and its name, or its file and its place in the list, wherever the scene is written; those of a plane that is off while it lies where it did, those of a step while the transform has it, or a step of its kind in its place)
-/// The matrix that a scene's projection or camera came as is written to the last digit, see Importable.
-SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::filesystem::path &sceneFile,
-                        const SceneFile &before = {});
+/// The matrix that a scene's projection or camera came as is written to the last digit, see Importable. Unknown keys of the file,
+/// of objects and of planes that are off are written as they were read.
+SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::filesystem::path &sceneFile);
 
 } // namespace unprojector::scene_file

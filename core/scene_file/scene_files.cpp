@@ -71,12 +71,7 @@ Result<SceneFile, SceneFileError> readSceneFile(const std::filesystem::path &fil
     const Result<std::string, SceneFileError> text = readSceneText(file);
     if (!text)
         return text.error();
-    Result<SceneFile, SceneFileError> scene = parseScene(*text, utf8FromPath(file));
-    if (!scene)
-        return scene;
-    SceneFile located = std::move(scene).value();
-    locateObjects(located, file);
-    return located;
+    return parseScene(*text, utf8FromPath(file));
 }
 
 Result<FileStamp, SceneFileError> writeSceneFile(const std::filesystem::path &file, const SceneFile &scene,

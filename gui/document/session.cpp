@@ -96,7 +96,7 @@ bool Session::saveScene(const std::filesystem::path &file)
     emit typedToCount();
     emit aboutToSaveOrLeave();
     const std::filesystem::path path = absolutePath(file);
-    SceneFile contents = sceneFileFrom(m_document.scene(), m_document.picture(), path, m_contents);
+    const SceneFile contents = sceneFileFrom(m_document.scene(), m_document.picture(), path);
     const std::optional<files::FileStamp> onlyIf = path == m_file ? m_stamp : std::nullopt;
     Result<files::FileStamp, SceneFileError> written = writeSceneFile(path, contents, onlyIf);
     if (!written && written.error().code == SceneFileErrorCode::ChangedMeanwhile) {
@@ -115,7 +115,6 @@ bool Session::saveScene(const std::filesystem::path &file)
     m_file = path;
     m_stamp = written.value();
     m_name = pathText(path.filename());
-    m_contents.objects = std::move(contents.objects);
     m_document.markSaved();
     return true;
 }
@@ -230,7 +229,7 @@ void Session::followChanges()
 
 SceneFile Session::contents() const
 {
-    return sceneFileFrom(m_document.scene(), m_document.picture(), m_file, m_contents);
+    return sceneFileFrom(m_document.scene(), m_document.picture(), m_file);
 }
 
 Result<Autosave::Content, QString> Session::unsavedContent() const
@@ -294,9 +293,7 @@ void Session::recover(std::size_t place)
     if (!mayLeave())
         return;
     emit progressed();
-    SceneFile recovered = std::move(scene).value();
-    locateObjects(recovered, info->sceneFile);
-    load({Pending::For::SceneFile, info->sceneFile, std::move(recovered), info->stamp, info->name, &file});
+    load({Pending::For::SceneFile, info->sceneFile, std::move(scene).value(), info->stamp, info->name, &file});
 }
 
 void Session::takeRecovered(const RecoveryFile *file)

@@ -183,7 +183,6 @@ private:
         Scene scene;
         QString name;
         std::filesystem::path file;
-        SceneFile contents;
         std::optional<files::FileStamp> stamp;
         bool isUnsaved = false;
         std::unique_ptr<RecoveryFile> recovery; ///< where its changes are kept
@@ -201,7 +200,7 @@ private:
     QString takeScene(Pending pending, const std::vector<LoadedModel> &models);
     /// The scene that was just opened has this file, or none, and this name.
     void setScene(const QString &name, const QString &lesson = {}, const std::filesystem::path &file = {},
-                  SceneFile contents = {}, const std::optional<files::FileStamp> &stamp = {}, bool isBack = false);
+                  const std::optional<files::FileStamp> &stamp = {}, bool isBack = false);
     /// Nobody comes back to it.
     void dropAside();
     void takeRecovered(const RecoveryFile *file);
@@ -228,10 +227,9 @@ private:
     std::optional<Pending> m_pending; ///< while it loads
     QString m_name;
     std::filesystem::path m_file;
-    SceneFile m_contents;                    ///< what the file held when it was opened, for the keys that are not ours
-    std::optional<files::FileStamp> m_stamp; ///< what the file held when it was last read or written here
-    std::optional<SceneAside> m_aside;       ///< in a lesson what was shown before it
-    Autosave *m_autosave = nullptr;          ///< none where nothing is to be kept
+    std::optional<files::FileStamp> m_stamp;              ///< what the file held when it was last read or written here
+    std::optional<SceneAside> m_aside;                    ///< in a lesson what was shown before it
+    Autosave *m_autosave = nullptr;                       ///< none where nothing is to be kept
     std::vector<std::unique_ptr<RecoveryFile>> m_offered; ///< the last one first
 };
 

@@ -96,7 +96,6 @@ bool Session::openLesson(Scene scene, const QString &name, const QString &lesson
         before = {m_document.scene(),
                   m_name,
                   m_file,
-                  m_contents,
                   m_stamp,
                   hasUnsavedChanges(),
                   m_autosave ? m_autosave->release() : nullptr};
@@ -121,7 +120,7 @@ bool Session::comeBack()
         return false;
     }
     SceneAside before = *std::exchange(m_aside, std::nullopt);
-    setScene(before.name, {}, before.file, std::move(before.contents), before.stamp, true);
+    setScene(before.name, {}, before.file, before.stamp, true);
     if (before.recovery)
         m_autosave->adopt(std::move(before.recovery));
     if (before.isUnsaved)
@@ -260,7 +259,7 @@ QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &mode
         return {};
     }
     const QString name = pending.name;
-    setScene(pending.name, {}, pending.path, std::move(pending.contents), pending.stamp);
+    setScene(pending.name, {}, pending.path, pending.stamp);
     if (pending.recovered)
         takeRecovered(pending.recovered);
     else
@@ -269,13 +268,12 @@ QString Session::takeScene(Pending pending, const std::vector<LoadedModel> &mode
 }
 
 void Session::setScene(const QString &name, const QString &lesson, const std::filesystem::path &file,
-                       SceneFile contents, const std::optional<files::FileStamp> &stamp, bool isBack)
+                       const std::optional<files::FileStamp> &stamp, bool isBack)
 {
     if (lesson.isEmpty())
         dropAside();
     m_name = name;
     m_file = file;
-    m_contents = std::move(contents);
     m_stamp = stamp;
     m_document.markSaved();
     emit opened(lesson, isBack);

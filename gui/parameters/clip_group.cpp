@@ -30,7 +30,7 @@ std::vector<ClipPlaneLine> clipPlaneLines(const Scene &scene)
         lines.push_back({plane, true});
     for (const ClipPlaneOff &off : scene.clipPlanesOff) {
         const std::size_t place = std::min(off.place, lines.size());
-        lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(place), {off.plane, false});
+        lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(place), {off.plane, false, off.extra});
     }
     return lines;
 }
@@ -43,7 +43,7 @@ void setClipPlaneLines(Scene &scene, const std::vector<ClipPlaneLine> &lines)
         if (lines[i].isOn)
             scene.clipPlanes.push_back(lines[i].plane);
         else
-            scene.clipPlanesOff.push_back({i, lines[i].plane});
+            scene.clipPlanesOff.push_back({i, lines[i].plane, lines[i].extra});
     }
 }
 

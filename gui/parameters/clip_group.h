@@ -12,6 +12,7 @@ namespace unprojector::gui {
 struct ClipPlaneLine {
     glm::dvec4 plane{0.0};
     bool isOn = true;
+    text::JsonValue extra = {}; ///< as of ClipPlaneOff
 };
 
 /// All planes of a scene in the order in which they are shown, and back.

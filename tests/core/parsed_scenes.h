@@ -30,19 +30,20 @@ inline std::vector<SceneObject> objectsWith(const std::shared_ptr<const Model> &
 {
     std::vector<SceneObject> objects;
     for (const SceneFileObject &object : scene.objects)
-        objects.push_back({object.name, objectFile(object, sceneFile), model, object.transform, object.isHidden});
+        objects.push_back(
+            {object.name, objectFile(object, sceneFile), model, object.transform, object.isHidden, object.extra});
     return objects;
 }
 
 using Json = nlohmann::ordered_json;
 
-/// Puts a key that nobody knows into every object that has room for one.
+/// Puts a key that nobody knows into every object that has room for one: the steps of a transform have none.
 /// @return how many there are
 inline std::size_t mark(Json &json)
 {
     std::size_t marks = 0;
-    for (Json &member : json) {
-        if (member.is_structured())
+    for (const auto &[key, member] : json.items()) {
+        if (member.is_structured() && key != "transform")
             marks += mark(member);
     }
     if (!json.is_object())

@@ -220,8 +220,7 @@ void TestApiConventions::matricesComeBackToTheLastDigit()
     QFETCH(QByteArray, text);
     const SceneFile file = parsed(text);
     const Scene scene = sceneFromFile(file, "/there/api.json", {}).value();
-    const SceneFile saved =
-        sceneFileFrom(scene, pictureOf(scene, {1000, 700, 1.0}, {}).value(), "/there/saved.json", file);
+    const SceneFile saved = sceneFileFrom(scene, pictureOf(scene, {1000, 700, 1.0}, {}).value(), "/there/saved.json");
     const std::string written = scene_file::sceneText(saved).value();
     const auto before = nlohmann::json::parse(text.toStdString()), after = nlohmann::json::parse(written);
     QVERIFY(before["conventions"] == after["conventions"]);
@@ -237,7 +236,7 @@ void TestApiConventions::otherConventionsWriteOtherMatricesOfTheSamePicture()
     for (const Api api : kApis) {
         scene.conventions = api;
         const SceneFile saved =
-            sceneFileFrom(scene, pictureOf(scene, {1000, 700, 1.0}, {}).value(), "/there/saved.json", file);
+            sceneFileFrom(scene, pictureOf(scene, {1000, 700, 1.0}, {}).value(), "/there/saved.json");
         const SceneFile again = parseScene(scene_file::sceneText(saved).value(), "saved.json").value();
         QCOMPARE(again.conventions.has_value(), api != Api::OpenGl);
         const glm::dvec3 after = windowFromWorld(pictureOf(again), kPoint).value().coordinates();

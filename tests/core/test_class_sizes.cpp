@@ -109,7 +109,7 @@ QMap<QString, ClassSize> classesUnder(const QStringList &folders)
 /// Classes that are larger than they should be, with what they may be at most until they are made smaller. A limit that
 /// a class no longer needs is an error too.
 const QMap<QString, ClassSize> kLarge{
-    {"Session", {840, kMostMembers, {"session_opening.cpp"}}},
+    {"Session", {kMostLines, kMostMembers, {"session_opening.cpp"}}},
 };
 
 } // namespace

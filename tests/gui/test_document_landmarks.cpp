@@ -564,8 +564,7 @@ void TestDocumentLandmarks::pointsAreInTheSceneFile()
     QVERIFY(document.points().setNote(1, QStringLiteral("chipped")));
     QVERIFY(document.points().setHidden({1}, true));
     QVERIFY(document.points().setMissing({1}));
-    const scene_file::SceneFile file =
-        scene_file::sceneFileFrom(document.scene(), document.picture(), "scene.json", {});
+    const scene_file::SceneFile file = scene_file::sceneFileFrom(document.scene(), document.picture(), "scene.json");
     const auto text = scene_file::sceneText(file);
     QVERIFY(text);
     const auto read = scene_file::parseScene(*text, "scene.json");
