@@ -215,7 +215,7 @@ void errorsOfProjectionDerivation(Errata &errors)
                    widthOverHeight("derivation-perspective"), 16.0 / 9.0, widthOverHeight(id));
     const auto degrees = [](double tangentOfHalf) { return 2.0 * std::atan(tangentOfHalf) * 180.0 / std::numbers::pi; };
     const double angleH = 90, angleV = degrees(std::tan(kRightAngle / 2.0) * 600.0 / 800.0); // as the program has them
-    const auto frustum = std::get<Frustum>(exampleScene("derivation-frustum").projection);
+    const auto frustum = std::get<Frustum>(*exampleScene("derivation-frustum").projection);
     errors.add("error-derivation-three", "the horizontal angle, called H", angleH, degrees(0.75),
                degrees(frustum.right / frustum.nearDistance));
     errors.add("error-derivation-three", "the vertical angle, called V", angleV, 90,
