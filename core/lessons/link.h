@@ -36,6 +36,9 @@ enum class Workspace { Click, Pipeline, Landmarks, Doctor };
 /// The names of workspaces, in their order: in lessons, in kept layouts, on the command line.
 inline constexpr std::array kWorkspaceNames{"click", "pipeline", "points", "doctor"};
 
+static_assert(kPanelNames.size() == static_cast<std::size_t>(Panel::Lesson) + 1);
+static_assert(kWorkspaceNames.size() == static_cast<std::size_t>(Workspace::Doctor) + 1);
+
 constexpr const char *nameOf(Panel panel)
 {
     return kPanelNames[static_cast<std::size_t>(panel)];

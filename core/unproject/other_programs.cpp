@@ -41,7 +41,7 @@ OtherClick clickOf(OtherProgram program, const Picture &picture, const DevicePix
         const double yInWindow = picture.viewport.height - pixel.j;
         const DevicePoint position = deviceFromWindow(picture.surface, WindowPoint(pixel.i, yInWindow, 0.0));
         const int row = static_cast<int>(std::floor(yInWindow));
-        return {position, {pixel.i, picture.surface.heightPixels - 1 - row}};
+        return {position, {pixel.i, framebufferRow(picture.surface, {pixel.i, row})}}; // which is its own inverse
     }
     case OtherProgram::Vtk: {
         // A viewport of one pixel has nothing to divide by; its pixel stays where it is.

@@ -88,7 +88,7 @@ void TestLanguagePanels::noTextOfAPanelIsCut()
     const Translation translation({language});
     const auto window = windowIn(translation);
     QStringList cut;
-    for (const char *place : {"click", "pipeline", "points", "doctor"}) {
+    for (const char *place : lessons::kWorkspaceNames) {
         enter(*window, place);
         // Without those that stand alone, a lesson and the view from outside, which a lesson has both.
         for (const QDockWidget *dock : window->workspaces().sharedDocks()) {

@@ -131,7 +131,7 @@ void TestWindowGrid::everythingFits()
                 continue;
             }
             wasLookedAt = true;
-            for (const char *place : {"click", "pipeline", "doctor"}) {
+            for (const char *place : lessons::kWorkspaceNames) {
                 enter(window, place);
                 window.workspaces().reset(); // as it starts at this size
                 settle(10);
