@@ -3,8 +3,8 @@
 #include "core/geometry/given_point.h"
 #include "core/geometry/result.h"
 #include "core/geometry/viewport.h"
-#include "core/lessons/link.h"
 #include "core/lessons/highlight.h"
+#include "core/lessons/link.h"
 #include "core/ray/scene_rays.h"
 #include "core/text/json_value.h"
 
