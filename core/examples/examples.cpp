@@ -335,7 +335,7 @@ MatrixProjection derivationMatrix()
 Scene derivation(const MatrixProjection &given)
 {
     Scene made = derivation(std::get<Frustum>(recognised(given).value().parameters));
-    made.projection = {given, made.projection};
+    made.projection = SceneProjection(given, made.projection);
     return made;
 }
 

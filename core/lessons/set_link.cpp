@@ -38,8 +38,34 @@ Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Pictur
     const Result<Scene, SceneFileError> made = sceneFromFile(*next, {}, scene.objects);
     if (!made)
         return failed(made.error());
-    SceneSettings settings = *made;
-    settings.fileKeys = scene.fileKeys;
+    // What the change does not speak of stays to the last bit, with the matrices that it came from.
+    SceneSettings settings = scene;
+    const auto speaksOf = [&change](const char *key) { return change.json().contains(key); };
+    if (speaksOf("projection")) {
+        if (made->projection.matrix()) {
+            settings.projection = made->projection;
+            settings.isDepthRangeTurned = made->isDepthRangeTurned;
+        } else {
+            settings.projection = *made->projection;
+        }
+    }
+    if (speaksOf("view") && made->camera.matrix())
+        settings.camera = made->camera;
+    else if (speaksOf("view"))
+        settings.camera = *made->camera;
+    if (speaksOf("depthRange"))
+        settings.depthRange = made->depthRange;
+    if (speaksOf("clipPlanes")) {
+        settings.clipPlanes = made->clipPlanes;
+        settings.clipPlanesOff = made->clipPlanesOff;
+    }
+    if (speaksOf("point"))
+        settings.givenPoint = made->givenPoint;
+    if (speaksOf("ui")) {
+        settings.viewport = made->viewport;
+        settings.projectionFollowsViewport = made->projectionFollowsViewport;
+        settings.clipDistancesFitObjects = made->clipDistancesFitObjects;
+    }
     return settings;
 }
 

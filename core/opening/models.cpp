@@ -63,10 +63,11 @@ ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgre
 
 bool isMeantAsScene(const std::filesystem::path &file)
 {
-    const std::string suffix = files::utf8FromPath(file.extension());
+    const std::string name = files::utf8FromPath(file.filename()); // of ".json", which has no extension, too
     constexpr std::string_view kJson = ".json";
     const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
-    return std::equal(suffix.begin(), suffix.end(), kJson.begin(), kJson.end(), isSame) || isSceneFile(file);
+    const std::string end = name.size() < kJson.size() ? std::string() : name.substr(name.size() - kJson.size());
+    return std::equal(end.begin(), end.end(), kJson.begin(), kJson.end(), isSame) || isSceneFile(file);
 }
 
 std::vector<std::filesystem::path> modelFiles(const SceneFile &scene, const std::filesystem::path &sceneFile)

@@ -17,12 +17,12 @@ Result<SceneSettings> withPicture(SceneSettings settings, Picture given)
     settings.camera = shown->camera();
     settings.depthRange = shown->depthRange;
     if (matrix) {
-        settings.projection = {*matrix, shown->projection()};
+        settings.projection = SceneProjection(*matrix, shown->projection());
         settings.isDepthRangeTurned = shown->depthRange != given.depthRange;
         settings.projectionFollowsViewport = settings.clipDistancesFitObjects = false;
     }
     if (const auto *eyeFromWorld = std::get_if<glm::dmat4>(&given.pose))
-        settings.camera = {*eyeFromWorld, shown->camera()};
+        settings.camera = SceneCamera(*eyeFromWorld, shown->camera());
     return settings;
 }
 

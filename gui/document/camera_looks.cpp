@@ -74,7 +74,10 @@ void fitObject(SceneDocument &document, std::size_t index)
 void goHome(SceneDocument &document)
 {
     document.look({SceneDocument::tr("Home")}, [](SceneSettings &settings) {
-        settings.camera = settings.home;
+        if (settings.home.matrix())
+            settings.camera = settings.home;
+        else
+            settings.camera = *settings.home; // that there was a matrix is not forgotten
         if (settings.projectionFollowsViewport)
             settings.projection = openingProjection();
     });

@@ -34,6 +34,7 @@ class LandmarksFeature : public Feature {
     Q_OBJECT
 public:
     explicit LandmarksFeature(Window &window);
+    ~LandmarksFeature() override { m_document.curves().setWaiting({}); }
 
     std::vector<PanelSpec> panels() override;
     std::optional<WorkspaceSpec> workspace() override

@@ -108,6 +108,8 @@ bool LessonPlayer::show(const Lesson &lesson, std::size_t place)
     const lessons::Step &step = lesson.steps.at(place);
     // What is done in a scene that the next step goes on with stays.
     const bool goesOn = m_lesson == &lesson && this->step().scene == step.scene;
+    if (!m_lesson)
+        emit aboutToBegin();
     if (goesOn)
         m_session.nameStep(lessonTitle(step.title));
     else if (!open(lesson, step))

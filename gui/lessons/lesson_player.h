@@ -78,6 +78,8 @@ public:
     bool change(const std::string &name);
 
 signals:
+    /// A lesson is about to begin where there was none: what is shown is still what was shown before.
+    void aboutToBegin();
     /// Another step, another lesson, or none.
     void changed();
     void revealed();

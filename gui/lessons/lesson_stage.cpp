@@ -8,12 +8,13 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace unprojector::gui {
 
 LessonStage::LessonStage(Window &window, LessonPlayer &player)
-    : QObject(&window), m_window(window), m_player(player), m_viewSize(window)
+    : QObject(&player), m_window(window), m_player(player), m_viewSize(window, this)
 {
 }
 
@@ -27,25 +28,27 @@ void LessonStage::end()
     m_workspace.reset();
     m_withRoom.clear();
     m_window.workspaces().dock(Panel::Lesson).hide();
-    if (const auto before = std::exchange(m_before, std::nullopt))
-        m_window.restore(*before);
+    m_window.restore(*m_before);
 }
 
 void LessonStage::showStep()
 {
     const Lesson *lesson = m_player.lesson();
     const std::string name = lesson ? lesson->name : std::string();
-    if (name.empty() || name != m_lesson) {
-        end(); // a lesson begins as if none had been before it
+    const bool isAnother = name.empty() || name != m_lesson;
+    if (isAnother) {
+        // A lesson begins as if none had been before it.
+        if (!m_lesson.empty())
+            end();
         m_lesson = name;
     }
-    if (!lesson)
+    if (!lesson) {
+        m_before.reset();
         return;
-    Workspaces &workspaces = m_window.workspaces();
-    if (!m_before) {
-        m_before = m_window.state();
-        workspaces.hidePanels(false); // a lesson speaks of them
     }
+    Workspaces &workspaces = m_window.workspaces();
+    if (isAnother)
+        workspaces.hidePanels(false); // a lesson speaks of them
     const lessons::Step &step = m_player.step();
     if (step.workspace != m_workspace) {
         m_workspace = step.workspace;

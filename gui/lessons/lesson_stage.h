@@ -19,10 +19,12 @@ class LessonPlayer;
 /// the answer to a question are closed until it is given. After the lesson all is as it was before.
 class LessonStage : public QObject {
 public:
-    /// @param player  outlives the stage
+    /// @param player  owns the stage
     LessonStage(Window &window, LessonPlayer &player);
 
     ViewSize &viewSize() { return m_viewSize; }
+    /// Remembers what is around the view, to give it back after the lesson that is about to begin.
+    void remember() { m_before = m_window.state(); }
     /// Shows what is to be seen of the player's step now.
     void showStep();
     /// Shows the panels of the step that do not show its answer.

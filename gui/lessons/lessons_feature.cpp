@@ -75,6 +75,7 @@ LessonsFeature::LessonsFeature(Window &window)
     : Feature(&window), m_window(window), m_player(new LessonPlayer(window.document(), window.session(), this)),
       m_panel(new LessonPanel(*m_player, window.document())), m_stage(new LessonStage(window, *m_player))
 {
+    connect(m_player, &LessonPlayer::aboutToBegin, m_stage, &LessonStage::remember);
     connect(m_player, &LessonPlayer::changed, m_stage, &LessonStage::showStep);
     connect(m_player, &LessonPlayer::changed, this, &LessonsFeature::placeFirstSteps);
     connect(m_player, &LessonPlayer::revealed, m_stage, [this] {

@@ -15,7 +15,7 @@ constexpr int kSettlingMilliseconds = 40;
 
 } // namespace
 
-ViewSize::ViewSize(Window &window) : QObject(&window), m_window(window)
+ViewSize::ViewSize(Window &window, QObject *parent) : QObject(parent), m_window(window)
 {
     m_timer.setSingleShot(true);
     m_timer.setInterval(kSettlingMilliseconds);

@@ -15,7 +15,7 @@ class Window;
 class ViewSize : public QObject {
     Q_OBJECT
 public:
-    explicit ViewSize(Window &window);
+    ViewSize(Window &window, QObject *parent);
 
     /// @param size        device pixels; not valid: as large as the window allows
     /// @param isAskedFor  by a link

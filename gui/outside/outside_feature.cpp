@@ -46,6 +46,11 @@ private:
     /// In a dock or over the view, as it stood last.
     void create();
     void dock(bool isDocked);
+    /// Whether it stood in a dock when the user left it last.
+    bool wasDocked() const
+    {
+        return m_window.remembers() && QSettings().value(QStringLiteral("observer/isDocked"), false).toBool();
+    }
     void showStep(const lessons::Step *step);
     /// Beside the view, where a lesson speaks of it.
     void showInLesson();
@@ -111,7 +116,7 @@ void OutsideFeature::create()
     connect(&m_panel->view(), &ObserverView::failed, &m_window, &Window::showFailure);
     connect(m_panel, &ObserverPanel::dockRequested, this, &OutsideFeature::dock);
     connect(m_panel, &ObserverPanel::closeRequested, m_action, [this] { m_action->setChecked(false); });
-    dock(m_window.remembers() && QSettings().value(QStringLiteral("observer/isDocked"), false).toBool());
+    dock(wasDocked());
 }
 
 void OutsideFeature::dock(bool isDocked)
@@ -184,7 +189,7 @@ void OutsideFeature::showInLesson()
 QVariantMap OutsideFeature::state() const
 {
     return {{QStringLiteral("isShown"), m_action->isChecked()},
-            {QStringLiteral("isDocked"), m_panel && !m_inset},
+            {QStringLiteral("isDocked"), m_panel ? !m_inset : wasDocked()},
             {QStringLiteral("morph"), m_panel ? m_panel->view().morph() : 0.0}};
 }
 

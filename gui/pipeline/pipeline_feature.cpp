@@ -118,6 +118,7 @@ QVariantMap PipelineFeature::state() const
 {
     const MatrixView &view = m_pipeline->matrixView();
     return {{QStringLiteral("direction"), static_cast<int>(m_pipeline->direction())},
+            {QStringLiteral("conventions"), static_cast<int>(m_window.document().scene().conventions)},
             {QStringLiteral("layout"), static_cast<int>(view.layout)},
             {QStringLiteral("isMemoryOrder"), view.isMemoryOrder},
             {QStringLiteral("digits"), static_cast<int>(view.digits)},
@@ -127,10 +128,13 @@ QVariantMap PipelineFeature::state() const
 void PipelineFeature::restore(const QVariantMap &state)
 {
     m_pipeline->setDirection(static_cast<PipelineDirection>(state[QStringLiteral("direction")].toInt()));
-    m_pipeline->setMatrixView({static_cast<MatrixLayout>(state[QStringLiteral("layout")].toInt()),
-                               state[QStringLiteral("isMemoryOrder")].toBool(),
-                               static_cast<Digits>(state[QStringLiteral("digits")].toInt()),
-                               state[QStringLiteral("isWhole")].toBool()});
+    // The conventions of another scene bring their own way to write vectors.
+    const bool areSame =
+        state[QStringLiteral("conventions")].toInt() == static_cast<int>(m_window.document().scene().conventions);
+    m_pipeline->setMatrixView(
+        {areSame ? static_cast<MatrixLayout>(state[QStringLiteral("layout")].toInt()) : m_pipeline->matrixView().layout,
+         state[QStringLiteral("isMemoryOrder")].toBool(), static_cast<Digits>(state[QStringLiteral("digits")].toInt()),
+         state[QStringLiteral("isWhole")].toBool()});
 }
 
 Feature *makePipelineFeature(Window &window)

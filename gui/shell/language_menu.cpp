@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 #include <QMenu>
 #include <QSettings>
+#include <QStatusBar>
 
 #include <algorithm>
 
@@ -64,7 +65,7 @@ void fillLanguageMenu(QMenu &menu, Window &window, const Translation &translatio
             if (shown.isEmpty() || isOfLanguage)
                 window.showMessage(whatComes);
             else // which has not been read yet
-                window.notice(whatComes);
+                window.statusBar()->showMessage(whatComes);
         });
         action->setCheckable(true);
         action->setActionGroup(group);

@@ -30,6 +30,7 @@
 #include <QUrl>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace unprojector::gui {
@@ -66,11 +67,10 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
 
 MainWindow::~MainWindow()
 {
-    // The undo stack is emptied when it ends; unsaved changes must not be forgotten then.
-    m_document->disconnect(this);
-    delete m_session;
-    qDeleteAll(std::exchange(m_features, {})); // what they draw lies on the view
-    delete m_view;
+    delete m_session; // the undo stack is emptied when it ends; unsaved changes must not be forgotten then
+    delete m_view;    // it tells a feature's log of its end
+    qDeleteAll(findChildren<QDockWidget *>()); // panels show what features own
+    qDeleteAll(std::exchange(m_features, {}));
 }
 
 void MainWindow::createView()
@@ -99,7 +99,8 @@ void MainWindow::createFeatures()
     m_frame->add(*new PictureNote(*m_document, m_frame), Qt::AlignCenter);
     m_features = makeFeatures(*this);
     m_frame->add(*loading, Qt::AlignBottom | Qt::AlignHCenter);
-    for (QWidget *bar : {static_cast<QWidget *>(recovery), static_cast<QWidget *>(m_message)})
+    for (QWidget *bar :
+         {static_cast<QWidget *>(recovery), static_cast<QWidget *>(m_message), static_cast<QWidget *>(loading)})
         bar->raise();
     connectBars(*loading, *recovery);
 

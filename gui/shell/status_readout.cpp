@@ -33,7 +33,9 @@ StatusReadout::StatusReadout(Window &window)
     window.statusBar()->addPermanentWidget(m_projection);
 
     SceneDocument &document = window.document();
-    connect(&window, &Window::pointed, this, &StatusReadout::showPointed);
+    connect(&window, &Window::pointed, this, [this](const std::optional<PixelClick> &click) {
+        m_pointed->setText(click ? pointedText(*click) : QString());
+    });
     connect(&document.picks().rayCasters(), &RayCasters::progressed, this, &StatusReadout::showPreparing);
     connect(&document.picks().rayCasters(), &RayCasters::finished, this, [this] {
         m_sincePreparing.invalidate();
@@ -55,24 +57,18 @@ void StatusReadout::showPreparing(double share)
     m_preparing->setVisible(m_sincePreparing.hasExpired(kUnnoticedMilliseconds));
 }
 
-void StatusReadout::showPointed(const std::optional<PixelClick> &click)
+QString StatusReadout::pointedText(const PixelClick &click) const
 {
-    m_pointed->clear();
-    if (!click)
-        return;
-    const Result<Pick> pick = m_window.document().picks().unprojected(*click);
+    const Result<Pick> pick = m_window.document().picks().unprojected(click);
     if (!pick || (pick->hit() && !pick->point.world[Method::Formula]))
-        return;
-    const QString pixel = tr("pixel (%1, %2)").arg(click->pixel.i).arg(click->pixel.j);
-    if (!pick->hit()) {
-        m_pointed->setText(tr("background, %1").arg(pixel));
-        return;
-    }
+        return {};
+    const QString pixel = tr("pixel (%1, %2)").arg(click.pixel.i).arg(click.pixel.j);
+    if (!pick->hit())
+        return tr("background, %1").arg(pixel);
     // All to the same place, as far as the least certain of them is.
     const WorldVector &open = pick->withinPixel.world;
     const double most = std::max({open.x, open.y, open.z});
-    m_pointed->setText(
-        tr("world %1, %2").arg(pointText(*pick->point.world[Method::Formula], WorldVector(most, most, most)), pixel));
+    return tr("world %1, %2").arg(pointText(*pick->point.world[Method::Formula], WorldVector(most, most, most)), pixel);
 }
 
 void StatusReadout::showProjection()

@@ -4,8 +4,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
-
-#include <optional>
+#include <QString>
 
 class QLabel;
 
@@ -20,7 +19,8 @@ public:
     explicit StatusReadout(Window &window);
 
 private:
-    void showPointed(const std::optional<unproject::PixelClick> &click);
+    /// The world coordinate at a pixel; empty where there is none.
+    QString pointedText(const unproject::PixelClick &click) const;
     void showPreparing(double share);
     void showProjection();
 

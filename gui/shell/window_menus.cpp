@@ -25,6 +25,7 @@
 #include <QToolBar>
 
 #include <algorithm>
+#include <utility>
 
 namespace unprojector::gui {
 namespace {

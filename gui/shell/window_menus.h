@@ -6,7 +6,6 @@
 
 #include <vector>
 
-class QAction;
 class QMenu;
 class QToolBar;
 
@@ -53,7 +52,6 @@ private:
     const Translation *m_translation;
     QToolBar *m_bar;
     QMenu *m_recent = nullptr;
-    QAction *m_perspective = nullptr;
     KeySheet *m_keys = nullptr;        ///< made when it is first asked for
     SceneCodeWindow *m_code = nullptr; ///< the same
 };

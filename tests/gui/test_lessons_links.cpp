@@ -60,6 +60,7 @@ private slots:
     void everyStepOpensAndItsLinksLead();
     void whatLinksSwitchGoesBack();
     void theWayToWriteVectorsGoesBackUnseen();
+    void theWayToWriteVectorsIsOfTheConventions();
     void whatALinkLeadsToHasRoom();
     void aLinkChangesTheScene();
     void aChangeThatDoesNotFitIsTold();
@@ -169,6 +170,29 @@ void TestLessonsLinks::whatLinksSwitchGoesBack()
     QVERIFY(part<LessonPlayer>(*window).leave());
     QVERIFY(isOn("edge") && !isOn("place_points") && window->document().picks().snap() == ray::Snap::Edge);
     QVERIFY(pipeline->direction() == PipelineDirection::Forward && pipeline->matrixView() == MatrixView());
+}
+
+/// The way to write vectors is of the conventions of the scene: a lesson in others leaves it alone.
+void TestLessonsLinks::theWayToWriteVectorsIsOfTheConventions()
+{
+    const auto window = windowOfSize(kWide);
+    const auto *pipeline = window->findChild<PipelinePanel *>();
+    QVERIFY(editConventions(window->document(), Api::Direct3d, {QStringLiteral("Direct3D")}));
+    const MatrixLayout rows = pipeline->matrixView().layout;
+    QVERIFY(rows == MatrixLayout::Row);
+    LessonPlayer &lessons = part<LessonPlayer>(*window);
+    QVERIFY(lessons.start("first"));
+    QVERIFY(pipeline->matrixView().layout == MatrixLayout::Column);
+    QVERIFY(lessons.start("pipeline") && lessons.leave());
+    QVERIFY(window->document().scene().conventions == Api::Direct3d);
+    QVERIFY(pipeline->matrixView().layout == rows);
+    // One that was opened in the middle of a lesson has its own.
+    window->session().openBundledScene();
+    QVERIFY(lessons.start("first"));
+    QVERIFY(editConventions(window->document(), Api::Direct3d, {QStringLiteral("Direct3D")}));
+    QVERIFY(pipeline->matrixView().layout == rows);
+    QVERIFY(lessons.leave());
+    QVERIFY(pipeline->matrixView().layout == MatrixLayout::Column);
 }
 
 /// Which the conventions bring along, also where their panel is out of sight when those of before come back.

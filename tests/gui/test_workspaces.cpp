@@ -220,6 +220,10 @@ void TestWorkspaces::theViewFromOutsideComesBackAsItWasLeft()
     const auto window = windowOfSize(kWide, true);
     QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
     QCOMPARE(action->isChecked(), isShown);
+    // A lesson that brings it in between changes nothing of that.
+    auto &lessons = part<LessonPlayer>(*window);
+    QVERIFY(lessons.start("first") && lessons.goTo(3) && action->isChecked() && lessons.leave());
+    QCOMPARE(action->isChecked(), isShown);
     if (!isShown) {
         QVERIFY(dockOf(*window, "observer")->isHidden());
         action->trigger();
