@@ -45,6 +45,8 @@ private:
     void show(bool isShown);
     /// In a dock or over the view, as it stood last.
     void create();
+    /// Made, if it was not there.
+    ObserverPanel &panel();
     void dock(bool isDocked);
     /// Whether it stood in a dock when the user left it last.
     bool wasDocked() const
@@ -119,22 +121,30 @@ void OutsideFeature::create()
     dock(wasDocked());
 }
 
+ObserverPanel &OutsideFeature::panel()
+{
+    if (!m_panel)
+        create();
+    return *m_panel;
+}
+
 void OutsideFeature::dock(bool isDocked)
 {
-    m_panel->setIsInset(!isDocked);
+    ObserverPanel &docked = panel();
+    docked.setIsInset(!isDocked);
     if (isDocked) {
-        m_home->layout()->addWidget(m_panel);
+        m_home->layout()->addWidget(&docked);
         if (m_inset)
             m_insetShare = m_inset->share();
         delete m_inset;
         m_inset = nullptr;
         m_window.workspaces().show(Panel::Observer);
     } else {
-        m_inset = new ObserverInset(*m_panel, m_window.frame(), m_insetShare);
+        m_inset = new ObserverInset(docked, m_window.frame(), m_insetShare);
         m_window.workspaces().dock(Panel::Observer).hide();
         m_inset->show();
     }
-    m_panel->show();
+    docked.show();
     if (m_window.remembers() && !m_before)
         QSettings().setValue(QStringLiteral("observer/isDocked"), isDocked);
 }
@@ -162,7 +172,7 @@ void OutsideFeature::showStep(const lessons::Step *step)
     if (hasCube || m_highlights.contains(Highlight::Volume)
         || std::count(step->panels.begin(), step->panels.end(), Panel::Observer) > 0) {
         showInLesson();
-        m_panel->view().setMorph(hasCube ? 1.0 : 0.0);
+        panel().view().setMorph(hasCube ? 1.0 : 0.0);
     } else if (const auto before = std::exchange(m_before, std::nullopt)) {
         restore(*before);
     }
