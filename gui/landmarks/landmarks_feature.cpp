@@ -96,7 +96,7 @@ LandmarksFeature::LandmarksFeature(Window &window)
     connect(m_files, &PointFiles::failed, &window, &Window::showFailure);
     connect(m_files, &PointFiles::warned, &window, &Window::showMessage);
     connect(m_files, &PointFiles::noticed, &session, &Session::noticed);
-    if (window.remembers()) // somebody is there to wait
+    if (window.remembers()) // a user looks at the window and can wait
         m_document.curves().setWaiting([this] { return waitForCurves(m_window, m_document); });
 }
 

@@ -89,7 +89,7 @@ QString LessonPlayer::startAt(const QString &nameAndStep)
         if (lesson.name == name && isNumber && step >= 1 && step <= steps) {
             if (start(name) && step > 1)
                 goTo(static_cast<std::size_t>(step - 1));
-            return {}; // what failed beyond that is told where every failure is
+            return {}; // start() and goTo() report their own failures
         }
         names << QStringLiteral("%1:1-%2").arg(QString::fromStdString(lesson.name)).arg(steps);
     }

@@ -25,7 +25,7 @@ public:
     ViewSize &viewSize() { return m_viewSize; }
     /// Remembers what is around the view, to give it back after the lesson that is about to begin.
     void remember() { m_before = m_window.state(); }
-    /// Shows what is to be seen of the player's step now.
+    /// Shows the workspace, the panels and the view size of the player's step.
     void showStep();
     /// Shows the panels of the step that do not show its answer.
     void showPanels();

@@ -52,8 +52,8 @@ void ViewSize::fit()
             tell(isFitted);
         return;
     }
-    // Panels that came, went or had other sizes find their places a little later: only what is missing then is taken from
-    // outside of the window, where somebody asks for it.
+    // Qt lays panels out a little later. If the view is still too small then, a link that asks for a size makes the window
+    // larger.
     const QSize missing = (wanted - m_window.frame().size()).expandedTo(QSize(0, 0));
     if (m_isAskedFor && m_trials > 1 && !missing.isNull() && !m_window.isMaximized() && !m_window.isFullScreen()) {
         m_grown = Grown{m_grown ? m_grown->before : m_window.size(), {}};

@@ -170,7 +170,7 @@ void ObserverOverlay::drawPick(const ObserverPicture &p)
     const auto drawMark = [&](const WorldPoint &point, PickPainter::Mark mark) {
         m_points.draw(point, clipFromWorld, sizePixels(p), pixelRatio(p), mark);
     };
-    // Also where it is not in the view volume: that is to be seen here.
+    // The panel shows the given point outside the view volume, too.
     if (const std::optional<WorldPoint> given = givenWorld(m_document.scene(), m_document.picture());
         given && p.holds(*given)) {
         glDisable(GL_DEPTH_TEST);

@@ -167,7 +167,7 @@ void OutsideFeature::showStep(const lessons::Step *step)
         m_before.reset(); // the window puts back what was before the lesson
         return;
     }
-    // What the step letters is to be seen.
+    // The panel shows what the step marks with letters.
     const bool hasCube = m_highlights.contains(Highlight::Cube);
     if (hasCube || m_highlights.contains(Highlight::Volume)
         || std::count(step->panels.begin(), step->panels.end(), Panel::Observer) > 0) {

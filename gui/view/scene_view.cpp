@@ -480,7 +480,7 @@ void SceneView::keyPressEvent(QKeyEvent *event)
 void SceneView::focusInEvent(QFocusEvent *event)
 {
     FrameView::focusInEvent(event);
-    // Whoever comes by a key goes on with keys, and sees where the focus is.
+    // A user who came by a key goes on with keys: the crosshair shows the focus.
     if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
         setCrosshairShown(true);
 }
