@@ -14,15 +14,15 @@ namespace unprojector::opening {
 using namespace mesh;
 using namespace scene_file;
 
-std::optional<ModelFiles::State> ModelFiles::stateOf(const std::filesystem::path &file)
+ModelFiles::State ModelFiles::stateOf(const std::filesystem::path &file)
 {
     std::error_code error;
     State state;
     state.size = std::filesystem::file_size(file, error);
-    if (error)
-        return std::nullopt;
-    state.time = std::filesystem::last_write_time(file, error);
-    return error ? std::nullopt : std::optional(state);
+    if (!error)
+        state.time = std::filesystem::last_write_time(file, error);
+    state.isKnown = !error;
+    return state;
 }
 
 ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgress &progress,
@@ -31,12 +31,12 @@ ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgre
     std::error_code error;
     const std::filesystem::path path = std::filesystem::weakly_canonical(file, error);
     // Taken before the file is read: what changes in between is seen as a change.
-    const std::optional<State> state = error ? std::nullopt : stateOf(file);
+    const State state = error ? State() : stateOf(file);
     ModelPointer known;
-    if (state) {
+    if (state.isKnown) {
         const std::lock_guard lock(m_mutex);
         const auto found = m_files.find(path);
-        if (found != m_files.end() && found->second.state == *state)
+        if (found != m_files.end() && found->second.state == state)
             known = found->second.model.lock();
     }
     if (known && progress && !progress(1.0))
@@ -53,10 +53,10 @@ ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgre
     } catch (const std::bad_alloc &) {
         return ImportError{ImportErrorCode::OutOfMemory, file, {}};
     }
-    if (state) {
+    if (state.isKnown) {
         const std::lock_guard lock(m_mutex);
         std::erase_if(m_files, [](const auto &entry) { return entry.second.model.expired(); });
-        m_files[path] = {*state, model};
+        m_files[path] = {state, model};
     }
     return ModelPointer(model);
 }

@@ -9,7 +9,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +31,7 @@ public:
 private:
     /// By which a change of a file is seen without reading it.
     struct State {
+        bool isKnown = false;
         std::uintmax_t size = 0;
         std::filesystem::file_time_type time;
         friend bool operator==(const State &, const State &) = default;
@@ -40,7 +40,7 @@ private:
         State state;
         std::weak_ptr<const mesh::Model> model;
     };
-    static std::optional<State> stateOf(const std::filesystem::path &file);
+    static State stateOf(const std::filesystem::path &file);
 
     std::mutex m_mutex; ///< of m_files
     std::map<std::filesystem::path, Kept> m_files;

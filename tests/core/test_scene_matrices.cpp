@@ -1,6 +1,8 @@
 // Scenes whose projection or view came as a matrix, and what the window writes of them.
 
+#include "core/scene_file/clicks.h"
 #include "core/scene_file/scene_file.h"
+#include "tests/support/unprojecting.h"
 
 #include <QTest>
 
@@ -64,6 +66,7 @@ private slots:
     void aMovedCameraIsWrittenByItsArguments();
     void anEditedProjectionIsWrittenByItsArguments();
     void theDepthRangeOfAReversedMatrixStaysEditable();
+    void aClickOnAReversedMatrixIsComputedAgain();
     void projectionsThatFollowTheWindowAreWrittenAsShown();
 };
 
@@ -136,6 +139,17 @@ void TestSceneMatrices::theDepthRangeOfAReversedMatrixStaysEditable()
     const SceneFile again = saved(scene);
     QVERIFY(again.depthRange == (DepthRange{0.125, 0.5}));
     QVERIFY(opened(again).depthRange == scene.depthRange);
+}
+
+void TestSceneMatrices::aClickOnAReversedMatrixIsComputedAgain()
+{
+    const Scene scene = opened(
+        parsed(R"({"type": "matrix", "ndcDepth": [0, 1], "matrix": [1.1,0,0,0, 0,1.3,0,0, 0,0,0.125,-1, 0,0,1.125,0]})",
+               kTurned));
+    const Pick pick = pickAt(pictureOf(scene, kSurface, {}).value(), {320, 240}, DepthSample{0.5, 0}).value();
+    const Picture again = pictureOf(clickOf(pick, scene).scene);
+    const WorldPoint point = pickAt(again, {320, 240}, DepthSample{0.5, 0}).value().point.world[Method::Matrix].value();
+    QVERIFY(distance(point, pick.point.world[Method::Matrix].value()) < 1e-9);
 }
 
 void TestSceneMatrices::projectionsThatFollowTheWindowAreWrittenAsShown()
