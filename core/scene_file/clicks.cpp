@@ -95,12 +95,12 @@ std::optional<ClickedObject> objectOf(const Pick &pick, const Scene &scene)
 SceneFile sceneOf(const Pick &pick, const Scene &scene)
 {
     Scene own = scene;
+    own.depthRange = pick.picture.depthRange; // in single precision, as OpenGL had it
     own.fileKeys = {};
     for (SceneObject &object : own.objects)
         object.extra = {};
     SceneFile file = sceneFileFrom(own, pick.picture, {});
     file.viewport = pick.picture.viewport;
-    file.depthRange = pick.picture.depthRange; // in single precision, as OpenGL had it
     file.aspectFromViewport = false;
     file.ui = {};
     // They are no part of what a click is computed from.
