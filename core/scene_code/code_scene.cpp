@@ -4,17 +4,11 @@
 #include "core/text/identifier.h"
 
 #include <cmath>
+#include <vector>
 
 namespace unprojector::scene_code {
 using namespace text;
 namespace {
-
-std::string whatIs(const SceneFileObject &object)
-{
-    const std::string model =
-        object.bundled.empty() ? files::utf8FromPath(object.file) : "the bundled model " + object.bundled;
-    return onOneLine('"' + object.name + "\", " + model + (object.isHidden ? ", hidden" : ""));
-}
 
 /// C++ keeps names with two underscores in a row to itself.
 std::string plainName(const std::string &name)
@@ -24,35 +18,51 @@ std::string plainName(const std::string &name)
     return first == std::string::npos ? "object" : words.substr(first, words.find_last_not_of('_') + 1 - first);
 }
 
-bool isReversed(const Picture &picture)
-{
-    const auto *matrix = std::get_if<MatrixProjection>(&picture.lens);
-    if (!matrix)
-        return false;
-    const Result<RecognisedProjection> seen = recognised(*matrix);
-    return seen && seen->reversed;
-}
-
 } // namespace
 
-CodeScene codeScene(const SceneFile &scene)
+bool isWholeWindow(const Picture &picture)
 {
-    CodeScene code;
-    code.picture = pictureOf(scene);
-    const Picture &p = code.picture;
-    code.isWholeWindow = p.viewport == wholeSurface(p.surface);
-    if (const auto *lens = std::get_if<Projection>(&p.lens)) {
-        const auto *perspective = std::get_if<Perspective>(lens);
-        code.hasViewportsAspect = perspective && perspective->aspect == p.viewport.width / p.viewport.height;
-    }
-    code.isDepthZeroToOne = ndcDepthOf(p) == NdcDepth::ZeroToOne;
-    code.isNearGreater = (p.depthRange.atNear > p.depthRange.atFar) != isReversed(p);
-    std::vector<std::string> taken;
+    return picture.viewport == wholeSurface(picture.surface);
+}
+
+bool hasViewportsAspect(const Picture &picture)
+{
+    const auto *lens = std::get_if<Projection>(&picture.lens);
+    const auto *perspective = lens ? std::get_if<Perspective>(lens) : nullptr;
+    return perspective && perspective->aspect == picture.viewport.width / picture.viewport.height;
+}
+
+bool isDepthZeroToOne(const Picture &picture)
+{
+    return ndcDepthOf(picture) == NdcDepth::ZeroToOne;
+}
+
+bool isNearGreater(const Picture &picture)
+{
+    const auto *matrix = std::get_if<MatrixProjection>(&picture.lens);
+    const Result<RecognisedProjection> form = matrix ? recognised(*matrix) : Error{};
+    return (picture.depthRange.atNear > picture.depthRange.atFar) != (form && form->reversed);
+}
+
+double clearDepth(const Picture &picture)
+{
+    return isNearGreater(picture) ? 0.0 : 1.0;
+}
+
+std::string ofEachObject(const SceneFile &scene, ObjectCode &code)
+{
+    std::vector<std::string> ids;
+    std::string text;
     for (const SceneFileObject &object : scene.objects)
-        code.objects.push_back(
-            {newIdentifier(plainName(object.name), taken), whatIs(object), object.transform, object.isHidden});
-    code.clipPlanes = scene.clipPlanes;
-    return code;
+        text += code(object, newIdentifier(plainName(object.name), ids));
+    return text;
+}
+
+std::string whatIs(const SceneFileObject &object)
+{
+    const std::string model =
+        object.bundled.empty() ? files::utf8FromPath(object.file) : "the bundled model " + object.bundled;
+    return onOneLine('"' + object.name + "\", " + model + (object.isHidden ? ", hidden" : ""));
 }
 
 glm::dvec3 axisForCode(const glm::dvec3 &axis)

@@ -82,15 +82,16 @@ std::string windowText(const Surface &surface)
     return std::to_string(surface.widthPixels) + " x " + std::to_string(surface.heightPixels) + " device pixels";
 }
 
-std::string headerComment(const CodeScene &scene, const std::string &what)
+std::string headerComment(const SceneFile &scene, const std::string &what)
 {
-    const Surface &surface = scene.picture.surface;
+    const Picture picture = pictureOf(scene);
+    const Surface &surface = picture.surface;
     std::string text = "// " + what + ". Written by Unprojector.\n//\n";
     text += "// Its window has " + windowText(surface);
     if (surface.devicePixelRatio != 1.0)
         text += ", " + shortestText(surface.devicePixelRatio) + " to a logical one: positions of the mouse times that";
     text += ".\n";
-    if (scene.isWholeWindow && !scene.hasViewportsAspect)
+    if (isWholeWindow(picture) && !hasViewportsAspect(picture))
         text += "// In a window of another shape, the projection's width has to follow, or circles become ellipses.\n";
     if (!scene.objects.empty())
         text += "// Models are not in it, only their files' names.\n";

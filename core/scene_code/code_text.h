@@ -35,6 +35,6 @@ std::string list(const glm::dmat4 &matrix, MatrixOrder order, NumberStyle style,
 std::string windowText(const Surface &surface);
 
 /// The comments that every dialect has on top: the window, what is not in the code.
-std::string headerComment(const CodeScene &scene, const std::string &what);
+std::string headerComment(const SceneFile &scene, const std::string &what);
 
 } // namespace unprojector::scene_code

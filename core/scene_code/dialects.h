@@ -8,9 +8,9 @@ namespace unprojector::scene_code {
 
 // One file each: glu_code.cpp and so on.
 
-std::string gluCode(const CodeScene &scene);
-std::string glmCode(const CodeScene &scene);
-std::string qtCode(const CodeScene &scene);
-std::string threeCode(const CodeScene &scene);
+std::string gluCode(const SceneFile &scene);
+std::string glmCode(const SceneFile &scene);
+std::string qtCode(const SceneFile &scene);
+std::string threeCode(const SceneFile &scene);
 
 } // namespace unprojector::scene_code

@@ -21,12 +21,12 @@ std::string mat4(const glm::dmat4 &matrix)
     return "glm::dmat4( // column by column\n        " + list(matrix, MatrixOrder::ByColumns, kStyle, "        ") + ')';
 }
 
-std::string projection(const CodeScene &scene)
+std::string projection(const Picture &picture)
 {
-    if (const auto *matrix = std::get_if<MatrixProjection>(&scene.picture.lens))
+    if (const auto *matrix = std::get_if<MatrixProjection>(&picture.lens))
         return mat4(matrix->clipFromEye);
     struct Visitor {
-        const CodeScene &scene;
+        const Picture &picture;
         std::string operator()(const Frustum &f) const
         {
             return "glm::frustumRH_NO(" + list(projectionWindow(f), kStyle) + ')';
@@ -38,14 +38,14 @@ std::string projection(const CodeScene &scene)
         std::string operator()(const Perspective &p) const
         {
             std::string aspect = number(p.aspect);
-            if (scene.hasViewportsAspect)
+            if (hasViewportsAspect(picture))
                 aspect = "viewport[2] / viewport[3]";
             return "glm::perspectiveRH_NO(glm::radians(" + number(degreesFromRadians(p.verticalFovRadians)) + "), "
                    + aspect + ", " + list({p.nearDistance, p.farDistance}, kStyle) + ')';
         }
         std::string operator()(const Oblique &o) const { return (*this)(o.box) + "\n        * " + mat4(shearOf(o)); }
     };
-    return std::visit(Visitor{scene}, scene.picture.projection());
+    return std::visit(Visitor{picture}, picture.projection());
 }
 
 std::string camera(const Picture &picture)
@@ -70,19 +70,15 @@ std::string stepCall(const TransformStep &step)
     return "    m = " + std::visit(Visitor{}, step) + ";\n";
 }
 
-std::string objectFunctions(const CodeScene &scene)
+std::string objectFunction(const SceneFileObject &object, const std::string &id)
 {
-    std::string text;
-    for (const CodeObject &object : scene.objects) {
-        text += "\n// " + object.what + ".\nglm::dmat4 worldFrom_" + object.id + "()\n{\n    glm::dmat4 m(1.0);\n";
-        for (const TransformStep &step : object.transform)
-            text += stepCall(step);
-        text += "    return m;\n}\n";
-    }
-    return text;
+    std::string text = "\n// " + whatIs(object) + ".\nglm::dmat4 worldFrom_" + id + "()\n{\n    glm::dmat4 m(1.0);\n";
+    for (const TransformStep &step : object.transform)
+        text += stepCall(step);
+    return text + "    return m;\n}\n";
 }
 
-std::string clipPlanes(const CodeScene &scene)
+std::string clipPlanes(const SceneFile &scene)
 {
     if (scene.clipPlanes.empty())
         return {};
@@ -97,13 +93,13 @@ std::string clipPlanes(const CodeScene &scene)
 
 } // namespace
 
-std::string glmCode(const CodeScene &scene)
+std::string glmCode(const SceneFile &scene)
 {
-    const Picture &p = scene.picture;
+    const Picture p = pictureOf(scene);
     std::string text =
         headerComment(scene, "The matrices of a picture and the way back from a pixel, with GLM in double "
                              "precision");
-    if (scene.isDepthZeroToOne)
+    if (isDepthZeroToOne(p))
         text += "// The projection's depths go from 0 to 1: glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE), Vulkan or "
                 "Direct3D.\n";
     text += "\n"
@@ -118,31 +114,31 @@ std::string glmCode(const CodeScene &scene)
             + list({p.viewport.x, p.viewport.y, p.viewport.width, p.viewport.height}, kStyle)
             + ");\n"
               "// glDepthRange"
-            + (scene.isNearGreater ? "; near has the greater depths: glDepthFunc(GL_GREATER), glClearDepth(0)" : "")
+            + (isNearGreater(p) ? "; near has the greater depths: glDepthFunc(GL_GREATER), glClearDepth(0)" : "")
             + "\nconst double depthAtNear = " + number(p.depthRange.atNear)
             + ", depthAtFar = " + number(p.depthRange.atFar)
             + ";\n"
               "\n"
               "glm::dmat4 clipFromEye()\n{\n    return "
-            + projection(scene)
+            + projection(p)
             + ";\n}\n"
               "\n"
               "glm::dmat4 eyeFromWorld()\n{\n    return "
-            + camera(p) + ";\n}\n" + objectFunctions(scene) + clipPlanes(scene);
+            + camera(p) + ";\n}\n" + ofEachObject(scene, objectFunction) + clipPlanes(scene);
     text += "\n"
             "// The world coordinate of a pixel's centre, for the depth that is read there. i counts device pixels "
             "from the window's "
             "left,\n"
             "// j from its top. OpenGL counts rows from the bottom:\n"
             "// glReadPixels(i, windowHeight - 1 - j, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth); "
-            + list({scene.clearDepth()}, NumberStyle::JavaScript)
+            + list({clearDepth(p)}, NumberStyle::JavaScript)
             + " is the background.\n"
               "glm::dvec3 screen2world(int i, int j, double depth)\n{\n"
               "    const double share = (depth - depthAtNear) / (depthAtFar - depthAtNear); // unProject knows no "
               "depth range\n"
               "    const glm::dvec3 window(i + 0.5, windowHeight - j - 0.5, share);\n"
               "    return glm::"
-            + (scene.isDepthZeroToOne ? "unProjectZO" : "unProjectNO")
+            + (isDepthZeroToOne(p) ? "unProjectZO" : "unProjectNO")
             + "(window, eyeFromWorld(), clipFromEye(), viewport);\n}\n";
     return text;
 }

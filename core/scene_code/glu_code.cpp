@@ -25,18 +25,18 @@ std::string matrixCall(const std::string &function, const std::string &name, con
            + list(matrix, MatrixOrder::ByColumns, kStyle, "        ") + "};\n" + call(function, name);
 }
 
-std::string projectionCalls(const CodeScene &scene)
+std::string projectionCalls(const Picture &picture)
 {
-    if (const auto *matrix = std::get_if<MatrixProjection>(&scene.picture.lens))
+    if (const auto *matrix = std::get_if<MatrixProjection>(&picture.lens))
         return matrixCall("glMultMatrixd", "projection", matrix->clipFromEye);
     struct Visitor {
-        const CodeScene &scene;
+        const Picture &picture;
         std::string operator()(const Frustum &f) const { return call("glFrustum", list(projectionWindow(f), kStyle)); }
         std::string operator()(const Ortho &o) const { return call("glOrtho", list(projectionWindow(o), kStyle)); }
         std::string operator()(const Perspective &p) const
         {
             std::string aspect = number(p.aspect);
-            if (scene.hasViewportsAspect && scene.isWholeWindow)
+            if (hasViewportsAspect(picture) && isWholeWindow(picture))
                 aspect = "GLdouble(windowWidth) / windowHeight";
             return call("gluPerspective", number(degreesFromRadians(p.verticalFovRadians)) + ", " + aspect + ", "
                                               + list({p.nearDistance, p.farDistance}, kStyle));
@@ -47,7 +47,7 @@ std::string projectionCalls(const CodeScene &scene)
                    + matrixCall("glMultMatrixd", "shear", shearOf(o));
         }
     };
-    return std::visit(Visitor{scene}, scene.picture.projection());
+    return std::visit(Visitor{picture}, picture.projection());
 }
 
 std::string cameraCalls(const Picture &picture)
@@ -73,12 +73,12 @@ std::string stepCall(const TransformStep &step)
     return std::visit(Visitor{}, step);
 }
 
-std::string viewportCalls(const CodeScene &scene)
+std::string viewportCalls(const Picture &picture)
 {
-    const Viewport &v = scene.picture.viewport;
-    const DepthRange &range = scene.picture.depthRange;
+    const Viewport &v = picture.viewport;
+    const DepthRange &range = picture.depthRange;
     std::string text;
-    if (scene.isWholeWindow) {
+    if (isWholeWindow(picture)) {
         text = "    glViewport(0, 0, windowWidth, windowHeight);\n";
     } else {
         std::string pixels;
@@ -98,20 +98,20 @@ std::string viewportCalls(const CodeScene &scene)
     return text + call("glDepthRange", list({range.atNear, range.atFar}, kStyle));
 }
 
-std::string setUpCalls(const CodeScene &scene)
+std::string setUpCalls(const Picture &picture)
 {
     std::string text;
-    if (scene.isDepthZeroToOne)
+    if (isDepthZeroToOne(picture))
         text += "    // The projection's depths go from 0 to 1. OpenGL 4.5 has a call for that, which must be loaded "
                 "first:\n"
                 "    // glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);\n";
     text += "    glEnable(GL_DEPTH_TEST);\n";
-    text += scene.isNearGreater ? "    glDepthFunc(GL_GREATER); // near has the greater depths\n"
-                                : "    glDepthFunc(GL_LESS);\n";
-    return text + call("glClearDepth", number(scene.clearDepth()));
+    text += isNearGreater(picture) ? "    glDepthFunc(GL_GREATER); // near has the greater depths\n"
+                                   : "    glDepthFunc(GL_LESS);\n";
+    return text + call("glClearDepth", number(clearDepth(picture)));
 }
 
-std::string clipPlaneCalls(const CodeScene &scene)
+std::string clipPlaneCalls(const SceneFile &scene)
 {
     std::string text;
     for (std::size_t k = 0; k < scene.clipPlanes.size(); ++k) {
@@ -124,37 +124,31 @@ std::string clipPlaneCalls(const CodeScene &scene)
     return text;
 }
 
-std::string objectFunctions(const CodeScene &scene)
+std::string objectFunctions(const SceneFileObject &object, const std::string &id)
 {
-    std::string text;
-    for (const CodeObject &object : scene.objects) {
-        text +=
-            "\n// " + object.what + ": from its own coordinates to the world's.\nvoid place_" + object.id + "()\n{\n";
-        for (const TransformStep &step : object.transform)
-            text += stepCall(step);
-        text += "}\n";
-        if (!object.isHidden)
-            text += "void draw_" + object.id + "(); // to be written: its vertices, in its own coordinates\n";
-    }
+    std::string text =
+        "\n// " + whatIs(object) + ": from its own coordinates to the world's.\nvoid place_" + id + "()\n{\n";
+    for (const TransformStep &step : object.transform)
+        text += stepCall(step);
+    text += "}\n";
+    if (!object.isHidden)
+        text += "void draw_" + id + "(); // to be written: its vertices, in its own coordinates\n";
     return text;
 }
 
-std::string drawCalls(const CodeScene &scene)
+std::string drawCalls(const SceneFileObject &object, const std::string &id)
 {
-    std::string text;
-    for (const CodeObject &object : scene.objects) {
-        if (!object.isHidden)
-            text += "    glPushMatrix();\n    place_" + object.id + "();\n    draw_" + object.id
-                    + "();\n    glPopMatrix();\n";
-    }
-    return text;
+    if (object.isHidden)
+        return {};
+    return "    glPushMatrix();\n    place_" + id + "();\n    draw_" + id + "();\n    glPopMatrix();\n";
 }
 
 } // namespace
 
-std::string gluCode(const CodeScene &scene)
+std::string gluCode(const SceneFile &scene)
 {
-    const Surface &surface = scene.picture.surface;
+    const Picture picture = pictureOf(scene);
+    const Surface &surface = picture.surface;
     std::string text = headerComment(scene, "The calls that make a picture, for OpenGL with GLU; for MFC, the view's "
                                             "handlers at the end");
     text += "// OpenGL's matrices and gluLookAt are in single precision with most drivers: seven digits.\n"
@@ -172,29 +166,29 @@ std::string gluCode(const CodeScene &scene)
               "\n"
               "// Once, when there is a rendering context.\n"
               "void setUp()\n{\n"
-            + setUpCalls(scene)
+            + setUpCalls(picture)
             + "}\n"
               "\n"
               "// Whenever the window has another size: both of these.\n"
               "void setViewport()\n{\n"
-            + viewportCalls(scene)
+            + viewportCalls(picture)
             + "}\n"
               "\n"
               "void setProjection()\n{\n"
               "    glMatrixMode(GL_PROJECTION);\n"
               "    glLoadIdentity();\n"
-            + projectionCalls(scene)
+            + projectionCalls(picture)
             + "}\n"
               "\n"
               "void setCamera()\n{\n"
               "    glMatrixMode(GL_MODELVIEW);\n"
               "    glLoadIdentity();\n"
-            + cameraCalls(scene.picture) + "}\n" + objectFunctions(scene)
+            + cameraCalls(picture) + "}\n" + ofEachObject(scene, objectFunctions)
             + "\n"
               "void drawScene()\n{\n"
               "    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n"
               "    setCamera();\n"
-            + clipPlaneCalls(scene) + drawCalls(scene) + "}\n";
+            + clipPlaneCalls(scene) + ofEachObject(scene, drawCalls) + "}\n";
     text += R"(
 // The world coordinate of a pixel's centre, for the depth that is read there. i counts device pixels from the window's left,
 // j from its top.
@@ -208,7 +202,7 @@ bool screen2world(int i, int j, GLdouble depth, GLdouble world[3])
     glGetDoublev(GL_DEPTH_RANGE, range);
     glGetIntegerv(GL_VIEWPORT, viewport);
 )";
-    text += scene.isDepthZeroToOne
+    text += isDepthZeroToOne(picture)
                 ? "    // gluUnProject knows nothing of the depth range, and takes NDC depths from -1 to 1: half of "
                   "them here\n"
                   "    const GLdouble share = 0.5 + 0.5 * (depth - range[0]) / (range[1] - range[0]);\n"
@@ -225,7 +219,7 @@ bool screen2world(int i, int j, GLdouble world[3])
     GLfloat depth = 0.0f;
     glReadPixels(i, windowHeight - 1 - j, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
     return depth != )"
-        + literal(scene.clearDepth(), NumberStyle::Float) + R"( && screen2world(i, j, depth, world);
+        + literal(clearDepth(picture), NumberStyle::Float) + R"( && screen2world(i, j, depth, world);
 }
 )";
     return text + kMfcHandlers;

@@ -33,18 +33,18 @@ std::string call(const std::string &function, const std::string &arguments)
     return "    m." + function + '(' + arguments + ");\n";
 }
 
-std::string projectionCalls(const CodeScene &scene)
+std::string projectionCalls(const Picture &picture)
 {
-    if (const auto *matrix = std::get_if<MatrixProjection>(&scene.picture.lens))
+    if (const auto *matrix = std::get_if<MatrixProjection>(&picture.lens))
         return "    m = " + matrix4(matrix->clipFromEye) + ";\n";
     struct Visitor {
-        const CodeScene &scene;
+        const Picture &picture;
         std::string operator()(const Frustum &f) const { return call("frustum", list(projectionWindow(f), kStyle)); }
         std::string operator()(const Ortho &o) const { return call("ortho", list(projectionWindow(o), kStyle)); }
         std::string operator()(const Perspective &p) const
         {
             std::string aspect = number(p.aspect);
-            if (scene.hasViewportsAspect)
+            if (hasViewportsAspect(picture))
                 aspect = "float(viewportWidth / viewportHeight)";
             return call("perspective", number(degreesFromRadians(p.verticalFovRadians)) + ", " + aspect + ", "
                                            + list({p.nearDistance, p.farDistance}, kStyle));
@@ -54,7 +54,7 @@ std::string projectionCalls(const CodeScene &scene)
             return (*this)(o.box) + "    m *= " + matrix4(shearOf(o)) + ";\n";
         }
     };
-    return std::visit(Visitor{scene}, scene.picture.projection());
+    return std::visit(Visitor{picture}, picture.projection());
 }
 
 std::string cameraCalls(const Picture &picture)
@@ -89,19 +89,15 @@ std::string matrixFunction(const std::string &name, const std::string &calls)
     return "QMatrix4x4 " + name + "()\n{\n    QMatrix4x4 m;\n" + calls + "    return m;\n}\n";
 }
 
-std::string objectFunctions(const CodeScene &scene)
+std::string objectFunction(const SceneFileObject &object, const std::string &id)
 {
-    std::string text;
-    for (const CodeObject &object : scene.objects) {
-        std::string calls;
-        for (const TransformStep &step : object.transform)
-            calls += stepCall(step);
-        text += "\n// " + object.what + ".\n" + matrixFunction("worldFrom_" + object.id, calls);
-    }
-    return text;
+    std::string calls;
+    for (const TransformStep &step : object.transform)
+        calls += stepCall(step);
+    return "\n// " + whatIs(object) + ".\n" + matrixFunction("worldFrom_" + id, calls);
 }
 
-std::string clipPlanes(const CodeScene &scene)
+std::string clipPlanes(const SceneFile &scene)
 {
     if (scene.clipPlanes.empty())
         return {};
@@ -128,21 +124,21 @@ double eyeRounding(const Picture &picture)
 
 } // namespace
 
-std::string qtCode(const CodeScene &scene)
+std::string qtCode(const SceneFile &scene)
 {
-    const Picture &p = scene.picture;
+    const Picture p = pictureOf(scene);
     const double rounding = eyeRounding(p);
     std::string text = headerComment(scene, "The matrices of a picture and the way back from a pixel, with Qt");
     text += "// QMatrix4x4 and QVector3D hold single precision, seven digits";
     if (rounding > 0.0 && std::isfinite(rounding))
         text += ": the eye's place alone is rounded by up to " + boundText(rounding);
     text += ".\n";
-    const std::string matrices = matrixFunction("clipFromEye", projectionCalls(scene)) + '\n'
-                                 + matrixFunction("eyeFromWorld", cameraCalls(p)) + objectFunctions(scene)
+    const std::string matrices = matrixFunction("clipFromEye", projectionCalls(p)) + '\n'
+                                 + matrixFunction("eyeFromWorld", cameraCalls(p)) + ofEachObject(scene, objectFunction)
                                  + clipPlanes(scene);
     if (const std::string lost = beyondFloat(matrices); !lost.empty())
         text += "//" + lost + '\n';
-    if (scene.isDepthZeroToOne)
+    if (isDepthZeroToOne(p))
         text += "// The projection's depths go from 0 to 1: glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE), Vulkan or "
                 "Direct3D.\n";
     text += std::string("\n#include <QMatrix4x4>\n#include <QVector3D>\n")
@@ -156,7 +152,7 @@ std::string qtCode(const CodeScene &scene)
             + literal(p.viewport.x, NumberStyle::Double) + ", viewportY = " + literal(p.viewport.y, NumberStyle::Double)
             + ", viewportWidth = " + literal(p.viewport.width, NumberStyle::Double)
             + ", viewportHeight = " + literal(p.viewport.height, NumberStyle::Double) + ";\n// glDepthRange"
-            + (scene.isNearGreater ? "; near has the greater depths: glDepthFunc(GL_GREATER), glClearDepthf(0)" : "")
+            + (isNearGreater(p) ? "; near has the greater depths: glDepthFunc(GL_GREATER), glClearDepthf(0)" : "")
             + "\nconst double depthAtNear = " + literal(p.depthRange.atNear, NumberStyle::Double)
             + ", depthAtFar = " + literal(p.depthRange.atFar, NumberStyle::Double) + ";\n\n" + matrices;
     text += "\n"
@@ -165,7 +161,7 @@ std::string qtCode(const CodeScene &scene)
             "left,\n"
             "// j from its top. OpenGL counts rows from the bottom:\n"
             "// glReadPixels(i, windowHeight - 1 - j, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth); "
-            + list({scene.clearDepth()}, NumberStyle::JavaScript)
+            + list({clearDepth(p)}, NumberStyle::JavaScript)
             + " is the background.\n"
               "// QVector3D::unproject does the same, but knows no depth range, and beyond a distance of 100000 it "
               "forgets to "
@@ -175,7 +171,7 @@ std::string qtCode(const CodeScene &scene)
               "    const QVector3D ndc(float(2.0 * (i + 0.5 - viewportX) / viewportWidth - 1.0),\n"
               "                        float(2.0 * (windowHeight - j - 0.5 - viewportY) / viewportHeight - 1.0),\n"
               "                        float("
-            + (scene.isDepthZeroToOne ? "share" : "2.0 * share - 1.0")
+            + (isDepthZeroToOne(p) ? "share" : "2.0 * share - 1.0")
             + "));\n"
               "    return (clipFromEye() * eyeFromWorld()).inverted().map(ndc);\n}\n";
     return text;

@@ -6,12 +6,11 @@ namespace unprojector::scene_code {
 
 std::string sceneCode(const SceneFile &scene, CodeDialect dialect)
 {
-    const CodeScene code = codeScene(scene);
     switch (dialect) {
-    case CodeDialect::Glu: return gluCode(code);
-    case CodeDialect::Glm: return glmCode(code);
-    case CodeDialect::Qt: return qtCode(code);
-    case CodeDialect::ThreeJs: return threeCode(code);
+    case CodeDialect::Glu: return gluCode(scene);
+    case CodeDialect::Glm: return glmCode(scene);
+    case CodeDialect::Qt: return qtCode(scene);
+    case CodeDialect::ThreeJs: return threeCode(scene);
     }
     return {};
 }

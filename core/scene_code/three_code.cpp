@@ -26,12 +26,12 @@ const char *const kOwnMatrix = "// Its projection is set as a matrix: there is n
                                "export const camera = new THREE.Camera();\n";
 const char *const kItsInverse = "camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();\n";
 
-std::string cameraLines(const CodeScene &scene)
+std::string cameraLines(const Picture &picture)
 {
-    if (const auto *matrix = std::get_if<MatrixProjection>(&scene.picture.lens))
+    if (const auto *matrix = std::get_if<MatrixProjection>(&picture.lens))
         return kOwnMatrix + ("camera.projectionMatrix.set" + rows(matrix->clipFromEye)) + kItsInverse;
     struct Visitor {
-        const CodeScene &scene;
+        const Picture &picture;
         std::string operator()(const Frustum &f) const
         {
             return kOwnMatrix
@@ -47,7 +47,7 @@ std::string cameraLines(const CodeScene &scene)
         std::string operator()(const Perspective &p) const
         {
             std::string aspect = number(p.aspect);
-            if (scene.hasViewportsAspect)
+            if (hasViewportsAspect(picture))
                 aspect = "viewport.z / viewport.w";
             return "export const camera = new THREE.PerspectiveCamera("
                    + number(degreesFromRadians(p.verticalFovRadians)) + ", " + aspect + ", "
@@ -64,7 +64,7 @@ std::string cameraLines(const CodeScene &scene)
                    + kItsInverse;
         }
     };
-    return std::visit(Visitor{scene}, scene.picture.projection());
+    return std::visit(Visitor{picture}, picture.projection());
 }
 
 std::string poseLines(const Picture &picture)
@@ -94,30 +94,26 @@ std::string stepCall(const TransformStep &step)
     return "\n    .multiply(new THREE.Matrix4()." + std::visit(Visitor{}, step) + ')';
 }
 
-std::string objectLines(const CodeScene &scene)
+std::string objectLines(const SceneFileObject &object, const std::string &id)
 {
-    std::string text;
-    for (const CodeObject &object : scene.objects) {
-        const std::string name = "object_" + object.id;
-        text += "\n// " + object.what + ": add its mesh here.\nexport const " + name + " = new THREE.Group();\n" + name
-                + ".matrixAutoUpdate = false;\n";
-        if (!object.transform.empty()) {
-            text += name + ".matrix";
-            for (const TransformStep &step : object.transform)
-                text += stepCall(step);
-            text += ";\n";
-        }
-        if (object.isHidden)
-            text += name + ".visible = false;\n";
-        text += "scene.add(" + name + ");\n";
+    const std::string name = "object_" + id;
+    std::string text = "\n// " + whatIs(object) + ": add its mesh here.\nexport const " + name
+                       + " = new THREE.Group();\n" + name + ".matrixAutoUpdate = false;\n";
+    if (!object.transform.empty()) {
+        text += name + ".matrix";
+        for (const TransformStep &step : object.transform)
+            text += stepCall(step);
+        text += ";\n";
     }
-    return text;
+    if (object.isHidden)
+        text += name + ".visible = false;\n";
+    return text + "scene.add(" + name + ");\n";
 }
 
-std::string setUpLines(const CodeScene &scene)
+std::string setUpLines(const SceneFile &scene, const Picture &picture)
 {
-    const Surface &surface = scene.picture.surface;
-    const DepthRange &range = scene.picture.depthRange;
+    const Surface &surface = picture.surface;
+    const DepthRange &range = picture.depthRange;
     std::string text = "    renderer.setPixelRatio(1);\n"
                        "    renderer.setSize(windowWidth, windowHeight, false); // device pixels";
     if (surface.devicePixelRatio != 1.0)
@@ -126,10 +122,10 @@ std::string setUpLines(const CodeScene &scene)
     if (range != DepthRange{})
         text += "    renderer.getContext().depthRange(" + list({range.atNear, range.atFar}, kStyle)
                 + "); // WebGL cuts it to [0, 1]; three.js leaves it alone\n";
-    if (scene.isNearGreater)
+    if (isNearGreater(picture))
         text += "    renderer.state.buffers.depth.setClear(0); // near has the greater depths: of every material,\n"
                 "    // depthFunc = THREE.GreaterDepth\n";
-    if (scene.isDepthZeroToOne)
+    if (isDepthZeroToOne(picture))
         text +=
             "    // The projection's depths go from 0 to 1, which WebGL has by the extension EXT_clip_control only:\n"
             "    const clipControl = renderer.getContext().getExtension('EXT_clip_control');\n"
@@ -148,9 +144,9 @@ std::string setUpLines(const CodeScene &scene)
 
 } // namespace
 
-std::string threeCode(const CodeScene &scene)
+std::string threeCode(const SceneFile &scene)
 {
-    const Picture &p = scene.picture;
+    const Picture p = pictureOf(scene);
     std::string text = headerComment(scene, "A picture's camera and the way back from a pixel, with three.js");
     text += "\n"
             "import * as THREE from 'three';\n"
@@ -163,12 +159,12 @@ std::string threeCode(const CodeScene &scene)
             + list({p.viewport.x, p.viewport.y, p.viewport.width, p.viewport.height}, kStyle)
             + ");\n"
               "export const depthAtNear = "
-            + number(p.depthRange.atNear) + ", depthAtFar = " + number(p.depthRange.atFar) + ";\n\n"
-            + cameraLines(scene) + poseLines(p) + "\nexport const scene = new THREE.Scene();\n" + objectLines(scene)
+            + number(p.depthRange.atNear) + ", depthAtFar = " + number(p.depthRange.atFar) + ";\n\n" + cameraLines(p)
+            + poseLines(p) + "\nexport const scene = new THREE.Scene();\n" + ofEachObject(scene, objectLines)
             + "\n"
               "// Once, with a renderer of neither logarithmicDepthBuffer nor reversedDepthBuffer.\n"
               "export function setUp(renderer) {\n"
-            + setUpLines(scene) + "}\n";
+            + setUpLines(scene, p) + "}\n";
     text += "\n"
             "// The world coordinate of a pixel's centre, for the depth that is read there. i counts device pixels "
             "from the canvas' "
@@ -177,7 +173,7 @@ std::string threeCode(const CodeScene &scene)
             "depthTexture; its "
             "rows\n"
             "// count from the bottom, so that of the pixel is windowHeight - 1 - j. "
-            + number(scene.clearDepth())
+            + number(clearDepth(p))
             + " is the background.\n"
               "export function screen2world(i, j, depth) {\n"
               "    const share = (depth - depthAtNear) / (depthAtFar - depthAtNear);\n"
@@ -185,7 +181,7 @@ std::string threeCode(const CodeScene &scene)
               "        2 * (i + 0.5 - viewport.x) / viewport.z - 1,\n"
               "        2 * (windowHeight - j - 0.5 - viewport.y) / viewport.w - 1,\n"
               "        "
-            + (scene.isDepthZeroToOne ? "share" : "2 * share - 1")
+            + (isDepthZeroToOne(p) ? "share" : "2 * share - 1")
             + ");\n"
               "    return ndc.unproject(camera);\n}\n";
     return text;
