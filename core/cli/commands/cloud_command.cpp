@@ -140,17 +140,17 @@ ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnpr
 
 ExitCode runCloud(const CloudOptions &options)
 {
-    const std::optional<SceneInput> scene = sceneInput(options.scene);
+    const std::optional<SceneFile> scene = readScene(options.scene);
     if (!scene)
         return ExitCode::UnusableInput;
-    const Picture &g = scene->geometry;
+    const Picture g = pictureOf(*scene);
     const Result<BatchUnprojection> unprojection =
         options.method == Method::Matrix ? BatchUnprojection::byMatrix(g, {}) : BatchUnprojection::byFormula(g, {});
     if (!unprojection) {
         complain(options.scene + ": " + errorText(unprojection.error()));
         return ExitCode::UnusableInput;
     }
-    InputFiles inputs = scene->files;
+    InputFiles inputs = filesOf(*scene, options.scene);
     inputs.push_back(options.depth);
     ByteSink sink(options.output, inputs); // what cannot be written is known before all is computed
     if (!sink.isOpen())

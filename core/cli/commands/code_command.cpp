@@ -9,13 +9,13 @@ namespace unprojector::cli {
 
 ExitCode runCode(const CodeOptions &options)
 {
-    const std::optional<SceneInput> scene = sceneInput(options.scene);
+    const std::optional<SceneFile> scene = readScene(options.scene);
     if (!scene)
         return ExitCode::UnusableInput;
-    ByteSink sink(options.output, scene->files);
+    ByteSink sink(options.output, filesOf(*scene, options.scene));
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
-    sink.write(scene_code::sceneCode(scene->file, options.dialect));
+    sink.write(scene_code::sceneCode(*scene, options.dialect));
     return sink.finish();
 }
 

@@ -222,23 +222,24 @@ std::string json(const std::vector<Way> &ways, std::size_t points)
 
 ExitCode runCompare(const CompareOptions &options)
 {
-    const std::optional<SceneInput> scene = sceneInput(options.scene);
+    const std::optional<SceneFile> scene = readScene(options.scene);
     if (!scene)
         return ExitCode::UnusableInput;
-    const std::optional<ExactUnprojection> exact = ExactUnprojection::of(scene->geometry);
+    const Picture picture = pictureOf(*scene);
+    const std::optional<ExactUnprojection> exact = ExactUnprojection::of(picture);
     if (!exact) {
         complain(options.scene + ": " + errorText(Error{ErrorCode::SingularMatrix}));
         return ExitCode::UnusableInput;
     }
-    const Result<Unprojector> unprojector = Unprojector::of(scene->geometry);
+    const Result<Unprojector> unprojector = Unprojector::of(picture);
     if (!unprojector) {
         complain(options.scene + ": " + errorText(unprojector.error()));
         return ExitCode::UnusableInput;
     }
-    ByteSink sink("-", scene->files);
+    ByteSink sink("-", filesOf(*scene, options.scene));
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
-    const FormulaInFloat formulaInFloat(scene->geometry);
+    const FormulaInFloat formulaInFloat(picture);
     const auto by = [&](Method method) {
         return [&, method](const WindowPoint &window) { return unprojector->worldAt(method, window); };
     };
@@ -250,7 +251,7 @@ ExitCode runCompare(const CompareOptions &options)
                           {marked("matrix|method"), "float", true, most, by(Method::MatrixInFloat)}};
     ProgressBar progress(most, ProgressBar::Unit::Points);
     std::size_t points = 0;
-    forEachPoint(scene->geometry, options, [&](const WindowPoint &window) {
+    forEachPoint(picture, options, [&](const WindowPoint &window) {
         progress.advance(1);
         const std::optional<std::array<Extended, 3>> world = exact->world(window);
         if (!world)

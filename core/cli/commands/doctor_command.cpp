@@ -37,10 +37,10 @@ struct CaseRead {
 /// Whether all models of a scene are there to be read.
 bool areModelsThere(const std::string &file)
 {
-    const std::optional<SceneInput> scene = file == "-" ? std::nullopt : sceneInput(file);
+    const std::optional<SceneFile> scene = file == "-" ? std::nullopt : readScene(file);
     if (!scene)
         return false;
-    const std::vector<std::filesystem::path> models = opening::modelFiles(scene->file, files::pathFromUtf8(file));
+    const std::vector<std::filesystem::path> models = opening::modelFiles(*scene, files::pathFromUtf8(file));
     return std::all_of(models.begin(), models.end(), [](const std::filesystem::path &model) {
         std::error_code ignored;
         return std::filesystem::exists(model, ignored);
@@ -61,13 +61,13 @@ std::function<std::vector<KnownPoint>(const Box &)> verticesOnceRead(const std::
 /// The case without any mesh. Errors are printed on stderr.
 std::optional<CaseRead> withoutMesh(const std::string &file)
 {
-    const std::optional<SceneInput> input = sceneInput(file);
-    if (!input)
+    const std::optional<SceneFile> scene = readScene(file);
+    if (!scene)
         return std::nullopt;
-    Case result{input->geometry, {}, {}, {}, verticesOnceRead(file)};
-    for (const SceneFileObject &object : input->file.objects)
+    Case result{pictureOf(*scene), {}, {}, {}, verticesOnceRead(file)};
+    for (const SceneFileObject &object : scene->objects)
         result.models.push_back({object.name, worldFromObject(object.transform)});
-    return CaseRead{std::move(result), input->files};
+    return CaseRead{std::move(result), filesOf(*scene, file)};
 }
 
 std::optional<CaseRead> withMesh(const std::string &file)

@@ -38,7 +38,7 @@ struct Written {
     bool hasClip = true;
 };
 
-std::vector<NamedMatrix> matricesOf(const SceneInput &scene, const Written &written)
+std::vector<NamedMatrix> matricesOf(const SceneFile &scene, const Written &written)
 {
     const glm::dmat4 &view = written.camera.eyeFromWorld, &projection = written.camera.clipFromEye,
                      &viewport = written.camera.windowFromNdc;
@@ -51,7 +51,7 @@ std::vector<NamedMatrix> matricesOf(const SceneInput &scene, const Written &writ
             {"world_to_window", "window from world, before the division by w", viewport * projection * view});
     }
     std::vector<std::string> taken;
-    for (const SceneFileObject &object : scene.file.objects) {
+    for (const SceneFileObject &object : scene.objects) {
         const std::string name = newIdentifier(object.name, taken);
         const glm::dmat4 model = written.apiFromWorld * worldFromObject(object.transform), modelview = view * model;
         const std::string of = " of \"" + onOneLine(object.name) + '"';
@@ -198,25 +198,26 @@ std::string written(const std::vector<NamedMatrix> &matrices, const std::vector<
 }
 
 /// The camera in the conventions that are asked for; OpenGL's without a word is the scene's own, whatever its NDC depth.
-Result<Written> writtenCamera(const MatricesOptions &options, const SceneInput &scene)
+Result<Written> writtenCamera(const MatricesOptions &options, const SceneFile &scene)
 {
-    const Api api = options.conventions.value_or(scene.file.conventions.value_or(Api::OpenGl));
+    const Api api = options.conventions.value_or(scene.conventions.value_or(Api::OpenGl));
     const ApiConventions &conventions = conventionsOf(api);
     const MatrixLayout usual = conventions.areVectorsRows ? MatrixLayout::Row : MatrixLayout::Column;
+    const Picture picture = pictureOf(scene);
     Written result{&conventions, options.layout.value_or(usual), {}};
     if (!options.conventions && api == Api::OpenGl) {
-        const Result<glm::dmat4> view = eyeFromWorld(scene.geometry), projection = clipFromEye(scene.geometry);
+        const Result<glm::dmat4> view = eyeFromWorld(picture), projection = clipFromEye(picture);
         if (!view || !projection)
             return view ? projection.error() : view.error();
         result.api = nullptr;
-        result.camera = {*view, *projection, windowMatrix(scene.geometry), {}};
+        result.camera = {*view, *projection, windowMatrix(picture), {}};
         return result;
     }
-    const Result<ApiCamera> camera = apiCamera(scene.geometry, api);
+    const Result<ApiCamera> camera = apiCamera(picture, api);
     if (!camera)
         return camera.error();
     result.camera = *camera;
-    result.apiFromWorld = apiSpaces(scene.geometry, api).world.matrix();
+    result.apiFromWorld = apiSpaces(picture, api).world.matrix();
     result.hasClip = api != Api::OpenCv;
     return result;
 }
@@ -225,7 +226,7 @@ Result<Written> writtenCamera(const MatricesOptions &options, const SceneInput &
 
 ExitCode runMatrices(const MatricesOptions &options)
 {
-    const std::optional<SceneInput> scene = sceneInput(options.scene);
+    const std::optional<SceneFile> scene = readScene(options.scene);
     if (!scene)
         return ExitCode::UnusableInput;
     const Result<Written> camera = writtenCamera(options, *scene);
@@ -246,7 +247,7 @@ ExitCode runMatrices(const MatricesOptions &options)
     if (!camera->hasClip && !camera->camera.intrinsics)
         complain(
             tr("%1: no camera matrix K: OpenCV's camera is a perspective, this projection is none", options.scene));
-    ByteSink sink("-", scene->files);
+    ByteSink sink("-", filesOf(*scene, options.scene));
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
     sink.write(written(matrices, others, options, *camera));

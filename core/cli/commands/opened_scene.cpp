@@ -58,10 +58,10 @@ std::optional<OpenedScene> openScene(const std::string &file)
 {
     if (!isMeantAsScene(file))
         return openModel(file);
-    std::optional<SceneInput> scene = sceneInput(file);
+    std::optional<SceneFile> scene = readScene(file);
     if (!scene)
         return std::nullopt;
-    OpenedScene opened{{}, std::move(scene->file), file == "-" ? "stdin" : file, {file}};
+    OpenedScene opened{{}, std::move(scene), file == "-" ? "stdin" : file, {file}};
     const std::filesystem::path path = file == "-" ? std::filesystem::path() : pathFromUtf8(file);
     opening::ModelFiles store;
     auto objects =
@@ -120,7 +120,7 @@ std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &s
         complain("--size " + size + ": " + errorText(valid.error()));
         return std::nullopt;
     }
-    Result<Scene> scene = Scene{};
+    Scene scene;
     if (opened.file) {
         surface.devicePixelRatio = opened.file->devicePixelRatio;
         Result<Scene, SceneFileError> shown = sceneFromFile(*opened.file, pathFromUtf8(opened.name), opened.objects);
@@ -132,14 +132,11 @@ std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &s
         }
         scene = std::move(shown).value();
     } else {
-        Scene first;
-        first.objects = opened.objects;
-        first.camera = first.home = openingCamera(opened.objects, surface);
-        first.projection = openingProjection();
-        scene = std::move(first);
+        scene.objects = opened.objects;
+        scene.camera = scene.home = openingCamera(opened.objects, surface);
+        scene.projection = openingProjection();
     }
-    const Result<Picture> picture =
-        scene ? scene::pictureOf(*scene, surface, groundUnder(boundsOf(*scene)).box) : scene.error();
+    const Result<Picture> picture = scene::pictureOf(scene, surface, groundUnder(boundsOf(scene)).box);
     if (picture)
         return *picture;
     complain(opened.name + ": " + errorText(picture.error()));

@@ -28,8 +28,7 @@ struct OpenedScene {
 /// A model's file and those that were read for it.
 InputFiles filesOf(const std::filesystem::path &file, const Model &model);
 
-/// Whether a file is opened as a scene and not as a model. A name that ends in .json is meant as a scene even where the contents
-/// are beyond recognition: its error says why.
+/// As opening::isMeantAsScene.
 /// @param file  UTF-8; "-" is a scene
 bool isMeantAsScene(const std::string &file);
 

@@ -231,7 +231,7 @@ ExitCode runPoints(const PointsOptions &options)
     const std::unique_ptr<RowStream> rows = openRows(options.rows, *given, {kClickColumns});
     if (!rows)
         return ExitCode::UnusableInput;
-    const Picture &geometry = rows->scene.geometry;
+    const Picture &geometry = rows->picture;
     const std::vector<std::string> results = pointColumns(options.methods);
     Task task{options, NumberReader(rows->source.name(), rows->columns),       geometry.depthRange,
               {},      RowLayout(rows->columns, results, options.rows.format), results.size()};

@@ -158,7 +158,7 @@ ExitCode runProject(const RowOptions &options)
     const std::unique_ptr<RowStream> rows = openRows(options, *given, {{"x", "y", "z"}, pointColumnsOf("formula")});
     if (!rows)
         return ExitCode::UnusableInput;
-    const Picture &geometry = rows->scene.geometry;
+    const Picture &geometry = rows->picture;
     const Result<WayForward> way = WayForward::of(geometry);
     if (!way) {
         complain(options.scene + ": " + errorText(way.error()));

@@ -3,15 +3,14 @@
 #include "core/text/translation.h"
 
 #include <optional>
-#include <utility>
 
 namespace unprojector::cli {
 using text::tr;
 
-RowStream::RowStream(SceneInput sceneRead, const BatchSpace &spaceInIt, const std::string &input)
-    : scene(std::move(sceneRead)), space(spaceInIt), inputs(scene.files), source(input)
+RowStream::RowStream(const SceneFile &scene, const BatchSpace &spaceInIt, const RowOptions &options)
+    : picture(pictureOf(scene)), space(spaceInIt), inputs(filesOf(scene, options.scene)), source(options.input)
 {
-    inputs.push_back(input);
+    inputs.push_back(options.input);
 }
 
 ColumnNames pointColumnsOf(const std::string &method)
@@ -26,13 +25,13 @@ std::unique_ptr<RowStream> openRows(const RowOptions &options, const SceneOrClic
         complain(tr("the scene and the points cannot both come from standard input; give a file for one of them"));
         return nullptr;
     }
-    std::optional<SceneInput> scene = sceneInput(given, options.scene);
+    const std::optional<SceneFile> scene = sceneOf(given, options.scene);
     if (!scene)
         return nullptr;
-    const std::optional<BatchSpace> space = batchSpace(options.space, scene->file);
+    const std::optional<BatchSpace> space = batchSpace(options.space, *scene);
     if (!space)
         return nullptr;
-    auto rows = std::make_unique<RowStream>(std::move(*scene), *space, options.input);
+    auto rows = std::make_unique<RowStream>(*scene, *space, options);
     if (!rows->source.isOpen())
         return nullptr;
     const std::optional<NumberColumns> found = readHeader(rows->blocks, rows->source, columns);

@@ -28,11 +28,11 @@ struct RowOptions {
 /// The columns of a point, as a command writes them and another reads them: "formula_x" to "formula_z", in whatever space.
 ColumnNames pointColumnsOf(const std::string &method);
 
-/// The scene, the space in it, and the rows behind a header that has the columns.
+/// The picture of a scene, the space in it, and the rows behind a header that has the columns.
 struct RowStream {
-    RowStream(SceneInput sceneRead, const BatchSpace &spaceInIt, const std::string &input);
+    RowStream(const SceneFile &scene, const BatchSpace &spaceInIt, const RowOptions &options);
 
-    SceneInput scene;
+    Picture picture;
     BatchSpace space;
     InputFiles inputs; ///< the scene's files and that of the rows
     ByteSource source;

@@ -93,7 +93,7 @@ InputFiles filesOf(const SceneOrClicks &given, const std::string &file)
     return files;
 }
 
-std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file)
+std::optional<SceneFile> sceneOf(const SceneOrClicks &given, const std::string &file)
 {
     const std::string name = file == "-" ? "stdin" : file;
     const auto *scene = std::get_if<SceneFile>(&given);
@@ -111,13 +111,13 @@ std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::stri
         complain(name + ": conventions: "
                  + tr("%1's own world has z negated; world coordinates here are the scene's, right-handed", api.name));
     }
-    return SceneInput{*scene, pictureOf(*scene), filesOf(given, file)};
+    return *scene;
 }
 
-std::optional<SceneInput> sceneInput(const std::string &file)
+std::optional<SceneFile> readScene(const std::string &file)
 {
     const std::optional<SceneOrClicks> given = sceneOrClicks(file);
-    return given ? sceneInput(*given, file) : std::nullopt;
+    return given ? sceneOf(*given, file) : std::nullopt;
 }
 
 namespace {

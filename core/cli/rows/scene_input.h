@@ -15,13 +15,6 @@ namespace unprojector::cli {
 using namespace unproject;
 using namespace scene_file;
 
-/// A scene file, the picture that it describes, and all files that it names, see filesOf. Models are not loaded.
-struct SceneInput {
-    SceneFile file;
-    Picture geometry;
-    InputFiles files;
-};
-
 /// Reads a scene file, or the clicks that the window prints; prints errors on stderr.
 /// @param file  UTF-8; "-" for stdin
 std::optional<SceneOrClicks> sceneOrClicks(const std::string &file);
@@ -30,9 +23,9 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file);
 /// @param file  as above
 InputFiles filesOf(const SceneOrClicks &given, const std::string &file);
 
-/// The scene of a file, or the one that all its clicks show. Errors are printed on stderr.
-std::optional<SceneInput> sceneInput(const SceneOrClicks &given, const std::string &file);
-std::optional<SceneInput> sceneInput(const std::string &file);
+/// The scene of a file, or the one that all its clicks show. Errors are printed on stderr. Models are not loaded, see openScene.
+std::optional<SceneFile> sceneOf(const SceneOrClicks &given, const std::string &file);
+std::optional<SceneFile> readScene(const std::string &file);
 
 /// What --space says: eye, world or object:NAME. Errors are printed on stderr.
 std::optional<BatchSpace> batchSpace(const std::string &space, const SceneFile &scene);
