@@ -85,8 +85,7 @@ std::optional<CaseRead> withMesh(const std::string &file)
         return std::nullopt;
     }
     if (!opened->objects.empty()) {
-        result.depthOnMesh = ray::MeshDepth(std::make_shared<ray::SceneRays>(
-            *unprojector, opened->objects, castersOf(opened->objects), opened->clipPlanes()));
+        result.depthOnMesh = ray::MeshDepth(std::make_shared<ray::SceneRays>(raysOf(*opened, *unprojector)));
         result.verticesIn = [objects = opened->objects](const Box &world) { return verticesIn(objects, world); };
     }
     return CaseRead{std::move(result), opened->files};

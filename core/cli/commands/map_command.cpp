@@ -122,7 +122,7 @@ std::unique_ptr<const Seen> Seen::of(const MapOptions &options, const OpenedScen
     }
     if (!areReachable(opened))
         return nullptr;
-    seen->m_rays.emplace(unprojector, opened.objects, castersOf(opened.objects), opened.clipPlanes());
+    seen->m_rays = raysOf(opened, unprojector);
     if (seen->m_rays->hasPoints())
         complain(opened.name + ": " + maps::noCloudsText());
     const Result<PixelRays> pixels = PixelRays::of(seen->m_rays->rays());

@@ -49,11 +49,6 @@ bool isMeantAsScene(const std::string &file)
     return file == "-" || opening::isMeantAsScene(pathFromUtf8(file));
 }
 
-std::vector<glm::dvec4> OpenedScene::clipPlanes() const
-{
-    return file ? file->clipPlanes : std::vector<glm::dvec4>();
-}
-
 std::optional<OpenedScene> openScene(const std::string &file)
 {
     if (!isMeantAsScene(file))
@@ -89,11 +84,11 @@ bool areReachable(const OpenedScene &opened)
     return true;
 }
 
-std::vector<std::shared_ptr<const ray::RayCaster>> castersOf(const std::vector<SceneObject> &objects)
+ray::SceneRays raysOf(const OpenedScene &opened, const Unprojector &unprojector)
 {
     std::map<const Model *, std::shared_ptr<const ray::RayCaster>> built;
     std::vector<std::shared_ptr<const ray::RayCaster>> casters;
-    for (const SceneObject &object : objects) {
+    for (const SceneObject &object : opened.objects) {
         if (object.isHidden) {
             casters.push_back(nullptr);
             continue;
@@ -103,7 +98,8 @@ std::vector<std::shared_ptr<const ray::RayCaster>> castersOf(const std::vector<S
             caster = ray::RayCaster::build(object.model, {});
         casters.push_back(caster);
     }
-    return casters;
+    const std::vector<glm::dvec4> clipPlanes = opened.file ? opened.file->clipPlanes : std::vector<glm::dvec4>();
+    return {unprojector, opened.objects, casters, clipPlanes};
 }
 
 std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &size)

@@ -1,12 +1,11 @@
 #pragma once
 
 #include "core/cli/rows/byte_stream.h"
-#include "core/ray/ray_caster.h"
+#include "core/ray/scene_rays.h"
 #include "core/scene/scene.h"
 #include "core/scene_file/scene_file.h"
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,9 +19,6 @@ struct OpenedScene {
     std::optional<SceneFile> file; ///< nothing where a model was opened
     std::string name;              ///< what was opened, for messages
     InputFiles files;              ///< all that was read: the scene, the models, and what these refer to
-
-    /// The clip planes that cut.
-    std::vector<glm::dvec4> clipPlanes() const;
 };
 
 /// A model's file and those that were read for it.
@@ -39,8 +35,8 @@ std::optional<OpenedScene> openScene(const std::string &file);
 /// Whether all objects lie where they can be computed with; of the first that does not, stderr says why.
 bool areReachable(const OpenedScene &opened);
 
-/// One an object; null where it is hidden. Objects of one model share theirs.
-std::vector<std::shared_ptr<const ray::RayCaster>> castersOf(const std::vector<SceneObject> &objects);
+/// What the clicks on a picture of the scene meet. Objects of one model share its ray caster.
+ray::SceneRays raysOf(const OpenedScene &opened, const Unprojector &unprojector);
 
 /// The size of a window whose size nobody has given.
 constexpr int kUsualWidth = 800, kUsualHeight = 600;

@@ -196,7 +196,7 @@ ExitCode runPick(const PickOptions &options)
     }
     if (opened->objects.empty())
         complain(tr("%1: the scene has no objects; nothing will be met", opened->name));
-    const SceneRays rays(*unprojector, opened->objects, castersOf(opened->objects), opened->clipPlanes());
+    const SceneRays rays = raysOf(*opened, *unprojector);
     return positions.empty() ? pickRows(options, *opened, rays, sink)
                              : pickPositions(options, positions, *opened, rays, sink);
 }
