@@ -50,7 +50,7 @@ Check check(const DepthRange &range);
 /// @return EmptyFramebuffer; PixelRatioNotPositive (NaN and infinity included)
 Check check(const Surface &surface);
 
-// ---- widget <-> device <-> window: the only place with a y flip, a pixel ratio or half a pixel -------------------
+// ---- widget <-> device <-> window: the y flip, the pixel ratio and half a pixel ----------------------------------
 
 /// Continuous device position (px, py) of a widget position: widget * ratio. px and py are what formulas (7) to
 /// (12) take: origin top-left, the centre of pixel (i, j) at (i + 1/2, j + 1/2).
@@ -77,9 +77,9 @@ DevicePoint pixelCenter(const DevicePixel &pixel);
 /// The framebuffer row, counted from the bottom as glReadPixels counts, of a pixel: H - 1 - j.
 int framebufferRow(const Surface &surface, const DevicePixel &pixel);
 
-/// The y flip, from window to device or back: H - y. Everything that turns one into the other goes through it, but the loops
-/// of the batches (unproject/batch), which write the same subtraction for many points, and framebufferRow, which counts
-/// whole rows.
+/// The y flip, from window to device or back: H - y. The program's own points go through it. It is written again in the loops of
+/// the batches (unproject/batch), which take many points at once, for whole rows (framebufferRow), and for other programs, which
+/// may flip about another height (api_conventions, doctor, unproject/other_programs).
 template <class Number>
 Number flippedY(const Surface &surface, const Number &y)
 {
