@@ -30,10 +30,9 @@
 namespace unprojector::gui {
 namespace {
 
-/// @param longest  what the label has room for
-SteadyLabel *steadyLabel(const QString &accessibleName, const QString &toolTip, const QStringList &longest)
+SteadyLabel *steadyLabel(const QString &accessibleName, const QString &toolTip = {})
 {
-    auto *label = new SteadyLabel(longest);
+    auto *label = new SteadyLabel;
     label->setAccessibleName(accessibleName);
     label->setToolTip(toolTip);
     return label;
@@ -84,7 +83,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     headingFont.setBold(true);
     m_heading->setFont(headingFont);
     m_heading->setAccessibleName(tr("What was clicked"));
-    m_sinceClick = new SteadyLabel(longestSinceClickTexts());
+    m_sinceClick = new SteadyLabel;
     m_sinceClick->setAccessibleName(tr("Since the click"));
     m_again = new QPushButton(tr("Pick this pixel a&gain"));
     m_again->setToolTip(tr("Pick what is now under the pixel of this click"));
@@ -92,18 +91,13 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     headingLine->addWidget(m_heading, 1);
     headingLine->addWidget(m_again);
 
-    constexpr double kWidest = 8888.88;
-    m_widget = steadyLabel(tr("Widget position"), tr("Logical pixels from the view's top-left corner, y down"),
-                           {widgetText(WidgetPoint(kWidest, kWidest))});
+    m_widget = steadyLabel(tr("Widget position"), tr("Logical pixels from the view's top-left corner, y down"));
     m_devicePixel = steadyLabel(tr("Device pixel"),
-                                tr("Column and row from the top-left corner of the framebuffer, in device pixels"),
-                                {devicePixelText({8888, 8888}, {8888, 8888, 1.25})});
+                                tr("Column and row from the top-left corner of the framebuffer, in device pixels"));
     m_window =
-        steadyLabel(tr("Window position"), tr("The pixel's centre in device pixels from the bottom-left corner, y up"),
-                    {windowText(WindowPoint(kWidest, kWidest, 0.0))});
+        steadyLabel(tr("Window position"), tr("The pixel's centre in device pixels from the bottom-left corner, y up"));
     m_depth = steadyLabel(
-        tr("Depth"), tr("From the depth buffer, in the depth range: by default 0 is the near plane, 1 the far plane"),
-        {clickedDepthText(depthText(0.888888888888), true), clickedDepthText(depthText(0.8), false)});
+        tr("Depth"), tr("From the depth buffer, in the depth range: by default 0 is the near plane, 1 the far plane"));
     auto *chain = new QGridLayout; // names and values begin on one line, however many the value takes
     chain->setVerticalSpacing(2);
     chain->setColumnStretch(1, 1);
@@ -131,17 +125,15 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     tools->addStretch();
     tools->addWidget(m_copy);
 
-    m_certainty = steadyLabel(tr("Certainty"), {}, longestCertaintyTexts() + longestTakenCertaintyTexts());
-    m_cause = steadyLabel(tr("Cause of the difference"), {}, longestDifferenceCauseTexts());
+    m_certainty = steadyLabel(tr("Certainty"));
+    m_cause = steadyLabel(tr("Cause of the difference"));
 
     m_rayTable = new RayTable(m_rayModel);
     m_rayTable->setAccessibleName(tr("What the ray meets on the mesh"));
     m_ray = steadyLabel(tr("Ray on mesh"),
-                        tr("What the ray through the pixel's centre meets on the mesh itself, in double"),
-                        longestRayTexts());
+                        tr("What the ray through the pixel's centre meets on the mesh itself, in double"));
     m_rayDetail = steadyLabel(tr("Triangle, vertex and edge"),
-                              tr("By their numbers in the model: triangles and vertices are counted from 0"),
-                              longestRayDetailTexts());
+                              tr("By their numbers in the model: triangles and vertices are counted from 0"));
 
     m_others = new OtherProgramsView;
     m_apis = new ApiClicksView;

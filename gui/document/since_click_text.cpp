@@ -29,31 +29,6 @@ QString inWords(Outside where)
     Q_UNREACHABLE();
 }
 
-QString outsideText(const QString &clipTest)
-{
-    return SinceClickTexts::tr("The view has changed since this click. The point is outside it now: %1.").arg(clipTest);
-}
-
-QString otherViewText()
-{
-    return SinceClickTexts::tr("The view has changed since this click; all numbers are those of the click.");
-}
-
-QString movedText()
-{
-    return SinceClickTexts::tr("The object was moved since this click; the point is where its surface was.");
-}
-
-QString hiddenText()
-{
-    return SinceClickTexts::tr("The object of this click is hidden now.");
-}
-
-QString cutAwayText()
-{
-    return SinceClickTexts::tr("A clip plane cuts the point of this click away now.");
-}
-
 } // namespace
 
 QString clipTestText(const ClipPoint &point)
@@ -71,11 +46,11 @@ QString sinceClickText(const SceneDocument &document)
         return {};
     const SinceClick since = document.picks().sinceClick();
     if (since.isObjectHidden)
-        return hiddenText();
+        return SinceClickTexts::tr("The object of this click is hidden now.");
     if (since.isObjectMoved)
-        return movedText();
+        return SinceClickTexts::tr("The object was moved since this click; the point is where its surface was.");
     if (since.isCutAway)
-        return cutAwayText();
+        return SinceClickTexts::tr("A clip plane cuts the point of this click away now.");
     if (!since.isOtherPicture)
         return SinceClickTexts::tr("The view is as it was at the click.");
     const Result<WorldPoint> &world = pick->point.world[Method::Formula];
@@ -83,16 +58,10 @@ QString sinceClickText(const SceneDocument &document)
     if (pick->hit() && world && matrix) {
         const ClipPoint clip(*matrix * glm::dvec4(world->coordinates(), 1.0));
         if (const QString outside = clipTestText(clip); !outside.isEmpty())
-            return outsideText(outside);
+            return SinceClickTexts::tr("The view has changed since this click. The point is outside it now: %1.")
+                .arg(outside);
     }
-    return otherViewText();
-}
-
-QStringList longestSinceClickTexts()
-{
-    return {movedText(), otherViewText(), hiddenText(), cutAwayText(),
-            outsideText(QStringList{inWords(Outside::Right), inWords(Outside::Bottom), inWords(Outside::Near)}.join(
-                QStringLiteral(", ")))};
+    return SinceClickTexts::tr("The view has changed since this click; all numbers are those of the click.");
 }
 
 } // namespace unprojector::gui

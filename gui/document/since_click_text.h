@@ -3,7 +3,6 @@
 #include "core/matrices/pipeline.h"
 
 #include <QString>
-#include <QStringList>
 
 namespace unprojector::gui {
 
@@ -18,8 +17,5 @@ QString clipTestText(const geometry::ClipPoint &point);
 /// volume: there is nothing at that point any more.
 /// @return nothing without a pick
 QString sinceClickText(const SceneDocument &document);
-
-/// The longest that sinceClickText can say, for whoever reserves room for it.
-QStringList longestSinceClickTexts();
 
 } // namespace unprojector::gui

@@ -69,20 +69,9 @@ Place placeOf(const SceneDocument &document, const DepthScale &scale)
 } // namespace
 
 DepthPrecisionPanel::DepthPrecisionPanel(const SceneDocument &document, QWidget *parent)
-    : QWidget(parent), m_document(document), m_plot(new DepthPrecisionPlot),
+    : QWidget(parent), m_document(document), m_plot(new DepthPrecisionPlot), m_words(new SteadyLabel),
       m_help(new HelpLink(QStringLiteral("certainty")))
 {
-    const QString error = errorText(1.2e-5), distance = writtenText(12345.6, 6);
-    m_words = new SteadyLabel(
-        {inARow({tr("In the middle of the picture, %1 in front of the eye, rounding the depth leaves ±%2 open.")
-                     .arg(distance, error),
-                 tr("Near %1 instead of %2 makes this %3 times better here (±%4).")
-                     .arg(distance, distance, timesText(1234.0), error),
-                 tr("A buffer of floats, with NDC depths from 0 to 1 (glClipControl) and a projection that "
-                    "has 1 at near, would make it %1 "
-                    "times better (±%2).")
-                     .arg(timesText(12e6), error),
-                 assumedText()})});
     m_layout = new QBoxLayout(QBoxLayout::TopToBottom, this);
     m_layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     m_layout->setSpacing(kMargin);
@@ -111,19 +100,14 @@ QString DepthPrecisionPanel::text() const
 
 QSize DepthPrecisionPanel::minimumSizeHint() const
 {
-    return {m_plot->minimumSizeHint().width() + 2 * kMargin, minimumHeight()};
+    return {m_plot->minimumSizeHint().width() + 2 * kMargin, m_layout->minimumSize().height()};
 }
 
 void DepthPrecisionPanel::arrange()
 {
-    const QSize plot = m_plot->minimumSizeHint();
-    const int room = width() - 2 * kMargin;
-    const bool isBeside = room >= 2 * plot.width();
+    const bool isBeside = width() - 2 * kMargin >= 2 * m_plot->minimumSizeHint().width();
     m_layout->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     m_layout->setStretch(1, isBeside ? 2 : 0);
-    const int words =
-        m_words->heightAt((isBeside ? 2 * (room - kMargin) / 5 : room) - m_help->sizeHint().width() - kMargin / 2);
-    setMinimumHeight(2 * kMargin + (isBeside ? std::max(plot.height(), words) : plot.height() + kMargin + words));
 }
 
 void DepthPrecisionPanel::resizeEvent(QResizeEvent *event)
@@ -203,7 +187,7 @@ void DepthPrecisionPanel::refresh()
     if (!m_document.picks().pick())
         said << assumedText();
     const QString words = inARow(said);
-    m_words->setPlain(words);
+    m_words->setText(words);
     m_plot->setAccessibleDescription(words);
     m_plot->show(std::move(curves), place.isPoint ? std::optional(place.distance) : std::nullopt);
 }

@@ -13,8 +13,7 @@ namespace unprojector::gui {
 using Space = PointModel::Space;
 
 DerivationLine::DerivationLine(const SceneDocument &document, PipelineModel &model, QWidget *parent)
-    : QWidget(parent), m_document(document), m_model(model), m_label(new SteadyLabel(longestDerivations(false))),
-      m_help(new HelpLink({}))
+    : QWidget(parent), m_document(document), m_model(model), m_label(new SteadyLabel), m_help(new HelpLink({}))
 {
     m_label->setObjectName(QStringLiteral("derivation"));
     m_label->setAccessibleName(tr("How the chosen number comes about"));
@@ -31,9 +30,10 @@ void DerivationLine::choose(PointModel::Space space, int coordinate)
     refresh();
 }
 
-void DerivationLine::keepRoom()
+void DerivationLine::startOver()
 {
-    m_label->setLongest(longestDerivations(m_model.view().isWhole));
+    refresh();
+    m_label->startOver();
 }
 
 void DerivationLine::refresh()

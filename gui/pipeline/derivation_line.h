@@ -22,8 +22,8 @@ public:
     /// @param coordinate  of the space, as it is shown: 0 for x, 3 for w
     void choose(PointModel::Space space, int coordinate);
     void refresh();
-    /// Keeps room for the longest text with as many digits as the model shows.
-    void keepRoom();
+    /// Refreshes, and forgets how much room the texts so far have needed.
+    void startOver();
 
 private:
     QString helpOf(const EntryDerivation &derivation) const;

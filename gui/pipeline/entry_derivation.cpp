@@ -263,21 +263,4 @@ QString unbrokenTerms(QString text)
     return text.replace(QStringLiteral("= "), u'=' + QString(blank));
 }
 
-QStringList longestDerivations(bool isWhole)
-{
-    const QString number = isWhole ? QStringLiteral("-0.12345678901234567") : QStringLiteral("-0.123456789");
-    const auto sum = [&number](const QString &entry, const QString &zero) {
-        return QStringLiteral("\n= %1 · (%3) + %2 · (%3) + %2 · (%3) + %1 · (%3) = %3").arg(entry, zero, number);
-    };
-    const auto product = [](const char *matrix, const QString &source) {
-        return Texts::tr("row %1 of %2 · %3").arg(1).arg(QString::fromLatin1(matrix), source);
-    };
-    const QString window = QStringLiteral("window x = %1%2\n= (NDC x + 1) · (df − dn)/2 + dn = (%3 + 1) · %4 + %4");
-    const QString pixels = QStringLiteral("1234.5");
-    return {unbrokenTerms(QStringLiteral("world x = ") + product("worldFromObject", QStringLiteral("object"))
-                          + sum(number, number)),
-            unbrokenTerms(window.arg(product("windowFromNdc", QStringLiteral("NDC")), sum(pixels, QStringLiteral("0")),
-                                     number, pixels))};
-}
-
 } // namespace unprojector::gui

@@ -38,8 +38,5 @@ QString unbrokenTerms(QString text);
 
 /// What there is to be said as long as no coordinate is chosen.
 QString entryHint();
-/// The longest that entryDerivation says, unbroken, to keep room for.
-/// @param isWhole  with all digits
-QStringList longestDerivations(bool isWhole);
 
 } // namespace unprojector::gui

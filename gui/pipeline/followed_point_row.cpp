@@ -11,8 +11,7 @@
 namespace unprojector::gui {
 
 FollowedPointRow::FollowedPointRow(const SceneDocument &document, PipelineModel &model, QWidget *parent)
-    : QWidget(parent), m_document(document), m_model(model),
-      m_status(new SteadyLabel(PipelineModel::longestStatusTexts())), m_follow(new QToolButton),
+    : QWidget(parent), m_document(document), m_model(model), m_status(new SteadyLabel), m_follow(new QToolButton),
       m_remove(new QToolButton)
 {
     m_status->setAccessibleName(tr("What the points are"));

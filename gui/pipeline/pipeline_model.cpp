@@ -22,23 +22,7 @@ namespace {
 
 using Space = PointModel::Space;
 
-QString movedForwardText()
-{
-    return PipelineModel::tr(
-        "The view has changed since this click: the point on its way through the view as it is now.");
-}
-
-QString movedBackText()
-{
-    return PipelineModel::tr("The view has changed since this click: back from where the point is now.");
-}
-
 } // namespace
-
-QStringList PipelineModel::longestStatusTexts()
-{
-    return longestSinceClickTexts() << movedForwardText() << movedBackText();
-}
 
 PipelineModel::PipelineModel(SceneDocument &document, QObject *parent)
     : QObject(parent), m_document(document), m_chosen(new FollowedObject(document, this)),
@@ -350,7 +334,8 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
         const Result<WindowPoint> start = isFresh ? Result<WindowPoint>(pick.window) : points.window;
         if (start)
             points = pointsBackward(pipeline, *start);
-        m_status = isFresh ? tr("Back from the clicked pixel's centre and the depth read there.") : movedBackText();
+        m_status = isFresh ? tr("Back from the clicked pixel's centre and the depth read there.")
+                           : tr("The view has changed since this click: back from where the point is now.");
     } else {
         m_status = tr("The picked point on its way to the window.");
     }
@@ -361,7 +346,7 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
     if (since.isObjectMoved || since.isObjectHidden || since.isCutAway || isOutside)
         m_status = sinceClickText(m_document);
     else if (since.isOtherPicture && m_direction == PipelineDirection::Forward)
-        m_status = movedForwardText();
+        m_status = tr("The view has changed since this click: the point on its way through the view as it is now.");
     showAll(points);
 }
 

@@ -75,8 +75,6 @@ public:
     bool isDepthRead() const;
     /// Where the points come from, or why there are none.
     const QString &status() const { return m_status; }
-    /// The longest that it can be, errors left out.
-    static QStringList longestStatusTexts();
     /// Points and matrices with all digits.
     QString text() const;
 

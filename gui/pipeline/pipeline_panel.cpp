@@ -246,9 +246,8 @@ void PipelinePanel::showTitles()
             stageName(stage, m_model->direction()), m_model->matrix(stage)->variableName(),
             productText(stage, m_model->direction(), m_model->view().layout));
     showHelp();
-    m_derivation->keepRoom();
     showFactors();
-    m_derivation->refresh();
+    m_derivation->startOver();
 }
 
 void PipelinePanel::showFactors()

@@ -55,17 +55,6 @@ QString sidesOf(const ProportionText &text)
            + (text.share.isEmpty() ? text.share : QStringLiteral(" = ") + text.share);
 }
 
-/// One whose numbers are as long as they get.
-Picture widestPicture()
-{
-    const double widest = -1.23456e-88;
-    return {{8888, 8888, 1.25},
-            {-8888.5, -8888.5, 8888.5, 8888.5},
-            {},
-            Ortho{widest, -widest, widest, -widest, 1.0, 2.0},
-            LookAt{}};
-}
-
 } // namespace
 
 ViewportInspector::ViewportInspector(SceneDocument &document, QWidget *parent)
@@ -107,18 +96,15 @@ ViewportInspector::ViewportInspector(SceneDocument &document, QWidget *parent)
 
 QWidget *ViewportInspector::createProportions()
 {
-    const auto label = [](const QString &accessibleName, const QString &toolTip, const QStringList &longest) {
-        auto *made = new SteadyLabel(longest);
+    const auto label = [](const QString &accessibleName, const QString &toolTip = {}) {
+        auto *made = new SteadyLabel;
         made->setAccessibleName(accessibleName);
         made->setToolTip(toolTip);
         return made;
     };
-    const Picture widest = widestPicture();
     m_window =
-        label(tr("Window"), tr("The view's framebuffer in device pixels, and how many of them make a logical pixel"),
-              {windowText(widest.surface)});
-    m_viewport = label(tr("Viewport"), tr("x, y, width, height in device pixels from the window's bottom-left corner"),
-                       {viewportText(widest.viewport)});
+        label(tr("Window"), tr("The view's framebuffer in device pixels, and how many of them make a logical pixel"));
+    m_viewport = label(tr("Viewport"), tr("x, y, width, height in device pixels from the window's bottom-left corner"));
     const std::array names{std::pair(tr("Proportion (3)"), tr("Numbers of proportion (3)")),
                            std::pair(tr("Proportion (4)"), tr("Numbers of proportion (4)"))};
     const QString terms =
@@ -126,30 +112,23 @@ QWidget *ViewportInspector::createProportions()
            "x_v, y_v: the centre of the pointer's pixel, device pixels from the window's bottom-left corner\n"
            "vx, vy, width, height: the viewport; left, right, bottom, top: the projection window");
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
-        const ProportionText text = proportionText(widest, kAxes[i], WindowPoint(8888.5, 8888.5, 0.0));
-        const QString symbols = proportionMarkup(text.symbols);
-        m_symbols[i] = label(names[i].first, terms, {symbols});
-        m_symbols[i]->setMarkup(symbols, text.symbols);
-        m_numbers[i] = label(names[i].second, terms, {sidesOf(text)});
+        const QString symbols = proportionText(m_document.picture(), kAxes[i], {}).symbols;
+        m_symbols[i] = label(names[i].first, terms);
+        m_symbols[i]->setMarkup(proportionMarkup(symbols), symbols);
         m_symbols[i]->setFont(digitsFont(font()));
+        m_numbers[i] = label(names[i].second, terms);
         m_numbers[i]->setFont(digitsFont(font()));
     }
-    m_circle = label(tr("Shape of a circle"), {}, {circleText(0.00123), circleText(1234.5), circleText(1.0)});
+    m_circle = label(tr("Shape of a circle"));
 
     auto *proportions = new QWidget;
     auto *layout = new QVBoxLayout(proportions);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
-    for (SteadyLabel *line : lines())
+    for (SteadyLabel *line : {m_window, m_viewport, m_symbols[0], m_numbers[0], m_symbols[1], m_numbers[1], m_circle})
         layout->addWidget(line);
     layout->addStretch();
     return proportions;
-}
-
-/// From top to bottom.
-std::vector<SteadyLabel *> ViewportInspector::lines() const
-{
-    return {m_window, m_viewport, m_symbols[0], m_numbers[0], m_symbols[1], m_numbers[1], m_circle};
 }
 
 void ViewportInspector::createTable()
@@ -237,7 +216,7 @@ QSize ViewportInspector::minimumSizeHint() const
 {
     const QMargins margins = layout()->contentsMargins();
     return {std::max(leastWidth(), m_page->sizeHint().width() + margins.left() + margins.right()),
-            margins.top() + m_page->sizeHint().height() + layout()->spacing() + m_leastHeight + margins.bottom()};
+            layout()->minimumSize().height()};
 }
 
 /// What was chosen, and beside it what there is room for.
@@ -263,30 +242,6 @@ void ViewportInspector::arrange()
     // The drawing and the proportions would otherwise have what the table needs.
     m_table->setMinimumWidth(std::clamp(room, 0, m_table->maximumWidth()));
     m_page->setVisible(isShown != std::array{true, true, true});
-    fitHeight();
-}
-
-/// As high as the proportions need at this width, whatever they say; without them as high as the drawing.
-void ViewportInspector::fitHeight()
-{
-    int height = m_drawing->minimumSizeHint().height();
-    if (m_proportions->isVisibleTo(this)) {
-        const QMargins margins = layout()->contentsMargins();
-        int width = this->width() - margins.left() - margins.right();
-        if (m_table->isVisibleTo(this))
-            width -= m_table->maximumWidth() + kSpacing;
-        // The drawing has a third of what both share, and at least what it needs.
-        if (m_drawing->isVisibleTo(this))
-            width -= kSpacing + std::max((width - kSpacing) / 3, m_drawing->minimumSizeHint().width());
-        int needed = 0;
-        for (const SteadyLabel *line : lines())
-            needed += line->heightAt(width) + m_proportions->layout()->spacing();
-        height = std::max(height, needed);
-    }
-    if (m_leastHeight == height)
-        return;
-    m_leastHeight = height;
-    updateGeometry();
 }
 
 void ViewportInspector::resizeEvent(QResizeEvent *event)
@@ -357,7 +312,7 @@ void ViewportInspector::showPointer()
         const QString sides = sidesOf(proportionText(*m_shown, kAxes[i], m_corners->pointerWindow()));
         // Rich text costs too much at every move of the pointer, and with it there is no symbol among the numbers.
         if (m_corners->pointerWindow())
-            m_numbers[i]->setPlain(sides);
+            m_numbers[i]->setText(sides);
         else
             m_numbers[i]->setMarkup(proportionMarkup(sides), sides);
     }

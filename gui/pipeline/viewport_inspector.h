@@ -6,7 +6,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 class QHBoxLayout;
 class QTableView;
@@ -21,8 +20,8 @@ class ViewportDrawing;
 
 /// How window, viewport and projection window relate: drawn to scale, as the proportions (3) and (4) with their numbers,
 /// and as a table of the window's corners. It follows the pointer and every resize. Hidden, it does nothing; shown again,
-/// it catches up. Where it is too narrow for all three, a switch leads from one to the other. Its least size follows from
-/// fonts and from its width, never from numbers.
+/// it catches up. Where it is too narrow for all three, a switch leads from one to the other. Its least width follows
+/// from fonts, never from numbers.
 class ViewportInspector : public QWidget {
     Q_OBJECT
 public:
@@ -51,9 +50,7 @@ private:
     int proportionsWidth() const;
     int leastWidth() const;
     void arrange();
-    void fitHeight();
     void refresh();
-    std::vector<SteadyLabel *> lines() const;
     void showPicture();
     void showPointer();
 
@@ -69,7 +66,6 @@ private:
     SteadyLabel *m_circle;
     QTableView *m_table;
     QHBoxLayout *m_contents;
-    int m_leastHeight = 0;          ///< of what is shown, below the switch
     std::optional<Picture> m_shown; ///< the picture that is on display
     std::optional<WidgetPoint> m_pointer;
 };

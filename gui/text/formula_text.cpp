@@ -158,47 +158,6 @@ PickFormulas rayFormulas(const Pick &pick)
     return result;
 }
 
-QString agreementText()
-{
-    return Formulas::tr(
-        "The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
-}
-
-QString boxCauseText(const QString &byCancelling)
-{
-    return Formulas::tr(
-               "Cause: rounding in the inverted matrix, magnified %1 times where the eye's coordinates cancel. The "
-               "formula inverts nothing.")
-        .arg(byCancelling);
-}
-
-QString perspectiveCauseText(const QString &byPerspective, const QString &byCancelling)
-{
-    return Formulas::
-        tr("Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 "
-           "times where the eye's coordinates cancel. The formula inverts nothing.")
-            .arg(byPerspective, byCancelling);
-}
-
-QString leftOpenText(const QString &along, const QString &step, const QString &across, const QString &up)
-{
-    return Formulas::tr("At the pixel's centre the surface is within ± %1 along the view (half a depth step is %2). "
-                        "A pixel is %3 × %4 here.")
-        .arg(along, step, across, up);
-}
-
-QString leftOpenByDotText(const QString &along, const QString &across, const QString &up, double dotPixels)
-{
-    return Formulas::tr("The buffers leave ± %1 along the view and ± %2 × %3 across it "
-                        "(half of the %4 pixels that a point is drawn wide).")
-        .arg(along, across, up, significantText(dotPixels, 3));
-}
-
-QString rayEndsText(const QString &enter, const QString &leave)
-{
-    return Formulas::tr("The ray enters the view volume at %1 and leaves it at %2.").arg(enter, leave);
-}
-
 } // namespace
 
 PickFormulas formulasOf(const Pick &pick)
@@ -222,7 +181,8 @@ QString differenceCauseText(const Pick &pick)
     const WorldVector d = world.difference();
     const double ulps = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) / ulpOfLargest(*world[Method::Formula]);
     if (ulps <= 4.0)
-        return agreementText();
+        return Formulas::tr(
+            "The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
     const Result<EyePoint> &eye = pick.hit() ? pick.point.eye[Method::Formula] : pick.rayFar.eye[Method::Formula];
     if (!eye)
         return {};
@@ -232,17 +192,17 @@ QString differenceCauseText(const Pick &pick)
     const double cancelled = std::max(largest(origin), largest(*eye)) / largest(point);
     const QString byCancelling = significantText(std::max(1.0, cancelled), 2);
     if (!isPerspective(pick.picture.projection()))
-        return boxCauseText(byCancelling);
+        return Formulas::tr(
+                   "Cause: rounding in the inverted matrix, magnified %1 times where the eye's coordinates cancel. The "
+                   "formula inverts nothing.")
+            .arg(byCancelling);
     // z_ndc changes by n f / (f - n) / z^2 a unit of z: what rounding does to the one shows in the other that much larger.
     const ProjectionWindow w = projectionWindow(pick.picture.projection());
     const double n = w.nearDistance, f = w.farDistance, z = -eye->z;
-    return perspectiveCauseText(significantText(std::max(1.0, z * (f - n) / (f * n)), 2), byCancelling);
-}
-
-QStringList longestDifferenceCauseTexts()
-{
-    const QString widest = significantText(8.8e88, 2);
-    return {agreementText(), boxCauseText(widest), perspectiveCauseText(widest, widest)};
+    return Formulas::
+        tr("Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 "
+           "times where the eye's coordinates cancel. The formula inverts nothing.")
+            .arg(significantText(std::max(1.0, z * (f - n) / (f * n)), 2), byCancelling);
 }
 
 QString certaintyText(const Pick &pick)
@@ -250,10 +210,15 @@ QString certaintyText(const Pick &pick)
     if (pick.hit()) {
         const Certainty &c = pick.certainty;
         if (pick.sample.dotPixels > 1.0)
-            return leftOpenByDotText(boundText(c.distance), boundText(c.footprintWidth / 2.0),
-                                     boundText(c.footprintHeight / 2.0), pick.sample.dotPixels);
-        return leftOpenText(boundText(c.distance), readableText(c.halfDepthStep), readableText(c.footprintWidth),
-                            readableText(c.footprintHeight));
+            return Formulas::tr("The buffers leave ± %1 along the view and ± %2 × %3 across it "
+                                "(half of the %4 pixels that a point is drawn wide).")
+                .arg(boundText(c.distance), boundText(c.footprintWidth / 2.0), boundText(c.footprintHeight / 2.0),
+                     significantText(pick.sample.dotPixels, 3));
+        return Formulas::tr(
+                   "At the pixel's centre the surface is within ± %1 along the view (half a depth step is %2). "
+                   "A pixel is %3 × %4 here.")
+            .arg(boundText(c.distance), readableText(c.halfDepthStep), readableText(c.footprintWidth),
+                 readableText(c.footprintHeight));
     }
     const Result<WorldPoint> &enter = pick.rayNear.world[Method::Formula];
     const Result<WorldPoint> &leave = pick.rayFar.world[Method::Formula];
@@ -262,14 +227,8 @@ QString certaintyText(const Pick &pick)
     const auto written = [](const WorldPoint &p) {
         return QStringLiteral("(%1, %2, %3)").arg(coordinate(p.x, 0.0), coordinate(p.y, 0.0), coordinate(p.z, 0.0));
     };
-    return rayEndsText(written(*enter), written(*leave));
-}
-
-QStringList longestCertaintyTexts()
-{
-    const QString widest = readableText(-8e-88), end = QStringLiteral("(−8888888.888, −8888888.888, −8888.888)");
-    return {leftOpenText(widest, widest, widest, widest), leftOpenByDotText(widest, widest, widest, 12.0),
-            rayEndsText(end, end)};
+    return Formulas::tr("The ray enters the view volume at %1 and leaves it at %2.")
+        .arg(written(*enter), written(*leave));
 }
 
 } // namespace unprojector::gui

@@ -4,7 +4,6 @@
 #include "gui/text/formula_with_numbers.h"
 
 #include <QString>
-#include <QStringList>
 
 namespace unprojector::gui {
 using namespace unproject;
@@ -26,13 +25,9 @@ PickFormulas formulasOf(const Pick &pick);
 
 /// Why the two methods differ by what they differ, with the numbers that decide it.
 QString differenceCauseText(const Pick &pick);
-/// The longest that it can be.
-QStringList longestDifferenceCauseTexts();
 
 /// How far off the picked coordinate can be, and from what. Of the background: where the ray enters and leaves the view
 /// volume.
 QString certaintyText(const Pick &pick);
-/// The longest that it can be.
-QStringList longestCertaintyTexts();
 
 } // namespace unprojector::gui

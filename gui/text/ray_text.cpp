@@ -134,18 +134,6 @@ QString rayImpossibleText(const QString &reason)
                             : RayTexts::tr("There is no ray on the mesh: %1.").arg(reason);
 }
 
-QStringList longestRayTexts()
-{
-    const QString name(kMostOfName, u'M');
-    QStringList texts{rayPreparingText()};
-    for (const Kind kind : {Kind::SameSurface, Kind::OtherPart, Kind::OtherObject, Kind::SameDepth, Kind::OnlyFrame,
-                            Kind::OnlyRay, Kind::CloudPoint}) {
-        for (const double steps : {-8.8e-88, 8.8e88})
-            texts << rayComparisonText({kind, 8.8e-88, steps}, name, name);
-    }
-    return texts;
-}
-
 QString rayDetailText(Snap snap, const std::optional<SceneHit> &hit)
 {
     if (hit && !hit->triangle)
@@ -196,36 +184,6 @@ QString takenCertaintyText(Snap snap, const SceneHit &taken)
     return RayTexts::tr("The point taken on the face is certain to ± %1: it does not go through the depth buffer. The "
                         "table above is of the pixel that was clicked.")
         .arg(most);
-}
-
-QStringList longestTakenCertaintyTexts()
-{
-    SceneHit hit;
-    hit.triangle = TriangleDetail{};
-    hit.uncertainty = {8.8e-88, 8.8e-88, 8.8e-88};
-    QStringList texts;
-    for (const Snap snap : {Snap::Vertex, Snap::Edge, Snap::Face})
-        texts << takenCertaintyText(snap, hit);
-    return texts;
-}
-
-QStringList longestRayDetailTexts()
-{
-    SceneHit hit;
-    constexpr std::uint32_t kLargest = 88888888;
-    constexpr double kLong = -0.888888;
-    hit.world = WorldPoint(-8888888.8, 0.0, 0.0);
-    hit.vertex = {kLargest, hit.world, 8.8e-88};
-    TriangleDetail triangle;
-    triangle.triangle = kLargest;
-    triangle.barycentric = {0.8888, 0.8888, 0.8888};
-    triangle.normal = {kLong, kLong, kLong};
-    triangle.edge = {{kLargest, kLargest}, hit.world, 8.8e-88};
-    hit.triangle = triangle;
-    QStringList texts;
-    for (const Snap snap : {Snap::Surface, Snap::Vertex, Snap::Edge, Snap::Face})
-        texts << rayDetailText(snap, hit) << rayDetailText(snap, std::nullopt);
-    return texts;
 }
 
 } // namespace unprojector::gui

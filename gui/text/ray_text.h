@@ -4,7 +4,6 @@
 #include "core/ray/scene_rays.h"
 
 #include <QString>
-#include <QStringList>
 
 namespace unprojector::gui {
 using namespace ray;
@@ -18,19 +17,14 @@ QString rayComparisonText(const RayComparison &comparison, const QString &shown,
 QString rayPreparingText();
 /// @param reason  a clause; empty: the picture has no rays
 QString rayImpossibleText(const QString &reason);
-/// The longest that any of these can be.
-QStringList longestRayTexts();
 
 /// What a click takes, beside its coordinates: triangle, vertex and edge by their numbers, the plane of a face.
 /// @param hit  nothing: nothing was in reach
 QString rayDetailText(Snap snap, const std::optional<SceneHit> &hit);
-/// The longest that it can be.
-QStringList longestRayDetailTexts();
 
 /// What a click has taken in a mode that is not of surfaces, for a headline: "Vertex 12 of Teapot".
 QString takenText(Snap snap, const SceneHit &taken, const QString &object);
 /// How certain the point is that it has taken, which is not the surface's under the pixel.
 QString takenCertaintyText(Snap snap, const SceneHit &taken);
-QStringList longestTakenCertaintyTexts();
 
 } // namespace unprojector::gui

@@ -10,7 +10,7 @@
 
 namespace unprojector::gui {
 
-SteadyLabel::SteadyLabel(const QStringList &longest, QWidget *parent) : QLabel(parent), m_longest(longest)
+SteadyLabel::SteadyLabel(QWidget *parent) : QLabel(parent)
 {
     setTextFormat(Qt::PlainText);
     setWordWrap(true);
@@ -18,33 +18,27 @@ SteadyLabel::SteadyLabel(const QStringList &longest, QWidget *parent) : QLabel(p
     setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     // The height follows from the width, which is the layout's to say.
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    keepRoom();
 }
 
-int SteadyLabel::heightAt(int width) const
+int SteadyLabel::heightOf(const QString &text, Qt::TextFormat format) const
 {
-    int height = fontMetrics().lineSpacing();
-    for (const QString &text : m_longest) {
-        if (Qt::mightBeRichText(text)) {
-            QTextDocument set;
-            set.setDocumentMargin(0.0);
-            set.setDefaultFont(font());
-            set.setHtml(text);
-            set.setTextWidth(std::max(width, 1));
-            height = std::max(height, static_cast<int>(std::ceil(set.size().height())));
-            continue;
-        }
-        const QRect needed = fontMetrics().boundingRect(QRect(0, 0, std::max(width, 1), 1 << 16),
-                                                        Qt::AlignLeft | Qt::TextWordWrap, text);
-        height = std::max(height, needed.height());
+    const int room = std::max(width(), 1);
+    if (format == Qt::RichText) {
+        QTextDocument set;
+        set.setDocumentMargin(0.0);
+        set.setDefaultFont(font());
+        set.setHtml(text);
+        set.setTextWidth(room);
+        return static_cast<int>(std::ceil(set.size().height()));
     }
-    return height + 2;
+    return fontMetrics().boundingRect(QRect(0, 0, room, 1 << 16), Qt::AlignLeft | Qt::TextWordWrap, text).height();
 }
 
-void SteadyLabel::setLongest(const QStringList &longest)
+void SteadyLabel::setText(const QString &text)
 {
-    if (longest == m_longest)
-        return;
-    m_longest = longest;
+    setTextFormat(Qt::PlainText);
+    QLabel::setText(text);
     keepRoom();
 }
 
@@ -52,13 +46,14 @@ void SteadyLabel::setMarkup(const QString &markup, const QString &plain)
 {
     m_plain = plain;
     setTextFormat(Qt::RichText);
-    setText(markup);
+    QLabel::setText(markup);
+    keepRoom();
 }
 
-void SteadyLabel::setPlain(const QString &text)
+void SteadyLabel::startOver()
 {
-    setTextFormat(Qt::PlainText);
-    setText(text);
+    m_tallest.clear();
+    keepRoom();
 }
 
 QSize SteadyLabel::minimumSizeHint() const
@@ -73,7 +68,12 @@ QSize SteadyLabel::sizeHint() const
 
 void SteadyLabel::keepRoom()
 {
-    setFixedHeight(heightAt(width()));
+    const int now = heightOf(text(), textFormat()), most = heightOf(m_tallest, m_tallestFormat);
+    if (now > most) {
+        m_tallest = text();
+        m_tallestFormat = textFormat();
+    }
+    setFixedHeight(std::max({now, most, fontMetrics().lineSpacing()}) + 2);
 }
 
 void SteadyLabel::resizeEvent(QResizeEvent *event)

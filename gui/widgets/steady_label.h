@@ -3,37 +3,31 @@
 #include "gui/widgets/copy_menu.h"
 
 #include <QLabel>
-#include <QStringList>
 
 #include <utility>
 
 namespace unprojector::gui {
 
-/// A text over several lines with room for the longest that it will ever say: it is as high at every width as that needs,
-/// whatever it says now, so that nothing around it moves. Texts can be selected; the tooltip of a text that is longer after
-/// all has the whole of it.
+/// A text over several lines that keeps the room it once needed: the label grows with its texts and never shrinks, so that
+/// what stands around it does not move with every value. Texts can be selected.
 class SteadyLabel : public QLabel {
     Q_OBJECT
 public:
-    /// @param longest  the texts to keep room for, or their markup
-    explicit SteadyLabel(const QStringList &longest, QWidget *parent = nullptr);
+    explicit SteadyLabel(QWidget *parent = nullptr);
 
-    /// Keeps room for others from now on.
-    void setLongest(const QStringList &longest);
+    /// Shows a text as it is.
+    void setText(const QString &text);
     /// Shows a text with its indexes set as such. What is copied is the plain text.
     void setMarkup(const QString &markup, const QString &plain);
-    /// Shows a text as it is.
-    void setPlain(const QString &text);
+    /// Forgets the texts so far and keeps room for the one that is shown.
+    void startOver();
 
     /// What its menu copies besides the text.
     void setValue(Copyable value) { m_value = std::move(value); }
 
-    /// Lines that the longest text needs at a width.
-    int heightAt(int width) const;
-
     QSize minimumSizeHint() const override;
     QSize sizeHint() const override;
-    /// The height is that of the longest text. A label that wraps would lay out each new text several times to tell one.
+    /// The height is fixed. A label that wraps would lay out each new text several times to tell one.
     bool hasHeightForWidth() const override { return false; }
     int heightForWidth(int) const override { return -1; }
 
@@ -44,8 +38,10 @@ protected:
 
 private:
     void keepRoom();
+    int heightOf(const QString &text, Qt::TextFormat format) const;
 
-    QStringList m_longest;
+    QString m_tallest; ///< of the texts so far, the one that needs the most room
+    Qt::TextFormat m_tallestFormat = Qt::PlainText;
     QString m_plain; ///< of the markup
     Copyable m_value;
 };
