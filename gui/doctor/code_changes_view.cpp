@@ -3,7 +3,6 @@
 #include "core/doctor/mistake_texts.h"
 #include "core/doctor/remedies.h"
 #include "core/doctor/verdict_texts.h"
-#include "gui/text/mistake_text.h"
 #include "gui/widgets/contrast.h"
 #include "gui/widgets/copy_menu.h"
 #include "gui/widgets/digits_font.h"
@@ -118,10 +117,10 @@ void CodeChangesView::showLines()
         if (!hasLine)
             rows += QStringLiteral("<tr><td></td><td>%1</td></tr>")
                         .arg(tr("%1: no line of this library makes it; the other libraries show where it is made.")
-                                 .arg(mistakeName(part.toStdString()))
+                                 .arg(QString::fromStdString(doctor::mistakeName(part.toStdString())))
                                  .toHtmlEscaped());
     }
-    QString title = tr("To change: %1").arg(mistakeName(m_id));
+    QString title = tr("To change: %1").arg(QString::fromStdString(doctor::mistakeName(m_id)));
     if (parts.size() == 2)
         title += u'\n'
                  + QString::fromStdString(doctor::twoChangesSentence(doctor::mistakeName(parts[0].toStdString()),

@@ -1,8 +1,8 @@
 #include "gui/doctor/diagnosis_view.h"
 
+#include "core/doctor/mistake_texts.h"
 #include "core/doctor/verdict_texts.h"
 #include "gui/text/doctor_text.h"
-#include "gui/text/mistake_text.h"
 #include "gui/text/number_text.h"
 #include "gui/widgets/contrast.h"
 
@@ -122,7 +122,7 @@ void DiagnosisView::showAnswer(const Shown &shown)
     if (const Candidate *next = isKnown ? nullptr : diagnosis.runnerUp())
         addCandidate(tr("Next best"), *next);
     if (!diagnosis.known.empty() && diagnosis.namesMistake())
-        addPlain(tr("Is also"), knownPointName(diagnosis.known));
+        addPlain(tr("Is also"), QString::fromStdString(knownPointName(diagnosis.known)));
     if (best.explains && best.id != "right" && !isKnown)
         addPlain(tr("Chance"), QString::fromStdString(chanceText(diagnosis.chance)));
     addPlain(tr("Lands"), QString::fromStdString(landingText(diagnosis)));

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace unprojector::gui {
@@ -285,13 +286,8 @@ void ParameterGroup::apply(const FieldPointer &field)
     std::vector<unsigned> sets;
     for (unsigned set = 0; set < all; ++set)
         sets.push_back(set);
-    const auto sizeOf = [](unsigned set) {
-        int size = 0;
-        for (; set != 0; set &= set - 1)
-            ++size;
-        return size;
-    };
-    std::stable_sort(sets.begin(), sets.end(), [&](unsigned a, unsigned b) { return sizeOf(a) > sizeOf(b); });
+    std::stable_sort(sets.begin(), sets.end(),
+                     [](unsigned a, unsigned b) { return std::popcount(a) > std::popcount(b); });
     for (const unsigned set : sets) {
         std::vector<FieldPointer> together{field};
         for (std::size_t i = 0; i < refused.size(); ++i) {

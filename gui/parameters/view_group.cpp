@@ -6,14 +6,6 @@
 #include <cmath>
 
 namespace unprojector::gui {
-namespace {
-
-double *component(WorldPoint &point, int i)
-{
-    return i == 0 ? &point.x : i == 1 ? &point.y : &point.z;
-}
-
-} // namespace
 
 ViewGroup::ViewGroup(SceneDocument &document, QWidget *parent)
     : ParameterGroup(
@@ -24,10 +16,10 @@ ViewGroup::ViewGroup(SceneDocument &document, QWidget *parent)
     heading().setHelp(QStringLiteral("view"));
     addPoint(tr("Eye"), tr("Eye %1"), QStringLiteral("eye"), worldUnits(),
              tr("Where the camera stands, world units (gluLookAt: eye%1)"),
-             [](LookAt &view, int i) { return component(view.eye, i); });
+             [](LookAt &view, int i) { return &view.eye[i]; });
     addPoint(tr("Center"), tr("Center %1"), QStringLiteral("center"), worldUnits(),
              tr("The point the camera looks at, world units (gluLookAt: center%1)"),
-             [](LookAt &view, int i) { return component(view.center, i); });
+             [](LookAt &view, int i) { return &view.center[i]; });
     m_lengths = findChildren<NumberField *>();
     addPoint(tr("Up"), tr("Up %1"), QStringLiteral("up"), ofAnyLength(),
              tr("The direction that is upwards in the picture; its length does not matter (gluLookAt: up%1)"),

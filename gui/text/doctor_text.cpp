@@ -1,8 +1,8 @@
 #include "gui/text/doctor_text.h"
 
+#include "core/doctor/mistake_texts.h"
 #include "core/doctor/ranking.h"
 #include "core/doctor/verdict_texts.h"
-#include "gui/text/mistake_text.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
 
@@ -22,11 +22,12 @@ struct DoctorText {
 /// The mistake, and those that cannot be told from it.
 QString mistakesText(const Diagnosis &diagnosis)
 {
-    QString text = mistakeSentence(diagnosis.verdict);
+    QString text = QString::fromStdString(mistakeSentence(diagnosis.verdict));
     for (const Candidate &alike : diagnosis.alike())
-        text += u'\n'
-                + DoctorText::tr("Or: %1 %2", "another mistake that explains the point; why they are not told apart")
-                      .arg(mistakeSentence(alike.id), alikeSentence(alike));
+        text +=
+            u'\n'
+            + DoctorText::tr("Or: %1 %2", "another mistake that explains the point; why they are not told apart")
+                  .arg(QString::fromStdString(mistakeSentence(alike.id)), QString::fromStdString(alikeSentence(alike)));
     return text;
 }
 

@@ -1,10 +1,9 @@
 #include "gui/text/map_text.h"
 
-#include "gui/text/mistake_text.h"
+#include "core/doctor/mistake_texts.h"
 
 #include <QCoreApplication>
 
-#include <string>
 #include <string_view>
 
 namespace unprojector::gui {
@@ -101,7 +100,8 @@ QString conventionName(const NamedConvention &convention)
     if (const auto *program = std::get_if<OtherProgram>(&convention.other))
         return programName(*program);
     constexpr std::string_view kNoMistake = "single-precision"; // of the doctor's
-    return convention.key == kNoMistake ? MapText::tr("single precision") : mistakeName(std::string(convention.key));
+    return convention.key == kNoMistake ? MapText::tr("single precision")
+                                        : QString::fromStdString(doctor::mistakeName(convention.key));
 }
 
 } // namespace unprojector::gui

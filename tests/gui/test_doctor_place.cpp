@@ -4,6 +4,7 @@
 #include "window_user.h"
 
 #include "core/doctor/diagnosis.h"
+#include "core/doctor/mistake_texts.h"
 #include "core/doctor/remedies.h"
 #include "gui/doctor/candidates_table.h"
 #include "gui/doctor/code_changes_view.h"
@@ -16,7 +17,6 @@
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "gui/text/doctor_text.h"
-#include "gui/text/mistake_text.h"
 #include "gui/widgets/segmented_switch.h"
 #include "tests/support/patience.h"
 
@@ -427,7 +427,9 @@ void TestDoctorPlace::aWindowOfOnesOwnHasTheRatioOfTheScreen()
     type(fieldsOf(*window, QStringLiteral("Pixel")).value(0), QStringLiteral("300.5, 200.5"));
     type(fieldsOf(*window, QStringLiteral("Depth")).value(0), QStringLiteral("0.9"));
     type(gotOf(*window), pointText(unprojected(*window, {at.x / kRatio, height - at.y / kRatio, depth})));
-    QTRY_COMPARE_WITH_TIMEOUT(verdictOf(*window), mistakeSentence("ratio-logical-in-device"), kPatienceMilliseconds);
+    QTRY_COMPARE_WITH_TIMEOUT(verdictOf(*window),
+                              QString::fromStdString(doctor::mistakeSentence("ratio-logical-in-device")),
+                              kPatienceMilliseconds);
 }
 
 void TestDoctorPlace::withoutAnAnswerTheLastOneGoes()

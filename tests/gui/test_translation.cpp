@@ -1,7 +1,7 @@
+#include "core/doctor/mistake_texts.h"
 #include "gui/shell/main_window.h"
 #include "gui/shell/window_menus.h"
 #include "gui/text/error_text.h"
-#include "gui/text/mistake_text.h"
 #include "gui/text/sentences.h"
 #include "gui/text/translation.h"
 
@@ -182,7 +182,7 @@ void TestTranslation::chineseSentencesHaveNoBlankBetween()
         QVERIFY2(!m.translation.contains(blank), qPrintable(m.translation));
 #ifdef UNPROJECTOR_IS_TRANSLATED
     const Translation translation(kChinese);
-    const QString two = mistakeSentence("y-not-flipped+xy-swapped");
+    const QString two = QString::fromStdString(doctor::mistakeSentence("y-not-flipped+xy-swapped"));
     QVERIFY2(two.contains(u'。') && !two.contains(blank), qPrintable(two));
 #endif
 }
