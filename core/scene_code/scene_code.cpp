@@ -15,9 +15,4 @@ std::string sceneCode(const SceneFile &scene, CodeDialect dialect)
     return {};
 }
 
-const char *fileSuffix(CodeDialect dialect)
-{
-    return dialect == CodeDialect::ThreeJs ? ".js" : ".cpp";
-}
-
 } // namespace unprojector::scene_code

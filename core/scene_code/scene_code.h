@@ -29,7 +29,4 @@ enum class CodeDialect {
 /// @return UTF-8, lines ending in \n
 std::string sceneCode(const SceneFile &scene, CodeDialect dialect);
 
-/// ".cpp" or ".js"
-const char *fileSuffix(CodeDialect dialect);
-
 } // namespace unprojector::scene_code

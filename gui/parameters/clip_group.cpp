@@ -21,11 +21,18 @@ namespace {
 constexpr int kEquationDigits = 3;
 constexpr const char *kLetters = "ABCD";
 
-} // namespace
+/// One line of the group: a plane of the scene that cuts or is switched off.
+struct Line {
+    glm::dvec4 plane{0.0};
+    bool isOn = true;
+    text::JsonValue extra = {}; ///< as of ClipPlaneOff
+};
+using Lines = std::vector<Line>;
 
-std::vector<ClipPlaneLine> clipPlaneLines(const Scene &scene)
+/// All planes of a scene in the order in which they are shown.
+Lines linesOf(const Scene &scene)
 {
-    std::vector<ClipPlaneLine> lines;
+    Lines lines;
     for (const glm::dvec4 &plane : scene.clipPlanes)
         lines.push_back({plane, true});
     for (const ClipPlaneOff &off : scene.clipPlanesOff) {
@@ -35,8 +42,11 @@ std::vector<ClipPlaneLine> clipPlaneLines(const Scene &scene)
     return lines;
 }
 
-void setClipPlaneLines(Scene &scene, const std::vector<ClipPlaneLine> &lines)
+template <class Edit>
+void editLines(Scene &scene, const Edit &edit)
 {
+    Lines lines = linesOf(scene);
+    edit(lines);
     scene.clipPlanes.clear();
     scene.clipPlanesOff.clear();
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -47,6 +57,7 @@ void setClipPlaneLines(Scene &scene, const std::vector<ClipPlaneLine> &lines)
     }
 }
 
+/// "x + 0.5 y − 2 ≥ 0": the side of a plane that is kept, its numbers with at most three digits.
 QString keptSideText(const glm::dvec4 &plane)
 {
     QString text;
@@ -69,6 +80,8 @@ QString keptSideText(const glm::dvec4 &plane)
     return text + QStringLiteral(" ≥ 0");
 }
 
+} // namespace
+
 ClipGroup::ClipGroup(SceneDocument &document, QWidget *parent)
     : ParameterGroup(document, Change::ClipPlanes,
                      {tr("Clip planes"), tr("Planes that cut the objects (glClipPlane)"), tr("No clip planes")}, parent)
@@ -88,27 +101,21 @@ ClipGroup::ClipGroup(SceneDocument &document, QWidget *parent)
 
 void ClipGroup::addPlane(bool byKeyboard)
 {
-    Scene next = document().scene();
-    std::vector<ClipPlaneLine> lines = clipPlaneLines(next);
-    if (lines.size() >= kMostClipPlanes)
+    if (linesOf(document().scene()).size() >= kMostClipPlanes)
         return;
     // Half of what there is goes, so that the plane is seen at once. A short number, as a hand would type it.
     const Box &bounds = document().bounds();
     const double middle = bounds.isEmpty() ? 0.0 : significantText(bounds.center().x, 3).toDouble();
-    lines.push_back({{1.0, 0.0, 0.0, middle == 0.0 ? 0.0 : -middle}, true});
-    setClipPlaneLines(next, lines);
-    if (change(next, tr("Add clip plane")) && !m_rows.empty())
+    const auto add = [&](Lines &lines) { lines.push_back({{1.0, 0.0, 0.0, middle == 0.0 ? 0.0 : -middle}, true}); };
+    if (change(tr("Add clip plane"), [&](Scene &scene) { editLines(scene, add); }) && !m_rows.empty())
         bringUp(m_rows.back().first, byKeyboard);
 }
 
 void ClipGroup::removePlane(std::size_t line, bool byKeyboard)
 {
-    Scene next = document().scene();
-    std::vector<ClipPlaneLine> lines = clipPlaneLines(next);
-    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(line));
-    setClipPlaneLines(next, lines);
+    const auto erase = [&](Lines &lines) { lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(line)); };
     restoreFields();
-    if (!change(next, tr("Remove clip plane")) || !byKeyboard)
+    if (!change(tr("Remove clip plane"), [&](Scene &scene) { editLines(scene, erase); }) || !byKeyboard)
         return;
     if (m_rows.empty())
         m_add->setFocus();
@@ -116,15 +123,14 @@ void ClipGroup::removePlane(std::size_t line, bool byKeyboard)
         m_rows[std::min(line, m_rows.size() - 1)].remove->setFocus();
 }
 
-Scene ClipGroup::withDefaults(Scene scene) const
+void ClipGroup::setDefaults(Scene &scene) const
 {
-    setClipPlaneLines(scene, {});
-    return scene;
+    editLines(scene, [](Lines &lines) { lines.clear(); });
 }
 
 void ClipGroup::showScene()
 {
-    const std::vector<ClipPlaneLine> lines = clipPlaneLines(document().scene());
+    const Lines lines = linesOf(document().scene());
     const std::size_t rowsBefore = m_rows.size();
     while (m_rows.size() > lines.size()) {
         m_list->removeWidget(m_rows.back().widget);
@@ -165,11 +171,8 @@ ClipGroup::Row ClipGroup::makeRow(std::size_t line)
     row.remove->setToolTip(tr("Remove this plane"));
     onClick(row.remove, [this, line](bool byKeyboard) { removePlane(line, byKeyboard); });
     connect(row.isOn, &QCheckBox::clicked, this, [this, line](bool isOn) {
-        Scene next = document().scene();
-        std::vector<ClipPlaneLine> lines = clipPlaneLines(next);
-        lines[line].isOn = isOn;
-        setClipPlaneLines(next, lines);
-        change(next, isOn ? tr("Clip plane on") : tr("Clip plane off"));
+        change(isOn ? tr("Clip plane on") : tr("Clip plane off"),
+               [&](Scene &scene) { editLines(scene, [&](Lines &lines) { lines[line].isOn = isOn; }); });
     });
 
     auto *top = new QHBoxLayout;
@@ -192,13 +195,11 @@ ClipGroup::Row ClipGroup::makeRow(std::size_t line)
                  ? tr("%1 of the plane A x + B y + C z + D = 0; (A, B, C) points to the side that is kept").arg(letter)
                  : tr("D of the plane A x + B y + C z + D = 0, world units where (A, B, C) has length 1"),
              [line, i](const Scene &scene) -> std::optional<double> {
-                 const std::vector<ClipPlaneLine> lines = clipPlaneLines(scene);
+                 const Lines lines = linesOf(scene);
                  return line < lines.size() ? std::optional<double>(lines[line].plane[i]) : std::nullopt;
              },
              [line, i](Scene &scene, double value) {
-                 std::vector<ClipPlaneLine> lines = clipPlaneLines(scene);
-                 lines[line].plane[i] = value;
-                 setClipPlaneLines(scene, lines);
+                 editLines(scene, [&](Lines &lines) { lines[line].plane[i] = value; });
              }});
         field->setObjectName(QStringLiteral("number%1").arg(i));
         field->setAccessibleName(tr("Plane %1: %2").arg(number).arg(letter));

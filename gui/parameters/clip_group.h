@@ -8,20 +8,6 @@ class QToolButton;
 
 namespace unprojector::gui {
 
-/// One line of the group: a plane of the scene that cuts or is switched off.
-struct ClipPlaneLine {
-    glm::dvec4 plane{0.0};
-    bool isOn = true;
-    text::JsonValue extra = {}; ///< as of ClipPlaneOff
-};
-
-/// All planes of a scene in the order in which they are shown, and back.
-std::vector<ClipPlaneLine> clipPlaneLines(const Scene &scene);
-void setClipPlaneLines(Scene &scene, const std::vector<ClipPlaneLine> &lines);
-
-/// "x + 0.5 y − 2 ≥ 0": the side of a plane that is kept, its numbers with at most three digits.
-QString keptSideText(const glm::dvec4 &plane);
-
 /// The user clip planes A x + B y + C z + D = 0 (glClipPlane), world space, six at most.
 class ClipGroup : public ParameterGroup {
     Q_OBJECT
@@ -30,7 +16,7 @@ public:
 
 protected:
     void showScene() override;
-    Scene withDefaults(Scene scene) const override;
+    void setDefaults(Scene &scene) const override;
 
 private:
     struct Row {

@@ -41,11 +41,6 @@ GroupHeading::GroupHeading(const QString &title, const QString &help, const QStr
     setOpen(true);
 }
 
-QString GroupHeading::title() const
-{
-    return m_fold->text();
-}
-
 void GroupHeading::setHelp(const QString &anchor)
 {
     m_help->setAnchor(anchor);

@@ -15,7 +15,6 @@ class GroupHeading : public QWidget {
 public:
     GroupHeading(const QString &title, const QString &help, const QString &resetHelp, QWidget *parent = nullptr);
 
-    QString title() const;
     bool isOpen() const { return m_isOpen; }
     void setOpen(bool isOpen);
     /// Where Help has the group's formulas; without it the heading has no link.

@@ -49,8 +49,7 @@ QToolButton *smallButton(const QString &text, const QString &name, const QString
     return button;
 }
 
-} // namespace
-
+/// The OpenGL call of a step: "glRotated(30, 0, 1, 0)", its numbers with at most five digits.
 QString callText(const TransformStep &step)
 {
     TransformStep copy = step;
@@ -62,6 +61,8 @@ QString callText(const TransformStep &step)
                                                                  : QStringLiteral("glScaled");
     return QStringLiteral("%1(%2)").arg(name, numbers.join(QStringLiteral(", ")));
 }
+
+} // namespace
 
 ModelGroup::ModelGroup(SceneDocument &document, QWidget *parent)
     : ParameterGroup(document, Change::Objects | Change::Names | Change::Placement,
@@ -128,25 +129,23 @@ const std::vector<TransformStep> &ModelGroup::steps() const
     return shown ? objects[*shown].transform : none;
 }
 
+bool ModelGroup::changeSteps(const QString &text, const std::function<void(std::vector<TransformStep> &)> &edit)
+{
+    return change(text, [&](Scene &scene) { edit(scene.objects[m_shown->place().value()].transform); });
+}
+
 void ModelGroup::addStep(const TransformStep &step, const QString &text, bool byKeyboard)
 {
-    Scene next = document().scene();
-    const std::optional<std::size_t> shown = m_shown->place();
-    if (!shown)
-        return;
-    next.objects[*shown].transform.push_back(step);
-    if (change(next, text) && !m_rows.empty())
+    if (m_shown->place() && changeSteps(text, [&](auto &list) { list.push_back(step); }) && !m_rows.empty())
         bringUp(m_rows.back().first, byKeyboard);
 }
 
 void ModelGroup::moveStep(std::size_t from, std::size_t to, bool byKeyboard)
 {
-    Scene next = document().scene();
-    std::vector<TransformStep> &list = next.objects[m_shown->place().value()].transform;
-    std::swap(list[from], list[to]);
     restoreFields();
     const bool isUp = to < from;
-    if (change(next, tr("Reorder steps")) && byKeyboard && to < m_rows.size()) {
+    if (changeSteps(tr("Reorder steps"), [&](auto &list) { std::swap(list[from], list[to]); }) && byKeyboard
+        && to < m_rows.size()) {
         // The focus goes with the step, on to the other button at the end of the list.
         QToolButton *same = isUp ? m_rows[to].up : m_rows[to].down;
         (same->isEnabled() ? same : isUp ? m_rows[to].down : m_rows[to].up)->setFocus();
@@ -155,11 +154,9 @@ void ModelGroup::moveStep(std::size_t from, std::size_t to, bool byKeyboard)
 
 void ModelGroup::removeStep(std::size_t step, bool byKeyboard)
 {
-    Scene next = document().scene();
-    std::vector<TransformStep> &list = next.objects[m_shown->place().value()].transform;
-    list.erase(list.begin() + static_cast<std::ptrdiff_t>(step));
     restoreFields();
-    if (!change(next, tr("Remove step")) || !byKeyboard)
+    const auto erase = [&](auto &list) { list.erase(list.begin() + static_cast<std::ptrdiff_t>(step)); };
+    if (!changeSteps(tr("Remove step"), erase) || !byKeyboard)
         return;
     if (m_rows.empty())
         m_adds.front()->setFocus();
@@ -204,11 +201,10 @@ void ModelGroup::showObjects()
         button->setEnabled(shown >= 0);
 }
 
-Scene ModelGroup::withDefaults(Scene scene) const
+void ModelGroup::setDefaults(Scene &scene) const
 {
     if (const std::optional<std::size_t> shown = m_shown->place())
         scene.objects[*shown].transform.clear();
-    return scene;
 }
 
 void ModelGroup::showScene()

@@ -10,9 +10,6 @@ class QToolButton;
 
 namespace unprojector::gui {
 
-/// The OpenGL call of a step: "glRotated(30, 0, 1, 0)", its numbers with at most five digits.
-QString callText(const TransformStep &step);
-
 /// How one object is placed: an ordered list of glTranslate, glRotate and glScale, in the order of the calls.
 class ModelGroup : public ParameterGroup {
     Q_OBJECT
@@ -21,7 +18,7 @@ public:
 
 protected:
     void showScene() override;
-    Scene withDefaults(Scene scene) const override;
+    void setDefaults(Scene &scene) const override;
 
 private:
     struct Row {
@@ -34,6 +31,8 @@ private:
     };
 
     const std::vector<TransformStep> &steps() const;
+    /// Changes the steps of the object that is shown.
+    bool changeSteps(const QString &text, const std::function<void(std::vector<TransformStep> &)> &edit);
     void addStep(const TransformStep &step, const QString &text, bool byKeyboard);
     void moveStep(std::size_t from, std::size_t to, bool byKeyboard);
     void removeStep(std::size_t step, bool byKeyboard);

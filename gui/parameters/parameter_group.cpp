@@ -43,7 +43,7 @@ ParameterGroup::ParameterGroup(SceneDocument &document, Changes shown, const Tit
     connect(m_heading, &GroupHeading::openChanged, this, &ParameterGroup::setOpen);
     connect(m_heading, &GroupHeading::resetRequested, this, [this, title] {
         restoreFields();
-        change(withDefaults(m_document.scene()), tr("Reset %1").arg(title.text));
+        change(tr("Reset %1").arg(title.text), [this](Scene &scene) { setDefaults(scene); });
     });
     connect(&m_document, &SceneDocument::changed, this, [this, shown](Changes changes) {
         if (!(changes & shown))
@@ -220,9 +220,9 @@ void ParameterGroup::refresh()
     updateReasons();
 }
 
-bool ParameterGroup::change(const Scene &next, const QString &text)
+bool ParameterGroup::change(const QString &text, const std::function<void(Scene &)> &edit)
 {
-    const Check changed = m_document.edit({text}, [&](Scene &scene) { scene = next; });
+    const Check changed = m_document.edit({text}, edit);
     if (!changed)
         refresh(); // the combo box or check box goes back
     setReason(changed ? QString() : errorText(changed.error()));
@@ -347,11 +347,6 @@ void ParameterGroup::updateReasons()
         field->widget->setReason(reason.isEmpty() ? tr("%1 can be taken now; press Enter.").arg(field->binding.name)
                                                   : reason);
     }
-}
-
-QString ParameterGroup::reason() const
-{
-    return m_reason->text();
 }
 
 void ParameterGroup::setReason(const QString &reason)

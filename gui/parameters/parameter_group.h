@@ -57,8 +57,6 @@ public:
     void applyTyped();
     /// All fields show the document's values again, whatever was typed into them.
     void restoreFields();
-    /// Why a change that no field made was refused; empty if none was.
-    QString reason() const;
 
 signals:
     /// This is to be scrolled into sight.
@@ -82,10 +80,10 @@ protected:
     virtual void showScene() = 0;
     /// showScene and all numbers, now.
     void refresh();
-    /// The scene with this group's numbers as they are at first.
-    virtual Scene withDefaults(Scene scene) const = 0;
+    /// Puts this group's numbers to what they are at first.
+    virtual void setDefaults(Scene &scene) const = 0;
     /// Makes a change that no field made; its refusal is shown beneath the heading.
-    bool change(const Scene &next, const QString &text);
+    bool change(const QString &text, const std::function<void(Scene &)> &edit);
 
     SceneDocument &document() const { return m_document; }
     QVBoxLayout *content() const { return m_content; }

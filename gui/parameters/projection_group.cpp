@@ -80,14 +80,10 @@ ProjectionGroup::ProjectionGroup(SceneDocument &document, QWidget *parent)
     connect(m_kind, &QComboBox::activated, this,
             [this](int index) { choose(static_cast<ProjectionKind>(m_kind->itemData(index).toInt())); });
     connect(m_followsViewport, &QCheckBox::clicked, this, [this](bool follows) {
-        Scene next = this->document().scene();
-        next.projectionFollowsViewport = follows;
-        change(next, m_followsViewport->text());
+        change(m_followsViewport->text(), [&](Scene &scene) { scene.projectionFollowsViewport = follows; });
     });
     connect(m_fitsObjects, &QCheckBox::clicked, this, [this](bool fits) {
-        Scene next = this->document().scene();
-        next.clipDistancesFitObjects = fits;
-        change(next, m_fitsObjects->text());
+        change(m_fitsObjects->text(), [&](Scene &scene) { scene.clipDistancesFitObjects = fits; });
     });
 }
 
@@ -117,21 +113,12 @@ double *ProjectionGroup::numberIn(Projection &projection, Number number)
             return number == Number::Theta ? &oblique->thetaRadians : &oblique->phiRadians;
         return inBox(oblique->box);
     }
-    if (auto *perspective = std::get_if<Perspective>(&projection)) {
-        switch (number) {
-        case Number::Fovy: return &perspective->verticalFovRadians;
-        case Number::Aspect: return &perspective->aspect;
-        case Number::Near: return &perspective->nearDistance;
-        case Number::Far: return &perspective->farDistance;
-        case Number::Left:
-        case Number::Right:
-        case Number::Bottom:
-        case Number::Top:
-        case Number::Theta:
-        case Number::Phi: break;
-        }
-    }
-    return nullptr;
+    auto &perspective = std::get<Perspective>(projection);
+    return number == Number::Fovy     ? &perspective.verticalFovRadians
+           : number == Number::Aspect ? &perspective.aspect
+           : number == Number::Near   ? &perspective.nearDistance
+           : number == Number::Far    ? &perspective.farDistance
+                                      : nullptr;
 }
 
 bool ProjectionGroup::isAngle(Number number)
@@ -182,30 +169,21 @@ NumberSlider *ProjectionGroup::sliderFor(Number number, ParameterRow *row)
 {
     using Scale = NumberSlider::Scale;
     constexpr double kApart = 0.01; // of one of them, what a slider leaves between near and far
-    switch (number) {
-    case Number::Fovy: {
+    if (number == Number::Fovy) {
         NumberSlider *slider = addSlider(row, Scale::Linear, [](const Scene &, double fovy) { return fovy; });
         slider->setNumbers(1.0, 179.0);
         return slider;
     }
-    case Number::Near:
+    if (number == Number::Near)
         return addSlider(row, Scale::Logarithmic, [](const Scene &scene, double distance) {
             const double farDistance = projectionWindow(scene.projection).farDistance;
             return std::min(distance, farDistance - kApart * std::abs(farDistance));
         });
-    case Number::Far:
+    if (number == Number::Far)
         return addSlider(row, Scale::Logarithmic, [](const Scene &scene, double distance) {
             const double nearDistance = projectionWindow(scene.projection).nearDistance;
             return std::max(distance, nearDistance + kApart * std::abs(nearDistance));
         });
-    case Number::Left:
-    case Number::Right:
-    case Number::Bottom:
-    case Number::Top:
-    case Number::Aspect:
-    case Number::Theta:
-    case Number::Phi: break;
-    }
     return nullptr;
 }
 
@@ -233,19 +211,17 @@ void ProjectionGroup::rangeSliders()
 
 void ProjectionGroup::choose(ProjectionKind kind)
 {
-    Scene next = document().scene();
-    if (kindOf(next.projection) == kind)
+    if (kindOf(document().scene().projection) == kind)
         return;
     restoreFields(); // a refused number of one kind means nothing to another
-    next.projection = converted(next.projection, kind, centerDistance(document().scene().camera));
-    change(next, m_kind->currentText());
+    change(m_kind->currentText(),
+           [&](Scene &scene) { scene.projection = converted(scene.projection, kind, centerDistance(scene.camera)); });
 }
 
-Scene ProjectionGroup::withDefaults(Scene scene) const
+void ProjectionGroup::setDefaults(Scene &scene) const
 {
     scene.projection = openingProjection();
     scene.projectionFollowsViewport = scene.clipDistancesFitObjects = true;
-    return scene;
 }
 
 void ProjectionGroup::showScene()

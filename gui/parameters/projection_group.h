@@ -15,7 +15,7 @@ public:
 
 protected:
     void showScene() override;
-    Scene withDefaults(Scene scene) const override;
+    void setDefaults(Scene &scene) const override;
 
 private:
     enum class Number { Left, Right, Bottom, Top, Near, Far, Fovy, Aspect, Theta, Phi };

@@ -47,10 +47,9 @@ void ViewGroup::addPoint(const QString &title, const QString &name, const QStrin
     }
 }
 
-Scene ViewGroup::withDefaults(Scene scene) const
+void ViewGroup::setDefaults(Scene &scene) const
 {
     scene.camera = scene.home;
-    return scene;
 }
 
 void ViewGroup::showScene()

@@ -12,7 +12,7 @@ public:
 
 protected:
     void showScene() override;
-    Scene withDefaults(Scene scene) const override;
+    void setDefaults(Scene &scene) const override;
 
 private:
     void addPoint(const QString &title, const QString &name, const QString &objectName, const QString &unit,

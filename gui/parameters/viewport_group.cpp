@@ -134,21 +134,20 @@ void ViewportGroup::addRectangleRow(const QString &name, const QString &objectNa
 
 void ViewportGroup::choose(ViewportRule::Kind kind)
 {
-    Scene next = document().scene();
-    if (next.viewport.kind == kind)
+    if (document().scene().viewport.kind == kind)
         return;
     restoreFields();
-    next.viewport.kind = kind;
-    if (kind == ViewportRule::Kind::Fixed)
-        next.viewport.fixed = document().picture().viewport; // the picture stays; its numbers can now be edited
-    change(next, m_kind->currentText());
+    change(m_kind->currentText(), [&](Scene &scene) {
+        scene.viewport.kind = kind;
+        if (kind == ViewportRule::Kind::Fixed)
+            scene.viewport.fixed = document().picture().viewport; // the picture stays; its numbers can now be edited
+    });
 }
 
-Scene ViewportGroup::withDefaults(Scene scene) const
+void ViewportGroup::setDefaults(Scene &scene) const
 {
     scene.viewport = {};
     scene.depthRange = {};
-    return scene;
 }
 
 void ViewportGroup::showScene()

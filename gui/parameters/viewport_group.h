@@ -15,7 +15,7 @@ public:
 
 protected:
     void showScene() override;
-    Scene withDefaults(Scene scene) const override;
+    void setDefaults(Scene &scene) const override;
 
 private:
     void addRectangleRow(const QString &name, const QString &objectName, const QString &help, double Viewport::*number);
