@@ -51,11 +51,6 @@ NumberField::NumberField(const QString &name, const QString &help, QWidget *pare
     });
 }
 
-void NumberField::setFixedStep(double step)
-{
-    m_fixedStep = step;
-}
-
 Result<double, text::ExpressionError> NumberField::typed() const
 {
     if (!isTyping())

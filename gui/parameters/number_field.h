@@ -26,7 +26,7 @@ public:
     NumberField(const QString &name, const QString &help, QWidget *parent = nullptr);
 
     /// How far one step goes that is of no digit; else it is relative to the value, and never reaches 0.
-    void setFixedStep(double step);
+    void setFixedStep(double step) { m_fixedStep = step; }
 
     /// The document's value.
     double value() const { return m_value; }

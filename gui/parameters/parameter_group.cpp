@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <utility>
 
 namespace unprojector::gui {
@@ -86,16 +87,6 @@ QLabel *ParameterGroup::wrappedLabel(const QString &text)
     QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);
     label->setSizePolicy(policy);
-    return label;
-}
-
-QLabel *ParameterGroup::addHeading(const QString &text)
-{
-    auto *label = new QLabel(text);
-    QFont bold = label->font();
-    bold.setBold(true);
-    label->setFont(bold);
-    m_content->addWidget(label);
     return label;
 }
 
@@ -282,10 +273,8 @@ void ParameterGroup::apply(const FieldPointer &field)
     const QString mergeKey = QStringLiteral("%1 #%2").arg(field->binding.name).arg(field->widget->session());
 
     // All of them, else the sets with one less, and so on down to this field alone.
-    const unsigned all = 1u << refused.size();
-    std::vector<unsigned> sets;
-    for (unsigned set = 0; set < all; ++set)
-        sets.push_back(set);
+    std::vector<unsigned> sets(1u << refused.size());
+    std::iota(sets.begin(), sets.end(), 0u);
     std::stable_sort(sets.begin(), sets.end(),
                      [](unsigned a, unsigned b) { return std::popcount(a) > std::popcount(b); });
     for (const unsigned set : sets) {

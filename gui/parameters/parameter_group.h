@@ -92,7 +92,6 @@ protected:
     void onClick(QAbstractButton *button, std::function<void(bool byKeyboard)> act);
     /// Scrolls to a field that was just made; by the keyboard the cursor goes there as well.
     void bringUp(NumberField *field, bool byKeyboard);
-    QLabel *addHeading(const QString &text);
     /// A text that is wrapped rather than cut, and never widens the panel.
     static QLabel *wrappedLabel(const QString &text = {});
 

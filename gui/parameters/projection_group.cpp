@@ -129,8 +129,9 @@ bool ProjectionGroup::isAngle(Number number)
 void ProjectionGroup::addNumber(Number number, const QString &name, const QString &objectName, const QString &help)
 {
     ParameterRow *row = addRow(content(), name);
+    const QString unit = number == Number::Aspect ? ratio() : isAngle(number) ? degrees() : eyeUnits();
     NumberField *field =
-        addField(row, {}, unitOf(number),
+        addField(row, {}, unit,
                  {name, help,
                   [number](const Scene &scene) -> std::optional<double> {
                       Projection projection = scene.projection;
@@ -156,13 +157,6 @@ void ProjectionGroup::addNumber(Number number, const QString &name, const QStrin
     if (isAngle(number))
         field->setFixedStep(1.0);
     m_rows.push_back({number, row, sliderFor(number, row)});
-}
-
-QString ProjectionGroup::unitOf(Number number)
-{
-    if (number == Number::Aspect)
-        return ratio();
-    return isAngle(number) ? degrees() : eyeUnits();
 }
 
 NumberSlider *ProjectionGroup::sliderFor(Number number, ParameterRow *row)

@@ -28,7 +28,6 @@ private:
         ParameterRow *row;
         NumberSlider *slider; ///< or none
     };
-    static QString unitOf(Number number);
     void addNumber(Number number, const QString &name, const QString &objectName, const QString &help);
     /// For what one explores: the field of view, near and far; null for the others.
     NumberSlider *sliderFor(Number number, ParameterRow *row);

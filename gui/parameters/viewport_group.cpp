@@ -84,7 +84,11 @@ ViewportGroup::ViewportGroup(SceneDocument &document, QWidget *parent)
     content()->addWidget(m_call);
     content()->addWidget(m_window);
 
-    addHeading(tr("Depth range"));
+    auto *depths = new QLabel(tr("Depth range"));
+    QFont bold = depths->font();
+    bold.setBold(true);
+    depths->setFont(bold);
+    content()->addWidget(depths);
     const auto addDepth = [this](const QString &label, const QString &name, const QString &objectName,
                                  const QString &help, double DepthRange::*number) {
         NumberField *field = addField(

@@ -93,11 +93,6 @@ DepthPrecisionPanel::DepthPrecisionPanel(const SceneDocument &document, QWidget 
     refresh();
 }
 
-QString DepthPrecisionPanel::text() const
-{
-    return m_words->text();
-}
-
 QSize DepthPrecisionPanel::minimumSizeHint() const
 {
     return {m_plot->minimumSizeHint().width() + 2 * kMargin, m_layout->minimumSize().height()};

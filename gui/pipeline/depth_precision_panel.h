@@ -21,9 +21,6 @@ class DepthPrecisionPanel : public QWidget {
 public:
     explicit DepthPrecisionPanel(const SceneDocument &document, QWidget *parent = nullptr);
 
-    const DepthPrecisionPlot &plot() const { return *m_plot; }
-    QString text() const;
-
     QSize minimumSizeHint() const override;
 
 protected:

@@ -163,14 +163,4 @@ void FactorsView::setNone(const QString &reason)
     m_product->setText(reason);
 }
 
-void FactorsView::setShares(int percent)
-{
-    m_shares->setAll(percent);
-}
-
-const QWidget &FactorsView::shares() const
-{
-    return *m_shares;
-}
-
 } // namespace unprojector::gui

@@ -31,9 +31,7 @@ public:
     /// There is nothing to take apart, and why.
     void setNone(const QString &reason);
     /// Where a part of each factor can be tried; hidden where that cannot be.
-    const QWidget &shares() const;
-    /// Of all factors, percent.
-    void setShares(int percent);
+    FactorShares &shares() const { return *m_shares; }
 
 private:
     struct Part {

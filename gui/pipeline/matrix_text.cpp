@@ -1,5 +1,6 @@
 #include "gui/pipeline/matrix_text.h"
 
+#include "core/geometry/angle.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
 
@@ -19,7 +20,6 @@ struct MatrixText {
 
 /// Of near in a matrix of single precision so many digits are left.
 constexpr int kDigits = 5;
-constexpr double kDegrees = 57.295779513082323;
 
 QString number(double value)
 {
@@ -139,7 +139,7 @@ QString cameraText(const Picture &picture, const std::optional<MatrixProjection>
     if (isPerspective(picture.projection())) {
         const double up = std::atan2(w.top, w.nearDistance), down = std::atan2(w.bottom, w.nearDistance);
         said << MatrixText::tr("Perspective: field of view %1° high, width to height %2, %3.")
-                    .arg(number(std::abs(up - down) * kDegrees), number(width / height), planes);
+                    .arg(number(degreesFromRadians(std::abs(up - down))), number(width / height), planes);
     } else {
         said << MatrixText::tr("Box: %1 wide, %2 high, %3.").arg(number(width), number(height), planes);
     }

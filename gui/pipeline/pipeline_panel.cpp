@@ -3,6 +3,7 @@
 #include "core/scene/given_matrices.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/derivation_line.h"
+#include "gui/pipeline/factor_shares.h"
 #include "gui/pipeline/factors_view.h"
 #include "gui/pipeline/followed_point_row.h"
 #include "gui/pipeline/matrix_findings_view.h"
@@ -304,7 +305,7 @@ void PipelinePanel::createActions()
     for (const int percent : {0, 100}) {
         add(QStringLiteral("factors_%1").arg(percent), [this, percent] {
             takeApart(PipelineStage::ProjectionMatrix);
-            m_projectionFactors->setShares(percent);
+            m_projectionFactors->shares().setAll(percent);
         });
     }
 }

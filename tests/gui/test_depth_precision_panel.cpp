@@ -5,6 +5,7 @@
 #include "gui/document/picks.h"
 #include "gui/pipeline/depth_precision_panel.h"
 #include "gui/pipeline/depth_precision_plot.h"
+#include "gui/widgets/steady_label.h"
 #include "gui_scene.h"
 
 #include <QTest>
@@ -31,6 +32,9 @@ private:
         QVERIFY(editProjection(*m_document, rule, {}));
     }
 
+    QString text() const { return m_panel->findChild<SteadyLabel *>()->text(); }
+    const DepthPrecisionPlot &plot() const { return *m_panel->findChild<DepthPrecisionPlot *>(); }
+
     std::unique_ptr<SceneDocument> m_document;
     std::unique_ptr<DepthPrecisionPanel> m_panel;
 };
@@ -54,38 +58,37 @@ void TestDepthPrecisionPanel::aFartherNearIsComputed()
 {
     setPerspective(0.1);
     // 5^2 / 0.1 / 2^25 at the camera's centre
-    QVERIFY2(m_panel->text().contains(QStringLiteral("5 in front of the eye, rounding the depth leaves ±7.4e−06 open")),
-             qPrintable(m_panel->text()));
-    QVERIFY2(m_panel->text().contains(QStringLiteral("Near 3 instead of 0.1 makes this 31 times better")),
-             qPrintable(m_panel->text()));
-    QCOMPARE(m_panel->plot().curves().size(), std::size_t(3));
-    QCOMPARE(m_panel->plot().curves()[1].scale.nearDistance, 3.0);
-    QVERIFY(!m_panel->plot().marked());
+    QVERIFY2(text().contains(QStringLiteral("5 in front of the eye, rounding the depth leaves ±7.4e−06 open")),
+             qPrintable(text()));
+    QVERIFY2(text().contains(QStringLiteral("Near 3 instead of 0.1 makes this 31 times better")), qPrintable(text()));
+    QCOMPARE(plot().curves().size(), std::size_t(3));
+    QCOMPARE(plot().curves()[1].scale.nearDistance, 3.0);
+    QVERIFY(!plot().marked());
     // No click has told it yet.
-    QVERIFY2(m_panel->text().contains(QStringLiteral("24 bits are assumed")), qPrintable(m_panel->text()));
-    QCOMPARE(m_panel->plot().curves()[0].name, QStringLiteral("as drawn: 24 bits, assumed"));
+    QVERIFY2(text().contains(QStringLiteral("24 bits are assumed")), qPrintable(text()));
+    QCOMPARE(plot().curves()[0].name, QStringLiteral("as drawn: 24 bits, assumed"));
 }
 
 void TestDepthPrecisionPanel::aNearThatFitsIsLeftAlone()
 {
     setPerspective(3.5);
-    QVERIFY2(!m_panel->text().contains(QStringLiteral("instead of")), qPrintable(m_panel->text()));
+    QVERIFY2(!text().contains(QStringLiteral("instead of")), qPrintable(text()));
     const QString fits = QStringLiteral("Near is about as far away as the objects let it be");
-    QVERIFY2(m_panel->text().contains(fits), qPrintable(m_panel->text()));
+    QVERIFY2(text().contains(fits), qPrintable(text()));
     LookAt inside = m_document->picture().camera();
     inside.eye = WorldPoint(guitest::kCubeCenter + glm::dvec3(0.0, 0.0, 0.5));
     setCamera(*m_document, inside);
     setPerspective(0.001);
-    QVERIFY2(!m_panel->text().contains(QStringLiteral("instead of")), qPrintable(m_panel->text()));
-    QVERIFY2(!m_panel->text().contains(fits), qPrintable(m_panel->text())); // the eye is within it
+    QVERIFY2(!text().contains(QStringLiteral("instead of")), qPrintable(text()));
+    QVERIFY2(!text().contains(fits), qPrintable(text())); // the eye is within it
 }
 
 void TestDepthPrecisionPanel::aBoxHasOneErrorEverywhere()
 {
     ProjectionRule rule{Ortho{-2.0, 2.0, -2.0, 2.0, -1.0, 9.0}, false, false};
     QVERIFY(editProjection(*m_document, rule, {}));
-    QVERIFY2(m_panel->text().contains(QStringLiteral("at every distance")), qPrintable(m_panel->text()));
-    QCOMPARE(m_panel->plot().curves().size(), std::size_t(1));
+    QVERIFY2(text().contains(QStringLiteral("at every distance")), qPrintable(text()));
+    QCOMPARE(plot().curves().size(), std::size_t(1));
     QVERIFY(!m_panel->grab().isNull()); // distances from -1 on have no logarithm
 }
 
@@ -97,30 +100,30 @@ void TestDepthPrecisionPanel::theClickedPointIsMarked()
     sample.object = 0;
     sample.format = DepthFormat(16);
     pickAt(*m_document, WidgetPoint(400.0, 300.0), sample);
-    QVERIFY(m_panel->plot().marked());
-    QVERIFY(std::abs(*m_panel->plot().marked() - 4.0) < 1e-9);
-    QVERIFY2(m_panel->text().startsWith(
+    QVERIFY(plot().marked());
+    QVERIFY(std::abs(*plot().marked() - 4.0) < 1e-9);
+    QVERIFY2(text().startsWith(
                  QStringLiteral("At the point, 4 in front of the eye, rounding the depth leaves ±0.0012 open")),
-             qPrintable(m_panel->text()));
-    QVERIFY2(m_panel->text().contains(QStringLiteral("make it 8200 times better")), qPrintable(m_panel->text()));
-    QCOMPARE(m_panel->plot().curves()[0].name, QStringLiteral("as drawn: 16 bits"));
+             qPrintable(text()));
+    QVERIFY2(text().contains(QStringLiteral("make it 8200 times better")), qPrintable(text()));
+    QCOMPARE(plot().curves()[0].name, QStringLiteral("as drawn: 16 bits"));
     const DepthFormat format(16);
-    QCOMPARE(halfDepthStepAt(m_panel->plot().curves()[0].scale, format, 4.0),
+    QCOMPARE(halfDepthStepAt(plot().curves()[0].scale, format, 4.0),
              m_document->picks().pick()->certainty.halfDepthStep);
 }
 
 void TestDepthPrecisionPanel::aCurveStaysWhereItGainsNothing()
 {
     setPerspective(3.5);
-    QCOMPARE(m_panel->plot().curves().back().name, QStringLiteral("floats, reversed"));
+    QCOMPARE(plot().curves().back().name, QStringLiteral("floats, reversed"));
     DepthSample sample; // just behind the near plane, where floats have no finer steps than 24 bits
     sample.depth = unitDepthAt(depthScaleOf(m_document->picture()), 4.0);
     sample.object = 0;
     pickAt(*m_document, WidgetPoint(400.0, 300.0), sample);
-    QVERIFY2(m_panel->text().contains(QStringLiteral("A buffer of floats with 1 at near would change little here (±")),
-             qPrintable(m_panel->text()));
-    QVERIFY2(!m_panel->text().contains(QStringLiteral("assumed")), qPrintable(m_panel->text()));
-    QCOMPARE(m_panel->plot().curves().back().name, QStringLiteral("floats, reversed"));
+    QVERIFY2(text().contains(QStringLiteral("A buffer of floats with 1 at near would change little here (±")),
+             qPrintable(text()));
+    QVERIFY2(!text().contains(QStringLiteral("assumed")), qPrintable(text()));
+    QCOMPARE(plot().curves().back().name, QStringLiteral("floats, reversed"));
 }
 
 QTEST_MAIN(TestDepthPrecisionPanel)
