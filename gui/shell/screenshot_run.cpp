@@ -7,8 +7,8 @@
 #include "gui/document/picks.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
-#include "gui/lessons/lesson_player.h"
 #include "gui/lessons/view_size.h"
+#include "gui/shell/start_window.h"
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
 #include "gui/view/scene_view.h"
@@ -19,7 +19,6 @@
 #include <QTimer>
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace unprojector::gui {
@@ -38,50 +37,32 @@ std::optional<RayOnMesh> rayOf(const SceneDocument &document)
 
 } // namespace
 
-ScreenshotRun::ScreenshotRun(Request request) : m_request(std::move(request)) {}
+ScreenshotRun::ScreenshotRun(StartOptions options) : m_options(std::move(options)) {}
 
 ScreenshotRun::~ScreenshotRun() = default;
 
 void ScreenshotRun::start()
 {
-    const std::filesystem::path picture(m_request.picture.toStdU16String());
+    const std::filesystem::path picture(m_options.picture->toStdU16String());
     const auto isPicture = [&](const std::filesystem::path &file) { return files::isSameFile(picture, file); };
-    if (std::any_of(m_request.files.begin(), m_request.files.end(), isPicture)) {
-        fail(tr("%1 is opened too and would be overwritten; give the picture another name.").arg(m_request.picture));
+    if (std::any_of(m_options.files.begin(), m_options.files.end(), isPicture)) {
+        fail(tr("%1 is opened too and would be overwritten; give the picture another name.").arg(*m_options.picture));
         return;
     }
     MainWindow::Options options;
-    options.smoothEdges = m_request.smoothEdges;
+    options.smoothEdges = m_options.smoothEdges;
     options.remembers = false;
     m_window = std::make_unique<MainWindow>(options);
-    if (m_request.clicks.empty())
+    if (m_options.clicks.empty())
         m_window->document().picks().rayCasters().waitUntilAsked();
     connect(m_window.get(), &MainWindow::openFailed, this, &ScreenshotRun::fail);
-    m_window->resize(m_request.windowSize);
-    if (!m_request.place.isEmpty())
-        m_window->workspaces().enter(*lessons::workspaceOf(m_request.place.toStdString()));
-    if (!m_request.hasPanels)
-        m_window->workspaces().hidePanels(true);
-    if (m_request.files.empty())
-        m_window->session().openBundledScene();
-    else
-        m_window->session().openFiles(m_request.files);
-
-    // The window is laid out and drawn into the picture alone: nobody waits for a screen, and no window flashes up on it.
-    m_window->setAttribute(Qt::WA_DontShowOnScreen);
     const auto finish = [this] { QTimer::singleShot(0, this, &ScreenshotRun::pressAndSave); };
     connect(&m_window->session(), &Session::loadingEnded, this, finish);
-    m_window->show();
-    if (!m_request.lesson.isEmpty()) {
-        if (const QString problem = m_window->findChild<LessonPlayer *>()->startAt(m_request.lesson);
-            !problem.isEmpty()) {
-            fail(problem);
-            return;
-        }
-    }
-    if (m_request.viewSize)
-        m_window->setViewSize(*m_request.viewSize);
-    if (!m_window->session().isLoading())
+    // The window is laid out and drawn into the picture alone: nobody waits for a screen, and no window flashes up on it.
+    m_window->setAttribute(Qt::WA_DontShowOnScreen);
+    if (const QString mistake = startWindow(*m_window, m_options); !mistake.isEmpty())
+        fail(mistake);
+    else if (!m_window->session().isLoading())
         finish();
 }
 
@@ -90,7 +71,7 @@ void ScreenshotRun::fail(const QString &reason)
     if (m_hasEnded)
         return;
     m_hasEnded = true;
-    std::fprintf(stderr, "unprojector: %s\n", printed(reason).constData());
+    printMessage(reason);
     emit ended(2);
 }
 
@@ -99,18 +80,18 @@ QString ScreenshotRun::savePicture()
     // The whole picture is encoded first: a name that no picture format has must not cost the file of that name.
     QByteArray bytes;
     QBuffer buffer(&bytes);
-    const QByteArray format = QFileInfo(m_request.picture).suffix().toLatin1();
+    const QByteArray format = QFileInfo(*m_options.picture).suffix().toLatin1();
     // PNG loses nothing at any quality: at this one it takes a quarter of the time, and a few more bytes.
     const int quality = format.toLower() == "png" ? 75 : -1;
     if (!m_window->grab().save(&buffer, format.constData(), quality))
-        return tr("%1 is no picture's name; let it end in .png.").arg(m_request.picture);
-    const std::filesystem::path file(m_request.picture.toStdU16String());
+        return tr("%1 is no picture's name; let it end in .png.").arg(*m_options.picture);
+    const std::filesystem::path file(m_options.picture->toStdU16String());
     if (QString refusal = overwritingText(m_window->document(), m_window->session(), file); !refusal.isEmpty())
         return refusal;
     const files::Written written =
         files::replaceFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
     return written ? QString()
-                   : m_request.picture + ": " + QString::fromStdString(files::fileErrorText(written.error()));
+                   : *m_options.picture + ": " + QString::fromStdString(files::fileErrorText(written.error()));
 }
 
 void ScreenshotRun::pressAndSave()
@@ -121,26 +102,26 @@ void ScreenshotRun::pressAndSave()
         QTimer::singleShot(kAgainMilliseconds, this, &ScreenshotRun::pressAndSave);
         return;
     }
-    if (m_request.viewSize && m_window->view().size() != *m_request.viewSize) {
+    if (m_options.viewSize && m_window->view().size() != *m_options.viewSize) {
         if (std::exchange(m_isSized, true)) {
             fail(tr("The view is %1 × %2 logical pixels, not %3 × %4: the window cannot be made so here. --no-panels "
                     "leaves it more room.")
                      .arg(m_window->view().width())
                      .arg(m_window->view().height())
-                     .arg(m_request.viewSize->width())
-                     .arg(m_request.viewSize->height()));
+                     .arg(m_options.viewSize->width())
+                     .arg(m_options.viewSize->height()));
             return;
         }
-        m_window->setViewSize(*m_request.viewSize);
+        m_window->setViewSize(*m_options.viewSize);
         QTimer::singleShot(0, this, &ScreenshotRun::pressAndSave);
         return;
     }
     // Rays say what a click meets, and which points are behind something.
-    if (!m_request.clicks.empty() || !m_window->document().landmarks().empty())
+    if (!m_options.clicks.empty() || !m_window->document().landmarks().empty())
         m_window->document().picks().rayCasters().complete(m_window->document().objects());
     m_window->document().curves().complete();
     std::vector<Click> clicks;
-    for (const WidgetPoint &position : m_request.clicks) {
+    for (const WidgetPoint &position : m_options.clicks) {
         SceneView &view = m_window->view();
         SceneDocument &document = m_window->document();
         const Result<DevicePixel> pixel = devicePixelFromWidget(document.picture().surface, position);

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "gui/shell/main_window.h"
+#include "gui/shell/start_options.h"
 
 #include <QObject>
-#include <QSize>
 #include <QString>
 
-#include <vector>
+#include <memory>
 
 namespace unprojector::gui {
 
@@ -15,18 +15,8 @@ namespace unprojector::gui {
 class ScreenshotRun : public QObject {
     Q_OBJECT
 public:
-    struct Request {
-        QString picture;                    ///< the file to write; none of `files`
-        QSize windowSize{1280, 800};        ///< logical pixels
-        std::optional<QSize> viewSize = {}; ///< logical pixels; instead of the window's
-        QString place = {};                 ///< id of the work place; empty: the first
-        bool hasPanels = true;
-        QString lesson = {};                      ///< its name, and its step behind a colon, from 1 on; empty: none
-        std::vector<WidgetPoint> clicks;          ///< logical pixels of the view
-        std::vector<std::filesystem::path> files; ///< none: the bundled scene
-        std::optional<bool> smoothEdges = {};     ///< nothing: smooth
-    };
-    explicit ScreenshotRun(Request request);
+    /// @param options  of a screenshot run
+    explicit ScreenshotRun(StartOptions options);
     ~ScreenshotRun() override;
 
     /// Starts; `ended` follows with the exit code: 0, or 2 after a message on stderr.
@@ -42,7 +32,7 @@ private:
     QString savePicture();
     void fail(const QString &reason);
 
-    Request m_request;
+    StartOptions m_options;
     std::unique_ptr<MainWindow> m_window;
     bool m_isSized = false; ///< the view has the size that was asked for
     bool m_hasEnded = false;

@@ -25,6 +25,12 @@ inline QByteArray printed(const QString &text)
 #endif
 }
 
+/// Writes a message of the program to standard error.
+inline void printMessage(const QString &text)
+{
+    std::fprintf(stderr, "unprojector: %s\n", printed(text).constData());
+}
+
 /// Writes to standard output at once.
 /// @return what went wrong, in the system's words, as where the disk is full; empty when all is written
 inline std::string print(std::string_view text)

@@ -93,117 +93,6 @@
     </message>
 </context>
 <context>
-    <name>CommandLine</name>
-    <message>
-        <source>The system cannot start %1 more threads. Close other programs, then try again.</source>
-        <translation>系统无法再启动 %1 个线程。请关闭其他程序后重试。</translation>
-    </message>
-    <message>
-        <source>Click a pixel of a 3-D view and get its world coordinate, computed twice.</source>
-        <translation>点击三维视图中的一个像素，用两种方法求出它的世界坐标。</translation>
-    </message>
-    <message>
-        <source>Open, save a picture of the whole window, print the clicks as JSON, and quit.</source>
-        <translation>打开程序，把整个窗口保存为图片，以 JSON 输出各次点击的结果，然后退出。</translation>
-    </message>
-    <message>
-        <source>Size of the window in logical pixels (default 1280x800).</source>
-        <translation>窗口大小，以逻辑像素计（默认 1280x800）。</translation>
-    </message>
-    <message>
-        <source>With --screenshot: press the left button at this position of the view, logical pixels from its top-left corner. May be given several times.</source>
-        <translation>与 --screenshot 连用：在视图的这个位置按下左键，以逻辑像素计，原点在视图左上角。可以给出多次。</translation>
-    </message>
-    <message>
-        <source>Say how the program is called, and quit.</source>
-        <translation>显示程序的用法并退出。</translation>
-    </message>
-    <message>
-        <source>%1 See --help.</source>
-        <translation>%1 参见 --help。</translation>
-    </message>
-    <message>
-        <source>--click is %1; give x,y in logical pixels of the view, such as 412,300.</source>
-        <translation>--click 为 %1；请给出以视图逻辑像素计的 x,y，例如 412,300。</translation>
-    </message>
-    <message>
-        <source>--click works together with --screenshot OUT.png.</source>
-        <translation>--click 须与 --screenshot OUT.png 连用。</translation>
-    </message>
-    <message>
-        <source>There is no display. Set DISPLAY, or run under xvfb-run.</source>
-        <translation>没有可用的显示。请设置 DISPLAY，或在 xvfb-run 下运行。</translation>
-    </message>
-    <message>
-        <source>No window can be opened (%1). Set DISPLAY to a display that answers, or run under xvfb-run.</source>
-        <translation>无法打开窗口（%1）。请将 DISPLAY 设为可以连接的显示，或在 xvfb-run 下运行。</translation>
-    </message>
-    <message>
-        <source>Standard output cannot be written: %1.</source>
-        <translation>无法写入标准输出：%1。</translation>
-    </message>
-    <message>
-        <source>Whether the edges of surfaces are drawn without steps: on or off. What clicks read is the same.</source>
-        <translation>是否把表面的边缘画得没有锯齿：on 或 off。点击读到的内容不变。</translation>
-    </message>
-    <message>
-        <source>--smooth-edges is %1; give on or off.</source>
-        <translation>--smooth-edges 为 %1；请给出 on 或 off。</translation>
-    </message>
-    <message>
-        <source>Size of the view itself in logical pixels, whatever font and language make of the panels: the same clicks then mean the same pixels everywhere. Instead of --size.</source>
-        <translation>视图本身的大小（逻辑像素），与面板的字体和语言无关：同样的点击在任何机器上都是同样的像素。代替 --size。</translation>
-    </message>
-    <message>
-        <source>Give the view the whole window.</source>
-        <translation>让视图占满整个窗口。</translation>
-    </message>
-    <message>
-        <source>Colours of the window: desktop (as the desktop has them; default), light or dark.</source>
-        <translation>窗口的颜色：desktop（与桌面相同，默认）、light（浅色）或 dark（深色）。</translation>
-    </message>
-    <message>
-        <source>Give --size or --view-size, not both.</source>
-        <translation>--size 和 --view-size 只能给一个。</translation>
-    </message>
-    <message>
-        <source>--place is %1; give one of: %2.</source>
-        <translation>--place 是 %1；请给出其中之一：%2。</translation>
-    </message>
-    <message>
-        <source>--appearance is %1; give desktop, light or dark.</source>
-        <translation>--appearance 是 %1；请给出 desktop、light 或 dark。</translation>
-    </message>
-    <message>
-        <source>--%1 is %2; give width x height in pixels, such as 1280x800, from %3x%4 to %5x%6.</source>
-        <translation>--%1 是 %2；请给出以像素为单位的宽 x 高，例如 1280x800，范围从 %3x%4 到 %5x%6。</translation>
-    </message>
-    <message>
-        <source>Work place to start at: %1. Without it that of the last time; for a picture the first of them.</source>
-        <translation>启动时的工作区：%1。不指定时为上次的工作区；截图时为第一个。</translation>
-    </message>
-    <message>
-        <source>A scene, or model files: OBJ, STL, PLY, OFF, glTF, GLB; files of points beside them. Without any, the bundled scene.</source>
-        <translation>一个场景，或模型文件：OBJ、STL、PLY、OFF、glTF、GLB；旁边可再给点文件。都不给时为自带的场景。</translation>
-    </message>
-    <message>
-        <source>Language of the program: system (that of the desktop; default), en or zh_CN.</source>
-        <translation>程序的语言：system（随桌面；默认）、en 或 zh_CN。</translation>
-    </message>
-    <message>
-        <source>--language is %1; give system, en or zh_CN.</source>
-        <translation>--language 是 %1；请给出 system、en 或 zh_CN。</translation>
-    </message>
-    <message>
-        <source>Start with a lesson, or with one of its steps: first, weng:3.</source>
-        <translation>从一门课程或其中一步开始：first、weng:3。</translation>
-    </message>
-    <message>
-        <source>Give --lesson or what to open, not both.</source>
-        <translation>--lesson 与要打开的文件只能给出其一。</translation>
-    </message>
-</context>
-<context>
     <name>CopyMenu</name>
     <message>
         <source>&amp;Copy %1</source>
@@ -5473,6 +5362,25 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::Program</name>
+    <message>
+        <source>The system cannot start %1 more threads. Close other programs, then try again.</source>
+        <translation>系统无法再启动 %1 个线程。请关闭其他程序后重试。</translation>
+    </message>
+    <message>
+        <source>There is no display. Set DISPLAY, or run under xvfb-run.</source>
+        <translation>没有可用的显示。请设置 DISPLAY，或在 xvfb-run 下运行。</translation>
+    </message>
+    <message>
+        <source>No window can be opened (%1). Set DISPLAY to a display that answers, or run under xvfb-run.</source>
+        <translation>无法打开窗口（%1）。请将 DISPLAY 设为可以连接的显示，或在 xvfb-run 下运行。</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written: %1.</source>
+        <translation>无法写入标准输出：%1。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ProjectionGroup</name>
     <message>
         <source>Kind of projection</source>
@@ -6422,6 +6330,101 @@ of a point that needs no division</source>
     <message>
         <source>%1, depth computed</source>
         <translation>%1，深度为计算值</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::StartOptions</name>
+    <message>
+        <source>Click a pixel of a 3-D view and get its world coordinate, computed twice.</source>
+        <translation>点击三维视图中的一个像素，用两种方法求出它的世界坐标。</translation>
+    </message>
+    <message>
+        <source>Open, save a picture of the whole window, print the clicks as JSON, and quit.</source>
+        <translation>打开程序，把整个窗口保存为图片，以 JSON 输出各次点击的结果，然后退出。</translation>
+    </message>
+    <message>
+        <source>Size of the window in logical pixels (default 1280x800).</source>
+        <translation>窗口大小，以逻辑像素计（默认 1280x800）。</translation>
+    </message>
+    <message>
+        <source>With --screenshot: press the left button at this position of the view, logical pixels from its top-left corner. May be given several times.</source>
+        <translation>与 --screenshot 连用：在视图的这个位置按下左键，以逻辑像素计，原点在视图左上角。可以给出多次。</translation>
+    </message>
+    <message>
+        <source>Say how the program is called, and quit.</source>
+        <translation>显示程序的用法并退出。</translation>
+    </message>
+    <message>
+        <source>%1 See --help.</source>
+        <translation>%1 参见 --help。</translation>
+    </message>
+    <message>
+        <source>--click is %1; give x,y in logical pixels of the view, such as 412,300.</source>
+        <translation>--click 为 %1；请给出以视图逻辑像素计的 x,y，例如 412,300。</translation>
+    </message>
+    <message>
+        <source>--click works together with --screenshot OUT.png.</source>
+        <translation>--click 须与 --screenshot OUT.png 连用。</translation>
+    </message>
+    <message>
+        <source>Whether the edges of surfaces are drawn without steps: on or off. What clicks read is the same.</source>
+        <translation>是否把表面的边缘画得没有锯齿：on 或 off。点击读到的内容不变。</translation>
+    </message>
+    <message>
+        <source>--smooth-edges is %1; give on or off.</source>
+        <translation>--smooth-edges 为 %1；请给出 on 或 off。</translation>
+    </message>
+    <message>
+        <source>Size of the view itself in logical pixels, whatever font and language make of the panels: the same clicks then mean the same pixels everywhere. Instead of --size.</source>
+        <translation>视图本身的大小（逻辑像素），与面板的字体和语言无关：同样的点击在任何机器上都是同样的像素。代替 --size。</translation>
+    </message>
+    <message>
+        <source>Give the view the whole window.</source>
+        <translation>让视图占满整个窗口。</translation>
+    </message>
+    <message>
+        <source>Colours of the window: desktop (as the desktop has them; default), light or dark.</source>
+        <translation>窗口的颜色：desktop（与桌面相同，默认）、light（浅色）或 dark（深色）。</translation>
+    </message>
+    <message>
+        <source>Give --size or --view-size, not both.</source>
+        <translation>--size 和 --view-size 只能给一个。</translation>
+    </message>
+    <message>
+        <source>--place is %1; give one of: %2.</source>
+        <translation>--place 是 %1；请给出其中之一：%2。</translation>
+    </message>
+    <message>
+        <source>--appearance is %1; give desktop, light or dark.</source>
+        <translation>--appearance 是 %1；请给出 desktop、light 或 dark。</translation>
+    </message>
+    <message>
+        <source>--%1 is %2; give width x height in pixels, such as 1280x800, from %3x%4 to %5x%6.</source>
+        <translation>--%1 是 %2；请给出以像素为单位的宽 x 高，例如 1280x800，范围从 %3x%4 到 %5x%6。</translation>
+    </message>
+    <message>
+        <source>Work place to start at: %1. Without it that of the last time; for a picture the first of them.</source>
+        <translation>启动时的工作区：%1。不指定时为上次的工作区；截图时为第一个。</translation>
+    </message>
+    <message>
+        <source>A scene, or model files: OBJ, STL, PLY, OFF, glTF, GLB; files of points beside them. Without any, the bundled scene.</source>
+        <translation>一个场景，或模型文件：OBJ、STL、PLY、OFF、glTF、GLB；旁边可再给点文件。都不给时为自带的场景。</translation>
+    </message>
+    <message>
+        <source>Language of the program: system (that of the desktop; default), en or zh_CN.</source>
+        <translation>程序的语言：system（随桌面；默认）、en 或 zh_CN。</translation>
+    </message>
+    <message>
+        <source>--language is %1; give system, en or zh_CN.</source>
+        <translation>--language 是 %1；请给出 system、en 或 zh_CN。</translation>
+    </message>
+    <message>
+        <source>Start with a lesson, or with one of its steps: first, weng:3.</source>
+        <translation>从一门课程或其中一步开始：first、weng:3。</translation>
+    </message>
+    <message>
+        <source>Give --lesson or what to open, not both.</source>
+        <translation>--lesson 与要打开的文件只能给出其一。</translation>
     </message>
 </context>
 <context>

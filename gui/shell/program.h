@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/files/standard_streams.h"
+#include "gui/shell/start_options.h"
+
+#include <QApplication>
+
+#include <optional>
+
+namespace unprojector::gui {
+
+/// The program from its command line to its exit code: a window for a user, or a screenshot run.
+class Program {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::Program)
+public:
+    Program(int &argc, char **argv) : m_argc(argc), m_argv(argv) {}
+    /// @return the exit code; 2 after a message on standard error, or in a box
+    int run();
+
+private:
+    /// Reads the options where there need be no display: --help and mistakes need none.
+    /// @return the mistake in a sentence, or why there can be no window
+    geometry::Result<StartOptions, QString> readOptions();
+    /// Creates the application, in its language and fonts; ends the program with a message where no window can be opened.
+    void createApplication();
+    int runForUser();
+    int runForPicture();
+
+    int &m_argc;
+    char **m_argv;
+    std::optional<files::ParentConsole> m_console{std::in_place};
+    StartOptions m_options;
+    QString m_noWindow; ///< sentence with %1 for Qt's reason
+    std::optional<QApplication> m_application;
+    std::optional<Translation> m_translation;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,119 @@
+// How the program starts: what the command line says, and the window that a user and a screenshot run get by it.
+
+#include "gui/lessons/lesson_player.h"
+#include "gui/shell/screenshot_run.h"
+#include "gui/shell/start_window.h"
+#include "tests/support/patience.h"
+
+#include "gui_scene.h"
+
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+
+namespace {
+
+StartOptions optionsOf(const QStringList &words)
+{
+    const geometry::Result<StartOptions, QString> options = startOptions(QStringList{"unprojector"} + words);
+    if (!options)
+        qFatal("%s", qPrintable(options.error()));
+    return options.value();
+}
+
+/// What a window shows, as far as the command line says it.
+QStringList stateOf(MainWindow &window)
+{
+    if (!QTest::qWaitFor([&window] { return !window.session().isLoading(); }, kPatienceMilliseconds))
+        qFatal("the files are not opened");
+    const LessonPlayer &player = *window.findChild<LessonPlayer *>();
+    return {window.session().name(),
+            lessons::nameOf(window.workspaces().current()),
+            window.workspaces().arePanelsHidden() ? "without panels" : "with panels",
+            window.hasSmoothEdges() ? "smooth" : "with steps",
+            player.lesson() ? QStringLiteral("step %1").arg(player.place() + 1) : QStringLiteral("no lesson"),
+            QStringLiteral("%1x%2").arg(window.view().width()).arg(window.view().height())};
+}
+
+} // namespace
+
+class TestStart : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { guitest::redirectSettings(); }
+    void theWordsBecomeOptions();
+    void bothRunsStartTheSameWay_data();
+    void bothRunsStartTheSameWay();
+};
+
+void TestStart::theWordsBecomeOptions()
+{
+    const StartOptions none = optionsOf({});
+    QVERIFY(!none.isScreenshotRun() && !none.windowSize && !none.workspace && !none.lesson && none.hasPanels);
+    QVERIFY(none.textToPrint.isEmpty() && none.files.empty());
+    const StartOptions all = optionsOf({"--screenshot", "a.png", "--view-size", "640x480", "--no-panels", "--place",
+                                        "doctor", "--appearance", "dark", "--language", "zh_CN", "--click", "1,2.5",
+                                        "--click", "3,4", "--smooth-edges", "off", "a.obj", "b.obj"});
+    QCOMPARE(all.picture, std::optional(QStringLiteral("a.png")));
+    QCOMPARE(all.windowSize, std::optional(QSize(1280, 800)));
+    QCOMPARE(all.viewSize, std::optional(QSize(640, 480)));
+    QVERIFY(!all.hasPanels && all.workspace == lessons::Workspace::Doctor && all.smoothEdges == false);
+    QVERIFY(all.appearance == Appearance::Dark && all.language == Language::Chinese);
+    QVERIFY(all.clicks.size() == 2 && all.clicks[0].y == 2.5);
+    QVERIFY(all.files.size() == 2 && all.files[1] == "b.obj");
+}
+
+void TestStart::bothRunsStartTheSameWay_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QStringList>("state"); // its beginning
+    const auto row = [](const char *name, const QStringList &words, const QStringList &state) {
+        QTest::newRow(name) << words << state;
+    };
+    row("a size", {"--size", "1000x700"}, {"Bundled scene", "click", "with panels", "smooth", "no lesson"});
+    row("looks", {"--size", "1000x700", "--place", "pipeline", "--no-panels", "--smooth-edges", "off"},
+        {"Bundled scene", "pipeline", "without panels", "with steps", "no lesson"});
+    row("a step of a lesson", {"--view-size", "500x400", "--lesson", "first:2"},
+        {"Window Coordinates", "click", "with panels", "smooth", "step 2", "500x400"});
+    row("a file", {"--view-size", "500x400", "start.obj"},
+        {"start.obj", "click", "with panels", "smooth", "no lesson", "500x400"});
+}
+
+void TestStart::bothRunsStartTheSameWay()
+{
+    QFETCH(QStringList, words);
+    QFETCH(QStringList, state);
+    const QTemporaryDir folder;
+    if (words.last() == "start.obj") {
+        words.last() = folder.filePath(words.last());
+        QFile file(words.last());
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n") > 0);
+    }
+    QSettings().clear();
+    QStringList users;
+    {
+        const StartOptions options = optionsOf(words);
+        MainWindow::Options ofWindow;
+        ofWindow.smoothEdges = options.smoothEdges;
+        ofWindow.recoveryFolder = folder.filePath("recovery");
+        MainWindow window(ofWindow);
+        QCOMPARE(startWindow(window, options), QString());
+        users = stateOf(window);
+    }
+    ScreenshotRun run(optionsOf(words + QStringList{"--screenshot", folder.filePath("never.png")}));
+    run.start();
+    MainWindow *pictures = nullptr;
+    for (QWidget *window : QApplication::topLevelWidgets())
+        pictures = pictures ? pictures : qobject_cast<MainWindow *>(window);
+    QVERIFY(pictures);
+    QCOMPARE(stateOf(*pictures), users);
+    QCOMPARE(users.mid(0, state.size()), state);
+}
+
+QTEST_MAIN(TestStart)
+#include "test_start.moc"
