@@ -1,8 +1,13 @@
 #include "gui/document/session.h"
 
+#include "core/examples/bundled_scene.h"
 #include "core/scene_file/scene_error_text.h"
+#include "gui/document/camera_looks.h"
+#include "gui/document/point_files.h"
 #include "gui/document/recent_files.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
+#include "gui/text/added_text.h"
 #include "gui/text/error_text.h"
 
 #include <QCoreApplication>
@@ -11,30 +16,17 @@
 #include <algorithm>
 #include <utility>
 
-// The scene's name and file, its saving, and what is kept of its changes.
-
 namespace unprojector::gui {
 
-std::filesystem::path Session::absolutePath(const std::filesystem::path &file)
-{
-    std::error_code error;
-    std::filesystem::path absolute = std::filesystem::absolute(file, error);
-    return error ? file : absolute;
-}
-
 Session::Session(SceneDocument &document, SessionQuestions &questions, const Options &options, QObject *parent)
-    : QObject(parent), m_document(document), m_questions(questions), m_options(options),
-      m_name(tr("the scene")) // until one is opened
+    : QObject(parent), m_document(document), m_questions(questions),
+      m_options(options), m_origin{tr("the scene")} // until one is opened
 {
-    connect(&m_loader, &ModelLoader::started, this, &Session::loadingStarted);
-    connect(&m_loader, &ModelLoader::progressed, this, &Session::loadingProgressed);
-    connect(&m_loader, &ModelLoader::finished, this, &Session::takeLoaded);
-    connect(&m_loader, &ModelLoader::cancelled, this, &Session::giveUpPending);
-    connect(&m_loader, &ModelLoader::jobFailed, this, [this](const JobFailure &failure) {
-        emit failed(
-            tr("The files cannot be opened: %1. Close other programs, then try again.").arg(failureText(failure)));
-        giveUpPending();
-    });
+    connect(&m_opener, &SceneOpener::started, this, &Session::loadingStarted);
+    connect(&m_opener, &SceneOpener::progressed, this, &Session::loadingProgressed);
+    connect(&m_opener, &SceneOpener::opened, this, &Session::show);
+    connect(&m_opener, &SceneOpener::failed, this, &Session::failed);
+    connect(&m_opener, &SceneOpener::ended, this, &Session::loadingEnded);
     connect(&m_models, &ModelStore::jobFailed, this, [this](const JobFailure &failure) {
         emit noticed(tr("Large models are not simplified while the view moves: %1.").arg(failureText(failure)));
     });
@@ -47,23 +39,206 @@ Session::Session(SceneDocument &document, SessionQuestions &questions, const Opt
 
 Session::~Session() = default;
 
-void Session::giveUpPending()
-{
-    m_pending.reset();
-    emit loadingEnded();
-}
-
 bool Session::hasUnsavedChanges() const
 {
     // Who only looks at a model from all sides has nothing to save; a scene with a file has an owner.
-    return m_file.empty() ? m_document.isEdited() : m_document.isModified();
+    return m_origin.file.empty() ? m_document.isEdited() : m_document.isModified();
+}
+
+// ---- opening ------------------------------------------------------------------------------------------------------
+
+void Session::openFiles(std::vector<std::filesystem::path> files)
+{
+    const auto points = std::stable_partition(files.begin(), files.end(), [](const std::filesystem::path &file) {
+        return !PointFiles::isPointFile(file) && !PointFiles::isTemplate(file);
+    });
+    std::vector<std::filesystem::path> pointFiles(points, files.end());
+    files.erase(points, files.end());
+    if (files.empty() && !pointFiles.empty()) {
+        emit progressed();
+        emit pointFilesOpened(pointFiles);
+        return;
+    }
+    const auto scene = std::find_if(files.begin(), files.end(), opening::isMeantAsScene);
+    if (scene != files.end()) {
+        openScene(*scene, std::move(pointFiles));
+        return;
+    }
+    emit progressed();
+    Opening opening;
+    opening.models = std::move(files);
+    opening.points = std::move(pointFiles);
+    m_opener.load(std::move(opening));
+}
+
+void Session::addFiles(std::vector<std::filesystem::path> files)
+{
+    emit progressed();
+    Opening opening{Opening::Kind::Addition};
+    opening.models = std::move(files);
+    m_opener.load(std::move(opening));
+}
+
+void Session::openScene(const std::filesystem::path &file, std::vector<std::filesystem::path> points)
+{
+    m_opener.cancel(); // it would replace the scene later, whatever becomes of this one
+    emit progressed();
+    Result<Opening, QString> scene = SceneOpener::readScene(file);
+    if (!scene) {
+        emit failed(scene.error());
+        return;
+    }
+    if (!mayLeave())
+        return;
+    Opening opening = std::move(scene).value();
+    opening.points = std::move(points);
+    m_opener.load(std::move(opening));
+}
+
+void Session::openBundledScene()
+{
+    if (!mayLeave())
+        return;
+    emit progressed();
+    openObjects(m_document, examples::bundledScene(),
+                {WorldPoint(6.5, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
+    setScene({tr("Bundled scene")});
+}
+
+bool Session::openLesson(Scene scene, const QString &name, const QString &lesson)
+{
+    emit progressed();
+    std::optional<SceneAside> before; // its changes are kept in their file for as long as they are nowhere else
+    if (!m_aside)
+        before = {m_document.scene(), m_origin, hasUnsavedChanges(), m_autosave ? m_autosave->release() : nullptr};
+    if (const Check shown = m_document.open(std::move(scene)); !shown) {
+        if (before && before->recovery)
+            m_autosave->adopt(std::move(before->recovery));
+        followChanges(); // those that could not be written when the file was given away
+        emit failed(errorText(shown.error()));
+        return false;
+    }
+    if (before)
+        m_aside = std::move(before);
+    setScene({name}, lesson);
+    return true;
+}
+
+bool Session::comeBack()
+{
+    emit progressed();
+    if (const Check shown = m_document.open(m_aside->scene); !shown) {
+        emit failed(errorText(shown.error()));
+        return false;
+    }
+    SceneAside before = *std::exchange(m_aside, std::nullopt);
+    setScene(before.origin, {}, true);
+    if (before.recovery)
+        m_autosave->adopt(std::move(before.recovery));
+    if (before.isUnsaved)
+        m_document.markUnsaved();
+    return true;
+}
+
+void Session::dropAside()
+{
+    if (m_aside && m_aside->recovery)
+        m_aside->recovery->remove();
+    m_aside.reset();
+}
+
+void Session::nameStep(const QString &name)
+{
+    if (!m_origin.file.empty() || name == m_origin.name)
+        return;
+    m_origin.name = name;
+    emit changed();
+}
+
+void Session::cancelLoading()
+{
+    if (!m_opener.isLoading())
+        return;
+    const QString name = m_opener.name();
+    m_opener.cancel();
+    emit noticed(tr("Opening of %1 cancelled. The scene is as it was.").arg(name));
+}
+
+void Session::show(Opened opened)
+{
+    bool isShown = false;
+    if (opened.scene)
+        isShown = showScene(opened);
+    else if (opened.opening.kind == Opening::Kind::Addition)
+        addModels(std::move(opened.objects));
+    else
+        isShown = showModels(std::move(opened.objects));
+    // What is not as in a file stays to be read until it is closed, as errors do.
+    const QStringList reasons = opened.errors + opened.notes;
+    if (!opened.errors.isEmpty())
+        emit failed(reasons.join(u'\n'));
+    else if (!reasons.isEmpty())
+        emit warned(reasons.join(u'\n'));
+    if (isShown && !opened.opening.points.empty()) // to nothing else they belong
+        emit pointFilesOpened(opened.opening.points);
+}
+
+bool Session::showModels(std::vector<SceneObject> objects)
+{
+    if (objects.empty() || !mayLeave())
+        return false;
+    for (const SceneObject &object : objects)
+        rememberRecent(object.file);
+    const QString name = namesText(QString::fromStdString(objects.front().name), static_cast<int>(objects.size()) - 1);
+    openObjects(m_document, std::move(objects));
+    setScene({name});
+    if (const QString sizes = sizesText(m_document.objects(), m_document.objects().size()); !sizes.isEmpty())
+        emit noticed(sizes);
+    return true;
+}
+
+void Session::addModels(std::vector<SceneObject> objects)
+{
+    if (objects.empty())
+        return;
+    for (const SceneObject &object : objects)
+        rememberRecent(object.file);
+    const std::size_t count = objects.size();
+    if (const Check added = addObjects(m_document, std::move(objects)))
+        emit noticed(addedText(m_document.objects(), count));
+    else
+        emit failed(errorText(added.error()));
+}
+
+bool Session::showScene(Opened &opened)
+{
+    const Opening &opening = opened.opening;
+    if (const Check shown = m_document.open(*std::move(opened.scene)); !shown) {
+        opened.errors << tr("%1: %2").arg(opening.origin.name, errorText(shown.error()));
+        return false;
+    }
+    setScene(opening.origin);
+    if (opening.recovered)
+        takeRecovered(opening.recovered);
+    else
+        rememberRecent(opening.origin.file);
+    return true;
+}
+
+void Session::setScene(const SceneOrigin &origin, const QString &lesson, bool isBack)
+{
+    if (lesson.isEmpty())
+        dropAside();
+    m_origin = origin;
+    m_document.markSaved();
+    emit opened(lesson, isBack);
 }
 
 // ---- saving ------------------------------------------------------------------------------------------------------
 
 bool Session::save()
 {
-    return m_file.empty() ? saveAs() : saveScene(m_file);
+    return m_origin.file.empty() ? saveAs() : saveScene(m_origin.file);
 }
 
 /// Beside the first model that came from a file, by its name.
@@ -78,8 +253,8 @@ std::filesystem::path Session::proposedName() const
 
 bool Session::saveAs()
 {
-    m_loader.cancel(); // it could replace the scene under the question
-    const std::filesystem::path named = m_questions.askFileName(m_file.empty() ? proposedName() : m_file);
+    m_opener.cancel(); // it could replace the scene under the question
+    const std::filesystem::path named = m_questions.askFileName(m_origin.file.empty() ? proposedName() : m_origin.file);
     if (named.empty())
         return false;
     std::filesystem::path file = named;
@@ -97,7 +272,7 @@ bool Session::saveScene(const std::filesystem::path &file)
     emit aboutToSaveOrLeave();
     const std::filesystem::path path = absolutePath(file);
     const SceneFile contents = sceneFileFrom(m_document.scene(), m_document.picture(), path);
-    const std::optional<files::FileStamp> onlyIf = path == m_file ? m_stamp : std::nullopt;
+    const std::optional<files::FileStamp> onlyIf = path == m_origin.file ? m_origin.stamp : std::nullopt;
     Result<files::FileStamp, SceneFileError> written = writeSceneFile(path, contents, onlyIf);
     if (!written && written.error().code == SceneFileErrorCode::ChangedMeanwhile) {
         if (!m_questions.askOverwriteChanged(path))
@@ -112,9 +287,7 @@ bool Session::saveScene(const std::filesystem::path &file)
     rememberRecent(path);
     if (const QString dropped = droppedMatrices(); !dropped.isEmpty())
         emit noticed(dropped);
-    m_file = path;
-    m_stamp = written.value();
-    m_name = pathText(path.filename());
+    m_origin = {pathText(path.filename()), path, written.value()};
     m_document.markSaved();
     return true;
 }
@@ -143,18 +316,18 @@ bool Session::mayLeave()
     if (!m_options.remembers || !m_aside->isUnsaved)
         return true;
     // It comes back only to be saved: who would rather stay goes on with the lesson.
-    return mayLoseChanges(m_aside->name, !m_aside->file.empty(), [this] { return comeBack() && save(); });
+    return mayLoseChanges(m_aside->origin.name, !m_aside->origin.file.empty(), [this] { return comeBack() && save(); });
 }
 
 bool Session::mayLeaveStep()
 {
     finishBeforeLeaving();
-    return !m_aside || m_file.empty() || mayLoseChanges();
+    return !m_aside || m_origin.file.empty() || mayLoseChanges();
 }
 
 void Session::finishBeforeLeaving()
 {
-    m_loader.cancel(); // it could replace the scene under the question
+    m_opener.cancel(); // it could replace the scene under the question
     emit typedToCount();
     emit aboutToSaveOrLeave();
 }
@@ -163,7 +336,7 @@ bool Session::mayLoseChanges()
 {
     if (!m_options.remembers || !hasUnsavedChanges())
         return true;
-    return mayLoseChanges(name(), !m_file.empty(), [this] { return save(); });
+    return mayLoseChanges(name(), !m_origin.file.empty(), [this] { return save(); });
 }
 
 bool Session::mayLoseChanges(const QString &name, bool hasFile, const std::function<bool()> &save)
@@ -229,7 +402,7 @@ void Session::followChanges()
 
 SceneFile Session::contents() const
 {
-    return sceneFileFrom(m_document.scene(), m_document.picture(), m_file);
+    return sceneFileFrom(m_document.scene(), m_document.picture(), m_origin.file);
 }
 
 Result<Autosave::Content, QString> Session::unsavedContent() const
@@ -240,7 +413,8 @@ Result<Autosave::Content, QString> Session::unsavedContent() const
         error.file = name().toStdString();
         return QString::fromStdString(sceneErrorText(error));
     }
-    return Autosave::Content{{name(), m_file, QDateTime::currentDateTime(), m_stamp}, std::move(text).value()};
+    return Autosave::Content{{name(), m_origin.file, QDateTime::currentDateTime(), m_origin.stamp},
+                             std::move(text).value()};
 }
 
 void Session::offerRecovery()
@@ -279,7 +453,7 @@ std::unique_ptr<RecoveryFile> Session::takeOffered(std::size_t place)
 
 void Session::recover(std::size_t place)
 {
-    m_loader.cancel(); // it would replace the scene later, whatever becomes of this one
+    m_opener.cancel(); // it would replace the scene later, whatever becomes of this one
     const RecoveryFile &file = *m_offered.at(place);
     const std::optional<RecoveryInfo> info = file.info();
     Result<SceneFile, SceneFileError> scene = file.scene();
@@ -293,7 +467,8 @@ void Session::recover(std::size_t place)
     if (!mayLeave())
         return;
     emit progressed();
-    load({Pending::For::SceneFile, info->sceneFile, std::move(scene).value(), info->stamp, info->name, &file});
+    m_opener.load(
+        {Opening::Kind::SceneFile, {info->name, info->sceneFile, info->stamp}, std::move(scene).value(), &file});
 }
 
 void Session::takeRecovered(const RecoveryFile *file)

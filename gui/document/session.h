@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/files/file_stamp.h"
-#include "core/scene_file/scene_file.h"
 #include "gui/document/autosave.h"
-#include "gui/document/model_loader.h"
 #include "gui/document/model_store.h"
+#include "gui/document/scene_opener.h"
 
 #include <QObject>
 #include <QString>
@@ -13,7 +11,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,8 +40,8 @@ public:
     virtual bool askDeleteKept(const QString &name) = 0;
 };
 
-/// Which scene the document shows, where it is from and what becomes of its changes: opens, saves, keeps in case of a
-/// crash and recovers, without a widget. Opening ends what is loading, then reads, then asks about unsaved changes: what
+/// Which scene the document shows, where it is from and what becomes of its changes: leaves, saves, keeps in case of a
+/// crash and recovers, without a widget; a SceneOpener reads what is opened. Opening ends what is loading, then reads, then asks about unsaved changes: what
 /// cannot be read asks nothing. Of a scene it is the scene file that is read before the question, and its models after it.
 class Session : public QObject {
     Q_OBJECT
@@ -60,9 +57,9 @@ public:
     ~Session() override;
 
     /// As in a title: the file's name, that of a lesson's step, or what else there is to call the scene by.
-    QString name() const { return m_name; }
+    QString name() const { return m_origin.name; }
     /// Absolute: where the scene was opened from or saved to; empty: nowhere.
-    const std::filesystem::path &file() const { return m_file; }
+    const std::filesystem::path &file() const { return m_origin.file; }
     /// What its file would hold if it were saved there now.
     SceneFile contents() const;
     /// Whether leaving the scene would lose work: any change of a scene that has a file, and more than a look around in one
@@ -93,7 +90,7 @@ public:
     /// Of the scene of a lesson's step, as long as it has no file: another step goes on with it.
     void nameStep(const QString &name);
     ModelStore &models() { return m_models; }
-    bool isLoading() const { return m_loader.isLoading(); }
+    bool isLoading() const { return m_opener.isLoading(); }
     /// Gives up what is loading, and says so by `noticed`.
     void cancelLoading();
 
@@ -165,42 +162,21 @@ signals:
     void recentFilesChanged();
 
 private:
-    /// What the models that are loading are for.
-    struct Pending {
-        enum class For { NewScene, Addition, SceneFile };
-        For use = For::NewScene;
-        std::filesystem::path path = {}; ///< of the scene, absolute; of a recovered one it may be empty
-        SceneFile contents = {};
-        std::optional<files::FileStamp> stamp = {}; ///< of the scene file, before it was read
-        QString name = {};
-        const RecoveryFile *recovered = nullptr; ///< one of m_offered
-        std::vector<std::filesystem::path> models = {};
-        std::vector<std::filesystem::path> points = {}; ///< files of them, read when the models are there
-    };
-
     /// A scene with all that there is to know of it, to come back to.
     struct SceneAside {
         Scene scene;
-        QString name;
-        std::filesystem::path file;
-        std::optional<files::FileStamp> stamp;
+        SceneOrigin origin;
         bool isUnsaved = false;
         std::unique_ptr<RecoveryFile> recovery; ///< where its changes are kept
     };
 
-    /// From now on the working folder does not matter.
-    static std::filesystem::path absolutePath(const std::filesystem::path &file);
-    static QString nameOf(const Pending &pending);
-    static QString namesText(const QString &first, int others);
-    void load(Pending pending);
-    void takeLoaded(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors);
-    void giveUpPending();
-    void takeModels(const std::vector<LoadedModel> &models, Pending::For use);
-    /// @return what of it is not as in its file
-    QString takeScene(Pending pending, const std::vector<LoadedModel> &models);
-    /// The scene that was just opened has this file, or none, and this name.
-    void setScene(const QString &name, const QString &lesson = {}, const std::filesystem::path &file = {},
-                  const std::optional<files::FileStamp> &stamp = {}, bool isBack = false);
+    /// Shows what was opened, and says what of it is not shown or not as in its file.
+    void show(Opened opened);
+    bool showModels(std::vector<SceneObject> objects);
+    void addModels(std::vector<SceneObject> objects);
+    bool showScene(Opened &opened);
+    /// The scene that was just opened is from there.
+    void setScene(const SceneOrigin &origin, const QString &lesson = {}, bool isBack = false);
     /// Nobody comes back to it.
     void dropAside();
     void takeRecovered(const RecoveryFile *file);
@@ -222,12 +198,8 @@ private:
     SessionQuestions &m_questions;
     Options m_options;
     ModelStore m_models;
-    opening::ModelFiles m_modelFiles;
-    ModelLoader m_loader{m_modelFiles};
-    std::optional<Pending> m_pending; ///< while it loads
-    QString m_name;
-    std::filesystem::path m_file;
-    std::optional<files::FileStamp> m_stamp;              ///< what the file held when it was last read or written here
+    SceneOpener m_opener;
+    SceneOrigin m_origin;
     std::optional<SceneAside> m_aside;                    ///< in a lesson what was shown before it
     Autosave *m_autosave = nullptr;                       ///< none where nothing is to be kept
     std::vector<std::unique_ptr<RecoveryFile>> m_offered; ///< the last one first

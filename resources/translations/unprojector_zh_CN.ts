@@ -5883,6 +5883,23 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::SceneOpener</name>
+    <message>
+        <source>The files cannot be opened: %1. Close other programs, then try again.</source>
+        <translation>无法打开文件：%1。请关闭其他程序，然后重试。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 及另外 %n 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ScenePoints</name>
     <message>
         <source>point %1</source>
@@ -6245,10 +6262,6 @@ of a point that needs no division</source>
 <context>
     <name>unprojector::gui::Session</name>
     <message>
-        <source>The files cannot be opened: %1. Close other programs, then try again.</source>
-        <translation>无法打开文件：%1。请关闭其他程序，然后重试。</translation>
-    </message>
-    <message>
         <source>Large models are not simplified while the view moves: %1.</source>
         <translation>视图移动时大型模型未被简化：%1。</translation>
     </message>
@@ -6285,12 +6298,6 @@ of a point that needs no division</source>
     <message>
         <source>Bundled scene</source>
         <translation>自带场景</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 and %n more</source>
-        <translation>
-            <numerusform>%1 及另外 %n 个</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1: %2</source>

@@ -106,12 +106,6 @@ QMap<QString, ClassSize> classesUnder(const QStringList &folders)
     return found;
 }
 
-/// Classes that are larger than they should be, with what they may be at most until they are made smaller. A limit that
-/// a class no longer needs is an error too.
-const QMap<QString, ClassSize> kLarge{
-    {"Session", {kMostLines, kMostMembers, {"session_opening.cpp"}}},
-};
-
 } // namespace
 
 class TestClassSizes : public QObject {
@@ -169,25 +163,13 @@ void TestClassSizes::classesAreSmall()
     QVERIFY(classes.contains("SceneDocument"));
     QStringList wrong;
     for (auto it = classes.cbegin(); it != classes.cend(); ++it) {
-        const bool isKnown = kLarge.contains(it.key());
-        const ClassSize most = isKnown ? kLarge[it.key()] : ClassSize{kMostLines, kMostMembers, {}};
         const ClassSize &is = it.value();
-        if (is.lines > std::max(most.lines, kMostLines) || is.members > std::max(most.members, kMostMembers)
-            || is.slices != most.slices)
+        if (is.lines > kMostLines || is.members > kMostMembers || !is.slices.isEmpty())
             wrong << QStringLiteral("%1 has %2 lines, %3 members%4")
                          .arg(it.key())
                          .arg(is.lines)
                          .arg(is.members)
                          .arg(is.slices.isEmpty() ? QString() : ", and is cut into " + is.slices.join(", "));
-    }
-    for (auto it = kLarge.cbegin(); it != kLarge.cend(); ++it) {
-        const ClassSize is = classes.value(it.key());
-        if (is.lines <= kMostLines && is.members <= kMostMembers && is.slices.isEmpty())
-            wrong << it.key() + " is small: it needs no exception";
-        constexpr int kRoom = 30; // lines
-        if ((it->lines > kMostLines && it->lines > is.lines + kRoom)
-            || (it->members > kMostMembers && it->members > is.members))
-            wrong << it.key() + " is smaller than its exception says: lower that";
     }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join("\n")));
 }

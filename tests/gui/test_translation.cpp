@@ -151,7 +151,7 @@ void TestTranslation::theWindowSpeaksChinese()
     QCOMPARE(window.menuBar()->actions().constFirst()->text(), QStringLiteral("文件(&F)"));
     // Of a free function, whose texts are not those of a class of Qt's.
     QCOMPARE(errorText(Error{ErrorCode::NotFinite, 2.5}), QStringLiteral("2.5 不是有限的数；请给出一个数。"));
-    QCOMPARE(Session::tr("%1 and %n more", nullptr, 3).arg(QStringLiteral("a.obj")),
+    QCOMPARE(SceneOpener::tr("%1 and %n more", nullptr, 3).arg(QStringLiteral("a.obj")),
              QStringLiteral("a.obj 及另外 3 个"));
 }
 
