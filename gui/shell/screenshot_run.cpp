@@ -77,6 +77,8 @@ void ScreenshotRun::fail(const QString &reason)
 
 QString ScreenshotRun::savePicture()
 {
+    // Labels grow with what the clicks say: what stands below them finds its place first.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     // The whole picture is encoded first: a name that no picture format has must not cost the file of that name.
     QByteArray bytes;
     QBuffer buffer(&bytes);

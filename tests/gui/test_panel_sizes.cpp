@@ -177,10 +177,19 @@ QStringList cutTexts(const QWidget &panel)
             && table->horizontalScrollBar()->maximum() == 0)
             cut << QStringLiteral("%1 cannot be scrolled").arg(table->accessibleName());
     }
-    for (const QWidget *child : panel.findChildren<QWidget *>(Qt::FindDirectChildrenOnly)) {
-        if (isShown(*child, panel) && !panel.rect().contains(child->geometry()))
-            cut << QStringLiteral("%1 %2 leaves the panel")
-                       .arg(QLatin1String(child->metaObject()->className()), child->accessibleName());
+    const auto nameOf = [](const QWidget &child) {
+        return QStringLiteral("%1 %2").arg(QLatin1String(child.metaObject()->className()), child.accessibleName());
+    };
+    const QWidgetList children = panel.findChildren<QWidget *>(Qt::FindDirectChildrenOnly);
+    for (const QWidget *child : children) {
+        if (!isShown(*child, panel))
+            continue;
+        if (!panel.rect().contains(child->geometry()))
+            cut << nameOf(*child) + QStringLiteral(" leaves the panel");
+        for (const QWidget *other : children) {
+            if (other != child && isShown(*other, panel) && other->geometry().intersects(child->geometry()))
+                cut << QStringLiteral("%1 lies on %2").arg(nameOf(*child), nameOf(*other));
+        }
     }
     return cut;
 }

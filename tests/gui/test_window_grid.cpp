@@ -150,7 +150,7 @@ void TestWindowGrid::everythingFits()
                 QStringList faults = faultsOf(window, looked);
                 for (const QPointF &share : {QPointF(0.5, 0.55), QPointF(0.01, 0.01)}) {
                     click(window.view(), QPointF(share.x() * viewSize.width(), share.y() * viewSize.height()));
-                    QTest::qWait(1);
+                    settle(10);
                     faults += faultsOf(window, looked);
                     QCOMPARE(window.view().size(), viewSize);
                 }
