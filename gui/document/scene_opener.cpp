@@ -4,6 +4,7 @@
 #include "core/scene_file/scene_error_text.h"
 #include "gui/document/landmark_objects.h"
 #include "gui/document/object_names.h"
+#include "gui/document/texture_decoding.h"
 #include "gui/text/error_text.h"
 #include "gui/text/note_text.h"
 #include "gui/text/sentences.h"
@@ -13,6 +14,17 @@
 
 namespace unprojector::gui {
 namespace {
+
+struct LoadedModel {
+    std::filesystem::path file;
+    opening::ModelPointer model;
+};
+
+/// Those files that could be read, in the order asked for, and why the others could not.
+struct Loaded {
+    std::vector<LoadedModel> models;
+    std::vector<ImportError> errors;
+};
 
 std::vector<SceneObject> objectsOf(const std::vector<LoadedModel> &models)
 {
@@ -44,6 +56,28 @@ Result<Scene, QString> sceneOf(const Opening &asked, const std::vector<LoadedMod
     return std::move(scene).value();
 }
 
+void add(const Loaded &loaded, Opened &opened)
+{
+    for (const ImportError &error : loaded.errors)
+        opened.errors << errorText(error);
+    if (opened.opening.kind != Opening::Kind::SceneFile) {
+        opened.objects = objectsOf(loaded.models);
+    } else if (loaded.errors.empty()) {
+        if (Result<Scene, QString> scene = sceneOf(opened.opening, loaded.models)) {
+            opened.scene = std::move(scene).value();
+            const QString loose = letGo(opened.scene->landmarks.landmarks, opened.scene->objects);
+            if (!loose.isEmpty())
+                opened.notes << SceneOpener::tr("%1: %2").arg(opened.opening.origin.name, loose);
+        } else {
+            opened.errors << scene.error();
+        }
+    }
+    for (const LoadedModel &model : loaded.models) {
+        if (const QString notes = notesText(pathText(model.file.filename()), model.model->notes); !notes.isEmpty())
+            opened.notes << notes;
+    }
+}
+
 } // namespace
 
 std::filesystem::path absolutePath(const std::filesystem::path &file)
@@ -56,19 +90,6 @@ std::filesystem::path absolutePath(const std::filesystem::path &file)
 QString namesText(const QString &first, int others)
 {
     return others == 0 ? first : SceneOpener::tr("%1 and %n more", nullptr, others).arg(first);
-}
-
-SceneOpener::SceneOpener()
-{
-    connect(&m_loader, &ModelLoader::started, this, &SceneOpener::started);
-    connect(&m_loader, &ModelLoader::progressed, this, &SceneOpener::progressed);
-    connect(&m_loader, &ModelLoader::finished, this, &SceneOpener::finish);
-    connect(&m_loader, &ModelLoader::cancelled, this, &SceneOpener::end);
-    connect(&m_loader, &ModelLoader::jobFailed, this, [this](const JobFailure &failure) {
-        emit failed(
-            tr("The files cannot be opened: %1. Close other programs, then try again.").arg(failureText(failure)));
-        end();
-    });
 }
 
 Result<Opening, QString> SceneOpener::readScene(const std::filesystem::path &file)
@@ -89,16 +110,52 @@ Result<Opening, QString> SceneOpener::readScene(const std::filesystem::path &fil
 
 void SceneOpener::load(Opening asked)
 {
-    m_loader.cancel(); // it would take what this is for
+    cancel();
     m_opening = std::move(asked);
+    // A scene of bundled models alone names no file: then there is nothing to read.
     if (m_opening.kind == Opening::Kind::SceneFile)
         m_opening.models = opening::modelFiles(m_opening.contents, m_opening.origin.file);
-    // A scene of bundled models alone names no file. The loader then has nothing to read and reports that it is done.
-    m_loader.load(m_opening.models);
+    QStringList names;
+    for (const std::filesystem::path &file : m_opening.models)
+        names << pathText(file.filename());
+    const auto count = static_cast<double>(names.size());
+    const auto work = [this, files = m_opening.models, count](Job &job) {
+        Loaded loaded;
+        for (std::size_t i = 0; i < files.size() && !job.isCancelled(); ++i) {
+            const auto progress = [&](double share) { return job.report((static_cast<double>(i) + share) / count); };
+            const auto decode = [&job](Model &model) {
+                decodeTextures(model, [&job] { return !job.isCancelled(); });
+                return !job.isCancelled();
+            };
+            if (const opening::ReadModel model = m_modelFiles.read(files[i], progress, decode))
+                loaded.models.push_back({files[i], *model});
+            else
+                loaded.errors.push_back(model.error());
+        }
+        return loaded;
+    };
+    const auto done = [this](const JobResult<Loaded> &loaded) {
+        Opened result{std::exchange(m_opening, {})};
+        if (loaded)
+            add(*loaded, result);
+        else
+            result.errors << tr("The files cannot be opened: %1. Close other programs, then try again.")
+                                 .arg(failureText(loaded.error()));
+        emit opened(result);
+        emit ended();
+    };
+    m_background.start(work, done, [this, names, count](double share) {
+        const auto place = std::min(static_cast<qsizetype>(share * count), names.size() - 1);
+        emit progressed(names[place], share);
+    });
+    emit started();
 }
 
-void SceneOpener::end()
+void SceneOpener::cancel()
 {
+    if (!isLoading())
+        return;
+    m_background.cancel();
     m_opening = {};
     emit ended();
 }
@@ -108,30 +165,6 @@ QString SceneOpener::name() const
     if (m_opening.kind == Opening::Kind::SceneFile || m_opening.models.empty())
         return m_opening.origin.name;
     return namesText(pathText(m_opening.models.front().filename()), static_cast<int>(m_opening.models.size()) - 1);
-}
-
-void SceneOpener::finish(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors)
-{
-    Opened read{std::exchange(m_opening, {})};
-    for (const ImportError &error : errors)
-        read.errors << errorText(error);
-    if (read.opening.kind != Opening::Kind::SceneFile) {
-        read.objects = objectsOf(models);
-    } else if (errors.empty()) {
-        if (Result<Scene, QString> scene = sceneOf(read.opening, models)) {
-            read.scene = std::move(scene).value();
-            if (const QString loose = letGo(read.scene->landmarks.landmarks, read.scene->objects); !loose.isEmpty())
-                read.notes << tr("%1: %2").arg(read.opening.origin.name, loose);
-        } else {
-            read.errors << scene.error();
-        }
-    }
-    for (const LoadedModel &loaded : models) {
-        if (const QString notes = notesText(pathText(loaded.file.filename()), loaded.model->notes); !notes.isEmpty())
-            read.notes << notes;
-    }
-    emit opened(read);
-    emit ended();
 }
 
 } // namespace unprojector::gui

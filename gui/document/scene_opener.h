@@ -1,8 +1,9 @@
 #pragma once
 
 #include "core/files/file_stamp.h"
+#include "core/opening/models.h"
 #include "core/scene_file/scene_file.h"
-#include "gui/document/model_loader.h"
+#include "gui/document/background.h"
 
 #include <QObject>
 #include <QString>
@@ -49,21 +50,20 @@ std::filesystem::path absolutePath(const std::filesystem::path &file);
 /// "a.obj and 2 more"
 QString namesText(const QString &first, int others);
 
-/// Reads scenes and models on a thread of its own, one opening at a time. It changes nothing that is shown.
+/// Reads scenes and models, these on a thread of its own, one opening at a time. It changes nothing that is shown.
 class SceneOpener : public QObject {
     Q_OBJECT
 public:
-    SceneOpener();
-
     /// Reads a scene file, without its models.
     /// @return why it cannot be read or shown
     static Result<Opening, QString> readScene(const std::filesystem::path &file);
 
-    /// Starts reading the models. An opening that is under way is cancelled.
+    /// Starts reading the models, one file after the other; a model that is in use already is not read again. An opening that is
+    /// under way is cancelled.
     void load(Opening asked);
-    /// Ends the opening that is under way: `ended` comes before this returns.
-    void cancel() { m_loader.cancel(); }
-    bool isLoading() const { return m_loader.isLoading(); }
+    /// Ends the opening that is under way: `ended` comes before this returns, nothing of it comes after.
+    void cancel();
+    bool isLoading() const { return m_background.isRunning(); }
     /// As a title would call what is being opened.
     /// @pre isLoading()
     QString name() const;
@@ -72,19 +72,15 @@ signals:
     void started();
     /// @param share  of all files, in [0, 1]
     void progressed(const QString &fileName, double share);
+    /// Also where nothing could be read.
     void opened(const unprojector::gui::Opened &opened);
-    /// Nothing could be opened, and why.
-    void failed(const QString &reason);
     /// An opening has ended, in whatever way.
     void ended();
 
 private:
-    void end();
-    void finish(const std::vector<LoadedModel> &models, const std::vector<ImportError> &errors);
-
     opening::ModelFiles m_modelFiles;
-    ModelLoader m_loader{m_modelFiles};
-    Opening m_opening; ///< while it loads
+    Background m_background{2}; ///< the next need not wait for the cancelled one
+    Opening m_opening;          ///< while it loads
 };
 
 } // namespace unprojector::gui

@@ -25,7 +25,6 @@ Session::Session(SceneDocument &document, SessionQuestions &questions, const Opt
     connect(&m_opener, &SceneOpener::started, this, &Session::loadingStarted);
     connect(&m_opener, &SceneOpener::progressed, this, &Session::loadingProgressed);
     connect(&m_opener, &SceneOpener::opened, this, &Session::show);
-    connect(&m_opener, &SceneOpener::failed, this, &Session::failed);
     connect(&m_opener, &SceneOpener::ended, this, &Session::loadingEnded);
     connect(&m_models, &ModelStore::jobFailed, this, [this](const JobFailure &failure) {
         emit noticed(tr("Large models are not simplified while the view moves: %1.").arg(failureText(failure)));

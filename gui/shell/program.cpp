@@ -79,17 +79,8 @@ bool hasDisplay()
 
 int Program::run()
 {
-    const geometry::Result<StartOptions, QString> options = readOptions();
-    if (!options)
-        return failed(options.error());
-    m_options = options.value();
-    if (!m_options.textToPrint.isEmpty()) {
-        // A full disk is an error, not an answer.
-        const std::string problem = print(printed(m_options.textToPrint).toStdString());
-        return problem.empty()
-                   ? 0
-                   : failed(tr("Standard output cannot be written: %1.").arg(QString::fromStdString(problem)));
-    }
+    if (const std::optional<int> exitCode = readOptions())
+        return *exitCode;
     // By this the desktop knows the window's menu entry and icon.
     QGuiApplication::setDesktopFileName(QStringLiteral("io.github.unprojector.unprojector"));
     createApplication();
@@ -111,7 +102,7 @@ int Program::run()
     return kMistake;
 }
 
-geometry::Result<StartOptions, QString> Program::readOptions()
+std::optional<int> Program::readOptions()
 {
     const QCoreApplication application(m_argc, m_argv);
     const Translation translation(languagesOf(languageIn(QCoreApplication::arguments()).value_or(Language::System)));
@@ -121,17 +112,25 @@ geometry::Result<StartOptions, QString> Program::readOptions()
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder);
     }
     geometry::Result<StartOptions, QString> options = startOptions(QCoreApplication::arguments());
-    if (!options || !options->textToPrint.isEmpty())
-        return options;
+    if (!options)
+        return failed(options.error());
+    m_options = std::move(options).value();
+    if (!m_options.textToPrint.isEmpty()) {
+        // A full disk is an error, not an answer.
+        const std::string problem = print(printed(m_options.textToPrint).toStdString());
+        return problem.empty()
+                   ? 0
+                   : failed(tr("Standard output cannot be written: %1.").arg(QString::fromStdString(problem)));
+    }
     if (!hasDisplay())
-        return tr("There is no display. Set DISPLAY, or run under xvfb-run.");
+        return failed(tr("There is no display. Set DISPLAY, or run under xvfb-run."));
     // Qt and the drivers of OpenGL wait for ever for threads that do not start.
     constexpr std::size_t kThreadsOfAWindow = 16;
     if (!threads::canStartThreads(kThreadsOfAWindow))
-        return tr("The system cannot start %1 more threads. Close other programs, then try again.")
-            .arg(kThreadsOfAWindow);
+        return failed(tr("The system cannot start %1 more threads. Close other programs, then try again.")
+                          .arg(kThreadsOfAWindow));
     m_noWindow = tr("No window can be opened (%1). Set DISPLAY to a display that answers, or run under xvfb-run.");
-    return options;
+    return std::nullopt;
 }
 
 void Program::createApplication()

@@ -18,9 +18,9 @@ public:
     int run();
 
 private:
-    /// Reads the options where there need be no display: --help and mistakes need none.
-    /// @return the mistake in a sentence, or why there can be no window
-    geometry::Result<StartOptions, QString> readOptions();
+    /// Reads the options before there is a window: --help and mistakes need no display.
+    /// @return the exit code where the program ends with that
+    std::optional<int> readOptions();
     /// Creates the application, in its language and fonts; ends the program with a message where no window can be opened.
     void createApplication();
     int runForUser();
