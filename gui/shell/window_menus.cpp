@@ -243,9 +243,9 @@ void WindowMenus::addWorkspaceActions(QMenu &menu)
 void WindowMenus::addHelpMenu()
 {
     QMenu &menu = *addMenu(tr("&Help"));
-    addFeatureActions(MenuKind::Help, menu);
     addAction(menu, tr("&Mouse and Keys"), Qt::Key_Question, tr("What the mouse and every key do"),
               [this] { showKeys(); });
+    addFeatureActions(MenuKind::Help, menu);
     menu.addSeparator();
     addAction(menu, tr("&About Unprojector"), {}, tr("What this program is"), [this] { showAbout(); });
 }

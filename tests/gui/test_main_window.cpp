@@ -61,6 +61,7 @@ private slots:
     void theMorphHasRoomInACorner();
     void noPanelTakesAMenusLetter();
     void aDarkWindowHasADarkView();
+    void helpStandsInTheReadmesOrder();
     void theKeySheetNamesEveryKey();
     void aPanelLeadsToItsFormulas();
     void newcomersSeeThreeStepsUntilTheyClick();
@@ -340,6 +341,16 @@ void TestMainWindow::aDarkWindowHasADarkView()
     setAppearance(Appearance::Desktop);
     settle();
     QVERIFY(corner() > 160);
+}
+
+/// What the README tells first stands first.
+void TestMainWindow::helpStandsInTheReadmesOrder()
+{
+    const auto window = windowOfSize({700, 500});
+    QStringList texts;
+    for (const QAction *action : window->menuBar()->actions().last()->menu()->actions())
+        texts << action->text().remove(u'&');
+    QCOMPARE(texts, QStringList({"Mouse and Keys", "Formulas", "First Steps", "", "About Unprojector"}));
 }
 
 void TestMainWindow::theKeySheetNamesEveryKey()
