@@ -1,6 +1,7 @@
 #include "gui/document/scene_opener.h"
 
 #include "core/files/path_text.h"
+#include "core/scene_file/lost_keys.h"
 #include "core/scene_file/scene_error_text.h"
 #include "gui/document/landmark_objects.h"
 #include "gui/document/object_names.h"
@@ -56,6 +57,15 @@ Result<Scene, QString> sceneOf(const Opening &asked, const std::vector<LoadedMod
     return std::move(scene).value();
 }
 
+/// The note, where there are such keys.
+void addNote(const std::vector<std::string> &keys, const QString &note, Opening &opening)
+{
+    if (!keys.empty())
+        opening.notes << SceneOpener::tr("%1: %2").arg(
+            opening.origin.name,
+            note.arg(namesText(QString::fromStdString(keys.front()), static_cast<int>(keys.size()) - 1)));
+}
+
 void add(const Loaded &loaded, Opened &opened)
 {
     for (const ImportError &error : loaded.errors)
@@ -68,6 +78,7 @@ void add(const Loaded &loaded, Opened &opened)
             const QString loose = letGo(opened.scene->landmarks.landmarks, opened.scene->objects);
             if (!loose.isEmpty())
                 opened.notes << SceneOpener::tr("%1: %2").arg(opened.opening.origin.name, loose);
+            opened.notes << opened.opening.notes;
         } else {
             opened.errors << scene.error();
         }
@@ -99,12 +110,18 @@ Result<Opening, QString> SceneOpener::readScene(const std::filesystem::path &fil
     std::error_code error;
     if (std::filesystem::file_size(opening.origin.file, error) <= kMostSceneBytes && !error)
         opening.origin.stamp = files::stampOf(opening.origin.file);
-    Result<SceneFile, SceneFileError> scene = readSceneFile(file);
+    const Result<std::string, SceneFileError> text = readSceneText(file);
+    if (!text)
+        return QString::fromStdString(sceneErrorText(text.error()));
+    Result<SceneFile, SceneFileError> scene = parseScene(*text, files::utf8FromPath(file));
     if (!scene)
         return QString::fromStdString(sceneErrorText(scene.error()));
     if (const auto reason = whyNotShown(*scene, files::utf8FromPath(file.filename())))
         return errorText(*reason);
     opening.contents = std::move(scene).value();
+    const LostKeys lost = lostKeys(*text, opening.contents);
+    addNote(lost.ofSteps, tr("%1: unknown in a step of a transform, and not saved."), opening);
+    addNote(lost.ofPlanes, tr("%1: unknown, and not saved once the clip plane is switched on."), opening);
     return opening;
 }
 

@@ -33,6 +33,7 @@ struct Opening {
     SceneFile contents = {};                        ///< of a scene file
     const RecoveryFile *recovered = nullptr;        ///< what the scene is recovered from
     std::vector<std::filesystem::path> models = {}; ///< those of a scene file follow from its contents
+    QStringList notes = {};                         ///< what of the scene file is not kept
     std::vector<std::filesystem::path> points = {}; ///< files of them and templates, for who has shown the models
 };
 

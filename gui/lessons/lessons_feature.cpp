@@ -26,17 +26,6 @@
 #include <QTimer>
 
 namespace unprojector::gui {
-namespace {
-
-/// Visitors of a variant, one an alternative.
-template <class... Visitors>
-struct Overloaded : Visitors... {
-    using Visitors::operator()...;
-};
-template <class... Visitors>
-Overloaded(Visitors...) -> Overloaded<Visitors...>;
-
-} // namespace
 
 class LessonsFeature : public Feature {
     Q_OBJECT
@@ -166,19 +155,21 @@ void LessonsFeature::leaveOrStay()
 
 bool LessonsFeature::follow(const lessons::Link &link)
 {
-    std::visit(Overloaded{
-                   [this](const lessons::FormulasLink &to) { showFormulas(QString::fromStdString(to.anchor)); },
-                   [this](const lessons::ClickLink &to) { click(to.point); },
-                   [this](const lessons::SetLink &to) { change(to.change); },
-                   [this](const lessons::PanelLink &to) { m_stage->showPanel(to.panel); },
-                   [this](const lessons::WorkspaceLink &to) { m_stage->enter(to.workspace); },
-                   [this](const lessons::ActionLink &to) { trigger(to); },
-                   [this](const lessons::ViewSizeLink &to) {
-                       m_stage->viewSize().want({to.size.x, to.size.y}, true);
-                   },
-                   [](const auto &) {}, // of another feature, or of the lesson's panel
-               },
-               link);
+    if (const auto *formulas = std::get_if<lessons::FormulasLink>(&link))
+        showFormulas(QString::fromStdString(formulas->anchor));
+    else if (const auto *clicked = std::get_if<lessons::ClickLink>(&link))
+        click(clicked->point);
+    else if (const auto *set = std::get_if<lessons::SetLink>(&link))
+        change(set->change);
+    else if (const auto *panel = std::get_if<lessons::PanelLink>(&link))
+        m_stage->showPanel(panel->panel);
+    else if (const auto *workspace = std::get_if<lessons::WorkspaceLink>(&link))
+        m_stage->enter(workspace->workspace);
+    else if (const auto *action = std::get_if<lessons::ActionLink>(&link))
+        trigger(*action);
+    else if (const auto *size = std::get_if<lessons::ViewSizeLink>(&link))
+        m_stage->viewSize().want({size->size.x, size->size.y}, true);
+    // The others are another feature's, or the lesson's panel's.
     return true;
 }
 

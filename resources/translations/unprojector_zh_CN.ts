@@ -5898,6 +5898,14 @@ of a point that needs no division</source>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
+    <message>
+        <source>%1: unknown in a step of a transform, and not saved.</source>
+        <translation>%1：变换步骤中的未知键，不会被保存。</translation>
+    </message>
+    <message>
+        <source>%1: unknown, and not saved once the clip plane is switched on.</source>
+        <translation>%1：未知键，启用该裁剪平面后不会被保存。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::ScenePoints</name>

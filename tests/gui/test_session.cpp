@@ -36,6 +36,7 @@ private slots:
     void modelsFarApartAreTold();
     void modelsOfOneNameAreToldApart();
     void aFileOfManyObjectsIsReadOnce();
+    void keysThatAreNotKeptAreNamed();
     void theNameAndTheMarkFollow();
     void theAnswerIsObeyed();
 };
@@ -325,6 +326,23 @@ void TestSession::aFileOfManyObjectsIsReadOnce()
     for (std::size_t i = 2; i < shown.size(); ++i)
         QCOMPARE(shown[i].model.get(), shown[i % 2].model.get());
     QVERIFY(shown[0].model != shown[1].model);
+}
+
+void TestSession::keysThatAreNotKeptAreNamed()
+{
+    const auto desk = this->desk();
+    QSignalSpy warned(&desk->session, &Session::warned);
+    QVERIFY(desk->openAndWait({writeScene("scene.json")}));
+    QVERIFY(warned.isEmpty());
+    QVERIFY(desk->openAndWait({write("scene.json", kHead + R"(, "author": "A",
+        "objects": [{"file": "triangle.obj", "colour": "red", "transform": [{"translate": [0, 0, 1]},
+            {"comment": 1, "scale": [2, 2, 2], "unit": "cm"}]}],
+        "ui": {"clipPlanesOff": [{"place": 0, "plane": [1, 0, 0, 0]}, {"place": 1, "plane": [0, 0, 1, 2], "by": "hand"}]}})")}));
+    QCOMPARE(warned.size(), 1);
+    QCOMPARE(warned[0][0].toString(),
+             QStringLiteral("scene.json: objects[0].transform[1].comment and 1 more: unknown in a step of a transform, "
+                            "and not saved.\nscene.json: ui.clipPlanesOff[1].by: unknown, and not saved once the clip "
+                            "plane is switched on."));
 }
 
 void TestSession::theNameAndTheMarkFollow()
