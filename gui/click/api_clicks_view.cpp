@@ -3,14 +3,8 @@
 #include "gui/text/api_text.h"
 #include "gui/text/number_text.h"
 #include "gui/widgets/copy_menu.h"
-#include "gui/widgets/help_link.h"
+#include "gui/widgets/whole_table.h"
 
-#include <QEvent>
-#include <QHBoxLayout>
-#include <QHeaderView>
-#include <QScrollBar>
-#include <QTableWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <array>
@@ -59,46 +53,22 @@ std::array<Cell, ColumnCount> cellsOf(const Pick &pick, Api api, const ApiClick 
 } // namespace
 
 ApiClicksView::ApiClicksView(QWidget *parent)
-    : QWidget(parent), m_fold(new QToolButton), m_table(new QTableWidget(static_cast<int>(kApis.size()), ColumnCount))
+    : QWidget(parent), m_table(new WholeTable(static_cast<int>(kApis.size()), ColumnCount))
 {
-    m_fold->setText(tr("In other APIs"));
-    m_fold->setToolTip(tr("The same click as Vulkan, Direct3D, Unity, OpenCV and others count it"));
-    m_fold->setCheckable(true);
-    m_fold->setAutoRaise(true);
-    m_fold->setArrowType(Qt::RightArrow);
-    m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_table->setAccessibleName(m_fold->text());
+    m_table->setAccessibleName(tr("In other APIs"));
     m_table->setHorizontalHeaderLabels({tr("Pixel"), tr("Depth"), tr("NDC"), tr("Eye"), tr("World")});
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setTabKeyNavigation(false);
     m_table->setContextMenuPolicy(Qt::CustomContextMenu);
     for (const Api api : kApis) {
         const int row = static_cast<int>(api);
         auto *head = new QTableWidgetItem(QString::fromUtf8(conventionsOf(api).name));
         head->setToolTip(apiText(api));
         m_table->setVerticalHeaderItem(row, head);
-        for (int column = 0; column < ColumnCount; ++column) {
-            auto *item = new QTableWidgetItem;
-            item->setToolTip(apiText(api));
-            m_table->setItem(row, column, item);
-        }
+        for (int column = 0; column < ColumnCount; ++column)
+            m_table->item(row, column)->setToolTip(apiText(api));
     }
-    m_table->hide();
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    auto *head = new QHBoxLayout;
-    head->addWidget(m_fold);
-    head->addStretch();
-    head->addWidget(new HelpLink(QStringLiteral("conventions")));
-    layout->addLayout(head);
     layout->addWidget(m_table);
-    connect(m_fold, &QToolButton::toggled, this, [this](bool isOpen) {
-        m_fold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
-        m_table->setVisible(isOpen);
-        fit();
-    });
     connect(m_table, &QTableWidget::customContextMenuRequested, this, &ApiClicksView::showMenu);
     setPick(std::nullopt);
 }
@@ -127,7 +97,7 @@ void ApiClicksView::setPick(const std::optional<Pick> &pick)
         }
         m_plain += click ? QStringLiteral("\n") : QString();
     }
-    fit();
+    m_table->fit();
 }
 
 void ApiClicksView::setScenes(Api scenes)
@@ -138,34 +108,6 @@ void ApiClicksView::setScenes(Api scenes)
         font.setBold(api == scenes);
         head->setFont(font);
     }
-}
-
-bool ApiClicksView::isOpen() const
-{
-    return m_fold->isChecked();
-}
-
-void ApiClicksView::setOpen(bool isOpen)
-{
-    m_fold->setChecked(isOpen);
-}
-
-void ApiClicksView::changeEvent(QEvent *event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
-        fit();
-}
-
-/// As high as all rows, the scroll bar under them included; columns as wide as what stands in them.
-void ApiClicksView::fit()
-{
-    if (!isOpen())
-        return;
-    m_table->resizeColumnsToContents();
-    m_table->resizeRowsToContents();
-    m_table->setFixedHeight(m_table->verticalHeader()->length() + m_table->horizontalHeader()->sizeHint().height()
-                            + m_table->horizontalScrollBar()->sizeHint().height() + 2 * m_table->frameWidth());
 }
 
 void ApiClicksView::showMenu(const QPoint &position)

@@ -7,13 +7,12 @@
 
 #include <optional>
 
-class QTableWidget;
-class QToolButton;
-
 namespace unprojector::gui {
 using namespace unproject;
 
-/// A click in the conventions of every API: a row each, with what is otherwise there in its tooltip. Folded at first.
+class WholeTable;
+
+/// A click in the conventions of every API: a row each, with what is otherwise there in its tooltip.
 class ApiClicksView : public QWidget {
     Q_OBJECT
 public:
@@ -23,21 +22,14 @@ public:
     void setPick(const std::optional<Pick> &pick);
     /// The API that the scene is shown in stands out.
     void setScenes(Api api);
-    bool isOpen() const;
-    void setOpen(bool isOpen);
-    const QTableWidget &table() const { return *m_table; }
+    const WholeTable &table() const { return *m_table; }
     /// All of it with all digits, an API a line, tab-separated; empty without a point.
     QString text() const { return m_plain; }
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
-    void fit();
     void showMenu(const QPoint &position);
 
-    QToolButton *m_fold;
-    QTableWidget *m_table;
+    WholeTable *m_table;
     QString m_plain;
 };
 

@@ -49,14 +49,23 @@ public:
                 action->trigger();
         }
     }
-    void keep(QSettings &settings) const override { settings.setValue(kShowsFloat, m_comparison->showsFloat()); }
+    void keep(QSettings &settings) const override
+    {
+        settings.setValue(kShowsFloat, m_comparison->showsFloat());
+        settings.setValue(kShowsRay, m_comparison->showsRay());
+        settings.setValue(kOpenFolds, m_comparison->openFolds());
+    }
     void restore(const QSettings &settings) override
     {
         m_comparison->setShowsFloat(settings.value(kShowsFloat, false).toBool());
+        m_comparison->setShowsRay(settings.value(kShowsRay, false).toBool());
+        m_comparison->setOpenFolds(settings.value(kOpenFolds).toStringList());
     }
 
 private:
-    static inline const QString kSnap = QStringLiteral("snap"), kShowsFloat = QStringLiteral("comparison/showsFloat");
+    static inline const QString kSnap = QStringLiteral("snap"), kShowsFloat = QStringLiteral("comparison/showsFloat"),
+                                kShowsRay = QStringLiteral("comparison/showsRay"),
+                                kOpenFolds = QStringLiteral("comparison/openFolds");
 
     SceneDocument &m_document;
     ComparisonPanel *m_comparison;

@@ -1,18 +1,16 @@
 #include "gui/click/comparison_model.h"
 
-#include "gui/text/number_text.h"
+#include "core/unproject/object_from_world.h"
 
-#include <algorithm>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
 #include <cmath>
 
 namespace unprojector::gui {
 namespace {
 
-constexpr int kDoubleDigits = 16;
-constexpr int kFloatDigits = 8;
-constexpr int kThousandths = -3; ///< the place that is told in narrow columns too: a survey is of millimetres
-
-/// Tenths while they tell something, whole numbers after that, powers of ten where digits would be noise: six characters.
+/// Tenths while they tell something, whole numbers after that, powers of ten where digits would be noise.
 QString ulpsText(double ulps)
 {
     const double size = std::abs(ulps);
@@ -22,114 +20,119 @@ QString ulpsText(double ulps)
     return significantText(size < 10.0 ? std::round(ulps * 10.0) / 10.0 : std::round(ulps), 6);
 }
 
-/// All that is certain, or as much of it as the column has room for: "5412349.52…".
-QString fittingText(double value, double uncertainty)
-{
-    QString text = certainText(value, uncertainty);
-    if (text.size() > ComparisonModel::kCertainRoom && !text.contains(u'e')
-        && text.indexOf(u'.') < ComparisonModel::kCertainRoom - 1)
-        return text.left(ComparisonModel::kCertainRoom - 1) + QStringLiteral("…");
-    for (int digits = ComparisonModel::kCertainRoom - 1; text.size() > ComparisonModel::kCertainRoom && digits > 0;
-         --digits)
-        text = significantText(value, digits);
-    return text;
-}
-
-/// A coordinate as a column shows it.
-struct Shown {
-    QString text;
-    qsizetype certainLength;
-    bool isCut = false; ///< its first digits are left out
-};
-
-/// All digits that there is room for. Where those would end before the thousandths that are certain, the first ones, which
-/// stand under Certain, are left out instead: what is compared is behind them.
-/// @param formula   what stands under Certain; a number that differs from it in the digits left out keeps them
-/// @param capacity  the column's room
-Shown shownIn(const Notation &notation, double value, double formula, double uncertainty, int capacity)
-{
-    Shown whole{notation.text(value), notation.certainLength(value, uncertainty)};
-    const int place = std::max(uncertainty > 0.0 ? certainPlace(uncertainty) : kThousandths, kThousandths);
-    if (notation.isScientific || place >= 0 || notation.lastPlace(value) <= place || !std::isfinite(value))
-        return whole;
-    const QString digits = fixedText(std::abs(value), -place);
-    const QString before = std::signbit(value) ? QStringLiteral("-…") : QStringLiteral("…");
-    const qsizetype kept = capacity - before.size();
-    constexpr qsizetype kPoint = 1;
-    const qsizetype ofWhole = kept - kPoint + place; // digits before the point
-    if (ofWhole < 1 || digits.size() <= kept)
-        return whole;
-    // The sign is shown; the digits that are left out are those of the formula.
-    const QString digitsOfFormula = fixedText(std::abs(formula), -place);
-    if (digits.size() != digitsOfFormula.size() || digits.chopped(kept) != digitsOfFormula.chopped(kept))
-        return whole;
-    return {before + digits.right(kept), capacity, true};
-}
-
 bool isCoordinate(int column)
 {
     return column == ComparisonModel::Formula || column == ComparisonModel::Matrix
-           || column == ComparisonModel::MatrixInFloat;
+           || column == ComparisonModel::MatrixInFloat || column == ComparisonModel::Ray;
+}
+
+WorldPoint worldPoint(const Components<3> &at)
+{
+    return {at.x, at.y, at.z};
+}
+
+/// The most that a vector's coordinates, each off by no more than its uncertainty, are off after a linear map.
+Components<3> mapped(const glm::dmat3 &map, const Components<3> &uncertainty)
+{
+    Components<3> result;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column)
+            result[row] += std::abs(map[column][row]) * uncertainty[column];
+    }
+    return result;
 }
 
 } // namespace
 
-ComparisonModel::ComparisonModel(QObject *parent) : CoordinatesModel(parent)
+void ComparisonModel::setPick(const KeptPick &kept)
 {
-    setPick(std::nullopt);
+    beginResetModel();
+    m_kept = kept;
+    setRows();
+    endResetModel();
 }
 
-template <typename Space>
-void ComparisonModel::addRows(const QString &space, const Answers<Space> &point, const Components<3> &uncertainty)
+void ComparisonModel::setSpace(Space space)
 {
-    const auto component = [](const Result<Point<Space>> &p, int axis) {
-        return p ? std::optional((*p)[axis]) : std::nullopt;
-    };
+    if (space == m_space)
+        return;
+    beginResetModel();
+    m_space = space;
+    setRows();
+    endResetModel();
+}
+
+template <typename OfPoint>
+void ComparisonModel::addRows(const QString &name, const Answers<OfPoint> &point, const Components<3> &uncertainty,
+                              const std::optional<MeshPoint> &onMesh)
+{
     for (int axis = 0; axis < 3; ++axis) {
         Row row;
-        row.name = tr("%1 %2").arg(space, QStringLiteral("xyz")[axis]);
-        for (const Method method : kMethods)
-            row.by[static_cast<std::size_t>(method)] = component(point[method], axis);
-        if (const Result<Point<Space>> &formula = point[Method::Formula]) {
+        row.name = (name.isEmpty() ? QString() : name + u' ') + QChar(u'x' + axis);
+        for (const Method method : kMethods) {
+            if (const Result<Point<OfPoint>> &answer = point[method])
+                row.by[static_cast<std::size_t>(method)] = (*answer)[axis];
+        }
+        if (const Result<Point<OfPoint>> &formula = point[Method::Formula]) {
             row.ulp = ulpOfLargest(*formula);
             row.point = *formula;
         }
         row.uncertainty = uncertainty[axis];
+        if (onMesh) {
+            row.ray = onMesh->at[axis];
+            row.rayUncertainty = onMesh->uncertainty[axis];
+        }
         m_rows.push_back(std::move(row));
     }
 }
 
-void ComparisonModel::setPick(const std::optional<Pick> &pick)
+void ComparisonModel::addObjectRows(const Pick &pick, const std::optional<MeshPoint> &onMesh)
 {
-    beginResetModel();
-    m_rows.clear();
-    m_isRay = pick && !pick->hit();
-    if (pick && pick->hit()) {
-        addRows(tr("World"), pick->point.world, pick->uncertainty.world);
-        addRows(tr("Eye"), pick->point.eye, pick->uncertainty.eye);
-    } else if (pick) {
-        // The pixel's centre and the planes' depths are exact.
-        addRows(tr("Near"), pick->rayNear.world, {});
-        addRows(tr("Far"), pick->rayFar.world, {});
-    } else {
-        // The rows stand before the first click too, so that the panel keeps its shape.
-        for (const QString &space : {tr("World"), tr("Eye")}) {
-            for (const QChar axis : {u'x', u'y', u'z'}) {
-                Row row;
-                row.name = tr("%1 %2").arg(space, axis);
-                m_rows.push_back(std::move(row));
-            }
-        }
+    const auto point = Answers<ObjectSpace>::of([&](Method method) -> Result<ObjectPoint> {
+        const Result<WorldPoint> &world = pick.point.world[method];
+        return world ? objectFromWorld(m_kept.placement, *world) : Result<ObjectPoint>(world.error());
+    });
+    const glm::dmat3 map = glm::inverse(glm::dmat3(m_kept.placement));
+    std::optional<MeshPoint> inObject;
+    if (onMesh) {
+        if (const Result<ObjectPoint> at = objectFromWorld(m_kept.placement, worldPoint(onMesh->at)))
+            inObject = MeshPoint{*at, mapped(map, onMesh->uncertainty)};
     }
-    endResetModel();
+    addRows({}, point, mapped(map, pick.uncertainty.world), inObject);
 }
 
-void ComparisonModel::setCapacity(int characters)
+void ComparisonModel::setRows()
 {
-    if (characters == m_capacity)
+    m_rows.clear();
+    if (!m_kept.pick)
         return;
-    m_capacity = characters;
-    emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    const Pick &pick = *m_kept.pick;
+    if (!pick.hit()) {
+        // The pixel's centre and the planes' depths are exact.
+        const auto add = [this](const auto &enter, const auto &leave) {
+            addRows(tr("Near"), enter, {});
+            addRows(tr("Far"), leave, {});
+        };
+        if (m_space == Space::Eye)
+            add(pick.rayNear.eye, pick.rayFar.eye);
+        else
+            add(pick.rayNear.world, pick.rayFar.world);
+        return;
+    }
+    std::optional<MeshPoint> onMesh;
+    if (m_kept.ray.state == PickedRay::State::Answered && m_kept.ray.met)
+        onMesh = MeshPoint{m_kept.ray.met->hit.world, m_kept.ray.met->hit.uncertainty};
+    switch (m_space) {
+    case Space::World: addRows({}, pick.point.world, pick.uncertainty.world, onMesh); break;
+    case Space::Eye:
+        if (const Result<EyeFrame> frame = eyeFrame(pick.picture.camera()); onMesh && frame) {
+            onMesh->uncertainty = mapped(glm::dmat3(eyeFromWorld(*frame)), onMesh->uncertainty);
+            onMesh->at = eyeFromWorld(*frame, worldPoint(onMesh->at));
+        }
+        addRows({}, pick.point.eye, pick.uncertainty.eye, onMesh);
+        break;
+    case Space::Object: addObjectRows(pick, onMesh); break;
+    }
 }
 
 int ComparisonModel::rowCount(const QModelIndex &parent) const
@@ -142,53 +145,32 @@ int ComparisonModel::columnCount(const QModelIndex &parent) const
     return parent.isValid() ? 0 : ColumnCount;
 }
 
-std::optional<double> ComparisonModel::by(Method method, const Row &row)
-{
-    return row.by[static_cast<std::size_t>(method)];
-}
-
 std::optional<double> ComparisonModel::value(const Row &row, int column) const
 {
-    const auto difference = [&row](Method method) {
-        const std::optional<double> formula = by(Method::Formula, row), other = by(method, row);
+    const auto by = [&row](Method method) { return row.by[static_cast<std::size_t>(method)]; };
+    const auto differenceTo = [&](const std::optional<double> &other) {
+        const std::optional<double> formula = by(Method::Formula);
         return formula && other ? std::optional(*formula - *other) : std::nullopt;
     };
     switch (column) {
-    case Certain: {
-        const std::optional<double> formula = by(Method::Formula, row);
-        return formula ? std::optional(certainText(*formula, row.uncertainty).toDouble()) : std::nullopt;
-    }
-    case Formula: return by(Method::Formula, row);
-    case Matrix: return by(Method::Matrix, row);
-    case Difference: return difference(Method::Matrix);
+    case Formula: return by(Method::Formula);
+    case Matrix: return by(Method::Matrix);
+    case Difference: return differenceTo(by(Method::Matrix));
     case Ulps: {
-        const std::optional<double> d = difference(Method::Matrix);
+        const std::optional<double> d = differenceTo(by(Method::Matrix));
         return d ? std::optional(*d / row.ulp) : std::nullopt;
     }
-    case MatrixInFloat: return by(Method::MatrixInFloat, row);
-    case FloatDifference: return difference(Method::MatrixInFloat);
+    case MatrixInFloat: return by(Method::MatrixInFloat);
+    case FloatDifference: return differenceTo(by(Method::MatrixInFloat));
+    case Ray: return row.ray;
+    case RayDifference: return differenceTo(row.ray);
     default: return std::nullopt;
     }
 }
 
-Notation ComparisonModel::notation(const Row &row, int column) const
+double ComparisonModel::uncertainty(const Row &row, int column) const
 {
-    return notationOf(row.point, value(row, column).value_or(0.0),
-                      column == MatrixInFloat ? kFloatDigits : kDoubleDigits, m_capacity);
-}
-
-QString ComparisonModel::toolTip(const Row &row, int column) const
-{
-    QString number = shortestText(*value(row, column));
-    if (column == Certain)
-        return tr("%1 ± %2\nRounded to what is certain of this coordinate of the point at the pixel's centre")
-            .arg(certainText(*by(Method::Formula, row), row.uncertainty), boundText(row.uncertainty));
-    if (isCoordinate(column))
-        return tr("%1\nGrey digits are below the last certain place, where the depth buffer and the drawing tell "
-                  "nothing. "
-                  "Rounded to that place, the number is the one under Certain.")
-            .arg(number);
-    return number;
+    return column == Ray ? row.rayUncertainty : row.uncertainty;
 }
 
 QVariant ComparisonModel::data(const QModelIndex &index, int role) const
@@ -198,45 +180,29 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
     const Row &row = m_rows[static_cast<std::size_t>(index.row())];
     const int column = index.column();
     const std::optional<double> v = value(row, column);
-    const auto shown = [&] {
-        const Notation whole = notation(row, column);
-        if (column == MatrixInFloat) // it has no digits to leave out
-            return Shown{whole.text(*v), whole.certainLength(*v, row.uncertainty)};
-        return shownIn(whole, *v, by(Method::Formula, row).value_or(*v), row.uncertainty, m_capacity);
-    };
+    const auto notation = [&] { return notationWithin(row.point, *v, uncertainty(row, column)); };
     switch (role) {
     case Qt::DisplayRole:
         if (!v)
-            return by(Method::Formula, row) || by(Method::Matrix, row) ? tr("none") : QStringLiteral("–");
-        if (column == Certain)
-            return fittingText(*by(Method::Formula, row), row.uncertainty);
+            return column >= Ray ? QStringLiteral("–") : tr("none");
         if (isCoordinate(column))
-            return shown().text;
-        if (column == Ulps)
-            return ulpsText(*v);
-        return significantText(*v, 2);
+            return notation().text(*v);
+        return column == Ulps ? ulpsText(*v) : significantText(*v, 2);
     case kCertainLengthRole:
-        return v && isCoordinate(column) ? QVariant(static_cast<int>(shown().certainLength)) : QVariant();
+        return v && isCoordinate(column)
+                   ? QVariant(static_cast<int>(notation().certainLength(*v, uncertainty(row, column))))
+                   : QVariant();
     case kValueRole: return v ? QVariant(*v) : QVariant();
     case Qt::ToolTipRole:
         if (!v)
             return {};
-        if (isCoordinate(column) && shown().isCut)
-            return tr("%1\n… stands for the first digits, which are those under Certain; the window is too narrow for "
-                      "all.")
-                .arg(shortestText(*v));
-        return toolTip(row, column);
+        if (!isCoordinate(column) || uncertainty(row, column) == 0.0)
+            return shortestText(*v);
+        return tr("%1 ± %2\nGrey digits are below the last certain place.")
+            .arg(shortestText(*v), boundText(uncertainty(row, column)));
     case Qt::TextAlignmentRole: return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     default: return {};
     }
-}
-
-QString ComparisonModel::copied(const QModelIndex &index) const
-{
-    const Row &row = m_rows[static_cast<std::size_t>(index.row())];
-    const std::optional<double> formula = by(Method::Formula, row);
-    return index.column() == Certain && formula ? certainText(*formula, row.uncertainty)
-                                                : CoordinatesModel::copied(index);
 }
 
 std::vector<double> ComparisonModel::pointAt(const QModelIndex &index) const
@@ -252,14 +218,18 @@ std::vector<double> ComparisonModel::pointAt(const QModelIndex &index) const
 
 QString ComparisonModel::pointNameAt(const QModelIndex &index) const
 {
-    const bool isFirst = index.row() < 3;
-    QString point = m_isRay ? (isFirst ? QStringLiteral("rayNear") : QStringLiteral("rayFar"))
-                            : (isFirst ? QStringLiteral("world") : QStringLiteral("eye"));
+    QString point = m_space == Space::Eye ? QStringLiteral("eye") : QStringLiteral("world");
+    if (!m_kept.pick->hit())
+        point = index.row() < 3 ? QStringLiteral("rayNear") : QStringLiteral("rayFar");
+    else if (m_space == Space::Object)
+        point = QStringLiteral("object");
     switch (index.column()) {
     case Difference: return point + QStringLiteral("Difference");
     case Ulps: return point + QStringLiteral("DifferenceInUlps");
     case MatrixInFloat: return point + QStringLiteral("InFloat");
     case FloatDifference: return point + QStringLiteral("FloatDifference");
+    case Ray: return point + QStringLiteral("OnMesh");
+    case RayDifference: return point + QStringLiteral("RayDifference");
     default: return point;
     }
 }
@@ -273,35 +243,33 @@ QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, i
     }
     if (role == Qt::DisplayRole) {
         switch (section) {
-        case Certain: return tr("Certain");
         case Formula: return tr("Formula");
         case Matrix: return tr("Matrix");
         case Difference: return tr("Difference");
-        case Ulps: return tr("ulp");
-        case MatrixInFloat: return tr("In float");
-        case FloatDifference: return tr("Off by");
+        case Ulps: return tr("in ulp");
+        case MatrixInFloat: return tr("Float");
+        case FloatDifference: return tr("Formula − float");
+        case Ray: return tr("Exact ray");
+        case RayDifference: return tr("Formula − ray");
         default: return {};
         }
     }
     if (role == Qt::ToolTipRole) {
         switch (section) {
-        case Certain:
-            return tr("What is certain of the point at the pixel's centre, each coordinate by itself; world units");
         case Formula: return tr("By the closed-form formulas (9) to (12), in double; world units");
         case Matrix: return tr("By the inverse of projection × view, in double, as gluUnProject does; world units");
         case Difference: return tr("Formula minus matrix inverse; world units");
         case Ulps: return tr("The difference in units in the last place of the point's largest component");
         case MatrixInFloat: return tr("The matrix inverse done in single precision, as many programs do");
         case FloatDifference: return tr("Formula minus the single-precision result; world units");
+        case Ray:
+            return tr("Where the ray through the pixel's centre meets the mesh itself, in double, without the depth "
+                      "buffer; world units");
+        case RayDifference: return tr("Formula minus ray; world units");
         default: return {};
         }
     }
     return QAbstractTableModel::headerData(section, orientation, role);
-}
-
-QStringList ComparisonModel::pointNames()
-{
-    return {tr("World"), tr("Eye"), tr("Near"), tr("Far")};
 }
 
 } // namespace unprojector::gui

@@ -1,42 +1,37 @@
 #pragma once
 
-#include "core/unproject/pick.h"
+#include "core/unproject/answers.h"
+#include "gui/document/kept_pick.h"
 #include "gui/text/number_text.h"
 #include "gui/widgets/coordinates_model.h"
 
 #include <array>
-
 #include <optional>
 #include <vector>
 
 namespace unprojector::gui {
-using namespace unproject;
 
-/// A pick as a table: a row for each of x, y, z of a point, first in world, then in eye space (on the background: of
-/// the ray's near and far points in world space); what is certain of it, the two methods, their difference, and what
-/// float would give.
+/// A pick in one space: a row for each of x, y, z; on the background of the ray's near and far points. Its columns are the two
+/// methods and their difference, what single precision gives, and what the ray meets on the mesh itself.
 class ComparisonModel : public CoordinatesModel {
     Q_OBJECT
 public:
-    enum Column { Certain, Formula, Matrix, Difference, Ulps, MatrixInFloat, FloatDifference, ColumnCount };
-    /// The most characters of the certain column: "-0.12345678".
-    static constexpr int kCertainRoom = 11;
+    enum Column { Formula, Matrix, Difference, Ulps, MatrixInFloat, FloatDifference, Ray, RayDifference, ColumnCount };
+    enum class Space { World, Eye, Object };
 
-    explicit ComparisonModel(QObject *parent = nullptr);
+    using CoordinatesModel::CoordinatesModel;
 
-    void setPick(const std::optional<Pick> &pick);
-    /// Characters that the columns of the methods have room for; longer numbers are rounded.
-    void setCapacity(int characters);
+    /// Without a pick there are no rows.
+    void setPick(const KeptPick &kept);
+    /// The space of the rows; the background has no object: it is then in world space.
+    void setSpace(Space space);
+    Space space() const { return m_space; }
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
-    /// The points that rows are named by, also those that are not there now, for whoever reserves room for their names.
-    static QStringList pointNames();
-
-    QString copied(const QModelIndex &index) const override;
     std::vector<double> pointAt(const QModelIndex &index) const override;
     QString pointNameAt(const QModelIndex &index) const override;
 
@@ -44,21 +39,29 @@ private:
     struct Row {
         QString name;
         std::array<std::optional<double>, kMethods.size()> by; ///< each method's coordinate
+        std::optional<double> ray;                             ///< of the point on the mesh
         double ulp = 0.0;                                      ///< spacing of doubles at the point's largest component
         double uncertainty = 0.0;                              ///< of the coordinate
+        double rayUncertainty = 0.0;                           ///< of that on the mesh
         Components<3> point;                                   ///< all of it, by the formula
     };
-    template <typename Space>
-    void addRows(const QString &space, const Answers<Space> &point, const Components<3> &uncertainty);
+    /// A point on the mesh and its uncertainty, in the space of the rows.
+    struct MeshPoint {
+        Components<3> at;
+        Components<3> uncertainty;
+    };
+    void setRows();
+    template <typename OfPoint>
+    void addRows(const QString &name, const Answers<OfPoint> &point, const Components<3> &uncertainty,
+                 const std::optional<MeshPoint> &onMesh = {});
+    void addObjectRows(const Pick &pick, const std::optional<MeshPoint> &onMesh);
 
-    static std::optional<double> by(Method method, const Row &row);
     std::optional<double> value(const Row &row, int column) const;
-    Notation notation(const Row &row, int column) const;
-    QString toolTip(const Row &row, int column) const;
+    double uncertainty(const Row &row, int column) const;
 
+    KeptPick m_kept;
+    Space m_space = Space::World;
     std::vector<Row> m_rows;
-    bool m_isRay = false;
-    int m_capacity = 18;
 };
 
 } // namespace unprojector::gui

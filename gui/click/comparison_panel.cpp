@@ -1,11 +1,12 @@
 #include "gui/click/comparison_panel.h"
 
+#include "gui/click/answer_view.h"
 #include "gui/click/api_clicks_view.h"
 #include "gui/click/comparison_model.h"
-#include "gui/click/comparison_table.h"
+#include "gui/click/coordinates_table.h"
 #include "gui/click/other_programs_view.h"
 #include "gui/click/ray_model.h"
-#include "gui/click/ray_table.h"
+#include "gui/click/verdict_view.h"
 #include "gui/document/object_names.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
@@ -14,28 +15,39 @@
 #include "gui/text/number_text.h"
 #include "gui/text/ray_text.h"
 #include "gui/widgets/copy_menu.h"
-#include "gui/widgets/elided_label.h"
+#include "gui/widgets/figure_view.h"
+#include "gui/widgets/fold.h"
 #include "gui/widgets/formula_view.h"
 #include "gui/widgets/help_link.h"
+#include "gui/widgets/segmented_switch.h"
 #include "gui/widgets/steady_label.h"
 
 #include <QCheckBox>
-#include <QGridLayout>
+#include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace unprojector::gui {
 namespace {
 
-SteadyLabel *steadyLabel(const QString &accessibleName, const QString &toolTip = {})
+SteadyLabel *steadyLabel(const QString &accessibleName, const QString &toolTip)
 {
     auto *label = new SteadyLabel;
     label->setAccessibleName(accessibleName);
     label->setToolTip(toolTip);
     return label;
+}
+
+/// A column of widgets without a margin of its own.
+QVBoxLayout *columnOf(QWidget &widget)
+{
+    auto *layout = new QVBoxLayout(&widget);
+    layout->setContentsMargins(0, 0, 0, 0);
+    return layout;
 }
 
 /// "(412.5, 299.5)": a position in pixels to a hundredth at the most.
@@ -45,157 +57,45 @@ QString positionText(double x, double y)
         .arg(writtenText(std::round(x * 100.0) / 100.0, 9), writtenText(std::round(y * 100.0) / 100.0, 9));
 }
 
-// What the chain of a click says.
-
-QString widgetText(const WidgetPoint &position)
-{
-    return ComparisonPanel::tr("%1 logical pixels").arg(positionText(position.x, position.y));
-}
-
-QString devicePixelText(const DevicePixel &pixel, const Surface &surface)
-{
-    return ComparisonPanel::tr("(%1, %2) of %3 × %4, ratio %5")
-        .arg(pixel.i)
-        .arg(pixel.j)
-        .arg(surface.widthPixels)
-        .arg(surface.heightPixels)
-        .arg(writtenText(surface.devicePixelRatio, 4));
-}
-
-QString windowText(const WindowPoint &window)
-{
-    return ComparisonPanel::tr("%1, the pixel's centre").arg(positionText(window.x, window.y));
-}
-
 QString clickedDepthText(const QString &text, bool isRead)
 {
     return isRead ? ComparisonPanel::tr("%1, as read").arg(text)
                   : ComparisonPanel::tr("%1, the far plane's: nothing to read").arg(text);
 }
 
+enum ChainLink { Widget, DevicePixelOf, Window, Depth };
+
 } // namespace
 
 ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
-    : QWidget(parent), m_document(document), m_model(new ComparisonModel(this)), m_rayModel(new RayModel(this))
+    : QWidget(parent), m_document(document), m_model(new ComparisonModel(this)), m_rayModel(new RayModel(this)),
+      m_before(new QWidget)
 {
-    m_heading = new ElidedLabel;
-    QFont headingFont = m_heading->font();
-    headingFont.setBold(true);
-    m_heading->setFont(headingFont);
-    m_heading->setAccessibleName(tr("What was clicked"));
-    m_sinceClick = new SteadyLabel;
-    m_sinceClick->setAccessibleName(tr("Since the click"));
-    m_again = new QPushButton(tr("Pick this pixel a&gain"));
-    m_again->setToolTip(tr("Pick what is now under the pixel of this click"));
-    auto *headingLine = new QHBoxLayout;
-    headingLine->addWidget(m_heading, 1);
-    headingLine->addWidget(m_again);
-
-    m_widget = steadyLabel(tr("Widget position"), tr("Logical pixels from the view's top-left corner, y down"));
-    m_devicePixel = steadyLabel(tr("Device pixel"),
-                                tr("Column and row from the top-left corner of the framebuffer, in device pixels"));
-    m_window =
-        steadyLabel(tr("Window position"), tr("The pixel's centre in device pixels from the bottom-left corner, y up"));
-    m_depth = steadyLabel(
-        tr("Depth"), tr("From the depth buffer, in the depth range: by default 0 is the near plane, 1 the far plane"));
-    auto *chain = new QGridLayout; // names and values begin on one line, however many the value takes
-    chain->setVerticalSpacing(2);
-    chain->setColumnStretch(1, 1);
-    const auto addLink = [chain](const QString &name, SteadyLabel *value) {
-        const int row = chain->rowCount();
-        chain->addWidget(new QLabel(name), row, 0, Qt::AlignLeft | Qt::AlignTop);
-        chain->addWidget(value, row, 1, Qt::AlignTop);
-    };
-    addLink(tr("Widget position:"), m_widget);
-    addLink(tr("Device pixel:"), m_devicePixel);
-    addLink(tr("Window position:"), m_window);
-    addLink(tr("Depth:"), m_depth);
-
-    m_table = new ComparisonTable(m_model);
-    m_table->setAccessibleName(tr("Coordinates by both methods"));
-
-    m_showsFloat = new QCheckBox(tr("Show what float woul&d give"));
-    m_showsFloat->setToolTip(
-        tr("The matrix inverse done in single precision, as most programs do it, in the place of the "
-           "difference between the two methods in double"));
-    m_copy = new QPushButton(tr("&Copy all"));
-    m_copy->setToolTip(tr("Copy the chain, the table with all digits and the formula"));
-    auto *tools = new QHBoxLayout;
-    tools->addWidget(m_showsFloat);
-    tools->addStretch();
-    tools->addWidget(m_copy);
-
-    m_certainty = steadyLabel(tr("Certainty"));
-    m_cause = steadyLabel(tr("Cause of the difference"));
-
-    m_rayTable = new RayTable(m_rayModel);
-    m_rayTable->setAccessibleName(tr("What the ray meets on the mesh"));
-    m_ray = steadyLabel(tr("Ray on mesh"),
-                        tr("What the ray through the pixel's centre meets on the mesh itself, in double"));
-    m_rayDetail = steadyLabel(tr("Triangle, vertex and edge"),
-                              tr("By their numbers in the model: triangles and vertices are counted from 0"));
-
-    m_others = new OtherProgramsView;
-    m_apis = new ApiClicksView;
-    m_apis->setScenes(m_document.scene().conventions);
-
-    m_formula = new FormulaView;
-    m_formula->setAccessibleName(tr("Formula with its numbers"));
-    m_formula->setPlaceholderText(tr("The formulas appear here with the numbers of the click."));
+    m_after = answerPart();
+    auto *sentence = new QLabel(tr("Click the model. Its world coordinate appears here, computed in two ways: by the "
+                                   "formulas and by the inverted matrix."));
+    sentence->setWordWrap(true);
+    auto *before = columnOf(*m_before);
+    before->addWidget(sentence);
+    before->addWidget(new FigureView(QStringLiteral("ray")));
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
-    layout->addLayout(headingLine);
-    layout->addWidget(m_sinceClick);
-    layout->addLayout(chain);
-    layout->addWidget(m_table);
-    layout->addWidget(m_rayTable);
-    layout->addWidget(m_ray);
-    layout->addWidget(m_rayDetail);
-    layout->addLayout(tools);
-    const auto addWithHelp = [layout](QWidget *label, const QString &anchor) {
-        auto *line = new QHBoxLayout;
-        line->setSpacing(2);
-        auto *link = new HelpLink(anchor);
-        QSizePolicy policy = link->sizePolicy();
-        policy.setRetainSizeWhenHidden(true);
-        link->setSizePolicy(policy);
-        line->addWidget(label, 1, Qt::AlignTop);
-        line->addWidget(link, 0, Qt::AlignTop);
-        layout->addLayout(line);
-        return link;
-    };
-    m_certaintyHelp = addWithHelp(m_certainty, QStringLiteral("certainty"));
-    m_causeHelp = addWithHelp(m_cause, QStringLiteral("matrix"));
-    layout->addWidget(m_others);
-    layout->addWidget(m_apis);
-    auto *formulaLine = new QHBoxLayout;
-    formulaLine->addWidget(new QLabel(tr("The formula with its numbers:")), 1);
-    const auto addMethod = [formulaLine](const QString &method, const QString &anchor) {
-        auto *link = new HelpLink(anchor);
-        link->setText(QStringLiteral("%1 ?").arg(method));
-        link->setAccessibleName(QStringLiteral("%1: %2").arg(method, link->toolTip()));
-        formulaLine->addWidget(link);
-    };
-    addMethod(tr("Formula"), QStringLiteral("weng"));
-    addMethod(tr("Matrix"), QStringLiteral("matrix"));
-    layout->addLayout(formulaLine);
-    layout->addWidget(m_formula, 1);
+    layout->addWidget(m_before);
+    layout->addWidget(m_after);
+    layout->addStretch(1);
+    // The panel has this width with and without a pick. It is counted in digits, because the average character of a font for
+    // Chinese is as wide as an ideograph.
+    constexpr int kLeastDigits = 46;
+    const QMargins margins = layout->contentsMargins();
+    setMinimumWidth(std::max(kLeastDigits * fontMetrics().horizontalAdvance(u'0'),
+                             m_after->minimumSizeHint().width() + margins.left() + margins.right()));
 
-    // The chain of a click needs this width to stay within two lines. It is fixed here, so that it does not change from click to
-    // click. It is counted in digits, because the average character of a font for Chinese is as wide as an ideograph.
-    constexpr int kLeastDigits = 48;
-    setMinimumWidth(std::max(kLeastDigits * fontMetrics().horizontalAdvance(u'0'), layout->minimumSize().width()));
-
-    connect(m_showsFloat, &QCheckBox::toggled, this, [this](bool shows) {
-        m_table->setShowsFloat(shows);
-        emit showsFloatChanged(shows);
-    });
-    connect(m_copy, &QPushButton::clicked, this, [this] { copyToClipboard(text()); });
     connect(m_again, &QPushButton::clicked, this, [this] {
         if (m_document.picks().pick())
             emit pickRequested(m_document.picks().pick()->widget);
     });
+    connect(m_answer, &AnswerView::copyAllRequested, this, [this] { copyToClipboard(text()); });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Conventions)
             m_apis->setScenes(m_document.scene().conventions);
@@ -209,24 +109,151 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     showPick();
 }
 
-/// Marked while the numbers are not those of the view as it is.
+QWidget *ComparisonPanel::answerPart()
+{
+    m_answer = new AnswerView;
+    m_verdict = new VerdictView;
+
+    m_changed = new QWidget;
+    m_sinceClick = new QLabel;
+    m_sinceClick->setAccessibleName(tr("Since the click"));
+    m_sinceClick->setWordWrap(true);
+    m_again = new QPushButton(tr("Pick a&gain"));
+    m_again->setToolTip(tr("Pick what is now under the pixel of this click"));
+    auto *changed = new QHBoxLayout(m_changed);
+    changed->setContentsMargins(4, 2, 4, 2);
+    changed->addWidget(m_sinceClick, 1);
+    changed->addWidget(m_again);
+    m_changed->setAutoFillBackground(true);
+    m_changed->setBackgroundRole(QPalette::ToolTipBase);
+    m_sinceClick->setForegroundRole(QPalette::ToolTipText);
+
+    m_space =
+        new SegmentedSwitch(tr("Space"), {{tr("World"), tr("The coordinate in world space")},
+                                          {tr("Eye"), tr("The coordinate in eye space: the eye is the origin, "
+                                                         "and it looks along −z")},
+                                          {tr("Object"), tr("The coordinate in the space of the clicked object")}});
+    m_showsFloat = new QCheckBox(tr("Floa&t"));
+    m_showsFloat->setToolTip(tr("Add the matrix inverse in single precision, as most programs compute it"));
+    m_showsRay = new QCheckBox(tr("Exact &ray"));
+    m_showsRay->setToolTip(tr("Add the point where the ray through the pixel's centre meets the mesh itself"));
+    auto *switches = new QHBoxLayout;
+    switches->addWidget(m_space);
+    switches->addStretch();
+    switches->addWidget(m_showsFloat);
+    switches->addWidget(m_showsRay);
+    m_table = new CoordinatesTable(m_model);
+    m_table->setAccessibleName(tr("Coordinates by both methods"));
+    for (int column = ComparisonModel::MatrixInFloat; column < ComparisonModel::ColumnCount; ++column)
+        m_table->setColumnShown(column, false);
+
+    m_formula = new FormulaView;
+    m_formula->setAccessibleName(tr("Formula with its numbers"));
+    auto *formulaLine = new QHBoxLayout;
+    formulaLine->addWidget(new QLabel(tr("The formula with its numbers:")), 1);
+    for (const auto &[method, anchor] : {std::pair(tr("Formula"), "weng"), std::pair(tr("Matrix"), "matrix")}) {
+        auto *link = new HelpLink(QLatin1String(anchor));
+        link->setText(QStringLiteral("%1 ?").arg(method));
+        link->setAccessibleName(QStringLiteral("%1: %2").arg(method, link->toolTip()));
+        formulaLine->addWidget(link);
+    }
+
+    m_others = new OtherProgramsView;
+    m_apis = new ApiClicksView;
+    m_apis->setScenes(m_document.scene().conventions);
+
+    auto *part = new QWidget;
+    auto *layout = columnOf(*part);
+    layout->addWidget(m_answer);
+    layout->addWidget(m_verdict);
+    layout->addWidget(m_changed);
+    layout->addLayout(switches);
+    layout->addWidget(m_table);
+    layout->addLayout(formulaLine);
+    layout->addWidget(m_formula);
+    const auto addFold = [&](const QString &name, const QString &title, const QString &toolTip, QWidget *content,
+                             const QString &helpAnchor) {
+        auto *fold = new Fold(title, toolTip, content, helpAnchor);
+        m_folds.emplace_back(name, fold);
+        layout->addWidget(fold);
+    };
+    addFold(QStringLiteral("pixel"), tr("From the pixel to the window point"),
+            tr("The way of the click from the mouse to window coordinates"), pixelPart(), QStringLiteral("half-pixel"));
+    addFold(QStringLiteral("ray"), tr("Exact hit on the mesh"),
+            tr("What the ray through the pixel's centre meets on the mesh itself, without the depth buffer"), rayPart(),
+            QStringLiteral("certainty"));
+    addFold(QStringLiteral("programs"), tr("What other programs would give"),
+            tr("For the same click: how far their points are from the formula's, and why"), m_others,
+            QStringLiteral("half-pixel"));
+    addFold(QStringLiteral("apis"), tr("In other APIs"),
+            tr("The same click as Vulkan, Direct3D, Unity, OpenCV and others count it"), m_apis,
+            QStringLiteral("conventions"));
+
+    connect(m_space, &SegmentedSwitch::chosen, this,
+            [this](int index) { m_model->setSpace(static_cast<ComparisonModel::Space>(index)); });
+    connect(m_showsFloat, &QCheckBox::toggled, this, [this](bool shows) {
+        m_table->setColumnShown(ComparisonModel::MatrixInFloat, shows);
+        m_table->setColumnShown(ComparisonModel::FloatDifference, shows);
+    });
+    connect(m_showsRay, &QCheckBox::toggled, this, [this](bool shows) {
+        m_table->setColumnShown(ComparisonModel::Ray, shows);
+        m_table->setColumnShown(ComparisonModel::RayDifference, shows);
+    });
+    return part;
+}
+
+QWidget *ComparisonPanel::pixelPart()
+{
+    auto *part = new QWidget;
+    auto *chain = new QFormLayout(part);
+    chain->setContentsMargins(0, 0, 0, 0);
+    chain->setVerticalSpacing(2);
+    const auto add = [&](const QString &name, const QString &toolTip) {
+        auto *label = steadyLabel(name, toolTip);
+        m_chain.push_back(label);
+        chain->addRow(tr("%1:").arg(name), label);
+    };
+    add(tr("Widget position"), tr("Logical pixels from the view's top-left corner, y down"));
+    add(tr("Device pixel"), tr("Column and row from the top-left corner of the framebuffer, in device pixels"));
+    add(tr("Window position"), tr("The pixel's centre in device pixels from the bottom-left corner, y up"));
+    add(tr("Depth"), tr("From the depth buffer, in the depth range: by default 0 is the near plane, 1 the far plane"));
+    return part;
+}
+
+QWidget *ComparisonPanel::rayPart()
+{
+    auto *table = new CoordinatesTable(m_rayModel);
+    table->setAccessibleName(tr("The hit, its normal and the nearest vertex"));
+    m_ray = steadyLabel(tr("Ray on mesh"),
+                        tr("What the ray through the pixel's centre meets on the mesh itself, in double"));
+    m_rayDetail = steadyLabel(tr("Triangle, vertex and edge"),
+                              tr("By their numbers in the model: triangles and vertices are counted from 0"));
+    auto *part = new QWidget;
+    auto *layout = columnOf(*part);
+    layout->addWidget(table);
+    layout->addWidget(m_ray);
+    layout->addWidget(m_rayDetail);
+    return part;
+}
+
 void ComparisonPanel::showSinceClick()
 {
     const bool isStale = m_document.picks().sinceClick().isAnything();
+    m_changed->setVisible(isStale);
+    if (!isStale)
+        return;
     m_sinceClick->setText(sinceClickText(m_document));
-    m_sinceClick->setToolTip(m_sinceClick->text());
-    m_sinceClick->setBackgroundRole(isStale ? QPalette::ToolTipBase : QPalette::Window);
-    m_sinceClick->setForegroundRole(isStale ? QPalette::ToolTipText : QPalette::WindowText);
-    m_sinceClick->setAutoFillBackground(isStale);
     const std::optional<Pick> &pick = m_document.picks().pick();
-    m_again->setEnabled(isStale && devicePixelFromWidget(m_document.picture().surface, pick->widget).hasValue());
+    m_again->setEnabled(devicePixelFromWidget(m_document.picture().surface, pick->widget).hasValue());
+    m_again->setToolTip(m_again->isEnabled() ? tr("Pick what is now under the pixel of this click")
+                                             : tr("The pixel of this click is outside the view now."));
 }
 
 QSize ComparisonPanel::sizeHint() const
 {
     const QMargins margins = layout()->contentsMargins();
-    const int tables = std::max(m_table->sizeHint().width(), m_rayTable->sizeHint().width());
-    return {std::max(tables + margins.left() + margins.right(), minimumWidth()), QWidget::sizeHint().height()};
+    return {std::max(m_table->sizeHint().width() + margins.left() + margins.right(), minimumWidth()),
+            QWidget::sizeHint().height()};
 }
 
 QString ComparisonPanel::nameOf(const std::optional<std::size_t> &object, const std::string &formerName) const
@@ -269,69 +296,62 @@ void ComparisonPanel::showRay()
     }
 }
 
-/// What the click has taken instead of the surface under the pixel; null where it has not.
 const MetPlace *ComparisonPanel::takenPlace() const
 {
     const PickedRay *ray = m_document.picks().pickedRay();
     return ray && ray->snap != ray::Snap::Surface && ray->taken ? &*ray->taken : nullptr;
 }
 
-void ComparisonPanel::showCertainty(const Pick &pick)
+void ComparisonPanel::showAnswer(const Pick &pick)
 {
+    const auto numbers = [](const Components<3> &v) { return std::vector{v.x, v.y, v.z}; };
+    const std::optional<WorldPoint> point = m_document.picks().pickedPoint();
     if (const MetPlace *taken = takenPlace()) {
+        const ray::Snap snap = m_document.picks().pickedRay()->snap;
         const WorldVector &uncertainty = taken->hit.uncertainty;
-        m_certainty->setText(takenCertaintyText(m_document.picks().pickedRay()->snap, taken->hit));
-        m_certainty->setValue({QStringLiteral("takenUncertainty"), {uncertainty.x, uncertainty.y, uncertainty.z}});
+        m_answer->setAnswer(takenText(snap, taken->hit, nameOf(taken->object, taken->objectName)), point, uncertainty);
+        m_verdict->setPick(pick, takenCertaintyText(snap, taken->hit), QStringLiteral("takenUncertainty"),
+                           numbers(uncertainty));
         return;
     }
-    const Components<3> &uncertainty = pick.uncertainty.world;
-    m_certainty->setText(certaintyText(pick));
-    m_certainty->setValue(
-        pick.hit() ? Copyable{QStringLiteral("worldUncertainty"), {uncertainty.x, uncertainty.y, uncertainty.z}}
-                   : Copyable{});
+    m_answer->setAnswer(pick.hit() ? nameOf(pick.object, {}) : tr("Background: no surface here"), point,
+                        pick.uncertainty.world);
+    m_verdict->setPick(pick, certaintyText(pick), QStringLiteral("worldUncertainty"),
+                       pick.hit() ? numbers(pick.uncertainty.world) : std::vector<double>());
 }
 
 void ComparisonPanel::showPick()
 {
     const std::optional<Pick> &pick = m_document.picks().pick();
-    m_model->setPick(pick);
+    m_before->setVisible(!pick);
+    m_after->setVisible(pick.has_value());
+    m_model->setPick(m_document.picks().keptPick());
     m_apis->setPick(pick);
-    showSinceClick();
     showRay();
-    m_certaintyHelp->setVisible(pick.has_value());
-    m_causeHelp->setVisible(pick.has_value());
+    showSinceClick();
     if (!pick) {
-        m_heading->setFullText(tr("No point yet"));
-        m_sinceClick->setText(tr("Press the left button on the model"));
-        for (SteadyLabel *label : {m_widget, m_devicePixel, m_window, m_depth}) {
-            label->setText(QStringLiteral("–"));
-            label->setValue({});
-        }
-        m_certainty->clear();
-        m_certainty->setValue({});
-        m_cause->clear();
         m_formula->setFormulas({});
-        m_copy->setEnabled(false);
         return;
     }
-    m_copy->setEnabled(true);
-    if (const MetPlace *taken = takenPlace())
-        m_heading->setFullText(
-            takenText(m_document.picks().pickedRay()->snap, taken->hit, nameOf(taken->object, taken->objectName)));
-    else
-        m_heading->setFullText(pick->hit() ? tr("A point on %1").arg(nameOf(pick->object, {}))
-                                           : tr("Background: no surface here"));
-    m_widget->setText(widgetText(pick->widget));
-    m_devicePixel->setText(devicePixelText(pick->devicePixel, pick->picture.surface));
-    m_window->setText(windowText(pick->window));
-    m_depth->setText(clickedDepthText(depthText(pick->window.z), pick->hit()));
-    m_widget->setValue({QStringLiteral("widget"), {pick->widget.x, pick->widget.y}});
-    m_devicePixel->setValue(
-        {QStringLiteral("devicePixel"), {double(pick->devicePixel.i), double(pick->devicePixel.j)}});
-    m_window->setValue({QStringLiteral("window"), {pick->window.x, pick->window.y, pick->window.z}});
-    m_depth->setValue({QStringLiteral("depth"), {pick->window.z}});
-    m_cause->setText(differenceCauseText(*pick));
-    showCertainty(*pick);
+    showAnswer(*pick);
+    const auto show = [this](ChainLink link, const QString &text, Copyable value) {
+        m_chain[link]->setText(text);
+        m_chain[link]->setValue(std::move(value));
+    };
+    const Surface &surface = pick->picture.surface;
+    show(Widget, tr("%1 logical pixels").arg(positionText(pick->widget.x, pick->widget.y)),
+         {QStringLiteral("widget"), {pick->widget.x, pick->widget.y}});
+    show(DevicePixelOf,
+         tr("(%1, %2) of %3 × %4, ratio %5")
+             .arg(pick->devicePixel.i)
+             .arg(pick->devicePixel.j)
+             .arg(surface.widthPixels)
+             .arg(surface.heightPixels)
+             .arg(writtenText(surface.devicePixelRatio, 4)),
+         {QStringLiteral("devicePixel"), {double(pick->devicePixel.i), double(pick->devicePixel.j)}});
+    show(Window, tr("%1, the pixel's centre").arg(positionText(pick->window.x, pick->window.y)),
+         {QStringLiteral("window"), {pick->window.x, pick->window.y, pick->window.z}});
+    show(Depth, clickedDepthText(depthText(pick->window.z), pick->hit()), {QStringLiteral("depth"), {pick->window.z}});
     m_formula->setFormulas(formulasOf(*pick));
 }
 
@@ -345,16 +365,55 @@ void ComparisonPanel::setShowsFloat(bool shows)
     m_showsFloat->setChecked(shows);
 }
 
+bool ComparisonPanel::showsRay() const
+{
+    return m_showsRay->isChecked();
+}
+
+void ComparisonPanel::setShowsRay(bool shows)
+{
+    m_showsRay->setChecked(shows);
+}
+
+QStringList ComparisonPanel::openFolds() const
+{
+    QStringList names;
+    for (const auto &[name, fold] : m_folds) {
+        if (fold->isOpen())
+            names << name;
+    }
+    return names;
+}
+
+void ComparisonPanel::setOpenFolds(const QStringList &names)
+{
+    for (const auto &[name, fold] : m_folds)
+        fold->setOpen(names.contains(name));
+}
+
 QString ComparisonPanel::text() const
 {
-    QString text = m_heading->fullText() + u'\n' + m_sinceClick->text() + u'\n';
     const std::optional<Pick> &pick = m_document.picks().pick();
-    for (const SteadyLabel *link : {m_widget, m_devicePixel, m_window, m_depth}) {
-        const bool isDepth = link == m_depth && pick;
+    if (!pick)
+        return {};
+    QString text = m_answer->heading() + u'\n' + m_answer->text() + u'\n' + m_verdict->text();
+    if (m_document.picks().sinceClick().isAnything())
+        text += m_sinceClick->text() + u'\n';
+    for (const SteadyLabel *link : m_chain) {
+        const bool isDepth = link == m_chain[Depth];
         text += link->accessibleName() + u'\t'
                 + (isDepth ? clickedDepthText(shortestText(pick->window.z), pick->hit()) : link->text()) + u'\n';
     }
-    text += m_model->text() + m_certainty->text() + u'\n' + m_cause->text() + u'\n';
+    using Space = ComparisonModel::Space;
+    for (const auto &[space, name] : {std::pair(Space::World, tr("World")), std::pair(Space::Eye, tr("Eye")),
+                                      std::pair(Space::Object, tr("Object"))}) {
+        if (space == Space::Object && !pick->hit())
+            continue;
+        ComparisonModel model;
+        model.setSpace(space);
+        model.setPick(m_document.picks().keptPick());
+        text += name + u'\n' + model.text();
+    }
     text += m_rayModel->text() + m_ray->text() + u'\n' + m_rayDetail->text() + u'\n';
     text += m_others->text() + m_apis->text();
     return text + m_formula->formulas().text() + u'\n';

@@ -6,30 +6,33 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 class QCheckBox;
+class QLabel;
 class QPushButton;
 
 namespace unprojector::gui {
 using namespace unproject;
 
+class AnswerView;
 class ApiClicksView;
 class ComparisonModel;
-class ComparisonTable;
-class ElidedLabel;
+class CoordinatesTable;
+class Fold;
 class FormulaView;
-class HelpLink;
 class OtherProgramsView;
 class RayModel;
-class RayTable;
 class SceneDocument;
+class SegmentedSwitch;
 class SteadyLabel;
+class VerdictView;
 struct MetPlace;
 
-/// The picked point, computed twice from the depth buffer and once without it: the chain of the click, the table of both
-/// methods, how certain the coordinate is, what the ray meets on the mesh and which to trust, and the formula with its numbers
-/// put in. All of it is of the moment of the click; when the document is another one since,
-/// the panel says so and offers to pick the same position anew.
+/// The answer of a click, from what most users ask first to what few ask: the coordinate with its uncertainty, whether the two
+/// methods agree, both of them in a table, the formula with its numbers, and folded the way of the pixel, the exact hit on the mesh,
+/// other programs and other APIs. All of it is of the moment of the click; where the view has changed since, the panel says so and
+/// offers to pick the same pixel again.
 class ComparisonPanel : public QWidget {
     Q_OBJECT
 public:
@@ -37,52 +40,58 @@ public:
 
     bool showsFloat() const;
     void setShowsFloat(bool shows);
+    bool showsRay() const;
+    void setShowsRay(bool shows);
+    /// The names of the folds that are open: "pixel", "ray", "programs", "apis".
+    QStringList openFolds() const;
+    void setOpenFolds(const QStringList &names);
 
-    /// Everything the panel shows, with all digits.
+    /// Everything the panel shows, with all digits, in every space.
     QString text() const;
     const ComparisonModel &model() const { return *m_model; }
     const RayModel &rayModel() const { return *m_rayModel; }
 
-    /// As wide as its tables need.
+    /// As wide as its table needs.
     QSize sizeHint() const override;
 
 signals:
-    void showsFloatChanged(bool shows);
-    /// The position of the pick shall be picked anew, in the view as it is now.
+    /// The position of the pick shall be picked again, in the view as it is now.
     void pickRequested(const unprojector::geometry::WidgetPoint &position);
 
 private:
+    QWidget *answerPart();
+    QWidget *pixelPart();
+    QWidget *rayPart();
     void showPick();
+    void showAnswer(const Pick &pick);
     void showRay();
-    void showCertainty(const Pick &pick);
+    /// The place that the click has snapped to; null where it took the surface under the pixel.
     const MetPlace *takenPlace() const;
-    /// Of an object in the list as it is now; of none, or one without a name, what else to call it.
+    /// The display name of an object; its former name where it is gone, else "the surface".
     QString nameOf(const std::optional<std::size_t> &object, const std::string &formerName) const;
     void showSinceClick();
 
     SceneDocument &m_document;
-    ElidedLabel *m_heading;
-    SteadyLabel *m_sinceClick;
-    QPushButton *m_again;
-    SteadyLabel *m_widget;
-    SteadyLabel *m_devicePixel;
-    SteadyLabel *m_window;
-    SteadyLabel *m_depth;
-    ComparisonTable *m_table;
     ComparisonModel *m_model;
-    SteadyLabel *m_certainty;
-    SteadyLabel *m_cause;
-    HelpLink *m_certaintyHelp; ///< where there is something to explain
-    HelpLink *m_causeHelp;
     RayModel *m_rayModel;
-    RayTable *m_rayTable;
+    QWidget *m_before; ///< shown before the first click
+    QWidget *m_after;  ///< shown with a pick
+    AnswerView *m_answer;
+    VerdictView *m_verdict;
+    QWidget *m_changed; ///< the banner and its button
+    QLabel *m_sinceClick;
+    QPushButton *m_again;
+    SegmentedSwitch *m_space;
+    QCheckBox *m_showsFloat;
+    QCheckBox *m_showsRay;
+    CoordinatesTable *m_table;
+    FormulaView *m_formula;
+    std::vector<SteadyLabel *> m_chain; ///< widget position, device pixel, window position, depth
     SteadyLabel *m_ray;
     SteadyLabel *m_rayDetail;
     OtherProgramsView *m_others;
     ApiClicksView *m_apis;
-    FormulaView *m_formula;
-    QCheckBox *m_showsFloat;
-    QPushButton *m_copy;
+    std::vector<std::pair<QString, Fold *>> m_folds;
 };
 
 } // namespace unprojector::gui

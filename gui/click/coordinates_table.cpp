@@ -15,9 +15,13 @@
 #include <cmath>
 
 namespace unprojector::gui {
+namespace {
 
-CoordinatesTable::CoordinatesTable(CoordinatesModel *model, const QStringList &rowNames, QWidget *parent)
-    : QTableView(parent), m_model(model), m_rowNames(rowNames)
+constexpr int kPadding = 8; // of a cell, both sides
+
+} // namespace
+
+CoordinatesTable::CoordinatesTable(CoordinatesModel *model, QWidget *parent) : QTableView(parent), m_model(model)
 {
     setModel(model);
     setItemDelegate(new CertainDigitsDelegate(this));
@@ -27,11 +31,18 @@ CoordinatesTable::CoordinatesTable(CoordinatesModel *model, const QStringList &r
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setTabKeyNavigation(false);
     setWordWrap(false);
-    setTextElideMode(Qt::ElideMiddle); // a number that does not fit shows that it does not
+    setTextElideMode(Qt::ElideNone);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setMinimumSectionSize(1);
     horizontalHeader()->setHighlightSections(false);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    const auto refit = [this] {
+        measure();
+        fit();
+    };
+    connect(model, &QAbstractItemModel::modelReset, this, refit);
+    connect(model, &QAbstractItemModel::dataChanged, this, refit);
+    connect(model, &QAbstractItemModel::headerDataChanged, this, refit);
     useFonts();
 }
 
@@ -42,65 +53,86 @@ void CoordinatesTable::useFonts()
     const QFont heads = headsFont(text);
     horizontalHeader()->setFont(heads);
     verticalHeader()->setFont(heads);
-    int longest = 0, highest = std::max(fontMetrics().height(), QFontMetrics(heads).height());
-    for (const QString &name : m_rowNames) {
-        longest = std::max(longest, QFontMetrics(heads).horizontalAdvance(name));
-        highest = std::max(highest, lineHeight(heads, name));
+    const int height = std::max({fontMetrics().height(), QFontMetrics(heads).height(), lineHeight(heads, tr("Near"))});
+    verticalHeader()->setDefaultSectionSize(height + 4);
+    m_widths.assign(static_cast<std::size_t>(m_model->columnCount()), 0);
+    measure();
+    fit();
+}
+
+void CoordinatesTable::setColumnShown(int column, bool isShown)
+{
+    setColumnHidden(column, !isShown);
+    fit();
+}
+
+void CoordinatesTable::measure()
+{
+    const QFontMetricsF digits(font()), heads(horizontalHeader()->font());
+    // Room for a number of ordinary length, so that few clicks need more.
+    const double ordinary = digits.horizontalAdvance(QStringLiteral("-0.12345"));
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        double width =
+            std::max(ordinary, heads.horizontalAdvance(m_model->headerData(column, Qt::Horizontal).toString()));
+        for (int row = 0; row < m_model->rowCount(); ++row)
+            width = std::max(width, digits.horizontalAdvance(m_model->index(row, column).data().toString()));
+        int &kept = m_widths[static_cast<std::size_t>(column)];
+        kept = std::max(kept, static_cast<int>(std::ceil(width)) + kPadding);
     }
-    verticalHeader()->setDefaultSectionSize(highest + 4);
-    verticalHeader()->setFixedWidth(longest + 3 * kPadding / 2);
+    int widest = 0;
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        widest = std::max(widest, QFontMetrics(verticalHeader()->font())
+                                      .horizontalAdvance(m_model->headerData(row, Qt::Vertical).toString()));
+    verticalHeader()->setFixedWidth(widest + 3 * kPadding / 2);
 }
 
-int CoordinatesTable::columnWidthFor(int column, int characters) const
+/// Room that is left is shared by the columns.
+void CoordinatesTable::fit()
 {
-    const int head =
-        horizontalHeader()->fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal).toString());
-    // Digits are not always a whole number of pixels wide.
-    const int digits = int(std::ceil(characters * QFontMetricsF(font()).horizontalAdvance(QStringLiteral("0"))));
-    return std::max(digits, head) + kPadding;
-}
-
-int CoordinatesTable::charactersIn(int column) const
-{
-    return int((columnWidth(column) - kPadding) / QFontMetricsF(font()).horizontalAdvance(QStringLiteral("0")));
-}
-
-void CoordinatesTable::fitColumns()
-{
+    int needed = 0, shown = 0;
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        if (isColumnHidden(column))
+            continue;
+        needed += m_widths[static_cast<std::size_t>(column)];
+        ++shown;
+    }
     const int available = width() - verticalHeader()->minimumWidth() - 2 * frameWidth();
-    shareWidth(available);
-    int shown = 0;
+    const int extra = shown > 0 ? std::max(0, available - needed) / shown : 0;
     for (int column = 0; column < m_model->columnCount(); ++column)
-        shown += isColumnHidden(column) ? 0 : columnWidth(column);
-    const int scrollBar = shown > available ? style()->pixelMetric(QStyle::PM_ScrollBarExtent) : 0;
+        setColumnWidth(column, m_widths[static_cast<std::size_t>(column)] + extra);
+    const bool scrolls = needed > available;
+    setHorizontalScrollBarPolicy(scrolls ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
+    const int scrollBar = scrolls ? style()->pixelMetric(QStyle::PM_ScrollBarExtent) : 0;
     setFixedHeight(horizontalHeader()->sizeHint().height()
                    + m_model->rowCount() * verticalHeader()->defaultSectionSize() + 2 * frameWidth() + scrollBar);
+    updateGeometry();
 }
 
 QSize CoordinatesTable::sizeHint() const
 {
-    return {verticalHeader()->minimumWidth() + 2 * frameWidth() + leastWidth(), minimumHeight()};
+    int needed = 0;
+    for (int column = 0; column < m_model->columnCount(); ++column)
+        needed += isColumnHidden(column) ? 0 : m_widths[static_cast<std::size_t>(column)];
+    return {verticalHeader()->minimumWidth() + 2 * frameWidth() + needed, minimumHeight()};
 }
 
 QSize CoordinatesTable::minimumSizeHint() const
 {
-    constexpr int kLeast = 11; // "-0.12345678"
-    return {verticalHeader()->minimumWidth() + 2 * frameWidth() + columnWidthFor(0, kLeast), minimumHeight()};
+    constexpr int kLeastDigits = 20; // the rest is scrolled to
+    return {kLeastDigits * fontMetrics().horizontalAdvance(u'0'), minimumHeight()};
 }
 
 void CoordinatesTable::resizeEvent(QResizeEvent *event)
 {
     QTableView::resizeEvent(event);
-    fitColumns();
+    fit();
 }
 
 void CoordinatesTable::changeEvent(QEvent *event)
 {
     QTableView::changeEvent(event);
-    if (event->type() == QEvent::ApplicationFontChange) {
+    if (event->type() == QEvent::ApplicationFontChange)
         useFonts();
-        fitColumns();
-    }
 }
 
 void CoordinatesTable::keyPressEvent(QKeyEvent *event)

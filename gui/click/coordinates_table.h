@@ -2,17 +2,20 @@
 
 #include <QTableView>
 
+#include <vector>
+
 namespace unprojector::gui {
 
 class CoordinatesModel;
 
-/// A table of coordinates as high as its rows, whose columns share its width: those of coordinates show as many digits as there
-/// is room for, and where not even a few are left it scrolls. Neither its height nor its columns follow from what is picked.
+/// A table of coordinates as high as its rows, its columns as wide as their numbers: they grow with them and do not shrink again,
+/// so that the table stands still from click to click. Where they need more than the table's width, it scrolls.
 class CoordinatesTable : public QTableView {
     Q_OBJECT
 public:
-    /// @param rowNames  all that rows will ever be called: room is for the longest
-    CoordinatesTable(CoordinatesModel *model, const QStringList &rowNames, QWidget *parent = nullptr);
+    explicit CoordinatesTable(CoordinatesModel *model, QWidget *parent = nullptr);
+
+    void setColumnShown(int column, bool isShown);
 
     /// The selected cells with all their digits, a row a line, tab-separated.
     QString selectedText() const;
@@ -22,20 +25,6 @@ public:
     QSize minimumSizeHint() const override;
 
 protected:
-    static constexpr int kPadding = 8; ///< of a cell, both sides
-
-    /// Gives each column its width.
-    /// @param available  for all of them, logical pixels
-    virtual void shareWidth(int available) = 0;
-    /// What all of them need at the least, whichever are shown; logical pixels.
-    virtual int leastWidth() const = 0;
-    /// How wide a column of so many characters is, at least as its head.
-    int columnWidthFor(int column, int characters) const;
-    /// How many characters a column has room for.
-    int charactersIn(int column) const;
-    /// The widths anew. Whoever derives from this calls it once when it is made.
-    void fitColumns();
-
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
@@ -43,9 +32,12 @@ protected:
 
 private:
     void useFonts();
+    /// The widths that the numbers need, as far as the columns are shown.
+    void measure();
+    void fit();
 
     CoordinatesModel *m_model;
-    QStringList m_rowNames;
+    std::vector<int> m_widths; ///< of each column, the widest that was needed
 };
 
 } // namespace unprojector::gui

@@ -2,72 +2,83 @@
 
 #include "gui/text/map_text.h"
 #include "gui/text/number_text.h"
-#include "gui/widgets/help_link.h"
+#include "gui/widgets/whole_table.h"
 
+#include <QHeaderView>
 #include <QLabel>
-#include <QToolButton>
 #include <QVBoxLayout>
 
-namespace unprojector::gui {
+#include <tuple>
 
-OtherProgramsView::OtherProgramsView(QWidget *parent) : QWidget(parent), m_fold(new QToolButton), m_answers(new QLabel)
+namespace unprojector::gui {
+namespace {
+
+enum Column { OffBy, Reason, ColumnCount };
+
+} // namespace
+
+OtherProgramsView::OtherProgramsView(QWidget *parent)
+    : QWidget(parent), m_table(new WholeTable(static_cast<int>(std::tuple_size_v<OtherAnswers>), ColumnCount)),
+      m_reason(new QLabel)
 {
-    m_fold->setText(tr("What other programs would give"));
-    m_fold->setToolTip(tr("For the same click: how far their points are from the formula's, and why"));
-    m_fold->setCheckable(true);
-    m_fold->setAutoRaise(true);
-    m_fold->setArrowType(Qt::RightArrow);
-    m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_answers->setWordWrap(true);
-    m_answers->setTextFormat(Qt::RichText);
-    m_answers->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_answers->setAccessibleName(m_fold->text());
-    m_answers->hide();
+    m_table->setAccessibleName(tr("Other programs"));
+    m_table->setHorizontalHeaderLabels({tr("Off by"), tr("Because it")});
+    m_table->horizontalHeaderItem(OffBy)->setToolTip(tr("Distance from the formula's point; world units"));
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_reason->setWordWrap(true);
+    m_reason->setTextFormat(Qt::PlainText);
+    m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_reason->setAccessibleName(tr("The reason in full"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    auto *head = new QHBoxLayout;
-    head->addWidget(m_fold);
-    head->addStretch();
-    head->addWidget(new HelpLink(QStringLiteral("half-pixel")));
-    layout->addLayout(head);
-    layout->addWidget(m_answers);
-    connect(m_fold, &QToolButton::toggled, this, [this](bool isOpen) {
-        m_fold->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
-        m_answers->setVisible(isOpen);
-    });
+    layout->addWidget(m_table);
+    layout->addWidget(m_reason);
+    connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) { showReason(row); });
+    setAnswers(std::nullopt, std::nullopt, {});
 }
 
 void OtherProgramsView::setAnswers(const std::optional<OtherAnswers> &answers, const std::optional<WorldPoint> &formula,
-                                   const WorldVector &certainty)
+                                   const WorldVector &uncertainty)
 {
     m_plain.clear();
-    if (!answers || !formula) {
-        m_answers->setText(tr("A click on a surface has them, as soon as its ray is known."));
+    const bool isThere = answers && formula;
+    m_table->setVisible(isThere);
+    if (!isThere) {
+        m_reason->setText(tr("Click a surface to see them."));
         return;
     }
-    // Snapped or not: what a click takes besides is no program's answer.
-    QString rows =
-        QStringLiteral("<p style='margin:0 0 4px 0'>%1</p>")
-            .arg(tr("Measured from the formula's point, whatever vertex, edge or place of the mesh the click takes.")
-                     .toHtmlEscaped());
+    int row = 0;
     for (const OtherAnswer &answer : *answers) {
         const QString name = programName(answer.program), reason = programReason(answer.program);
-        const QString why = reason.toHtmlEscaped();
-        QString off = tr("no answer: the depth that it reads is not known");
+        QString off = tr("not known"), toolTip = tr("The depth that it reads is not known.");
         m_plain += name;
         if (answer.point) {
             const double distanceToFormula = distance(*answer.point, *formula);
-            off = tr("%1 off, at %2").arg(significantText(distanceToFormula, 3), pointText(*answer.point, certainty));
+            off = significantText(distanceToFormula, 3);
+            toolTip = tr("At %1").arg(pointText(*answer.point, uncertainty));
             for (const double number : {distanceToFormula, answer.point->x, answer.point->y, answer.point->z})
                 m_plain += QLatin1Char('\t') + shortestText(number);
         }
         m_plain += QLatin1Char('\t') + reason + QLatin1Char('\n');
-        rows += QStringLiteral("<p style='margin:0 0 4px 0'>%1<br>%2</p>")
-                    .arg(tr("<b>%1</b>: %2", "a program: how far its point is off")
-                             .arg(name.toHtmlEscaped(), off.toHtmlEscaped()),
-                         why);
+        m_table->setVerticalHeaderItem(row, new QTableWidgetItem(name));
+        m_table->item(row, OffBy)->setText(off);
+        m_table->item(row, OffBy)->setToolTip(toolTip);
+        m_table->item(row, OffBy)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        m_table->item(row, Reason)->setText(programReasonInShort(answer.program));
+        m_table->item(row, Reason)->setToolTip(reason);
+        m_table->item(row, Reason)->setData(Qt::UserRole, reason);
+        ++row;
     }
-    m_answers->setText(rows);
+    m_table->fit();
+    showReason(m_table->currentRow());
+}
+
+void OtherProgramsView::showReason(int row)
+{
+    const QTableWidgetItem *item = row < 0 ? nullptr : m_table->item(row, Reason);
+    m_reason->setText(item ? item->data(Qt::UserRole).toString() : tr("Select a row to read its reason in full."));
 }
 
 } // namespace unprojector::gui

@@ -4,8 +4,6 @@ namespace unprojector::gui {
 using namespace ray;
 namespace {
 
-constexpr int kDigits = 16;
-
 bool isPoint(int column)
 {
     return column == RayModel::Met || column == RayModel::Taken;
@@ -15,16 +13,6 @@ bool isPoint(int column)
 
 RayModel::RayModel(QObject *parent) : CoordinatesModel(parent) {}
 
-QStringList RayModel::rowNames()
-{
-    return {tr("World x"), tr("World y"), tr("World z")};
-}
-
-QStringList RayModel::takenNames()
-{
-    return {tr("Vertex"), tr("On edge"), tr("On face")};
-}
-
 void RayModel::setRay(const Pick *pick, const PickedRay *ray)
 {
     m_points = {};
@@ -32,8 +20,6 @@ void RayModel::setRay(const Pick *pick, const PickedRay *ray)
     if (pick && ray && ray->met) {
         const SceneHit &met = ray->met->hit;
         m_points[Met] = Point{met.world, met.uncertainty};
-        if (const Result<WorldPoint> &formula = pick->point.world[Method::Formula]; pick->hit() && formula)
-            m_points[OffBy] = Point{*formula - met.world, {}};
         if (met.triangle)
             m_points[Normal] = Point{met.triangle->normal, {}};
         if (m_snap == Snap::Surface)
@@ -47,14 +33,6 @@ void RayModel::setRay(const Pick *pick, const PickedRay *ray)
     }
     emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
     emit headerDataChanged(Qt::Horizontal, Taken, Taken);
-}
-
-void RayModel::setCapacity(int characters)
-{
-    if (characters == m_capacity)
-        return;
-    m_capacity = characters;
-    emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }
 
 int RayModel::rowCount(const QModelIndex &parent) const
@@ -73,25 +51,25 @@ QVariant RayModel::data(const QModelIndex &index, int role) const
         return {};
     const std::optional<Point> &point = this->point(index.column());
     const double value = point ? point->at[index.row()] : 0.0;
+    const double uncertainty = point ? point->uncertainty[index.row()] : 0.0;
+    const auto notation = [&] { return notationWithin(point->at, value, uncertainty); };
     switch (role) {
     case Qt::DisplayRole:
         if (!point)
             return QStringLiteral("–");
         if (isPoint(index.column()))
-            return notationOf(point->at, value, kDigits, m_capacity).text(value);
-        return index.column() == Normal ? fixedText(value, 5) : significantText(value, 2);
+            return notation().text(value);
+        return fixedText(value, 5);
     case kCertainLengthRole:
         return point && isPoint(index.column())
-                   ? QVariant(static_cast<int>(notationOf(point->at, value, kDigits, m_capacity)
-                                                   .certainLength(value, point->uncertainty[index.row()])))
+                   ? QVariant(static_cast<int>(notation().certainLength(value, uncertainty)))
                    : QVariant();
     case kValueRole: return point ? QVariant(value) : QVariant();
     case Qt::ToolTipRole:
         if (!point)
             return {};
-        return isPoint(index.column())
-                   ? tr("%1 ± %2").arg(shortestText(value), readableText(point->uncertainty[index.row()]))
-                   : shortestText(value);
+        return isPoint(index.column()) ? tr("%1 ± %2").arg(shortestText(value), readableText(uncertainty))
+                                       : shortestText(value);
     case Qt::TextAlignmentRole: return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     default: return {};
     }
@@ -104,7 +82,6 @@ QString RayModel::toolTip(int column) const
         return tr(
             "Where the ray through the pixel's centre meets the mesh itself, in double, without the depth buffer; "
             "world units");
-    case OffBy: return tr("Formula minus ray; world units");
     case Normal: return tr("The normal of the triangle, of length 1, world space");
     default: break;
     }
@@ -120,13 +97,12 @@ QString RayModel::toolTip(int column) const
 QVariant RayModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (orientation == Qt::Vertical && role == Qt::DisplayRole && section >= 0 && section < rowCount())
-        return rowNames().at(section);
+        return QString(QChar(u'x' + section));
     if (orientation == Qt::Horizontal && role == Qt::DisplayRole) {
         switch (section) {
-        case Met: return tr("Ray on mesh");
-        case OffBy: return tr("Off by");
+        case Met: return tr("Exact hit");
         case Normal: return tr("Normal");
-        case Taken: return takenNames().at(m_snap == Snap::Edge ? 1 : m_snap == Snap::Face ? 2 : 0);
+        case Taken: return m_snap == Snap::Edge ? tr("On edge") : m_snap == Snap::Face ? tr("On face") : tr("Vertex");
         default: return {};
         }
     }
@@ -145,7 +121,6 @@ QString RayModel::pointNameAt(const QModelIndex &index) const
 {
     switch (index.column()) {
     case Met: return QStringLiteral("rayOnMesh");
-    case OffBy: return QStringLiteral("rayDifference");
     case Normal: return QStringLiteral("normal");
     default: break;
     }

@@ -9,19 +9,17 @@
 
 namespace unprojector::gui {
 
-/// What a click's ray meets on the meshes as a table: x, y and z, world space, of the point, of what the formula is off it, of
-/// the surface's normal, and of the vertex that is nearest or of what the click takes.
+/// What a click's ray meets on the meshes as a table: x, y and z, world space, of the point, of the surface's normal, and of the
+/// nearest vertex or of what the click takes.
 class RayModel : public CoordinatesModel {
     Q_OBJECT
 public:
-    enum Column { Met, OffBy, Normal, Taken, ColumnCount };
+    enum Column { Met, Normal, Taken, ColumnCount };
 
     explicit RayModel(QObject *parent = nullptr);
 
     /// @param pick, ray  null: nothing is picked
     void setRay(const Pick *pick, const PickedRay *ray);
-    /// Characters that the columns of points have room for; longer numbers are rounded.
-    void setCapacity(int characters);
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
@@ -30,10 +28,6 @@ public:
 
     std::vector<double> pointAt(const QModelIndex &index) const override;
     QString pointNameAt(const QModelIndex &index) const override;
-
-    static QStringList rowNames();
-    /// All that the last column is ever called.
-    static QStringList takenNames();
 
 private:
     struct Point {
@@ -45,7 +39,6 @@ private:
 
     std::array<std::optional<Point>, ColumnCount> m_points;
     ray::Snap m_snap = ray::Snap::Surface;
-    int m_capacity = 18;
 };
 
 } // namespace unprojector::gui

@@ -77,8 +77,11 @@ void ScreenshotRun::fail(const QString &reason)
 
 QString ScreenshotRun::savePicture()
 {
-    // Labels grow with what the clicks say: what stands below them finds its place first.
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    // Labels grow with what the clicks say: what stands below them finds its place first. A layout that grows asks the one
+    // around it, level by level.
+    constexpr int kLevels = 8;
+    for (int level = 0; level < kLevels; ++level)
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     // The whole picture is encoded first: a name that no picture format has must not cost the file of that name.
     QByteArray bytes;
     QBuffer buffer(&bytes);

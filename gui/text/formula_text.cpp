@@ -173,38 +173,6 @@ QString PickFormulas::text() const
     return lines.join(QStringLiteral("\n\n"));
 }
 
-QString differenceCauseText(const Pick &pick)
-{
-    const Answers<WorldSpace> &world = pick.hit() ? pick.point.world : pick.rayFar.world;
-    if (!world[Method::Formula] || !world[Method::Matrix])
-        return {};
-    const WorldVector d = world.difference();
-    const double ulps = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) / ulpOfLargest(*world[Method::Formula]);
-    if (ulps <= 4.0)
-        return Formulas::tr(
-            "The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
-    const Result<EyePoint> &eye = pick.hit() ? pick.point.eye[Method::Formula] : pick.rayFar.eye[Method::Formula];
-    if (!eye)
-        return {};
-    // Near the world's origin the eye and the way from it cancel, and what rounding did to either stands out.
-    const WorldPoint point = *world[Method::Formula], origin = pick.picture.camera().eye;
-    const auto largest = [](const Components<3> &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-    const double cancelled = std::max(largest(origin), largest(*eye)) / largest(point);
-    const QString byCancelling = significantText(std::max(1.0, cancelled), 2);
-    if (!isPerspective(pick.picture.projection()))
-        return Formulas::tr(
-                   "Cause: rounding in the inverted matrix, magnified %1 times where the eye's coordinates cancel. The "
-                   "formula inverts nothing.")
-            .arg(byCancelling);
-    // z_ndc changes by n f / (f - n) / z^2 a unit of z: what rounding does to the one shows in the other that much larger.
-    const ProjectionWindow w = projectionWindow(pick.picture.projection());
-    const double n = w.nearDistance, f = w.farDistance, z = -eye->z;
-    return Formulas::
-        tr("Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 "
-           "times where the eye's coordinates cancel. The formula inverts nothing.")
-            .arg(significantText(std::max(1.0, z * (f - n) / (f * n)), 2), byCancelling);
-}
-
 QString certaintyText(const Pick &pick)
 {
     if (pick.hit()) {
@@ -215,8 +183,7 @@ QString certaintyText(const Pick &pick)
                 .arg(boundText(c.distance), boundText(c.footprintWidth / 2.0), boundText(c.footprintHeight / 2.0),
                      significantText(pick.sample.dotPixels, 3));
         return Formulas::tr(
-                   "At the pixel's centre the surface is within ± %1 along the view (half a depth step is %2). "
-                   "A pixel is %3 × %4 here.")
+                   "Accuracy ± %1 along the view (depth buffer alone ± %2). A pixel covers %3 × %4 here.")
             .arg(boundText(c.distance), readableText(c.halfDepthStep), readableText(c.footprintWidth),
                  readableText(c.footprintHeight));
     }

@@ -23,9 +23,6 @@ struct PickFormulas {
 /// @return none where a method found no point
 PickFormulas formulasOf(const Pick &pick);
 
-/// Why the two methods differ by what they differ, with the numbers that decide it.
-QString differenceCauseText(const Pick &pick);
-
 /// How far off the picked coordinate can be, and from what. Of the background: where the ray enters and leaves the view
 /// volume.
 QString certaintyText(const Pick &pick);

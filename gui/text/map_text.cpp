@@ -95,6 +95,20 @@ QString programReason(OtherProgram program)
     return {};
 }
 
+QString programReasonInShort(OtherProgram program)
+{
+    switch (program) {
+    case OtherProgram::Paper:
+    case OtherProgram::Open3D: return MapText::tr("takes the pixel's upper left corner");
+    case OtherProgram::Screen2World: return MapText::tr("flips y by the viewport's height");
+    case OtherProgram::MeshLab:
+    case OtherProgram::Polyscope: return MapText::tr("forgets the 1 in height − 1 − y");
+    case OtherProgram::CloudCompare: return MapText::tr("takes the pixel's lower left corner");
+    case OtherProgram::Vtk: return MapText::tr("divides by the size less one");
+    }
+    return {};
+}
+
 QString conventionName(const NamedConvention &convention)
 {
     if (const auto *program = std::get_if<OtherProgram>(&convention.other))

@@ -213,6 +213,21 @@ Notation notationOf(const Components<3> &point, double coordinate, int digits, i
     return {std::clamp(decimals, 0, std::max(0, digits - 1 - exponent)), false};
 }
 
+Notation notationWithin(const Components<3> &point, double coordinate, double uncertainty)
+{
+    constexpr int kDigitsOfExact = 10, kMoreDigits = 2, kDoubleDigits = 16, kLeastExponent = -4;
+    const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+    const int exponent = largest > 0.0 && std::isfinite(largest) ? exponentOf(largest) : 0;
+    const int place = certainPlace(uncertainty);
+    const int last = place == kNothingUncertain ? exponent + 1 - kDigitsOfExact
+                                                : std::max(place - kMoreDigits, exponent + 1 - kDoubleDigits);
+    if (exponent > kMostExponent || (exponent < kLeastExponent && -last > kMostZeros)) {
+        const int own = coordinate != 0.0 && std::isfinite(coordinate) ? exponentOf(coordinate) : last;
+        return {std::clamp(own - last, 0, kDoubleDigits - 1), true};
+    }
+    return {std::max(0, -last), false};
+}
+
 QString pointText(const Components<3> &point, const Components<3> &uncertainty)
 {
     return QStringLiteral("(%1, %2, %3)")

@@ -66,6 +66,11 @@ struct Notation {
 /// @param characters  the column's room, with a sign and the decimal point
 Notation notationOf(const Components<3> &point, double coordinate, int digits, int characters);
 
+/// The digits of a coordinate that say something: those that are certain and two more, which a comparison is made by. Of one that
+/// nothing is uncertain of, ten of the point's largest coordinate.
+/// @param uncertainty  of the coordinate
+Notation notationWithin(const Components<3> &point, double coordinate, double uncertainty);
+
 /// Decimals with which the largest component of a point shows `digits` significant digits; from 0.1 to 1 one less.
 int decimalsFor(const Components<3> &point, int digits);
 

@@ -1,7 +1,6 @@
 #include "gui/widgets/formula_view.h"
 
 #include "gui/text/help_anchors.h"
-#include "gui/widgets/contrast.h"
 #include "gui/widgets/copy_menu.h"
 #include "gui/widgets/help_link.h"
 
@@ -9,7 +8,7 @@
 #include <QHelpEvent>
 #include <QMenu>
 #include <QPainter>
-#include <QScrollBar>
+#include <QResizeEvent>
 #include <QToolTip>
 
 #include <algorithm>
@@ -33,6 +32,10 @@ QString linkText(const FormulaWithNumbers &formula)
 FormulaView::FormulaView(QWidget *parent) : QAbstractScrollArea(parent)
 {
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
     setFocusPolicy(Qt::StrongFocus);
     viewport()->setMouseTracking(true);
     viewport()->setBackgroundRole(QPalette::Base);
@@ -44,22 +47,15 @@ void FormulaView::setFormulas(PickFormulas formulas)
     m_formulas = std::move(formulas);
     m_marked.clear();
     setAccessibleDescription(m_formulas.text());
-    verticalScrollBar()->setValue(0);
     set();
 }
 
-void FormulaView::setPlaceholderText(const QString &text)
-{
-    m_placeholder = text;
-    viewport()->update();
-}
-
-void FormulaView::set()
+FormulaView::Content FormulaView::contentFor(double viewportWidth) const
 {
     const QFont font = formulaFont(this->font().pointSizeF() * kTypeScale);
     const double em = QFontMetricsF(font).height(), indent = 1.2 * em;
-    const double width = viewport()->width() - 2.0 * kMargin;
-    m_lines.clear();
+    const double width = viewportWidth - 2.0 * kMargin;
+    Content content;
     double y = kMargin, widest = 0.0;
     for (const FormulaWithNumbers &formula : m_formulas.formulas) {
         const QString number = linkText(formula);
@@ -74,43 +70,45 @@ void FormulaView::set()
             }
             y += line.layout.size().height();
             widest = std::max(widest, kMargin + x + line.layout.size().width() + right);
-            m_lines.push_back(std::move(line));
+            content.lines.push_back(std::move(line));
         };
         add(formula.symbols(), 0.0, numberWidth + em, true);
         y += 0.15 * em;
         add(formula.numbers(), indent, 0.0, false);
         y += 0.7 * em;
     }
-    m_size = {widest + kMargin, y};
-    verticalScrollBar()->setPageStep(viewport()->height());
-    verticalScrollBar()->setSingleStep(static_cast<int>(em));
-    verticalScrollBar()->setRange(0, std::max(0, static_cast<int>(std::ceil(y)) - viewport()->height()));
+    content.size = {widest + kMargin, y};
+    return content;
+}
+
+void FormulaView::set()
+{
+    m_content = contentFor(viewport()->width());
+    updateGeometry();
     viewport()->update();
+}
+
+int FormulaView::heightForWidth(int width) const
+{
+    const QSizeF size = width == this->width() ? m_content.size : contentFor(width - 2 * frameWidth()).size;
+    return static_cast<int>(std::ceil(size.height())) + 2 * frameWidth();
 }
 
 void FormulaView::paintEvent(QPaintEvent *)
 {
     QPainter painter(viewport());
     painter.setRenderHint(QPainter::Antialiasing);
-    const QColor ink = palette().color(QPalette::Text), base = palette().color(QPalette::Base);
-    const QColor quiet = quietInk(ink, base);
-    if (m_lines.empty()) {
-        painter.setPen(quiet);
-        painter.drawText(QRectF(viewport()->rect()).adjusted(kMargin, kMargin, -kMargin, -kMargin),
-                         Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, m_placeholder);
-        return;
-    }
+    const QColor ink = palette().color(QPalette::Text);
     QColor mark = palette().color(QPalette::Highlight);
     mark.setAlphaF(0.3F);
-    const QPointF scrolled(0.0, -verticalScrollBar()->value());
-    for (const Line &line : m_lines) {
-        const QPointF place = line.place + scrolled;
+    for (const Line &line : m_content.lines) {
+        const QPointF place = line.place;
         line.layout.paint(painter, place, {ink, mark}, m_marked);
         if (line.numberPlace.isEmpty())
             continue;
         painter.setFont(formulaFont(font().pointSizeF() * kTypeScale));
         painter.setPen(palette().color(QPalette::Link));
-        painter.drawText(line.numberPlace.translated(scrolled), Qt::AlignRight | Qt::AlignVCenter,
+        painter.drawText(line.numberPlace, Qt::AlignRight | Qt::AlignVCenter,
                          line.number.isEmpty() ? QStringLiteral("?") : line.number);
     }
 }
@@ -118,7 +116,8 @@ void FormulaView::paintEvent(QPaintEvent *)
 void FormulaView::resizeEvent(QResizeEvent *event)
 {
     QAbstractScrollArea::resizeEvent(event);
-    set();
+    if (event->size().width() != event->oldSize().width())
+        set();
 }
 
 void FormulaView::changeEvent(QEvent *event)
@@ -130,8 +129,8 @@ void FormulaView::changeEvent(QEvent *event)
 
 QString FormulaView::termAt(const QPoint &position) const
 {
-    const QPointF inContent = QPointF(position) + QPointF(0.0, verticalScrollBar()->value());
-    for (const Line &line : m_lines) {
+    const QPointF inContent(position);
+    for (const Line &line : m_content.lines) {
         if (QString term = line.layout.termAt(inContent - line.place); !term.isEmpty())
             return term;
     }
@@ -141,27 +140,27 @@ QString FormulaView::termAt(const QPoint &position) const
 std::vector<QRectF> FormulaView::placesOf(const QString &term) const
 {
     std::vector<QRectF> places;
-    for (const Line &line : m_lines) {
+    for (const Line &line : m_content.lines) {
         for (const QRectF &place : line.layout.placesOf(term))
-            places.push_back(place.translated(line.place - QPointF(0.0, verticalScrollBar()->value())));
+            places.push_back(place.translated(line.place));
     }
     return places;
 }
 
 const FormulaView::Line *FormulaView::numberAt(const QPoint &position) const
 {
-    const QPointF inContent = QPointF(position) + QPointF(0.0, verticalScrollBar()->value());
-    const auto found = std::find_if(m_lines.begin(), m_lines.end(), [&inContent](const Line &line) {
+    const QPointF inContent(position);
+    const auto found = std::find_if(m_content.lines.begin(), m_content.lines.end(), [&inContent](const Line &line) {
         return !line.numberPlace.isEmpty() && line.numberPlace.adjusted(-3.0, -2.0, 3.0, 2.0).contains(inContent);
     });
-    return found == m_lines.end() ? nullptr : &*found;
+    return found == m_content.lines.end() ? nullptr : &*found;
 }
 
 QRectF FormulaView::placeOfNumber(const QString &number) const
 {
-    for (const Line &line : m_lines) {
+    for (const Line &line : m_content.lines) {
         if (!line.numberPlace.isEmpty() && line.number == number)
-            return line.numberPlace.translated(0.0, -verticalScrollBar()->value());
+            return line.numberPlace;
     }
     return {};
 }
@@ -220,7 +219,7 @@ bool FormulaView::viewportEvent(QEvent *event)
 
 void FormulaView::contextMenuEvent(QContextMenuEvent *event)
 {
-    if (m_lines.empty())
+    if (m_content.lines.empty())
         return;
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -240,9 +239,9 @@ void FormulaView::contextMenuEvent(QContextMenuEvent *event)
 /// To the formula under the pointer; from the keyboard to each.
 void FormulaView::addHelpActions(QMenu &menu, const QPoint &position, bool isOfAll) const
 {
-    const double y = position.y() + verticalScrollBar()->value();
+    const double y = position.y();
     QString before;
-    for (const Line &line : m_lines) {
+    for (const Line &line : m_content.lines) {
         const double top = line.place.y(), bottom = top + line.layout.size().height();
         if (line.numberPlace.isEmpty() || (!isOfAll && (y < top || y > bottom)))
             continue;
@@ -256,7 +255,7 @@ void FormulaView::addHelpActions(QMenu &menu, const QPoint &position, bool isOfA
 
 void FormulaView::keyPressEvent(QKeyEvent *event)
 {
-    if (event->matches(QKeySequence::Copy) && !m_lines.empty()) {
+    if (event->matches(QKeySequence::Copy) && !m_content.lines.empty()) {
         copyAll();
         return;
     }
@@ -270,13 +269,13 @@ void FormulaView::copyAll() const
 
 QSize FormulaView::sizeHint() const
 {
-    return minimumSizeHint();
+    return {minimumSizeHint().width(), heightForWidth(width())};
 }
 
 QSize FormulaView::minimumSizeHint() const
 {
     const QFontMetrics metrics(formulaFont(font().pointSizeF() * kTypeScale));
-    return {20 * metrics.horizontalAdvance(u'0'), 6 * metrics.height()};
+    return {20 * metrics.horizontalAdvance(u'0'), 3 * metrics.height()};
 }
 
 } // namespace unprojector::gui

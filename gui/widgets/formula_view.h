@@ -12,7 +12,7 @@ class QMenu;
 namespace unprojector::gui {
 
 /// Formulas as on paper, each in symbols with its numbers below. A term under the pointer is marked wherever it stands, and
-/// a tooltip names it. They are set to the view's width; where there are more than fit below each other, it scrolls.
+/// a tooltip names it. They are set to the view's width, and the view is as high as they are.
 class FormulaView : public QAbstractScrollArea {
     Q_OBJECT
 public:
@@ -20,8 +20,6 @@ public:
 
     void setFormulas(PickFormulas formulas);
     const PickFormulas &formulas() const { return m_formulas; }
-    /// While there are none.
-    void setPlaceholderText(const QString &text);
 
     /// What is marked, by its short name.
     const QString &markedTerm() const { return m_marked; }
@@ -32,10 +30,12 @@ public:
     /// Where a formula's number stands in the viewport: a link to its place in Help. Empty where there is no such number.
     QRectF placeOfNumber(const QString &number) const;
     /// Of all that is set, logical pixels.
-    QSizeF contentSize() const { return m_size; }
+    QSizeF contentSize() const { return m_content.size; }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -54,6 +54,12 @@ private:
         QString number;
         QRectF numberPlace; ///< in the content; empty where the line has none
     };
+    struct Content {
+        std::vector<Line> lines;
+        QSizeF size;
+    };
+    /// The formulas set to a width of the viewport, logical pixels.
+    Content contentFor(double viewportWidth) const;
     void set();
     QString termAt(const QPoint &position) const;
     const Line *numberAt(const QPoint &position) const;
@@ -62,9 +68,7 @@ private:
     void copyAll() const;
 
     PickFormulas m_formulas;
-    QString m_placeholder;
-    std::vector<Line> m_lines;
-    QSizeF m_size;
+    Content m_content;
     QString m_marked;
 };
 

@@ -9,6 +9,7 @@
 #include "gui/document/scene_document.h"
 #include "tests/support/unprojecting.h"
 
+#include <QLabel>
 #include <QRegularExpression>
 #include <QString>
 #include <QtGlobal>
@@ -61,6 +62,14 @@ inline Pick pickWith(const glm::dvec3 &formula, const glm::dvec3 &matrix, const 
     return pick;
 }
 
+/// A pick without its object's placement and its ray.
+inline gui::KeptPick kept(const Pick &pick)
+{
+    gui::KeptPick result;
+    result.pick = pick;
+    return result;
+}
+
 /// A document, for the panel that is made after it.
 struct WithDocument {
     gui::SceneDocument document;
@@ -78,6 +87,15 @@ struct PanelOfPicks : WithDocument, gui::ComparisonPanel {
             document.picks().clearPick();
     }
 };
+
+inline QLabel *labelNamed(const QWidget &panel, const char *accessibleName)
+{
+    for (QLabel *label : panel.findChildren<QLabel *>()) {
+        if (label->accessibleName() == QLatin1String(accessibleName))
+            return label;
+    }
+    return nullptr;
+}
 
 inline QVariant cell(const gui::ComparisonModel &model, int row, int column, int role = Qt::DisplayRole)
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/click/comparison_panel.h"
+#include "gui/click/answer_view.h"
 #include "gui/document/picks.h"
 #include "gui_scene.h"
 
@@ -16,11 +16,7 @@ inline constexpr double kStillPixels = 1e-3;
 
 inline QString heading(MainWindow &window)
 {
-    for (const QLabel *label : part<ComparisonPanel>(window).findChildren<QLabel *>()) {
-        if (label->accessibleName() == QStringLiteral("What was clicked"))
-            return label->text();
-    }
-    return {};
+    return part<AnswerView>(window).heading();
 }
 
 /// The picked point by formula.

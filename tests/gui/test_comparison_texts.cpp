@@ -2,6 +2,7 @@
 // every error.
 
 #include "gui/click/comparison_panel.h"
+#include "gui/click/verdict_view.h"
 #include "gui/text/error_text.h"
 #include "gui/text/formula_text.h"
 #include "gui/text/number_text.h"
@@ -10,6 +11,7 @@
 #include "comparison_picks.h"
 
 #include <QTest>
+#include <QToolButton>
 
 #include <limits>
 #include <set>
@@ -221,14 +223,19 @@ void TestComparisonTexts::coordinatesOfASurveyCanBeRead()
 
 void TestComparisonTexts::theCauseOfADifferenceIsNamed()
 {
-    QVERIFY(differenceCauseText(pickWith({1.0, 2.0, 4.0}, {1.0, 2.0, 4.0}, {1.0, 2.0, 4.0}, 0.01))
-                .contains(QStringLiteral("agree")));
-    const QString cause =
-        withPlainSpaces(differenceCauseText(pickWith({1.0, 2.0, 4.0}, {1.0, 2.0, 4.0 + 1e-12}, {1.0, 2.0, 4.0}, 0.01)));
-    // z = 4 between 2 and 10 gives 1.6; the largest coordinate is 4.
+    PanelOfPicks panel;
+    panel.setPick(pickWith({1.0, 2.0, 4.0}, {1.0, 2.0, 4.0 + 1e-12}, {1.0, 2.0, 4.0}, 0.01));
+    const QString verdict = labelNamed(panel, "Do the methods agree?")->text();
+    QVERIFY2(verdict.contains(QStringLiteral("differ by 1100 ulp, less than the uncertainty")), qPrintable(verdict));
+    const QString cause = withPlainSpaces(labelNamed(panel, "Cause of the difference")->text());
     QVERIFY2(cause.contains(QStringLiteral("magnified")) && cause.contains(QStringLiteral("perspective")),
              qPrintable(cause));
     QVERIFY(!hasPlaceholder(cause));
+    // The reasons are shown on demand.
+    panel.show();
+    QVERIFY(!labelNamed(panel, "Cause of the difference")->isVisible());
+    panel.findChild<VerdictView *>()->findChild<QToolButton *>()->click();
+    QVERIFY(labelNamed(panel, "Cause of the difference")->isVisible());
 }
 
 void TestComparisonTexts::theCertaintyIsNamed()
@@ -237,13 +244,13 @@ void TestComparisonTexts::theCertaintyIsNamed()
     pick.certainty = {1.26e-6, 0.008, 0.0124, 2.26e-6};
     const QString text = withPlainSpaces(certaintyText(pick));
     QVERIFY2(text.contains(QStringLiteral("± 0.000003 along the view")), qPrintable(text));
-    QVERIFY2(text.contains(QStringLiteral("half a depth step is 0.0000013")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("depth buffer alone ± 0.0000013")), qPrintable(text));
     // What is a bound is rounded up.
     for (const auto &[bound, expected] :
          {std::pair{2.26e-6, "0.000003"}, std::pair{3e-6, "0.000003"}, std::pair{1.21e-6, "0.0000013"},
           std::pair{1.95e-6, "0.000002"}, std::pair{9.1e-3, "0.010"}, std::pair{0.25, "0.3"}, std::pair{0.0, "0"}})
         QCOMPARE(boundText(bound), QString::fromLatin1(expected));
-    QVERIFY2(text.contains(QStringLiteral("A pixel is 0.008 × 0.012 here")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("A pixel covers 0.008 × 0.012 here")), qPrintable(text));
 }
 
 void TestComparisonTexts::everyErrorHasItsSentence_data()

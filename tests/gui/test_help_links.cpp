@@ -179,8 +179,6 @@ void TestHelpLinks::everyPanelLeadsToHelp()
     else
         panel = std::make_unique<MapPanel>();
     panel->show();
-    if (name == "comparison")
-        QVERIFY(!linksOf(*panel).contains(QStringLiteral("certainty"))); // nothing is said of it yet
     document.picks().setPick(picked(frustumGeometry(), 412.0, 299.0, 0.75));
     const QMap<QString, QString> all = places();
     const QSet<QString> links = linksOf(*panel);

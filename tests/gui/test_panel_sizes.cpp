@@ -4,7 +4,7 @@
 
 #include "document_edits.h"
 #include "gui/click/comparison_panel.h"
-#include "gui/click/comparison_table.h"
+#include "gui/click/coordinates_table.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
@@ -301,7 +301,9 @@ void TestPanelSizes::nothingIsCutAndNothingMoves()
         panel = std::make_unique<LifecyclePanel>(log);
 
     const auto settle = [] {
-        QCoreApplication::sendPostedEvents();
+        // A layout that grows asks the one around it, level by level.
+        for (int level = 0; level < 4; ++level)
+            QCoreApplication::sendPostedEvents();
         QCoreApplication::processEvents();
     };
     const int digit = QFontMetrics(font).horizontalAdvance(u'0');
@@ -340,7 +342,9 @@ void TestPanelSizes::nothingIsCutAndNothingMoves()
                 QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n') + where));
                 QCOMPARE(panel->minimumSizeHint().expandedTo(panel->minimumSize()).width(), least);
                 const QString now = places(*panel);
-                QVERIFY2(!isGrown || now == grown, qPrintable(grown + QStringLiteral("\n->\n") + now + where));
+                // The comparison's parts come and go with what was clicked: test_comparison_panel has how it stands still.
+                QVERIFY2(which == QStringLiteral("comparison") || !isGrown || now == grown,
+                         qPrintable(grown + QStringLiteral("\n->\n") + now + where));
             }
             grown = places(*panel);
         }

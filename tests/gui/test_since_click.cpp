@@ -1,6 +1,7 @@
 // What is said of a pick when the document is another one since, and that it can be picked anew.
 
 #include "document_edits.h"
+#include "gui/click/answer_view.h"
 #include "gui/click/comparison_model.h"
 #include "gui/click/comparison_panel.h"
 #include "gui/document/camera_looks.h"
@@ -25,7 +26,7 @@ using Happening = std::function<void(SceneDocument &)>;
 QPushButton *againButton(const QWidget &panel)
 {
     for (QPushButton *button : panel.findChildren<QPushButton *>()) {
-        if (button->text() == QStringLiteral("Pick this pixel a&gain"))
+        if (button->text() == QStringLiteral("Pick a&gain"))
             return button;
     }
     return nullptr;
@@ -178,20 +179,22 @@ void TestSinceClick::whatHappenedSinceTheClickIsSaid()
     pipeline.show();
     happening(document);
     const QString text = labelText(panel, "Since the click");
+    QCOMPARE(againButton(panel)->parentWidget()->isHidden(), !canCompute);
+    if (!canCompute)
+        return;
     for (const QString &part : said)
         QVERIFY2(text.contains(part), qPrintable(text));
-    if (canCompute) // in the same words
-        QVERIFY2(pipeline.model().status().contains(said.first()), qPrintable(pipeline.model().status()));
+    QVERIFY2( // in the same words
+        pipeline.model().status().contains(said.first()), qPrintable(pipeline.model().status()));
     for (const QString &part : notSaid) {
         QVERIFY2(!text.contains(part), qPrintable(text));
         QVERIFY2(!pipeline.model().status().contains(part), qPrintable(pipeline.model().status()));
     }
-    QCOMPARE(againButton(panel)->isEnabled(), canCompute);
+    QVERIFY(againButton(panel)->isEnabled());
     // Another click is of the view as it is. What is not drawn is not clicked.
     const bool isDrawn = !document.objects()[0].isHidden && document.scene().clipPlanes.empty();
     pickAt(document, WidgetPoint(200.0, 150.0), isDrawn ? DepthSample{0.75, 0, 24} : DepthSample{1.0, {}, 24});
-    QVERIFY(labelText(panel, "Since the click").contains(QStringLiteral("as it was")));
-    QVERIFY(!againButton(panel)->isEnabled());
+    QVERIFY(againButton(panel)->parentWidget()->isHidden()); // nothing has changed since, so nothing is said of it
 }
 
 void TestSinceClick::aBackgroundSaysOnlyThatTheViewChanged()
@@ -200,7 +203,7 @@ void TestSinceClick::aBackgroundSaysOnlyThatTheViewChanged()
     openAndPick(document);
     pickAt(document, WidgetPoint(200.0, 150.0), {1.0, {}, 24});
     ComparisonPanel panel(document);
-    QCOMPARE(labelText(panel, "What was clicked"), QStringLiteral("Background: no surface here"));
+    QCOMPARE(panel.findChild<AnswerView *>()->heading(), QStringLiteral("Background: no surface here"));
     setCamera(document, cameraAt(0, 0, -30));
     const QString text = labelText(panel, "Since the click");
     QVERIFY2(text.contains(QStringLiteral("has changed")) && !text.contains(QStringLiteral("outside")),
@@ -213,14 +216,14 @@ void TestSinceClick::chainDepthAndFormulasStayThoseOfTheClick()
     openAndPick(document);
     ComparisonPanel panel(document);
     QCOMPARE(labelText(panel, "Depth"), QStringLiteral("0.75, as read"));
-    const QString since = labelText(panel, "Since the click"), whole = panel.text();
-    QVERIFY(whole.contains(since));
+    const QString whole = panel.text();
     setCamera(document, cameraAt(1, 2, 12));
     setProjection(document, Ortho{-3, 3, -3, 3, 1, 9});
     document.setSurface({500, 400, 2.0});
     QString now = panel.text();
-    QVERIFY(!now.contains(since));
-    QCOMPARE(now.replace(labelText(panel, "Since the click"), since), whole);
+    const QString since = labelText(panel, "Since the click") + u'\n';
+    QVERIFY(now.contains(since));
+    QCOMPARE(now.remove(since), whole);
 }
 
 void TestSinceClick::thePipelineCallsNoDepthReadThatWasNot()
@@ -255,18 +258,18 @@ void TestSinceClick::computingAgainPicksTheSamePixelOfTheViewAsItIs()
     const Pick before = *document.picks().pick();
     QVERIFY(before.hit());
     QPushButton *again = againButton(part<ComparisonPanel>(*window));
-    QVERIFY(!again->isEnabled());
+    QVERIFY(again->parentWidget()->isHidden());
     LookAt camera = document.picture().camera();
     camera.eye.z += 0.5;
     setCamera(document, camera);
-    QVERIFY(again->isEnabled());
+    QVERIFY(!again->parentWidget()->isHidden() && again->isEnabled());
     QVERIFY(*document.picks().pick()->point.world[Method::Formula] == *before.point.world[Method::Formula]);
     again->click();
     const Pick &after = *document.picks().pick();
     QCOMPARE(after.devicePixel, before.devicePixel);
     QVERIFY(after.picture == document.picture());
     QVERIFY(after.hit() && *after.point.world[Method::Formula] != *before.point.world[Method::Formula]);
-    QVERIFY(!again->isEnabled());
+    QVERIFY(again->parentWidget()->isHidden());
 }
 
 void TestSinceClick::aPositionThatIsGoneCannotBePickedAgain()

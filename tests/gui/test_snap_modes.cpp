@@ -135,7 +135,7 @@ void TestSnapModes::aClickTakesWhatIsChosen()
     const ComparisonPanel panel(window->document());
     const QString text = panel.text();
     switch (static_cast<Snap>(snap)) {
-    case Snap::Surface: QVERIFY2(text.startsWith(QStringLiteral("A point on ")), qPrintable(text)); break;
+    case Snap::Surface: QVERIFY2(text.startsWith(QStringLiteral("cube\n")), qPrintable(text)); break;
     case Snap::Vertex:
         QVERIFY2(text.startsWith(QStringLiteral("Vertex %1 of ").arg(ray->taken->hit.vertex.id)), qPrintable(text));
         QVERIFY2(text.contains(QStringLiteral("The vertex taken is certain to ± ")), qPrintable(text));

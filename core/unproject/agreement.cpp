@@ -1,0 +1,101 @@
+#include "core/unproject/agreement.h"
+
+#include "core/text/error_text.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::unproject {
+using text::significantText;
+using text::tr;
+namespace {
+
+double largest(const Components<3> &v)
+{
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+const Answers<WorldSpace> &worldOf(const Pick &pick)
+{
+    return pick.hit() ? pick.point.world : pick.rayFar.world;
+}
+
+} // namespace
+
+std::optional<Agreement> agreementOf(const Pick &pick)
+{
+    const Answers<WorldSpace> &world = worldOf(pick);
+    const Result<EyePoint> &eye = (pick.hit() ? pick.point.eye : pick.rayFar.eye)[Method::Formula];
+    if (!world[Method::Formula] || !world[Method::Matrix] || !eye)
+        return std::nullopt;
+    const WorldPoint &point = *world[Method::Formula];
+    const WorldVector difference = world.difference();
+    Agreement result;
+    result.difference = largest(difference);
+    result.ulps = result.difference / ulpOfLargest(point);
+    // Near the world's origin the eye and the way from it cancel, and what rounding did to either stands out.
+    result.byCancelling = std::max(1.0, std::max(largest(pick.picture.camera().eye), largest(*eye)) / largest(point));
+    if (isPerspective(pick.picture.projection())) {
+        // z_ndc changes by n f / (f - n) / z^2 a unit of z: what rounding does to the one shows in the other that much larger.
+        const ProjectionWindow window = projectionWindow(pick.picture.projection());
+        const double n = window.nearDistance, f = window.farDistance;
+        result.byPerspective = std::max(1.0, -eye->z * (f - n) / (f * n));
+    }
+    if (pick.hit()) {
+        const WorldVector &uncertainty = pick.uncertainty.world;
+        result.isWithinUncertainty = true;
+        for (int axis = 0; axis < 3; ++axis)
+            result.isWithinUncertainty = *result.isWithinUncertainty && std::abs(difference[axis]) <= uncertainty[axis];
+    }
+    return result;
+}
+
+std::string verdictText(const Pick &pick)
+{
+    const Answers<WorldSpace> &world = worldOf(pick);
+    const std::optional<Agreement> agreement = agreementOf(pick);
+    if (!agreement) {
+        if (!world[Method::Matrix] && world[Method::Formula])
+            return tr("Only the formula has an answer; the matrix: %1", text::errorText(world[Method::Matrix].error()));
+        return world[Method::Formula] ? std::string() : text::errorText(world[Method::Formula].error());
+    }
+    if (agreement->ulps == 0.0)
+        return tr("Formula and matrix agree to the last digit");
+    if (agreement->isToTheLastPlaces())
+        return tr("Formula and matrix agree to %1 ulp", significantText(std::ceil(agreement->ulps), 1));
+    constexpr double kMuch = 2.0; // less magnifies nothing worth a word
+    const bool isByPerspective = agreement->byPerspective >= agreement->byCancelling;
+    const std::string cause = std::max(agreement->byPerspective, agreement->byCancelling) < kMuch
+                                  ? tr("rounding of the inverse")
+                              : isByPerspective ? tr("rounding of the inverse, magnified by near : far")
+                                                : tr("rounding of the inverse, magnified where coordinates cancel");
+    const double unit = std::pow(10.0, std::floor(std::log10(agreement->ulps)) - 1.0); // of two digits
+    const std::string ulps = text::shortestText(std::round(agreement->ulps / unit) * unit, 0.5 * unit);
+    if (!agreement->isWithinUncertainty)
+        return tr("Formula and matrix differ by %1 ulp: %2", ulps, cause);
+    return *agreement->isWithinUncertainty
+               ? tr("Formula and matrix differ by %1 ulp, less than the uncertainty: %2", ulps, cause)
+               : tr("Formula and matrix differ by %1 ulp, more than the uncertainty: %2", ulps, cause);
+}
+
+std::string differenceCauseText(const Pick &pick)
+{
+    const std::optional<Agreement> agreement = agreementOf(pick);
+    if (!agreement)
+        return {};
+    if (agreement->isToTheLastPlaces())
+        return tr("The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
+    const std::string byCancelling = significantText(agreement->byCancelling, 2);
+    if (!isPerspective(pick.picture.projection()))
+        return tr("Cause: rounding in the inverted matrix, magnified %1 times where the eye's coordinates cancel. The "
+                  "formula inverts nothing.",
+                  byCancelling);
+    return tr(
+        "Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 "
+        "times where the eye's coordinates cancel. The formula inverts nothing.",
+        significantText(agreement->byPerspective, 2), byCancelling);
+}
+
+} // namespace unprojector::unproject

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "core/geometry/components.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QLabel;
+class QMenu;
+
+namespace unprojector::gui {
+
+class ElidedLabel;
+
+/// The answer of a click in one line: on what it was, its world coordinate in large digits, those that are not certain in grey,
+/// and ±.
+class AnswerView : public QWidget {
+    Q_OBJECT
+public:
+    explicit AnswerView(QWidget *parent = nullptr);
+
+    /// @param heading      names what was clicked
+    /// @param point        world units; nothing: there is no point, only a ray
+    /// @param uncertainty  of each coordinate
+    void setAnswer(const QString &heading, const std::optional<geometry::Components<3>> &point,
+                   const geometry::Components<3> &uncertainty);
+
+    const QString &heading() const;
+    /// "(x, y, z) ± u" as it is shown; empty without a point.
+    QString text() const { return m_plain; }
+
+signals:
+    /// Everything about the click shall be copied.
+    void copyAllRequested();
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void showPoint();
+    void fillMenu(QMenu &menu);
+
+    ElidedLabel *m_heading;
+    QLabel *m_point;
+    std::optional<geometry::Components<3>> m_at;
+    geometry::Components<3> m_uncertainty;
+    QString m_plain;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/unproject/pick.h"
+
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+
+namespace unprojector::gui {
+
+class SteadyLabel;
+
+/// Whether the two methods agree, in one line with a sign; "Why?" opens the reasons.
+class VerdictView : public QWidget {
+    Q_OBJECT
+public:
+    explicit VerdictView(QWidget *parent = nullptr);
+
+    /// @param accuracy      says how far the coordinate can be off
+    /// @param uncertainty   the numbers of it, for the menu that copies them
+    void setPick(const unproject::Pick &pick, const QString &accuracy, const QString &name,
+                 const std::vector<double> &uncertainty);
+    /// The verdict and the reasons, a line each.
+    QString text() const;
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    enum class Sign { Agree, Differ, Beyond };
+    void showSign();
+
+    Sign m_sign = Sign::Agree;
+    QLabel *m_mark;
+    SteadyLabel *m_verdict;
+    QToolButton *m_why;
+    SteadyLabel *m_accuracy;
+    SteadyLabel *m_cause;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+class QToolButton;
+
+namespace unprojector::gui {
+
+/// A heading that opens and closes what stands below it. Closed at first.
+class Fold : public QWidget {
+    Q_OBJECT
+public:
+    /// @param content     shown while the fold is open
+    /// @param helpAnchor  of the "?" beside the heading; empty: none
+    Fold(const QString &title, const QString &toolTip, QWidget *content, const QString &helpAnchor = {},
+         QWidget *parent = nullptr);
+
+    bool isOpen() const;
+    void setOpen(bool isOpen);
+
+signals:
+    void toggled(bool isOpen);
+
+private:
+    QToolButton *m_head;
+};
+
+} // namespace unprojector::gui

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QTableWidget>
+
+namespace unprojector::gui {
+
+/// A table to read, as high as its rows: the panel around it scrolls, not the table. Its columns are as wide as their texts.
+class WholeTable : public QTableWidget {
+    Q_OBJECT
+public:
+    WholeTable(int rows, int columns, QWidget *parent = nullptr);
+
+    /// Takes the height and the widths that the cells need now.
+    void fit();
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+};
+
+} // namespace unprojector::gui
