@@ -211,6 +211,8 @@ void Workspaces::reset()
 {
     m_layouts.remove(name());
     m_arePanelsHidden = false;
+    for (Sizes &sizes : m_wanted)
+        sizes.remove(Qt::RightDockWidgetArea);
     arrange();
     emit panelsHidden(false);
 }
@@ -250,10 +252,34 @@ void Workspaces::arrange()
     }
     for (QDockWidget *front : std::as_const(fronts))
         front->raise();
+    const int right = rightWidth();
     m_wanted[name()] = firstSizes(isWide);
+    if (right > 0)
+        want(Qt::RightDockWidgetArea, right);
     m_isArranged = true;
     emit laidOut();
     settle();
+}
+
+/// Of the other workspaces, which have the same; 0 where none was entered yet.
+int Workspaces::rightWidth() const
+{
+    for (auto sizes = m_wanted.cbegin(); sizes != m_wanted.cend(); ++sizes) {
+        if (sizes.key() != name() && sizes->contains(Qt::RightDockWidgetArea))
+            return sizes->value(Qt::RightDockWidgetArea);
+    }
+    return 0;
+}
+
+void Workspaces::want(Qt::DockWidgetArea area, int size)
+{
+    m_wanted[name()][area] = size;
+    if (area != Qt::RightDockWidgetArea)
+        return;
+    for (Sizes &sizes : m_wanted) {
+        if (sizes.contains(area))
+            sizes[area] = size;
+    }
 }
 
 Workspaces::Sizes Workspaces::firstSizes(bool isWide) const
@@ -265,11 +291,11 @@ Workspaces::Sizes Workspaces::firstSizes(bool isWide) const
     bool hasLeft = false;
     int right = kRightDigits * digit;
     for (const auto &[panel, dock] : m_panels) {
-        if (!shown.contains(panel.id))
-            continue;
-        hasLeft = hasLeft || panel.area == Qt::LeftDockWidgetArea;
-        // What is on the right shows numbers, and says what room they need.
-        if (panel.area == Qt::RightDockWidgetArea)
+        hasLeft = hasLeft || (panel.area == Qt::LeftDockWidgetArea && shown.contains(panel.id));
+        // What is on the right shows numbers, and says what room they need. Every workspace leaves as much to the view.
+        const bool isInAny = std::any_of(m_workspaces.begin(), m_workspaces.end(),
+                                         [&](const Entered &one) { return one.spec.panels.contains(panel.id); });
+        if (panel.area == Qt::RightDockWidgetArea && isInAny)
             right = std::max(right, panel.widget->sizeHint().width());
     }
     return {{Qt::LeftDockWidgetArea, std::min((hasLeft ? kLeftDigits : kNoteDigits) * digit, oneSide)},
@@ -338,8 +364,10 @@ void Workspaces::applySizes()
     for (const bool isAcross : {true, false}) {
         int sum = 0, sumNow = 0;
         for (auto size = now.cbegin(); size != now.cend(); ++size) {
-            if (!wanted.contains(size.key()))
-                wanted[size.key()] = *size;
+            if (!wanted.contains(size.key())) {
+                const int right = size.key() == Qt::RightDockWidgetArea ? rightWidth() : 0;
+                wanted[size.key()] = right > 0 ? right : *size;
+            }
             sum += isSide(size.key()) == isAcross ? wanted[size.key()] : 0;
             sumNow += isSide(size.key()) == isAcross ? *size : 0;
         }
@@ -385,7 +413,7 @@ bool Workspaces::eventFilter(QObject *watched, QEvent *event)
                 const Sizes now = sizesNow();
                 for (auto size = now.cbegin(); size != now.cend(); ++size) {
                     if (m_pressed.contains(size.key()) && m_pressed[size.key()] != *size)
-                        m_wanted[name()][size.key()] = *size;
+                        want(size.key(), *size);
                 }
             });
     } else if (event->type() == QEvent::Close) {

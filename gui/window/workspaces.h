@@ -42,8 +42,8 @@ struct WorkspaceSpec {
 
 /// The panels around the view, and the workspaces: which of the panels are shown while the user does one kind of work.
 ///
-/// Each workspace remembers how it was left: which panels it shows, where they stand and how large they are. A window that gets
-/// smaller and then larger again has its old sizes back.
+/// Each workspace remembers how it was left: which panels it shows, where they stand and how large they are. The panels on the
+/// right are as wide in all of them. A window that gets smaller and then larger again has its old sizes back.
 class Workspaces : public QObject {
     Q_OBJECT
 public:
@@ -125,6 +125,10 @@ private:
     void arrange();
     void leave();
     Sizes firstSizes(bool isWide) const;
+    int rightWidth() const;
+    /// The user has made an area this large. That on the right is as wide in every workspace, so that the view keeps its size
+    /// from one to the other, and its click with it.
+    void want(Qt::DockWidgetArea area, int size);
     /// Of the areas where a panel is seen, as they are now.
     Sizes sizesNow() const;
     void applySizes();

@@ -219,6 +219,7 @@ void TestAroundLessons::whatIsPutBackHasItsClick()
     const auto window = windowOfSize(kWide);
     LessonPlayer &lessons = part<LessonPlayer>(*window);
     QVERIFY(lessons.start("first"));
+    settle(); // the view has the step's size then
     follow(*window, QStringLiteral("click:clicked"));
     QVERIFY(window->document().picks().pick());
     QVERIFY(lessons.goTo(2)); // which speaks of the click

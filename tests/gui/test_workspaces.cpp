@@ -3,6 +3,7 @@
 
 #include "window_user.h"
 
+#include "gui/document/picks.h"
 #include "gui/lessons/first_steps.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/outside/observer_inset.h"
@@ -62,6 +63,8 @@ private slots:
     void whatTheUserMadeWiderStaysWider_data();
     void whatTheUserMadeWiderStaysWider();
     void theOldSizesComeBackAfterARestart();
+    void theViewKeepsItsSizeAndItsClick_data();
+    void theViewKeepsItsSizeAndItsClick();
 
     void theViewFromOutsideComesBackAsItWasLeft_data();
     void theViewFromOutsideComesBackAsItWasLeft();
@@ -179,6 +182,39 @@ void TestWorkspaces::theOldSizesComeBackAfterARestart()
     QCOMPARE(window->size(), kNarrow);
     resizeTo(*window, kWide);
     QTRY_COMPARE_WITH_TIMEOUT(dockOf(*window, "comparison")->width(), wider, kPatienceMilliseconds);
+}
+
+void TestWorkspaces::theViewKeepsItsSizeAndItsClick_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("wide") << kWide;
+    QTest::newRow("narrow") << QSize(1024, 700);
+}
+
+/// The panels on the right are as wide in every workspace, also once the user has made them wider in one of them.
+void TestWorkspaces::theViewKeepsItsSizeAndItsClick()
+{
+    QFETCH(QSize, size);
+    const auto window = shownWindow(false, size);
+    enter(*window, "click");
+    settle(20);
+    const QSize first = window->view().size();
+    window->view().onLButtonDown(WidgetPoint(first.width() / 2.0, first.height() / 2.0));
+    QVERIFY(window->document().picks().pick());
+    for (const char *workspace : {"points", "doctor", "click"}) {
+        enter(*window, workspace);
+        settle(20);
+        QCOMPARE(window->view().size(), first);
+        QVERIFY2(!window->document().picks().sinceClick().isAnything(), workspace);
+    }
+    widen(*window, "comparison", 60);
+    const QSize narrower = window->view().size();
+    QVERIFY(narrower.width() < first.width());
+    for (const char *workspace : {"points", "doctor", "click"}) {
+        enter(*window, workspace);
+        settle(20);
+        QCOMPARE(window->view().size(), narrower);
+    }
 }
 
 void TestWorkspaces::theViewFromOutsideComesBackAsItWasLeft_data()
