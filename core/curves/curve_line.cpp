@@ -8,6 +8,9 @@
 #include <utility>
 
 namespace unprojector::curves {
+using namespace geometry;
+using namespace landmarks;
+
 namespace {
 
 CurveError errorOf(PathError error, std::size_t point)
@@ -39,7 +42,7 @@ Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh, std::span<con
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i]->isMissing())
             return CurveError{CurveError::Code::Missing, i};
-        const std::optional<SurfacePlace> place = placeOf(points[i]->hold, mesh);
+        const std::optional<SurfacePlace> place = placeOf(points[i]->anchor, mesh);
         if (!place)
             return CurveError{CurveError::Code::NotOnSurface, i};
         places.push_back(*place);

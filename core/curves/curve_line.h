@@ -11,10 +11,10 @@ namespace unprojector::curves {
 
 /// How a curve goes.
 struct CurveLine {
-    std::vector<WorldPoint> path;
+    std::vector<geometry::WorldPoint> path;
     /// Along the surface. Its error follows from how far each point can be off, to first order: a path as short as it can be grows by
     /// the way that its end moves along it; at a point between, by what both pieces grow together.
-    Measure length;
+    landmarks::Measure length;
 };
 
 /// Why a curve does not go.
@@ -33,12 +33,14 @@ struct CurveError {
 
 /// The line through landmarks that lie on one object, in their order.
 /// @param goesOn  may be empty
-Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh, std::span<const Landmark *const> points,
-                                          CurveKind kind, const glm::dmat4 &worldFromObject, const GoesOn &goesOn);
+geometry::Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh,
+                                                    std::span<const landmarks::Landmark *const> points,
+                                                    landmarks::CurveKind kind, const glm::dmat4 &worldFromObject,
+                                                    const GoesOn &goesOn);
 
 /// Places in equal steps along a path, both its ends included: the steps are measured along it.
 /// @param count  at least 2
 /// @pre the path has at least one place
-std::vector<WorldPoint> resampled(std::span<const WorldPoint> path, std::size_t count);
+std::vector<geometry::WorldPoint> resampled(std::span<const geometry::WorldPoint> path, std::size_t count);
 
 } // namespace unprojector::curves

@@ -9,6 +9,8 @@
 #include <utility>
 
 namespace unprojector::curves {
+using namespace geometry;
+
 namespace {
 
 using Edge = TriangleStrip::Edge;

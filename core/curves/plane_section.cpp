@@ -8,6 +8,8 @@
 #include <utility>
 
 namespace unprojector::curves {
+using namespace geometry;
+
 namespace {
 
 glm::dvec3 normalAt(const PlacedMesh &mesh, const PathEnd &end)

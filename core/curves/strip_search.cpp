@@ -12,6 +12,8 @@
 #include <utility>
 
 namespace unprojector::curves {
+using namespace geometry;
+
 namespace {
 
 constexpr std::uint32_t kNone = SurfaceMesh::kNone;

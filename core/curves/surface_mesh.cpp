@@ -8,6 +8,9 @@
 #include <numeric>
 
 namespace unprojector::curves {
+using namespace landmarks;
+using namespace mesh;
+
 namespace {
 
 /// How often progress is asked.
@@ -144,9 +147,9 @@ std::uint32_t SurfaceMesh::onlyAcross(std::uint32_t triangle, std::uint32_t a, s
     return count == 1 ? found : kNone;
 }
 
-std::optional<SurfacePlace> placeOf(const Hold &hold, const SurfaceMesh &mesh)
+std::optional<SurfacePlace> placeOf(const Anchor &anchor, const SurfaceMesh &mesh)
 {
-    if (const auto *on = std::get_if<OnTriangle>(&hold)) {
+    if (const auto *on = std::get_if<OnTriangle>(&anchor)) {
         const glm::dvec3 weights = glm::max(on->barycentric, glm::dvec3(0.0));
         const double sum = weights[0] + weights[1] + weights[2];
         if (on->triangle >= mesh.triangleCount() || !(sum > 0.0) || !std::isfinite(sum))
@@ -158,11 +161,11 @@ std::optional<SurfacePlace> placeOf(const Hold &hold, const SurfaceMesh &mesh)
         const glm::dvec3 &w = on->barycentric;
         return c[0] == c[1] ? onTriangleWith(mesh, c[0], c[2], w[2]) : onTriangleWith(mesh, c[0], c[1], w[1]);
     }
-    if (const auto *at = std::get_if<AtVertex>(&hold)) {
+    if (const auto *at = std::get_if<AtVertex>(&anchor)) {
         const std::uint32_t corner = mesh.cornerOfVertex(at->vertex);
         return onTriangleWith(mesh, corner, corner, 0.0);
     }
-    if (const auto *edge = std::get_if<OnEdge>(&hold))
+    if (const auto *edge = std::get_if<OnEdge>(&anchor))
         return onTriangleWith(mesh, mesh.cornerOfVertex(edge->vertices[0]), mesh.cornerOfVertex(edge->vertices[1]),
                               edge->share);
     return std::nullopt;

@@ -13,8 +13,6 @@
 #include <vector>
 
 namespace unprojector::curves {
-using namespace landmarks;
-using namespace mesh;
 using ray::Progress;
 
 /// The triangles of a model as one surface: corners at the very same coordinates are one corner, whether the file has them once
@@ -26,7 +24,7 @@ public:
     /// Some 28 bytes a triangle.
     /// @param progress  may be empty
     /// @return null when progress says stop. Throws std::bad_alloc.
-    static std::shared_ptr<const SurfaceMesh> build(const Model &model, const Progress &progress);
+    static std::shared_ptr<const SurfaceMesh> build(const mesh::Model &model, const Progress &progress);
 
     /// As the model counts them; one whose corners are not three places has a side of no length, and no neighbours.
     std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(m_corners.size()); }
@@ -69,6 +67,6 @@ struct SurfacePlace {
 
 /// Where a hold is on a surface.
 /// @return nothing where it is free, no triangle has it, or no corner has a weight, as files may have it
-std::optional<SurfacePlace> placeOf(const Hold &hold, const SurfaceMesh &mesh);
+std::optional<SurfacePlace> placeOf(const landmarks::Anchor &anchor, const SurfaceMesh &mesh);
 
 } // namespace unprojector::curves

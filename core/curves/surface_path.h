@@ -12,8 +12,8 @@ namespace unprojector::curves {
 
 /// A line that stays on the surface: straight within each triangle.
 struct SurfacePath {
-    std::vector<WorldPoint> places; ///< from, where it crosses edges and passes corners, to
-    double length = 0.0;            ///< world units
+    std::vector<geometry::WorldPoint> places; ///< from, where it crosses edges and passes corners, to
+    double length = 0.0;                      ///< world units
 };
 
 /// Why there is no path.
@@ -36,12 +36,14 @@ using GoesOn = std::function<bool()>;
 ///
 /// @param worldFromObject  the length is measured in the world
 /// @param goesOn           may be empty
-Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
-                                        const glm::dmat4 &worldFromObject, const GoesOn &goesOn);
+geometry::Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from,
+                                                  const SurfacePlace &to, const glm::dmat4 &worldFromObject,
+                                                  const GoesOn &goesOn);
 
 /// Where a plane cuts the surface: the one through both places along the mean of the normals there. Of the two ways around that
 /// lead from one to the other the shorter one.
-Result<SurfacePath, PathError> planeSection(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
-                                            const glm::dmat4 &worldFromObject, const GoesOn &goesOn);
+geometry::Result<SurfacePath, PathError> planeSection(const SurfaceMesh &mesh, const SurfacePlace &from,
+                                                      const SurfacePlace &to, const glm::dmat4 &worldFromObject,
+                                                      const GoesOn &goesOn);
 
 } // namespace unprojector::curves

@@ -20,8 +20,8 @@ struct TriangleStrip {
 
 /// A strip that a short way from one end to the other goes through, found by A* over places on the edges.
 /// @return NotConnected, Stopped
-Result<TriangleStrip, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
-                                              const GoesOn &goesOn);
+geometry::Result<TriangleStrip, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
+                                                        const GoesOn &goesOn);
 
 /// The shortest path within a strip.
 struct StripPath {

@@ -10,6 +10,7 @@
 #include <string>
 
 namespace unprojector::doctor {
+using namespace geometry;
 using text::marked;
 namespace {
 

@@ -16,6 +16,8 @@
 #include <utility>
 
 namespace unprojector::doctor {
+using namespace geometry;
+
 namespace {
 
 /// How likely it may be that chance explains a point, for its explanation to be the verdict. One mistake is what most
@@ -38,7 +40,7 @@ Check checkPoint(const Case &scene, const WrongPoint &point)
         if (!std::isfinite(number))
             return Error{ErrorCode::NotFinite, number};
     }
-    const auto [low, high] = std::minmax(scene.picture.depthRange.atNear, scene.picture.depthRange.atFar);
+    const auto [low, high] = std::minmax(scene.setup.depthRange.atNear, scene.setup.depthRange.atFar);
     if (point.depth && !(*point.depth >= low && *point.depth <= high))
         return Error{ErrorCode::DepthOutsideRange, *point.depth};
     return std::monostate{};
@@ -46,8 +48,8 @@ Check checkPoint(const Case &scene, const WrongPoint &point)
 
 /// A point prepared, with how its depth was known.
 struct Prepared {
-    Sought sought;
-    Sought right; ///< what the right program may answer: of an unknown depth, anything between near and far
+    Target sought;
+    Target right; ///< what the right program may answer: of an unknown depth, anything between near and far
     Click click;
     DepthKnown depthKnown = DepthKnown::Given;
     std::optional<glm::dvec3> projected;
@@ -205,11 +207,11 @@ std::optional<glm::dvec3> unsureOf(const Given &given, const Prepared &point)
     return sum;
 }
 
-Landing landingOf(const Given &given, const Prepared &point)
+ErrorKind landingOf(const Given &given, const Prepared &point)
 {
     const std::optional<glm::dvec3> unsure = point.projected ? unsureOf(given, point) : std::nullopt;
     if (!unsure)
-        return Landing::Matrix;
+        return ErrorKind::Matrix;
     const glm::dvec3 right(point.click.pixel.coordinates(), point.click.depth);
     const glm::dvec3 off = glm::abs(*point.projected - right);
     const bool isPixelRight = off.x <= unsure->x + 1e-6 && off.y <= unsure->y + 1e-6;
@@ -219,18 +221,18 @@ Landing landingOf(const Given &given, const Prepared &point)
         depthUnsure += std::abs(point.sought.clicks[1].depth - point.sought.clicks[0].depth);
     const bool isDepthRight = off.z <= depthUnsure;
     if (isPixelRight)
-        return isDepthRight ? Landing::Right : Landing::Depth;
-    return isDepthRight && !point.sought.isLine ? Landing::Pixel : Landing::Matrix;
+        return isDepthRight ? ErrorKind::Right : ErrorKind::Depth;
+    return isDepthRight && !point.sought.isLine ? ErrorKind::Pixel : ErrorKind::Matrix;
 }
 
 /// How many numbers had to agree for an explanation, see chanceOf.
-int agreeing(std::span<const Prepared> points, std::span<const Landing> landings)
+int agreeing(std::span<const Prepared> points, std::span<const ErrorKind> landings)
 {
     int sum = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const int all = points[i].sought.isLine ? 2 : 3;
-        const bool isOnRay = landings[i] == Landing::Right || landings[i] == Landing::Depth;
-        sum += isOnRay ? 1 : landings[i] == Landing::Pixel ? 2 : all;
+        const bool isOnRay = landings[i] == ErrorKind::Right || landings[i] == ErrorKind::Depth;
+        sum += isOnRay ? 1 : landings[i] == ErrorKind::Pixel ? 2 : all;
     }
     return sum;
 }
@@ -245,7 +247,7 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
     candidate.explains = hypothesis.worst <= kCutOff;
     candidate.isCutOff = candidate.explains && hypothesis.worst > kRounded;
     for (const Prepared &point : points) {
-        const Sought &sought = hypothesis.count == 0 ? point.right : point.sought;
+        const Target &sought = hypothesis.count == 0 ? point.right : point.sought;
         const std::optional<Nearest> found = hypothesis.nearest(given, sought);
         for (int axis = 0; found && axis < 3; ++axis) {
             const int digits =
@@ -280,7 +282,7 @@ void putDepthFirst(std::vector<Hypothesis> &best, const Given &given, std::span<
 }
 
 std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, double chance, const Given &given,
-                      std::span<const Prepared> points, std::span<const Sought> sought)
+                      std::span<const Prepared> points, std::span<const Target> sought)
 {
     if (best.worst > kCutOff)
         return "unknown";
@@ -306,7 +308,7 @@ bool explainsAsWell(const Hypothesis &best, const Diagnosis &diagnosis)
 
 /// Sets the known points that the points are, and the verdict where nothing explains them as well.
 void lookAtKnown(Diagnosis &diagnosis, const Hypothesis &best, const Given &given, const Case &scene,
-                 std::span<const Sought> sought)
+                 std::span<const Target> sought)
 {
     if (diagnosis.verdict == "right")
         return;
@@ -325,12 +327,12 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
         if (const Check valid = check(*scene.otherSize); !valid)
             return valid.error();
     }
-    const Result<Given> picture = Given::of(scene.picture);
+    const Result<Given> picture = Given::of(scene.setup);
     if (!picture)
         return picture.error();
     std::vector<Prepared> points;
-    std::vector<Sought> sought;
-    std::vector<Landing> landings;
+    std::vector<Target> sought;
+    std::vector<ErrorKind> landings;
     for (const WrongPoint &point : given) {
         if (const Check valid = checkPoint(scene, point); !valid)
             return valid.error();

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/geometry/box.h"
-#include "core/geometry/picture.h"
 #include "core/geometry/result.h"
+#include "core/geometry/setup.h"
 #include "core/geometry/spaces.h"
 
 #include <glm/mat4x4.hpp>
@@ -20,7 +20,6 @@
 /// Which mistake makes this wrong coordinate: every mistake is a function from what the wrong program was given to what it
 /// answers; all of them and all pairs of them are tried, and ranked by how far their answers are from the point that was got.
 namespace unprojector::doctor {
-using namespace geometry;
 
 /// In which space the program says that its point lies.
 enum class PointSpace { World, Eye, Object };
@@ -49,20 +48,20 @@ struct KnownPoint {
 
 /// What the program was looking at.
 struct Case {
-    Picture picture;
+    geometry::Setup setup;
     std::vector<PlacedModel> models; ///< those that the mistakes of the model matrix are tried with
     /// Another size that the program may still go by: the window's before, or that of another framebuffer.
-    std::optional<Surface> otherSize;
+    std::optional<geometry::Surface> otherSize;
     /// The depth of what is seen at a position, in the picture's depth range; nothing on the background. Empty where the
     /// scene has no mesh.
-    std::function<std::optional<double>(const DevicePoint &)> depthOnMesh;
+    std::function<std::optional<double>(const geometry::DevicePoint &)> depthOnMesh;
     /// The meshes' vertices in a box of world space, a few of them where there are many. Empty where the scene has no mesh.
-    std::function<std::vector<KnownPoint>(const Box &)> verticesIn;
+    std::function<std::vector<KnownPoint>(const geometry::Box &)> verticesIn;
 };
 
 /// A point that a program answered, as it was given.
 struct WrongPoint {
-    DevicePoint pixel;           ///< continuous device pixels from the framebuffer's top-left corner
+    geometry::DevicePoint pixel; ///< continuous device pixels from the framebuffer's top-left corner
     std::optional<double> depth; ///< the right one, in the picture's depth range
     glm::dvec3 got{0.0};         ///< the wrong coordinate
     glm::dvec3 lastDigit{1e-4};  ///< > 0: the unit of the last digit given, of each coordinate
@@ -72,12 +71,12 @@ struct WrongPoint {
 };
 
 /// In which of several ways a mistake is made.
-struct Way {
+struct VariantName {
     const char *words = nullptr; ///< marked for text::tr, %1 is the value: "ratio %1"; null: the value says it all
     std::string value;
 
-    Way() = default;
-    Way(const char *marked, std::string ofIt = {}) : words(marked), value(std::move(ofIt)) {}
+    VariantName() = default;
+    VariantName(const char *marked, std::string ofIt = {}) : words(marked), value(std::move(ofIt)) {}
     bool isEmpty() const { return words == nullptr && value.empty(); } ///< there are no others
 };
 
@@ -94,9 +93,9 @@ enum class Shared { Window, Depth, Projection, View, Ndc, Matrix, Point };
 
 /// One mistake, or two of them, and what it answers.
 struct Candidate {
-    std::string id;        ///< "right", "y-not-flipped", …, of two "a+b"
-    std::vector<Way> ways; ///< of those of its mistakes that are made in several; see waysText
-    glm::dvec3 point{0.0}; ///< its answer to the first point, in that point's space
+    std::string id;                ///< "right", "y-not-flipped", …, of two "a+b"
+    std::vector<VariantName> ways; ///< of those of its mistakes that are made in several; see waysText
+    glm::dvec3 point{0.0};         ///< its answer to the first point, in that point's space
     double distance =
         0.0;        ///< the greatest difference of a coordinate, in units of its last digit; mean over the points
     int digits = 0; ///< how many of the digits that count it explains, all coordinates of all points
@@ -108,7 +107,7 @@ struct Candidate {
 };
 
 /// Where the wrong point lands with the right matrices: what is wrong there sorts the mistakes.
-enum class Landing {
+enum class ErrorKind {
     Right,
     Pixel,  ///< the depth is right, x' and y' are not: pixel, viewport or lens
     Depth,  ///< x' and y' are right, the depth is not
@@ -134,17 +133,17 @@ struct Diagnosis {
     /// the plane of the eye.
     std::optional<glm::dvec3> projected;
     double depthUnsure = 0.0; ///< how far that depth moves when the point does, within its last digits; 0: not known
-    Landing landing = Landing::Right;
+    ErrorKind landing = ErrorKind::Right;
     DepthKnown depthKnown = DepthKnown::Given;
     std::optional<glm::dvec3> right; ///< what the first click gives, in its space; of an unknown depth, the nearest
     /// The unit of the last digit that `right` has, a power of ten: what rounding and the depth's last digit leave to the click,
     /// and of that seven digits of the greatest coordinate, or as many as were given.
     double rightLastDigit = 1.0;
-    int digitsGiven = 0;             ///< what Candidate::digits is at most: those that count
-    int digitsWritten = 0;           ///< all that were given, those that say nothing too
-    std::optional<DevicePoint> next; ///< the pixel whose answers tell the first candidates apart best
-    double nextApart = 0.0;          ///< how far apart those of the first two are there, units of the space
-    std::size_t tried = 0;           ///< mistakes and pairs, with all their variants
+    int digitsGiven = 0;                       ///< what Candidate::digits is at most: those that count
+    int digitsWritten = 0;                     ///< all that were given, those that say nothing too
+    std::optional<geometry::DevicePoint> next; ///< the pixel whose answers tell the first candidates apart best
+    double nextApart = 0.0;                    ///< how far apart those of the first two are there, units of the space
+    std::size_t tried = 0;                     ///< mistakes and pairs, with all their variants
     /// More digits were given than single precision holds, and only within what that leaves open is the verdict found.
     bool isSinglePrecision = false;
     double chance = 0.0; ///< that a point without any such reason is explained as well as the first candidate does
@@ -155,7 +154,7 @@ struct Diagnosis {
     /// few to tell the answer from the right one lands where that does.
     bool hasTellingLanding() const
     {
-        return verdict != "known-point" && !(namesMistake() && landing == Landing::Right);
+        return verdict != "known-point" && !(namesMistake() && landing == ErrorKind::Right);
     }
     /// The candidates that cannot be told from the first one, at most three; none where the verdict is no mistake.
     std::vector<Candidate> alike() const;
@@ -170,7 +169,7 @@ struct Diagnosis {
 /// @param given  at least one, of one program; one that is given several times counts once
 /// @return the errors of check(picture), check(otherSize) and clipFromWorld; DepthOutsideRange; NotFinite (pixel, point);
 ///         SingularMatrix
-Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given);
+geometry::Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given);
 
 /// The ids of all mistakes, by the way of a click.
 std::vector<std::string> mistakeIds();

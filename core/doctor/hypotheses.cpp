@@ -19,7 +19,7 @@ double largest(const glm::dvec3 &v)
 }
 
 /// Tries a hypothesis on all points; nothing where one of them has no answer.
-std::optional<Hypothesis> tried(const Given &given, std::span<const Sought> points, Hypothesis hypothesis)
+std::optional<Hypothesis> tried(const Given &given, std::span<const Target> points, Hypothesis hypothesis)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::optional<Nearest> found = hypothesis.nearest(given, points[i]);
@@ -34,10 +34,10 @@ std::optional<Hypothesis> tried(const Given &given, std::span<const Sought> poin
 }
 
 /// Whether a mistake changes no answer that could be told from the right one.
-bool isWithoutEffect(const Given &given, std::span<const Sought> points, const Variant &variant)
+bool isWithoutEffect(const Given &given, std::span<const Target> points, const Variant &variant)
 {
     const Variant *const parts[] = {&variant};
-    for (const Sought &sought : points) {
+    for (const Target &sought : points) {
         for (const Click &click : sought.clicks) {
             const std::optional<glm::dvec3> right = answer(given, click, {}), wrong = answer(given, click, parts);
             if (!right || !wrong || largest((*wrong - *right) / sought.lastDigit) > kSameAnswer)
@@ -65,7 +65,7 @@ bool hasOtherWay(const Variant &a, const Variant &b)
 
 } // namespace
 
-double unitsOff(const Sought &sought, int axis, const glm::dvec3 &answer)
+double unitsOff(const Target &sought, int axis, const glm::dvec3 &answer)
 {
     const double got = sought.got[axis], off = (answer[axis] - got) / sought.lastDigit[axis];
     // Where fewer digits count than were given, the last that counts is not where the number was cut off.
@@ -94,7 +94,7 @@ bool isSameAnswer(const glm::dvec3 &a, const glm::dvec3 &b)
     return glm::length(a - b) <= 1e-9 * (1.0 + glm::length(b));
 }
 
-std::optional<Nearest> Hypothesis::nearest(const Given &given, const Sought &sought) const
+std::optional<Nearest> Hypothesis::nearest(const Given &given, const Target &sought) const
 {
     const std::optional<glm::dvec3> first = answerTo(given, sought.clicks[0]);
     if (!first)
@@ -117,7 +117,7 @@ std::optional<Nearest> Hypothesis::nearest(const Given &given, const Sought &sou
         closest, std::max({unitsOff(sought, 0, closest), unitsOff(sought, 1, closest), unitsOff(sought, 2, closest)})};
 }
 
-std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Sought> points, std::span<const Variant> list)
+std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Target> points, std::span<const Variant> list)
 {
     std::vector<Hypothesis> result;
     std::vector<const Variant *> effective;

@@ -13,7 +13,7 @@ namespace unprojector::doctor {
 
 /// A point that somebody got, and what programs are asked for to answer it: one click, or two where the depth is not known
 /// to the digit; then any answer between theirs will do, and any on their line where the depth is not known at all.
-struct Sought {
+struct Target {
     std::vector<Click> clicks; ///< one or two
     bool isLine = false;       ///< of two
     glm::dvec3 got{0.0};
@@ -28,7 +28,7 @@ constexpr double kCutOff = 1.1;
 
 /// By how many units of its last digit a coordinate is off an answer. Digits are cut off towards zero: more than rounding
 /// explains, and on the other side, is never less than two units.
-double unitsOff(const Sought &sought, int axis, const glm::dvec3 &answer);
+double unitsOff(const Target &sought, int axis, const glm::dvec3 &answer);
 
 /// The answer closest to what was got.
 struct Nearest {
@@ -52,7 +52,7 @@ struct Hypothesis {
     /// What the program answers; nothing where it has no answer.
     std::optional<glm::dvec3> answerTo(const Given &given, const Click &click) const;
     /// The answer closest to what was got.
-    std::optional<Nearest> nearest(const Given &given, const Sought &sought) const;
+    std::optional<Nearest> nearest(const Given &given, const Target &sought) const;
 };
 
 /// Whether two answers differ by no more than computing leaves.
@@ -60,6 +60,6 @@ bool isSameAnswer(const glm::dvec3 &a, const glm::dvec3 &b);
 
 /// The ways to make one mistake, and two of different ones; those without effect on all of the points are left out.
 /// @param list  must outlive what is returned
-std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Sought> points, std::span<const Variant> list);
+std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Target> points, std::span<const Variant> list);
 
 } // namespace unprojector::doctor

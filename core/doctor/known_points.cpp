@@ -8,6 +8,8 @@
 #include <utility>
 
 namespace unprojector::doctor {
+using namespace geometry;
+
 namespace {
 
 using Kind = KnownPoint::Kind;
@@ -23,7 +25,7 @@ glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)
     return glm::dvec3(result) / result.w;
 }
 
-bool isPoint(const Sought &sought, const glm::dvec3 &known)
+bool isPoint(const Target &sought, const glm::dvec3 &known)
 {
     for (int axis = 0; axis < 3; ++axis) {
         if (!(unitsOff(sought, axis, known) <= kCutOff))
@@ -32,13 +34,13 @@ bool isPoint(const Sought &sought, const glm::dvec3 &known)
     return true;
 }
 
-bool isWithin(const Sought &sought, const glm::dvec3 &known, double units)
+bool isWithin(const Target &sought, const glm::dvec3 &known, double units)
 {
     const glm::dvec3 off = glm::abs(known - sought.got) / sought.lastDigit;
     return off.x <= units && off.y <= units && off.z <= units;
 }
 
-bool isFineEnough(const Sought &sought)
+bool isFineEnough(const Target &sought)
 {
     const double distance = glm::length(sought.clicks.front().eye);
     const glm::dvec3 &digit = sought.lastDigit;
@@ -53,7 +55,7 @@ std::vector<KnownPoint> fixedPoints(const Given &given, const Case &scene, const
     // In eye space that is the world's origin.
     if (click.space != PointSpace::Eye)
         all.push_back({Kind::ViewTranslation, glm::dvec3(given.eyeFromWorld[3]) / given.eyeFromWorld[3].w, {}});
-    if (const auto *camera = std::get_if<LookAt>(&scene.picture.pose))
+    if (const auto *camera = std::get_if<LookAt>(&scene.setup.pose))
         all.push_back({Kind::CameraCentre, transformed(spaceFromWorld, camera->center.coordinates()), {}});
     all.push_back({Kind::WorldOrigin, transformed(spaceFromWorld, glm::dvec3(0.0)), {}});
     for (const PlacedModel &model : scene.models) {
@@ -64,7 +66,7 @@ std::vector<KnownPoint> fixedPoints(const Given &given, const Case &scene, const
 }
 
 /// The one vertex that a point is, in the point's space.
-std::optional<KnownPoint> vertexOf(const Given &given, const Case &scene, const Sought &sought)
+std::optional<KnownPoint> vertexOf(const Given &given, const Case &scene, const Target &sought)
 {
     const glm::dmat4 worldFromPoint = worldFromSpace(given, sought.clicks.front());
     Box box;
@@ -86,23 +88,23 @@ std::optional<KnownPoint> vertexOf(const Given &given, const Case &scene, const 
 
 } // namespace
 
-std::vector<KnownPoint> knownPoints(const Given &given, const Case &scene, std::span<const Sought> points)
+std::vector<KnownPoint> knownPoints(const Given &given, const Case &scene, std::span<const Target> points)
 {
     if (!std::all_of(points.begin(), points.end(), isFineEnough))
         return {};
     std::vector<KnownPoint> known = fixedPoints(given, scene, points.front().clicks.front());
     std::erase_if(known, [&](const KnownPoint &one) {
-        return !std::all_of(points.begin(), points.end(), [&](const Sought &p) { return isPoint(p, one.point); });
+        return !std::all_of(points.begin(), points.end(), [&](const Target &p) { return isPoint(p, one.point); });
     });
     return known;
 }
 
-std::vector<KnownPoint> knownVertices(const Given &given, const Case &scene, std::span<const Sought> points)
+std::vector<KnownPoint> knownVertices(const Given &given, const Case &scene, std::span<const Target> points)
 {
     if (!scene.verticesIn || !std::all_of(points.begin(), points.end(), isFineEnough))
         return {};
     std::vector<KnownPoint> vertices;
-    for (const Sought &sought : points) {
+    for (const Target &sought : points) {
         std::optional<KnownPoint> vertex = vertexOf(given, scene, sought);
         if (!vertex)
             return {};

@@ -6,6 +6,7 @@
 #include <string>
 
 namespace unprojector::doctor {
+using namespace geometry;
 using text::marked;
 namespace {
 

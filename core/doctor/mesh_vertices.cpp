@@ -5,6 +5,7 @@
 #include <algorithm>
 
 namespace unprojector::doctor {
+using namespace geometry;
 
 std::vector<KnownPoint> verticesIn(std::span<const scene::SceneObject> objects, const Box &world)
 {

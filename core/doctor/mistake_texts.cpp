@@ -88,10 +88,10 @@ std::string mistakeSentence(std::string_view id)
     return sentences;
 }
 
-std::string waysText(const std::vector<Way> &ways)
+std::string waysText(const std::vector<VariantName> &ways)
 {
     std::string text;
-    for (const Way &way : ways) {
+    for (const VariantName &way : ways) {
         const std::string next = way.words == nullptr ? way.value : tr(way.words, way.value);
         text = text.empty() ? next : tr("%1; %2|ways", text, next);
     }

@@ -18,7 +18,7 @@ std::string mistakeName(std::string_view id);
 /// What the program does, a sentence for each of its mistakes.
 std::string mistakeSentence(std::string_view id);
 /// In which ways mistakes are made: "ratio 1.5; x only"; empty for none.
-std::string waysText(const std::vector<Way> &ways);
+std::string waysText(const std::vector<VariantName> &ways);
 
 /// "the world's origin and the camera's centre".
 std::string knownPointName(const std::vector<KnownPoint> &known);

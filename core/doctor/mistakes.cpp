@@ -9,6 +9,7 @@
 #include <utility>
 
 namespace unprojector::doctor {
+using namespace geometry;
 using text::marked;
 namespace {
 
@@ -83,7 +84,7 @@ std::span<const Mistake> mistakes()
     return kMistakes;
 }
 
-void VariantList::add(std::string_view id, Stage stage, Apply apply, double parameter, Way way)
+void VariantList::add(std::string_view id, Stage stage, Apply apply, double parameter, VariantName way)
 {
     const auto *place = std::find_if(std::begin(kMistakes), std::end(kMistakes),
                                      [&](const Mistake &mistake) { return mistake.id == id; });
@@ -92,7 +93,7 @@ void VariantList::add(std::string_view id, Stage stage, Apply apply, double para
         {std::size_t(place - kMistakes), stage, apply, parameter, 0.0, glm::dmat4(1.0), std::move(way)});
 }
 
-void VariantList::add(std::string_view id, Stage stage, Apply apply, const Surface &size, Way way)
+void VariantList::add(std::string_view id, Stage stage, Apply apply, const Surface &size, VariantName way)
 {
     add(id, stage, apply, double(size.widthPixels), std::move(way));
     m_variants.back().second = size.heightPixels;

@@ -7,6 +7,8 @@
 #include <limits>
 
 namespace unprojector::doctor {
+using namespace geometry;
+
 namespace {
 
 /// Columns and rows of the grid.

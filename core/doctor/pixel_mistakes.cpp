@@ -9,6 +9,7 @@
 #include <vector>
 
 namespace unprojector::doctor {
+using namespace geometry;
 using text::marked;
 namespace {
 
@@ -24,7 +25,7 @@ void scaleViewport(Run &run, double factor)
 void addRatio(VariantList &list, double ratio)
 {
     const std::string value = text::shortestText(ratio);
-    const Way way(marked("ratio %1"), value);
+    const VariantName way(marked("ratio %1"), value);
     list.add(
         "ratio-logical-in-device", Stage::Pixel, [](Run &run, const Variant &v) { run.position /= v.parameter; }, ratio,
         way);

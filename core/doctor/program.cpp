@@ -10,6 +10,8 @@
 #include <utility>
 
 namespace unprojector::doctor {
+using namespace geometry;
+
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -117,23 +119,23 @@ void throughEye(Run &run, Mistakes &mistakes)
 
 } // namespace
 
-Result<Given> Given::of(const Picture &picture)
+Result<Given> Given::of(const Setup &setup)
 {
-    if (const Check valid = check(picture); !valid)
+    if (const Check valid = check(setup); !valid)
         return valid.error();
-    const Result<glm::dmat4> projection = geometry::clipFromEye(picture), view = geometry::eyeFromWorld(picture);
+    const Result<glm::dmat4> projection = geometry::clipFromEye(setup), view = geometry::eyeFromWorld(setup);
     if (!projection)
         return projection.error();
     if (!view)
         return view.error();
     Given given;
-    given.surface = picture.surface;
-    given.viewport = picture.viewport;
-    given.depthRange = picture.depthRange;
-    given.ndcDepth = ndcDepthOf(picture);
+    given.surface = setup.surface;
+    given.viewport = setup.viewport;
+    given.depthRange = setup.depthRange;
+    given.ndcDepth = ndcDepthOf(setup);
     given.clipFromEye = *projection;
     given.eyeFromWorld = *view;
-    readLens(given, picture.lens);
+    readLens(given, setup.lens);
     const glm::dmat4 worldFromEye = glm::inverse(*view);
     given.eyePosition = glm::dvec3(worldFromEye[3]) / worldFromEye[3].w;
     if (!checkFinite(glm::inverse(*projection)) || !checkFinite(worldFromEye))

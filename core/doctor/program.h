@@ -13,10 +13,10 @@ namespace unprojector::doctor {
 
 /// What the wrong program was given, whatever it made of it: the picture as plain numbers, worked out once.
 struct Given {
-    Surface surface;
-    Viewport viewport;
-    DepthRange depthRange;
-    NdcDepth ndcDepth = NdcDepth::MinusOneToOne;
+    geometry::Surface surface;
+    geometry::Viewport viewport;
+    geometry::DepthRange depthRange;
+    geometry::NdcDepth ndcDepth = geometry::NdcDepth::MinusOneToOne;
     bool isPerspective = true;
     bool isFrustum = false; ///< by the arguments of glFrustum, whose window stands on the near plane
     bool isReversed = false;
@@ -28,12 +28,12 @@ struct Given {
     glm::dvec3 eyePosition{0.0}; ///< world space
 
     /// @return the errors of check(picture), clipFromEye and eyeFromWorld; SingularMatrix
-    static Result<Given> of(const Picture &picture);
+    static geometry::Result<Given> of(const geometry::Setup &setup);
 };
 
 /// One click of the program, and what is right about it.
 struct Click {
-    DevicePoint pixel;
+    geometry::DevicePoint pixel;
     double depth = 0.0;
     PointSpace space = PointSpace::World;
     glm::dmat4 worldFromObject{1.0}; ///< of the object whose space the answer is in; the identity for others
@@ -66,7 +66,7 @@ struct Run {
     glm::dvec2 position{0.0}; ///< device pixels, origin top-left
     double flipHeight = 0.0;  ///< y_w = flipHeight - y
     bool isFlipped = true;
-    Viewport viewport;
+    geometry::Viewport viewport;
 
     glm::dvec2 window{0.0};
     double depth = 0.0; ///< 0 on the plane of the depth range's near end, 1 on the other
@@ -101,7 +101,7 @@ struct Variant {
     void (*apply)(Run &, const Variant &) = nullptr;
     double parameter = 0.0, second = 0.0;
     glm::dmat4 matrix{1.0}; ///< of a model
-    Way way;                ///< empty where the mistake has one
+    VariantName way;        ///< empty where the mistake has one
 };
 
 /// A program with these mistakes at its end, with what each stage left; nothing where it has no finite answer.

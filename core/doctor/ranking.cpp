@@ -61,11 +61,11 @@ std::string idOf(const Hypothesis &hypothesis)
     return id;
 }
 
-std::vector<Way> waysOf(const Hypothesis &hypothesis)
+std::vector<VariantName> waysOf(const Hypothesis &hypothesis)
 {
-    std::vector<Way> ways;
+    std::vector<VariantName> ways;
     for (std::size_t i = 0; i < hypothesis.count; ++i) {
-        if (const Way &way = hypothesis.parts[i]->way; !way.isEmpty())
+        if (const VariantName &way = hypothesis.parts[i]->way; !way.isEmpty())
             ways.push_back(way);
     }
     return ways;

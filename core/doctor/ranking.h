@@ -11,7 +11,7 @@ namespace unprojector::doctor {
 /// The id of a hypothesis: "right", that of its mistake, or those of both with a plus.
 std::string idOf(const Hypothesis &hypothesis);
 /// In which ways its mistakes are made, where there are several.
-std::vector<Way> waysOf(const Hypothesis &hypothesis);
+std::vector<VariantName> waysOf(const Hypothesis &hypothesis);
 
 /// Hypotheses by how well they explain the points, the best first, each pair of mistakes once, by its best variant.
 ///

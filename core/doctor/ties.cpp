@@ -8,6 +8,8 @@
 #include <vector>
 
 namespace unprojector::doctor {
+using namespace geometry;
+
 namespace {
 
 bool isSame(const glm::dvec3 &a, const glm::dvec3 &b)
@@ -51,9 +53,9 @@ bool isSameEverywhere(const Given &given, const Click &like, const Hypothesis &a
 
 } // namespace
 
-bool isSameHere(const Given &given, std::span<const Sought> points, const Hypothesis &a, const Hypothesis &b)
+bool isSameHere(const Given &given, std::span<const Target> points, const Hypothesis &a, const Hypothesis &b)
 {
-    return std::all_of(points.begin(), points.end(), [&](const Sought &sought) {
+    return std::all_of(points.begin(), points.end(), [&](const Target &sought) {
         return std::all_of(sought.clicks.begin(), sought.clicks.end(), [&](const Click &click) {
             const auto first = a.answerTo(given, click), second = b.answerTo(given, click);
             return first && second && isSameAnswer(*first, *second);
@@ -61,18 +63,18 @@ bool isSameHere(const Given &given, std::span<const Sought> points, const Hypoth
     });
 }
 
-Alike alikeOf(const Given &given, std::span<const Sought> points, const Hypothesis &best, const Hypothesis &other)
+Alike alikeOf(const Given &given, std::span<const Target> points, const Hypothesis &best, const Hypothesis &other)
 {
     if (isSameHere(given, points, best, other))
         return isSameEverywhere(given, points.front().clicks.front(), best, other) ? Alike::Always : Alike::Here;
     // By the ray alone all mistakes of the depth explain a point on it.
-    if (std::any_of(points.begin(), points.end(), [](const Sought &sought) { return sought.isLine; }))
+    if (std::any_of(points.begin(), points.end(), [](const Target &sought) { return sought.isLine; }))
         return Alike::No;
     const double allowed = best.worst <= kRounded ? kRounded : kCutOff;
     return other.count == best.count && other.worst <= allowed ? Alike::InDigits : Alike::No;
 }
 
-bool isRestated(const Given &given, std::span<const Sought> points, const Hypothesis &best, const Hypothesis &pair)
+bool isRestated(const Given &given, std::span<const Target> points, const Hypothesis &best, const Hypothesis &pair)
 {
     return best.count == 1 && pair.count == 2 && pair.parts[0]->stage == pair.parts[1]->stage
            && alikeOf(given, points, best, pair) == Alike::Always;

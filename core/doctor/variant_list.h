@@ -16,9 +16,9 @@ public:
     using Apply = void (*)(Run &, const Variant &);
 
     /// @param way  where there are several
-    void add(std::string_view id, Stage stage, Apply apply, double parameter = 0.0, Way way = {});
+    void add(std::string_view id, Stage stage, Apply apply, double parameter = 0.0, VariantName way = {});
     /// One of another size of the window; its parameters are width and height.
-    void add(std::string_view id, Stage stage, Apply apply, const Surface &size, Way way = {});
+    void add(std::string_view id, Stage stage, Apply apply, const geometry::Surface &size, VariantName way = {});
     /// One of a model's matrix.
     void add(std::string_view id, Apply apply, const PlacedModel &model);
 
@@ -30,9 +30,9 @@ private:
 };
 
 // Each family's, as they can be made on what was given.
-void addPixelMistakes(VariantList &list, const Given &given, const std::optional<Surface> &otherSize);
+void addPixelMistakes(VariantList &list, const Given &given, const std::optional<geometry::Surface> &otherSize);
 void addDepthMistakes(VariantList &list, const Given &given);
-void addLensMistakes(VariantList &list, const Given &given, const std::optional<Surface> &otherSize);
+void addLensMistakes(VariantList &list, const Given &given, const std::optional<geometry::Surface> &otherSize);
 void addMatrixMistakes(VariantList &list);
 void addPointMistakes(VariantList &list, std::span<const PlacedModel> models);
 

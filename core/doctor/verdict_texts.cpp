@@ -12,12 +12,13 @@ std::string rightnessText(const Diagnosis &diagnosis)
 {
     const bool isByRay = diagnosis.depthKnown == DepthKnown::ByRay;
     switch (diagnosis.landing) {
-    case Landing::Right:
+    case ErrorKind::Right:
         return tr(isByRay ? "as far as the digits given tell, the pixel is right"
                           : "as far as the digits given tell, pixel and depth are right");
-    case Landing::Pixel: return tr("the depth is right, the pixel is not: pixel, viewport or lens");
-    case Landing::Depth: return tr("the pixel is right, the depth is not");
-    case Landing::Matrix: return tr(isByRay ? "the pixel is not right" : "neither pixel nor depth is right: a matrix");
+    case ErrorKind::Pixel: return tr("the depth is right, the pixel is not: pixel, viewport or lens");
+    case ErrorKind::Depth: return tr("the pixel is right, the depth is not");
+    case ErrorKind::Matrix:
+        return tr(isByRay ? "the pixel is not right" : "neither pixel nor depth is right: a matrix");
     }
     return {};
 }
@@ -51,7 +52,7 @@ std::string verdictSentence(const Diagnosis &diagnosis)
                           : "The point is right to the digits given.");
     if (!first.explains)
         return tr("Nothing that is known explains this point: none of %1 mistakes and pairs of them.", diagnosis.tried);
-    if (isByRay && diagnosis.landing == Landing::Depth)
+    if (isByRay && diagnosis.landing == ErrorKind::Depth)
         return tr("The pixel is right, and the depth is not; by the ray alone the mistakes of the depth cannot be told "
                   "from each other: give the depth.");
     return tr("\"%1\" would explain the point, but that may be chance: give more digits, or another click.",

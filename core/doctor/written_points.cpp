@@ -12,6 +12,8 @@
 #include <utility>
 
 namespace unprojector::doctor {
+using namespace geometry;
+
 namespace {
 
 using text::CsvCell;

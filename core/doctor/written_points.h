@@ -39,14 +39,14 @@ struct NumbersFault {
 /// @param wanted  "the three coordinates as the program has printed them"
 std::string faultText(const NumbersFault &fault, const std::string &wanted);
 /// As writtenNumbers.
-Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view text, std::size_t count);
+geometry::Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view text, std::size_t count);
 
 /// The unit of a depth's last digit, see WrongPoint. One of fewer than four decimals is taken for exact, as 0.5 is; one of
 /// more for rounded.
 double depthLastDigit(const WrittenNumber &depth);
 
 /// That a depth lies outside the range of a picture's depths, and what to do.
-std::string depthOutsideText(const std::string &depth, const DepthRange &range);
+std::string depthOutsideText(const std::string &depth, const geometry::DepthRange &range);
 
 /// The columns of a table of wrong points, by their names.
 constexpr std::array<std::string_view, 6> kPointColumns{"px", "py", "depth", "x", "y", "z"};
@@ -70,9 +70,9 @@ struct PointTableError {
 };
 /// The rows of a table, CSV as RFC 4180 has it. With a header, whose names are found in any order and capitals; without, its columns
 /// are those of kPointColumns.
-Result<std::vector<PointRow>, PointTableError> pointRows(std::string_view text);
+geometry::Result<std::vector<PointRow>, PointTableError> pointRows(std::string_view text);
 
 /// @return the place, in kPointColumns, of the first cell that is no number; their number where the row is too long
-Result<WrongPoint, std::size_t> pointOf(const PointRow &row);
+geometry::Result<WrongPoint, std::size_t> pointOf(const PointRow &row);
 
 } // namespace unprojector::doctor

@@ -5,6 +5,9 @@
 #include "core/examples/head.h"
 
 namespace unprojector::examples {
+using namespace mesh;
+using namespace scene;
+
 namespace {
 
 std::map<std::string, std::shared_ptr<const Model>> builtModels()

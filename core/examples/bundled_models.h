@@ -7,10 +7,9 @@
 #include <string>
 
 namespace unprojector::examples {
-using namespace mesh;
 
 /// The models that the program brings along, by the names that scene files know them by. Built by the first call, from
 /// whatever thread it comes; all scenes share them.
-const std::map<std::string, std::shared_ptr<const Model>> &bundledModels();
+const std::map<std::string, std::shared_ptr<const mesh::Model>> &bundledModels();
 
 } // namespace unprojector::examples

@@ -12,6 +12,9 @@
 #include <utility>
 
 namespace unprojector::examples {
+using namespace geometry;
+using namespace mesh;
+using namespace scene;
 
 namespace {
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 namespace unprojector::examples {
-using namespace scene;
 
 /// What the program shows before a file is opened: a teapot, a cube whose faces differ in colour, a torus, a ball and a
 /// cone, side by side on the plane y = 0, y up, a few world units apart and at clearly different depths. Seen from
@@ -13,6 +12,6 @@ using namespace scene;
 /// another. Colours are sRGB bytes or fractions; where a mesh has vertex colours its base colour is white.
 ///
 /// The meshes are built anew on every call, in milliseconds.
-std::vector<SceneObject> bundledScene();
+std::vector<scene::SceneObject> bundledScene();
 
 } // namespace unprojector::examples

@@ -6,13 +6,12 @@
 #include <vector>
 
 namespace unprojector::examples {
-using namespace scene;
 
 /// A scene of one of the tutorials, with its literal parameters, for the lessons to show. Where the tutorial follows a point of
 /// its own, that is the scene's given point.
 struct Example {
     std::string id; ///< "zhangci-ortho"
-    Scene scene;
+    scene::Scene scene;
 };
 
 /// All examples in the order of the tutorials. Each is a valid scene with something to see, and can be written to a file and

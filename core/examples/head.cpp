@@ -11,6 +11,8 @@
 #include <vector>
 
 namespace unprojector::examples {
+using namespace mesh;
+
 namespace {
 
 constexpr int kRings = 144; ///< from the foremost point to the hindmost

@@ -11,6 +11,7 @@
 #include <utility>
 
 namespace unprojector::examples {
+using namespace mesh;
 
 namespace {
 

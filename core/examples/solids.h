@@ -5,7 +5,6 @@
 #include <cstddef>
 
 namespace unprojector::examples {
-using namespace mesh;
 
 // Solids centred on their origin, closed, counter-clockwise from outside, uncoloured. Lengths and radii must be
 // positive; the corners lie on the ideal surface, so a rounded solid's volume is a little less than the ideal one's.
@@ -14,19 +13,19 @@ using namespace mesh;
 inline constexpr std::size_t kVerticesPerCubeFace = 4;
 
 /// A cube with flat normals: 6 faces in the order +x, -x, +y, -y, +z, -z, 12 triangles.
-Mesh cubeMesh(double edgeLength);
+mesh::Mesh cubeMesh(double edgeLength);
 
 /// A torus around the z axis, smooth: 2 ringSegments tubeSegments triangles. A multiple of 4 ringSegments puts vertices
 /// on the extremes of x and y. ringRadius, to the middle of the tube, must exceed tubeRadius; at least 3 segments each.
-Mesh torusMesh(double ringRadius, double tubeRadius, int ringSegments, int tubeSegments);
+mesh::Mesh torusMesh(double ringRadius, double tubeRadius, int ringSegments, int tubeSegments);
 
 /// A sphere, smooth: an icosahedron whose triangles are cut in four `subdivisions` times: 20 * 4^subdivisions triangles
 /// of about the same size, without the poles of a grid of longitudes. Vertices lie on all six extremes from one
 /// subdivision on.
-Mesh sphereMesh(double radius, int subdivisions);
+mesh::Mesh sphereMesh(double radius, int subdivisions);
 
 /// A cone, apex up: apex (0, height / 2, 0), base a disc in y = -height / 2. A smooth side and a flat base;
 /// 2 segments triangles, at least 3 segments.
-Mesh coneMesh(double baseRadius, double height, int segments);
+mesh::Mesh coneMesh(double baseRadius, double height, int segments);
 
 } // namespace unprojector::examples

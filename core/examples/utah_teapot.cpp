@@ -6,6 +6,7 @@
 #include <cstddef>
 
 namespace unprojector::examples {
+using namespace mesh;
 
 namespace {
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 namespace unprojector::examples {
-using namespace mesh;
 
 /// The control points of a bicubic Bézier patch, [v][u].
 using BezierPatch = std::array<std::array<glm::dvec3, 4>, 4>;
@@ -32,6 +31,6 @@ std::vector<BezierPatch> utahTeapotPatches();
 /// end open inside the body, and the spout's mouth is open. Elsewhere neighbouring patches meet in the same floats.
 ///
 /// @param divisionsPerSide  at least 2, or tubes would be flat; 10 gives 6320 triangles (64 n^2 - 8 n)
-Mesh utahTeapotMesh(int divisionsPerSide = 10);
+mesh::Mesh utahTeapotMesh(int divisionsPerSide = 10);
 
 } // namespace unprojector::examples

@@ -79,18 +79,18 @@ AxisChange clipChange(const ApiConventions &api, NdcDepth depth)
 }
 
 /// windowFromNdc, also for NDC depths in [0, 1].
-AxisChange viewportChange(const Picture &picture)
+AxisChange viewportChange(const Setup &setup)
 {
-    const Viewport &v = picture.viewport;
-    const double atNear = picture.depthRange.atNear, depth = picture.depthRange.atFar - atNear;
-    const bool isZeroToOne = ndcDepthOf(picture) == NdcDepth::ZeroToOne;
+    const Viewport &v = setup.viewport;
+    const double atNear = setup.depthRange.atNear, depth = setup.depthRange.atFar - atNear;
+    const bool isZeroToOne = ndcDepthOf(setup) == NdcDepth::ZeroToOne;
     return {{v.width / 2.0, v.height / 2.0, isZeroToOne ? depth : depth / 2.0},
             {v.x + v.width / 2.0, v.y + v.height / 2.0, isZeroToOne ? atNear : atNear + depth / 2.0}};
 }
 
-std::optional<RecognisedProjection> formOf(const Picture &picture)
+std::optional<RecognisedProjection> formOf(const Setup &setup)
 {
-    const auto *matrix = std::get_if<MatrixProjection>(&picture.lens);
+    const auto *matrix = std::get_if<MatrixProjection>(&setup.lens);
     const auto form = matrix ? recognised(*matrix) : Result<RecognisedProjection>(Error{ErrorCode::NotFinite});
     return form ? std::optional(*form) : std::nullopt;
 }
@@ -137,22 +137,22 @@ AxisChange AxisChange::inverse() const
     return {1.0 / scale, -shift / scale};
 }
 
-ApiSpaces apiSpaces(const Picture &picture, Api which)
+ApiSpaces apiSpaces(const Setup &setup, Api which)
 {
     const ApiConventions &api = conventionsOf(which);
-    const std::optional<RecognisedProjection> form = formOf(picture);
-    const auto &[atNear, atFar] = picture.depthRange;
+    const std::optional<RecognisedProjection> form = formOf(setup);
+    const auto &[atNear, atFar] = setup.depthRange;
     const bool isReversed = (atNear > atFar) != (form && form->reversed);
 
     AxisChange window;
     if (api.isOriginTop) {
         window.scale.y = -1.0;
-        window.shift.y = picture.surface.heightPixels;
+        window.shift.y = setup.surface.heightPixels;
     }
     constexpr double kCentre = 0.5; // of our own pixels
     window.shift += glm::dvec3(api.pixelCentre - kCentre, api.pixelCentre - kCentre, 0.0);
     if (api.areLogicalPixels) {
-        const glm::dvec3 ratio(picture.surface.devicePixelRatio, picture.surface.devicePixelRatio, 1.0);
+        const glm::dvec3 ratio(setup.surface.devicePixelRatio, setup.surface.devicePixelRatio, 1.0);
         window.scale /= ratio;
         window.shift /= ratio;
     }
@@ -160,34 +160,34 @@ ApiSpaces apiSpaces(const Picture &picture, Api which)
         window.scale.z = -1.0;
         window.shift.z = atNear + atFar;
     }
-    return {worldChange(api), eyeChange(api, form && form->looksAlongPlusZ), clipChange(api, ndcDepthOf(picture)),
+    return {worldChange(api), eyeChange(api, form && form->looksAlongPlusZ), clipChange(api, ndcDepthOf(setup)),
             window};
 }
 
-Result<ApiCamera> apiCamera(const Picture &picture, Api api)
+Result<ApiCamera> apiCamera(const Setup &setup, Api api)
 {
-    const Result<glm::dmat4> view = eyeFromWorld(picture), projection = clipFromEye(picture);
+    const Result<glm::dmat4> view = eyeFromWorld(setup), projection = clipFromEye(setup);
     if (!view)
         return view.error();
     if (!projection)
         return projection.error();
-    const ApiSpaces spaces = apiSpaces(picture, api);
+    const ApiSpaces spaces = apiSpaces(setup, api);
     ApiCamera camera;
     camera.eyeFromWorld = spaces.eye.matrix() * *view * spaces.world.inverse().matrix();
     camera.clipFromEye = spaces.clip.matrix() * *projection * spaces.eye.inverse().matrix();
-    camera.windowFromNdc = spaces.window.matrix() * viewportChange(picture).matrix() * spaces.clip.inverse().matrix();
+    camera.windowFromNdc = spaces.window.matrix() * viewportChange(setup).matrix() * spaces.clip.inverse().matrix();
     if (api == Api::OpenCv)
         camera.intrinsics = intrinsicsOf(camera.clipFromEye, camera.windowFromNdc);
     return camera;
 }
 
-Result<ApiClick> apiClick(const Picture &picture, Api api, const WindowPoint &window, const EyePoint &eye,
+Result<ApiClick> apiClick(const Setup &setup, Api api, const WindowPoint &window, const EyePoint &eye,
                           const WorldPoint &world)
 {
-    const Result<glm::dmat4> projection = clipFromEye(picture);
+    const Result<glm::dmat4> projection = clipFromEye(setup);
     if (!projection)
         return projection.error();
-    const ApiSpaces spaces = apiSpaces(picture, api);
+    const ApiSpaces spaces = apiSpaces(setup, api);
     ApiClick click;
     const glm::dvec3 pixel = spaces.window * glm::dvec3(window.coordinates());
     click.position = glm::dvec2(pixel);
@@ -199,7 +199,7 @@ Result<ApiClick> apiClick(const Picture &picture, Api api, const WindowPoint &wi
         click.ndc = click.eye / click.eye.z;
         return click;
     }
-    const NdcPoint ndc = ndcFromWindow(picture.viewport, picture.depthRange, window, ndcDepthOf(picture));
+    const NdcPoint ndc = ndcFromWindow(setup.viewport, setup.depthRange, window, ndcDepthOf(setup));
     click.ndc = spaces.clip * glm::dvec3(ndc.coordinates());
     click.clip = spaces.clip * (*projection * glm::dvec4(eye.coordinates(), 1.0));
     return click;

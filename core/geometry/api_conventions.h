@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -69,8 +69,8 @@ struct ApiSpaces {
     AxisChange window; ///< the position of a pixel and what the depth buffer holds there
 };
 
-/// @param picture  its eye space may look along +z, its NDC depth be [0, 1]: then these are changed as well
-ApiSpaces apiSpaces(const Picture &picture, Api api);
+/// @param setup  its eye space may look along +z, its NDC depth be [0, 1]: then these are changed as well
+ApiSpaces apiSpaces(const Setup &setup, Api api);
 
 /// A picture's matrices as an API has them, acting on column vectors; where vectors are rows, they are to be transposed. What
 /// they show is the same picture.
@@ -84,7 +84,7 @@ struct ApiCamera {
 };
 
 /// @return the errors of clipFromEye and eyeFromWorld
-Result<ApiCamera> apiCamera(const Picture &picture, Api api);
+Result<ApiCamera> apiCamera(const Setup &setup, Api api);
 
 /// A click in an API's own terms.
 struct ApiClick {
@@ -98,7 +98,7 @@ struct ApiClick {
 /// @param window      of this program: device pixels, origin bottom-left
 /// @param eye, world  the point that the click unprojects to
 /// @return the errors of apiCamera
-Result<ApiClick> apiClick(const Picture &picture, Api api, const WindowPoint &window, const EyePoint &eye,
+Result<ApiClick> apiClick(const Setup &setup, Api api, const WindowPoint &window, const EyePoint &eye,
                           const WorldPoint &world);
 
 /// A projection and a view as an API writes them, for those that a scene has, and back: signs and no more, except that a depth

@@ -105,19 +105,19 @@ LookAt seenFrom(const LookAt &camera, StandardView side)
     return {camera.center + towardsViewer * centerDistance(camera), camera.center, up};
 }
 
-double worldPerLogicalPixel(const Picture &geometry, const WorldPoint &anchor)
+double worldPerLogicalPixel(const Setup &setup, const WorldPoint &anchor)
 {
-    const double distance = -eyeFromWorld(frameOf(geometry.camera()), anchor).z;
-    return pixelFootprint(geometry, distance).y * geometry.surface.devicePixelRatio;
+    const double distance = -eyeFromWorld(frameOf(setup.camera()), anchor).z;
+    return pixelFootprint(setup, distance).y * setup.surface.devicePixelRatio;
 }
 
-Picture zoomed(const Picture &geometry, const WorldPoint &anchor, double factor)
+Setup zoomed(const Setup &setup, const WorldPoint &anchor, double factor)
 {
-    Picture result = geometry;
-    const EyeFrame frame = frameOf(geometry.camera());
+    Setup result = setup;
+    const EyeFrame frame = frameOf(setup.camera());
     const EyePoint inEye = eyeFromWorld(frame, anchor);
-    const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(geometry.camera());
-    if (isPerspective(geometry.projection())) {
+    const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(setup.camera());
+    if (isPerspective(setup.projection())) {
         result.camera().eye = frame.eye + (anchor - frame.eye) * (1.0 - 1.0 / factor);
     } else {
         // The eye of a box comes along: that changes nothing in the picture of a glOrtho, and a perspective that is
@@ -140,28 +140,28 @@ Picture zoomed(const Picture &geometry, const WorldPoint &anchor, double factor)
     return result;
 }
 
-LookAt recentered(const Picture &geometry, const WorldPoint &point)
+LookAt recentered(const Setup &setup, const WorldPoint &point)
 {
-    const EyeFrame frame = frameOf(geometry.camera());
+    const EyeFrame frame = frameOf(setup.camera());
     const EyePoint inEye = eyeFromWorld(frame, point);
     // The middle of the picture is the middle of the projection's window, which need not be on the view axis.
-    const ProjectionWindow w = projectionWindow(geometry.projection());
-    const double scale = isPerspective(geometry.projection()) ? -inEye.z / w.nearDistance : 1.0;
+    const ProjectionWindow w = projectionWindow(setup.projection());
+    const double scale = isPerspective(setup.projection()) ? -inEye.z / w.nearDistance : 1.0;
     glm::dvec2 middle((w.left + w.right) / 2.0 * scale, (w.bottom + w.top) / 2.0 * scale);
-    if (const auto *oblique = std::get_if<Oblique>(&geometry.projection()))
+    if (const auto *oblique = std::get_if<Oblique>(&setup.projection()))
         middle -= glm::dvec2(cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians)) * inEye.z;
     const WorldVector offset = (inEye.x - middle.x) * frame.side + (inEye.y - middle.y) * frame.upward;
-    LookAt camera = moved(geometry.camera(), offset);
+    LookAt camera = moved(setup.camera(), offset);
     const double distance = -inEye.z > 0.0 ? -inEye.z : centerDistance(camera);
     camera.center = camera.eye + frame.forward * distance;
     return camera;
 }
 
-Projection withFittedClipDistances(const Picture &geometry, const Box &bounds, const Box &reach)
+Projection withFittedClipDistances(const Setup &setup, const Box &bounds, const Box &reach)
 {
     if (bounds.isEmpty())
-        return geometry.projection();
-    const EyeFrame frame = frameOf(geometry.camera());
+        return setup.projection();
+    const EyeFrame frame = frameOf(setup.camera());
     const auto distances = [&frame](const Box &box) {
         double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
         for (int corner = 0; corner < 8; ++corner) {
@@ -173,17 +173,17 @@ Projection withFittedClipDistances(const Picture &geometry, const Box &bounds, c
         }
         return std::pair(lowest, highest);
     };
-    const double margin = std::max(bounds.diagonal() * 0.01, centerDistance(geometry.camera()) * 1e-3);
+    const double margin = std::max(bounds.diagonal() * 0.01, centerDistance(setup.camera()) * 1e-3);
     auto [lowest, highest] = distances(bounds);
     if (!reach.isEmpty())
         highest = std::max(highest, distances(reach).second);
     double n = lowest - margin;
     double f = highest + margin;
-    if (isPerspective(geometry.projection())) {
-        n = std::max(n, centerDistance(geometry.camera()) * 0.01);
+    if (isPerspective(setup.projection())) {
+        n = std::max(n, centerDistance(setup.camera()) * 0.01);
         f = std::max(f, n * 2.0);
     }
-    return withClipDistances(geometry.projection(), n, f);
+    return withClipDistances(setup.projection(), n, f);
 }
 
 } // namespace unprojector::geometry

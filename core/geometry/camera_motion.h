@@ -2,7 +2,7 @@
 
 #include "core/geometry/box.h"
 #include "core/geometry/camera.h"
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 
 namespace unprojector::geometry {
 
@@ -25,19 +25,19 @@ LookAt seenFrom(const LookAt &camera, StandardView side);
 
 /// World size of one logical pixel at the depth of `anchor`: what a hand, whose ways are logical pixels, moves by.
 /// @pre the geometry is valid
-double worldPerLogicalPixel(const Picture &geometry, const WorldPoint &anchor);
+double worldPerLogicalPixel(const Setup &setup, const WorldPoint &anchor);
 
 /// Zooms by `factor` (> 1: closer) so that `anchor` stays where it is in the picture: a perspective's eye moves
 /// along the ray to it, a box shrinks about it while its eye steps forward. The centre moves to the anchor's depth.
-Picture zoomed(const Picture &geometry, const WorldPoint &anchor, double factor);
+Setup zoomed(const Setup &setup, const WorldPoint &anchor, double factor);
 
 /// Shifts the camera sideways so that `point` comes to the middle of the picture, and makes its depth the centre's.
-LookAt recentered(const Picture &geometry, const WorldPoint &point);
+LookAt recentered(const Setup &setup, const WorldPoint &point);
 
 /// Clip distances that hold the box tightly, which gives the depth buffer's steps to the scene; what lies in front
 /// of the eye by less than 1% of the centre's distance is cut off in a perspective.
 /// @param bounds  of what is picked; empty: the distances stay
 /// @param reach   of what is only drawn (ground, axes): it stretches the far plane, not the near one
-Projection withFittedClipDistances(const Picture &geometry, const Box &bounds, const Box &reach);
+Projection withFittedClipDistances(const Setup &setup, const Box &bounds, const Box &reach);
 
 } // namespace unprojector::geometry

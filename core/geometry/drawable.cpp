@@ -36,11 +36,11 @@ Check checkDepthRangeEnd(double depth)
     return std::monostate{};
 }
 
-Result<Drawable> drawable(const Picture &picture)
+Result<Drawable> drawable(const Setup &setup)
 {
-    if (const Check valid = check(picture); !valid)
+    if (const Check valid = check(setup); !valid)
         return valid.error();
-    const auto &[surface, viewport, range, lens, pose] = picture;
+    const auto &[surface, viewport, range, lens, pose] = setup;
     if (surface.widthPixels > kMostDrawnPixels || surface.heightPixels > kMostDrawnPixels)
         return Error{ErrorCode::FramebufferTooLarge, double(surface.widthPixels), double(surface.heightPixels)};
     for (const double pixels : {viewport.x, viewport.y, viewport.width, viewport.height}) {
@@ -51,7 +51,7 @@ Result<Drawable> drawable(const Picture &picture)
         if (const Check valid = checkDepthRangeEnd(depth); !valid)
             return valid.error();
     }
-    Drawable result{picture,
+    Drawable result{setup,
                     static_cast<std::int32_t>(viewport.x),
                     static_cast<std::int32_t>(viewport.y),
                     static_cast<std::int32_t>(viewport.width),
@@ -60,7 +60,7 @@ Result<Drawable> drawable(const Picture &picture)
                     static_cast<float>(range.atFar)};
     if (result.depthAtNear == result.depthAtFar)
         return Error{ErrorCode::EmptyDepthRange, range.atNear};
-    result.picture.depthRange = {exactDouble(result.depthAtNear), exactDouble(result.depthAtFar)};
+    result.setup.depthRange = {exactDouble(result.depthAtNear), exactDouble(result.depthAtFar)};
     return result;
 }
 

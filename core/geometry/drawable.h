@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 
 #include <cstdint>
 
@@ -13,7 +13,7 @@ constexpr int kMostDrawnPixels = 16384;
 /// clicks on them are unprojected with `picture`, which says the same in doubles: nothing is rounded between the two. The
 /// matrix, which shaders take in single precision, is rounded once for each object.
 struct Drawable {
-    Picture picture;                                  ///< its depth range is the one that OpenGL has
+    Setup setup;                                      ///< its depth range is the one that OpenGL has
     std::int32_t x = 0, y = 0, width = 0, height = 0; ///< glViewport
     float depthAtNear = 0.0f,
           depthAtFar = 1.0f; ///< glDepthRangef; the depth buffer is cleared to that of the far plane
@@ -23,7 +23,7 @@ struct Drawable {
 /// it would change by more, or cut without a word, is refused.
 /// @return the errors of check(picture); FramebufferTooLarge; ViewportNotWhole; ViewportTooLarge; DepthRangeNotDrawable (an
 ///         end below 0 or above 1); EmptyDepthRange (two ends that are one in single precision)
-Result<Drawable> drawable(const Picture &picture);
+Result<Drawable> drawable(const Setup &setup);
 
 /// Whether OpenGL takes a number of a viewport as it is.
 /// @return NotFinite; ViewportNotWhole; ViewportTooLarge

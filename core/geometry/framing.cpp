@@ -28,9 +28,9 @@ constexpr double kLeastShare = 0.02;
 
 } // namespace
 
-Framing::Framing(const Picture &picture) : m_picture(picture), m_frame(frameOf(picture.camera()))
+Framing::Framing(const Setup &setup) : m_setup(setup), m_frame(frameOf(setup.camera()))
 {
-    const Projection &projection = picture.projection();
+    const Projection &projection = setup.projection();
     const ProjectionWindow w = projectionWindow(projection);
     const double distance = isPerspective(projection) ? w.nearDistance : 1.0;
     const glm::dvec2 one(w.left / distance, w.bottom / distance), other(w.right / distance, w.top / distance);
@@ -125,7 +125,7 @@ double Framing::size() const
     return m_lowest[Forward] > m_highest[Forward] ? 0.0 : std::hypot(extent(Side), extent(Upward), extent(Forward));
 }
 
-Picture Framing::picture() const
+Setup Framing::setup() const
 {
     if (size() > 0.0)
         return framed();
@@ -143,14 +143,14 @@ Picture Framing::picture() const
     return surroundings.framed();
 }
 
-Picture Framing::framed() const
+Setup Framing::framed() const
 {
-    Picture result = m_picture;
+    Setup result = m_setup;
     LookAt &camera = result.camera();
     const double depth = middle(Forward); // of what is shown; the camera's centre comes there
     glm::dvec2 across(0.0);               // of the eye, along the picture's axes
     double along = 0.0;
-    if (isPerspective(m_picture.projection())) {
+    if (isPerspective(m_setup.projection())) {
         // Where the points that touch opposite rims do so both at once: closer than that is too close.
         along = std::min((m_lowest[FromLeft] - m_highest[FromRight]) / (m_high.x - m_low.x),
                          (m_lowest[FromBottom] - m_highest[FromTop]) / (m_high.y - m_low.y));
@@ -176,7 +176,7 @@ Picture Framing::framed() const
         else if (auto *oblique = std::get_if<Oblique>(&result.projection()))
             oblique->box = scaled(oblique->box);
         // The eye of a box comes along, so that a perspective that is switched to later has the field of view it had.
-        along = depth - distance(m_picture.camera().center, m_picture.camera().eye) * scale;
+        along = depth - distance(m_setup.camera().center, m_setup.camera().eye) * scale;
         across = glm::dvec2(middle(FromLeft), middle(FromBottom)) + m_shear * along - windowMiddle;
     }
     camera.eye = WorldPoint() + m_frame.side * across.x + m_frame.upward * across.y + m_frame.forward * along;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 
 #include <glm/vec3.hpp>
 
@@ -20,7 +20,7 @@ public:
     static constexpr double kFilled = 0.9;
 
     /// @pre the picture is valid and by parameters
-    explicit Framing(const Picture &picture);
+    explicit Framing(const Setup &setup);
 
     void add(const WorldPoint &point);
     /// Those points of a list that are named by the indices, as those of triangles are; all of them without indices.
@@ -31,7 +31,7 @@ public:
     /// The picture with the camera, and in a box with the window, that shows all points that were added, their middle in
     /// its middle. Of a single point it shows the surroundings, one world unit wide, and without any those of the origin.
     /// Near and far stay as they are.
-    Picture picture() const;
+    Setup setup() const;
 
 private:
     /// What is measured of a point: along the picture's axes, and from the rims of the filled part of the window.
@@ -42,9 +42,9 @@ private:
     double middle(Measure measure) const { return (m_lowest[measure] + m_highest[measure]) / 2.0; }
     double extent(Measure measure) const { return m_highest[measure] - m_lowest[measure]; }
     double size() const;
-    Picture framed() const;
+    Setup framed() const;
 
-    Picture m_picture;
+    Setup m_setup;
     EyeFrame m_frame;
     glm::dvec2 m_low, m_high;                   ///< rims of the filled part, at a distance of 1; of a box in eye units
     glm::dvec2 m_shear{0.0};                    ///< of an oblique projection

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 #include "core/geometry/view_volume.h"
 
 #include <glm/ext/quaternion_double.hpp>

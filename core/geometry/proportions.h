@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 
 #include <glm/vec2.hpp>
 
@@ -20,7 +20,7 @@ struct Proportions {
 /// @param window  device pixels, origin bottom-left; its depth is not used
 /// @pre the geometry is valid
 /// Source: Weng et al. 2008, section 2.2. An oblique projection's x_w and y_w are those of the sheared box.
-Proportions proportions(const Picture &geometry, const WindowPoint &window);
+Proportions proportions(const Setup &setup, const WindowPoint &window);
 
 /// How many times as wide as high a circle parallel to the projection plane is drawn:
 ///
@@ -28,13 +28,13 @@ Proportions proportions(const Picture &geometry, const WindowPoint &window);
 ///
 /// 1 where the projection window has the viewport's aspect. Pixels are taken as square.
 /// @pre the geometry is valid
-double circleAspect(const Picture &geometry);
+double circleAspect(const Setup &setup);
 
 /// Width and height of a pixel at a distance: (r-l) z / (n width) by (t-b) z / (n height) in perspective, (r-l) / width by
 /// (t-b) / height in a box.
 /// @param distance  z > 0 in front of the eye (any z for a box), eye units
 /// @return world units
 /// @pre the picture is valid and by parameters
-glm::dvec2 pixelFootprint(const Picture &picture, double distance);
+glm::dvec2 pixelFootprint(const Setup &setup, double distance);
 
 } // namespace unprojector::geometry

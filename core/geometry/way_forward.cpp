@@ -59,14 +59,14 @@ DoubleDouble3 product(const glm::dmat4 &m, const DoubleDouble3 &p)
     return result;
 }
 
-Result<WayForward> WayForward::of(const Picture &picture)
+Result<WayForward> WayForward::of(const Setup &setup)
 {
-    if (const Result<glm::dmat4> matrix = clipFromWorld(picture); !matrix)
+    if (const Result<glm::dmat4> matrix = clipFromWorld(setup); !matrix)
         return matrix.error();
-    if (const Check valid = check(picture.viewport); !valid)
+    if (const Check valid = check(setup.viewport); !valid)
         return valid.error();
     WayForward way;
-    if (const auto *camera = std::get_if<LookAt>(&picture.pose)) {
+    if (const auto *camera = std::get_if<LookAt>(&setup.pose)) {
         const PreciseEyeFrame frame = preciseEyeFrame(*camera).value(); // clipFromWorld has checked it
         way.m_origin = frame.eye.coordinates();
         for (std::size_t k = 0; k < 3; ++k) {
@@ -76,13 +76,13 @@ Result<WayForward> WayForward::of(const Picture &picture)
         }
         way.m_eyeFromWorld[3][3] = 1.0;
     } else {
-        way.m_eyeFromWorld = rowsOf(std::get<glm::dmat4>(picture.pose));
+        way.m_eyeFromWorld = rowsOf(std::get<glm::dmat4>(setup.pose));
     }
-    const auto *matrix = std::get_if<MatrixProjection>(&picture.lens);
-    way.m_clipFromEye = matrix != nullptr ? rowsOf(matrix->clipFromEye) : rowsOf(std::get<Projection>(picture.lens));
-    way.m_viewport = picture.viewport;
-    way.m_depthRange = picture.depthRange;
-    way.m_ndcDepth = ndcDepthOf(picture);
+    const auto *matrix = std::get_if<MatrixProjection>(&setup.lens);
+    way.m_clipFromEye = matrix != nullptr ? rowsOf(matrix->clipFromEye) : rowsOf(std::get<Projection>(setup.lens));
+    way.m_viewport = setup.viewport;
+    way.m_depthRange = setup.depthRange;
+    way.m_ndcDepth = ndcDepthOf(setup);
     return way;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/geometry/double_double.h"
-#include "core/geometry/picture.h"
 #include "core/geometry/result.h"
+#include "core/geometry/setup.h"
 #include "core/geometry/spaces.h"
 
 #include <glm/mat4x4.hpp>
@@ -31,7 +31,7 @@ struct PreciseStages {
 class WayForward {
 public:
     /// @return the errors of clipFromWorld and check(viewport)
-    static Result<WayForward> of(const Picture &picture);
+    static Result<WayForward> of(const Setup &setup);
 
     PreciseStages fromWorld(const DoubleDouble3 &world) const;
     PreciseStages fromEye(const DoubleDouble3 &eye) const;

@@ -9,6 +9,8 @@
 #include <map>
 
 namespace unprojector::landmark_files {
+using namespace geometry;
+using namespace landmarks;
 using text::marked;
 using text::tr;
 namespace {

@@ -13,6 +13,7 @@
 #include <set>
 
 namespace unprojector::landmark_files {
+using namespace landmarks;
 using namespace csv;
 using Json = nlohmann::ordered_json;
 namespace {
@@ -55,12 +56,12 @@ std::array<std::string, kWrittenCount> cellsOf(const LandmarkSet &set, const Lan
     if (landmark.world)
         putNumbers(cells, X, landmark.world->coordinates());
     cells[Object] = landmark.object;
-    if (const auto *triangle = std::get_if<OnTriangle>(&landmark.hold)) {
+    if (const auto *triangle = std::get_if<OnTriangle>(&landmark.anchor)) {
         cells[Face] = std::to_string(triangle->triangle);
         putNumbers(cells, U, triangle->barycentric);
-    } else if (const auto *vertex = std::get_if<AtVertex>(&landmark.hold)) {
+    } else if (const auto *vertex = std::get_if<AtVertex>(&landmark.anchor)) {
         cells[Vertex] = std::to_string(vertex->vertex);
-    } else if (const auto *edge = std::get_if<OnEdge>(&landmark.hold)) {
+    } else if (const auto *edge = std::get_if<OnEdge>(&landmark.anchor)) {
         cells[EdgeFrom] = std::to_string(edge->vertices[0]);
         cells[EdgeTo] = std::to_string(edge->vertices[1]);
         cells[EdgeShare] = number(edge->share);
@@ -146,7 +147,7 @@ void forEachRow(std::span<const LandmarkSet> sets, Notes &notes, const Take &tak
 
 std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, Notes &notes)
 {
-    Holds all;
+    FormatCapabilities all;
     all.names = all.objects = all.holds = all.uncertainties = all.notes = all.colors = all.hidden = all.keys = true;
     all.specimenName = all.mesh = all.unit = true;
     addLosses(notes, sets, all);
@@ -216,7 +217,7 @@ WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens, text::CellTex
     Notes notes;
     const std::vector<LandmarkSet> sets = withCurvesAsPoints(specimens, notes);
     const DistinctNames distinct = distinctNames(sets);
-    Holds held;
+    FormatCapabilities held;
     held.names = held.specimenName = true;
     addLosses(notes, sets, held);
     std::string text = "specimen";

@@ -19,6 +19,8 @@
 #include <utility>
 
 namespace unprojector::landmark_files {
+using namespace geometry;
+using namespace landmarks;
 using namespace csv;
 using text::CsvCell;
 using text::CsvRow;
@@ -107,7 +109,7 @@ private:
 /// How much the sum of barycentric coordinates may miss 1: what single precision and six digits leave.
 constexpr double kBarycentricSum = 1e-3; // other programs write few digits
 
-Hold holdOf(const Cells &cells)
+Anchor anchorOf(const Cells &cells)
 {
     const bool isFace = !cells[Face].empty(), isVertex = !cells[Vertex].empty(), isEdge = !cells[EdgeFrom].empty();
     if (isFace + isVertex + isEdge > 1)
@@ -167,7 +169,7 @@ Landmark landmarkOf(const Table &table, const CsvRow &row, Notes &notes)
     else if (world && *world != glm::dvec3(0.0))
         notes.add(LandmarkNote::Kind::MissingHadPosition);
     landmark.object = cells[Object];
-    landmark.hold = holdOf(cells);
+    landmark.anchor = anchorOf(cells);
     landmark.note = cells[Note];
     if (const auto uncertainty = cells.numbers(Dx))
         landmark.uncertainty = WorldVector(*uncertainty);
@@ -355,10 +357,10 @@ std::size_t trimmedTexts(const Header &header, const CsvRow &row)
 {
     constexpr std::array kTexts{Specimen, Name, Object, Note, Mesh, Unit, CurveName};
     std::size_t count = 0;
-    for (std::size_t place = 0; place < row.cells.size(); ++place) {
-        if (!row.cells[place].hadBlanks || header.rowNames == place)
+    for (std::size_t index = 0; index < row.cells.size(); ++index) {
+        if (!row.cells[index].hadBlanks || header.rowNames == index)
             continue;
-        const auto known = std::find(header.places.begin(), header.places.end(), place);
+        const auto known = std::find(header.places.begin(), header.places.end(), index);
         const bool isText =
             known == header.places.end()
             || std::find(kTexts.begin(), kTexts.end(), Column(known - header.places.begin())) != kTexts.end();

@@ -9,6 +9,7 @@
 #include <set>
 
 namespace unprojector::landmark_files::csv {
+using namespace landmarks;
 using text::CsvReader;
 using text::CsvRow;
 using text::tr;
@@ -225,8 +226,8 @@ void readHeader(Table &table, std::optional<char> separator)
 /// Takes a column in front of all others, which has no name in the header.
 void shift(Header &header)
 {
-    for (std::size_t &place : header.places)
-        place += place == Header::npos ? 0 : 1;
+    for (std::size_t &index : header.places)
+        index += index == Header::npos ? 0 : 1;
     for (auto &[place, name] : header.others)
         ++place;
     header.others.emplace(header.others.begin(), 0, std::string());

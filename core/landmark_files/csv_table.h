@@ -21,7 +21,7 @@ struct Header {
     std::vector<std::pair<std::size_t, std::string>> others; ///< columns of other programs
     std::optional<std::size_t> rowNames; ///< a first column without a name that holds R's row names, which are dropped
     std::size_t count = 0;
-    Axes axes = Axes::Lps;
+    landmarks::Axes axes = landmarks::Axes::Lps;
     bool isGuessed = false; ///< there is no header; the columns are name, x, y, z or x, y, z
 
     static constexpr std::size_t npos = std::size_t(-1);

@@ -8,6 +8,8 @@
 #include <algorithm>
 
 namespace unprojector::landmark_files {
+using namespace geometry;
+using namespace landmarks;
 using text::marked;
 using text::tr;
 namespace {

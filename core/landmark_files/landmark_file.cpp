@@ -14,6 +14,7 @@
 #include <vector>
 
 namespace unprojector::landmark_files {
+using namespace landmarks;
 using namespace files;
 using geometry::Result;
 using text::tr;

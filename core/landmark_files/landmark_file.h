@@ -14,7 +14,6 @@
 #include <vector>
 
 namespace unprojector::landmark_files {
-using namespace landmarks;
 
 /// The files that landmarks are exchanged by.
 enum class Format {
@@ -135,7 +134,7 @@ struct LandmarkFileError {
 std::string errorText(const LandmarkFileError &error);
 
 struct ReadLandmarks {
-    std::vector<LandmarkSet> sets; ///< one a specimen, at least one
+    std::vector<landmarks::LandmarkSet> sets; ///< one a specimen, at least one
     std::vector<LandmarkNote> notes;
 };
 struct WrittenLandmarks {
@@ -160,18 +159,20 @@ geometry::Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_vi
 /// @param texts  of tables, which are read back as they were in either case
 /// @return CannotHold: several specimens where the format has one, or specimens of different numbers of points where it
 ///         has a table; a name that is not UTF-8 in JSON; more than kMostLandmarkBytes
-geometry::Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const LandmarkSet> sets, Format format,
+geometry::Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const landmarks::LandmarkSet> sets,
+                                                                    Format format,
                                                                     text::CellTexts texts = text::CellTexts::AsTheyAre);
 
 /// A table with one row a specimen: specimen,A_x,A_y,A_z,B_x,… The columns are the landmarks of all specimens by name, in
 /// the order in which they first appear; what a specimen lacks stays empty. Names are those of
 /// landmarks::distinctNames. Semilandmarks are further points, "CURVE:01".
-WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens, text::CellTexts texts = text::CellTexts::AsTheyAre);
+WrittenLandmarks wideTable(std::span<const landmarks::LandmarkSet> specimens,
+                           text::CellTexts texts = text::CellTexts::AsTheyAre);
 
 /// Takes the last points out that are named as the semilandmarks of curves are where a format knows no curves, "NAME:01",
 /// "NAME:02" and so on without a gap, and makes them curves of which only the semilandmarks are known. Points there must be besides.
 /// @return how many curves were put behind those of the set
-std::size_t takeSemilandmarks(LandmarkSet &set);
+std::size_t takeSemilandmarks(landmarks::LandmarkSet &set);
 
 /// Reads a file by its suffix.
 /// @return UnknownFormat, NotFound, IsDirectory, NotReadable, and the errors of parseLandmarks
@@ -179,7 +180,7 @@ geometry::Result<ReadLandmarks, LandmarkFileError> readLandmarkFile(const std::f
 
 /// Writes a file by its suffix, by way of a new file beside it.
 /// @return what was lost; NotWritten, NotWritable, and the errors of landmarksText
-geometry::Result<std::vector<LandmarkNote>, LandmarkFileError> writeLandmarkFile(const std::filesystem::path &file,
-                                                                                 std::span<const LandmarkSet> sets);
+geometry::Result<std::vector<LandmarkNote>, LandmarkFileError>
+writeLandmarkFile(const std::filesystem::path &file, std::span<const landmarks::LandmarkSet> sets);
 
 } // namespace unprojector::landmark_files

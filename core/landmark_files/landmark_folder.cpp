@@ -13,6 +13,7 @@
 #include <utility>
 
 namespace unprojector::landmark_files {
+using namespace landmarks;
 using namespace files;
 namespace {
 

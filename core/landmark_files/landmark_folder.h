@@ -19,7 +19,7 @@ std::string specimenOf(const std::filesystem::path &file);
 
 /// All that a folder's files of landmarks hold.
 struct LandmarkFolder {
-    std::vector<LandmarkSet> sets; ///< each with a name of its own
+    std::vector<landmarks::LandmarkSet> sets; ///< each with a name of its own
     std::vector<std::string>
         reports;               ///< what was not kept as it was and what was not read, each a sentence with its file
     std::size_t fileCount = 0; ///< of landmarks, those that could not be read among them

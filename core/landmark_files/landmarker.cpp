@@ -12,6 +12,8 @@
 #include <cmath>
 
 namespace unprojector::landmark_files {
+using namespace geometry;
+using namespace landmarks;
 using text::tr;
 namespace {
 
@@ -59,9 +61,9 @@ std::string labelOf(const Json &object, const std::string &key)
 }
 
 /// The name of a point of a label: the label where it has one point, else with the point's number.
-std::string nameOf(const std::string &label, std::size_t place, std::size_t count)
+std::string nameOf(const std::string &label, std::size_t index, std::size_t count)
 {
-    return count == 1 ? label : label + '_' + std::to_string(place + 1);
+    return count == 1 ? label : label + '_' + std::to_string(index + 1);
 }
 
 void noteLinks(const Json &object, Notes &notes)

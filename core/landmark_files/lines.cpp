@@ -12,6 +12,8 @@
 #include <limits>
 
 namespace unprojector::landmark_files {
+using namespace geometry;
+using namespace landmarks;
 using text::quoted;
 using text::tr;
 
@@ -133,7 +135,7 @@ private:
 
 } // namespace
 
-void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const Holds &format)
+void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const FormatCapabilities &format)
 {
     using Kind = LandmarkNote::Kind;
     const auto count = [&](bool isHeld, Kind kind, const auto &has) {
@@ -147,7 +149,7 @@ void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const Holds &for
     count(format.names, Kind::NamesLeftOut, [](const Landmark &l) { return !l.name.empty(); });
     count(format.positions, Kind::PositionsLeftOut, [](const Landmark &l) { return !l.isMissing(); });
     count(format.objects, Kind::ObjectsLeftOut, [](const Landmark &l) { return !l.object.empty(); });
-    count(format.holds, Kind::HoldsLeftOut, [](const Landmark &l) { return !std::holds_alternative<Free>(l.hold); });
+    count(format.holds, Kind::HoldsLeftOut, [](const Landmark &l) { return !std::holds_alternative<Free>(l.anchor); });
     count(format.uncertainties, Kind::UncertaintiesLeftOut,
           [](const Landmark &l) { return l.uncertainty.has_value(); });
     count(format.notes, Kind::NotesLeftOut, [](const Landmark &l) { return !l.note.empty(); });
@@ -172,14 +174,14 @@ void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const Holds &for
     specimenKeys.tell(notes, Kind::SpecimenKeysLeftOut);
 }
 
-std::string nameOf(const Curve &curve, std::size_t place)
+std::string nameOf(const Curve &curve, std::size_t index)
 {
-    return curve.name.empty() ? "curve " + std::to_string(place + 1) : curve.name;
+    return curve.name.empty() ? "curve " + std::to_string(index + 1) : curve.name;
 }
 
-std::string semilandmarkName(const std::string &curve, std::size_t place, std::size_t count)
+std::string semilandmarkName(const std::string &curve, std::size_t index, std::size_t count)
 {
-    const std::string number = std::to_string(place + 1);
+    const std::string number = std::to_string(index + 1);
     const std::size_t digits = std::max<std::size_t>(2, std::to_string(count).size());
     return curve + ':' + std::string(digits - number.size(), '0') + number;
 }
@@ -209,9 +211,9 @@ std::vector<LandmarkSet> withCurvesAsPoints(std::span<const LandmarkSet> sets, N
 std::size_t takeSemilandmarks(LandmarkSet &set)
 {
     std::vector<Curve> taken;
-    std::vector<Landmark> points = set.landmarks;
-    while (!points.empty()) {
-        const std::string &last = points.back().name;
+    std::vector<Landmark> landmarks = set.landmarks;
+    while (!landmarks.empty()) {
+        const std::string &last = landmarks.back().name;
         const std::size_t colon = last.rfind(':');
         if (colon == last.npos || colon == 0)
             break;
@@ -221,25 +223,25 @@ std::size_t takeSemilandmarks(LandmarkSet &set)
         for (const char c : std::string_view(last).substr(colon + 1))
             count = c >= '0' && c <= '9' && count <= kMostSemilandmarks ? 10 * count + std::size_t(c - '0')
                                                                         : kMostSemilandmarks + std::size_t{1};
-        if (count < 2 || count > kMostSemilandmarks || count >= points.size())
+        if (count < 2 || count > kMostSemilandmarks || count >= landmarks.size())
             break;
         Curve curve;
         curve.name = name;
         curve.count = static_cast<std::uint32_t>(count);
-        const std::size_t first = points.size() - count;
+        const std::size_t first = landmarks.size() - count;
         for (std::size_t k = 0; k < count; ++k) {
-            const Landmark &point = points[first + k];
-            if (point.world && point.name == semilandmarkName(name, k, count))
-                curve.semilandmarks.push_back(*point.world);
+            const Landmark &landmark = landmarks[first + k];
+            if (landmark.world && landmark.name == semilandmarkName(name, k, count))
+                curve.semilandmarks.push_back(*landmark.world);
         }
         if (curve.semilandmarks.size() < count)
             break;
-        points.resize(first);
+        landmarks.resize(first);
         taken.insert(taken.begin(), std::move(curve));
     }
     if (taken.empty())
         return 0;
-    set.landmarks = std::move(points);
+    set.landmarks = std::move(landmarks);
     const std::size_t count = taken.size();
     set.curves.insert(set.curves.end(), std::make_move_iterator(taken.begin()), std::make_move_iterator(taken.end()));
     return count;

@@ -60,7 +60,7 @@ std::uint32_t countOf(std::string_view word, std::size_t line, std::string_view 
 void appendNumbers(std::string &text, const glm::dvec3 &v, char separator);
 
 /// To and from the axes of the file: in RAS x and y have the other sign.
-WorldPoint turned(const WorldPoint &point, Axes axes);
+geometry::WorldPoint turned(const geometry::WorldPoint &point, landmarks::Axes axes);
 
 /// Notes, each kind with each detail once, its counts added.
 class Notes {
@@ -74,20 +74,20 @@ private:
 };
 
 /// What a format has a place for.
-struct Holds {
+struct FormatCapabilities {
     bool names = false, positions = true, objects = false, holds = false, uncertainties = false, notes = false,
          colors = false, hidden = false, keys = false;
     bool specimenKeys = false, specimenName = false, mesh = false, unit = false;
 };
 /// Notes what sets have that the format has no place for.
-void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const Holds &format);
+void addLosses(Notes &notes, std::span<const landmarks::LandmarkSet> sets, const FormatCapabilities &format);
 
 /// Sets as a format has them that knows no curves: semilandmarks are further points, "NAME:01".
-std::vector<LandmarkSet> withCurvesAsPoints(std::span<const LandmarkSet> sets, Notes &notes);
+std::vector<landmarks::LandmarkSet> withCurvesAsPoints(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
 /// The name of a curve, "curve 1" of the first without one.
-std::string nameOf(const Curve &curve, std::size_t place);
-/// "NAME:03" of the third of at most 99 semilandmarks. @param place  from 0
-std::string semilandmarkName(const std::string &curve, std::size_t place, std::size_t count);
+std::string nameOf(const landmarks::Curve &curve, std::size_t index);
+/// "NAME:03" of the third of at most 99 semilandmarks. @param index  from 0
+std::string semilandmarkName(const std::string &curve, std::size_t index, std::size_t count);
 
 /// Names as a format can have them: without some characters, and each once where that is asked for.
 class PlainNames {
@@ -128,13 +128,13 @@ ReadLandmarks readNts(std::string_view text);
 ReadLandmarks readAmira(std::string_view text);
 ReadLandmarks readLandmarker(std::string_view text);
 
-std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, Notes &notes);
-std::string meshLabText(const LandmarkSet &set, Notes &notes);
-std::string meshLabTemplateText(const LandmarkSet &set, Notes &notes);
-std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes);
-std::string slicerCsvText(const LandmarkSet &set, Notes &notes);
-std::string idavText(const LandmarkSet &set, Notes &notes);
-std::string tpsText(std::span<const LandmarkSet> sets, Notes &notes);
-std::string ntsText(std::span<const LandmarkSet> sets, Notes &notes);
+std::string csvText(std::span<const landmarks::LandmarkSet> sets, text::CellTexts texts, Notes &notes);
+std::string meshLabText(const landmarks::LandmarkSet &set, Notes &notes);
+std::string meshLabTemplateText(const landmarks::LandmarkSet &set, Notes &notes);
+std::string slicerJsonText(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
+std::string slicerCsvText(const landmarks::LandmarkSet &set, Notes &notes);
+std::string idavText(const landmarks::LandmarkSet &set, Notes &notes);
+std::string tpsText(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
+std::string ntsText(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
 
 } // namespace unprojector::landmark_files

@@ -14,6 +14,8 @@
 #include <sstream>
 
 namespace unprojector::landmark_files {
+using namespace geometry;
+using namespace landmarks;
 using text::tr;
 namespace {
 

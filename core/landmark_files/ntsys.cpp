@@ -11,6 +11,8 @@
 #include <set>
 
 namespace unprojector::landmark_files {
+using namespace geometry;
+using namespace landmarks;
 using text::marked;
 using text::tr;
 namespace {

@@ -13,6 +13,8 @@
 #include <array>
 
 namespace unprojector::landmark_files {
+using namespace geometry;
+using namespace landmarks;
 using text::CsvCell;
 using text::marked;
 using text::tr;
@@ -276,8 +278,8 @@ ReadLandmarks readSlicerCsv(std::string_view text)
                                         : "%1 is no point; without a line \"# Markups fiducial file version = "
                                           "5.8\" points are label,x,y,z,sel,vis",
                              text::quoted(trimmed(row.source)))};
-        for (std::size_t place = 0; place < row.cells.size(); ++place) {
-            if (row.cells[place].hadBlanks && (hasVersion ? place == Label || place == Description : place == 0))
+        for (std::size_t index = 0; index < row.cells.size(); ++index) {
+            if (row.cells[index].hadBlanks && (hasVersion ? index == Label || index == Description : index == 0))
                 notes.add(LandmarkNote::Kind::BlanksLeftOut);
         }
         set.landmarks.push_back(hasVersion ? landmarkOf(row, set.axes, set.landmarks.size(), dialect.mark, notes)

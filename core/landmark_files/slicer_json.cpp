@@ -15,6 +15,8 @@
 #include <utility>
 
 namespace unprojector::landmark_files {
+using namespace geometry;
+using namespace landmarks;
 using text::tr;
 namespace {
 

@@ -12,6 +12,8 @@
 #include <set>
 
 namespace unprojector::landmark_files {
+using namespace geometry;
+using namespace landmarks;
 using text::tr;
 namespace {
 
@@ -45,8 +47,8 @@ bool isMinusOnes(const std::vector<std::string_view> &words)
 void takeMinusOnesAsMissing(LandmarkSet &set, const std::vector<std::size_t> &minusOnes, Notes &notes)
 {
     std::vector<Landmark> others = set.landmarks;
-    for (const std::size_t place : minusOnes)
-        others[place].world.reset();
+    for (const std::size_t index : minusOnes)
+        others[index].world.reset();
     const bool isInPixels = std::all_of(others.begin(), others.end(), [](const Landmark &landmark) {
         return !landmark.world || (landmark.world->x >= 0.0 && landmark.world->y >= 0.0 && landmark.world->z >= 0.0);
     });

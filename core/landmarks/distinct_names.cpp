@@ -25,7 +25,7 @@ DistinctNames distinctNames(std::span<const LandmarkSet> sets)
         return candidate;
     };
     for (const LandmarkSet &set : sets) {
-        std::vector<std::size_t> &places = distinct.places.emplace_back();
+        std::vector<std::size_t> &indices = distinct.places.emplace_back();
         std::map<std::string, std::size_t> counts;
         for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
             const std::string &name = set.landmarks[i].name;
@@ -36,7 +36,7 @@ DistinctNames distinctNames(std::span<const LandmarkSet> sets)
                 const bool isFree = name.empty() ? taken.insert(shown).second : number == 1;
                 distinct.names.push_back(isFree ? shown : freeName(shown));
             }
-            places.push_back(place->second);
+            indices.push_back(place->second);
         }
     }
     return distinct;

@@ -15,7 +15,6 @@
 #include <vector>
 
 namespace unprojector::landmarks {
-using namespace geometry;
 
 // How a landmark is held to an object. Triangles are counted through all meshes of its model from 0, vertices as its file
 // counts them, from 0.
@@ -38,17 +37,17 @@ struct OnEdge {
     double share = 0.0; ///< of the way from the first to the second, in [0, 1]
     friend bool operator==(const OnEdge &, const OnEdge &) = default;
 };
-using Hold = std::variant<Free, OnTriangle, AtVertex, OnEdge>;
+using Anchor = std::variant<Free, OnTriangle, AtVertex, OnEdge>;
 
 /// A named point that somebody placed.
 struct Landmark {
-    std::string name;                ///< UTF-8; may be empty, and another one's too
-    std::optional<WorldPoint> world; ///< nothing: it is missing, as on a broken bone
-    std::string object;              ///< name of the object that it lies on; empty: none
-    Hold hold;
-    std::optional<WorldVector> uncertainty; ///< how far each coordinate can be off, where that is known
-    std::string note;                       ///< UTF-8
-    std::optional<glm::u8vec3> color;       ///< none: the usual one
+    std::string name;                          ///< UTF-8; may be empty, and another one's too
+    std::optional<geometry::WorldPoint> world; ///< nothing: it is missing, as on a broken bone
+    std::string object;                        ///< name of the object that it lies on; empty: none
+    Anchor anchor;
+    std::optional<geometry::WorldVector> uncertainty; ///< how far each coordinate can be off, where that is known
+    std::string note;                                 ///< UTF-8
+    std::optional<glm::u8vec3> color;                 ///< none: the usual one
     bool isHidden = false;
     /// What a file said of it that has no place here, to be written again: null or an object.
     text::JsonValue extra;
@@ -76,7 +75,7 @@ struct Curve {
     CurveKind kind = CurveKind::Geodesic;
     std::uint32_t count = 10; ///< of semilandmarks, those at both ends included; at least 2
     /// Where they are, if somebody has worked that out: in what goes to files and comes from them.
-    std::vector<WorldPoint> semilandmarks;
+    std::vector<geometry::WorldPoint> semilandmarks;
     text::JsonValue extra; ///< as a landmark's
 
     friend bool operator==(const Curve &, const Curve &) = default;

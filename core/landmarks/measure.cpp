@@ -12,6 +12,8 @@
 #include <vector>
 
 namespace unprojector::landmarks {
+using namespace geometry;
+
 namespace {
 
 using Code = MeasureError::Code;
@@ -42,15 +44,15 @@ public:
     explicit Summed(double value) : m_measure{value, 0.0} {}
 
     /// @param gradient  of the value by the point's coordinates
-    void add(const Landmark &point, const glm::dvec3 &gradient)
+    void add(const Landmark &landmark, const glm::dvec3 &gradient)
     {
-        addIfKnown(point, [&](const glm::dvec3 &off) { return glm::dot(glm::abs(gradient), glm::abs(off)); });
+        addIfKnown(landmark, [&](const glm::dvec3 &off) { return glm::dot(glm::abs(gradient), glm::abs(off)); });
     }
     /// Where no direction is the worst one.
     /// @param rate  of the value by the length that the point moves
-    void addAnyWay(const Landmark &point, double rate)
+    void addAnyWay(const Landmark &landmark, double rate)
     {
-        addIfKnown(point, [&](const glm::dvec3 &off) { return rate * glm::length(off); });
+        addIfKnown(landmark, [&](const glm::dvec3 &off) { return rate * glm::length(off); });
     }
     /// @param most  that it can be off at all
     void limit(double most)
@@ -62,12 +64,12 @@ public:
 
 private:
     template <class Error>
-    void addIfKnown(const Landmark &point, const Error &error)
+    void addIfKnown(const Landmark &landmark, const Error &error)
     {
-        if (!point.uncertainty)
+        if (!landmark.uncertainty)
             m_measure.error = std::nullopt;
         if (m_measure.error)
-            *m_measure.error += error(point.uncertainty->coordinates());
+            *m_measure.error += error(landmark.uncertainty->coordinates());
     }
 
     Measure m_measure;
@@ -144,12 +146,12 @@ Measured angleAt(const Landmark &vertex, const Landmark &a, const Landmark &c)
     return measure.take();
 }
 
-Measured heightOver(const Landmark &a, const Landmark &b, const Landmark &c, const Landmark &point)
+Measured heightOver(const Landmark &a, const Landmark &b, const Landmark &c, const Landmark &landmark)
 {
-    const std::array points{&a, &b, &c, &point};
+    const std::array points{&a, &b, &c, &landmark};
     if (const auto missing = firstMissing(points))
         return *missing;
-    const glm::dvec3 ab = placeOf(b) - placeOf(a), ac = placeOf(c) - placeOf(a), ap = placeOf(point) - placeOf(a);
+    const glm::dvec3 ab = placeOf(b) - placeOf(a), ac = placeOf(c) - placeOf(a), ap = placeOf(landmark) - placeOf(a);
     const glm::dvec3 normal = glm::cross(ab, ac);
     const double twiceArea = glm::length(normal);
     const double longest = std::max({glm::length(ab), glm::length(ac), glm::distance(placeOf(b), placeOf(c))});
@@ -166,7 +168,7 @@ Measured heightOver(const Landmark &a, const Landmark &b, const Landmark &c, con
     const glm::dvec3 n = normal / twiceArea;
     const double ofB = glm::dot(glm::cross(ap, ac), n) / twiceArea, ofC = glm::dot(glm::cross(ab, ap), n) / twiceArea;
     Summed measure(glm::dot(n, ap));
-    measure.add(point, n);
+    measure.add(landmark, n);
     measure.add(a, -(1.0 - ofB - ofC) * n);
     measure.add(b, -ofB * n);
     measure.add(c, -ofC * n);

@@ -33,7 +33,7 @@ struct MeasureError {
     std::size_t point = 0; ///< place among those given
 };
 
-using Measured = Result<Measure, MeasureError>;
+using Measured = geometry::Result<Measure, MeasureError>;
 
 /// From one point to the other. Where that is no farther than both may be off, the direction between them is anything: the error is
 /// then the sum of the lengths of both uncertainties.
@@ -52,6 +52,6 @@ Measured angleAt(const Landmark &vertex, const Landmark &a, const Landmark &c);
 /// Three points of which one may lie on the line of the others, since they are no farther from it than all may be off, have no plane.
 ///
 ///   h = n . (p - a);   dh/dp = n;   dh/da = -l_a n and so on, l the barycentric coordinates of p's foot in the triangle
-Measured heightOver(const Landmark &a, const Landmark &b, const Landmark &c, const Landmark &point);
+Measured heightOver(const Landmark &a, const Landmark &b, const Landmark &c, const Landmark &landmark);
 
 } // namespace unprojector::landmarks

@@ -22,10 +22,11 @@ std::string inLowerCase(std::string_view name)
 const Landmark *find(std::string_view name, std::span<const Landmark> names)
 {
     const std::string wanted = nameKey(name);
-    auto found = std::find_if(names.begin(), names.end(), [&](const Landmark &point) { return point.name == name; });
+    auto found =
+        std::find_if(names.begin(), names.end(), [&](const Landmark &landmark) { return landmark.name == name; });
     if (found == names.end() && !wanted.empty())
         found = std::find_if(names.begin(), names.end(),
-                             [&](const Landmark &point) { return nameKey(point.name) == wanted; });
+                             [&](const Landmark &landmark) { return nameKey(landmark.name) == wanted; });
     return found != names.end() ? &*found : nullptr;
 }
 

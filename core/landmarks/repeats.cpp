@@ -9,6 +9,8 @@
 #include <utility>
 
 namespace unprojector::landmarks {
+using namespace geometry;
+
 namespace {
 
 /// The exponent of the power of two that the largest of several coordinates is divided by, so that neither sums nor squares

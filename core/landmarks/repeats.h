@@ -13,8 +13,8 @@ namespace unprojector::landmarks {
 /// One landmark as it was placed several times on the same specimen, or by several observers.
 struct RepeatedLandmark {
     std::string name;
-    std::size_t count = 0;          ///< how often it was placed
-    std::optional<WorldPoint> mean; ///< nothing: never
+    std::size_t count = 0;                    ///< how often it was placed
+    std::optional<geometry::WorldPoint> mean; ///< nothing: never
     /// The standard deviation of one placing, of all three coordinates together: the root of the sum of the squares of the
     /// distances from the mean, divided by one less than their number. Nothing before it was placed twice, and
     /// where that is beyond the largest double.

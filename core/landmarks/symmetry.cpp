@@ -13,6 +13,8 @@
 #include <utility>
 
 namespace unprojector::landmarks {
+using namespace geometry;
+
 namespace {
 
 enum class Side { None, Left, Right };

@@ -30,10 +30,10 @@ bool isSided(const std::string &name);
 /// each landmark's mirror image to its partner, or to itself where it has none and is not sided (Mardia, Bookstein, Moreton 2000: object
 /// symmetry).
 struct MirrorPlane {
-    WorldVector normal; ///< length 1, to the right side
+    geometry::WorldVector normal; ///< length 1, to the right side
     double offset = 0.0;
 
-    WorldPoint mirrored(const WorldPoint &point) const;
+    geometry::WorldPoint mirrored(const geometry::WorldPoint &point) const;
 };
 
 /// @return nothing without a pair of which both are there, or where no plane is better than another

@@ -7,6 +7,9 @@
 #include <algorithm>
 
 namespace unprojector::lessons {
+using namespace geometry;
+using namespace scene;
+
 namespace {
 
 /// The object whose axes are MC; null in a scene without objects.

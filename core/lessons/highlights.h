@@ -15,7 +15,6 @@
 
 /// What a step's "highlights" write into the pictures: letters, and where they stand. Whoever draws them chooses how large.
 namespace unprojector::lessons {
-using namespace scene;
 
 /// The names that files have for them, in the order of Highlight.
 inline constexpr std::array kHighlightNames{"axes", "volume", "cube", "viewport"};
@@ -30,28 +29,28 @@ struct Letter {
 /// The axes of a coordinate system.
 struct NamedAxes {
     std::string name;
-    WorldPoint origin;
-    std::array<WorldVector, 3> directions; ///< of x, y, z: unit vectors; a mirrored system stays mirrored
+    geometry::WorldPoint origin;
+    std::array<geometry::WorldVector, 3> directions; ///< of x, y, z: unit vectors; a mirrored system stays mirrored
 };
 
 /// Highlight::Axes: MC of the followed object, else of the first one; WC of the world; VC of the eye, whose z points backwards.
 /// Where MC is WC there is one of them, "MC = WC".
 /// Source: the names are those of Zhang Ci, section 2.1; Weng et al. 2008, figure 2, has WC and VC.
-std::vector<NamedAxes> namedAxes(const Scene &scene, const EyeFrame &eye);
+std::vector<NamedAxes> namedAxes(const scene::Scene &scene, const geometry::EyeFrame &eye);
 
 template <class Space>
 struct LetterAt {
     Letter letter;
-    Point<Space> at;
+    geometry::Point<Space> at;
 };
 
 /// Highlight::Volume: l, r, b, t, n, f, each in the middle of its side of the view volume.
 /// Source: Weng et al. 2008, figures 3 and 4.
 /// @pre the projection is valid
-std::array<LetterAt<EyeSpace>, 6> volumeLetters(const Projection &projection);
+std::array<LetterAt<geometry::EyeSpace>, 6> volumeLetters(const geometry::Projection &projection);
 
 /// Highlight::Cube: −1 and 1 where x, y and z cross the sides of the normalised cube.
-std::array<LetterAt<NdcSpace>, 6> cubeLetters();
+std::array<LetterAt<geometry::NdcSpace>, 6> cubeLetters();
 
 /// An arrow in a view, and its letter.
 struct LetteredArrow {
@@ -61,7 +60,7 @@ struct LetteredArrow {
     };
     Kind kind;
     Letter letter;
-    WindowPoint from, to; ///< the depth is 0
+    geometry::WindowPoint from, to; ///< the depth is 0
 };
 
 /// Highlight::Viewport: the axes x_v and y_v from the lower left corner of the view, vx and vy from there to the viewport, its width
@@ -69,6 +68,7 @@ struct LetteredArrow {
 /// Source: Weng et al. 2008, figures 5 and 6, formulas (3), (4), (7), (8).
 /// @param inset  how far inside of an edge an arrow runs along it, device pixels
 /// @pre viewport and surface are valid
-std::vector<LetteredArrow> viewportArrows(const Viewport &viewport, const Surface &surface, double inset);
+std::vector<LetteredArrow> viewportArrows(const geometry::Viewport &viewport, const geometry::Surface &surface,
+                                          double inset);
 
 } // namespace unprojector::lessons

@@ -15,6 +15,8 @@
 #include <utility>
 
 namespace unprojector::lessons {
+using namespace geometry;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -128,8 +130,8 @@ std::optional<Json> bundledDocument(const std::string &name)
     if (found == all.end())
         return std::nullopt;
     constexpr Surface kSurface{800, 600, 1.0};
-    const Result<Picture> picture = scene::pictureOf(found->scene, kSurface, {});
-    const auto text = picture ? sceneText(sceneFileFrom(found->scene, *picture, {})) : std::string();
+    const Result<Setup> setup = scene::setupOf(found->scene, kSurface, {});
+    const auto text = setup ? sceneText(sceneFileFrom(found->scene, *setup, {})) : std::string();
     return text && !text->empty() ? std::optional(Json::parse(*text)) : std::nullopt;
 }
 

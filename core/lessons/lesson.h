@@ -58,7 +58,6 @@
 ///
 /// Links lead on; link.h says where to.
 namespace unprojector::lessons {
-using namespace geometry;
 
 /// What is wrong with a lesson: one line in English that names file and key, for those who write lessons.
 struct LessonError {
@@ -67,12 +66,12 @@ struct LessonError {
 
 /// What a click on a pixel gives, or takes of the meshes.
 struct ClickedPixel {
-    DevicePixel pixel{};
+    geometry::DevicePixel pixel{};
     ray::Snap snap = ray::Snap::Surface;
 };
 
 /// A point that a step's paths and links name: in numbers, or by a click.
-using StepPoint = std::variant<GivenPoint, ClickedPixel>;
+using StepPoint = std::variant<geometry::GivenPoint, ClickedPixel>;
 
 struct Question {
     std::string text;
@@ -109,12 +108,12 @@ struct Lesson {
 /// @param json   of NAME.json
 /// @param texts  of NAME_LANGUAGE.json, or nothing. What it does not have stays English, a step or a key that the lesson does not
 ///               have is an error
-Result<Lesson, LessonError> parseLesson(std::string_view name, std::string_view json,
-                                        const std::optional<std::string_view> &texts = {});
+geometry::Result<Lesson, LessonError> parseLesson(std::string_view name, std::string_view json,
+                                                  const std::optional<std::string_view> &texts = {});
 
 /// What of `lesson` has no text in a translation, as keys: "model_view.title". For the test.
 /// @return the errors of parseLesson
-Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson, std::string_view texts);
+geometry::Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson, std::string_view texts);
 
 /// The panels that show an answer: the pipeline's and the comparison of a point's coordinate, which is followed or can be
 /// clicked; the pipeline's of a matrix's entry. So nobody who writes a question can forget to close them.
@@ -123,6 +122,6 @@ Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson,
 std::vector<Panel> panelsWithAnswer(std::string_view answer, const std::set<std::string> &clicked);
 
 /// The names that lessons.json lists.
-Result<std::vector<std::string>, LessonError> parseLessonNames(std::string_view json);
+geometry::Result<std::vector<std::string>, LessonError> parseLessonNames(std::string_view json);
 
 } // namespace unprojector::lessons

@@ -6,6 +6,9 @@
 #include <nlohmann/json.hpp>
 
 namespace unprojector::lessons {
+using namespace geometry;
+using namespace scene;
+
 namespace {
 
 /// "projection.left"
@@ -18,15 +21,14 @@ std::string firstPath(const nlohmann::ordered_json &object)
 
 } // namespace
 
-Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Picture &picture,
-                                                const text::JsonValue &change)
+Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Setup &setup, const text::JsonValue &change)
 {
     using namespace scene_file;
     const auto failed = [](SceneFileError error) {
         error.file = "set";
         return LessonError{sceneErrorText(error)};
     };
-    SceneFile file = sceneFileFrom(scene, picture, {});
+    SceneFile file = sceneFileFrom(scene, setup, {});
     file.extra = {}; // so that those of the change are seen
     if (change.json().contains("point"))
         file.point.reset(); // coordinates alone would be of the space in which the user gave the last one

@@ -9,7 +9,6 @@
 
 /// What a link set:NAME does.
 namespace unprojector::lessons {
-using namespace scene;
 
 /// The keys of a scene document that it may change.
 inline constexpr std::array<std::string_view, 6> kSettableKeys{"projection", "view",  "depthRange",
@@ -17,10 +16,10 @@ inline constexpr std::array<std::string_view, 6> kSettableKeys{"projection", "vi
 
 /// A scene's settings with a change merged into its document. What the change does not speak of stays to the last bit;
 /// a point it gives whole, whatever point there was.
-/// @param picture  of the scene, in the window that shows it
-/// @param change   as "change" of a step (RFC 7396), of kSettableKeys alone
+/// @param setup   of the scene, in the window that shows it
+/// @param change  as "change" of a step (RFC 7396), of kSettableKeys alone
 /// @return an error where the result is no scene, or has no such key, as left and right of a gluPerspective
-Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Picture &picture,
-                                                const text::JsonValue &change);
+geometry::Result<scene::SceneSettings, LessonError>
+settingsWith(const scene::Scene &scene, const geometry::Setup &setup, const text::JsonValue &change);
 
 } // namespace unprojector::lessons

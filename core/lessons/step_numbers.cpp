@@ -21,6 +21,10 @@
 #include <utility>
 
 namespace unprojector::lessons {
+using namespace geometry;
+using namespace mesh;
+using namespace scene;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -95,7 +99,7 @@ Json treeOf(const Pipeline &pipeline, const PipelinePoints &points)
 
 /// The pipeline of an object of the scene.
 /// @param object  its name; of an empty one the identity
-Result<Pipeline, LessonError> pipelineOf(const Scene &scene, const Picture &picture, const std::string &object,
+Result<Pipeline, LessonError> pipelineOf(const Scene &scene, const Setup &setup, const std::string &object,
                                          const std::string &where)
 {
     glm::dmat4 worldFromObject(1.0);
@@ -106,26 +110,26 @@ Result<Pipeline, LessonError> pipelineOf(const Scene &scene, const Picture &pict
             return failed(where, "the scene has no object \"" + object + "\"");
         worldFromObject = geometry::worldFromObject(found->transform);
     }
-    const Result<Pipeline> made = matrices::pipeline(picture, worldFromObject);
+    const Result<Pipeline> made = matrices::pipeline(setup, worldFromObject);
     if (!made)
         return failed(where, text::errorText(made.error()));
     return *made;
 }
 
-Result<Json, LessonError> treeOf(const Scene &scene, const Picture &picture, const GivenPoint &point,
+Result<Json, LessonError> treeOf(const Scene &scene, const Setup &setup, const GivenPoint &point,
                                  const std::string &where)
 {
-    const Result<Pipeline, LessonError> pipeline = pipelineOf(scene, picture, point.object, where);
+    const Result<Pipeline, LessonError> pipeline = pipelineOf(scene, setup, point.object, where);
     if (!pipeline)
         return pipeline.error();
     return treeOf(*pipeline, matrices::pointsFrom(*pipeline, point));
 }
 
 /// What a click on a pixel gives.
-Result<Json, LessonError> treeOf(const Scene &scene, const Picture &picture, const ClickedPixel &clicked,
+Result<Json, LessonError> treeOf(const Scene &scene, const Setup &setup, const ClickedPixel &clicked,
                                  const std::string &where)
 {
-    const Result<unproject::Unprojector> unprojector = unproject::Unprojector::of(picture);
+    const Result<unproject::Unprojector> unprojector = unproject::Unprojector::of(setup);
     if (!unprojector)
         return failed(where, text::errorText(unprojector.error()));
     std::vector<std::shared_ptr<const ray::RayCaster>> casters;
@@ -137,13 +141,11 @@ Result<Json, LessonError> treeOf(const Scene &scene, const Picture &picture, con
     const std::optional<double> depth = ray::MeshDepth(rays)(center);
     if (!hit || !*hit || (clicked.snap == ray::Snap::Surface && !depth))
         return failed(where, "at the pixel there is no surface");
-    const Result<Pipeline, LessonError> pipeline =
-        pipelineOf(scene, picture, scene.objects[(*hit)->object].name, where);
+    const Result<Pipeline, LessonError> pipeline = pipelineOf(scene, setup, scene.objects[(*hit)->object].name, where);
     if (!pipeline)
         return pipeline.error();
     if (clicked.snap == ray::Snap::Surface)
-        return treeOf(*pipeline,
-                      matrices::pointsBackward(*pipeline, windowFromDevice(picture.surface, center, *depth)));
+        return treeOf(*pipeline, matrices::pointsBackward(*pipeline, windowFromDevice(setup.surface, center, *depth)));
     const WorldPoint &taken = clicked.snap == ray::Snap::Vertex ? (*hit)->vertex.world : (*hit)->world;
     return treeOf(*pipeline, matrices::pointsForward(*pipeline, taken));
 }
@@ -165,11 +167,11 @@ const Json *follow(const Json *node, std::string_view &path)
         const std::size_t close = path.find(']');
         if (close == std::string_view::npos)
             return nullptr;
-        std::size_t place = 0;
-        const auto read = std::from_chars(path.data() + 1, path.data() + close, place);
+        std::size_t index = 0;
+        const auto read = std::from_chars(path.data() + 1, path.data() + close, index);
         const bool isPlace = read.ec == std::errc() && read.ptr == path.data() + close;
         path.remove_prefix(close + 1);
-        return isPlace && node->is_array() && place < node->size() ? &(*node)[place] : nullptr;
+        return isPlace && node->is_array() && index < node->size() ? &(*node)[index] : nullptr;
     }
     if (path.front() == '.')
         path.remove_prefix(1);
@@ -227,14 +229,14 @@ Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surfa
                                                  const std::map<std::string, StepPoint> &points,
                                                  const std::map<std::string, text::JsonValue> &changes)
 {
-    const Result<Picture> picture = pictureOf(scene, surface, {});
-    if (!picture)
-        return failed("scene", text::errorText(picture.error()));
+    const Result<Setup> setup = setupOf(scene, surface, {});
+    if (!setup)
+        return failed("scene", text::errorText(setup.error()));
     StepNumbers numbers;
     GivenPoint followed = scene.givenPoint.value_or(GivenPoint{});
     if (followed.object.empty() && !scene.objects.empty() && !scene.givenPoint)
         followed.object = scene.objects.front().name;
-    Result<Json, LessonError> tree = treeOf(scene, *picture, followed, "point");
+    Result<Json, LessonError> tree = treeOf(scene, *setup, followed, "point");
     if (!tree)
         return tree.error();
     Json &all = numbers.m_tree.edit();
@@ -244,15 +246,15 @@ Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surfa
              {"object", "world", "eye", "clip", "ndc", "window", "device", "widget", "pixel", "formula", "inverse"})
             all.erase(space);
     }
-    if (picture->isByParameters()) {
-        const auto view = matrices::factors(picture->camera());
-        const auto projection = matrices::factors(picture->projection());
+    if (setup->isByParameters()) {
+        const auto view = matrices::factors(setup->camera());
+        const auto projection = matrices::factors(setup->projection());
         if (view && projection) {
             all["viewSteps"] = rowsOf(*view);
             all["projectionSteps"] = rowsOf(*projection);
         }
     }
-    const auto file = scene_file::sceneText(scene_file::sceneFileFrom(scene, *picture, {}));
+    const auto file = scene_file::sceneText(scene_file::sceneFileFrom(scene, *setup, {}));
     if (!file)
         return LessonError{scene_file::sceneErrorText(file.error())};
     all["surface"] = {
@@ -262,7 +264,7 @@ Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surfa
         all["set"][name] = change.json();
     for (const auto &[name, point] : points) {
         Result<Json, LessonError> one = std::visit(
-            [&, where = "points." + name](const auto &given) { return treeOf(scene, *picture, given, where); }, point);
+            [&, where = "points." + name](const auto &given) { return treeOf(scene, *setup, given, where); }, point);
         if (!one)
             return one.error();
         all[name] = std::move(one).value();

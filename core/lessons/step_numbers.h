@@ -11,15 +11,14 @@
 #include <vector>
 
 namespace unprojector::lessons {
-using namespace scene;
 
 /// The scene that a step shows.
 /// @return an error that names the key
-Result<Scene, LessonError> sceneOf(const Step &step);
+geometry::Result<scene::Scene, LessonError> sceneOf(const Step &step);
 
 /// The view that a step's numbers hold in: its own size, where it says one.
 /// @param surface  of the view that shows it
-Surface surfaceOf(const Step &step, const Surface &surface);
+geometry::Surface surfaceOf(const Step &step, const geometry::Surface &surface);
 
 /// Every number that a step's texts can speak of, by a path. They are those that the program shows, on its own way to them.
 ///
@@ -41,16 +40,16 @@ class StepNumbers {
 public:
     /// @param surface  of the view that shows it
     /// @return where the scene has no picture, or a point's object is not there, or its pixel shows nothing
-    static Result<StepNumbers, LessonError> of(const Scene &scene, const Surface &surface,
-                                               const std::map<std::string, StepPoint> &points,
-                                               const std::map<std::string, text::JsonValue> &changes = {});
+    static geometry::Result<StepNumbers, LessonError> of(const scene::Scene &scene, const geometry::Surface &surface,
+                                                         const std::map<std::string, StepPoint> &points,
+                                                         const std::map<std::string, text::JsonValue> &changes = {});
 
     /// @return none where there is no such number
     std::vector<double> at(std::string_view path) const;
 
     /// In pixels of the device: where a click meets a named point.
     /// @return nothing where there is none in the picture
-    std::optional<DevicePixel> pixelOf(const std::string &point) const;
+    std::optional<geometry::DevicePixel> pixelOf(const std::string &point) const;
 
 private:
     text::JsonValue m_tree;
@@ -60,7 +59,7 @@ private:
 class LessonNumbers {
 public:
     /// @param surface  of a view; a step that says its view's size has that one, of the same pixel ratio
-    static Result<LessonNumbers, LessonError> of(const Lesson &lesson, const Surface &surface);
+    static geometry::Result<LessonNumbers, LessonError> of(const Lesson &lesson, const geometry::Surface &surface);
 
     const StepNumbers &step(const std::string &id) const { return m_steps.at(id); }
 
@@ -68,7 +67,7 @@ public:
     /// "quoted 4".
     /// @param step  whose
     /// @return an error where a path is none, and of an expression without any, "2", which the program has no part in
-    Result<std::vector<double>, LessonError> values(const std::string &step, std::string_view source) const;
+    geometry::Result<std::vector<double>, LessonError> values(const std::string &step, std::string_view source) const;
 
     /// What is wrong with the statements of a step, its question's included; each names the step, what the text says and what
     /// the program computes.

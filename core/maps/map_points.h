@@ -18,9 +18,9 @@ struct PointArrays {
         y.resize(count);
         z.resize(count);
     }
-    BatchOutput<double> output() { return {x.data(), y.data(), z.data()}; }
-    WorldPoint world(std::size_t i) const { return {x[i], y[i], z[i]}; }
-    EyePoint eye(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    unproject::BatchOutput<double> output() { return {x.data(), y.data(), z.data()}; }
+    geometry::WorldPoint world(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    geometry::EyePoint eye(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
 /// Picture elements to unproject.
@@ -33,7 +33,7 @@ struct ElementArrays {
         py.clear();
         depth.clear();
     }
-    void add(const DevicePoint &position, double windowDepth)
+    void add(const geometry::DevicePoint &position, double windowDepth)
     {
         px.push_back(position.x);
         py.push_back(position.y);
@@ -41,7 +41,7 @@ struct ElementArrays {
     }
     std::size_t count() const { return px.size(); }
 
-    void unproject(const ClickBatch &batch, PointArrays &points) const
+    void unproject(const unproject::ClickBatch &batch, PointArrays &points) const
     {
         points.resize(count());
         batch({px.data(), py.data(), depth.data()}, points.output(), count());
@@ -50,9 +50,9 @@ struct ElementArrays {
 
 /// The pixels of a row that have a surface.
 struct RowPixels {
-    ElementArrays elements;          ///< their centres
-    std::vector<DevicePixel> pixels; ///< in the same order
-    std::vector<std::size_t> places; ///< in the image
+    ElementArrays elements;                    ///< their centres
+    std::vector<geometry::DevicePixel> pixels; ///< in the same order
+    std::vector<std::size_t> places;           ///< in the image
 
     void read(const SurfaceImage &surfaces, int row);
 };

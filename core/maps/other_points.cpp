@@ -9,6 +9,9 @@
 #include <utility>
 
 namespace unprojector::maps {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
@@ -38,12 +41,12 @@ constexpr MistakeMade kMistakes[] = {{"y-not-flipped"},
                                      {"model-left-in"}};
 
 /// What the depth buffer holds: on the background what it was cleared to; outside the window the depth is unknown.
-double depthIn(const SurfaceImage &surfaces, const Picture &picture, const DevicePixel &pixel)
+double depthIn(const SurfaceImage &surfaces, const Setup &setup, const DevicePixel &pixel)
 {
     if (pixel.i < 0 || pixel.i >= surfaces.widthPixels || !surfaces.has(pixel.j))
         return kNoNumber;
-    const double depth = surfaces.depths[surfaces.place(pixel.i, pixel.j)];
-    return std::isnan(depth) ? picture.depthRange.atFar : depth;
+    const double depth = surfaces.depths[surfaces.indexOf(pixel.i, pixel.j)];
+    return std::isnan(depth) ? setup.depthRange.atFar : depth;
 }
 
 /// The click's logical pixel, a whole one as toolkits tell it, taken for a device pixel. The doctor divides by the ratio
@@ -64,35 +67,34 @@ void takeLogicalPixel(doctor::Run &run, const doctor::Variant &variant)
 }
 
 /// The ways to make a mistake on an object: one, or none where the picture leaves none.
-std::vector<doctor::Variant> variantsOf(const MistakeMade &made, const doctor::Given &given, const Picture &picture,
+std::vector<doctor::Variant> variantsOf(const MistakeMade &made, const doctor::Given &given, const Setup &setup,
                                         const glm::dmat4 &worldFromObject)
 {
     const bool isBoth = made.id == "ratio-logical-both";
     if (isBoth || made.id == "ratio-logical-in-device")
         return {{0, doctor::Stage::Pixel, takeLogicalPixel, isBoth ? 1.0 : 0.0, 0.0, glm::dmat4(1.0), {}}};
     // A frustum and a matrix have no angle that could be misread.
-    const auto *projection = std::get_if<Projection>(&picture.lens);
+    const auto *projection = std::get_if<Projection>(&setup.lens);
     if (made.id.starts_with("fov-") && !(projection && kindOf(*projection) == ProjectionKind::Perspective))
         return {};
     doctor::Case scene;
-    scene.picture = picture;
+    scene.setup = setup;
     scene.models = {{{}, worldFromObject}};
     std::vector<doctor::Variant> all = doctor::variants(given, scene);
     std::erase_if(all, [&](const auto &variant) { return doctor::mistakes()[variant.mistake].id != made.id; });
     return all.size() > made.way ? std::vector{all[made.way]} : std::vector<doctor::Variant>();
 }
 
-Result<OtherPoints> pointsWith(const MistakeMade &made, const Picture &picture,
-                               std::span<const ray::SceneObject> objects)
+Result<OtherPoints> pointsWith(const MistakeMade &made, const Setup &setup, std::span<const scene::SceneObject> objects)
 {
-    const Result<doctor::Given> given = doctor::Given::of(picture);
+    const Result<doctor::Given> given = doctor::Given::of(setup);
     if (!given)
         return given.error();
     std::vector<std::vector<doctor::Variant>> variants; // one list an object
-    for (const ray::SceneObject &object : objects)
-        variants.push_back(variantsOf(made, *given, picture, scene::worldFromObject(object.transform)));
+    for (const scene::SceneObject &object : objects)
+        variants.push_back(variantsOf(made, *given, setup, geometry::worldFromObject(object.transform)));
     if (objects.empty())
-        variants.push_back(variantsOf(made, *given, picture, glm::dmat4(1.0)));
+        variants.push_back(variantsOf(made, *given, setup, glm::dmat4(1.0)));
     return OtherPoints(
         [given = *given, variants](const RowPixels &pixels, const SurfaceImage &surfaces, PointArrays &points) {
             points.resize(pixels.pixels.size());
@@ -136,12 +138,12 @@ const NamedConvention *conventionNamed(std::string_view key)
     return found != all.end() ? &*found : nullptr;
 }
 
-Result<OtherPoints> otherPoints(const Other &other, const Picture &picture, std::span<const ray::SceneObject> objects)
+Result<OtherPoints> otherPoints(const Other &other, const Setup &setup, std::span<const scene::SceneObject> objects)
 {
     if (const auto *made = std::get_if<MistakeMade>(&other))
-        return pointsWith(*made, picture, objects);
+        return pointsWith(*made, setup, objects);
     const auto *method = std::get_if<Method>(&other);
-    const Result<ClickBatch> batch = ClickBatch::of(method ? *method : Method::Matrix, picture, {});
+    const Result<ClickBatch> batch = ClickBatch::of(method ? *method : Method::Matrix, setup, {});
     if (!batch)
         return batch.error();
     if (method)
@@ -149,11 +151,11 @@ Result<OtherPoints> otherPoints(const Other &other, const Picture &picture, std:
             pixels.elements.unproject(batch, points);
         });
     return OtherPoints([program = std::get<OtherProgram>(other), batch = *batch,
-                        picture](const RowPixels &pixels, const SurfaceImage &surfaces, PointArrays &points) {
+                        setup](const RowPixels &pixels, const SurfaceImage &surfaces, PointArrays &points) {
         ElementArrays elements;
         for (const DevicePixel &pixel : pixels.pixels) {
-            const OtherClick click = clickOf(program, picture, pixel);
-            elements.add(click.position, depthIn(surfaces, picture, click.depthFrom));
+            const OtherClick click = clickOf(program, setup, pixel);
+            elements.add(click.position, depthIn(surfaces, setup, click.depthFrom));
         }
         elements.unproject(batch, points);
     });

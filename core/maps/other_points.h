@@ -14,6 +14,7 @@ using OtherPoints = std::function<void(const RowPixels &, const SurfaceImage &, 
 /// Prepares these answers for a picture. Programs and mistakes answer by the inverted matrix.
 /// @param objects  of the scene, where the surfaces are theirs: a mistake of the model matrix is made with that of the object
 /// @return the errors of ClickBatch::of and doctor::Given::of
-Result<OtherPoints> otherPoints(const Other &other, const Picture &picture, std::span<const ray::SceneObject> objects);
+geometry::Result<OtherPoints> otherPoints(const Other &other, const geometry::Setup &setup,
+                                          std::span<const scene::SceneObject> objects);
 
 } // namespace unprojector::maps

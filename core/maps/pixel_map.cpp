@@ -15,6 +15,9 @@
 #include <utility>
 
 namespace unprojector::maps {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 /// What a worker of a map has of its own: rows of numbers, NaN where it leaves them.
@@ -143,16 +146,16 @@ struct Prepared {
 
 /// @param areMet  whether the surfaces are those that rays have met
 Result<Prepared> prepared(const Question &question, const Unprojector &unprojector, bool areMet,
-                          std::span<const ray::SceneObject> objects)
+                          std::span<const scene::SceneObject> objects)
 {
-    const Picture &picture = unprojector.picture();
-    const Result<ClickBatch> formula = ClickBatch::of(Method::Formula, picture, {});
+    const Setup &setup = unprojector.setup();
+    const Result<ClickBatch> formula = ClickBatch::of(Method::Formula, setup, {});
     if (!formula)
         return formula.error();
     Prepared result{*formula, {}, {}, {}, {}, {}};
     const Quantity quantity = question.quantity;
     if (quantity == Quantity::FormulaMatrix || quantity == Quantity::MatrixRay || quantity == Quantity::Displacement) {
-        const Result<ClickBatch> matrix = ClickBatch::of(Method::Matrix, picture, {});
+        const Result<ClickBatch> matrix = ClickBatch::of(Method::Matrix, setup, {});
         if (!matrix)
             return matrix.error();
         result.matrix = *matrix;
@@ -165,13 +168,13 @@ Result<Prepared> prepared(const Question &question, const Unprojector &unproject
     }
     if (quantity == Quantity::Displacement) {
         const Result<OtherPoints> other =
-            otherPoints(question.other, picture, areMet ? objects : std::span<const ray::SceneObject>());
+            otherPoints(question.other, setup, areMet ? objects : std::span<const scene::SceneObject>());
         if (!other)
             return other.error();
         result.other = *other;
     }
     if (quantity == Quantity::Uncertainty) {
-        const Result<Picture> parameters = byParameters(picture);
+        const Result<Setup> parameters = byParameters(setup);
         if (!parameters)
             return parameters.error();
         const Result<ClickBatch> eye = ClickBatch::of(Method::Formula, *parameters, {BatchSpace::Kind::Eye, {}});
@@ -199,15 +202,15 @@ std::unique_ptr<RowWorker> workerOf(Quantity quantity, const Prepared &prepared,
 /// Of surfaces that are there at a time: 12 MB, and some hundred milliseconds on a core.
 constexpr int kBandPixels = 1 << 19;
 
-PixelMap emptyMap(const Picture &picture)
+PixelMap emptyMap(const Setup &setup)
 {
-    PixelMap map{picture.surface.widthPixels, picture.surface.heightPixels, {}};
-    map.values.assign(map.place({0, map.heightPixels}), std::numeric_limits<float>::quiet_NaN());
+    PixelMap map{setup.surface.widthPixels, setup.surface.heightPixels, {}};
+    map.values.assign(map.indexOf({0, map.heightPixels}), std::numeric_limits<float>::quiet_NaN());
     return map;
 }
 
 /// The rows whose surfaces tell the numbers of these: the uncertainty's slopes and other programs look beside a pixel.
-Rows rowsRead(const Question &question, const Picture &picture, const Rows &rows)
+Rows rowsRead(const Question &question, const Setup &setup, const Rows &rows)
 {
     Rows read = rows;
     const auto *program = std::get_if<OtherProgram>(&question.other);
@@ -215,11 +218,11 @@ Rows rowsRead(const Question &question, const Picture &picture, const Rows &rows
         if (question.quantity == Quantity::Uncertainty)
             read.insert(read.end(), {row - 1, row + 1});
         if (question.quantity == Quantity::Displacement && program != nullptr)
-            read.push_back(clickOf(*program, picture, {0, row}).depthFrom.j);
+            read.push_back(clickOf(*program, setup, {0, row}).depthFrom.j);
     }
     std::sort(read.begin(), read.end());
     read.erase(std::unique(read.begin(), read.end()), read.end());
-    std::erase_if(read, [&picture](int row) { return row < 0 || row >= picture.surface.heightPixels; });
+    std::erase_if(read, [&setup](int row) { return row < 0 || row >= setup.surface.heightPixels; });
     return read;
 }
 
@@ -243,7 +246,7 @@ bool setRows(PixelMap &map, const Rows &rows, const Question &question, const Pr
                 const double unit = question.unit == Unit::Ulps ? ulpOfLargest(formula.world(k)) : 1.0;
                 const auto number = static_cast<float>(numbers[k] / unit);
                 if (std::isfinite(number))
-                    map.values[map.place(pixels.pixels[k])] = number;
+                    map.values[map.indexOf(pixels.pixels[k])] = number;
             }
         }
     });
@@ -279,38 +282,38 @@ void RowPixels::read(const SurfaceImage &surfaces, int row)
     pixels.clear();
     places.clear();
     for (int i = 0; i < surfaces.widthPixels; ++i) {
-        const std::size_t place = surfaces.place(i, row);
-        if (std::isnan(surfaces.depths[place]))
+        const std::size_t index = surfaces.indexOf(i, row);
+        if (std::isnan(surfaces.depths[index]))
             continue;
-        elements.add(pixelCenter({i, row}), surfaces.depths[place]);
+        elements.add(pixelCenter({i, row}), surfaces.depths[index]);
         pixels.push_back({i, row});
-        places.push_back(place);
+        places.push_back(index);
     }
 }
 
 Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unprojector &unprojector,
-                                         const SurfaceImage &surfaces, std::span<const ray::SceneObject> objects,
+                                         const SurfaceImage &surfaces, std::span<const scene::SceneObject> objects,
                                          const ray::Progress &progress)
 {
     const Result<Prepared> shared = prepared(question, unprojector, surfaces.isMet(), objects);
     if (!shared)
         return shared.error();
-    const Picture &picture = unprojector.picture();
-    PixelMap map = emptyMap(picture);
-    if (!setRows(map, allRows(picture), question, *shared, surfaces, progress))
+    const Setup &setup = unprojector.setup();
+    PixelMap map = emptyMap(setup);
+    if (!setRows(map, allRows(setup), question, *shared, surfaces, progress))
         return std::optional<PixelMap>();
     return std::optional(std::move(map));
 }
 
 Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unprojector &unprojector,
-                                         const SurfaceSource &source, std::span<const ray::SceneObject> objects,
+                                         const SurfaceSource &source, std::span<const scene::SceneObject> objects,
                                          const ray::Progress &progress)
 {
     const Result<Prepared> shared = prepared(question, unprojector, source.areMet, objects);
     if (!shared)
         return shared.error();
-    const Picture &picture = unprojector.picture();
-    PixelMap map = emptyMap(picture);
+    const Setup &setup = unprojector.setup();
+    PixelMap map = emptyMap(setup);
     const int atATime = std::max(1, kBandPixels / map.widthPixels);
     for (int begin = 0; begin < map.heightPixels; begin += atATime) {
         Rows rows(static_cast<std::size_t>(std::min(atATime, map.heightPixels - begin)));
@@ -324,7 +327,7 @@ Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unproje
                 return progress(done / map.heightPixels);
             };
         };
-        const std::optional<SurfaceImage> surfaces = source.of(rowsRead(question, picture, rows), partFrom(0.0));
+        const std::optional<SurfaceImage> surfaces = source.of(rowsRead(question, setup, rows), partFrom(0.0));
         if (!surfaces || !setRows(map, rows, question, *shared, *surfaces, partFrom(0.5)))
             return std::optional<PixelMap>();
     }

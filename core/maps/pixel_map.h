@@ -43,7 +43,7 @@ struct MistakeMade {
 };
 
 /// Who answers otherwise: a program, a program with a mistake, or this one by another method.
-using Other = std::variant<OtherProgram, MistakeMade, Method>;
+using Other = std::variant<unproject::OtherProgram, MistakeMade, unproject::Method>;
 
 /// A program or a mistake that a map can show, by its name.
 struct NamedConvention {
@@ -57,9 +57,9 @@ const NamedConvention *conventionNamed(std::string_view key);
 struct Question {
     Quantity quantity = Quantity::FormulaMatrix;
     Unit unit = Unit::World;
-    Other other = OtherProgram::Paper; ///< of a displacement
+    Other other = unproject::OtherProgram::Paper; ///< of a displacement
     /// Of an uncertainty: DepthSample::cornerShiftPixels of the renderer whose depths clicks read.
-    double cornerShiftPixels = kCornerShiftPixels;
+    double cornerShiftPixels = unproject::kCornerShiftPixels;
 };
 
 /// That maps leave the points of clouds out, in the language of text::tr().
@@ -70,12 +70,12 @@ struct PixelMap {
     int widthPixels = 0, heightPixels = 0;
     std::vector<float> values;
 
-    std::size_t place(const DevicePixel &pixel) const
+    std::size_t indexOf(const geometry::DevicePixel &pixel) const
     {
         return static_cast<std::size_t>(pixel.j) * static_cast<std::size_t>(widthPixels)
                + static_cast<std::size_t>(pixel.i);
     }
-    float at(const DevicePixel &pixel) const { return values[place(pixel)]; }
+    float at(const geometry::DevicePixel &pixel) const { return values[indexOf(pixel)]; }
 };
 
 /// Computes a map on all cores. Points are those of clicks, to the last digit (ClickBatch); a mistake's is computed by the
@@ -87,9 +87,10 @@ struct PixelMap {
 /// @return nothing when progress says stop; the errors of ClickBatch::of, doctor::Given::of and, for the uncertainty,
 ///         byParameters(Picture). Throws std::bad_alloc.
 /// @pre surfaces.isMet() where needsRays
-Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unprojector &unprojector,
-                                         const SurfaceImage &surfaces, std::span<const ray::SceneObject> objects,
-                                         const ray::Progress &progress);
+geometry::Result<std::optional<PixelMap>> pixelMap(const Question &question, const unproject::Unprojector &unprojector,
+                                                   const SurfaceImage &surfaces,
+                                                   std::span<const scene::SceneObject> objects,
+                                                   const ray::Progress &progress);
 
 /// Where surfaces come from that are not there all at once.
 struct SurfaceSource {
@@ -100,9 +101,10 @@ struct SurfaceSource {
 
 /// The same map, with the surfaces of a band of rows at a time: beside the map itself some 20 MB, however large it is.
 /// @param source  with surfaces that are met where needsRays
-Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unprojector &unprojector,
-                                         const SurfaceSource &source, std::span<const ray::SceneObject> objects,
-                                         const ray::Progress &progress);
+geometry::Result<std::optional<PixelMap>> pixelMap(const Question &question, const unproject::Unprojector &unprojector,
+                                                   const SurfaceSource &source,
+                                                   std::span<const scene::SceneObject> objects,
+                                                   const ray::Progress &progress);
 
 /// What the numbers of a map are like; those that there are.
 struct MapStatistics {

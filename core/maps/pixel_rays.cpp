@@ -4,6 +4,9 @@
 #include <limits>
 
 namespace unprojector::maps {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 /// Room for a row of points.
@@ -18,14 +21,13 @@ struct Points {
 
 } // namespace
 
-PixelRays::PixelRays(const BatchUnprojection &unprojection, const Picture &picture, const DepthRange &depths)
-    : m_unprojection(unprojection), m_width(static_cast<std::size_t>(picture.surface.widthPixels)), m_depths(depths),
+PixelRays::PixelRays(const BatchUnprojection &unprojection, const Setup &setup, const DepthRange &depths)
+    : m_unprojection(unprojection), m_width(static_cast<std::size_t>(setup.surface.widthPixels)), m_depths(depths),
       m_high(1.0)
 {
     Points middle(1);
-    const Viewport &v = picture.viewport;
-    const DevicePoint at =
-        deviceFromWindow(picture.surface, WindowPoint(v.x + v.width / 2.0, v.y + v.height / 2.0, 0.0));
+    const Viewport &v = setup.viewport;
+    const DevicePoint at = deviceFromWindow(setup.surface, WindowPoint(v.x + v.width / 2.0, v.y + v.height / 2.0, 0.0));
     middle.px[0] = at.x;
     middle.py[0] = at.y;
     middle.depth[0] = depths.atFar;
@@ -38,13 +40,13 @@ PixelRays::PixelRays(const BatchUnprojection &unprojection, const Picture &pictu
 
 Result<PixelRays> PixelRays::of(const ray::ClickRays &rays)
 {
-    const Picture &picture = rays.picture();
+    const Setup &setup = rays.setup();
     const Result<BatchUnprojection> unprojection = rays.method() == Method::Formula
-                                                       ? BatchUnprojection::byFormula(picture, {})
-                                                       : BatchUnprojection::byMatrix(picture, {});
+                                                       ? BatchUnprojection::byFormula(setup, {})
+                                                       : BatchUnprojection::byMatrix(setup, {});
     if (!unprojection)
         return unprojection.error();
-    return PixelRays(*unprojection, picture, rays.depths());
+    return PixelRays(*unprojection, setup, rays.depths());
 }
 
 void PixelRays::ofRow(int row, std::vector<ray::Ray<WorldSpace>> &rays) const

@@ -6,26 +6,26 @@
 #include <vector>
 
 namespace unprojector::maps {
-using namespace unproject;
 
 /// The rays through the centres of many pixels, those of ray::ClickRays computed row by row in plain double: their ends may
 /// be off by some units in the last place.
 class PixelRays {
 public:
     /// @return the errors of BatchUnprojection::byFormula or, for a matrix that is no known projection, byMatrix
-    static Result<PixelRays> of(const ray::ClickRays &rays);
+    static geometry::Result<PixelRays> of(const ray::ClickRays &rays);
 
     /// @param row   counted from the top
     /// @param rays  becomes one for each pixel of the picture's width; not finite where there is none
-    void ofRow(int row, std::vector<ray::Ray<WorldSpace>> &rays) const;
+    void ofRow(int row, std::vector<ray::Ray<geometry::WorldSpace>> &rays) const;
 
 private:
-    PixelRays(const BatchUnprojection &unprojection, const Picture &picture, const DepthRange &depths);
+    PixelRays(const unproject::BatchUnprojection &unprojection, const geometry::Setup &setup,
+              const geometry::DepthRange &depths);
 
-    BatchUnprojection m_unprojection;
+    unproject::BatchUnprojection m_unprojection;
     std::size_t m_width;
-    DepthRange m_depths; ///< of the ends of the rays
-    double m_high;       ///< of the rays: infinity where the far plane is there
+    geometry::DepthRange m_depths; ///< of the ends of the rays
+    double m_high;                 ///< of the rays: infinity where the far plane is there
 };
 
 } // namespace unprojector::maps

@@ -10,6 +10,9 @@
 #include <span>
 
 namespace unprojector::maps {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -17,10 +20,10 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// The window depth of world points, by the matrix.
 class WindowDepths {
 public:
-    explicit WindowDepths(const Picture &picture)
-        : m_range(picture.depthRange), m_isZeroToOne(ndcDepthOf(picture) == NdcDepth::ZeroToOne)
+    explicit WindowDepths(const Setup &setup)
+        : m_range(setup.depthRange), m_isZeroToOne(ndcDepthOf(setup) == NdcDepth::ZeroToOne)
     {
-        const glm::dmat4 matrix = clipFromWorld(picture).value();
+        const glm::dmat4 matrix = clipFromWorld(setup).value();
         for (int column = 0; column < 4; ++column) {
             m_z[column] = matrix[column][2];
             m_w[column] = matrix[column][3];
@@ -41,30 +44,30 @@ private:
     glm::dvec4 m_z, m_w;
 };
 
-SurfaceImage emptyImage(const Picture &picture, const Rows &rows)
+SurfaceImage emptyImage(const Setup &setup, const Rows &rows)
 {
-    SurfaceImage image{picture.surface.widthPixels, picture.surface.heightPixels, {}, {}, {}, {}, {}, {}};
+    SurfaceImage image{setup.surface.widthPixels, setup.surface.heightPixels, {}, {}, {}, {}, {}, {}};
     image.rowPlaces.assign(static_cast<std::size_t>(image.heightPixels), -1);
-    int place = 0;
+    int index = 0;
     for (const int row : rows)
-        image.rowPlaces[static_cast<std::size_t>(row)] = place++;
+        image.rowPlaces[static_cast<std::size_t>(row)] = index++;
     image.depths.assign(rows.size() * static_cast<std::size_t>(image.widthPixels), kNone);
     return image;
 }
 
 /// Whether the centre of a pixel lies in the viewport.
-bool isInViewport(const Picture &picture, const DevicePixel &pixel)
+bool isInViewport(const Setup &setup, const DevicePixel &pixel)
 {
-    const Viewport &v = picture.viewport;
-    const WindowPoint center = windowFromDevice(picture.surface, pixelCenter(pixel), 0.0);
+    const Viewport &v = setup.viewport;
+    const WindowPoint center = windowFromDevice(setup.surface, pixelCenter(pixel), 0.0);
     return center.x >= v.x && center.x <= v.x + v.width && center.y >= v.y && center.y <= v.y + v.height;
 }
 
 } // namespace
 
-Rows allRows(const Picture &picture)
+Rows allRows(const Setup &setup)
 {
-    Rows rows(static_cast<std::size_t>(picture.surface.heightPixels));
+    Rows rows(static_cast<std::size_t>(setup.surface.heightPixels));
     std::iota(rows.begin(), rows.end(), 0);
     return rows;
 }
@@ -72,10 +75,10 @@ Rows allRows(const Picture &picture)
 std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelRays &pixels, const DepthFormat &format,
                                         const Rows &rowsMet, const ray::Progress &progress)
 {
-    const Picture &picture = rays.rays().picture();
-    const WindowDepths depths(picture);
-    const auto [lowest, highest] = std::minmax({picture.depthRange.atNear, picture.depthRange.atFar});
-    SurfaceImage image = emptyImage(picture, rowsMet);
+    const Setup &setup = rays.rays().setup();
+    const WindowDepths depths(setup);
+    const auto [lowest, highest] = std::minmax({setup.depthRange.atNear, setup.depthRange.atFar});
+    SurfaceImage image = emptyImage(setup, rowsMet);
     image.format = format;
     image.ts.assign(image.depths.size(), kNone);
     image.objects.assign(image.depths.size(), 0);
@@ -86,18 +89,18 @@ std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelR
         for (const int j : some) {
             pixels.ofRow(j, row);
             for (int i = 0; i < image.widthPixels; ++i) {
-                if (!isInViewport(picture, {i, j}))
+                if (!isInViewport(setup, {i, j}))
                     continue;
                 const ray::Ray<WorldSpace> &ray = row[static_cast<std::size_t>(i)];
                 const std::optional<ray::FirstTriangle> met = rays.firstTriangle(ray);
                 if (!met)
                     continue;
-                const std::size_t place = image.place(i, j);
+                const std::size_t index = image.indexOf(i, j);
                 // Rounding to whole steps can lead out of the range, where no surface is drawn.
-                image.depths[place] = std::clamp(format.kept(depths.of(ray.at(met->hit.t))), low, high);
-                image.ts[place] = met->hit.t;
-                image.objects[place] = static_cast<std::uint32_t>(met->object);
-                image.triangles[place] = met->hit.triangle;
+                image.depths[index] = std::clamp(format.kept(depths.of(ray.at(met->hit.t))), low, high);
+                image.ts[index] = met->hit.t;
+                image.objects[index] = static_cast<std::uint32_t>(met->object);
+                image.triangles[index] = met->hit.triangle;
             }
         }
     });
@@ -107,24 +110,24 @@ std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelR
 std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelRays &pixels, const DepthFormat &format,
                                         const ray::Progress &progress)
 {
-    return surfacesMet(rays, pixels, format, allRows(rays.rays().picture()), progress);
+    return surfacesMet(rays, pixels, format, allRows(rays.rays().setup()), progress);
 }
 
-SurfaceImage surfacesAt(const Picture &picture, double depth, const Rows &rows)
+SurfaceImage surfacesAt(const Setup &setup, double depth, const Rows &rows)
 {
-    SurfaceImage image = emptyImage(picture, rows);
+    SurfaceImage image = emptyImage(setup, rows);
     for (const int j : rows) {
         for (int i = 0; i < image.widthPixels; ++i) {
-            if (isInViewport(picture, {i, j}))
-                image.depths[image.place(i, j)] = depth;
+            if (isInViewport(setup, {i, j}))
+                image.depths[image.indexOf(i, j)] = depth;
         }
     }
     return image;
 }
 
-SurfaceImage surfacesAt(const Picture &picture, double depth)
+SurfaceImage surfacesAt(const Setup &setup, double depth)
 {
-    return surfacesAt(picture, depth, allRows(picture));
+    return surfacesAt(setup, depth, allRows(setup));
 }
 
 } // namespace unprojector::maps

@@ -13,13 +13,13 @@ namespace unprojector::maps {
 
 /// Rows of a picture, counted from the top, each once.
 using Rows = std::vector<int>;
-Rows allRows(const Picture &picture);
+Rows allRows(const geometry::Setup &setup);
 
 /// What is seen at the centre of each pixel of a picture, or of some of its rows.
 struct SurfaceImage {
     int widthPixels = 0, heightPixels = 0; ///< of the picture
     std::vector<int> rowPlaces;            ///< of each row of the picture: where it lies below; -1: it is not here
-    DepthFormat format;
+    unproject::DepthFormat format;
     std::vector<double> depths; ///< in the depth range, as a depth buffer of that format keeps them; NaN: no surface
     // Of surfaces that rays have met; empty where only a depth was given:
     std::vector<double> ts;               ///< where on the pixel's ray, see PixelRays
@@ -28,7 +28,7 @@ struct SurfaceImage {
 
     bool has(int row) const { return row >= 0 && row < heightPixels && rowPlaces[static_cast<std::size_t>(row)] >= 0; }
     /// @pre has(row)
-    std::size_t place(int column, int row) const
+    std::size_t indexOf(int column, int row) const
     {
         return static_cast<std::size_t>(rowPlaces[static_cast<std::size_t>(row)])
                    * static_cast<std::size_t>(widthPixels)
@@ -43,15 +43,16 @@ struct SurfaceImage {
 /// @param rows      that are looked at
 /// @param progress  with the share done, on the calling thread; may be empty
 /// @return nothing when progress says stop. Throws std::bad_alloc.
-std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelRays &pixels, const DepthFormat &format,
-                                        const Rows &rows, const ray::Progress &progress);
-/// Those of the whole picture.
-std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelRays &pixels, const DepthFormat &format,
+std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelRays &pixels,
+                                        const unproject::DepthFormat &format, const Rows &rows,
                                         const ray::Progress &progress);
+/// Those of the whole picture.
+std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelRays &pixels,
+                                        const unproject::DepthFormat &format, const ray::Progress &progress);
 
 /// The same depth everywhere in the viewport.
 /// @pre the depth lies in the depth range. Throws std::bad_alloc.
-SurfaceImage surfacesAt(const Picture &picture, double depth, const Rows &rows);
-SurfaceImage surfacesAt(const Picture &picture, double depth);
+SurfaceImage surfacesAt(const geometry::Setup &setup, double depth, const Rows &rows);
+SurfaceImage surfacesAt(const geometry::Setup &setup, double depth);
 
 } // namespace unprojector::maps

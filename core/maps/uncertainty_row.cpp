@@ -8,20 +8,23 @@
 #include <cmath>
 
 namespace unprojector::maps {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 /// As gui's frame reads it: the steeper of both sides, of the same object.
 std::optional<DepthSlope> slopeAt(const SurfaceImage &s, const DevicePixel &pixel)
 {
-    const std::size_t here = s.place(pixel.i, pixel.j);
+    const std::size_t here = s.indexOf(pixel.i, pixel.j);
     const auto slopeTo = [&](const DevicePixel &before, const DevicePixel &after) {
         std::optional<double> slope;
         for (const DevicePixel &beside : {before, after}) {
             if (beside.i < 0 || beside.i >= s.widthPixels || !s.has(beside.j))
                 continue;
-            const std::size_t place = s.place(beside.i, beside.j);
-            if (!std::isnan(s.depths[place]) && s.objects[place] == s.objects[here])
-                slope = std::max(slope.value_or(0.0), std::abs(s.depths[place] - s.depths[here]));
+            const std::size_t index = s.indexOf(beside.i, beside.j);
+            if (!std::isnan(s.depths[index]) && s.objects[index] == s.objects[here])
+                slope = std::max(slope.value_or(0.0), std::abs(s.depths[index] - s.depths[here]));
         }
         return slope;
     };
@@ -32,17 +35,17 @@ std::optional<DepthSlope> slopeAt(const SurfaceImage &s, const DevicePixel &pixe
 
 } // namespace
 
-UncertaintyRow::UncertaintyRow(const Picture &picture, std::span<const ray::SceneObject> objects,
+UncertaintyRow::UncertaintyRow(const Setup &setup, std::span<const scene::SceneObject> objects,
                                double cornerShiftPixels)
-    : m_picture(picture), m_cornerShiftPixels(cornerShiftPixels), m_certainties(picture)
+    : m_setup(setup), m_cornerShiftPixels(cornerShiftPixels), m_certainties(setup)
 {
-    for (const ray::SceneObject &object : objects) {
+    for (const scene::SceneObject &object : objects) {
         std::vector<PreparedMesh> &meshes = m_meshes.emplace_back();
         std::size_t before = 0;
-        for (const ray::Mesh &mesh : object.model->meshes) {
+        for (const mesh::Mesh &mesh : object.model->meshes) {
             meshes.push_back(
                 {&mesh, before,
-                 DepthErrors(picture, glm::translate(scene::worldFromObject(object.transform), mesh.origin),
+                 DepthErrors(setup, glm::translate(geometry::worldFromObject(object.transform), mesh.origin),
                              !mesh.remainders.empty())});
             before += mesh.triangleCount();
         }
@@ -52,14 +55,14 @@ UncertaintyRow::UncertaintyRow(const Picture &picture, std::span<const ray::Scen
 double UncertaintyRow::at(const SurfaceImage &s, const DevicePixel &pixel, const EyePoint &eye,
                           const WorldPoint &world) const
 {
-    const std::size_t place = s.place(pixel.i, pixel.j);
-    const std::vector<PreparedMesh> &meshes = m_meshes[s.objects[place]];
-    const std::size_t number = s.triangles[place];
+    const std::size_t index = s.indexOf(pixel.i, pixel.j);
+    const std::vector<PreparedMesh> &meshes = m_meshes[s.objects[index]];
+    const std::size_t number = s.triangles[index];
     const auto after = std::upper_bound(meshes.begin(), meshes.end(), number,
                                         [](std::size_t n, const PreparedMesh &mesh) { return n < mesh.before; });
     const PreparedMesh &own = *(after - 1);
-    const DepthSample sample{s.depths[place], s.objects[place], s.format, slopeAt(s, pixel), m_cornerShiftPixels};
-    const WindowPoint window = windowFromDevice(m_picture.surface, pixelCenter(pixel), sample.depth);
+    const DepthSample sample{s.depths[index], s.objects[index], s.format, slopeAt(s, pixel), m_cornerShiftPixels};
+    const WindowPoint window = windowFromDevice(m_setup.surface, pixelCenter(pixel), sample.depth);
     const DepthError error = own.errors.at(window, world, sample,
                                            ray::cornersOf(*own.mesh, static_cast<std::uint32_t>(number - own.before)));
     return length(m_certainties.of(eye, world, m_certainties.at(-eye.z, error)).world);

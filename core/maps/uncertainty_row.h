@@ -14,29 +14,29 @@ namespace unprojector::maps {
 /// slope that the depths around a pixel show, and corners that are moved as the renderer does.
 class UncertaintyRow {
 public:
-    /// @param picture  by parameters
-    /// @param objects  outlive this
+    /// @param setup              by parameters
+    /// @param objects            outlive this
     /// @param cornerShiftPixels  as DepthSample has it
-    UncertaintyRow(const Picture &picture, std::span<const ray::SceneObject> objects, double cornerShiftPixels);
+    UncertaintyRow(const geometry::Setup &setup, std::span<const scene::SceneObject> objects, double cornerShiftPixels);
 
     /// The length of the +- in world space.
     /// @param surfaces    of the pixel's row and of those beside it; @pre surfaces.isMet()
     /// @param pixel       with a surface
     /// @param eye, world  its formulas' point
-    double at(const SurfaceImage &surfaces, const DevicePixel &pixel, const EyePoint &eye,
-              const WorldPoint &world) const;
+    double at(const SurfaceImage &surfaces, const geometry::DevicePixel &pixel, const geometry::EyePoint &eye,
+              const geometry::WorldPoint &world) const;
 
 private:
     /// A mesh of an object, prepared.
     struct PreparedMesh {
-        const ray::Mesh *mesh;
+        const mesh::Mesh *mesh;
         std::size_t before; ///< triangles of the object's meshes before it
-        DepthErrors errors;
+        unproject::DepthErrors errors;
     };
 
-    Picture m_picture;
+    geometry::Setup m_setup;
     double m_cornerShiftPixels;
-    Certainties m_certainties;
+    unproject::Certainties m_certainties;
     std::vector<std::vector<PreparedMesh>> m_meshes; ///< of each object
 };
 

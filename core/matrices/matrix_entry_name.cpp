@@ -1,6 +1,8 @@
 #include "core/matrices/matrix_entry_name.h"
 
 namespace unprojector::matrices {
+using namespace geometry;
+
 namespace {
 
 /// Row by row, as printed in books.

@@ -16,7 +16,7 @@ namespace unprojector::matrices {
 /// @param kind         of the projection; matters for PipelineStage::ProjectionMatrix
 /// @param row, column  0 to 3, in the column-vector layout (swap them for rows)
 /// @return empty for an entry of the whole pipeline, which is a product without a short name
-std::string_view matrixEntryName(PipelineStage stage, PipelineDirection direction, ProjectionKind kind, int row,
-                                 int column);
+std::string_view matrixEntryName(PipelineStage stage, PipelineDirection direction, geometry::ProjectionKind kind,
+                                 int row, int column);
 
 } // namespace unprojector::matrices

@@ -6,6 +6,8 @@
 #include <cmath>
 
 namespace unprojector::matrices {
+using namespace geometry;
+
 namespace {
 
 std::vector<MatrixFactor> boxFactors(const Ortho &box)

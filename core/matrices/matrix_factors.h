@@ -9,7 +9,6 @@
 #include <vector>
 
 namespace unprojector::matrices {
-using namespace geometry;
 
 /// What one factor of a view's or a projection's matrix does. l, r, b, t, n, f are the arguments of glOrtho and glFrustum.
 enum class MatrixStep {
@@ -39,17 +38,17 @@ struct MatrixFactor {
 /// Multiplied in double they are within a unit in the last place of clipFromEye(projection), entry by entry.
 /// @return the errors of check(projection)
 /// Source: `parallel-projection`; Zhang Ci, section 2.2.1; `projection-derivation` for a z + b.
-Result<std::vector<MatrixFactor>> factors(const Projection &projection);
+geometry::Result<std::vector<MatrixFactor>> factors(const geometry::Projection &projection);
 
 /// eyeFromWorld = TurnAxes * MoveEye, in the order in which they act.
 /// @return the errors of eyeFrame
 /// Source: gluLookAt; Weng et al. 2008, section 2.1.
-Result<std::vector<MatrixFactor>> factors(const LookAt &view);
+geometry::Result<std::vector<MatrixFactor>> factors(const geometry::LookAt &view);
 
 /// The factors of the matrix that an API has from and to its own spaces.
 /// @param source, target  how the coordinates of the two spaces follow from this program's; what changes nothing adds no factor
-std::vector<MatrixFactor> inConventions(std::vector<MatrixFactor> factors, const AxisChange &source,
-                                        const AxisChange &target);
+std::vector<MatrixFactor> inConventions(std::vector<MatrixFactor> factors, const geometry::AxisChange &source,
+                                        const geometry::AxisChange &target);
 
 /// What a factor does where only a part of it acts: (1 - share) I + share M, entry by entry. I at 0; M, to the last bit, at 1.
 /// Half of TurnZ is flat. Of OntoNear w is 1 - share - share z, which is above 0 in front of the eye.

@@ -2,9 +2,9 @@
 
 #include "core/geometry/condition_number.h"
 #include "core/geometry/view_matrix.h"
+#include "core/matrices/decomposition.h"
 #include "core/matrices/matrix_format.h"
 #include "core/matrices/printed_digits.h"
-#include "core/matrices/taken_apart.h"
 #include "core/text/translation.h"
 
 #include <glm/geometric.hpp>
@@ -18,6 +18,7 @@
 #include <variant>
 
 namespace unprojector::matrices {
+using namespace geometry;
 using text::tr;
 namespace {
 
@@ -224,10 +225,10 @@ std::vector<MatrixFinding> productFindings(const dmat4 &m, const std::optional<N
 {
     // A view that looks at the world's origin makes of a product's inverse and transpose almost such products; but for w.
     const auto isPlain = [](const dmat4 &p) {
-        const auto apart = takenApart(p);
+        const auto apart = decomposed(p);
         return isAffine(p) || (apart && std::abs(std::abs(apart->w) - 1.0) <= 10.0 * kZero);
     };
-    const auto isProduct = [](const dmat4 &p) { return takenApart(p).has_value(); };
+    const auto isProduct = [](const dmat4 &p) { return decomposed(p).has_value(); };
     const dmat4 transposed = glm::transpose(m), inverse = glm::inverse(m);
     const bool isMeant = isPlain(m) || (!isPlain(transposed) && !isPlain(inverse) && isProduct(m));
     if (!isMeant) {
@@ -238,7 +239,7 @@ std::vector<MatrixFinding> productFindings(const dmat4 &m, const std::optional<N
         return {{MatrixFault::UnknownForm}};
     }
     std::vector<MatrixFinding> found;
-    const auto apart = takenApart(m);
+    const auto apart = decomposed(m);
     if (!apart)
         return found;
     if (apart->w < 0.0)

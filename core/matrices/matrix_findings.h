@@ -11,7 +11,6 @@
 #include <vector>
 
 namespace unprojector::matrices {
-using namespace geometry;
 
 /// What a pasted matrix is given as.
 enum class MatrixRole {
@@ -77,7 +76,7 @@ std::string_view idOf(MatrixFault fault);
 /// @param ndcDepth  what is known of the NDC depths: then nothing is said of them
 /// @param clipFromEye  with a view: its projection, to tell whether the world's origin is in sight
 std::vector<MatrixFinding> findings(const glm::dmat4 &matrix, MatrixRole role,
-                                    const std::optional<NdcDepth> &ndcDepth = std::nullopt,
+                                    const std::optional<geometry::NdcDepth> &ndcDepth = std::nullopt,
                                     const std::optional<glm::dmat4> &clipFromEye = std::nullopt);
 
 /// Makes a projection and a view of an eye space that looks along +z those of one that looks down -z. Their product stays.

@@ -4,6 +4,8 @@
 #include <cmath>
 
 namespace unprojector::matrices {
+using namespace geometry;
+
 namespace {
 
 constexpr std::array kRoles{MatrixRole::View, MatrixRole::Projection, MatrixRole::Product};
@@ -224,10 +226,10 @@ MatrixPaste::Camera MatrixPaste::camera() const
     return camera;
 }
 
-std::optional<TakenApart> MatrixPaste::apart() const
+std::optional<Decomposition> MatrixPaste::apart() const
 {
     const auto product = matrix(MatrixRole::Product);
-    return product ? takenApart(*product) : std::nullopt;
+    return product ? decomposed(*product) : std::nullopt;
 }
 
 } // namespace unprojector::matrices

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/geometry/matrix_projection.h"
+#include "core/matrices/decomposition.h"
 #include "core/matrices/matrix_findings.h"
 #include "core/matrices/pasted_matrix.h"
-#include "core/matrices/taken_apart.h"
 #include "core/matrices/told_order.h"
 
 #include <array>
@@ -12,7 +12,6 @@
 #include <vector>
 
 namespace unprojector::matrices {
-using namespace geometry;
 
 /// Matrices while they are being pasted: a text for each of the three, how it is read, what is to be seen of it, and the
 /// repairs that were chosen. A text that has several matrices fills the places of those whose own text is empty.
@@ -28,13 +27,13 @@ public:
     /// Whether the inverse stands beside it, and is left out.
     bool leavesInverseOut(MatrixRole role) const;
     /// A viewport that stands beside the matrices: nothing is done with it.
-    std::optional<Viewport> viewport() const;
+    std::optional<geometry::Viewport> viewport() const;
 
     /// The order that is set, else told by the numbers, else that of the form.
     NumberOrder order(MatrixRole role) const;
     void setOrder(MatrixRole role, NumberOrder order);
     /// Says what the numbers of a projection or a product leave open; none: as they tell.
-    void setNdcDepth(MatrixRole role, const std::optional<NdcDepth> &depth);
+    void setNdcDepth(MatrixRole role, const std::optional<geometry::NdcDepth> &depth);
     /// Does what a finding offers, but Exchange, which is one of the texts.
     void repair(MatrixRole role, const MatrixFinding &finding);
     /// As it was pasted.
@@ -47,18 +46,18 @@ public:
     /// Of the matrix as it is now.
     std::vector<MatrixFinding> findings(MatrixRole role) const;
     /// Of the NDC of the projection or the product; none: as its numbers tell.
-    std::optional<NdcDepth> ndcDepth(MatrixRole role) const { return place(role).ndcDepth; }
+    std::optional<geometry::NdcDepth> ndcDepth(MatrixRole role) const { return place(role).ndcDepth; }
 
     /// What a scene is to take.
     struct Camera {
-        std::optional<MatrixProjection> projection;
+        std::optional<geometry::MatrixProjection> projection;
         std::optional<glm::dmat4> eyeFromWorld;
         bool isAnything() const { return projection || eyeFromWorld; }
     };
     /// Projection and view, what there is of them.
     Camera camera() const;
     /// Those that the product is taken apart into; nothing where there is none, or it cannot be.
-    std::optional<TakenApart> apart() const;
+    std::optional<Decomposition> apart() const;
 
 private:
     struct Place {
@@ -69,7 +68,7 @@ private:
         std::optional<NumberOrder> order;  ///< none: as told
         ToldOrder told = ToldOrder::Usual; ///< of the matrix of this role, wherever it was pasted
         std::vector<MatrixFinding> repairs;
-        std::optional<NdcDepth> ndcDepth;
+        std::optional<geometry::NdcDepth> ndcDepth;
     };
     Place &place(MatrixRole role) { return m_places[std::size_t(role)]; }
     const Place &place(MatrixRole role) const { return m_places[std::size_t(role)]; }

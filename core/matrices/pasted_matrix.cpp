@@ -13,6 +13,8 @@
 #include <utility>
 
 namespace unprojector::matrices {
+using namespace geometry;
+
 namespace {
 
 using Numbers = std::span<const PastedNumber>;
@@ -84,12 +86,12 @@ PastedMatrix assembled(Numbers numbers)
     PastedMatrix placed = matrix;
     for (const PastedNumber &n : numbers) {
         const int first = n.subscripts[0] - least;
-        const int place = n.subscripts.size() == 1 ? first : 4 * first + n.subscripts[1] - least;
-        const bool isPlace = place >= 0 && place < int(kEntries) && (n.subscripts.size() == 1 || first < 4);
-        if (!isPlace || isTaken[std::size_t(place)])
+        const int index = n.subscripts.size() == 1 ? first : 4 * first + n.subscripts[1] - least;
+        const bool isPlace = index >= 0 && index < int(kEntries) && (n.subscripts.size() == 1 || first < 4);
+        if (!isPlace || isTaken[std::size_t(index)])
             return matrix;
-        isTaken[std::size_t(place)] = true;
-        placed.numbers[std::size_t(place)] = n.value;
+        isTaken[std::size_t(index)] = true;
+        placed.numbers[std::size_t(index)] = n.value;
     }
     return placed;
 }

@@ -13,7 +13,6 @@
 #include <vector>
 
 namespace unprojector::matrices {
-using namespace geometry;
 
 /// How the sixteen numbers of a matrix follow each other.
 enum class NumberOrder { ByColumns, ByRows };
@@ -53,18 +52,18 @@ bool lacksInverse(const PastedMatrix &matrix);
 std::string inverseText(const PastedMatrix &matrix);
 
 struct ViewportAndDepths {
-    Viewport viewport;
-    DepthRange depthRange;
+    geometry::Viewport viewport;
+    geometry::DepthRange depthRange;
 };
 
 /// Whether a window may have it: within [0, 1], but for what single precision leaves.
-bool isWindowsOwn(const DepthRange &range);
+bool isWindowsOwn(const geometry::DepthRange &range);
 
 /// What a matrix from NDC to the window stands for: column vectors, window positions in pixels from the bottom left.
 /// @param depth  the NDC depths it goes by; unknown, those in [-1, 1], unless only those in [0, 1] make its depth range one
 ///               within [0, 1]
 /// @return width and height less than 0 where the matrix turns x or y round
-ViewportAndDepths viewportOf(const glm::dmat4 &windowFromNdc, const std::optional<NdcDepth> &depth);
+ViewportAndDepths viewportOf(const glm::dmat4 &windowFromNdc, const std::optional<geometry::NdcDepth> &depth);
 
 /// What a text may say of a scene's matrices. Those behind a name are that part's; model is world from object, product the
 /// projection times the view, or times the modelview. ToWindow, the viewport's matrix times that, and what else is said of a
@@ -74,7 +73,7 @@ const char *nameOf(PastedPart part);
 
 struct PastedScene {
     std::optional<PastedMatrix> modelView, view, model, projection, product;
-    std::optional<Viewport> viewport;
+    std::optional<geometry::Viewport> viewport;
     std::optional<PastedMatrix> viewportMatrix; ///< window from NDC, where the viewport is given as that
     std::vector<PastedPart> more; ///< of which there are several, as of several objects: only the first is taken
     std::vector<PastedPart> inversesLeft; ///< whose inverse stands beside them, and is left out
@@ -93,16 +92,16 @@ std::string reasonText(const PasteError &error);
 /// One matrix. Brackets, commas, quotes and words are passed over, and so are subscripts (m[3], m(0,1), "3":) and the
 /// numbers in comments, lines that begin with #, % or //.
 /// @return 16 numbers; what is wrong with them
-Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text);
+geometry::Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text);
 
 /// The matrices and the viewport of a scene: numbers behind a name (modelview, view, model, projection, MVP, viewport)
 /// are that part's, whatever their order; behind that of an inverse (viewInverse,
 /// cameraToWorld) too, where the part itself is not there; those behind none are modelview, projection and viewport, in this order, or,
 /// where there are twenty altogether, the product and the viewport.
 /// @return the viewport, the projection and the modelview or the view; or the product; whatever else was there
-Result<PastedScene, PasteError> pastedScene(std::string_view text);
+geometry::Result<PastedScene, PasteError> pastedScene(std::string_view text);
 
 /// What of all that a text has; none of it need be there. Sixteen numbers alone are the modelview's.
-Result<PastedScene, PasteError> pastedParts(std::string_view text);
+geometry::Result<PastedScene, PasteError> pastedParts(std::string_view text);
 
 } // namespace unprojector::matrices

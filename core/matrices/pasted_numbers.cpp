@@ -9,6 +9,8 @@
 #include <system_error>
 
 namespace unprojector::matrices {
+using namespace geometry;
+
 namespace {
 
 /// U+2212, which typeset numbers have for the sign.

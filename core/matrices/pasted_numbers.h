@@ -23,6 +23,6 @@ struct PastedNumber {
 };
 
 /// @return NotFinite's word, line and column
-Result<std::vector<PastedNumber>, PasteError> pastedNumbers(std::string_view text);
+geometry::Result<std::vector<PastedNumber>, PasteError> pastedNumbers(std::string_view text);
 
 } // namespace unprojector::matrices

@@ -54,10 +54,9 @@ PipelinePoints withWidget(const Pipeline &pipeline, PipelinePoints points)
 /// From NDC on.
 PipelinePoints withWindow(const Pipeline &pipeline, PipelinePoints points)
 {
-    const Picture &geometry = pipeline.geometry;
-    points.window = next<WindowSpace>(points.ndc, [&](const NdcPoint &p) {
-        return finite(windowFromNdc(geometry.viewport, geometry.depthRange, p));
-    });
+    const Setup &setup = pipeline.geometry;
+    points.window = next<WindowSpace>(
+        points.ndc, [&](const NdcPoint &p) { return finite(windowFromNdc(setup.viewport, setup.depthRange, p)); });
     return withWidget(pipeline, points);
 }
 
@@ -186,17 +185,17 @@ const glm::dmat4 &Pipeline::matrix(PipelineStage stage, PipelineDirection direct
     return direction == PipelineDirection::Forward ? forward[index] : backward[index];
 }
 
-Result<Pipeline> pipeline(const Picture &geometry, const glm::dmat4 &worldFromObject)
+Result<Pipeline> pipeline(const Setup &setup, const glm::dmat4 &worldFromObject)
 {
-    if (const Check valid = check(geometry); !valid)
+    if (const Check valid = check(setup); !valid)
         return valid.error();
     if (const std::optional<double> value = firstNotFinite(worldFromObject))
         return Error{ErrorCode::NotFinite, *value};
-    const EyeFrame frame = eyeFrame(geometry.camera()).value();
+    const EyeFrame frame = eyeFrame(setup.camera()).value();
 
     const glm::dmat4 view = eyeFromWorld(frame);
-    const glm::dmat4 projection = clipFromEye(geometry.projection()).value();
-    const glm::dmat4 viewport = windowFromNdc(geometry.viewport, geometry.depthRange);
+    const glm::dmat4 projection = clipFromEye(setup.projection()).value();
+    const glm::dmat4 viewport = windowFromNdc(setup.viewport, setup.depthRange);
     if (std::isinf(conditionNumber(worldFromObject)) || std::isinf(conditionNumber(projection)))
         return Error{ErrorCode::SingularMatrix};
 
@@ -213,7 +212,7 @@ Result<Pipeline> pipeline(const Picture &geometry, const glm::dmat4 &worldFromOb
     const glm::dmat4 objectFromEye = objectFromWorld * worldFromEye;
     const glm::dmat4 modelview = view * worldFromObject;
 
-    Pipeline result{geometry,
+    Pipeline result{setup,
                     {worldFromObject, view, projection, viewport, modelview, viewport * projection * modelview},
                     {objectFromWorld, worldFromEye, eyeFromClip, ndcFromWindow, objectFromEye,
                      objectFromEye * eyeFromClip * ndcFromWindow}};

@@ -1,12 +1,14 @@
 #include "core/matrices/told_order.h"
 
 #include "core/geometry/condition_number.h"
-#include "core/matrices/taken_apart.h"
+#include "core/matrices/decomposition.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace unprojector::matrices {
+using namespace geometry;
+
 namespace {
 
 bool isSame(const glm::dmat4 &a, const glm::dmat4 &b)
@@ -37,7 +39,7 @@ bool isCamera(const glm::dmat4 &matrix, MatrixRole role)
 bool hasSquarePixels(const glm::dmat4 &matrix, MatrixRole role, double aspect)
 {
     constexpr double kSquare = 0.01;
-    const std::optional<TakenApart> apart = role == MatrixRole::Product ? takenApart(matrix) : std::nullopt;
+    const std::optional<Decomposition> apart = role == MatrixRole::Product ? decomposed(matrix) : std::nullopt;
     if (role == MatrixRole::View || (role == MatrixRole::Product && !apart))
         return false;
     const glm::dmat4 &lens = apart ? apart->clipFromEye : matrix;

@@ -9,6 +9,8 @@
 #include <limits>
 
 namespace unprojector::mesh {
+using namespace geometry;
+
 namespace {
 
 glm::ivec3 remaindersOf(const glm::dvec3 &exact, const glm::vec3 &rounded)

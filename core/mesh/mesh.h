@@ -18,7 +18,6 @@
 #include <vector>
 
 namespace unprojector::mesh {
-using namespace geometry;
 
 /// A picture: rows from the bottom up, four bytes a pixel: red, green, blue, opacity.
 struct Image {
@@ -132,7 +131,7 @@ struct Model {
     std::string name;
     std::vector<Mesh> meshes;
     std::vector<Texture> textures;
-    Box bounds;
+    geometry::Box bounds;
     /// Of the file, before any were split for their normals or the like. 0: of a soup, whose triangles have theirs alone. Those
     /// of the meshes have smaller numbers.
     std::size_t fileVertices = 0;
@@ -164,7 +163,7 @@ private:
 /// The origin that keeps the digits of positions in a box: along each axis on which the box is farther from zero than it
 /// is wide, its middle rounded to single precision; else zero. Differences of the box's numbers from it are exact, and
 /// those of floats are floats.
-glm::dvec3 originFor(const Box &box);
+glm::dvec3 originFor(const geometry::Box &box);
 /// Adds a vertex to a mesh whose origin is set; a position that is not finite stays so.
 /// @param position  object space
 void addPosition(Mesh &mesh, const glm::dvec3 &position);
@@ -180,15 +179,15 @@ void setPositions(Mesh &mesh, const glm::dvec3 &origin, std::span<const glm::dve
 class ShownBox {
 public:
     void add(const Mesh &mesh, std::size_t vertex);
-    const Box &box() const { return m_box; }
+    const geometry::Box &box() const { return m_box; }
 
 private:
     static constexpr float kMost = std::numeric_limits<float>::max();
     glm::vec3 m_lowest{kMost}, m_highest{-kMost}; ///< of one mesh, in single precision
-    Box m_box;
+    geometry::Box m_box;
 };
 
 /// The box around all points and all vertices that triangles use.
-Box boundsOf(const std::vector<Mesh> &meshes);
+geometry::Box boundsOf(const std::vector<Mesh> &meshes);
 
 } // namespace unprojector::mesh

@@ -12,6 +12,8 @@
 #include <utility>
 
 namespace unprojector::mesh {
+using namespace geometry;
+
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;

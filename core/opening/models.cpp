@@ -11,6 +11,8 @@
 #include <utility>
 
 namespace unprojector::opening {
+using namespace geometry;
+using namespace scene;
 using namespace mesh;
 using namespace scene_file;
 

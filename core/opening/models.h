@@ -16,7 +16,7 @@
 namespace unprojector::opening {
 
 using ModelPointer = std::shared_ptr<const mesh::Model>;
-using ReadModel = mesh::Result<ModelPointer, mesh::ImportError>;
+using ReadModel = geometry::Result<ModelPointer, mesh::ImportError>;
 
 /// The models that are in use, one a file. It keeps no model alive. All its functions are for any thread.
 class ModelFiles {
@@ -58,7 +58,7 @@ std::vector<std::filesystem::path> modelFiles(const scene_file::SceneFile &scene
 /// A scene's objects with their models: the bundled ones by name, the others by `read`, which is asked once a file.
 /// @param sceneFile  as above
 /// @return what is wrong with the first model that cannot be had, in the language of text::tr()
-mesh::Result<std::vector<scene::SceneObject>, std::string>
+geometry::Result<std::vector<scene::SceneObject>, std::string>
 objectsOf(const scene_file::SceneFile &scene, const std::filesystem::path &sceneFile,
           const std::function<ReadModel(const std::filesystem::path &file)> &read);
 

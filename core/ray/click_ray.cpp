@@ -8,13 +8,16 @@
 #include <variant>
 
 namespace unprojector::ray {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
-std::optional<WorldPoint> eyeOf(const Picture &picture)
+std::optional<WorldPoint> eyeOf(const Setup &setup)
 {
-    if (const auto *camera = std::get_if<LookAt>(&picture.pose))
+    if (const auto *camera = std::get_if<LookAt>(&setup.pose))
         return camera->eye;
-    const Result<PreciseAxes> axes = preciseAxes(std::get<glm::dmat4>(picture.pose));
+    const Result<PreciseAxes> axes = preciseAxes(std::get<glm::dmat4>(setup.pose));
     if (!axes)
         return std::nullopt;
     return WorldPoint(axes->origin[0].value, axes->origin[1].value, axes->origin[2].value);
@@ -23,30 +26,30 @@ std::optional<WorldPoint> eyeOf(const Picture &picture)
 } // namespace
 
 ClickRays::ClickRays(const Unprojector &unprojector)
-    : m_unprojector(unprojector), m_depthAtNear(unprojector.picture().depthRange.atNear),
-      m_depthAtFar(unprojector.picture().depthRange.atFar)
+    : m_unprojector(unprojector), m_depthAtNear(unprojector.setup().depthRange.atNear),
+      m_depthAtFar(unprojector.setup().depthRange.atFar)
 {
-    const Picture &picture = unprojector.picture();
+    const Setup &setup = unprojector.setup();
     bool hasEye = false;
-    if (const auto *projection = std::get_if<Projection>(&picture.lens)) {
+    if (const auto *projection = std::get_if<Projection>(&setup.lens)) {
         hasEye = isPerspective(*projection);
-    } else if (const auto form = recognised(std::get<MatrixProjection>(picture.lens))) {
+    } else if (const auto form = recognised(std::get<MatrixProjection>(setup.lens))) {
         hasEye = form->coefficients.perspective;
         if (form->reversed)
             std::swap(m_depthAtNear, m_depthAtFar);
     } else {
         m_method = Method::Matrix;
     }
-    if (const auto *pose = std::get_if<glm::dmat4>(&picture.pose); pose && !axesOff(*pose))
+    if (const auto *pose = std::get_if<glm::dmat4>(&setup.pose); pose && !axesOff(*pose))
         m_method = Method::Matrix;
     if (hasEye)
-        m_eye = eyeOf(picture);
+        m_eye = eyeOf(setup);
 }
 
 Result<Ray<WorldSpace>> ClickRays::at(const DevicePoint &position) const
 {
     const auto pointAt = [&](double depth) {
-        return m_unprojector.worldAt(m_method, windowFromDevice(picture().surface, position, depth));
+        return m_unprojector.worldAt(m_method, windowFromDevice(setup().surface, position, depth));
     };
     const Result<WorldPoint> from = pointAt(m_depthAtNear);
     if (!from)
@@ -65,8 +68,8 @@ Result<Ray<WorldSpace>> ClickRays::at(const DevicePoint &position) const
 
 bool ClickRays::isInPicture(const DevicePoint &position) const
 {
-    const Viewport &viewport = picture().viewport;
-    const Surface &surface = picture().surface;
+    const Viewport &viewport = setup().viewport;
+    const Surface &surface = setup().surface;
     const WindowPoint window = windowFromDevice(surface, position, 0.0);
     const auto isWithin = [](double x, double low, double high) { return x >= low && x <= high; };
     return isWithin(window.x, viewport.x, viewport.x + viewport.width)

@@ -7,7 +7,6 @@
 #include <optional>
 
 namespace unprojector::ray {
-using namespace unproject;
 
 /// The rays through the positions of a picture, in world space and double precision, by the closed form: from the near plane,
 /// t = 0, to the far plane, t = 1; parallel ones in a box. A matrix that is no known projection goes by its inverse. Where the far
@@ -15,28 +14,28 @@ using namespace unproject;
 class ClickRays {
 public:
     /// @param unprojector  of the picture, with this program's own conventions
-    explicit ClickRays(const Unprojector &unprojector);
+    explicit ClickRays(const unproject::Unprojector &unprojector);
 
     /// The ray through a position, in the viewport or not.
     /// @param position  continuous device pixels, origin top-left: a pixel's centre has halves
     /// @return the errors of Unprojector::worldAt
-    Result<Ray<WorldSpace>> at(const DevicePoint &position) const;
+    geometry::Result<Ray<geometry::WorldSpace>> at(const geometry::DevicePoint &position) const;
 
     /// By which the rays are computed, and between which depths: those of t = 0 and t = 1.
-    Method method() const { return m_method; }
-    DepthRange depths() const { return {m_depthAtNear, m_depthAtFar}; }
+    unproject::Method method() const { return m_method; }
+    geometry::DepthRange depths() const { return {m_depthAtNear, m_depthAtFar}; }
 
-    const Picture &picture() const { return m_unprojector.picture(); }
+    const geometry::Setup &setup() const { return m_unprojector.setup(); }
     /// Where a perspective's rays meet; nothing for a box and for a matrix that is no known projection.
-    const std::optional<WorldPoint> &eye() const { return m_eye; }
+    const std::optional<geometry::WorldPoint> &eye() const { return m_eye; }
     /// Whether a position lies in the viewport, its rim included, and so in the picture.
-    bool isInPicture(const DevicePoint &position) const;
+    bool isInPicture(const geometry::DevicePoint &position) const;
 
 private:
-    Unprojector m_unprojector;
-    Method m_method = Method::Formula;
+    unproject::Unprojector m_unprojector;
+    unproject::Method m_method = unproject::Method::Formula;
     double m_depthAtNear, m_depthAtFar;
-    std::optional<WorldPoint> m_eye;
+    std::optional<geometry::WorldPoint> m_eye;
 };
 
 } // namespace unprojector::ray

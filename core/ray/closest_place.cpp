@@ -13,6 +13,8 @@
 #include <vector>
 
 namespace unprojector::ray {
+using namespace geometry;
+using namespace mesh;
 using namespace landmarks;
 namespace {
 
@@ -148,22 +150,22 @@ std::optional<ClosestPlace> ClosestPlaces::to(const ObjectPoint &point) const
     });
     if (!std::isfinite(least))
         return std::nullopt;
-    Hold hold = OnTriangle{closest, barycentric};
+    Anchor anchor = OnTriangle{closest, barycentric};
     if (closest >= m_triangles.count()) {
         const ElementNumbers::Place place = m_points.place(closest - m_triangles.count());
-        hold = AtVertex{m_model->vertexNumber(place.mesh, m_model->meshes[place.mesh].vertexAt(place.element))};
+        anchor = AtVertex{m_model->vertexNumber(place.mesh, m_model->meshes[place.mesh].vertexAt(place.element))};
     }
-    const std::optional<ObjectPoint> place = placeOf(hold, *m_model);
-    return place ? std::optional(ClosestPlace{hold, *place, least}) : std::nullopt;
+    const std::optional<ObjectPoint> place = placeOf(anchor, *m_model);
+    return place ? std::optional(ClosestPlace{anchor, *place, least}) : std::nullopt;
 }
 
-std::optional<ObjectPoint> placeOf(const Hold &hold, const Model &model)
+std::optional<ObjectPoint> placeOf(const Anchor &anchor, const Model &model)
 {
     const auto vertexAt = [&model](std::uint32_t number) -> std::optional<glm::dvec3> {
         const std::optional<Model::VertexPlace> place = model.vertexOf(number);
         return place ? std::optional(model.meshes[place->mesh].position(place->vertex)) : std::nullopt;
     };
-    if (const auto *triangle = std::get_if<OnTriangle>(&hold)) {
+    if (const auto *triangle = std::get_if<OnTriangle>(&anchor)) {
         const ElementNumbers triangles(model.meshes, [](const Mesh &mesh) { return mesh.triangleCount(); });
         if (triangle->triangle >= triangles.count())
             return std::nullopt;
@@ -171,11 +173,11 @@ std::optional<ObjectPoint> placeOf(const Hold &hold, const Model &model)
         const Mesh &mesh = model.meshes[place.mesh];
         return ObjectPoint(mesh.origin + combined(cornersOf(mesh, place.element), triangle->barycentric));
     }
-    if (const auto *vertex = std::get_if<AtVertex>(&hold)) {
+    if (const auto *vertex = std::get_if<AtVertex>(&anchor)) {
         const std::optional<glm::dvec3> place = vertexAt(vertex->vertex);
         return place ? std::optional(ObjectPoint(*place)) : std::nullopt;
     }
-    if (const auto *edge = std::get_if<OnEdge>(&hold)) {
+    if (const auto *edge = std::get_if<OnEdge>(&anchor)) {
         const std::optional<glm::dvec3> from = vertexAt(edge->vertices[0]), to = vertexAt(edge->vertices[1]);
         if (!from || !to)
             return std::nullopt;

@@ -14,8 +14,8 @@ namespace unprojector::ray {
 
 /// The place of a model that is closest to a point.
 struct ClosestPlace {
-    landmarks::Hold hold; ///< OnTriangle; AtVertex of a point of a point cloud
-    ObjectPoint point;
+    landmarks::Anchor anchor; ///< OnTriangle; AtVertex of a point of a point cloud
+    geometry::ObjectPoint point;
     double distance = 0.0; ///< from the point asked for, object space
 };
 
@@ -32,17 +32,18 @@ public:
     /// @param progress  may be empty
     /// @return null when progress says stop
     /// Throws std::bad_alloc.
-    static std::shared_ptr<const ClosestPlaces> build(std::shared_ptr<const Model> model, const Progress &progress);
+    static std::shared_ptr<const ClosestPlaces> build(std::shared_ptr<const mesh::Model> model,
+                                                      const Progress &progress);
 
     /// @return nothing for a point that is not finite
-    std::optional<ClosestPlace> to(const ObjectPoint &point) const;
+    std::optional<ClosestPlace> to(const geometry::ObjectPoint &point) const;
 
-    const Model &model() const { return *m_model; }
+    const mesh::Model &model() const { return *m_model; }
 
 private:
-    ClosestPlaces(std::shared_ptr<const Model> model, const Box &bounds);
+    ClosestPlaces(std::shared_ptr<const mesh::Model> model, const geometry::Box &bounds);
 
-    std::shared_ptr<const Model> m_model;
+    std::shared_ptr<const mesh::Model> m_model;
     ElementNumbers m_triangles, m_points;
     UnitSpace m_space;
     BoxTree m_tree; ///< of all triangles and behind them all points
@@ -50,6 +51,6 @@ private:
 
 /// Where a hold is on a model.
 /// @return nothing where it is free, or the model has no such triangle or vertex
-std::optional<ObjectPoint> placeOf(const landmarks::Hold &hold, const Model &model);
+std::optional<geometry::ObjectPoint> placeOf(const landmarks::Anchor &anchor, const mesh::Model &model);
 
 } // namespace unprojector::ray

@@ -7,6 +7,10 @@
 #include <limits>
 
 namespace unprojector::ray {
+using namespace geometry;
+using namespace mesh;
+using namespace scene;
+using namespace unproject;
 
 DrawnSurface drawnSurface(const SceneObject &object, const WorldPoint &point)
 {

@@ -5,15 +5,14 @@
 #include "core/unproject/depth_error.h"
 
 namespace unprojector::ray {
-using namespace scene;
 
 /// What is known of the surface under a pixel when nothing but the object has been read: the space of its vertices. Where
 /// its meshes have different origins, that of the mesh whose origin is nearest to the point.
 /// @param point  on the surface, or nearly
-DrawnSurface drawnSurface(const SceneObject &object, const WorldPoint &point);
+unproject::DrawnSurface drawnSurface(const scene::SceneObject &object, const geometry::WorldPoint &point);
 
 /// The same when the ray through the pixel's centre is known to meet the object: its triangle, or its point.
 /// @pre the hit is on the object's model
-DrawnSurface drawnSurface(const SceneObject &object, const SceneHit &hit);
+unproject::DrawnSurface drawnSurface(const scene::SceneObject &object, const SceneHit &hit);
 
 } // namespace unprojector::ray

@@ -9,7 +9,6 @@
 #include <vector>
 
 namespace unprojector::ray {
-using namespace mesh;
 
 /// Triangles (or vertices, or points) of all meshes of a model, counted through from 0: those of the first mesh, then those
 /// of the next.
@@ -22,10 +21,10 @@ public:
 
     /// @param count  how many a mesh has
     template <class Count>
-    ElementNumbers(const std::vector<Mesh> &meshes, const Count &count)
+    ElementNumbers(const std::vector<mesh::Mesh> &meshes, const Count &count)
     {
         std::size_t sum = 0;
-        for (const Mesh &mesh : meshes) {
+        for (const mesh::Mesh &mesh : meshes) {
             m_starts.push_back(static_cast<std::uint32_t>(sum));
             sum += count(mesh);
         }

@@ -15,7 +15,7 @@ public:
 
     /// @param position  device pixels, origin top-left
     /// @return in the picture's depth range; nothing where nothing is met
-    std::optional<double> operator()(const DevicePoint &position) const;
+    std::optional<double> operator()(const geometry::DevicePoint &position) const;
 
 private:
     std::shared_ptr<const SceneRays> m_rays;

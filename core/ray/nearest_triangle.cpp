@@ -1,6 +1,9 @@
 #include "core/ray/nearest_triangle.h"
 
 namespace unprojector::ray {
+using namespace geometry;
+using namespace mesh;
+
 namespace {
 
 /// Differences of doubles near each other are exact: the mesh's digits and the ray's meet about the mesh's own origin.

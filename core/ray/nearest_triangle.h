@@ -11,7 +11,6 @@
 #include <optional>
 
 namespace unprojector::ray {
-using namespace mesh;
 
 /// A triangle of a model that a ray meets.
 struct TriangleHit {
@@ -21,11 +20,11 @@ struct TriangleHit {
 };
 
 /// The corners of a mesh's triangle, relative to the mesh's origin, exact.
-std::array<glm::dvec3, 3> cornersOf(const Mesh &mesh, std::uint32_t triangle);
+std::array<glm::dvec3, 3> cornersOf(const mesh::Mesh &mesh, std::uint32_t triangle);
 
 /// The barycentric coordinates of a hit, each to double's last digit.
 /// @param mesh, triangle  in it, of the hit
-glm::dvec3 preciseBarycentric(const Mesh &mesh, std::uint32_t triangle, const Ray<ObjectSpace> &ray);
+glm::dvec3 preciseBarycentric(const mesh::Mesh &mesh, std::uint32_t triangle, const Ray<geometry::ObjectSpace> &ray);
 
 /// Finds, of all triangles that it is shown, the one that a ray meets first; where two are met at the very same t, that
 /// of the lower number. The answer does not depend on the order in which they are shown, nor on
@@ -33,7 +32,7 @@ glm::dvec3 preciseBarycentric(const Mesh &mesh, std::uint32_t triangle, const Ra
 class NearestTriangle {
 public:
     /// @param model  outlives this
-    NearestTriangle(const Model &model, const Ray<ObjectSpace> &ray);
+    NearestTriangle(const mesh::Model &model, const Ray<geometry::ObjectSpace> &ray);
 
     /// @param mesh      that it belongs to
     /// @param triangle  its number in the model
@@ -45,8 +44,8 @@ public:
     const std::optional<TriangleHit> &hit() const { return m_hit; }
 
 private:
-    const Model &m_model;
-    Ray<ObjectSpace> m_ray;
+    const mesh::Model &m_model;
+    Ray<geometry::ObjectSpace> m_ray;
     std::optional<TriangleHit> m_hit;
     std::uint32_t m_mesh = 0; ///< whose origin m_line is about
     LineCrossing m_line;

@@ -10,6 +10,7 @@
 #include <variant>
 
 namespace unprojector::ray {
+using namespace geometry;
 using namespace landmarks;
 namespace {
 
@@ -44,16 +45,16 @@ glm::dvec3 wayOnPlane(const ClickRays &rays, const DevicePoint &position, const 
 }
 
 /// What a hand leaves open.
-glm::dvec3 reachOf(const SceneHit &hit, const Hold &hold, const SceneRays &rays, const DevicePoint &position,
+glm::dvec3 reachOf(const SceneHit &hit, const Anchor &anchor, const SceneRays &rays, const DevicePoint &position,
                    double pixels)
 {
-    if (!hit.triangle || std::holds_alternative<AtVertex>(hold))
+    if (!hit.triangle || std::holds_alternative<AtVertex>(anchor))
         return glm::dvec3(0.0);
     const WorldVector &normal = hit.triangle->normal;
     const double half = 0.5 * pixels;
     const glm::dvec3 aside = wayOnPlane(rays.rays(), position, {half, 0.0}, hit, normal);
     const glm::dvec3 down = wayOnPlane(rays.rays(), position, {0.0, half}, hit, normal);
-    if (const auto *edge = std::get_if<OnEdge>(&hold)) {
+    if (const auto *edge = std::get_if<OnEdge>(&anchor)) {
         // It stays on the edge, wherever on it.
         const std::array<WorldPoint, 3> corners = rays.corners(hit);
         const auto cornerOf = [&](std::uint32_t vertex) {
@@ -70,7 +71,7 @@ glm::dvec3 reachOf(const SceneHit &hit, const Hold &hold, const SceneRays &rays,
 
 } // namespace
 
-Hold holdOf(const SceneHit &hit, Snap snap)
+Anchor anchorOf(const SceneHit &hit, Snap snap)
 {
     if (!hit.triangle || snap == Snap::Vertex)
         return AtVertex{hit.vertex.id};
@@ -83,10 +84,10 @@ Landmark landmarkAt(const SceneHit &hit, Snap snap, const SceneRays &rays, const
                     const std::string &object, double pixels)
 {
     Landmark landmark;
-    landmark.hold = holdOf(hit, snap);
+    landmark.anchor = anchorOf(hit, snap);
     landmark.world = hit.world;
     landmark.object = object;
-    landmark.uncertainty = hit.uncertainty + WorldVector(reachOf(hit, landmark.hold, rays, position, pixels));
+    landmark.uncertainty = hit.uncertainty + WorldVector(reachOf(hit, landmark.anchor, rays, position, pixels));
     return landmark;
 }
 

@@ -10,6 +10,8 @@
 #include <utility>
 
 namespace unprojector::ray {
+using namespace mesh;
+
 namespace {
 
 glm::dvec4 rowOf(const glm::dmat4 &m, int row)

@@ -21,7 +21,7 @@ struct PointAim {
     glm::dvec2 ndcOfPixel{0.0};         ///< width and height of a pixel
     double pixels = 0.0;                ///< how far from the position
     double dotPixels = 0.0;             ///< how wide and high the dot is that a point is drawn as; no more than pixels
-    Ray<ObjectSpace> ray;               ///< through the position; only what lies between its ends, in depth, counts
+    Ray<geometry::ObjectSpace> ray;     ///< through the position; only what lies between its ends, in depth, counts
     std::vector<glm::dvec4> clipPlanes; ///< object space
 };
 
@@ -41,14 +41,14 @@ class PointCloud {
 public:
     /// @param model  outlives this
     /// @return nothing when progress says stop
-    static std::optional<PointCloud> build(const Model &model, const UnitSpace &space, const Progress &progress);
+    static std::optional<PointCloud> build(const mesh::Model &model, const UnitSpace &space, const Progress &progress);
 
     std::optional<PointHit> nearest(const PointAim &aim) const;
 
 private:
-    PointCloud(const Model &model, const UnitSpace &space);
+    PointCloud(const mesh::Model &model, const UnitSpace &space);
 
-    const Model *m_model;
+    const mesh::Model *m_model;
     const UnitSpace *m_space;
     ElementNumbers m_points;   ///< the elements of meshes of points
     ElementNumbers m_vertices; ///< of all meshes

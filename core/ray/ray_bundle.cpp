@@ -9,6 +9,7 @@
 #include <numbers>
 
 namespace unprojector::ray {
+using namespace geometry;
 
 std::vector<Ball> ballsAlong(const RayBundle &bundle, const UnitSpace &space)
 {

@@ -13,8 +13,8 @@ namespace unprojector::ray {
 /// The rays through a parallelogram of the picture: all between those through its corners, with the same t on each plane that
 /// is parallel to the near one.
 struct RayBundle {
-    Ray<ObjectSpace> middle;
-    std::array<Ray<ObjectSpace>, 4> corners;
+    Ray<geometry::ObjectSpace> middle;
+    std::array<Ray<geometry::ObjectSpace>, 4> corners;
 };
 
 /// A ball in unit space.

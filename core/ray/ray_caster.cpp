@@ -4,6 +4,8 @@
 #include <utility>
 
 namespace unprojector::ray {
+using namespace geometry;
+using namespace mesh;
 
 RayCaster::RayCaster(std::shared_ptr<const Model> model, const Box &bounds)
     : m_model(std::move(model)), m_numbers(m_model->meshes, [](const Mesh &mesh) { return mesh.triangleCount(); }),

@@ -24,16 +24,16 @@ public:
     /// @param progress  may be empty
     /// @return null when progress says stop
     /// Throws std::bad_alloc.
-    static std::shared_ptr<const RayCaster> build(std::shared_ptr<const Model> model, const Progress &progress,
+    static std::shared_ptr<const RayCaster> build(std::shared_ptr<const mesh::Model> model, const Progress &progress,
                                                   Tree tree = Tree::Fastest);
 
-    const Model &model() const { return *m_model; }
+    const mesh::Model &model() const { return *m_model; }
     /// Of the model's triangles.
     const ElementNumbers &triangleNumbers() const { return m_numbers; }
 
     /// The triangle that a ray in object space meets first, from either side.
     /// @return nothing where there is none in low <= t <= high, and for a ray that is not finite
-    std::optional<TriangleHit> nearestTriangle(const Ray<ObjectSpace> &ray) const;
+    std::optional<TriangleHit> nearestTriangle(const Ray<geometry::ObjectSpace> &ray) const;
 
     /// Triangles that a bundle of rays passes, and others near them, each once.
     std::vector<std::uint32_t> trianglesAbout(const RayBundle &bundle) const;
@@ -43,9 +43,9 @@ public:
     bool hasPoints() const { return m_points.has_value(); }
 
 private:
-    RayCaster(std::shared_ptr<const Model> model, const Box &bounds);
+    RayCaster(std::shared_ptr<const mesh::Model> model, const geometry::Box &bounds);
 
-    std::shared_ptr<const Model> m_model;
+    std::shared_ptr<const mesh::Model> m_model;
     ElementNumbers m_numbers; ///< of its triangles
     UnitSpace m_space;
     TrianglePackets m_packets;

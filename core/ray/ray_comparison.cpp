@@ -3,6 +3,8 @@
 #include <algorithm>
 
 namespace unprojector::ray {
+using namespace geometry;
+using namespace unproject;
 
 using Kind = RayComparison::Kind;
 
@@ -11,8 +13,8 @@ namespace {
 /// Whether the depth buffer of a click cannot tell a point from the far plane.
 bool isKeptAsFar(const Pick &pick, const WorldPoint &world)
 {
-    const Result<WindowPoint> window = windowFromWorld(pick.picture, world);
-    const auto &[atNear, atFar] = pick.picture.depthRange;
+    const Result<WindowPoint> window = windowFromWorld(pick.setup, world);
+    const auto &[atNear, atFar] = pick.setup.depthRange;
     if (!window || atNear == atFar)
         return false;
     const double depth = std::clamp((window->z - atNear) / (atFar - atNear), 0.0, 1.0);
@@ -25,7 +27,7 @@ RayComparison compared(const Pick &pick, const std::optional<SceneHit> &hit, boo
 {
     RayComparison comparison;
     const Result<WorldPoint> &formula = pick.point.world[Method::Formula];
-    const Result<EyeFrame> frame = eyeFrame(pick.picture.camera());
+    const Result<EyeFrame> frame = eyeFrame(pick.setup.camera());
     const double step = 2.0 * pick.certainty.halfDepthStep;
     const bool hasBoth = hit && pick.hit() && formula && frame;
     if (hasBoth) {

@@ -29,6 +29,6 @@ struct RayComparison {
 /// @param pick          with what is known of its surface, once it is known
 /// @param hit           of the ray through the pixel's centre, in the scene as it was at the click
 /// @param isSameObject  whether that is on the object of the pick
-RayComparison compared(const Pick &pick, const std::optional<SceneHit> &hit, bool isSameObject);
+RayComparison compared(const unproject::Pick &pick, const std::optional<SceneHit> &hit, bool isSameObject);
 
 } // namespace unprojector::ray

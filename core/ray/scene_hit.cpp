@@ -10,6 +10,10 @@
 #include <limits>
 
 namespace unprojector::ray {
+using namespace geometry;
+using namespace mesh;
+using namespace unproject;
+
 namespace {
 
 /// A mesh's vertices in the world: what cancels between the mesh's origin and the object's place is summed first.

@@ -14,22 +14,21 @@
 #include <optional>
 
 namespace unprojector::ray {
-using namespace unproject;
 
 struct NearVertex {
     std::uint32_t id = 0; ///< its number in the file, see Model::vertexNumber
-    WorldPoint world;
+    geometry::WorldPoint world;
     double distance = 0.0; ///< from the hit, world units
     /// How far each coordinate may be off what the file says, at most, for the arithmetic in double.
-    WorldVector uncertainty = {};
+    geometry::WorldVector uncertainty = {};
 };
 
 /// An edge of the triangle that was hit.
 struct NearEdge {
-    std::array<std::uint32_t, 2> ids{}; ///< of its vertices, as NearVertex has them
-    WorldPoint world;                   ///< its point nearest to the hit
-    double distance = 0.0;              ///< from the hit, world units
-    WorldVector uncertainty = {};       ///< of that point, as a vertex's: how far the edge may be off the file's
+    std::array<std::uint32_t, 2> ids{};     ///< of its vertices, as NearVertex has them
+    geometry::WorldPoint world;             ///< its point nearest to the hit
+    double distance = 0.0;                  ///< from the hit, world units
+    geometry::WorldVector uncertainty = {}; ///< of that point, as a vertex's: how far the edge may be off the file's
 };
 
 /// Of a triangle that was hit.
@@ -41,7 +40,7 @@ struct TriangleDetail {
     std::array<std::uint32_t, 3> ids{}; ///< of the corners' vertices
     /// World space, length 1: the side from which the corners go round counter-clockwise in the file. As normals do, it stays
     /// outside where a transform mirrors the object.
-    WorldVector normal;
+    geometry::WorldVector normal;
     NearEdge edge; ///< the nearest
 };
 
@@ -49,8 +48,8 @@ struct TriangleDetail {
 struct SceneHit {
     std::size_t object = 0; ///< place in the scene's list
     double t = 0.0;         ///< of the ray in world space
-    ObjectPoint objectPoint;
-    WorldPoint world;
+    geometry::ObjectPoint objectPoint;
+    geometry::WorldPoint world;
     /// From the eye, along the ray, world units; where there is none (a box, a matrix that is no known projection) from the
     /// near plane.
     double distance = 0.0;
@@ -59,7 +58,7 @@ struct SceneHit {
     /// How far each coordinate of `world` may be off what the file says, at most, to first order: for the arithmetic in double,
     /// carried along the ray to the surface; where that is nearly edge on, little can be said. The position in the picture
     /// counts as exact: how much of the surface a pixel covers is not in it.
-    WorldVector uncertainty;
+    geometry::WorldVector uncertainty;
 };
 
 /// How an object lies in the world, prepared for hits.
@@ -67,26 +66,27 @@ class Placement {
 public:
     /// @param worldFromObject  affine
     /// @return NotFinite; SingularMatrix
-    static Result<Placement> of(const glm::dmat4 &worldFromObject);
+    static geometry::Result<Placement> of(const glm::dmat4 &worldFromObject);
 
     /// The same ray in object space, with the same t.
     /// @return NotFinite, PointAtInfinity
-    Result<Ray<ObjectSpace>> objectRay(const Ray<WorldSpace> &ray) const;
+    geometry::Result<Ray<geometry::ObjectSpace>> objectRay(const Ray<geometry::WorldSpace> &ray) const;
     /// The same in plain double, for many rays: off by a few units in the last place of the world's coordinates.
-    Ray<ObjectSpace> plainObjectRay(const Ray<WorldSpace> &ray) const;
+    Ray<geometry::ObjectSpace> plainObjectRay(const Ray<geometry::WorldSpace> &ray) const;
     const glm::dmat4 &worldFromObject() const { return m_worldFromObject; }
 
 private:
-    Placement(const glm::dmat4 &worldFromObject, const ObjectFromWorld &objectFromWorld);
+    Placement(const glm::dmat4 &worldFromObject, const unproject::ObjectFromWorld &objectFromWorld);
 
     glm::dmat4 m_worldFromObject;
-    ObjectFromWorld m_objectFromWorld;
+    unproject::ObjectFromWorld m_objectFromWorld;
     glm::dmat3 m_plainInverse; ///< of its linear part
 };
 
 /// The corners of a triangle of a placed model.
 /// @param triangle  number in the model
-std::array<WorldPoint, 3> worldCorners(const RayCaster &caster, const Placement &placement, std::uint32_t triangle);
+std::array<geometry::WorldPoint, 3> worldCorners(const RayCaster &caster, const Placement &placement,
+                                                 std::uint32_t triangle);
 
 /// A place on a triangle of a placed model, all about it.
 /// @param triangle     number in the model
@@ -95,11 +95,12 @@ std::array<WorldPoint, 3> worldCorners(const RayCaster &caster, const Placement 
 /// @param eye          see SceneHit::distance
 /// `object` is left to the caller.
 SceneHit hitOnTriangle(const RayCaster &caster, const Placement &placement, std::uint32_t triangle,
-                       const glm::dvec3 &barycentric, const Ray<WorldSpace> &ray, const std::optional<WorldPoint> &eye);
+                       const glm::dvec3 &barycentric, const Ray<geometry::WorldSpace> &ray,
+                       const std::optional<geometry::WorldPoint> &eye);
 
 /// A point of a point cloud, as hitOnTriangle.
 /// @param vertex  place among those of all meshes
 SceneHit hitOnPoint(const RayCaster &caster, const Placement &placement, std::uint32_t vertex,
-                    const Ray<WorldSpace> &ray, const std::optional<WorldPoint> &eye);
+                    const Ray<geometry::WorldSpace> &ray, const std::optional<geometry::WorldPoint> &eye);
 
 } // namespace unprojector::ray

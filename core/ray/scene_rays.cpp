@@ -9,6 +9,9 @@
 #include <cassert>
 
 namespace unprojector::ray {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
 
 SceneRays::SceneRays(const Unprojector &unprojector, std::span<const SceneObject> objects,
                      std::span<const std::shared_ptr<const RayCaster>> casters, std::span<const glm::dvec4> clipPlanes)
@@ -66,7 +69,7 @@ std::optional<FirstTriangle> SceneRays::firstTriangle(const Ray<WorldSpace> &ray
         const std::optional<TriangleHit> hit =
             candidate.caster->nearestTriangle(candidate.placement.plainObjectRay(*part));
         if (hit && (!first || hit->t < first->hit.t))
-            first = FirstTriangle{candidate.place, *hit};
+            first = FirstTriangle{candidate.index, *hit};
     }
     return first;
 }
@@ -93,13 +96,13 @@ std::optional<SceneHit> SceneRays::nearest(const Ray<WorldSpace> &ray) const
     const glm::dvec3 barycentric =
         preciseBarycentric(object->caster->model().meshes[place.mesh], place.element, firstRay);
     SceneHit hit = hitOnTriangle(*object->caster, object->placement, first->triangle, barycentric, ray, m_rays.eye());
-    hit.object = object->place;
+    hit.object = object->index;
     return hit;
 }
 
-const SceneRays::Object &SceneRays::object(std::size_t place) const
+const SceneRays::Object &SceneRays::object(std::size_t index) const
 {
-    return *std::find_if(m_objects.begin(), m_objects.end(), [place](const Object &one) { return one.place == place; });
+    return *std::find_if(m_objects.begin(), m_objects.end(), [index](const Object &one) { return one.index == index; });
 }
 
 std::array<WorldPoint, 3> SceneRays::corners(const SceneHit &hit) const
@@ -111,16 +114,16 @@ std::array<WorldPoint, 3> SceneRays::corners(const SceneHit &hit) const
 std::optional<SceneRays::TakenPoint> SceneRays::nearestPoint(const DevicePoint &position,
                                                              const Ray<WorldSpace> &ray) const
 {
-    const Picture &picture = m_rays.picture();
-    const Result<glm::dmat4> matrix = clipFromWorld(picture);
+    const Setup &setup = m_rays.setup();
+    const Result<glm::dmat4> matrix = clipFromWorld(setup);
     if (!matrix)
         return std::nullopt;
-    const WindowPoint window = windowFromDevice(picture.surface, position, picture.depthRange.atNear);
-    const NdcPoint ndc = ndcFromWindow(picture.viewport, picture.depthRange, window, ndcDepthOf(picture));
+    const WindowPoint window = windowFromDevice(setup.surface, position, setup.depthRange.atNear);
+    const NdcPoint ndc = ndcFromWindow(setup.viewport, setup.depthRange, window, ndcDepthOf(setup));
     PointAim aim;
     aim.position = {ndc.x, ndc.y};
-    aim.ndcOfPixel = {2.0 / picture.viewport.width, 2.0 / picture.viewport.height};
-    aim.dotPixels = pointPixels(picture.surface);
+    aim.ndcOfPixel = {2.0 / setup.viewport.width, 2.0 / setup.viewport.height};
+    aim.dotPixels = pointPixels(setup.surface);
     aim.pixels = std::max(kSnapPixels, aim.dotPixels);
     const Object *object = nullptr;
     std::optional<PointHit> first;
@@ -144,7 +147,7 @@ std::optional<SceneRays::TakenPoint> SceneRays::nearestPoint(const DevicePoint &
     if (!first)
         return std::nullopt;
     TakenPoint taken{hitOnPoint(*object->caster, object->placement, first->vertex, ray, m_rays.eye()), first->isOnDot};
-    taken.hit.object = object->place;
+    taken.hit.object = object->index;
     return taken;
 }
 

@@ -11,7 +11,6 @@
 #include <vector>
 
 namespace unprojector::ray {
-using namespace scene;
 
 /// What a click takes.
 enum class Snap {
@@ -37,49 +36,51 @@ public:
     /// @param casters     of their models, one an object; an object whose caster is null (not built yet) is not met, and
     ///                    neither is one whose transform has no inverse
     /// @param clipPlanes  see SceneSettings::clipPlanes
-    SceneRays(const Unprojector &unprojector, std::span<const SceneObject> objects,
+    SceneRays(const unproject::Unprojector &unprojector, std::span<const scene::SceneObject> objects,
               std::span<const std::shared_ptr<const RayCaster>> casters, std::span<const glm::dvec4> clipPlanes);
 
     /// A point of a point cloud within kSnapPixels counts as met, whatever the mode; see PointCloud for which. Where a
     /// triangle is met too: if the position is on the point's dot the nearer of both, else the triangle.
     /// @param position  continuous device pixels, origin top-left; outside the viewport nothing is met
     /// @return nothing where nothing is met; the errors of ClickRays::at
-    Result<std::optional<SceneHit>> at(const DevicePoint &position, Snap snap = Snap::Surface) const;
+    geometry::Result<std::optional<SceneHit>> at(const geometry::DevicePoint &position,
+                                                 Snap snap = Snap::Surface) const;
 
     /// Of many rays: the surface that a ray meets first, points of clouds passed over. The way into the objects' spaces is in
     /// plain double, see Placement::plainObjectRay.
     /// @param ray  in world space, of the picture's rays
-    std::optional<FirstTriangle> firstTriangle(const Ray<WorldSpace> &ray) const;
+    std::optional<FirstTriangle> firstTriangle(const Ray<geometry::WorldSpace> &ray) const;
     /// Whether an object that can be met has points of a cloud.
     bool hasPoints() const { return m_hasPoints; }
 
     const ClickRays &rays() const { return m_rays; }
     /// The corners of the triangle that was hit, in the order of its ids. @pre a hit of these rays, on a triangle
-    std::array<WorldPoint, 3> corners(const SceneHit &hit) const;
+    std::array<geometry::WorldPoint, 3> corners(const SceneHit &hit) const;
 
 private:
     friend class SnapSearch;
     struct Object {
-        std::size_t place;
+        std::size_t index;
         std::shared_ptr<const RayCaster> caster;
         Placement placement;
     };
 
     /// Whether no clip plane takes a point away.
-    bool isOnShownSide(const WorldPoint &point) const;
+    bool isOnShownSide(const geometry::WorldPoint &point) const;
     /// A ray's part that is in the picture and not clipped away.
-    std::optional<Ray<WorldSpace>> shown(Ray<WorldSpace> ray) const;
+    std::optional<Ray<geometry::WorldSpace>> shown(Ray<geometry::WorldSpace> ray) const;
     /// The same of the ray through a position; nothing outside the picture.
-    std::optional<Ray<WorldSpace>> shownAt(const DevicePoint &position) const;
-    std::optional<SceneHit> nearest(const Ray<WorldSpace> &ray) const;
+    std::optional<Ray<geometry::WorldSpace>> shownAt(const geometry::DevicePoint &position) const;
+    std::optional<SceneHit> nearest(const Ray<geometry::WorldSpace> &ray) const;
     struct TakenPoint {
         SceneHit hit;
         bool isOnDot = false; ///< the position is on the dot that the point is drawn as
     };
     /// The point of a point cloud that is taken within kSnapPixels.
-    std::optional<TakenPoint> nearestPoint(const DevicePoint &position, const Ray<WorldSpace> &ray) const;
-    /// @param place  in the scene's list, of one that can be met
-    const Object &object(std::size_t place) const;
+    std::optional<TakenPoint> nearestPoint(const geometry::DevicePoint &position,
+                                           const Ray<geometry::WorldSpace> &ray) const;
+    /// @param index  in the scene's list, of one that can be met
+    const Object &object(std::size_t index) const;
 
     ClickRays m_rays;
     std::vector<Object> m_objects;

@@ -12,6 +12,8 @@
 #include <utility>
 
 namespace unprojector::ray {
+using namespace geometry;
+
 namespace {
 
 /// Pixels: of two places behind each other the one behind may be nearer by a rounding.
@@ -21,7 +23,7 @@ constexpr double kSamePlace = 1e-6;
 
 SnapSearch::SnapSearch(const SceneRays &rays, const DevicePoint &position) : m_rays(rays), m_position(position)
 {
-    if (const Result<glm::dmat4> matrix = clipFromWorld(rays.rays().picture()))
+    if (const Result<glm::dmat4> matrix = clipFromWorld(rays.rays().setup()))
         m_clipFromWorld = *matrix;
     if (const Result<Ray<WorldSpace>> ray = rays.rays().at(position); ray && m_clipFromWorld)
         m_nearW = (*m_clipFromWorld * glm::dvec4(ray->from.coordinates(), 1.0)).w;
@@ -54,10 +56,9 @@ std::optional<DevicePoint> SnapSearch::seenAt(const WorldPoint &point) const
     const glm::dvec4 clip = *m_clipFromWorld * glm::dvec4(point.coordinates(), 1.0);
     if (!(clip.w > 0.0))
         return std::nullopt;
-    const Picture &picture = m_rays.rays().picture();
+    const Setup &setup = m_rays.rays().setup();
     const NdcPoint ndc(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w);
-    return deviceFromWindow(picture.surface,
-                            windowFromNdc(picture.viewport, picture.depthRange, ndc, ndcDepthOf(picture)));
+    return deviceFromWindow(setup.surface, windowFromNdc(setup.viewport, setup.depthRange, ndc, ndcDepthOf(setup)));
 }
 
 std::optional<SceneHit> SnapSearch::inSight(const Place &place) const
@@ -232,7 +233,7 @@ void SnapSearch::addCorners(const SceneRays::Object &object, std::uint32_t trian
             continue;
         glm::dvec3 barycentric(0.0);
         barycentric[static_cast<int>(k)] = 1.0;
-        places.push_back({object.place, triangle, barycentric, corners[k], *at, distance(*at, m_position)});
+        places.push_back({object.index, triangle, barycentric, corners[k], *at, distance(*at, m_position)});
     }
 }
 
@@ -278,7 +279,7 @@ void SnapSearch::addEdges(const SceneRays::Object &object, std::uint32_t triangl
         glm::dvec3 barycentric(0.0);
         barycentric[static_cast<int>(k)] = 1.0 - along;
         barycentric[static_cast<int>(next)] = along;
-        places.push_back({object.place, triangle, barycentric, world, *at, distance(*at, m_position)});
+        places.push_back({object.index, triangle, barycentric, world, *at, distance(*at, m_position)});
     }
 }
 

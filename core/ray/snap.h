@@ -16,7 +16,7 @@ namespace unprojector::ray {
 class SnapSearch {
 public:
     /// @param rays  outlive this
-    SnapSearch(const SceneRays &rays, const DevicePoint &position);
+    SnapSearch(const SceneRays &rays, const geometry::DevicePoint &position);
 
     /// The vertex that is nearest in the picture, within kSnapPixels, and that nothing hides.
     std::optional<SceneHit> vertex() const;
@@ -36,23 +36,23 @@ private:
         std::size_t object;
         std::uint32_t triangle;
         glm::dvec3 barycentric;
-        WorldPoint world;
-        DevicePoint at;
+        geometry::WorldPoint world;
+        geometry::DevicePoint at;
         double pixels; ///< from the position
     };
     /// A triangle that was met, whole in front of the eye and not clipped, as what hides others.
     struct Occluder {
         std::array<glm::dvec2, 3> corners; ///< in the picture, counter-clockwise as numbers go
-        bool covers(const DevicePoint &at) const;
-        WorldPoint on;
-        glm::dvec3 behind; ///< its normal on the far side, length 1
-        WorldPoint from;   ///< on the near plane
+        bool covers(const geometry::DevicePoint &at) const;
+        geometry::WorldPoint on;
+        glm::dvec3 behind;         ///< its normal on the far side, length 1
+        geometry::WorldPoint from; ///< on the near plane
         double
             coversTo; ///< the t up to which something beside it is seen at all; infinity: it does not cover everything
     };
 
     /// Where a world point is seen; nothing behind the eye.
-    std::optional<DevicePoint> seenAt(const WorldPoint &point) const;
+    std::optional<geometry::DevicePoint> seenAt(const geometry::WorldPoint &point) const;
     /// Adds the places that a triangle of an object has no farther than some pixels away.
     using AddPlaces =
         std::function<void(const SceneRays::Object &, std::uint32_t, double pixels, std::vector<Place> &)>;
@@ -74,7 +74,7 @@ private:
     std::optional<SceneHit> inSight(const Place &place) const;
 
     const SceneRays &m_rays;
-    DevicePoint m_position;
+    geometry::DevicePoint m_position;
     std::optional<glm::dmat4> m_clipFromWorld;
     double m_nearW = 1.0;     ///< of clip space, on the near plane
     std::vector<Seen> m_seen; ///< the nearest first, each triangle once

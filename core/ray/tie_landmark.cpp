@@ -9,6 +9,8 @@
 #include <limits>
 
 namespace unprojector::ray {
+using namespace geometry;
+
 namespace {
 
 /// Of a place and what it was written as: what single precision leaves.
@@ -35,7 +37,7 @@ std::optional<Tied> tieToMesh(landmarks::Landmark &landmark, std::span<const Tyi
         if (isNamed && target.name != landmark.object)
             continue;
         if (isNamed) {
-            const std::optional<ObjectPoint> held = placeOf(landmark.hold, target.places->model());
+            const std::optional<ObjectPoint> held = placeOf(landmark.anchor, target.places->model());
             const double distance =
                 held ? glm::distance(moved(target.worldFromObject, held->coordinates()), world) : 0.0;
             if (held && distance <= kSamePlace * target.places->model().bounds.diagonal())
@@ -58,7 +60,7 @@ std::optional<Tied> tieToMesh(landmarks::Landmark &landmark, std::span<const Tyi
         return std::nullopt;
     const TyingTarget &target = targets[best->target];
     landmark.world = WorldPoint(moved(target.worldFromObject, place->point.coordinates()));
-    landmark.hold = place->hold;
+    landmark.anchor = place->anchor;
     landmark.object = target.name;
     return best;
 }

@@ -13,6 +13,8 @@
 #include <cmath>
 
 namespace unprojector::ray {
+using namespace mesh;
+
 namespace {
 
 /// Has memory brought into the cache, where we know how to.

@@ -19,7 +19,7 @@ namespace unprojector::ray {
 class PacketSearch {
 public:
     /// @param model  outlives this
-    PacketSearch(const Model &model, const UnitSpace &space, const UnitRay &unit, NearestTriangle &nearest);
+    PacketSearch(const mesh::Model &model, const UnitSpace &space, const UnitRay &unit, NearestTriangle &nearest);
 
     /// How far in unit space something may begin that is of interest yet.
     float length() const { return m_length; }
@@ -32,7 +32,7 @@ private:
     };
     void enter(std::uint32_t mesh);
 
-    const Model &m_model;
+    const mesh::Model &m_model;
     const UnitSpace &m_space;
     const UnitRay &m_unit;
     NearestTriangle &m_nearest;
@@ -54,7 +54,7 @@ public:
 
     /// @param numbers  of the model's triangles
     /// The model and the space outlive this.
-    TrianglePackets(const Model &model, const ElementNumbers &numbers, const UnitSpace &space);
+    TrianglePackets(const mesh::Model &model, const ElementNumbers &numbers, const UnitSpace &space);
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(m_packets.size()); }
     /// The box of a packet in unit space, widened by its margin.
@@ -86,7 +86,7 @@ private:
     }
     bool test(const PacketSearch::Waiting &waiting, PacketSearch &search) const;
 
-    const Model &m_model;
+    const mesh::Model &m_model;
     const UnitSpace &m_space;
     std::vector<Packet, InLargePages<Packet>> m_packets;
     std::vector<std::vector<Remainders, InLargePages<Remainders>>> m_remainders; ///< of each mesh, packet by packet

@@ -11,6 +11,7 @@
 #include <limits>
 
 namespace unprojector::ray {
+using namespace geometry;
 
 UnitSpace::UnitSpace(const Box &bounds) : m_center(bounds.lowest / 2.0 + bounds.highest / 2.0)
 {

@@ -8,7 +8,6 @@
 #include <optional>
 
 namespace unprojector::ray {
-using namespace mesh;
 
 /// A ray in unit space, in single precision.
 struct UnitRay {
@@ -28,7 +27,7 @@ public:
     static constexpr float kMargin = 0x1p-19f;
 
     /// @param bounds  object space, not empty, finite
-    explicit UnitSpace(const Box &bounds);
+    explicit UnitSpace(const geometry::Box &bounds);
 
     /// A position relative to a mesh's origin. Its rounding to single precision is less than an eighth of kMargin.
     glm::vec3 at(const glm::dvec3 &origin, const glm::vec3 &position) const
@@ -42,7 +41,7 @@ public:
     double size() const { return m_size; }
 
     /// The part of a ray that lies in the box; nothing where it misses it.
-    std::optional<UnitRay> inside(const Ray<ObjectSpace> &ray) const;
+    std::optional<UnitRay> inside(const Ray<geometry::ObjectSpace> &ray) const;
 
 private:
     glm::dvec3 m_center;

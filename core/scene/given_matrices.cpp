@@ -3,14 +3,15 @@
 #include <utility>
 
 namespace unprojector::scene {
+using namespace geometry;
 
-Result<SceneSettings> withPicture(SceneSettings settings, Picture given)
+Result<SceneSettings> withSetup(SceneSettings settings, Setup given)
 {
     const auto *matrix = std::get_if<MatrixProjection>(&given.lens);
     given.depthRange = settings.depthRange;
     if (matrix && settings.isDepthRangeTurned)
         std::swap(given.depthRange.atNear, given.depthRange.atFar);
-    const Result<Picture> shown = byParameters(given);
+    const Result<Setup> shown = byParameters(given);
     if (!shown)
         return shown.error();
     settings.projection = shown->projection();

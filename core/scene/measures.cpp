@@ -12,6 +12,9 @@
 #include <vector>
 
 namespace unprojector::scene {
+using namespace geometry;
+using namespace mesh;
+
 namespace {
 
 /// The sum of the areas as vectors, of all areas, where only roundings are left of it.

@@ -20,7 +20,7 @@ struct Measures {
     /// Certainly not closed: the areas, as vectors along the normals, do not add up to zero, and the volume would be another
     /// one about another origin. An open surface whose openings face each other is not found this way.
     bool isOpen = false;
-    Box box; ///< around the vertices that triangles use and the points; empty without any
+    geometry::Box box; ///< around the vertices that triangles use and the points; empty without any
     /// Of the box's ends, see halfGapAt.
     glm::dvec3 lowestHalfGap{0.0}, highestHalfGap{0.0};
 
@@ -34,6 +34,6 @@ Measures measuresOf(const SceneObject &object);
 /// them is what the file means. World space, each axis; where the mesh is turned, what is left open of a coordinate by the
 /// gaps of all three. 0 for a mesh of doubles.
 /// @param worldFromSource  the linear part
-glm::dvec3 halfGapAt(const Mesh &mesh, std::size_t vertex, const glm::dmat3 &worldFromSource);
+glm::dvec3 halfGapAt(const mesh::Mesh &mesh, std::size_t vertex, const glm::dmat3 &worldFromSource);
 
 } // namespace unprojector::scene

@@ -5,6 +5,8 @@
 #include <cmath>
 
 namespace unprojector::scene {
+using namespace geometry;
+
 namespace {
 
 /// 1, 2 or 5 times a power of ten, at least `value`.
@@ -28,18 +30,18 @@ Projection openingProjection()
 LookAt openingCamera(const std::vector<SceneObject> &objects, const Surface &surface)
 {
     // Scans face +z as a rule; a little from above and the side shows that they have depth.
-    Picture home{surface,
-                 wholeSurface(surface),
-                 {},
-                 openingProjection(),
-                 LookAt{WorldPoint(0.35, 0.25, 1.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
+    Setup home{surface,
+               wholeSurface(surface),
+               {},
+               openingProjection(),
+               LookAt{WorldPoint(0.35, 0.25, 1.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
     home.projection() = withAspect(home.projection(), home.viewport.width / home.viewport.height);
     Framing framing(home);
     for (const SceneObject &object : objects) {
         if (!object.isHidden)
             add(framing, object);
     }
-    return framing.picture().camera();
+    return framing.setup().camera();
 }
 
 Ground groundUnder(const Box &bounds)

@@ -7,17 +7,17 @@
 namespace unprojector::scene {
 
 /// The projection that models are shown with at first; it follows the viewport and fits the objects.
-Projection openingProjection();
+geometry::Projection openingProjection();
 
 /// The camera that models are shown with at first: in front and a little above, as near as they fit into a window of this size.
 /// @pre check(surface)
-LookAt openingCamera(const std::vector<SceneObject> &objects, const Surface &surface);
+geometry::LookAt openingCamera(const std::vector<SceneObject> &objects, const geometry::Surface &surface);
 
 /// The square of lines that objects stand on, world space.
 struct Ground {
-    Box box;              ///< flat, at the objects' lowest height; empty without any
+    geometry::Box box;    ///< flat, at the objects' lowest height; empty without any
     double spacing = 1.0; ///< of two lines: 1, 2 or 5 times a power of ten
 };
-Ground groundUnder(const Box &bounds);
+Ground groundUnder(const geometry::Box &bounds);
 
 } // namespace unprojector::scene

@@ -6,11 +6,10 @@
 #include <cmath>
 
 namespace unprojector::scene {
-using namespace geometry;
 
 /// How wide and high the dot is that a point is drawn as, in device pixels: a single pixel is hardly seen, and harder to
 /// click. The point lies in its middle.
-inline double pointPixels(const Surface &surface)
+inline double pointPixels(const geometry::Surface &surface)
 {
     constexpr double kLogicalPixels = 3.0;
     return std::max(kLogicalPixels, std::round(kLogicalPixels * surface.devicePixelRatio));

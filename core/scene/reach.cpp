@@ -5,6 +5,7 @@
 #include <limits>
 
 namespace unprojector::scene {
+using namespace geometry;
 
 Check reachable(const SceneObject &object)
 {

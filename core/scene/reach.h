@@ -10,6 +10,6 @@ constexpr double kFarthestWorld = 1e100;
 
 /// Whether an object's transform leaves it where it can be computed with.
 /// @return ObjectTooFar; ObjectTooSmall
-Check reachable(const SceneObject &object);
+geometry::Check reachable(const SceneObject &object);
 
 } // namespace unprojector::scene

@@ -11,6 +11,7 @@
 #include <cmath>
 
 namespace unprojector::scene {
+using namespace mesh;
 using namespace geometry;
 
 Check check(const ViewportRule &rule)
@@ -105,21 +106,21 @@ Check check(const Scene &scene)
     return std::monostate{};
 }
 
-Result<Picture> pictureOf(const Scene &scene, const Surface &surface, const Box &reach)
+Result<Setup> setupOf(const Scene &scene, const Surface &surface, const Box &reach)
 {
     if (const Check valid = check(scene); !valid)
         return valid.error();
     if (const Check valid = check(surface); !valid)
         return valid.error();
-    Picture geometry{surface, viewportIn(scene.viewport, surface), scene.depthRange, *scene.projection, *scene.camera};
+    Setup setup{surface, viewportIn(scene.viewport, surface), scene.depthRange, *scene.projection, *scene.camera};
     if (scene.projectionFollowsViewport)
-        geometry.projection() = withAspect(geometry.projection(), geometry.viewport.width / geometry.viewport.height);
+        setup.projection() = withAspect(setup.projection(), setup.viewport.width / setup.viewport.height);
     if (scene.clipDistancesFitObjects)
-        geometry.projection() = withFittedClipDistances(geometry, boundsOf(scene), reach);
-    const Result<Drawable> drawn = drawable(geometry);
+        setup.projection() = withFittedClipDistances(setup, boundsOf(scene), reach);
+    const Result<Drawable> drawn = drawable(setup);
     if (!drawn)
         return drawn.error();
-    return drawn->picture;
+    return drawn->setup;
 }
 
 } // namespace unprojector::scene

@@ -7,6 +7,8 @@
 #include <vector>
 
 namespace unprojector::scene_code {
+using namespace geometry;
+using namespace scene_file;
 using namespace text;
 namespace {
 
@@ -20,33 +22,33 @@ std::string plainName(const std::string &name)
 
 } // namespace
 
-bool isWholeWindow(const Picture &picture)
+bool isWholeWindow(const Setup &setup)
 {
-    return picture.viewport == wholeSurface(picture.surface);
+    return setup.viewport == wholeSurface(setup.surface);
 }
 
-bool hasViewportsAspect(const Picture &picture)
+bool hasViewportsAspect(const Setup &setup)
 {
-    const auto *lens = std::get_if<Projection>(&picture.lens);
+    const auto *lens = std::get_if<Projection>(&setup.lens);
     const auto *perspective = lens ? std::get_if<Perspective>(lens) : nullptr;
-    return perspective && perspective->aspect == picture.viewport.width / picture.viewport.height;
+    return perspective && perspective->aspect == setup.viewport.width / setup.viewport.height;
 }
 
-bool isDepthZeroToOne(const Picture &picture)
+bool isDepthZeroToOne(const Setup &setup)
 {
-    return ndcDepthOf(picture) == NdcDepth::ZeroToOne;
+    return ndcDepthOf(setup) == NdcDepth::ZeroToOne;
 }
 
-bool isNearGreater(const Picture &picture)
+bool isNearGreater(const Setup &setup)
 {
-    const auto *matrix = std::get_if<MatrixProjection>(&picture.lens);
+    const auto *matrix = std::get_if<MatrixProjection>(&setup.lens);
     const Result<RecognisedProjection> form = matrix ? recognised(*matrix) : Error{};
-    return (picture.depthRange.atNear > picture.depthRange.atFar) != (form && form->reversed);
+    return (setup.depthRange.atNear > setup.depthRange.atFar) != (form && form->reversed);
 }
 
-double clearDepth(const Picture &picture)
+double clearDepth(const Setup &setup)
 {
-    return isNearGreater(picture) ? 0.0 : 1.0;
+    return isNearGreater(setup) ? 0.0 : 1.0;
 }
 
 std::string ofEachObject(const SceneFile &scene, ObjectCode &code)

@@ -9,6 +9,8 @@
 #include <vector>
 
 namespace unprojector::scene_code {
+using namespace geometry;
+using namespace scene_file;
 using namespace text;
 
 std::string literal(double value, NumberStyle style)
@@ -84,14 +86,14 @@ std::string windowText(const Surface &surface)
 
 std::string headerComment(const SceneFile &scene, const std::string &what)
 {
-    const Picture picture = pictureOf(scene);
-    const Surface &surface = picture.surface;
+    const Setup setup = setupOf(scene);
+    const Surface &surface = setup.surface;
     std::string text = "// " + what + ". Written by Unprojector.\n//\n";
     text += "// Its window has " + windowText(surface);
     if (surface.devicePixelRatio != 1.0)
         text += ", " + shortestText(surface.devicePixelRatio) + " to a logical one: positions of the mouse times that";
     text += ".\n";
-    if (isWholeWindow(picture) && !hasViewportsAspect(picture))
+    if (isWholeWindow(setup) && !hasViewportsAspect(setup))
         text += "// In a window of another shape, the projection's width has to follow, or circles become ellipses.\n";
     if (!scene.objects.empty())
         text += "// Models are not in it, only their files' names.\n";

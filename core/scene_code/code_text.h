@@ -26,15 +26,15 @@ std::string beyondFloat(const std::string &code);
 std::string list(std::initializer_list<double> values, NumberStyle style);
 std::string list(const glm::dvec3 &v, NumberStyle style);
 /// left, right, bottom, top, near, far, as glFrustum and glOrtho take them
-std::string list(const ProjectionWindow &window, NumberStyle style);
+std::string list(const geometry::ProjectionWindow &window, NumberStyle style);
 /// Sixteen numbers in four lines: columns as OpenGL stores them, or rows as they are read.
 enum class MatrixOrder { ByColumns, ByRows };
 std::string list(const glm::dmat4 &matrix, MatrixOrder order, NumberStyle style, const std::string &indent);
 
 /// "800 x 600 device pixels"
-std::string windowText(const Surface &surface);
+std::string windowText(const geometry::Surface &surface);
 
 /// The comments that every dialect has on top: the window, what is not in the code.
-std::string headerComment(const SceneFile &scene, const std::string &what);
+std::string headerComment(const scene_file::SceneFile &scene, const std::string &what);
 
 } // namespace unprojector::scene_code

@@ -8,9 +8,9 @@ namespace unprojector::scene_code {
 
 // One file each: glu_code.cpp and so on.
 
-std::string gluCode(const SceneFile &scene);
-std::string glmCode(const SceneFile &scene);
-std::string qtCode(const SceneFile &scene);
-std::string threeCode(const SceneFile &scene);
+std::string gluCode(const scene_file::SceneFile &scene);
+std::string glmCode(const scene_file::SceneFile &scene);
+std::string qtCode(const scene_file::SceneFile &scene);
+std::string threeCode(const scene_file::SceneFile &scene);
 
 } // namespace unprojector::scene_code

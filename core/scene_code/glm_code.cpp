@@ -2,6 +2,9 @@
 #include "core/scene_code/dialects.h"
 
 namespace unprojector::scene_code {
+using namespace geometry;
+using namespace scene_file;
+
 namespace {
 
 constexpr NumberStyle kStyle = NumberStyle::Double;
@@ -21,12 +24,12 @@ std::string mat4(const glm::dmat4 &matrix)
     return "glm::dmat4( // column by column\n        " + list(matrix, MatrixOrder::ByColumns, kStyle, "        ") + ')';
 }
 
-std::string projection(const Picture &picture)
+std::string projection(const Setup &setup)
 {
-    if (const auto *matrix = std::get_if<MatrixProjection>(&picture.lens))
+    if (const auto *matrix = std::get_if<MatrixProjection>(&setup.lens))
         return mat4(matrix->clipFromEye);
     struct Visitor {
-        const Picture &picture;
+        const Setup &setup;
         std::string operator()(const Frustum &f) const
         {
             return "glm::frustumRH_NO(" + list(projectionWindow(f), kStyle) + ')';
@@ -38,21 +41,21 @@ std::string projection(const Picture &picture)
         std::string operator()(const Perspective &p) const
         {
             std::string aspect = number(p.aspect);
-            if (hasViewportsAspect(picture))
+            if (hasViewportsAspect(setup))
                 aspect = "viewport[2] / viewport[3]";
             return "glm::perspectiveRH_NO(glm::radians(" + number(degreesFromRadians(p.verticalFovRadians)) + "), "
                    + aspect + ", " + list({p.nearDistance, p.farDistance}, kStyle) + ')';
         }
         std::string operator()(const Oblique &o) const { return (*this)(o.box) + "\n        * " + mat4(shearOf(o)); }
     };
-    return std::visit(Visitor{picture}, picture.projection());
+    return std::visit(Visitor{setup}, setup.projection());
 }
 
-std::string camera(const Picture &picture)
+std::string camera(const Setup &setup)
 {
-    if (const auto *matrix = std::get_if<glm::dmat4>(&picture.pose))
+    if (const auto *matrix = std::get_if<glm::dmat4>(&setup.pose))
         return mat4(*matrix);
-    const LookAt &look = picture.camera();
+    const LookAt &look = setup.camera();
     const auto of = [](const auto &v) { return vec3({v.x, v.y, v.z}); };
     return "glm::lookAtRH(" + of(look.eye) + ", " + of(look.center) + ", " + of(look.up) + ')';
 }
@@ -95,7 +98,7 @@ std::string clipPlanes(const SceneFile &scene)
 
 std::string glmCode(const SceneFile &scene)
 {
-    const Picture p = pictureOf(scene);
+    const Setup p = setupOf(scene);
     std::string text =
         headerComment(scene, "The matrices of a picture and the way back from a pixel, with GLM in double "
                              "precision");

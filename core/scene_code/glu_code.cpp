@@ -5,6 +5,9 @@
 #include <cmath>
 
 namespace unprojector::scene_code {
+using namespace geometry;
+using namespace scene_file;
+
 namespace {
 
 constexpr NumberStyle kStyle = NumberStyle::Double;
@@ -25,18 +28,18 @@ std::string matrixCall(const std::string &function, const std::string &name, con
            + list(matrix, MatrixOrder::ByColumns, kStyle, "        ") + "};\n" + call(function, name);
 }
 
-std::string projectionCalls(const Picture &picture)
+std::string projectionCalls(const Setup &setup)
 {
-    if (const auto *matrix = std::get_if<MatrixProjection>(&picture.lens))
+    if (const auto *matrix = std::get_if<MatrixProjection>(&setup.lens))
         return matrixCall("glMultMatrixd", "projection", matrix->clipFromEye);
     struct Visitor {
-        const Picture &picture;
+        const Setup &setup;
         std::string operator()(const Frustum &f) const { return call("glFrustum", list(projectionWindow(f), kStyle)); }
         std::string operator()(const Ortho &o) const { return call("glOrtho", list(projectionWindow(o), kStyle)); }
         std::string operator()(const Perspective &p) const
         {
             std::string aspect = number(p.aspect);
-            if (hasViewportsAspect(picture) && isWholeWindow(picture))
+            if (hasViewportsAspect(setup) && isWholeWindow(setup))
                 aspect = "GLdouble(windowWidth) / windowHeight";
             return call("gluPerspective", number(degreesFromRadians(p.verticalFovRadians)) + ", " + aspect + ", "
                                               + list({p.nearDistance, p.farDistance}, kStyle));
@@ -47,14 +50,14 @@ std::string projectionCalls(const Picture &picture)
                    + matrixCall("glMultMatrixd", "shear", shearOf(o));
         }
     };
-    return std::visit(Visitor{picture}, picture.projection());
+    return std::visit(Visitor{setup}, setup.projection());
 }
 
-std::string cameraCalls(const Picture &picture)
+std::string cameraCalls(const Setup &setup)
 {
-    if (const auto *matrix = std::get_if<glm::dmat4>(&picture.pose))
+    if (const auto *matrix = std::get_if<glm::dmat4>(&setup.pose))
         return matrixCall("glMultMatrixd", "view", *matrix);
-    const LookAt &look = picture.camera();
+    const LookAt &look = setup.camera();
     return call("gluLookAt", list({look.eye.x, look.eye.y, look.eye.z}, kStyle) + ", "
                                  + list({look.center.x, look.center.y, look.center.z}, kStyle) + ", "
                                  + list({look.up.x, look.up.y, look.up.z}, kStyle));
@@ -73,12 +76,12 @@ std::string stepCall(const TransformStep &step)
     return std::visit(Visitor{}, step);
 }
 
-std::string viewportCalls(const Picture &picture)
+std::string viewportCalls(const Setup &setup)
 {
-    const Viewport &v = picture.viewport;
-    const DepthRange &range = picture.depthRange;
+    const Viewport &v = setup.viewport;
+    const DepthRange &range = setup.depthRange;
     std::string text;
-    if (isWholeWindow(picture)) {
+    if (isWholeWindow(setup)) {
         text = "    glViewport(0, 0, windowWidth, windowHeight);\n";
     } else {
         std::string pixels;
@@ -98,17 +101,17 @@ std::string viewportCalls(const Picture &picture)
     return text + call("glDepthRange", list({range.atNear, range.atFar}, kStyle));
 }
 
-std::string setUpCalls(const Picture &picture)
+std::string setUpCalls(const Setup &setup)
 {
     std::string text;
-    if (isDepthZeroToOne(picture))
+    if (isDepthZeroToOne(setup))
         text += "    // The projection's depths go from 0 to 1. OpenGL 4.5 has a call for that, which must be loaded "
                 "first:\n"
                 "    // glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);\n";
     text += "    glEnable(GL_DEPTH_TEST);\n";
-    text += isNearGreater(picture) ? "    glDepthFunc(GL_GREATER); // near has the greater depths\n"
-                                   : "    glDepthFunc(GL_LESS);\n";
-    return text + call("glClearDepth", number(clearDepth(picture)));
+    text += isNearGreater(setup) ? "    glDepthFunc(GL_GREATER); // near has the greater depths\n"
+                                 : "    glDepthFunc(GL_LESS);\n";
+    return text + call("glClearDepth", number(clearDepth(setup)));
 }
 
 std::string clipPlaneCalls(const SceneFile &scene)
@@ -147,8 +150,8 @@ std::string drawCalls(const SceneFileObject &object, const std::string &id)
 
 std::string gluCode(const SceneFile &scene)
 {
-    const Picture picture = pictureOf(scene);
-    const Surface &surface = picture.surface;
+    const Setup setup = setupOf(scene);
+    const Surface &surface = setup.surface;
     std::string text = headerComment(scene, "The calls that make a picture, for OpenGL with GLU; for MFC, the view's "
                                             "handlers at the end");
     text += "// OpenGL's matrices and gluLookAt are in single precision with most drivers: seven digits.\n"
@@ -166,24 +169,24 @@ std::string gluCode(const SceneFile &scene)
               "\n"
               "// Once, when there is a rendering context.\n"
               "void setUp()\n{\n"
-            + setUpCalls(picture)
+            + setUpCalls(setup)
             + "}\n"
               "\n"
               "// Whenever the window has another size: both of these.\n"
               "void setViewport()\n{\n"
-            + viewportCalls(picture)
+            + viewportCalls(setup)
             + "}\n"
               "\n"
               "void setProjection()\n{\n"
               "    glMatrixMode(GL_PROJECTION);\n"
               "    glLoadIdentity();\n"
-            + projectionCalls(picture)
+            + projectionCalls(setup)
             + "}\n"
               "\n"
               "void setCamera()\n{\n"
               "    glMatrixMode(GL_MODELVIEW);\n"
               "    glLoadIdentity();\n"
-            + cameraCalls(picture) + "}\n" + ofEachObject(scene, objectFunctions)
+            + cameraCalls(setup) + "}\n" + ofEachObject(scene, objectFunctions)
             + "\n"
               "void drawScene()\n{\n"
               "    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n"
@@ -202,7 +205,7 @@ bool screen2world(int i, int j, GLdouble depth, GLdouble world[3])
     glGetDoublev(GL_DEPTH_RANGE, range);
     glGetIntegerv(GL_VIEWPORT, viewport);
 )";
-    text += isDepthZeroToOne(picture)
+    text += isDepthZeroToOne(setup)
                 ? "    // gluUnProject knows nothing of the depth range, and takes NDC depths from -1 to 1: half of "
                   "them here\n"
                   "    const GLdouble share = 0.5 + 0.5 * (depth - range[0]) / (range[1] - range[0]);\n"
@@ -219,7 +222,7 @@ bool screen2world(int i, int j, GLdouble world[3])
     GLfloat depth = 0.0f;
     glReadPixels(i, windowHeight - 1 - j, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
     return depth != )"
-        + literal(clearDepth(picture), NumberStyle::Float) + R"( && screen2world(i, j, depth, world);
+        + literal(clearDepth(setup), NumberStyle::Float) + R"( && screen2world(i, j, depth, world);
 }
 )";
     return text + kMfcHandlers;

@@ -8,6 +8,8 @@
 #include <cmath>
 
 namespace unprojector::scene_code {
+using namespace geometry;
+using namespace scene_file;
 using namespace text;
 namespace {
 
@@ -33,18 +35,18 @@ std::string call(const std::string &function, const std::string &arguments)
     return "    m." + function + '(' + arguments + ");\n";
 }
 
-std::string projectionCalls(const Picture &picture)
+std::string projectionCalls(const Setup &setup)
 {
-    if (const auto *matrix = std::get_if<MatrixProjection>(&picture.lens))
+    if (const auto *matrix = std::get_if<MatrixProjection>(&setup.lens))
         return "    m = " + matrix4(matrix->clipFromEye) + ";\n";
     struct Visitor {
-        const Picture &picture;
+        const Setup &setup;
         std::string operator()(const Frustum &f) const { return call("frustum", list(projectionWindow(f), kStyle)); }
         std::string operator()(const Ortho &o) const { return call("ortho", list(projectionWindow(o), kStyle)); }
         std::string operator()(const Perspective &p) const
         {
             std::string aspect = number(p.aspect);
-            if (hasViewportsAspect(picture))
+            if (hasViewportsAspect(setup))
                 aspect = "float(viewportWidth / viewportHeight)";
             return call("perspective", number(degreesFromRadians(p.verticalFovRadians)) + ", " + aspect + ", "
                                            + list({p.nearDistance, p.farDistance}, kStyle));
@@ -54,16 +56,16 @@ std::string projectionCalls(const Picture &picture)
             return (*this)(o.box) + "    m *= " + matrix4(shearOf(o)) + ";\n";
         }
     };
-    return std::visit(Visitor{picture}, picture.projection());
+    return std::visit(Visitor{setup}, setup.projection());
 }
 
-std::string cameraCalls(const Picture &picture)
+std::string cameraCalls(const Setup &setup)
 {
-    if (const auto *matrix = std::get_if<glm::dmat4>(&picture.pose))
+    if (const auto *matrix = std::get_if<glm::dmat4>(&setup.pose))
         return "    m = " + matrix4(*matrix) + ";\n";
-    const LookAt &look = picture.camera();
+    const LookAt &look = setup.camera();
     const glm::dvec3 eye(look.eye.x, look.eye.y, look.eye.z), center(look.center.x, look.center.y, look.center.z);
-    const Result<glm::dmat4> view = eyeFromWorld(picture);
+    const Result<glm::dmat4> view = eyeFromWorld(setup);
     constexpr double kLeastDistance = 1e-3;
     if (view && glm::distance(eye, center) < kLeastDistance)
         return "    // QMatrix4x4::lookAt does nothing where eye and center are as close as here\n    m = "
@@ -111,9 +113,9 @@ std::string clipPlanes(const SceneFile &scene)
 }
 
 /// How far a float may be from a coordinate as large as those of the eye.
-double eyeRounding(const Picture &picture)
+double eyeRounding(const Setup &setup)
 {
-    const Result<glm::dmat4> view = eyeFromWorld(picture);
+    const Result<glm::dmat4> view = eyeFromWorld(setup);
     if (!view)
         return 0.0;
     const glm::dmat4 worldFromEye = glm::inverse(*view);
@@ -126,7 +128,7 @@ double eyeRounding(const Picture &picture)
 
 std::string qtCode(const SceneFile &scene)
 {
-    const Picture p = pictureOf(scene);
+    const Setup p = setupOf(scene);
     const double rounding = eyeRounding(p);
     std::string text = headerComment(scene, "The matrices of a picture and the way back from a pixel, with Qt");
     text += "// QMatrix4x4 and QVector3D hold single precision, seven digits";

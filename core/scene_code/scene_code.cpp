@@ -3,6 +3,7 @@
 #include "core/scene_code/dialects.h"
 
 namespace unprojector::scene_code {
+using namespace scene_file;
 
 std::string sceneCode(const SceneFile &scene, CodeDialect dialect)
 {

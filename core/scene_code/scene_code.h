@@ -6,7 +6,6 @@
 
 /// The scene as the source code of another program: the calls that make its picture, and the way back from a pixel.
 namespace unprojector::scene_code {
-using namespace scene_file;
 
 enum class CodeDialect {
     Glu,    ///< C++, OpenGL 1.1 with GLU; a view of MFC with the paper's handlers, compiled only after <afxwin.h>
@@ -25,8 +24,8 @@ enum class CodeDialect {
 ///
 /// What the code does not hold is said in its comments: the models, which it only names, and what the dialect has no word for.
 /// They are English whatever language is set, as its names are: the code is the same for everybody.
-/// @pre check(pictureOf(scene))
+/// @pre check(setupOf(scene))
 /// @return UTF-8, lines ending in \n
-std::string sceneCode(const SceneFile &scene, CodeDialect dialect);
+std::string sceneCode(const scene_file::SceneFile &scene, CodeDialect dialect);
 
 } // namespace unprojector::scene_code

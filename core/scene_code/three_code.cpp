@@ -2,6 +2,9 @@
 #include "core/scene_code/dialects.h"
 
 namespace unprojector::scene_code {
+using namespace geometry;
+using namespace scene_file;
+
 namespace {
 
 constexpr NumberStyle kStyle = NumberStyle::JavaScript;
@@ -26,12 +29,12 @@ const char *const kOwnMatrix = "// Its projection is set as a matrix: there is n
                                "export const camera = new THREE.Camera();\n";
 const char *const kItsInverse = "camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();\n";
 
-std::string cameraLines(const Picture &picture)
+std::string cameraLines(const Setup &setup)
 {
-    if (const auto *matrix = std::get_if<MatrixProjection>(&picture.lens))
+    if (const auto *matrix = std::get_if<MatrixProjection>(&setup.lens))
         return kOwnMatrix + ("camera.projectionMatrix.set" + rows(matrix->clipFromEye)) + kItsInverse;
     struct Visitor {
-        const Picture &picture;
+        const Setup &setup;
         std::string operator()(const Frustum &f) const
         {
             return kOwnMatrix
@@ -47,7 +50,7 @@ std::string cameraLines(const Picture &picture)
         std::string operator()(const Perspective &p) const
         {
             std::string aspect = number(p.aspect);
-            if (hasViewportsAspect(picture))
+            if (hasViewportsAspect(setup))
                 aspect = "viewport.z / viewport.w";
             return "export const camera = new THREE.PerspectiveCamera("
                    + number(degreesFromRadians(p.verticalFovRadians)) + ", " + aspect + ", "
@@ -64,16 +67,16 @@ std::string cameraLines(const Picture &picture)
                    + kItsInverse;
         }
     };
-    return std::visit(Visitor{picture}, picture.projection());
+    return std::visit(Visitor{setup}, setup.projection());
 }
 
-std::string poseLines(const Picture &picture)
+std::string poseLines(const Setup &setup)
 {
-    if (const auto *matrix = std::get_if<glm::dmat4>(&picture.pose))
+    if (const auto *matrix = std::get_if<glm::dmat4>(&setup.pose))
         return "camera.matrixAutoUpdate = camera.matrixWorldAutoUpdate = false; // these stay as they are given\n"
                "camera.matrixWorldInverse.set"
                + rows(*matrix) + "camera.matrixWorld.copy(camera.matrixWorldInverse).invert();\n";
-    const LookAt &look = picture.camera();
+    const LookAt &look = setup.camera();
     return "camera.position.set(" + list({look.eye.x, look.eye.y, look.eye.z}, kStyle) + ");\n" + "camera.up.set("
            + list({look.up.x, look.up.y, look.up.z}, kStyle) + ");\n" + "camera.lookAt("
            + list({look.center.x, look.center.y, look.center.z}, kStyle) + "); // after position and up\n"
@@ -110,10 +113,10 @@ std::string objectLines(const SceneFileObject &object, const std::string &id)
     return text + "scene.add(" + name + ");\n";
 }
 
-std::string setUpLines(const SceneFile &scene, const Picture &picture)
+std::string setUpLines(const SceneFile &scene, const Setup &setup)
 {
-    const Surface &surface = picture.surface;
-    const DepthRange &range = picture.depthRange;
+    const Surface &surface = setup.surface;
+    const DepthRange &range = setup.depthRange;
     std::string text = "    renderer.setPixelRatio(1);\n"
                        "    renderer.setSize(windowWidth, windowHeight, false); // device pixels";
     if (surface.devicePixelRatio != 1.0)
@@ -122,10 +125,10 @@ std::string setUpLines(const SceneFile &scene, const Picture &picture)
     if (range != DepthRange{})
         text += "    renderer.getContext().depthRange(" + list({range.atNear, range.atFar}, kStyle)
                 + "); // WebGL cuts it to [0, 1]; three.js leaves it alone\n";
-    if (isNearGreater(picture))
+    if (isNearGreater(setup))
         text += "    renderer.state.buffers.depth.setClear(0); // near has the greater depths: of every material,\n"
                 "    // depthFunc = THREE.GreaterDepth\n";
-    if (isDepthZeroToOne(picture))
+    if (isDepthZeroToOne(setup))
         text +=
             "    // The projection's depths go from 0 to 1, which WebGL has by the extension EXT_clip_control only:\n"
             "    const clipControl = renderer.getContext().getExtension('EXT_clip_control');\n"
@@ -146,7 +149,7 @@ std::string setUpLines(const SceneFile &scene, const Picture &picture)
 
 std::string threeCode(const SceneFile &scene)
 {
-    const Picture p = pictureOf(scene);
+    const Setup p = setupOf(scene);
     std::string text = headerComment(scene, "A picture's camera and the way back from a pixel, with three.js");
     text += "\n"
             "import * as THREE from 'three';\n"

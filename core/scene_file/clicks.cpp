@@ -12,6 +12,9 @@
 #include <utility>
 
 namespace unprojector::scene_file {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
 
 // ---- what a click is made of, see json_fields.h ---------------------------------------------------------------
 
@@ -95,12 +98,12 @@ std::optional<ClickedObject> objectOf(const Pick &pick, const Scene &scene)
 SceneFile sceneOf(const Pick &pick, const Scene &scene)
 {
     Scene own = scene;
-    own.depthRange = pick.picture.depthRange; // in single precision, as OpenGL had it
+    own.depthRange = pick.setup.depthRange; // in single precision, as OpenGL had it
     own.fileKeys = {};
     for (SceneObject &object : own.objects)
         object.extra = {};
-    SceneFile file = sceneFileFrom(own, pick.picture, {});
-    file.viewport = pick.picture.viewport;
+    SceneFile file = sceneFileFrom(own, pick.setup, {});
+    file.viewport = pick.setup.viewport;
     file.aspectFromViewport = false;
     file.ui = {};
     // They are no part of what a click is computed from.

@@ -14,7 +14,7 @@
 namespace unprojector::scene_file {
 
 /// A point by each of kMethods, in their order; nothing where a method has no answer.
-using ClickPoint = std::array<std::optional<glm::dvec3>, kMethods.size()>;
+using ClickPoint = std::array<std::optional<glm::dvec3>, unproject::kMethods.size()>;
 
 /// Where a click is in one space: on a surface a point, on the background the ends of its ray.
 struct ClickPlace {
@@ -43,9 +43,9 @@ struct ClickedObject {
 /// meshes, see RayOnMesh; it is left out where nobody has asked, and not read. "scene" is a whole scene file, see SceneFile. Only "window" and
 /// "scene" are needed to compute a click again; "hit" is true where it is left out.
 struct Click {
-    WidgetPoint widget;
-    DevicePixel devicePixel;
-    WindowPoint window; ///< the pixel's centre, with the depth as read
+    geometry::WidgetPoint widget;
+    geometry::DevicePixel devicePixel;
+    geometry::WindowPoint window; ///< the pixel's centre, with the depth as read
     bool hit = true;
     ClickPlace eye, world;
     std::optional<ClickUncertainty> uncertainty; ///< none on the background, and where a file has none
@@ -58,16 +58,16 @@ struct Click {
 /// nothing that would make the window choose other numbers.
 /// @param scene  as it was at the click
 /// @param ray    what its ray meets; nothing where that is not known
-Click clickOf(const Pick &pick, const Scene &scene, std::optional<RayOnMesh> ray = {});
+Click clickOf(const unproject::Pick &pick, const scene::Scene &scene, std::optional<RayOnMesh> ray = {});
 
 /// Clicks as a JSON array. Numbers have all their digits: parseSceneOrClicks gives the same ones back.
 /// @return NotUtf8
-Result<std::string, SceneFileError> clicksText(const std::vector<Click> &clicks);
+geometry::Result<std::string, SceneFileError> clicksText(const std::vector<Click> &clicks);
 
 using SceneOrClicks = std::variant<SceneFile, std::vector<Click>>;
 
 /// Reads a scene file, or clicks: an array of them, or a single one, which is told by its "scene".
 /// @return as parseScene
-Result<SceneOrClicks, SceneFileError> parseSceneOrClicks(std::string_view text, const std::string &name);
+geometry::Result<SceneOrClicks, SceneFileError> parseSceneOrClicks(std::string_view text, const std::string &name);
 
 } // namespace unprojector::scene_file

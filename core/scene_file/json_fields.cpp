@@ -6,6 +6,8 @@
 #include <cmath>
 
 namespace unprojector::scene_file {
+using namespace geometry;
+
 namespace {
 
 using Json = nlohmann::ordered_json;

@@ -170,10 +170,10 @@ public:
     {
         if (failed())
             return;
-        const Check valid = check();
+        const geometry::Check valid = check();
         if (valid)
             return;
-        if constexpr (std::invocable<Key, const Error &>)
+        if constexpr (std::invocable<Key, const geometry::Error &>)
             m_object.member(key(valid.error())).fail(valid.error());
         else
             m_object.member(key).fail(valid.error());

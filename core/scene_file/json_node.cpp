@@ -6,6 +6,8 @@
 #include <cmath>
 
 namespace unprojector::scene_file {
+using namespace geometry;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -155,11 +157,11 @@ std::string JsonNode::text() const
 std::size_t JsonNode::oneOf(std::span<const char *const> words) const
 {
     const std::string word = text();
-    std::size_t place = 0;
+    std::size_t index = 0;
     for (const char *candidate : words) {
         if (word == candidate)
-            return place;
-        ++place;
+            return index;
+        ++index;
     }
     SceneFileError error;
     error.code = SceneFileErrorCode::UnknownChoice;

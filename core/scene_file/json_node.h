@@ -39,7 +39,7 @@ public:
     /// Whether it is an array of exactly so many elements.
     bool hasSize(std::size_t count, JsonKind expected) const;
     /// @pre place < size()
-    JsonNode element(std::size_t place) const { return {(*m_json)[place], *this, nullptr, place}; }
+    JsonNode element(std::size_t index) const { return {(*m_json)[index], *this, nullptr, index}; }
 
     bool isObject() const { return is(JsonKind::Object, JsonKind::Object); }
     double number() const;
@@ -57,11 +57,11 @@ public:
     void fail(SceneFileError error) const;
     void fail(SceneFileErrorCode code) const;
     /// What core says of a value.
-    void fail(const Error &cause) const;
+    void fail(const geometry::Error &cause) const;
 
 private:
-    JsonNode(const Json &json, const JsonNode &parent, const char *key, std::size_t place)
-        : m_json(&json), m_error(parent.m_error), m_parent(&parent), m_key(key), m_place(place)
+    JsonNode(const Json &json, const JsonNode &parent, const char *key, std::size_t index)
+        : m_json(&json), m_error(parent.m_error), m_parent(&parent), m_key(key), m_place(index)
     {
     }
     JsonNode(const JsonNode &parent, const char *key) : m_error(parent.m_error), m_parent(&parent), m_key(key) {}

@@ -16,6 +16,8 @@
 #include <vector>
 
 namespace unprojector::scene_file {
+using namespace geometry;
+
 namespace {
 
 using Json = nlohmann::ordered_json;

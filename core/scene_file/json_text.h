@@ -11,7 +11,7 @@ namespace unprojector::scene_file {
 /// JSON laid out for people: what fits on a line stands on one, so that vectors and small objects are read at a glance.
 /// Ends with a line feed. Numbers have all their digits.
 /// @return NotUtf8, with the place of the first text that is not
-Result<std::string, SceneFileError> readableJson(const nlohmann::ordered_json &json);
+geometry::Result<std::string, SceneFileError> readableJson(const nlohmann::ordered_json &json);
 
 /// The same on a single line, without a line feed. What is not UTF-8 is replaced.
 std::string jsonLine(const nlohmann::ordered_json &json);

@@ -11,6 +11,7 @@
 #include <limits>
 
 namespace unprojector::scene_file {
+using namespace geometry;
 using namespace files;
 namespace {
 

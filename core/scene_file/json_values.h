@@ -18,7 +18,6 @@
 #include <string>
 
 namespace unprojector::scene_file {
-using namespace geometry;
 
 // Forms: how a value that is no object stands in JSON. A form has `void read(const JsonNode &, T &)` and
 // `Json write(const T &)`; numbers have all their digits.
@@ -37,22 +36,22 @@ struct Plain {
     static void read(const JsonNode &node, glm::dvec4 &value);
     /// A point or a vector.
     template <int Dimension>
-    static void read(const JsonNode &node, Components<Dimension> &value)
+    static void read(const JsonNode &node, geometry::Components<Dimension> &value)
     {
         auto coordinates = value.coordinates();
         read(node, coordinates);
-        value = Components<Dimension>(coordinates);
+        value = geometry::Components<Dimension>(coordinates);
     }
     /// 16 numbers, column by column.
     static void read(const JsonNode &node, glm::dmat4 &value);
     /// [at near, at far]
-    static void read(const JsonNode &node, DepthRange &value);
+    static void read(const JsonNode &node, geometry::DepthRange &value);
     /// [i, j]
-    static void read(const JsonNode &node, DevicePixel &value);
+    static void read(const JsonNode &node, geometry::DevicePixel &value);
     /// [-1, 1] or [0, 1]
-    static void read(const JsonNode &node, NdcDepth &value);
+    static void read(const JsonNode &node, geometry::NdcDepth &value);
     /// [degrees, x, y, z]
-    static void read(const JsonNode &node, Rotate &value);
+    static void read(const JsonNode &node, geometry::Rotate &value);
 
     static Json write(bool value) { return value; }
     static Json write(double value) { return jsonNumber(value); }
@@ -62,15 +61,15 @@ struct Plain {
     static Json write(const glm::dvec3 &value);
     static Json write(const glm::dvec4 &value);
     template <int Dimension>
-    static Json write(const Components<Dimension> &value)
+    static Json write(const geometry::Components<Dimension> &value)
     {
         return write(value.coordinates());
     }
     static Json write(const glm::dmat4 &value);
-    static Json write(const DepthRange &value);
-    static Json write(const DevicePixel &value) { return Json::array({value.i, value.j}); }
-    static Json write(NdcDepth value);
-    static Json write(const Rotate &value);
+    static Json write(const geometry::DepthRange &value);
+    static Json write(const geometry::DevicePixel &value) { return Json::array({value.i, value.j}); }
+    static Json write(geometry::NdcDepth value);
+    static Json write(const geometry::Rotate &value);
 };
 
 /// A whole number within both ends.
@@ -107,10 +106,10 @@ struct Words {
 
 /// NDC depths, of an API that may have but one.
 struct NdcDepthOf {
-    Api api;
+    geometry::Api api;
 
-    void read(const JsonNode &node, NdcDepth &value) const;
-    static nlohmann::ordered_json write(NdcDepth value) { return Plain::write(value); }
+    void read(const JsonNode &node, geometry::NdcDepth &value) const;
+    static nlohmann::ordered_json write(geometry::NdcDepth value) { return Plain::write(value); }
 };
 
 /// A text that must not be empty.

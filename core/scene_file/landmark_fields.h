@@ -34,10 +34,9 @@ void describeText(Fields &json, const char *key, Text &text)
         json.required(key, text);
 }
 
-template <class Fields, Is<landmarks::Hold> T>
+template <class Fields, Is<landmarks::Anchor> T>
 void describe(Fields &json, T &hold)
 {
-    using namespace landmarks;
     static constexpr std::array kKinds{"triangle", "vertex", "edge"};
     const auto held = [&hold]<class Kind>(const Kind *) -> auto &
     {
@@ -48,14 +47,16 @@ void describe(Fields &json, T &hold)
     // Free comes first in the variant, and is not written.
     switch (json.oneKeyOf(kKinds, hold.index() - 1)) {
     case 0: {
-        auto &triangle = held(static_cast<const OnTriangle *>(nullptr));
+        auto &triangle = held(static_cast<const landmarks::OnTriangle *>(nullptr));
         json.required(kKinds[0], triangle.triangle, ElementNumber{});
         json.required("barycentric", triangle.barycentric);
         break;
     }
-    case 1: json.required(kKinds[1], held(static_cast<const AtVertex *>(nullptr)).vertex, ElementNumber{}); break;
+    case 1:
+        json.required(kKinds[1], held(static_cast<const landmarks::AtVertex *>(nullptr)).vertex, ElementNumber{});
+        break;
     default: {
-        auto &edge = held(static_cast<const OnEdge *>(nullptr));
+        auto &edge = held(static_cast<const landmarks::OnEdge *>(nullptr));
         json.required(kKinds[2], edge.vertices, EdgeNumbers{});
         json.required("share", edge.share);
         break;
@@ -69,8 +70,8 @@ void describe(Fields &json, T &landmark)
     json.optional("name", landmark.name);
     json.nullable("position", landmark.world);
     describeText(json, "object", landmark.object);
-    if (json.has("held", !std::holds_alternative<landmarks::Free>(landmark.hold)))
-        json.required("held", landmark.hold);
+    if (json.has("held", !std::holds_alternative<landmarks::Free>(landmark.anchor)))
+        json.required("held", landmark.anchor);
     json.optional("uncertainty", landmark.uncertainty);
     describeText(json, "note", landmark.note);
     json.optional("color", landmark.color, ColorNumbers{});

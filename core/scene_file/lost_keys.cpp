@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 namespace unprojector::scene_file {
+using namespace geometry;
+
 namespace {
 
 using Json = nlohmann::ordered_json;

@@ -10,6 +10,9 @@
 #include <utility>
 
 namespace unprojector::scene_file {
+using namespace geometry;
+using namespace scene;
+
 namespace {
 
 /// The path from the root, without "." and "..". Links stay as they are named, except one before a "..": the folder above
@@ -87,13 +90,13 @@ std::optional<SceneFileError> whyNotShown(const SceneFile &file, const std::stri
         if (const auto form = recognised(*matrix); !form)
             return failed(name, "projection.matrix", form.error());
     }
-    if (const Result<Picture> picture = byParameters(pictureOf(file)); !picture)
+    if (const Result<Setup> setup = byParameters(setupOf(file)); !setup)
         return failed(name, std::holds_alternative<glm::dmat4>(file.view) ? "view.matrix" : "projection",
-                      picture.error());
+                      setup.error());
     return std::nullopt;
 }
 
-Picture pictureOf(const SceneFile &scene)
+Setup setupOf(const SceneFile &scene)
 {
     const Surface surface = surfaceFromWidget(scene.windowWidth, scene.windowHeight, scene.devicePixelRatio);
     return {surface, scene.viewport.value_or(wholeSurface(surface)), scene.depthRange, scene.projection, scene.view};
@@ -110,10 +113,10 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::fi
     const std::string name = files::utf8FromPath(sceneFile.filename());
     if (const std::optional<SceneFileError> error = whyNotShown(file, name))
         return *error;
-    const Picture picture = pictureOf(file);
+    const Setup setup = setupOf(file);
     Scene scene;
-    scene.depthRange = picture.depthRange;
-    static_cast<SceneSettings &>(scene) = withPicture(scene, picture).value();
+    scene.depthRange = setup.depthRange;
+    static_cast<SceneSettings &>(scene) = withSetup(scene, setup).value();
     scene.home = scene.camera;
     if (file.ui.home)
         scene.home = *file.ui.home;
@@ -121,7 +124,7 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::fi
     scene.clipDistancesFitObjects = file.ui.clipDistancesFitObjects.value_or(false);
     if (file.ui.viewportRule)
         scene.viewport = *file.ui.viewportRule;
-    else if (file.viewport && *file.viewport != wholeSurface(picture.surface)) {
+    else if (file.viewport && *file.viewport != wholeSurface(setup.surface)) {
         scene.viewport.kind = ViewportRule::Kind::Fixed;
         scene.viewport.fixed = *file.viewport;
     }
@@ -139,26 +142,25 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::fi
     return scene;
 }
 
-SceneFile sceneFileFrom(const Scene &scene, const Picture &geometry, const std::filesystem::path &sceneFile)
+SceneFile sceneFileFrom(const Scene &scene, const Setup &setup, const std::filesystem::path &sceneFile)
 {
     SceneFile file;
-    file.windowWidth = logicalFromDevice(geometry.surface, geometry.surface.widthPixels);
-    file.windowHeight = logicalFromDevice(geometry.surface, geometry.surface.heightPixels);
-    file.devicePixelRatio = geometry.surface.devicePixelRatio;
+    file.windowWidth = logicalFromDevice(setup.surface, setup.surface.widthPixels);
+    file.windowHeight = logicalFromDevice(setup.surface, setup.surface.heightPixels);
+    file.devicePixelRatio = setup.surface.devicePixelRatio;
     if (scene.viewport.kind != ViewportRule::Kind::WholeWindow || scene.fileKeys.hasViewport)
-        file.viewport = geometry.viewport;
+        file.viewport = setup.viewport;
     file.depthRange = scene.depthRange;
-    file.projection = geometry.projection();
-    if (const MatrixProjection *matrix = scene.projection.matrix();
-        matrix && geometry.projection() == *scene.projection) {
+    file.projection = setup.projection();
+    if (const MatrixProjection *matrix = scene.projection.matrix(); matrix && setup.projection() == *scene.projection) {
         file.projection = *matrix;
         if (scene.isDepthRangeTurned)
             std::swap(file.depthRange.atNear, file.depthRange.atFar);
     }
     file.aspectFromViewport =
-        scene.projectionFollowsViewport && std::holds_alternative<Perspective>(geometry.projection());
-    file.view = geometry.camera();
-    if (const glm::dmat4 *matrix = scene.camera.matrix(); matrix && geometry.camera() == *scene.camera)
+        scene.projectionFollowsViewport && std::holds_alternative<Perspective>(setup.projection());
+    file.view = setup.camera();
+    if (const glm::dmat4 *matrix = scene.camera.matrix(); matrix && setup.camera() == *scene.camera)
         file.view = *matrix;
     file.clipPlanes = scene.clipPlanes;
     file.landmarks = scene.landmarks;

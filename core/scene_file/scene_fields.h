@@ -19,8 +19,9 @@ constexpr int kSceneVersion = 1;
 inline std::span<const char *const> apiWords()
 {
     static const auto words = [] {
-        std::array<const char *, kApis.size()> keys{};
-        std::transform(kApis.begin(), kApis.end(), keys.begin(), [](Api api) { return conventionsOf(api).key; });
+        std::array<const char *, geometry::kApis.size()> keys{};
+        std::transform(geometry::kApis.begin(), geometry::kApis.end(), keys.begin(),
+                       [](geometry::Api api) { return conventionsOf(api).key; });
         return keys;
     }();
     return words;
@@ -37,12 +38,12 @@ auto &as(Variant &variant)
     return std::get<T>(variant);
 }
 
-inline Check checkPositive(double value, ErrorCode code)
+inline geometry::Check checkPositive(double value, geometry::ErrorCode code)
 {
-    return value > 0.0 ? Check(std::monostate{}) : Check(Error{code, value});
+    return value > 0.0 ? geometry::Check(std::monostate{}) : geometry::Check(geometry::Error{code, value});
 }
 
-template <class Fields, Is<Viewport> T>
+template <class Fields, Is<geometry::Viewport> T>
 void describe(Fields &json, T &viewport)
 {
     json.required("x", viewport.x);
@@ -52,7 +53,7 @@ void describe(Fields &json, T &viewport)
     json.check([&] { return check(viewport); }, viewport.width > 0.0 ? "height" : "width");
 }
 
-template <class Fields, Is<LookAt> T>
+template <class Fields, Is<geometry::LookAt> T>
 void describe(Fields &json, T &camera)
 {
     json.required("eye", camera.eye);
@@ -60,17 +61,18 @@ void describe(Fields &json, T &camera)
     json.required("up", camera.up);
     json.check(
         [&] {
-            const Result<EyeFrame> frame = eyeFrame(camera);
-            return frame ? Check(std::monostate{}) : Check(frame.error());
+            const geometry::Result<geometry::EyeFrame> frame = eyeFrame(camera);
+            return frame ? geometry::Check(std::monostate{}) : geometry::Check(frame.error());
         },
-        [](const Error &error) {
-            const bool isUp = error.code == ErrorCode::UpIsZero || error.code == ErrorCode::UpParallelToView;
+        [](const geometry::Error &error) {
+            const bool isUp =
+                error.code == geometry::ErrorCode::UpIsZero || error.code == geometry::ErrorCode::UpParallelToView;
             return isUp ? "up" : "center";
         });
 }
 
 template <class Fields, class Box>
-requires(Is<Box, Frustum> || Is<Box, Ortho>) void describe(Fields &json, Box &box)
+requires(Is<Box, geometry::Frustum> || Is<Box, geometry::Ortho>) void describe(Fields &json, Box &box)
 {
     json.required("left", box.left);
     json.required("right", box.right);
@@ -80,7 +82,7 @@ requires(Is<Box, Frustum> || Is<Box, Ortho>) void describe(Fields &json, Box &bo
     json.required("far", box.farDistance);
 }
 
-template <class Fields, Is<Oblique> T>
+template <class Fields, Is<geometry::Oblique> T>
 void describe(Fields &json, T &oblique)
 {
     describe(json, oblique.box);
@@ -89,15 +91,15 @@ void describe(Fields &json, T &oblique)
 }
 
 /// As the file's API has it; in the scene it is OpenGL's.
-template <class Fields, Is<MatrixProjection> T>
-void describe(Fields &json, T &projection, Api api)
+template <class Fields, Is<geometry::MatrixProjection> T>
+void describe(Fields &json, T &projection, geometry::Api api)
 {
     if constexpr (Fields::kReads) {
         json.required("matrix", projection.clipFromEye, InvertibleMatrix{});
         json.optional("ndcDepth", projection.ndcDepth, NdcDepthOf{api});
         projection = oursFromApi(projection, api);
     } else {
-        MatrixProjection written = apiFromOurs(projection, api);
+        geometry::MatrixProjection written = apiFromOurs(projection, api);
         if (conventionsOf(api).hasOnlyThatDepth)
             written.ndcDepth.reset();
         json.required("matrix", written.clipFromEye, InvertibleMatrix{});
@@ -107,7 +109,7 @@ void describe(Fields &json, T &projection, Api api)
 
 /// The same of eyeFromWorld.
 template <class Fields, Is<glm::dmat4> T>
-void describeView(Fields &json, T &eyeFromWorld, Api api)
+void describeView(Fields &json, T &eyeFromWorld, geometry::Api api)
 {
     if constexpr (Fields::kReads) {
         json.required("matrix", eyeFromWorld, InvertibleMatrix{});
@@ -118,7 +120,7 @@ void describeView(Fields &json, T &eyeFromWorld, Api api)
 }
 
 /// A perspective may leave its aspect to the viewport.
-template <class Fields, Is<Perspective> T, Is<SceneFile> Scene>
+template <class Fields, Is<geometry::Perspective> T, Is<SceneFile> Scene>
 void describe(Fields &json, T &perspective, Scene &scene)
 {
     json.angle("fovy", "fovyRadians", perspective.verticalFovRadians);
@@ -127,7 +129,7 @@ void describe(Fields &json, T &perspective, Scene &scene)
         json.required("aspect", perspective.aspect);
     if constexpr (Fields::kReads) {
         scene.aspectFromViewport = !hasAspect;
-        if (const Viewport viewport = pictureOf(scene).viewport; !hasAspect)
+        if (const geometry::Viewport viewport = setupOf(scene).viewport; !hasAspect)
             perspective.aspect = viewport.width / viewport.height;
     }
     json.required("near", perspective.nearDistance);
@@ -135,15 +137,15 @@ void describe(Fields &json, T &perspective, Scene &scene)
 }
 
 /// The key that an error of a projection is about.
-inline const char *keyOf(const Error &error, const Projection &projection)
+inline const char *keyOf(const geometry::Error &error, const geometry::Projection &projection)
 {
     switch (error.code) {
-    case ErrorCode::LeftEqualsRight: return "left";
-    case ErrorCode::BottomEqualsTop: return "bottom";
-    case ErrorCode::FieldOfViewOutOfRange: return "fovy";
-    case ErrorCode::AspectNotPositive: return "aspect";
-    case ErrorCode::ShearAngleOutOfRange: {
-        const auto *oblique = std::get_if<Oblique>(&projection);
+    case geometry::ErrorCode::LeftEqualsRight: return "left";
+    case geometry::ErrorCode::BottomEqualsTop: return "bottom";
+    case geometry::ErrorCode::FieldOfViewOutOfRange: return "fovy";
+    case geometry::ErrorCode::AspectNotPositive: return "aspect";
+    case geometry::ErrorCode::ShearAngleOutOfRange: {
+        const auto *oblique = std::get_if<geometry::Oblique>(&projection);
         return oblique && oblique->thetaRadians == error.value ? "theta" : "phi";
     }
     default: return "near"; // near not above 0, not before far
@@ -156,33 +158,35 @@ void describeProjection(Fields &json, T &scene)
     enum class Type { Frustum, Ortho, Perspective, Oblique, Matrix };
     static constexpr std::array kTypes{"frustum", "ortho", "perspective", "oblique", "matrix"};
     Type type = Type::Matrix;
-    if (const auto *parameters = std::get_if<Projection>(&scene.projection))
+    if (const auto *parameters = std::get_if<geometry::Projection>(&scene.projection))
         type = static_cast<Type>(parameters->index());
     json.required("type", type, Words{kTypes});
     if (json.failed())
         return;
     if (type == Type::Matrix)
-        return describe(json, as<MatrixProjection>(scene.projection), scene.conventions.value_or(Api::OpenGl));
-    auto &projection = as<Projection>(scene.projection);
+        return describe(json, as<geometry::MatrixProjection>(scene.projection),
+                        scene.conventions.value_or(geometry::Api::OpenGl));
+    auto &projection = as<geometry::Projection>(scene.projection);
     switch (type) {
-    case Type::Frustum: describe(json, as<Frustum>(projection)); break;
-    case Type::Ortho: describe(json, as<Ortho>(projection)); break;
-    case Type::Perspective: describe(json, as<Perspective>(projection), scene); break;
-    case Type::Oblique: describe(json, as<Oblique>(projection)); break;
+    case Type::Frustum: describe(json, as<geometry::Frustum>(projection)); break;
+    case Type::Ortho: describe(json, as<geometry::Ortho>(projection)); break;
+    case Type::Perspective: describe(json, as<geometry::Perspective>(projection), scene); break;
+    case Type::Oblique: describe(json, as<geometry::Oblique>(projection)); break;
     case Type::Matrix: break;
     }
-    json.check([&] { return check(projection); }, [&](const Error &error) { return keyOf(error, projection); });
+    json.check([&] { return check(projection); },
+               [&](const geometry::Error &error) { return keyOf(error, projection); });
 }
 
-template <class Fields, Is<TransformStep> T>
+template <class Fields, Is<geometry::TransformStep> T>
 void describe(Fields &json, T &step)
 {
     static constexpr std::array kSteps{"translate", "rotate", "scale"};
     const std::size_t kind = json.oneKeyOf(kSteps, step.index());
     switch (kind) {
-    case 0: json.required(kSteps[kind], as<Translate>(step).offset); break;
-    case 1: json.required(kSteps[kind], as<Rotate>(step)); break;
-    default: json.required(kSteps[kind], as<Scale>(step).factors); break;
+    case 0: json.required(kSteps[kind], as<geometry::Translate>(step).offset); break;
+    case 1: json.required(kSteps[kind], as<geometry::Rotate>(step)); break;
+    default: json.required(kSteps[kind], as<geometry::Scale>(step).factors); break;
     }
     json.check([&] { return check(step); }, kSteps[kind]);
 }
@@ -201,17 +205,17 @@ void describe(Fields &json, T &object)
         json.required("hidden", object.isHidden);
 }
 
-template <class Fields, Is<ViewportRule> T>
+template <class Fields, Is<scene::ViewportRule> T>
 void describe(Fields &json, T &rule)
 {
     static constexpr std::array kKinds{"wholeWindow", "fixed", "keepAspect", "quarter"};
     json.required("kind", rule.kind, Words{kKinds});
     json.optional("aspect", rule.aspect);
-    json.check([&] { return checkPositive(rule.aspect, ErrorCode::AspectNotPositive); }, "aspect");
+    json.check([&] { return checkPositive(rule.aspect, geometry::ErrorCode::AspectNotPositive); }, "aspect");
     json.optional("fixed", rule.fixed);
 }
 
-template <class Fields, Is<GivenPoint> T>
+template <class Fields, Is<geometry::GivenPoint> T>
 void describe(Fields &json, T &given)
 {
     enum class Space { Object, World, Eye, Clip, Ndc, Window };
@@ -221,12 +225,12 @@ void describe(Fields &json, T &given)
     if (json.failed())
         return;
     switch (space) {
-    case Space::Object: json.required("coordinates", as<ObjectPoint>(given.point)); break;
-    case Space::World: json.required("coordinates", as<WorldPoint>(given.point)); break;
-    case Space::Eye: json.required("coordinates", as<EyePoint>(given.point)); break;
-    case Space::Clip: json.required("coordinates", as<ClipPoint>(given.point)); break;
-    case Space::Ndc: json.required("coordinates", as<NdcPoint>(given.point)); break;
-    case Space::Window: json.required("coordinates", as<WindowPoint>(given.point)); break;
+    case Space::Object: json.required("coordinates", as<geometry::ObjectPoint>(given.point)); break;
+    case Space::World: json.required("coordinates", as<geometry::WorldPoint>(given.point)); break;
+    case Space::Eye: json.required("coordinates", as<geometry::EyePoint>(given.point)); break;
+    case Space::Clip: json.required("coordinates", as<geometry::ClipPoint>(given.point)); break;
+    case Space::Ndc: json.required("coordinates", as<geometry::NdcPoint>(given.point)); break;
+    case Space::Window: json.required("coordinates", as<geometry::WindowPoint>(given.point)); break;
     }
     describeText(json, "object", given.object);
 }
@@ -243,9 +247,9 @@ void describeUi(Fields &json, T &scene)
     if (notCutting == 0)
         return;
     const std::size_t cutting = scene.clipPlanes.size();
-    json.list("clipPlanesOff", ui.clipPlanesOff, kMostClipPlanes - cutting, [&](auto &entry, auto &off) {
+    json.list("clipPlanesOff", ui.clipPlanesOff, scene::kMostClipPlanes - cutting, [&](auto &entry, auto &off) {
         const int last = static_cast<int>(cutting + notCutting) - 1;
-        entry.required("place", off.place, Count{0, last});
+        entry.required("place", off.index, Count{0, last});
         entry.required("plane", off.plane, ClipPlaneNumbers{});
     });
 }
@@ -271,12 +275,12 @@ void describe(Fields &json, T &scene)
     json.object("projection", [&](auto &projection) { describeProjection(projection, scene); });
     json.object("view", [&](auto &view) {
         if (view.has("matrix", std::holds_alternative<glm::dmat4>(scene.view)))
-            describeView(view, as<glm::dmat4>(scene.view), scene.conventions.value_or(Api::OpenGl));
+            describeView(view, as<glm::dmat4>(scene.view), scene.conventions.value_or(geometry::Api::OpenGl));
         else
-            describe(view, as<LookAt>(scene.view));
+            describe(view, as<geometry::LookAt>(scene.view));
     });
     json.list("objects", scene.objects);
-    json.list("clipPlanes", scene.clipPlanes, kMostClipPlanes, ClipPlaneNumbers{});
+    json.list("clipPlanes", scene.clipPlanes, scene::kMostClipPlanes, ClipPlaneNumbers{});
     if (json.has("landmarks", !(scene.landmarks == landmarks::LandmarkSet())))
         json.required("landmarks", scene.landmarks);
     json.optional("point", scene.point);

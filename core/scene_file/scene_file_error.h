@@ -8,7 +8,6 @@
 #include <vector>
 
 namespace unprojector::scene_file {
-using namespace geometry;
 
 /// Why a scene file could not be read or written. `SceneFileError` says where and carries the values.
 enum class SceneFileErrorCode {
@@ -57,7 +56,7 @@ struct SceneFileError {
     double lowest = 0.0;
     double limit = 0.0;
     std::vector<std::string> choices;
-    std::optional<Error> cause;
+    std::optional<geometry::Error> cause;
 };
 
 } // namespace unprojector::scene_file

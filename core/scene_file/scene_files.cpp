@@ -9,6 +9,7 @@
 #include <system_error>
 
 namespace unprojector::scene_file {
+using namespace geometry;
 using namespace files;
 namespace {
 

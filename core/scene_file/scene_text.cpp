@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 namespace unprojector::scene_file {
+using namespace geometry;
 
 namespace {
 

@@ -13,6 +13,8 @@
 #include <utility>
 
 namespace unprojector::scene_file {
+using namespace geometry;
+
 namespace {
 
 using Json = nlohmann::ordered_json;

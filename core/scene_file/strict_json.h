@@ -14,9 +14,9 @@ namespace unprojector::scene_file {
 /// range of doubles. The library's own parser would keep the last of two equal keys, and takes time quadratic in their
 /// number.
 /// @return EmptyFile, Syntax, NumberTooLarge, TooDeep, DuplicateKey, each with line and column; TooLarge
-Result<nlohmann::ordered_json, SceneFileError> parseStrictJson(std::string_view text);
+geometry::Result<nlohmann::ordered_json, SceneFileError> parseStrictJson(std::string_view text);
 /// The same of a document that may have other than kMostSceneBytes.
-Result<nlohmann::ordered_json, SceneFileError> parseStrictJson(std::string_view text, std::size_t mostBytes);
+geometry::Result<nlohmann::ordered_json, SceneFileError> parseStrictJson(std::string_view text, std::size_t mostBytes);
 
 /// At most `most` bytes of a text, not cut inside a character; "…" at the end where something is missing.
 std::string shortened(std::string_view text, std::size_t most = 60);

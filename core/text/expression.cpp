@@ -10,6 +10,8 @@
 #include <system_error>
 
 namespace unprojector::text {
+using namespace geometry;
+
 namespace {
 
 using Code = ExpressionErrorCode;

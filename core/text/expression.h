@@ -8,7 +8,6 @@
 #include <string_view>
 
 namespace unprojector::text {
-using namespace geometry;
 
 /// What is wrong with an expression; ExpressionError says where.
 enum class ExpressionErrorCode {
@@ -40,7 +39,7 @@ struct ExpressionError {
 /// radians into degrees and back. A decimal comma is read like a point, unless it could as well
 /// stand between thousands: "1,000" is refused, "0,125" and "1,25" are not. A lone number is the nearest double.
 /// @return the value, always finite
-Result<double, ExpressionError> evaluate(std::string_view text);
+geometry::Result<double, ExpressionError> evaluate(std::string_view text);
 
 /// What a name stands for, or nothing.
 using Names = std::function<std::optional<double>(std::string_view name)>;
@@ -48,6 +47,6 @@ using Names = std::function<std::optional<double>(std::string_view name)>;
 /// The same with names besides: "ndc.x * 2", "projection[2][3]". A name starts with a letter and goes on with letters, digits and
 /// . [ ] : as far as they stand together; pi and the functions stay what they are.
 /// @return UnknownName as well, of a name that stands for nothing
-Result<double, ExpressionError> evaluate(std::string_view text, const Names &names);
+geometry::Result<double, ExpressionError> evaluate(std::string_view text, const Names &names);
 
 } // namespace unprojector::text

@@ -8,6 +8,7 @@
 #include <cmath>
 
 namespace unprojector::unproject {
+using namespace geometry;
 using text::significantText;
 using text::tr;
 namespace {
@@ -36,10 +37,10 @@ std::optional<Agreement> agreementOf(const Pick &pick)
     result.difference = largest(difference);
     result.ulps = result.difference / ulpOfLargest(point);
     // Near the world's origin the eye and the way from it cancel, and what rounding did to either stands out.
-    result.byCancelling = std::max(1.0, std::max(largest(pick.picture.camera().eye), largest(*eye)) / largest(point));
-    if (isPerspective(pick.picture.projection())) {
+    result.byCancelling = std::max(1.0, std::max(largest(pick.setup.camera().eye), largest(*eye)) / largest(point));
+    if (isPerspective(pick.setup.projection())) {
         // z_ndc changes by n f / (f - n) / z^2 a unit of z: what rounding does to the one shows in the other that much larger.
-        const ProjectionWindow window = projectionWindow(pick.picture.projection());
+        const ProjectionWindow window = projectionWindow(pick.setup.projection());
         const double n = window.nearDistance, f = window.farDistance;
         result.byPerspective = std::max(1.0, -eye->z * (f - n) / (f * n));
     }
@@ -88,7 +89,7 @@ std::string differenceCauseText(const Pick &pick)
     if (agreement->isToTheLastPlaces())
         return tr("The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
     const std::string byCancelling = significantText(agreement->byCancelling, 2);
-    if (!isPerspective(pick.picture.projection()))
+    if (!isPerspective(pick.setup.projection()))
         return tr("Cause: rounding in the inverted matrix, magnified %1 times where the eye's coordinates cancel. The "
                   "formula inverts nothing.",
                   byCancelling);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 namespace unprojector::unproject {
+using namespace geometry;
 
 double ulpOfLargest(const Components<3> &point)
 {

@@ -8,7 +8,6 @@
 #include <utility>
 
 namespace unprojector::unproject {
-using namespace geometry;
 
 /// The ways to a point. What computes and what writes answers, as JSON and as CSV, goes through kMethods; what compares
 /// two of them side by side names them.
@@ -45,26 +44,29 @@ public:
         (std::make_index_sequence<kMethods.size()>());
     }
 
-    const Result<Point<Space>> &operator[](Method method) const { return m_of[static_cast<std::size_t>(method)]; }
+    const geometry::Result<geometry::Point<Space>> &operator[](Method method) const
+    {
+        return m_of[static_cast<std::size_t>(method)];
+    }
 
     /// formula - matrix.
     /// @pre both have an answer
-    Vector<Space> difference() const { return *(*this)[Method::Formula] - *(*this)[Method::Matrix]; }
+    geometry::Vector<Space> difference() const { return *(*this)[Method::Formula] - *(*this)[Method::Matrix]; }
 
 private:
-    explicit Answers(std::array<Result<Point<Space>>, kMethods.size()> of) : m_of(std::move(of)) {}
+    explicit Answers(std::array<geometry::Result<geometry::Point<Space>>, kMethods.size()> of) : m_of(std::move(of)) {}
 
-    std::array<Result<Point<Space>>, kMethods.size()> m_of;
+    std::array<geometry::Result<geometry::Point<Space>>, kMethods.size()> m_of;
 };
 
 /// A window position unprojected by every method, to both spaces.
 struct Unprojected {
-    Answers<EyeSpace> eye;
-    Answers<WorldSpace> world;
+    Answers<geometry::EyeSpace> eye;
+    Answers<geometry::WorldSpace> world;
 };
 
 /// The spacing of doubles at the largest component of a point: the unit that differences of this point are
 /// counted in. Counting each component in its own unit would call the noise of a component near 0 enormous.
-double ulpOfLargest(const Components<3> &point);
+double ulpOfLargest(const geometry::Components<3> &point);
 
 } // namespace unprojector::unproject

@@ -9,6 +9,8 @@
 #include <cmath>
 
 namespace unprojector::unproject {
+using namespace geometry;
+
 namespace {
 
 glm::dvec3 parallelRay(const Projection &projection)
@@ -20,11 +22,10 @@ glm::dvec3 parallelRay(const Projection &projection)
 
 } // namespace
 
-Certainties::Certainties(const Picture &picture)
-    : m_window(projectionWindow(picture.projection())), m_isPerspective(isPerspective(picture.projection())),
-      m_parallel(parallelRay(picture.projection())),
-      m_range(std::abs(picture.depthRange.atFar - picture.depthRange.atNear)),
-      m_footprint(pixelFootprint(picture, 1.0)), m_frame(eyeFrame(picture.camera()).value())
+Certainties::Certainties(const Setup &setup)
+    : m_window(projectionWindow(setup.projection())), m_isPerspective(isPerspective(setup.projection())),
+      m_parallel(parallelRay(setup.projection())), m_range(std::abs(setup.depthRange.atFar - setup.depthRange.atNear)),
+      m_footprint(pixelFootprint(setup, 1.0)), m_frame(eyeFrame(setup.camera()).value())
 {
 }
 
@@ -66,21 +67,19 @@ Uncertainty Certainties::of(const EyePoint &eye, const WorldPoint &world, const 
     return summed(eye, world, {alongRay(eye, certainty)});
 }
 
-Certainty certaintyAt(const Picture &picture, double distance, const DepthError &error)
+Certainty certaintyAt(const Setup &setup, double distance, const DepthError &error)
 {
-    return Certainties(picture).at(distance, error);
+    return Certainties(setup).at(distance, error);
 }
 
-Uncertainty uncertaintyOf(const Picture &picture, const EyePoint &eye, const WorldPoint &world,
-                          const Certainty &certainty)
+Uncertainty uncertaintyOf(const Setup &setup, const EyePoint &eye, const WorldPoint &world, const Certainty &certainty)
 {
-    return Certainties(picture).of(eye, world, certainty);
+    return Certainties(setup).of(eye, world, certainty);
 }
 
-Uncertainty withinPixel(const Picture &picture, const EyePoint &eye, const WorldPoint &world,
-                        const Certainty &certainty)
+Uncertainty withinPixel(const Setup &setup, const EyePoint &eye, const WorldPoint &world, const Certainty &certainty)
 {
-    const Certainties certainties(picture);
+    const Certainties certainties(setup);
     return certainties.summed(eye, world,
                               {certainties.alongRay(eye, certainty),
                                glm::dvec3(certainty.footprintWidth / 2.0, 0.0, 0.0),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 #include "core/unproject/depth_error.h"
 
 #include <glm/vec2.hpp>
@@ -9,7 +9,6 @@
 #include <initializer_list>
 
 namespace unprojector::unproject {
-using namespace geometry;
 
 /// How sure the point of a click is, which stands for the centre of its pixel. Its place in the picture is exact; so it lies on
 /// the ray through that centre, and so does the surface: what is not sure is how far along.
@@ -35,12 +34,12 @@ struct Certainty {
 /// order. A pixel is (r-l) z / (n width) by (t-b) z / (n height), in a box (r-l) / width by (t-b) / height.
 /// @param distance  z > 0 in front of the eye (any z for a box), eye units
 /// @pre the picture is valid and by parameters
-Certainty certaintyAt(const Picture &picture, double distance, const DepthError &error);
+Certainty certaintyAt(const geometry::Setup &setup, double distance, const DepthError &error);
 
 /// How far each coordinate of a point can be off, at most.
 struct Uncertainty {
-    EyeVector eye;
-    WorldVector world;
+    geometry::EyeVector eye;
+    geometry::WorldVector world;
 };
 
 /// Certainty::distance along the ray through the pixel's centre, on each axis; and half a unit in the last place of the
@@ -49,38 +48,39 @@ struct Uncertainty {
 /// @param world      the same
 /// @param certainty  at its distance
 /// @pre the picture is valid and by parameters; a perspective sees the point (z_eye is not 0)
-Uncertainty uncertaintyOf(const Picture &picture, const EyePoint &eye, const WorldPoint &world,
-                          const Certainty &certainty);
+Uncertainty uncertaintyOf(const geometry::Setup &setup, const geometry::EyePoint &eye,
+                          const geometry::WorldPoint &world, const Certainty &certainty);
 
 /// certaintyAt and uncertaintyOf for many pixels of a picture: what hangs on the picture alone is computed once.
 class Certainties {
 public:
     /// @pre the picture is valid and by parameters
-    explicit Certainties(const Picture &picture);
+    explicit Certainties(const geometry::Setup &setup);
 
     Certainty at(double distance, const DepthError &error) const;
-    Uncertainty of(const EyePoint &eye, const WorldPoint &world, const Certainty &certainty) const;
+    Uncertainty of(const geometry::EyePoint &eye, const geometry::WorldPoint &world, const Certainty &certainty) const;
 
 private:
-    friend Uncertainty withinPixel(const Picture &picture, const EyePoint &eye, const WorldPoint &world,
-                                   const Certainty &certainty);
+    friend Uncertainty withinPixel(const geometry::Setup &setup, const geometry::EyePoint &eye,
+                                   const geometry::WorldPoint &world, const Certainty &certainty);
 
     /// Along the ray through the point, as far as the certainty's distance.
-    glm::dvec3 alongRay(const EyePoint &eye, const Certainty &certainty) const;
+    glm::dvec3 alongRay(const geometry::EyePoint &eye, const Certainty &certainty) const;
     /// Parts of an error, as vectors of eye space, on each axis: added up, since all of them can be off at once.
-    Uncertainty summed(const EyePoint &eye, const WorldPoint &world, std::initializer_list<glm::dvec3> parts) const;
+    Uncertainty summed(const geometry::EyePoint &eye, const geometry::WorldPoint &world,
+                       std::initializer_list<glm::dvec3> parts) const;
 
-    ProjectionWindow m_window;
+    geometry::ProjectionWindow m_window;
     bool m_isPerspective;
     glm::dvec3 m_parallel; ///< a box's rays, for a unit of distance in front of the eye
     double m_range;
     glm::dvec2 m_footprint; ///< of a pixel at the distance 1 in a perspective, anywhere in a box
-    EyeFrame m_frame;
+    geometry::EyeFrame m_frame;
 };
 
 /// How far from the point what lies in its pixel at that distance can be, besides: half a pixel to the side and half a
 /// pixel up, on each axis, and uncertaintyOf. What a hand that points at something leaves open.
-Uncertainty withinPixel(const Picture &picture, const EyePoint &eye, const WorldPoint &world,
+Uncertainty withinPixel(const geometry::Setup &setup, const geometry::EyePoint &eye, const geometry::WorldPoint &world,
                         const Certainty &certainty);
 
 } // namespace unprojector::unproject

@@ -5,6 +5,8 @@
 #include <cmath>
 
 namespace unprojector::unproject {
+using namespace geometry;
+
 namespace {
 
 using PreciseEye = PrecisePoint<EyeSpace>;

@@ -5,7 +5,6 @@
 #include "core/geometry/viewport.h"
 
 namespace unprojector::unproject {
-using namespace geometry;
 
 /// Eye-space point under a window position: no matrix is inverted. This is what a click, a row and a table compute.
 ///
@@ -33,7 +32,9 @@ using namespace geometry;
 ///         PointAtInfinity, when the numbers leave the range of doubles
 /// Source: Weng et al. 2008, section 3. The paper leaves the sign of z open: it holds for the distance in front of
 ///         the eye. It calls the result view-volume coordinates: they are eye coordinates. For a box it gives x and y only.
-Result<PrecisePoint<EyeSpace>> preciseEyePoint(const Projection &projection, const Viewport &viewport,
-                                               const DepthRange &range, const WindowPoint &window);
+geometry::Result<geometry::PrecisePoint<geometry::EyeSpace>> preciseEyePoint(const geometry::Projection &projection,
+                                                                             const geometry::Viewport &viewport,
+                                                                             const geometry::DepthRange &range,
+                                                                             const geometry::WindowPoint &window);
 
 } // namespace unprojector::unproject

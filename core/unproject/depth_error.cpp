@@ -12,6 +12,8 @@
 #include <limits>
 
 namespace unprojector::unproject {
+using namespace geometry;
+
 namespace {
 
 /// Half the spacing of floats, relative.
@@ -20,26 +22,26 @@ constexpr double kFloatRounding = 0x1p-24;
 using Corners = std::array<glm::dvec3, 3>; ///< window coordinates
 
 /// Of a surface that is inclined by 80 degrees to the picture's plane, at a distance.
-DepthSlope steepSlope(const Picture &picture, double depthOfUnit, double distance)
+DepthSlope steepSlope(const Setup &setup, double depthOfUnit, double distance)
 {
     const double tangent = std::tan(radiansFromDegrees(80.0));
-    const glm::dvec2 footprint = pixelFootprint(picture, distance);
+    const glm::dvec2 footprint = pixelFootprint(setup, distance);
     return {depthOfUnit * footprint.x * tangent, depthOfUnit * footprint.y * tangent};
 }
 
 /// By how much the window depth changes for a unit of distance in front of the eye: |dd/dz|.
-double depthOfUnitDistance(const Picture &picture, double distance)
+double depthOfUnitDistance(const Setup &setup, double distance)
 {
-    const ProjectionWindow w = projectionWindow(picture.projection());
+    const ProjectionWindow w = projectionWindow(setup.projection());
     const double n = w.nearDistance, f = w.farDistance;
-    const double range = std::abs(picture.depthRange.atFar - picture.depthRange.atNear);
-    return isPerspective(picture.projection()) ? range * f * n / ((f - n) * distance * distance) : range / (f - n);
+    const double range = std::abs(setup.depthRange.atFar - setup.depthRange.atNear);
+    return isPerspective(setup.projection()) ? range * f * n / ((f - n) * distance * distance) : range / (f - n);
 }
 
 /// A triangle's depth is a x + b y + c in NDC, and so a x + b y + c w in clip space, wherever its corners lie: also behind
 /// the eye.
 /// @return nothing for a triangle that is seen edge on
-std::optional<DepthSlope> slopeOf(const Picture &picture, const std::array<glm::dvec4, 3> &clip)
+std::optional<DepthSlope> slopeOf(const Setup &setup, const std::array<glm::dvec4, 3> &clip)
 {
     glm::dmat3 rows(0.0);
     glm::dvec3 depths;
@@ -54,9 +56,9 @@ std::optional<DepthSlope> slopeOf(const Picture &picture, const std::array<glm::
     const glm::dvec3 plane = glm::inverse(rows) * depths;
     if (!std::isfinite(plane.x) || !std::isfinite(plane.y))
         return std::nullopt;
-    const double range = std::abs(picture.depthRange.atFar - picture.depthRange.atNear);
-    return DepthSlope{std::abs(plane.x) * range / picture.viewport.width,
-                      std::abs(plane.y) * range / picture.viewport.height};
+    const double range = std::abs(setup.depthRange.atFar - setup.depthRange.atNear);
+    return DepthSlope{std::abs(plane.x) * range / setup.viewport.width,
+                      std::abs(plane.y) * range / setup.viewport.height};
 }
 
 /// What rounding the differences of a triangle's corners, their products and its area does to its plane, at a place: the
@@ -108,8 +110,8 @@ double DepthFormat::kept(double depth) const
     return std::round(depth * steps) / steps;
 }
 
-DepthErrors::DepthErrors(const Picture &picture, const glm::dmat4 &worldFromVertices, bool areVerticesRounded)
-    : m_picture(picture), m_clipFromVertices(clipFromWorld(picture).value() * worldFromVertices),
+DepthErrors::DepthErrors(const Setup &setup, const glm::dmat4 &worldFromVertices, bool areVerticesRounded)
+    : m_setup(setup), m_clipFromVertices(clipFromWorld(setup).value() * worldFromVertices),
       m_verticesFromWorld(glm::inverse(worldFromVertices)), m_vertexRoundings(areVerticesRounded ? 2.0 : 1.0)
 {
 }
@@ -117,8 +119,8 @@ DepthErrors::DepthErrors(const Picture &picture, const glm::dmat4 &worldFromVert
 DepthError DepthErrors::at(const WindowPoint &window, const WorldPoint &world, const DepthSample &sample,
                            const std::optional<std::array<glm::dvec3, 3>> &triangle, bool isPoint) const
 {
-    const Viewport &viewport = m_picture.viewport;
-    const double range = std::abs(m_picture.depthRange.atFar - m_picture.depthRange.atNear);
+    const Viewport &viewport = m_setup.viewport;
+    const double range = std::abs(m_setup.depthRange.atFar - m_setup.depthRange.atNear);
     const glm::dvec4 place = m_verticesFromWorld * glm::dvec4(world.coordinates(), 1.0);
     const glm::dvec4 clip = m_clipFromVertices * place;
 
@@ -141,17 +143,17 @@ DepthError DepthErrors::at(const WindowPoint &window, const WorldPoint &world, c
             const glm::dvec4 &corner = clipCorners[k];
             isBeforeTheEye = isBeforeTheEye && corner.w > 0.0;
             windowCorners[k] =
-                windowFromNdc(viewport, m_picture.depthRange, NdcPoint(glm::dvec3(corner) / corner.w)).coordinates();
+                windowFromNdc(viewport, m_setup.depthRange, NdcPoint(glm::dvec3(corner) / corner.w)).coordinates();
         }
-        if (const std::optional<DepthSlope> known = slopeOf(m_picture, clipCorners)) {
+        if (const std::optional<DepthSlope> known = slopeOf(m_setup, clipCorners)) {
             slope = known;
             if (isBeforeTheEye) // else it is cut, and its corners are others
                 corners = windowCorners;
         }
     }
     if (!slope && !isPoint) {
-        const double distance = isPerspective(m_picture.projection()) ? std::abs(clip.w) : 1.0;
-        slope = steepSlope(m_picture, depthOfUnitDistance(m_picture, distance), distance);
+        const double distance = isPerspective(m_setup.projection()) ? std::abs(clip.w) : 1.0;
+        slope = steepSlope(m_setup, depthOfUnitDistance(m_setup, distance), distance);
     }
 
     DepthError error{sample.format.halfStep(window.z), 0.0};
@@ -176,10 +178,10 @@ DepthError DepthErrors::at(const WindowPoint &window, const WorldPoint &world, c
     return error;
 }
 
-DepthError depthErrorAt(const Picture &picture, const WindowPoint &window, const WorldPoint &world,
+DepthError depthErrorAt(const Setup &setup, const WindowPoint &window, const WorldPoint &world,
                         const DepthSample &sample, const DrawnSurface &surface)
 {
-    return DepthErrors(picture, surface.worldFromVertices, surface.areVerticesRounded)
+    return DepthErrors(setup, surface.worldFromVertices, surface.areVerticesRounded)
         .at(window, world, sample, surface.triangle, surface.isPoint);
 }
 

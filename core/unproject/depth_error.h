@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 #include "core/unproject/depth_sample.h"
 
 #include <glm/mat4x4.hpp>
@@ -9,7 +9,6 @@
 #include <optional>
 
 namespace unprojector::unproject {
-using namespace geometry;
 
 /// What is known of a surface that was drawn, besides the depth that it left in a pixel.
 struct DrawnSurface {
@@ -55,21 +54,21 @@ struct DepthError {
 /// @param window   the pixel's centre with the depth that was read; device pixels, origin bottom-left
 /// @param world    the same point in the world
 /// @pre the picture is valid and by parameters
-DepthError depthErrorAt(const Picture &picture, const WindowPoint &window, const WorldPoint &world,
-                        const DepthSample &sample, const DrawnSurface &surface);
+DepthError depthErrorAt(const geometry::Setup &setup, const geometry::WindowPoint &window,
+                        const geometry::WorldPoint &world, const DepthSample &sample, const DrawnSurface &surface);
 
 /// The same for many pixels of one mesh: what hangs on the mesh alone is computed once.
 class DepthErrors {
 public:
     /// @pre the picture is valid and by parameters
-    DepthErrors(const Picture &picture, const glm::dmat4 &worldFromVertices, bool areVerticesRounded);
+    DepthErrors(const geometry::Setup &setup, const glm::dmat4 &worldFromVertices, bool areVerticesRounded);
 
     /// @param triangle, isPoint  see DrawnSurface
-    DepthError at(const WindowPoint &window, const WorldPoint &world, const DepthSample &sample,
+    DepthError at(const geometry::WindowPoint &window, const geometry::WorldPoint &world, const DepthSample &sample,
                   const std::optional<std::array<glm::dvec3, 3>> &triangle, bool isPoint = false) const;
 
 private:
-    Picture m_picture;
+    geometry::Setup m_setup;
     glm::dmat4 m_clipFromVertices;
     glm::dmat4 m_verticesFromWorld;
     double m_vertexRoundings; ///< how often u counts

@@ -5,11 +5,12 @@
 #include <limits>
 
 namespace unprojector::unproject {
+using namespace geometry;
 
-DepthScale depthScaleOf(const Picture &picture)
+DepthScale depthScaleOf(const Setup &setup)
 {
-    const ProjectionWindow w = projectionWindow(picture.projection());
-    return {isPerspective(picture.projection()), w.nearDistance, w.farDistance, picture.depthRange};
+    const ProjectionWindow w = projectionWindow(setup.projection());
+    return {isPerspective(setup.projection()), w.nearDistance, w.farDistance, setup.depthRange};
 }
 
 double unitDepthAt(const DepthScale &s, double distance)
@@ -32,9 +33,9 @@ double halfDepthStepAt(const DepthScale &s, const DepthFormat &format, double di
     return step * distance * distance * shrink / n;
 }
 
-std::optional<double> nearestDistance(const Picture &picture, std::span<const Box> boxes)
+std::optional<double> nearestDistance(const Setup &setup, std::span<const Box> boxes)
 {
-    const EyeFrame frame = eyeFrame(picture.camera()).value();
+    const EyeFrame frame = eyeFrame(setup.camera()).value();
     std::optional<double> nearest;
     for (const Box &box : boxes) {
         if (box.isEmpty())
@@ -57,11 +58,11 @@ std::optional<double> nearestDistance(const Picture &picture, std::span<const Bo
     return nearest;
 }
 
-std::optional<double> betterNear(const Picture &picture, std::span<const Box> boxes)
+std::optional<double> betterNear(const Setup &setup, std::span<const Box> boxes)
 {
     constexpr double kMargin = 0.99, kWorthwhile = 1.5;
-    const DepthScale scale = depthScaleOf(picture);
-    const std::optional<double> nearest = nearestDistance(picture, boxes);
+    const DepthScale scale = depthScaleOf(setup);
+    const std::optional<double> nearest = nearestDistance(setup, boxes);
     if (!scale.isPerspective || !nearest)
         return std::nullopt;
     const double most = kMargin * *nearest;

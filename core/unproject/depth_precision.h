@@ -1,27 +1,26 @@
 #pragma once
 
 #include "core/geometry/box.h"
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 #include "core/unproject/depth_sample.h"
 
 #include <optional>
 #include <span>
 
 namespace unprojector::unproject {
-using namespace geometry;
 
 /// How depths are spread over the distances in front of the eye.
 struct DepthScale {
     bool isPerspective = true;  ///< else depth grows by the same all the way, as in glOrtho
     double nearDistance = 1.0;  ///< > 0 in a perspective
     double farDistance = 100.0; ///< may be infinite in a perspective
-    DepthRange range;
+    geometry::DepthRange range;
 
     friend bool operator==(const DepthScale &, const DepthScale &) = default;
 };
 
 /// @pre the picture is valid and by parameters
-DepthScale depthScaleOf(const Picture &picture);
+DepthScale depthScaleOf(const geometry::Setup &setup);
 
 /// The share of the way from the near plane's depth to the far plane's, in [0, 1]:
 ///
@@ -44,12 +43,12 @@ double halfDepthStepAt(const DepthScale &scale, const DepthFormat &format, doubl
 /// @param boxes  world space; empty ones and those that lie wholly behind the eye do not count
 /// @return eye units; nothing where there is none, or one reaches behind the eye
 /// @pre the picture is valid and by parameters
-std::optional<double> nearestDistance(const Picture &picture, std::span<const Box> boxes);
+std::optional<double> nearestDistance(const geometry::Setup &setup, std::span<const geometry::Box> boxes);
 
 /// A near plane of one digit that lies farther away than the one of a perspective and cuts none of some boxes, by a hundredth
 /// and more.
 /// @return eye units; nothing where none would make depths at least half as good again, and in a box, where it does nothing
 /// @pre the picture is valid and by parameters
-std::optional<double> betterNear(const Picture &picture, std::span<const Box> boxes);
+std::optional<double> betterNear(const geometry::Setup &setup, std::span<const geometry::Box> boxes);
 
 } // namespace unprojector::unproject

@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 namespace unprojector::unproject {
+using namespace geometry;
 
 template <class Space, class Scalar>
 Result<MatrixInverse<Space, Scalar>> MatrixInverse<Space, Scalar>::of(const glm::dmat4 &clipFromSpace,

@@ -7,7 +7,6 @@
 #include <glm/mat4x4.hpp>
 
 namespace unprojector::unproject {
-using namespace geometry;
 
 /// gluUnProject's way, its matrix inverted once for any number of points: p = M^-1 (x_n, y_n, z_n, 1), divided by its w,
 /// with M inverted by glm::inverse.
@@ -24,31 +23,33 @@ public:
 
     /// @param ndcDepth  what the ends of the depth range stand for; with [0, 1] z_n keeps the digits of a small depth
     /// @return the errors of check(viewport) and check(range); NotFinite (an entry of the matrix); SingularMatrix
-    static Result<MatrixInverse> of(const glm::dmat4 &clipFromSpace, const Viewport &viewport, const DepthRange &range,
-                                    NdcDepth ndcDepth = NdcDepth::MinusOneToOne);
+    static geometry::Result<MatrixInverse> of(const glm::dmat4 &clipFromSpace, const geometry::Viewport &viewport,
+                                              const geometry::DepthRange &range,
+                                              geometry::NdcDepth ndcDepth = geometry::NdcDepth::MinusOneToOne);
 
     /// @param window  device pixels, origin bottom-left; depth in the depth range (not required to be inside it: a matrix
     ///                does not care)
     /// @return NotFinite (position or depth); PointAtInfinity
-    Result<Point<Space>> at(const WindowPoint &window) const;
+    geometry::Result<geometry::Point<Space>> at(const geometry::WindowPoint &window) const;
 
     /// The same before the division by w.
     /// @return NotFinite (position or depth)
-    Result<glm::vec<4, Scalar>> homogeneousAt(const WindowPoint &window) const;
+    geometry::Result<glm::vec<4, Scalar>> homogeneousAt(const geometry::WindowPoint &window) const;
 
     /// M^-1 as it is applied.
     const Matrix &spaceFromClip() const { return m_spaceFromClip; }
 
 private:
-    MatrixInverse(const Matrix &spaceFromClip, const Viewport &viewport, const DepthRange &range, NdcDepth ndcDepth)
+    MatrixInverse(const Matrix &spaceFromClip, const geometry::Viewport &viewport, const geometry::DepthRange &range,
+                  geometry::NdcDepth ndcDepth)
         : m_spaceFromClip(spaceFromClip), m_viewport(viewport), m_range(range), m_ndcDepth(ndcDepth)
     {
     }
 
     Matrix m_spaceFromClip;
-    Viewport m_viewport;
-    DepthRange m_range;
-    NdcDepth m_ndcDepth;
+    geometry::Viewport m_viewport;
+    geometry::DepthRange m_range;
+    geometry::NdcDepth m_ndcDepth;
 };
 
 } // namespace unprojector::unproject

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 namespace unprojector::unproject {
+using namespace geometry;
 
 ObjectFromWorld::ObjectFromWorld(const glm::dmat4 &worldFromObject)
     : m_worldFromObject(worldFromObject), m_inverse(glm::inverse(glm::dmat3(worldFromObject)))

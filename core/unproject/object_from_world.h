@@ -7,30 +7,30 @@
 #include <glm/mat4x4.hpp>
 
 namespace unprojector::unproject {
-using namespace geometry;
 
 /// From world space into that of an object, prepared once for it.
 class ObjectFromWorld {
 public:
     /// @param worldFromObject  affine
     /// @return NotFinite; SingularMatrix
-    static Result<ObjectFromWorld> of(const glm::dmat4 &worldFromObject);
+    static geometry::Result<ObjectFromWorld> of(const glm::dmat4 &worldFromObject);
 
     /// x of worldFromObject x = world, refined with about 30 digits and rounded once.
     /// @return NotFinite; PointAtInfinity where it leaves the range of doubles
-    Result<ObjectPoint> at(const WorldPoint &world) const;
+    geometry::Result<geometry::ObjectPoint> at(const geometry::WorldPoint &world) const;
     /// The same of a vector, which knows no translation.
-    Result<Vector<ObjectSpace>> at(const WorldVector &world) const;
+    geometry::Result<geometry::Vector<geometry::ObjectSpace>> at(const geometry::WorldVector &world) const;
 
 private:
     explicit ObjectFromWorld(const glm::dmat4 &worldFromObject);
-    Result<glm::dvec3> solved(const glm::dvec3 &world, const glm::dvec3 &translation) const;
+    geometry::Result<glm::dvec3> solved(const glm::dvec3 &world, const glm::dvec3 &translation) const;
 
     glm::dmat4 m_worldFromObject;
     glm::dmat3 m_inverse;
 };
 
 /// ObjectFromWorld::of and at, for a single point.
-Result<ObjectPoint> objectFromWorld(const glm::dmat4 &worldFromObject, const WorldPoint &world);
+geometry::Result<geometry::ObjectPoint> objectFromWorld(const glm::dmat4 &worldFromObject,
+                                                        const geometry::WorldPoint &world);
 
 } // namespace unprojector::unproject

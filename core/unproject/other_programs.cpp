@@ -4,6 +4,7 @@
 #include <cmath>
 
 namespace unprojector::unproject {
+using namespace geometry;
 
 std::string_view keyOf(OtherProgram program)
 {
@@ -26,7 +27,7 @@ std::optional<OtherProgram> otherProgramOf(std::string_view key)
     return found != kOtherPrograms.end() ? std::optional(*found) : std::nullopt;
 }
 
-OtherClick clickOf(OtherProgram program, const Picture &picture, const DevicePixel &pixel)
+OtherClick clickOf(OtherProgram program, const Setup &setup, const DevicePixel &pixel)
 {
     const DevicePoint topLeft(pixel.i, pixel.j);
     const DevicePixel above{pixel.i, pixel.j - 1};
@@ -38,20 +39,20 @@ OtherClick clickOf(OtherProgram program, const Picture &picture, const DevicePix
     case OtherProgram::CloudCompare: return {DevicePoint(topLeft.x, topLeft.y + 1.0), pixel};
     case OtherProgram::Screen2World: {
         // y_w = h - j with the viewport's height, and the depth of the pixel that has its lower edge there.
-        const double yInWindow = picture.viewport.height - pixel.j;
-        const DevicePoint position = deviceFromWindow(picture.surface, WindowPoint(pixel.i, yInWindow, 0.0));
+        const double yInWindow = setup.viewport.height - pixel.j;
+        const DevicePoint position = deviceFromWindow(setup.surface, WindowPoint(pixel.i, yInWindow, 0.0));
         const int row = static_cast<int>(std::floor(yInWindow));
-        return {position, {pixel.i, framebufferRow(picture.surface, {pixel.i, row})}}; // which is its own inverse
+        return {position, {pixel.i, framebufferRow(setup.surface, {pixel.i, row})}}; // which is its own inverse
     }
     case OtherProgram::Vtk: {
         // A viewport of one pixel has nothing to divide by; its pixel stays where it is.
-        const Viewport &v = picture.viewport;
+        const Viewport &v = setup.viewport;
         const auto stretched = [](double edge, double start, double size) {
             return size > 1.0 ? start + (edge - start) * size / (size - 1.0) : edge;
         };
-        const WindowPoint lowerLeft = windowFromDevice(picture.surface, DevicePoint(topLeft.x, topLeft.y + 1.0), 0.0);
-        return {deviceFromWindow(picture.surface, WindowPoint(stretched(lowerLeft.x, v.x, v.width),
-                                                              stretched(lowerLeft.y, v.y, v.height), 0.0)),
+        const WindowPoint lowerLeft = windowFromDevice(setup.surface, DevicePoint(topLeft.x, topLeft.y + 1.0), 0.0);
+        return {deviceFromWindow(setup.surface, WindowPoint(stretched(lowerLeft.x, v.x, v.width),
+                                                            stretched(lowerLeft.y, v.y, v.height), 0.0)),
                 pixel};
     }
     }
@@ -61,16 +62,16 @@ OtherClick clickOf(OtherProgram program, const Picture &picture, const DevicePix
 OtherAnswers otherAnswers(const Unprojector &unprojector, const DevicePixel &pixel,
                           const std::function<std::optional<double>(const DevicePixel &)> &depthAt)
 {
-    const Picture &picture = unprojector.picture();
+    const Setup &setup = unprojector.setup();
     OtherAnswers answers;
     for (std::size_t k = 0; k < answers.size(); ++k) {
         OtherAnswer &answer = answers[k];
         answer.program = kOtherPrograms[k];
-        answer.click = clickOf(answer.program, picture, pixel);
+        answer.click = clickOf(answer.program, setup, pixel);
         const std::optional<double> depth = depthAt(answer.click.depthFrom);
         if (!depth)
             continue;
-        const WindowPoint window = windowFromDevice(picture.surface, answer.click.position, *depth);
+        const WindowPoint window = windowFromDevice(setup.surface, answer.click.position, *depth);
         if (const Result<WorldPoint> point = unprojector.worldAt(Method::Matrix, window))
             answer.point = *point;
     }

@@ -30,11 +30,12 @@ std::optional<OtherProgram> otherProgramOf(std::string_view key);
 
 /// What a program makes of a click on a pixel, before it unprojects.
 struct OtherClick {
-    DevicePoint position;  ///< what it unprojects: continuous device pixels, origin top-left
-    DevicePixel depthFrom; ///< whose depth it reads; may lie outside the window, where OpenGL leaves it undefined
+    geometry::DevicePoint position; ///< what it unprojects: continuous device pixels, origin top-left
+    geometry::DevicePixel
+        depthFrom; ///< whose depth it reads; may lie outside the window, where OpenGL leaves it undefined
 };
 
-OtherClick clickOf(OtherProgram program, const Picture &picture, const DevicePixel &pixel);
+OtherClick clickOf(OtherProgram program, const geometry::Setup &setup, const geometry::DevicePixel &pixel);
 
 /// What a program answers to a click: the inverted matrix in double, so that nothing but the click differs. All of them are
 /// asked with this picture, viewport included, whatever else they could not draw of it.
@@ -42,7 +43,7 @@ struct OtherAnswer {
     OtherProgram program = OtherProgram::Paper;
     OtherClick click;
     /// Nothing where the depth that it reads is undefined or not known.
-    std::optional<WorldPoint> point;
+    std::optional<geometry::WorldPoint> point;
 };
 
 using OtherAnswers = std::array<OtherAnswer, kOtherPrograms.size()>; ///< in the order of kOtherPrograms
@@ -51,7 +52,7 @@ using OtherAnswers = std::array<OtherAnswer, kOtherPrograms.size()>; ///< in the
 /// @param depthAt  what the depth buffer holds at a pixel, on the background the far plane's; nothing outside the window, and
 ///                 where it is not known
 /// Source: the programs' sources as named above; the tutorial's and the paper's text.
-OtherAnswers otherAnswers(const Unprojector &unprojector, const DevicePixel &pixel,
-                          const std::function<std::optional<double>(const DevicePixel &)> &depthAt);
+OtherAnswers otherAnswers(const Unprojector &unprojector, const geometry::DevicePixel &pixel,
+                          const std::function<std::optional<double>(const geometry::DevicePixel &)> &depthAt);
 
 } // namespace unprojector::unproject

@@ -3,6 +3,7 @@
 #include <utility>
 
 namespace unprojector::unproject {
+using namespace geometry;
 
 Pick refined(Pick pick, const DrawnSurface &surface)
 {
@@ -11,33 +12,33 @@ Pick refined(Pick pick, const DrawnSurface &surface)
     if (!pick.hit() || !eye || !world)
         return pick;
     pick.certainty =
-        certaintyAt(pick.picture, -eye->z, depthErrorAt(pick.picture, pick.window, *world, pick.sample, surface));
+        certaintyAt(pick.setup, -eye->z, depthErrorAt(pick.setup, pick.window, *world, pick.sample, surface));
     // Of a dot only this is known: its point's pixel is one of those that the dot covers.
     pick.certainty.footprintWidth *= pick.sample.dotPixels;
     pick.certainty.footprintHeight *= pick.sample.dotPixels;
-    pick.withinPixel = withinPixel(pick.picture, *eye, *world, pick.certainty);
+    pick.withinPixel = withinPixel(pick.setup, *eye, *world, pick.certainty);
     const bool isPoint = surface.isPoint || (pick.sample.dotPixels > 1.0 && !surface.triangle);
-    pick.uncertainty = isPoint ? pick.withinPixel : uncertaintyOf(pick.picture, *eye, *world, pick.certainty);
+    pick.uncertainty = isPoint ? pick.withinPixel : uncertaintyOf(pick.setup, *eye, *world, pick.certainty);
     return pick;
 }
 
 Result<Pick> pickAt(const Unprojector &unprojector, const PixelClick &click, const SurfaceAt &surfaceAt)
 {
-    const Picture &picture = unprojector.picture();
-    const WindowPoint window = windowFromDevice(picture.surface, pixelCenter(click.pixel), click.sample.depth);
+    const Setup &setup = unprojector.setup();
+    const WindowPoint window = windowFromDevice(setup.surface, pixelCenter(click.pixel), click.sample.depth);
     const auto windowAt = [&](double depth) { return WindowPoint(window.x, window.y, depth); };
 
     Pick pick{click.position,
               click.pixel,
               window,
               click.sample.object,
-              picture,
+              setup,
               unprojector.at(window),
               {},
               {},
               {},
-              unprojector.at(windowAt(picture.depthRange.atNear)),
-              unprojector.at(windowAt(picture.depthRange.atFar)),
+              unprojector.at(windowAt(setup.depthRange.atNear)),
+              unprojector.at(windowAt(setup.depthRange.atFar)),
               click.sample};
     if (const Result<EyePoint> &eye = pick.point.eye[Method::Formula]; pick.hit() && !eye)
         return eye.error();

@@ -12,18 +12,18 @@ namespace unprojector::unproject {
 
 /// A click as a view takes it.
 struct PixelClick {
-    WidgetPoint position; ///< logical pixels, origin top-left
-    DevicePixel pixel;    ///< that the position lies in
-    DepthSample sample;   ///< what was read there
+    geometry::WidgetPoint position; ///< logical pixels, origin top-left
+    geometry::DevicePixel pixel;    ///< that the position lies in
+    DepthSample sample;             ///< what was read there
 };
 
 /// A click, followed back to the world.
 struct Pick {
-    WidgetPoint widget;
-    DevicePixel devicePixel;
-    WindowPoint window;                ///< the pixel's centre, with the depth as read
+    geometry::WidgetPoint widget;
+    geometry::DevicePixel devicePixel;
+    geometry::WindowPoint window;      ///< the pixel's centre, with the depth as read
     std::optional<std::size_t> object; ///< whose surface, its place in the scene's list at the click; none: background
-    Picture picture;                   ///< as it was at the click
+    geometry::Setup setup;             ///< as it was at the click
 
     Unprojected point;       ///< of the surface; meaningful on a hit
     Certainty certainty;     ///< of the surface; meaningful on a hit
@@ -37,13 +37,13 @@ struct Pick {
 };
 
 /// Returns what is known of the surface that was drawn at a world point.
-using SurfaceAt = std::function<DrawnSurface(const WorldPoint &)>;
+using SurfaceAt = std::function<DrawnSurface(const geometry::WorldPoint &)>;
 
 /// The point under a click: the centre of its pixel, and every method there.
 /// @param unprojector  of the picture that was clicked, by parameters
 /// @param surfaceAt    decides the point's uncertainty; called on a hit; may be empty
 /// @return on a hit the errors of the formulas: DepthOutsideRange, PointAtInfinity
-Result<Pick> pickAt(const Unprojector &unprojector, const PixelClick &click, const SurfaceAt &surfaceAt = {});
+geometry::Result<Pick> pickAt(const Unprojector &unprojector, const PixelClick &click, const SurfaceAt &surfaceAt = {});
 
 /// The same pick with what a ray tells of its surface: the triangle. Changes the uncertainty of a hit, and nothing else.
 Pick refined(Pick pick, const DrawnSurface &surface);

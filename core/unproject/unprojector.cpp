@@ -7,16 +7,17 @@
 #include <utility>
 
 namespace unprojector::unproject {
+using namespace geometry;
 
 template <class Space>
 Unprojector::Inverses<Space> Unprojector::Inverses<Space>::of(const Result<glm::dmat4> &clipFromSpace,
-                                                              const Picture &picture)
+                                                              const Setup &setup)
 {
     if (!clipFromSpace)
         return {clipFromSpace.error(), clipFromSpace.error()};
-    const NdcDepth depth = ndcDepthOf(picture);
-    return {MatrixInverse<Space, double>::of(*clipFromSpace, picture.viewport, picture.depthRange, depth),
-            MatrixInverse<Space, float>::of(*clipFromSpace, picture.viewport, picture.depthRange, depth)};
+    const NdcDepth depth = ndcDepthOf(setup);
+    return {MatrixInverse<Space, double>::of(*clipFromSpace, setup.viewport, setup.depthRange, depth),
+            MatrixInverse<Space, float>::of(*clipFromSpace, setup.viewport, setup.depthRange, depth)};
 }
 
 template <class Space>
@@ -28,28 +29,28 @@ Result<Point<Space>> Unprojector::Inverses<Space>::at(Method method, const Windo
     return method == Method::MatrixInFloat ? by(inFloat) : by(inDouble);
 }
 
-Unprojector::Unprojector(const Picture &picture)
-    : m_picture(picture), m_eye(Inverses<EyeSpace>::of(clipFromEye(picture), picture)),
-      m_world(Inverses<WorldSpace>::of(clipFromWorld(picture), picture))
+Unprojector::Unprojector(const Setup &setup)
+    : m_setup(setup), m_eye(Inverses<EyeSpace>::of(clipFromEye(setup), setup)),
+      m_world(Inverses<WorldSpace>::of(clipFromWorld(setup), setup))
 {
-    if (const auto *camera = std::get_if<LookAt>(&m_picture.pose)) {
+    if (const auto *camera = std::get_if<LookAt>(&m_setup.pose)) {
         if (const Result<PreciseEyeFrame> frame = preciseEyeFrame(*camera))
             m_frame = *frame;
     }
 }
 
-Result<Unprojector> Unprojector::of(const Picture &picture)
+Result<Unprojector> Unprojector::of(const Setup &setup)
 {
-    if (const Check valid = check(picture); !valid)
+    if (const Check valid = check(setup); !valid)
         return valid.error();
-    return Unprojector(picture);
+    return Unprojector(setup);
 }
 
 Result<PrecisePoint<EyeSpace>> Unprojector::preciseEyeAt(const WindowPoint &window) const
 {
     return std::visit(
-        [&](const auto &lens) { return preciseEyePoint(lens, m_picture.viewport, m_picture.depthRange, window); },
-        m_picture.lens);
+        [&](const auto &lens) { return preciseEyePoint(lens, m_setup.viewport, m_setup.depthRange, window); },
+        m_setup.lens);
 }
 
 Result<WorldPoint> Unprojector::worldByFormula(const Result<PrecisePoint<EyeSpace>> &eye) const
@@ -57,7 +58,7 @@ Result<WorldPoint> Unprojector::worldByFormula(const Result<PrecisePoint<EyeSpac
     if (!eye)
         return eye.error();
     const Result<WorldPoint> world = m_frame ? Result<WorldPoint>(worldFromEye(*m_frame, *eye))
-                                             : worldFromEye(std::get<glm::dmat4>(m_picture.pose), *eye);
+                                             : worldFromEye(std::get<glm::dmat4>(m_setup.pose), *eye);
     if (world && !isFinite(*world))
         return Error{ErrorCode::PointAtInfinity};
     return world;

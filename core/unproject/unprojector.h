@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 #include "core/unproject/answers.h"
 #include "core/unproject/matrix_inverse.h"
 
@@ -9,7 +9,6 @@
 #include <optional>
 
 namespace unprojector::unproject {
-using namespace geometry;
 
 /// A picture prepared for unprojecting: checked, its axes and its inverses computed once. Every click goes through one, in the
 /// window, in a file of clicks and where methods are compared; a ClickBatch computes the same for many rows.
@@ -22,34 +21,36 @@ class Unprojector {
 public:
     /// @return the errors of check(picture). What only one method cannot do (a matrix without an inverse, a matrix that
     ///         is no known projection) that method says for each point
-    static Result<Unprojector> of(const Picture &picture);
+    static geometry::Result<Unprojector> of(const geometry::Setup &setup);
 
-    const Picture &picture() const { return m_picture; }
+    const geometry::Setup &setup() const { return m_setup; }
 
     /// A window position by every method.
-    Unprojected at(const WindowPoint &window) const;
+    Unprojected at(const geometry::WindowPoint &window) const;
     /// The same by one method and to one space, for tables.
-    Result<EyePoint> eyeAt(Method method, const WindowPoint &window) const;
-    Result<WorldPoint> worldAt(Method method, const WindowPoint &window) const;
+    geometry::Result<geometry::EyePoint> eyeAt(Method method, const geometry::WindowPoint &window) const;
+    geometry::Result<geometry::WorldPoint> worldAt(Method method, const geometry::WindowPoint &window) const;
 
 private:
-    explicit Unprojector(const Picture &picture);
+    explicit Unprojector(const geometry::Setup &setup);
 
-    Result<PrecisePoint<EyeSpace>> preciseEyeAt(const WindowPoint &window) const;
-    Result<WorldPoint> worldByFormula(const Result<PrecisePoint<EyeSpace>> &eye) const;
+    geometry::Result<geometry::PrecisePoint<geometry::EyeSpace>>
+    preciseEyeAt(const geometry::WindowPoint &window) const;
+    geometry::Result<geometry::WorldPoint>
+    worldByFormula(const geometry::Result<geometry::PrecisePoint<geometry::EyeSpace>> &eye) const;
     template <class Space>
     struct Inverses {
-        Result<MatrixInverse<Space, double>> inDouble;
-        Result<MatrixInverse<Space, float>> inFloat;
+        geometry::Result<MatrixInverse<Space, double>> inDouble;
+        geometry::Result<MatrixInverse<Space, float>> inFloat;
 
-        static Inverses of(const Result<glm::dmat4> &clipFromSpace, const Picture &picture);
-        Result<Point<Space>> at(Method method, const WindowPoint &window) const;
+        static Inverses of(const geometry::Result<glm::dmat4> &clipFromSpace, const geometry::Setup &setup);
+        geometry::Result<geometry::Point<Space>> at(Method method, const geometry::WindowPoint &window) const;
     };
 
-    Picture m_picture;
-    std::optional<PreciseEyeFrame> m_frame; ///< of a pose by parameters
-    Inverses<EyeSpace> m_eye;
-    Inverses<WorldSpace> m_world;
+    geometry::Setup m_setup;
+    std::optional<geometry::PreciseEyeFrame> m_frame; ///< of a pose by parameters
+    Inverses<geometry::EyeSpace> m_eye;
+    Inverses<geometry::WorldSpace> m_world;
 };
 
 } // namespace unprojector::unproject

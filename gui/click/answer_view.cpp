@@ -17,6 +17,8 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 /// Its digits beside those of a table.

@@ -12,6 +12,9 @@
 #include <vector>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 enum Column { Position, Depth, Ndc, Eye, World, ColumnCount };
@@ -78,7 +81,7 @@ void ApiClicksView::setPick(const std::optional<Pick> &pick)
     m_plain.clear();
     const bool hasPoint = pick && pick->hit() && pick->point.eye[Method::Formula] && pick->point.world[Method::Formula];
     for (const Api api : kApis) {
-        const auto click = hasPoint ? apiClick(pick->picture, api, pick->window, *pick->point.eye[Method::Formula],
+        const auto click = hasPoint ? apiClick(pick->setup, api, pick->window, *pick->point.eye[Method::Formula],
                                                *pick->point.world[Method::Formula])
                                     : Result<ApiClick>(Error{ErrorCode::NotFinite});
         std::array<Cell, ColumnCount> cells;

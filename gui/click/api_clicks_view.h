@@ -8,7 +8,6 @@
 #include <optional>
 
 namespace unprojector::gui {
-using namespace unproject;
 
 class WholeTable;
 
@@ -19,9 +18,9 @@ public:
     explicit ApiClicksView(QWidget *parent = nullptr);
 
     /// @param pick  of a surface, else the cells are empty
-    void setPick(const std::optional<Pick> &pick);
+    void setPick(const std::optional<unproject::Pick> &pick);
     /// The API that the scene is shown in stands out.
-    void setScenes(Api api);
+    void setScenes(geometry::Api api);
     const WholeTable &table() const { return *m_table; }
     /// All of it with all digits, an API a line, tab-separated; empty without a point.
     QString text() const { return m_plain; }

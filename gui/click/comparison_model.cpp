@@ -8,6 +8,10 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace ray;
+using namespace unproject;
+
 namespace {
 
 /// Tenths while they tell something, whole numbers after that, powers of ten where digits would be noise.
@@ -125,7 +129,7 @@ void ComparisonModel::setRows()
     switch (m_space) {
     case Space::World: addRows({}, pick.point.world, pick.uncertainty.world, onMesh); break;
     case Space::Eye:
-        if (const Result<EyeFrame> frame = eyeFrame(pick.picture.camera()); onMesh && frame) {
+        if (const Result<EyeFrame> frame = eyeFrame(pick.setup.camera()); onMesh && frame) {
             onMesh->uncertainty = mapped(glm::dmat3(eyeFromWorld(*frame)), onMesh->uncertainty);
             onMesh->at = eyeFromWorld(*frame, worldPoint(onMesh->at));
         }

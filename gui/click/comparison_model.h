@@ -38,23 +38,23 @@ public:
 private:
     struct Row {
         QString name;
-        std::array<std::optional<double>, kMethods.size()> by; ///< each method's coordinate
-        std::optional<double> ray;                             ///< of the point on the mesh
-        double ulp = 0.0;                                      ///< spacing of doubles at the point's largest component
-        double uncertainty = 0.0;                              ///< of the coordinate
-        double rayUncertainty = 0.0;                           ///< of that on the mesh
-        Components<3> point;                                   ///< all of it, by the formula
+        std::array<std::optional<double>, unproject::kMethods.size()> by; ///< each method's coordinate
+        std::optional<double> ray;                                        ///< of the point on the mesh
+        double ulp = 0.0;              ///< spacing of doubles at the point's largest component
+        double uncertainty = 0.0;      ///< of the coordinate
+        double rayUncertainty = 0.0;   ///< of that on the mesh
+        geometry::Components<3> point; ///< all of it, by the formula
     };
     /// A point on the mesh and its uncertainty, in the space of the rows.
     struct MeshPoint {
-        Components<3> at;
-        Components<3> uncertainty;
+        geometry::Components<3> at;
+        geometry::Components<3> uncertainty;
     };
     void setRows();
     template <typename OfPoint>
-    void addRows(const QString &name, const Answers<OfPoint> &point, const Components<3> &uncertainty,
-                 const std::optional<MeshPoint> &onMesh = {});
-    void addObjectRows(const Pick &pick, const std::optional<MeshPoint> &onMesh);
+    void addRows(const QString &name, const unproject::Answers<OfPoint> &point,
+                 const geometry::Components<3> &uncertainty, const std::optional<MeshPoint> &onMesh = {});
+    void addObjectRows(const unproject::Pick &pick, const std::optional<MeshPoint> &onMesh);
 
     std::optional<double> value(const Row &row, int column) const;
     double uncertainty(const Row &row, int column) const;

@@ -32,6 +32,10 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
+
 namespace {
 
 SteadyLabel *steadyLabel(const QString &accessibleName, const QString &toolTip)
@@ -103,7 +107,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
             showPick();
             return;
         }
-        if (changes & (Change::Picture | Change::Placement | Change::Visibility | Change::ClipPlanes))
+        if (changes & (Change::Setup | Change::Placement | Change::Visibility | Change::ClipPlanes))
             showSinceClick();
     });
     showPick();
@@ -244,7 +248,7 @@ void ComparisonPanel::showSinceClick()
         return;
     m_sinceClick->setText(sinceClickText(m_document));
     const std::optional<Pick> &pick = m_document.picks().pick();
-    m_again->setEnabled(devicePixelFromWidget(m_document.picture().surface, pick->widget).hasValue());
+    m_again->setEnabled(devicePixelFromWidget(m_document.setup().surface, pick->widget).hasValue());
     m_again->setToolTip(m_again->isEnabled() ? tr("Pick what is now under the pixel of this click")
                                              : tr("The pixel of this click is outside the view now."));
 }
@@ -338,7 +342,7 @@ void ComparisonPanel::showPick()
         m_chain[link]->setText(text);
         m_chain[link]->setValue(std::move(value));
     };
-    const Surface &surface = pick->picture.surface;
+    const Surface &surface = pick->setup.surface;
     show(Widget, tr("%1 logical pixels").arg(positionText(pick->widget.x, pick->widget.y)),
          {QStringLiteral("widget"), {pick->widget.x, pick->widget.y}});
     show(DevicePixelOf,

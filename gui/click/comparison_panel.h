@@ -13,7 +13,6 @@ class QLabel;
 class QPushButton;
 
 namespace unprojector::gui {
-using namespace unproject;
 
 class AnswerView;
 class ApiClicksView;
@@ -63,7 +62,7 @@ private:
     QWidget *pixelPart();
     QWidget *rayPart();
     void showPick();
-    void showAnswer(const Pick &pick);
+    void showAnswer(const unproject::Pick &pick);
     void showRay();
     /// The place that the click has snapped to; null where it took the surface under the pixel.
     const MetPlace *takenPlace() const;

@@ -11,6 +11,9 @@
 #include <tuple>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 enum Column { OffBy, Reason, ColumnCount };

@@ -9,7 +9,6 @@
 class QLabel;
 
 namespace unprojector::gui {
-using namespace unproject;
 
 class WholeTable;
 
@@ -22,8 +21,8 @@ public:
 
     /// @param formula      the formulas' point; nothing: there is no hit, or it is not known yet
     /// @param uncertainty  of its coordinates, by which the others are written
-    void setAnswers(const std::optional<OtherAnswers> &answers, const std::optional<WorldPoint> &formula,
-                    const WorldVector &uncertainty);
+    void setAnswers(const std::optional<unproject::OtherAnswers> &answers,
+                    const std::optional<geometry::WorldPoint> &formula, const geometry::WorldVector &uncertainty);
     /// All of it with all digits, a program a line, tab-separated.
     QString text() const { return m_plain; }
 

@@ -1,6 +1,8 @@
 #include "gui/click/ray_model.h"
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
 using namespace ray;
 namespace {
 

@@ -19,7 +19,7 @@ public:
     explicit RayModel(QObject *parent = nullptr);
 
     /// @param pick, ray  null: nothing is picked
-    void setRay(const Pick *pick, const PickedRay *ray);
+    void setRay(const unproject::Pick *pick, const PickedRay *ray);
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
@@ -31,8 +31,8 @@ public:
 
 private:
     struct Point {
-        Components<3> at;
-        Components<3> uncertainty; ///< meaningful where it is a point
+        geometry::Components<3> at;
+        geometry::Components<3> uncertainty; ///< meaningful where it is a point
     };
     const std::optional<Point> &point(int column) const { return m_points[static_cast<std::size_t>(column)]; }
     QString toolTip(int column) const;

@@ -16,8 +16,8 @@ public:
     void setDiagnosis(const doctor::Diagnosis &diagnosis, const doctor::WrongPoint &first);
 
 signals:
-    /// A hand has chosen one. @param place  among the candidates
-    void chosen(int place);
+    /// A hand has chosen one. @param index  among the candidates
+    void chosen(int index);
 };
 
 } // namespace unprojector::gui

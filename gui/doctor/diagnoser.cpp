@@ -3,6 +3,7 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
 using namespace doctor;
 
 void Diagnoser::ask(Case scene, std::vector<WrongPoint> points)

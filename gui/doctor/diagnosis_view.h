@@ -10,7 +10,6 @@ class QLabel;
 class QPushButton;
 
 namespace unprojector::gui {
-using namespace geometry;
 
 /// What core/doctor says of wrong points: its verdict, what speaks for it, and the click that would tell more.
 class DiagnosisView : public QWidget {

@@ -33,6 +33,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
 using namespace doctor;
 namespace {
 
@@ -120,12 +123,12 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
     connect(m_form, &WrongPointsForm::changed, this, &DoctorPanel::refresh);
     connect(m_space, &QComboBox::activated, this, &DoctorPanel::ask);
     connect(m_pictureNow, &QPushButton::clicked, this, [this] {
-        m_picture = pictureNow();
+        m_setup = setupNow();
         refresh();
     });
     connect(m_answer, &DiagnosisView::clickRequested, this, &DoctorPanel::goToPixel);
-    connect(m_candidates, &CandidatesTable::chosen, this, [this](int place) {
-        const std::string &id = m_diagnosis->candidates[static_cast<std::size_t>(place)].id;
+    connect(m_candidates, &CandidatesTable::chosen, this, [this](int index) {
+        const std::string &id = m_diagnosis->candidates[static_cast<std::size_t>(index)].id;
         m_code->setMistake(id == "right" ? std::string() : id);
     });
     connect(m_diagnoser, &Diagnoser::answered, this, [this](const Result<Diagnosis> &answer) {
@@ -139,7 +142,7 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
             tr("The mistakes could not be tried: %1. Close other programs, then ask again.").arg(failureText(failure)));
     });
     connect(&document, &SceneDocument::opened, this, [this] {
-        m_picture.reset();
+        m_setup.reset();
         m_taken.reset();
         m_takenBefore.reset();
     });
@@ -148,10 +151,10 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
             return;
         if (changes & Change::Pick)
             takePick();
-        if (!(changes & (kSeen | Change::Names)))
+        if (!(changes & (kVisibleChanges | Change::Names)))
             return;
         // Points with a picture of their own are not asked for again while the view turns: a chosen candidate stays.
-        if (m_picture && !(changes & ((kSeen & ~Changes(Change::Picture)) | Change::Names)))
+        if (m_setup && !(changes & ((kVisibleChanges & ~Changes(Change::Setup)) | Change::Names)))
             showPicture();
         else
             refresh();
@@ -227,7 +230,7 @@ QWidget *DoctorPanel::createProgram()
     connect(m_window, &QLineEdit::editingFinished, this, [this, finish] {
         finish();
         if (m_window->isModified() && !m_form->isEmpty())
-            m_picture = pictureNow();
+            m_setup = setupNow();
         m_window->setModified(false);
         refresh();
     });
@@ -238,25 +241,25 @@ QWidget *DoctorPanel::createProgram()
     return whole;
 }
 
-std::optional<Picture> DoctorPanel::pictureNow() const
+std::optional<Setup> DoctorPanel::setupNow() const
 {
     std::optional<Surface> own = sizeOf(m_window->text());
     if (!own)
-        return m_document.picture();
-    own->devicePixelRatio = m_document.picture().surface.devicePixelRatio; // a window on the same screen
-    const Result<Picture> picture = pictureOf(m_document.scene(), *own, m_document.ground().box);
-    return picture ? std::optional(*picture) : std::nullopt;
+        return m_document.setup();
+    own->devicePixelRatio = m_document.setup().surface.devicePixelRatio; // a window on the same screen
+    const Result<Setup> setup = setupOf(m_document.scene(), *own, m_document.ground().box);
+    return setup ? std::optional(*setup) : std::nullopt;
 }
 
-std::optional<Picture> DoctorPanel::picture() const
+std::optional<Setup> DoctorPanel::setup() const
 {
-    return m_picture ? m_picture : pictureNow();
+    return m_setup ? m_setup : setupNow();
 }
 
-std::shared_ptr<const ray::SceneRays> DoctorPanel::raysOf(const Picture &picture) const
+std::shared_ptr<const ray::SceneRays> DoctorPanel::raysOf(const Setup &setup) const
 {
     const auto casters = m_document.picks().rayCasters().of(m_document.objects());
-    const Result<Unprojector> unprojector = Unprojector::of(picture);
+    const Result<Unprojector> unprojector = Unprojector::of(setup);
     if (m_document.objects().empty() || !casters || !unprojector)
         return nullptr;
     return std::make_shared<const ray::SceneRays>(*unprojector, m_document.objects(), *casters,
@@ -266,28 +269,28 @@ std::shared_ptr<const ray::SceneRays> DoctorPanel::raysOf(const Picture &picture
 void DoctorPanel::takePick()
 {
     const std::optional<Pick> &pick = m_document.picks().pick();
-    const std::optional<Taken> taken = pick ? std::optional(Taken{pick->devicePixel, pick->picture}) : std::nullopt;
+    const std::optional<Taken> taken = pick ? std::optional(Taken{pick->devicePixel, pick->setup}) : std::nullopt;
     if (taken == m_taken)
         return;
     if (taken == m_takenBefore) {
         m_taken = taken;
-        const std::optional<Picture> since = std::exchange(m_picture, m_pictureBefore);
+        const std::optional<Setup> since = std::exchange(m_setup, m_setupBefore);
         if (!m_form->takeBackClick())
-            m_picture = since;
+            m_setup = since;
         showPicture();
         return;
     }
     if (!taken)
         return;
     m_takenBefore = std::exchange(m_taken, taken);
-    m_pictureBefore = m_picture;
+    m_setupBefore = m_setup;
     m_form->forgetClick(); // of the pick before: this one may fill nothing in
     const bool isOfView = !sizeOf(m_window->text());
-    const std::optional<Picture> own = !m_form->points().empty() ? picture() : isOfView ? pick->picture : pictureNow();
+    const std::optional<Setup> own = !m_form->points().empty() ? setup() : isOfView ? pick->setup : setupNow();
     if (!own)
         return; // showPicture says why
-    if (*own == pick->picture) {
-        m_picture = own;
+    if (*own == pick->setup) {
+        m_setup = own;
         m_form->addClick(pixelCenter(pick->devicePixel), pick->window.z);
         return;
     }
@@ -302,14 +305,14 @@ void DoctorPanel::takePick()
         m_pictureText->setText(tr("Not taken: %1").arg(errorText(window.error())));
         return;
     }
-    m_picture = own;
+    m_setup = own;
     const DevicePoint at = deviceFromWindow(own->surface, *window);
     m_form->addClick(DevicePoint(std::floor(at.x) + kHalfPixel, std::floor(at.y) + kHalfPixel), {});
 }
 
 void DoctorPanel::goToPixel(const DevicePoint &pixel)
 {
-    if (picture() == m_document.picture()) {
+    if (setup() == m_document.setup()) {
         emit pickRequested({static_cast<int>(std::floor(pixel.x)), static_cast<int>(std::floor(pixel.y))});
     } else {
         m_form->addClick(pixel, {});
@@ -335,10 +338,10 @@ void DoctorPanel::hideEvent(QHideEvent *event)
 void DoctorPanel::refresh()
 {
     if (m_form->isEmpty())
-        m_picture.reset();
-    else if (!m_picture)
-        m_picture = pictureNow();
-    if (const std::optional<Picture> own = picture())
+        m_setup.reset();
+    else if (!m_setup)
+        m_setup = setupNow();
+    if (const std::optional<Setup> own = setup())
         m_form->setPicture(*own);
     showSpaces();
     showPicture();
@@ -347,8 +350,8 @@ void DoctorPanel::refresh()
 
 void DoctorPanel::showPicture()
 {
-    m_window->setPlaceholderText(tr("as the view, %1").arg(sizeText(m_document.picture().surface)));
-    const std::optional<Picture> own = picture(), now = pictureNow();
+    m_window->setPlaceholderText(tr("as the view, %1").arg(sizeText(m_document.setup().surface)));
+    const std::optional<Setup> own = setup(), now = setupNow();
     if (!own) {
         m_pictureText->setText(tr("The scene has no picture in a window of %1.").arg(m_window->text()));
         m_pictureNow->hide();
@@ -388,7 +391,7 @@ void DoctorPanel::ask()
                                                   : PointSpace::World;
         point.model = static_cast<std::size_t>(std::max(0, space - kFirstObjectItem));
     }
-    const std::optional<Picture> own = picture();
+    const std::optional<Setup> own = setup();
     if (m_asked.empty() || !own) {
         m_diagnoser->cancel();
         showNothing(m_form->isEmpty() ? tr("Click the pixel in the view that your program was asked for, and type the "
@@ -397,7 +400,7 @@ void DoctorPanel::ask()
         return;
     }
     Case scene;
-    scene.picture = *own;
+    scene.setup = *own;
     for (const SceneObject &object : m_document.objects())
         scene.models.push_back({object.name, worldFromObject(object.transform)});
     scene.otherSize = sizeOf(m_otherSize->text());
@@ -429,7 +432,7 @@ void DoctorPanel::showNothing(const QString &why)
 void DoctorPanel::mark()
 {
     std::vector<WrongPointMark> marks;
-    const std::optional<Picture> own = picture();
+    const std::optional<Setup> own = setup();
     if (isVisible() && own && m_diagnosis) {
         const Result<glm::dmat4> eye = eyeFromWorld(*own);
         const Result<Unprojector> unprojector = Unprojector::of(*own);

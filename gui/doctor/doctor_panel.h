@@ -48,15 +48,15 @@ protected:
 private:
     QWidget *createProgram();
     /// The picture that the program has of the scene as it is now: in a window of its own size, or in the view's.
-    std::optional<Picture> pictureNow() const;
+    std::optional<geometry::Setup> setupNow() const;
     /// That of the points that are there, or that of now.
-    std::optional<Picture> picture() const;
+    std::optional<geometry::Setup> setup() const;
     /// What the rays of a picture meet; null where that is not known.
-    std::shared_ptr<const ray::SceneRays> raysOf(const Picture &picture) const;
+    std::shared_ptr<const ray::SceneRays> raysOf(const geometry::Setup &setup) const;
 
     /// Fills in the pick, if it is another one; where it is the one before that, a drag has begun and the last was none.
     void takePick();
-    void goToPixel(const DevicePoint &pixel);
+    void goToPixel(const geometry::DevicePoint &pixel);
     void refresh();
     void showPicture();
     void showSpaces();
@@ -69,15 +69,15 @@ private:
 
     SceneDocument &m_document;
     Diagnoser *m_diagnoser;
-    std::optional<Picture> m_picture; ///< of the points, while there are any
+    std::optional<geometry::Setup> m_setup; ///< of the points, while there are any
     /// Of the pick that was taken last, and of that before.
     struct Taken {
-        DevicePixel pixel;
-        Picture picture;
+        geometry::DevicePixel pixel;
+        geometry::Setup setup;
         friend bool operator==(const Taken &, const Taken &) = default;
     };
     std::optional<Taken> m_taken, m_takenBefore;
-    std::optional<Picture> m_pictureBefore;
+    std::optional<geometry::Setup> m_setupBefore;
     std::vector<doctor::WrongPoint> m_asked;
     std::optional<doctor::Diagnosis> m_diagnosis; ///< of m_asked
 

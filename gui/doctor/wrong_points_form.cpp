@@ -28,6 +28,7 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
 using namespace doctor;
 namespace {
 
@@ -350,20 +351,20 @@ std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) c
                          tr("%1 is no pixel: %2", "the field's text, why")
                              .arg(quoted(*row.pixel), why(position.error(), tr("its x and y, such as 400.5, 300.5")))};
         const double x = (*position)[0].value, y = (*position)[1].value;
-        if (m_picture
-            && !(x >= 0.0 && y >= 0.0 && x <= m_picture->surface.widthPixels && y <= m_picture->surface.heightPixels))
+        if (m_setup
+            && !(x >= 0.0 && y >= 0.0 && x <= m_setup->surface.widthPixels && y <= m_setup->surface.heightPixels))
             return Fault{row.pixel, tr("Pixel %1 lies outside the picture of %2 × %3.")
                                         .arg(row.pixel->text().trimmed())
-                                        .arg(m_picture->surface.widthPixels)
-                                        .arg(m_picture->surface.heightPixels)};
+                                        .arg(m_setup->surface.widthPixels)
+                                        .arg(m_setup->surface.heightPixels)};
     }
     if (isFilled(*row.depth)) {
         const auto depth = row.givenDepth();
         if (!depth)
             return Fault{row.depth, tr("%1 is no depth: type one number, or leave it empty.").arg(quoted(*row.depth))};
-        if (m_picture && !unitDepth(m_picture->depthRange, depth->value))
+        if (m_setup && !unitDepth(m_setup->depthRange, depth->value))
             return Fault{row.depth,
-                         sentence(depthOutsideText(row.depth->text().trimmed().toStdString(), m_picture->depthRange))};
+                         sentence(depthOutsideText(row.depth->text().trimmed().toStdString(), m_setup->depthRange))};
     }
     if (!isFilled(*row.got))
         return std::nullopt;
@@ -413,11 +414,11 @@ QString WrongPointsForm::fault() const
     return m_fault->text();
 }
 
-void WrongPointsForm::setPicture(const Picture &picture)
+void WrongPointsForm::setPicture(const Setup &setup)
 {
-    if (m_picture == picture)
+    if (m_setup == setup)
         return;
-    m_picture = picture;
+    m_setup = setup;
     markFaults();
 }
 

@@ -16,7 +16,6 @@ class QPushButton;
 class QTimer;
 
 namespace unprojector::gui {
-using namespace geometry;
 
 /// Where wrong points of one program are given, a row each: the pixel, the depth where it is known, and what the program got.
 class WrongPointsForm : public QWidget {
@@ -31,11 +30,11 @@ public:
     /// What cannot be taken, in words, with what to do about it; empty where nothing is wrong.
     QString fault() const;
     /// Which depths and pixels there are.
-    void setPicture(const Picture &picture);
+    void setPicture(const geometry::Setup &setup);
 
     /// Puts a click into the row that still waits for what the program got, or else into a new one.
     /// @param depth  nothing: not known. It is shown with few digits and used whole
-    void addClick(const DevicePoint &pixel, const std::optional<double> &depth);
+    void addClick(const geometry::DevicePoint &pixel, const std::optional<double> &depth);
     /// The last click was none: what it has filled is as it was before, unless something was typed since.
     /// @return whether anything was taken back
     bool takeBackClick();
@@ -76,7 +75,7 @@ private:
 
     std::vector<std::unique_ptr<Row>> m_rows;
     std::optional<BeforeClick> m_beforeClick;
-    std::optional<Picture> m_picture;
+    std::optional<geometry::Setup> m_setup;
     QString m_tableFault;
     QGridLayout *m_grid;
     QLabel *m_fault;

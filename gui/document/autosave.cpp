@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
 
 Autosave::Autosave(QString folder, AutosaveTiming timing, Source source, QObject *parent)
     : QObject(parent), m_folder(std::move(folder)), m_timing(timing), m_source(std::move(source))

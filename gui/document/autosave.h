@@ -29,7 +29,7 @@ public:
         std::string sceneText;
     };
     /// What is to be kept, asked for at the moment of writing; or why the scene cannot be put into words.
-    using Source = std::function<Result<Content, QString>()>;
+    using Source = std::function<geometry::Result<Content, QString>()>;
 
     Autosave(QString folder, AutosaveTiming timing, Source source, QObject *parent = nullptr);
     /// The file, if there is one, stays for the next start.

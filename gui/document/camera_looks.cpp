@@ -6,21 +6,24 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
+
 namespace {
 
 /// Takes camera and projection of a picture, its near and far planes where nothing within these bounds is cut off.
-void showFramed(SceneDocument &document, Picture picture, const Box &bounds)
+void showFramed(SceneDocument &document, Setup setup, const Box &bounds)
 {
     // Near and far that were typed stay while they cut nothing off.
     if (!document.scene().clipDistancesFitObjects && !bounds.isEmpty()) {
-        const Projection fitted = withFittedClipDistances(picture, bounds, {});
-        const ProjectionWindow own = projectionWindow(picture.projection()), tight = projectionWindow(fitted);
+        const Projection fitted = withFittedClipDistances(setup, bounds, {});
+        const ProjectionWindow own = projectionWindow(setup.projection()), tight = projectionWindow(fitted);
         if (own.nearDistance > tight.nearDistance || own.farDistance < tight.farDistance)
-            picture.projection() =
-                withClipDistances(picture.projection(), std::min(own.nearDistance, tight.nearDistance),
-                                  std::max(own.farDistance, tight.farDistance));
+            setup.projection() = withClipDistances(setup.projection(), std::min(own.nearDistance, tight.nearDistance),
+                                                   std::max(own.farDistance, tight.farDistance));
     }
-    setView(document, picture.camera(), picture.projection());
+    setView(document, setup.camera(), setup.projection());
 }
 
 } // namespace
@@ -45,30 +48,30 @@ void setView(SceneDocument &document, const LookAt &camera, const Projection &pr
 
 void fitAll(SceneDocument &document)
 {
-    Framing framing(document.picture());
+    Framing framing(document.setup());
     for (const SceneObject &object : document.objects()) {
         if (!object.isHidden)
             add(framing, object);
     }
     Box bounds = document.bounds();
     if (document.objects().empty()) {
-        for (const landmarks::Landmark &point : document.landmarks()) {
-            if (point.isMissing() || point.isHidden)
+        for (const landmarks::Landmark &landmark : document.landmarks()) {
+            if (landmark.isMissing() || landmark.isHidden)
                 continue;
-            framing.add(*point.world);
-            bounds.add(point.world->coordinates());
+            framing.add(*landmark.world);
+            bounds.add(landmark.world->coordinates());
         }
     }
-    showFramed(document, framing.picture(), bounds);
+    showFramed(document, framing.setup(), bounds);
 }
 
 void fitObject(SceneDocument &document, std::size_t index)
 {
     Q_ASSERT(index < document.objects().size());
     const SceneObject &object = document.objects()[index];
-    Framing framing(document.picture());
+    Framing framing(document.setup());
     add(framing, object);
-    showFramed(document, framing.picture(), boundsOf(object));
+    showFramed(document, framing.setup(), boundsOf(object));
 }
 
 void goHome(SceneDocument &document)
@@ -96,7 +99,7 @@ void switchProjection(SceneDocument &document)
 
 void openObjects(SceneDocument &document, std::vector<SceneObject> objects)
 {
-    const LookAt camera = openingCamera(objects, document.picture().surface);
+    const LookAt camera = openingCamera(objects, document.setup().surface);
     openObjects(document, std::move(objects), camera);
 }
 

@@ -6,6 +6,9 @@
 #include <limits>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+
 namespace {
 
 /// Of a length: what a few roundings make of it, and far less than a hand can move.
@@ -78,7 +81,7 @@ Changes changesBetween(const SceneSettings &a, const SceneSettings &b)
         || a.projectionFollowsViewport != b.projectionFollowsViewport
         || a.clipDistancesFitObjects != b.clipDistancesFitObjects || a.viewport != b.viewport
         || a.depthRange != b.depthRange)
-        changes |= Change::Picture;
+        changes |= Change::Setup;
     if (a.givenPoint != b.givenPoint)
         changes |= Change::GivenPoint;
     if (a.conventions != b.conventions)
@@ -86,19 +89,19 @@ Changes changesBetween(const SceneSettings &a, const SceneSettings &b)
     return changes;
 }
 
-std::optional<std::size_t> placeAfter(const std::vector<SceneObject> &before, std::size_t place,
+std::optional<std::size_t> indexAfter(const std::vector<SceneObject> &before, std::size_t index,
                                       const std::vector<SceneObject> &after)
 {
-    const SceneObject &object = before[place];
+    const SceneObject &object = before[index];
     const auto isIt = [&object](const SceneObject &other) {
         return isSameObject(object, other) && object.transform == other.transform;
     };
     // Of several that are alike in everything, the one that stayed.
-    if (place < after.size() && isIt(after[place]))
-        return place;
+    if (index < after.size() && isIt(after[index]))
+        return index;
     if (const auto found = std::find_if(after.begin(), after.end(), isIt); found != after.end())
         return static_cast<std::size_t>(found - after.begin());
-    return isRenaming(before, after) ? std::optional(place) : std::nullopt;
+    return isRenaming(before, after) ? std::optional(index) : std::nullopt;
 }
 
 Changes changesBetween(const std::vector<SceneObject> &a, const std::vector<SceneObject> &b)

@@ -9,8 +9,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace geometry;
-using namespace scene;
 
 /// What of a document is other than before, so that everybody looks only at what concerns them.
 enum class Change {
@@ -19,7 +17,7 @@ enum class Change {
     Visibility = 0x40, ///< which objects are hidden
     Names = 0x80,      ///< what an object is called
     ClipPlanes = 0x04, ///< those that cut and those that are switched off
-    Picture = 0x08,    ///< camera, projection, viewport, depth range, the window's size, or the rules they follow
+    Setup = 0x08,      ///< camera, projection, viewport, depth range, the window's size, or the rules they follow
     Pick = 0x10,       ///< the picked point
     Snap = 0x200,      ///< what clicks take on the meshes
     Ray = 0x100,       ///< what the ray of the picked point meets, found after the pick was told
@@ -35,22 +33,23 @@ enum class Change {
 Q_DECLARE_FLAGS(Changes, Change)
 
 /// All that a view of the scene shows; the mark of the pick lies over it.
-constexpr Changes kSeen{Change::Objects, Change::Placement, Change::Visibility, Change::ClipPlanes, Change::Picture};
+constexpr Changes kVisibleChanges{Change::Objects, Change::Placement, Change::Visibility, Change::ClipPlanes,
+                                  Change::Setup};
 
 /// Whether it is the same object, wherever it stands and whether or not it is hidden.
-bool isSameObject(const SceneObject &a, const SceneObject &b);
+bool isSameObject(const scene::SceneObject &a, const scene::SceneObject &b);
 /// Where an object of one list is in another one, by all that is known of it, or by its place where only its name is new.
 /// @pre place < before.size()
-std::optional<std::size_t> placeAfter(const std::vector<SceneObject> &before, std::size_t place,
-                                      const std::vector<SceneObject> &after);
+std::optional<std::size_t> indexAfter(const std::vector<scene::SceneObject> &before, std::size_t index,
+                                      const std::vector<scene::SceneObject> &after);
 /// Picture, ClipPlanes, GivenPoint and Conventions, or nothing where both settings are the same.
-Changes changesBetween(const SceneSettings &a, const SceneSettings &b);
+Changes changesBetween(const scene::SceneSettings &a, const scene::SceneSettings &b);
 /// Of two lists of objects: Objects with what follows from that; or Placement, Visibility and Names, or nothing where both
 /// are the same.
-Changes changesBetween(const std::vector<SceneObject> &a, const std::vector<SceneObject> &b);
+Changes changesBetween(const std::vector<scene::SceneObject> &a, const std::vector<scene::SceneObject> &b);
 
 /// Whether two looks at a scene differ by no more than rounding: a camera that is asked to go where it stands.
-bool isSameLook(const SceneSettings &a, const SceneSettings &b);
+bool isSameLook(const scene::SceneSettings &a, const scene::SceneSettings &b);
 
 } // namespace unprojector::gui
 

@@ -3,6 +3,7 @@
 #include "gui/document/scene_document.h"
 
 namespace unprojector::gui {
+using namespace scene;
 
 FollowedObject::FollowedObject(const SceneDocument &document, QObject *parent) : QObject(parent), m_document(document)
 {
@@ -13,26 +14,26 @@ FollowedObject::FollowedObject(const SceneDocument &document, QObject *parent) :
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
         // Step by step: of an object that is moved and then renamed only the first step tells where it came from.
         if (changes & (Change::Objects | Change::Names | Change::Placement))
-            static_cast<void>(place());
+            static_cast<void>(index());
     });
 }
 
-void FollowedObject::choose(std::optional<std::size_t> place)
+void FollowedObject::choose(std::optional<std::size_t> index)
 {
-    m_place = place;
-    m_lastPlace = place.value_or(m_lastPlace);
-    m_listed = place ? m_document.objects() : std::vector<SceneObject>();
+    m_index = index;
+    m_lastPlace = index.value_or(m_lastPlace);
+    m_listed = index ? m_document.objects() : std::vector<SceneObject>();
 }
 
-std::optional<std::size_t> FollowedObject::place()
+std::optional<std::size_t> FollowedObject::index()
 {
-    if (!m_place)
+    if (!m_index)
         return std::nullopt;
     // Who is told of a change before this asks for the list as it is already.
     const std::vector<SceneObject> &now = m_document.objects();
     const bool isOtherList = changesBetween(m_listed, now).testFlag(Change::Objects);
-    choose(isOtherList ? placeAfter(m_listed, *m_place, now) : m_place);
-    return m_place;
+    choose(isOtherList ? indexAfter(m_listed, *m_index, now) : m_index);
+    return m_index;
 }
 
 } // namespace unprojector::gui

@@ -9,7 +9,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace scene;
 
 class SceneDocument;
 
@@ -20,17 +19,17 @@ class FollowedObject : public QObject {
 public:
     explicit FollowedObject(const SceneDocument &document, QObject *parent = nullptr);
 
-    /// @param place  in the document's list, or nothing
-    void choose(std::optional<std::size_t> place);
+    /// @param index  in the document's list, or nothing
+    void choose(std::optional<std::size_t> index);
     /// Where it is in the list as it is now; nothing where none was chosen, or it was removed.
-    std::optional<std::size_t> place();
+    std::optional<std::size_t> index();
     /// Where it was before it was removed; 0 where none was chosen in this scene.
     std::size_t lastPlace() const { return m_lastPlace; }
 
 private:
     const SceneDocument &m_document;
-    std::vector<SceneObject> m_listed; ///< when it was last looked for
-    std::optional<std::size_t> m_place;
+    std::vector<scene::SceneObject> m_listed; ///< when it was last looked for
+    std::optional<std::size_t> m_index;
     std::size_t m_lastPlace = 0;
 };
 

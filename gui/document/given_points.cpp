@@ -6,8 +6,11 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
+using namespace scene;
 
-std::optional<std::size_t> placeOf(const GivenPoint &given, const std::vector<SceneObject> &objects)
+std::optional<std::size_t> indexOf(const GivenPoint &given, const std::vector<SceneObject> &objects)
 {
     if (!std::holds_alternative<ObjectPoint>(given.point) || given.object.empty())
         return std::nullopt;
@@ -16,13 +19,13 @@ std::optional<std::size_t> placeOf(const GivenPoint &given, const std::vector<Sc
     return found == objects.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - objects.begin()));
 }
 
-std::optional<WorldPoint> givenWorld(const Scene &scene, const Picture &picture)
+std::optional<WorldPoint> givenWorld(const Scene &scene, const Setup &setup)
 {
     if (!scene.givenPoint)
         return std::nullopt;
-    const std::optional<std::size_t> object = placeOf(*scene.givenPoint, scene.objects);
+    const std::optional<std::size_t> object = indexOf(*scene.givenPoint, scene.objects);
     const Result<matrices::Pipeline> pipeline =
-        matrices::pipeline(picture, object ? worldFromObject(scene.objects[*object].transform) : glm::dmat4(1.0));
+        matrices::pipeline(setup, object ? worldFromObject(scene.objects[*object].transform) : glm::dmat4(1.0));
     if (!pipeline)
         return std::nullopt;
     const Result<WorldPoint> world = pointsFrom(*pipeline, *scene.givenPoint).world;
@@ -32,14 +35,14 @@ std::optional<WorldPoint> givenWorld(const Scene &scene, const Picture &picture)
 GivenPoint withObjects(const GivenPoint &given, const std::vector<SceneObject> &before,
                        const std::vector<SceneObject> &after)
 {
-    const std::optional<std::size_t> place = placeOf(given, before);
-    if (!place)
+    const std::optional<std::size_t> index = indexOf(given, before);
+    if (!index)
         return given;
     const bool isOtherList = changesBetween(before, after).testFlag(Change::Objects);
-    if (const std::optional<std::size_t> now = isOtherList ? placeAfter(before, *place, after) : place)
+    if (const std::optional<std::size_t> now = isOtherList ? indexAfter(before, *index, after) : index)
         return {given.point, after[*now].name};
     const glm::dvec4 object(std::get<ObjectPoint>(given.point).coordinates(), 1.0);
-    return {WorldPoint(glm::dvec3(worldFromObject(before[*place].transform) * object)), {}};
+    return {WorldPoint(glm::dvec3(worldFromObject(before[*index].transform) * object)), {}};
 }
 
 } // namespace unprojector::gui

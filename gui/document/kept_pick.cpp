@@ -9,6 +9,10 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
+
 namespace {
 
 const SceneObject *objectOf(const Pick &pick, const std::vector<SceneObject> &objects)
@@ -34,18 +38,18 @@ bool isCutAway(const Pick &pick, const std::vector<glm::dvec4> &clipPlanes)
 /// @return nothing outside the window, and where a point of a cloud may have been drawn
 std::optional<double> depthSeen(const ray::SceneRays &rays, const DevicePixel &pixel, const DepthFormat &format)
 {
-    const Picture &picture = rays.rays().picture();
+    const Setup &setup = rays.rays().setup();
     const bool isInWindow =
-        pixel.i >= 0 && pixel.j >= 0 && pixel.i < picture.surface.widthPixels && pixel.j < picture.surface.heightPixels;
+        pixel.i >= 0 && pixel.j >= 0 && pixel.i < setup.surface.widthPixels && pixel.j < setup.surface.heightPixels;
     if (!isInWindow || rays.hasPoints())
         return std::nullopt;
-    const auto &[atNear, atFar] = picture.depthRange;
+    const auto &[atNear, atFar] = setup.depthRange;
     const Result<ray::Ray<WorldSpace>> ray = rays.rays().at(pixelCenter(pixel));
     const std::optional<ray::FirstTriangle> met =
         ray && rays.rays().isInPicture(pixelCenter(pixel)) ? rays.firstTriangle(*ray) : std::nullopt;
     if (!met)
         return atFar;
-    const Result<WindowPoint> window = windowFromWorld(picture, ray->at(met->hit.t));
+    const Result<WindowPoint> window = windowFromWorld(setup, ray->at(met->hit.t));
     if (!window)
         return std::nullopt;
     return std::clamp(format.kept(window->z), std::min(atNear, atFar), std::max(atNear, atFar));
@@ -58,7 +62,7 @@ MetPlace metPlace(const ray::SceneHit &hit, const std::vector<SceneObject> &clic
     const std::size_t index = hit.object;
     // It may have been moved since, which makes it no other object.
     const bool isThere = index < now.size() && isSameObject(clicked[index], now[index]);
-    return {hit, isThere ? std::optional(index) : placeAfter(clicked, index, now), clicked[index].name};
+    return {hit, isThere ? std::optional(index) : indexAfter(clicked, index, now), clicked[index].name};
 }
 
 } // namespace
@@ -69,12 +73,12 @@ glm::dmat4 placementOf(const Pick &pick, const std::vector<SceneObject> &objects
     return object ? worldFromObject(object->transform) : glm::dmat4(1.0);
 }
 
-SinceClick sinceClick(const KeptPick &kept, const Scene &scene, const Picture &picture)
+SinceClick sinceClick(const KeptPick &kept, const Scene &scene, const Setup &setup)
 {
     if (!kept.pick)
         return {};
     const SceneObject *object = objectOf(*kept.pick, scene.objects);
-    return {kept.pick->picture != picture, placementOf(*kept.pick, scene.objects) != kept.placement,
+    return {kept.pick->setup != setup, placementOf(*kept.pick, scene.objects) != kept.placement,
             object && object->isHidden, isCutAway(*kept.pick, scene.clipPlanes)};
 }
 
@@ -93,7 +97,7 @@ bool follow(KeptPick &kept, const std::vector<SceneObject> &before, const std::v
     bool isOther = false;
     const auto followOne = [&](std::optional<std::size_t> &index) {
         const std::optional<std::size_t> was = index;
-        index = index && *index < before.size() ? placeAfter(before, *index, after) : std::nullopt;
+        index = index && *index < before.size() ? indexAfter(before, *index, after) : std::nullopt;
         isOther = isOther || index != was;
     };
     if (kept.pick)

@@ -27,19 +27,19 @@ struct KeptPick {
 
 /// Changes of the scene and its view since the click.
 struct SinceClick {
-    bool isOtherPicture = false; ///< camera, projection, viewport, depth range or the window's size
+    bool isOtherSetup = false;   ///< camera, projection, viewport, depth range or the window's size
     bool isObjectMoved = false;  ///< the object that was hit: the point is where its surface was
     bool isObjectHidden = false; ///< the object that was hit
     bool isCutAway = false;      ///< the point lies on the side of a clip plane where nothing is drawn
 
-    bool isAnything() const { return isOtherPicture || isObjectMoved || isObjectHidden || isCutAway; }
+    bool isAnything() const { return isOtherSetup || isObjectMoved || isObjectHidden || isCutAway; }
 };
 
 /// worldFromObject of the object of a pick, the identity where it has none.
 glm::dmat4 placementOf(const unproject::Pick &pick, const std::vector<scene::SceneObject> &objects);
 
 /// @param scene, picture  as they are now
-SinceClick sinceClick(const KeptPick &kept, const scene::Scene &scene, const geometry::Picture &picture);
+SinceClick sinceClick(const KeptPick &kept, const scene::Scene &scene, const geometry::Setup &setup);
 
 /// The one point that a pick stands for: the snapped point on the mesh, else the surface by the formula. Nothing where there
 /// is neither.

@@ -2,9 +2,9 @@
 
 #include "core/ray/closest_place.h"
 #include "gui/document/document_change.h"
-#include "gui/document/scene_points.h"
+#include "gui/document/scene_landmarks.h"
+#include "gui/text/landmark_text.h"
 #include "gui/text/number_text.h"
-#include "gui/text/point_text.h"
 #include "gui/text/sentences.h"
 
 #include <QCoreApplication>
@@ -19,6 +19,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+
 namespace {
 
 using landmarks::Landmark;
@@ -34,13 +37,13 @@ struct ObjectAfter {
     glm::dmat4 motion{1.0}; ///< world from the world before
 };
 
-ObjectAfter afterOf(const std::vector<SceneObject> &before, std::size_t place, const std::vector<SceneObject> &after)
+ObjectAfter afterOf(const std::vector<SceneObject> &before, std::size_t index, const std::vector<SceneObject> &after)
 {
     const bool isOtherList = changesBetween(before, after).testFlag(Change::Objects);
-    const std::optional<std::size_t> found = isOtherList ? placeAfter(before, place, after) : std::optional(place);
+    const std::optional<std::size_t> found = isOtherList ? indexAfter(before, index, after) : std::optional(index);
     if (!found)
         return {};
-    const SceneObject &was = before[place], &is = after[*found];
+    const SceneObject &was = before[index], &is = after[*found];
     if (was.transform == is.transform)
         return {&is, false, {}};
     return {&is, true, worldFromObject(is.transform) * glm::inverse(worldFromObject(was.transform))};
@@ -61,7 +64,7 @@ void move(Landmark &landmark, const ObjectAfter &to)
 {
     if (!landmark.world)
         return;
-    const std::optional<WorldPoint> held = worldOf(landmark.hold, *to.object);
+    const std::optional<WorldPoint> held = worldOf(landmark.anchor, *to.object);
     landmark.world = held ? *held : WorldPoint(glm::dvec3(to.motion * glm::dvec4(landmark.world->coordinates(), 1.0)));
     if (landmark.uncertainty)
         landmark.uncertainty = stretched(*landmark.uncertainty, to.motion);
@@ -69,33 +72,35 @@ void move(Landmark &landmark, const ObjectAfter &to)
 
 } // namespace
 
-QString letGo(std::vector<Landmark> &points, const std::vector<SceneObject> &objects)
+QString detachStale(std::vector<Landmark> &landmarks, const std::vector<SceneObject> &objects)
 {
     /// Of the object's size: what single precision and rounding leave.
     constexpr double kSamePlace = 1e-5;
     std::size_t absent = 0, unknown = 0, elsewhere = 0;
     QString firstAbsent, firstUnknown, firstElsewhere;
     double farthest = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        Landmark &point = points[i];
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        Landmark &landmark = landmarks[i];
         const auto object = std::find_if(objects.begin(), objects.end(),
-                                         [&](const SceneObject &each) { return each.name == point.object; });
-        if (!point.object.empty() && object == objects.end()) {
+                                         [&](const SceneObject &each) { return each.name == landmark.object; });
+        if (!landmark.object.empty() && object == objects.end()) {
             if (absent++ == 0)
-                firstAbsent = Texts::tr("“%1” (on “%2”)")
-                                  .arg(ScenePoints::shownNameOf(points, i), QString::fromStdString(point.object));
-            point.object.clear();
-            point.hold = landmarks::Free{};
+                firstAbsent =
+                    Texts::tr("“%1” (on “%2”)")
+                        .arg(SceneLandmarks::shownNameOf(landmarks, i), QString::fromStdString(landmark.object));
+            landmark.object.clear();
+            landmark.anchor = landmarks::Free{};
             continue;
         }
-        if (!point.world || object == objects.end() || std::holds_alternative<landmarks::Free>(point.hold))
+        if (!landmark.world || object == objects.end() || std::holds_alternative<landmarks::Free>(landmark.anchor))
             continue;
-        const std::optional<WorldPoint> held = worldOf(point.hold, *object);
-        const double off = held ? distance(*held, *point.world) : 0.0;
+        const std::optional<WorldPoint> held = worldOf(landmark.anchor, *object);
+        const double off = held ? distance(*held, *landmark.world) : 0.0;
         if (held && !(off > kSamePlace * boundsOf(*object).diagonal()))
             continue;
-        const QString what = Texts::tr("“%1” (%2)").arg(ScenePoints::shownNameOf(points, i), heldByText(point));
-        point.hold = landmarks::Free{};
+        const QString what =
+            Texts::tr("“%1” (%2)").arg(SceneLandmarks::shownNameOf(landmarks, i), heldByText(landmark));
+        landmark.anchor = landmarks::Free{};
         if (!held && unknown++ == 0)
             firstUnknown = what;
         if (held && (elsewhere++ == 0 || off > farthest)) {
@@ -114,12 +119,12 @@ QString letGo(std::vector<Landmark> &points, const std::vector<SceneObject> &obj
                     .arg(QString::number(elsewhere), firstElsewhere, readableText(farthest));
     if (!said.isEmpty())
         said << Texts::tr("They are free where they are; B puts selected points onto the surface.");
-    return inARow(said);
+    return joinSentences(said);
 }
 
-std::optional<WorldPoint> worldOf(const landmarks::Hold &hold, const SceneObject &object)
+std::optional<WorldPoint> worldOf(const landmarks::Anchor &anchor, const SceneObject &object)
 {
-    const std::optional<ObjectPoint> point = ray::placeOf(hold, *object.model);
+    const std::optional<ObjectPoint> point = ray::placeOf(anchor, *object.model);
     if (!point)
         return std::nullopt;
     return WorldPoint(glm::dvec3(worldFromObject(object.transform) * glm::dvec4(point->coordinates(), 1.0)));
@@ -152,7 +157,7 @@ std::shared_ptr<const landmarks::LandmarkSet> withObjects(const std::shared_ptr<
         Landmark &other = changed->landmarks[i];
         if (!to->object) {
             other.object.clear();
-            other.hold = landmarks::Free{};
+            other.anchor = landmarks::Free{};
             continue;
         }
         other.object = to->object->name;
@@ -162,8 +167,8 @@ std::shared_ptr<const landmarks::LandmarkSet> withObjects(const std::shared_ptr<
     return changed ? changed : set;
 }
 
-std::optional<landmarks::LandmarkSet> carried(landmarks::LandmarkSet set, const SceneObject &from,
-                                              const SceneObject &to)
+std::optional<landmarks::LandmarkSet> transformed(landmarks::LandmarkSet set, const SceneObject &from,
+                                                  const SceneObject &to)
 {
     const bool isMoved = from.transform != to.transform;
     ObjectAfter after{&to, isMoved, {}};
@@ -174,9 +179,9 @@ std::optional<landmarks::LandmarkSet> carried(landmarks::LandmarkSet set, const 
         if (isMoved && isOnIt) {
             move(landmark, after);
         } else if (isMoved) { // what holds it is no part of this mesh
-            const landmarks::Hold hold = std::exchange(landmark.hold, landmarks::Free{});
+            const landmarks::Anchor anchor = std::exchange(landmark.anchor, landmarks::Free{});
             move(landmark, after);
-            landmark.hold = hold;
+            landmark.anchor = anchor;
         }
         if (isOnIt)
             landmark.object = to.name;

@@ -5,6 +5,10 @@
 #include "gui/document/scene_document.h"
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
+
 namespace {
 
 using landmarks::Landmark;
@@ -51,7 +55,7 @@ std::optional<Landmark> landmarkOnSurface(const SceneDocument &document, const D
 std::optional<Landmark> landmarkOfClick(const SceneDocument &document, const WidgetPoint &position,
                                         const std::optional<DepthSample> &sample)
 {
-    const Result<DevicePixel> pixel = devicePixelFromWidget(document.picture().surface, position);
+    const Result<DevicePixel> pixel = devicePixelFromWidget(document.setup().surface, position);
     if (!pixel)
         return std::nullopt;
     if (std::optional<Landmark> met = landmarkOnMesh(document, pixelCenter(*pixel)))

@@ -6,6 +6,9 @@
 #include <thread>
 
 namespace unprojector::gui {
+using namespace mesh;
+using namespace scene;
+
 namespace {
 
 /// Of all stand-ins of a scene together: what a processor alone draws about twenty-five times a second.

@@ -12,7 +12,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace scene;
 
 /// What is made of models beside the window's work: a coarse stand-in of each that is too large to be drawn while the view
 /// moves. It keeps no model alive.
@@ -26,12 +25,12 @@ public:
 
     /// Begins to make the stand-ins of these objects' models, where together they are too large; `standInReady` tells of
     /// each.
-    void makeStandIns(const std::vector<SceneObject> &objects);
+    void makeStandIns(const std::vector<scene::SceneObject> &objects);
     /// The objects with stand-ins for the models that are too large.
     /// @return nothing where the objects are few enough to be drawn themselves, or a stand-in is not made yet
-    std::optional<std::vector<SceneObject>> standInsFor(const std::vector<SceneObject> &objects) const;
+    std::optional<std::vector<scene::SceneObject>> standInsFor(const std::vector<scene::SceneObject> &objects) const;
     /// Whether objects are too large to be drawn while the view moves.
-    static bool areLarge(const std::vector<SceneObject> &objects);
+    static bool areLarge(const std::vector<scene::SceneObject> &objects);
 
 signals:
     void standInReady();
@@ -40,14 +39,14 @@ signals:
 
 private:
     struct StandIn {
-        std::weak_ptr<const Model> model;     ///< an address alone may be another's by now
-        std::shared_ptr<const Model> standIn; ///< null while it is being made, and where it could not be made
+        std::weak_ptr<const mesh::Model> model;     ///< an address alone may be another's by now
+        std::shared_ptr<const mesh::Model> standIn; ///< null while it is being made, and where it could not be made
     };
 
-    const StandIn *standInOf(const std::shared_ptr<const Model> &model) const;
+    const StandIn *standInOf(const std::shared_ptr<const mesh::Model> &model) const;
     void dropUnused();
 
-    std::map<const Model *, StandIn> m_standIns;
+    std::map<const mesh::Model *, StandIn> m_standIns;
     Background m_background;
 };
 

@@ -3,14 +3,15 @@
 #include "gui/text/bundled_names.h"
 
 namespace unprojector::gui {
+using namespace scene;
 
-NameFault faultOf(const std::string &name, std::size_t place, const std::vector<SceneObject> &objects)
+NameFault faultOf(const std::string &name, std::size_t index, const std::vector<SceneObject> &objects)
 {
     if (name.empty())
         return NameFault::Empty;
     const QString asRead = QString::fromStdString(name);
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        if (i != place && (objects[i].name == name || readName(objects[i].name, objects) == asRead))
+        if (i != index && (objects[i].name == name || readName(objects[i].name, objects) == asRead))
             return NameFault::Taken;
     }
     return NameFault::None;

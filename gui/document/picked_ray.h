@@ -13,8 +13,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace scene;
-using namespace unproject;
 
 /// A place on a mesh, of an object that others may be put beside, moved or removed.
 struct MetPlace {
@@ -37,7 +35,7 @@ struct PickedRay {
     ray::Snap snap = ray::Snap::Surface;
     /// What other programs give for the click, of a hit: the clicked pixel's depth as it was read, that of others as rays
     /// meet them.
-    std::optional<OtherAnswers> others;
+    std::optional<unproject::OtherAnswers> others;
     std::optional<MetPlace> taken; ///< what the click takes, in that mode: of a surface the same
 };
 

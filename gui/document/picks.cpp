@@ -6,6 +6,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
 
 Picks::Picks(const SceneDocument &document, ChangeNotifier &changes) : m_document(document), m_changes(changes)
 {
@@ -23,7 +26,7 @@ Picks::Picks(const SceneDocument &document, ChangeNotifier &changes) : m_documen
 
 SinceClick Picks::sinceClick() const
 {
-    return gui::sinceClick(m_picked, m_document.scene(), m_document.picture());
+    return gui::sinceClick(m_picked, m_document.scene(), m_document.setup());
 }
 
 Result<Pick> Picks::unprojected(const PixelClick &click) const
@@ -71,7 +74,7 @@ void Picks::markWrongPoints(std::vector<WrongPointMark> points)
 Changes Picks::follow(const ObjectList &objects, Changes changes)
 {
     const ObjectList before = std::exchange(m_objects, objects);
-    if (changes & kSeen)
+    if (changes & kVisibleChanges)
         m_rays.reset();
     if (!changes.testFlag(Change::Objects))
         return {};
@@ -131,8 +134,8 @@ bool Picks::askRay()
     ray.failure.reset();
     ray.state = PickedRay::State::Impossible;
     // The view's own Unprojector and rays answer, as long as it shows what was clicked.
-    const Picture &clicked = m_picked.pick->picture;
-    const bool isPictureShown = clicked == m_document.picture();
+    const Setup &clicked = m_picked.pick->setup;
+    const bool isPictureShown = clicked == m_document.setup();
     const bool isSceneShown = objects == m_objects && clipPlanes == m_document.scene().clipPlanes;
     const ray::SceneRays *shown = isPictureShown && isSceneShown ? rays() : nullptr;
     if (shown)

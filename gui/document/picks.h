@@ -15,8 +15,8 @@ class SceneDocument;
 
 /// A point that another program has got, and the right one of its click, as both are marked in the views. World space.
 struct WrongPointMark {
-    WorldPoint got;
-    std::optional<WorldPoint> right;
+    geometry::WorldPoint got;
+    std::optional<geometry::WorldPoint> right;
     friend bool operator==(const WrongPointMark &, const WrongPointMark &) = default;
 };
 
@@ -30,16 +30,16 @@ public:
 
     /// The picked surface or background; nothing before the first click, in another scene, and while the object that was
     /// hit is removed.
-    const std::optional<Pick> &pick() const { return m_picked.pick; }
+    const std::optional<unproject::Pick> &pick() const { return m_picked.pick; }
     /// What the ray of the pick meets on the meshes; null without a pick.
     const PickedRay *pickedRay() const { return m_picked.pick ? &m_picked.ray : nullptr; }
-    std::optional<WorldPoint> pickedPoint() const { return gui::pickedPoint(m_picked); }
+    std::optional<geometry::WorldPoint> pickedPoint() const { return gui::pickedPoint(m_picked); }
     SinceClick sinceClick() const;
 
     /// Unprojects a click or the pointer's position. It is not kept.
-    Result<Pick> unprojected(const PixelClick &click) const;
+    geometry::Result<unproject::Pick> unprojected(const unproject::PixelClick &click) const;
     /// Keeps a click as the pick. `failed` reports one that could not be unprojected, and the last pick stays.
-    void setPick(const Result<Pick> &pick);
+    void setPick(const geometry::Result<unproject::Pick> &pick);
     const KeptPick &keptPick() const { return m_picked; }
     /// Shows an earlier pick again, or none: as if nothing had been picked since.
     /// @param kept  of this scene, with the objects that it has now

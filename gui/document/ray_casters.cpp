@@ -7,6 +7,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace mesh;
+using namespace scene;
+
 namespace {
 
 /// Views let go of their models with the next picture.

@@ -18,6 +18,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene_file;
+
 namespace {
 
 constexpr int kVersion = 1;

@@ -15,10 +15,9 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace scene_file;
 
 /// Done, or why not, in the system's words.
-using Kept = Result<std::monostate, QString>;
+using Kept = geometry::Result<std::monostate, QString>;
 
 /// Which scene a recovery file keeps.
 struct RecoveryInfo {
@@ -41,7 +40,7 @@ public:
     static QString defaultFolder(const QString &programFolder);
     /// A file of a new name, not written yet; the folder is made where there is none.
     /// @return why there is none, in the system's words
-    static Result<std::unique_ptr<RecoveryFile>, QString> create(const QString &folder);
+    static geometry::Result<std::unique_ptr<RecoveryFile>, QString> create(const QString &folder);
     /// The files that no running program holds, the last written first. What else dead programs have left (half
     /// files, locks) is cleared away.
     static std::vector<std::unique_ptr<RecoveryFile>> abandonedIn(const QString &folder);
@@ -58,7 +57,7 @@ public:
     /// @return nothing where the file is damaged
     std::optional<RecoveryInfo> info() const;
     /// @return NotReadable; the errors of parseScene, with lines counted from the scene's first
-    Result<SceneFile, SceneFileError> scene() const;
+    geometry::Result<scene_file::SceneFile, scene_file::SceneFileError> scene() const;
 
     QString path() const;
     void remove();

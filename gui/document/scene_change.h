@@ -11,7 +11,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace scene;
 
 /// The name of an edit in the undo menu.
 struct EditLabel {
@@ -22,8 +21,8 @@ struct EditLabel {
 /// A state of the document. Copies share the objects and the landmarks, of which there may be many: a look around costs a few
 /// numbers.
 struct SceneState {
-    SceneSettings settings;
-    std::shared_ptr<const std::vector<SceneObject>> objects;
+    scene::SceneSettings settings;
+    std::shared_ptr<const std::vector<scene::SceneObject>> objects;
     std::shared_ptr<const landmarks::LandmarkSet> landmarks;
     /// The number of the edit that made it: looking around leaves that as it is. Two states of the same number differ
     /// in the view at most.

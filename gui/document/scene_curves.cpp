@@ -13,6 +13,11 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace mesh;
+using namespace ray;
+using namespace scene;
+
 namespace {
 
 using landmarks::Curve;
@@ -21,7 +26,7 @@ using landmarks::Landmark;
 /// What of a landmark a curve depends on.
 bool isSamePlace(const Landmark &a, const Landmark &b)
 {
-    return a.name == b.name && a.world == b.world && a.hold == b.hold && a.uncertainty == b.uncertainty;
+    return a.name == b.name && a.world == b.world && a.anchor == b.anchor && a.uncertainty == b.uncertainty;
 }
 
 } // namespace
@@ -79,27 +84,27 @@ class Texts {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::SceneCurves)
 };
 
-QString quoted(const std::vector<Landmark> &points, std::size_t place)
+QString quoted(const std::vector<Landmark> &landmarks, std::size_t index)
 {
-    return QString::fromStdString(points[place].name).simplified();
+    return QString::fromStdString(landmarks[index].name).simplified();
 }
 
-QString faultOf(const curves::CurveError &error, const std::vector<Landmark> &points)
+QString faultOf(const curves::CurveError &error, const std::vector<Landmark> &landmarks)
 {
     using Code = curves::CurveError::Code;
     switch (error.code) {
     case Code::TooFew: return Texts::tr("a curve has two points at least");
-    case Code::Missing: return Texts::tr("“%1” is not placed").arg(quoted(points, error.point));
+    case Code::Missing: return Texts::tr("“%1” is not placed").arg(quoted(landmarks, error.point));
     case Code::NotOnSurface:
-        return Texts::tr("“%1” is not on a surface; B puts it there").arg(quoted(points, error.point));
+        return Texts::tr("“%1” is not on a surface; B puts it there").arg(quoted(landmarks, error.point));
     case Code::NotConnected:
         return Texts::tr("the surface between “%1” and “%2” is not in one piece")
-            .arg(quoted(points, error.point - 1), quoted(points, error.point));
+            .arg(quoted(landmarks, error.point - 1), quoted(landmarks, error.point));
     case Code::NoSection:
         return Texts::tr(
                    "no plane along the surface's normals leads from “%1” to “%2”; take the geodesic, or place a point "
                    "between them")
-            .arg(quoted(points, error.point - 1), quoted(points, error.point));
+            .arg(quoted(landmarks, error.point - 1), quoted(landmarks, error.point));
     case Code::Stopped: break;
     }
     return {};
@@ -116,8 +121,8 @@ SceneCurves::Line worked(const Request &request, Surfaces &surfaces, const curve
         if (!surface)
             return line;
         std::vector<const Landmark *> points;
-        for (const Landmark &point : request.points)
-            points.push_back(&point);
+        for (const Landmark &landmark : request.points)
+            points.push_back(&landmark);
         auto through = curves::lineThrough(*surface, points, request.kind, request.placement, goesOn);
         if (through)
             line.line = std::move(through).value();
@@ -172,35 +177,35 @@ const SceneCurves::Line *SceneCurves::throughSelected() const
     return m_selected ? &m_selected->line : nullptr;
 }
 
-QString SceneCurves::shownNameOf(const Curve &curve, std::size_t place)
+QString SceneCurves::shownNameOf(const Curve &curve, std::size_t index)
 {
     const QString name = QString::fromStdString(curve.name).simplified();
-    return name.isEmpty() ? tr("curve %1").arg(place + 1) : name;
+    return name.isEmpty() ? tr("curve %1").arg(index + 1) : name;
 }
 
 // ---- how they go -------------------------------------------------------------------------------------------------
 
 void SceneCurves::locate(Request &request) const
 {
-    const std::vector<Landmark> &points = request.points;
-    for (std::size_t i = 0; i < points.size() && request.fault.isEmpty(); ++i) {
-        if (points[i].isMissing())
-            request.fault = tr("“%1” is not placed").arg(quoted(points, i));
-        else if (points[i].object.empty())
-            request.fault = tr("“%1” is not on a surface; B puts it there").arg(quoted(points, i));
-        else if (points[i].object != points.front().object)
-            request.fault = tr("“%1” lies on another object than “%2”").arg(quoted(points, i), quoted(points, 0));
+    const std::vector<Landmark> &landmarks = request.points;
+    for (std::size_t i = 0; i < landmarks.size() && request.fault.isEmpty(); ++i) {
+        if (landmarks[i].isMissing())
+            request.fault = tr("“%1” is not placed").arg(quoted(landmarks, i));
+        else if (landmarks[i].object.empty())
+            request.fault = tr("“%1” is not on a surface; B puts it there").arg(quoted(landmarks, i));
+        else if (landmarks[i].object != landmarks.front().object)
+            request.fault = tr("“%1” lies on another object than “%2”").arg(quoted(landmarks, i), quoted(landmarks, 0));
     }
     if (!request.fault.isEmpty())
         return;
     for (const SceneObject &object : m_document.objects()) {
-        if (object.name == points.front().object) {
+        if (object.name == landmarks.front().object) {
             request.model = object.model;
             request.placement = worldFromObject(object.transform);
             return;
         }
     }
-    request.fault = tr("there is no object “%1”").arg(QString::fromStdString(points.front().object));
+    request.fault = tr("there is no object “%1”").arg(QString::fromStdString(landmarks.front().object));
 }
 
 SceneCurves::Request SceneCurves::requestOf(const Curve &curve) const
@@ -213,7 +218,7 @@ SceneCurves::Request SceneCurves::requestOf(const Curve &curve) const
     }
     for (const std::string &name : curve.points) {
         const std::vector<Landmark> &all = m_document.landmarks();
-        const auto hasName = [&name](const Landmark &point) { return point.name == name; };
+        const auto hasName = [&name](const Landmark &landmark) { return landmark.name == name; };
         const auto found = std::find_if(all.begin(), all.end(), hasName);
         const QString shown = QString::fromStdString(name).simplified();
         if (found == all.end())
@@ -263,13 +268,13 @@ void SceneCurves::refresh()
             std::find_if(before.begin(), before.end(), [&](const Known &other) { return other.name == curve.name; });
         m_known.push_back(known(curve.name, requestOf(curve), former != before.end() ? &*former : nullptr));
     }
-    const std::vector<std::size_t> &selection = m_document.points().selection();
+    const std::vector<std::size_t> &selection = m_document.sceneLandmarks().selection();
     const std::unique_ptr<Known> formerSelected = std::move(m_selected);
     if (selection.size() >= 2) {
         Request request;
-        for (const std::size_t place : selection) {
-            request.points.push_back(m_document.landmarks()[place]);
-            request.points.back().name = ScenePoints::shownNameOf(m_document.landmarks(), place).toStdString();
+        for (const std::size_t index : selection) {
+            request.points.push_back(m_document.landmarks()[index]);
+            request.points.back().name = SceneLandmarks::shownNameOf(m_document.landmarks(), index).toStdString();
         }
         if (selection.size() > kMostMeasured)
             request.fault = tr("it is worked out for at most %1 points").arg(kMostMeasured);
@@ -399,12 +404,12 @@ QString SceneCurves::join(const std::vector<std::size_t> &points, landmarks::Cur
         return faultOf({curves::CurveError::Code::TooFew, 0}, {});
     Curve curve;
     curve.kind = kind;
-    for (const std::size_t place : points) {
-        const Landmark &point = landmarks[place];
-        if (point.name.empty())
+    for (const std::size_t index : points) {
+        const Landmark &landmark = landmarks[index];
+        if (landmark.name.empty())
             return tr("%1 has no name; a curve knows its points by their names")
-                .arg(ScenePoints::shownNameOf(landmarks, place));
-        curve.points.push_back(point.name);
+                .arg(SceneLandmarks::shownNameOf(landmarks, index));
+        curve.points.push_back(landmark.name);
     }
     if (const Request request = requestOf(curve); !request.fault.isEmpty())
         return request.fault;

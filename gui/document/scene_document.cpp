@@ -10,9 +10,12 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
 
 SceneDocument::SceneDocument(QObject *parent)
-    : QObject(parent), m_points(*this, m_changes), m_picks(std::make_unique<Picks>(*this, m_changes))
+    : QObject(parent), m_sceneLandmarks(*this, m_changes), m_picks(std::make_unique<Picks>(*this, m_changes))
 {
     m_undoStack.setUndoLimit(200);
     const auto notifyHistory = [this] { m_changes.notify(Change::History); };
@@ -51,17 +54,17 @@ Result<Changes> SceneDocument::take(const SceneState &state)
     const Changes ofObjects = hasOtherObjects ? changesBetween(*m_state.objects, *state.objects) : Changes();
     Changes changes = ofObjects | changesBetween(m_state.settings, state.settings);
     const bool isFirst = !m_unprojector;
-    if (changes || isFirst || m_surface != picture().surface) {
+    if (changes || isFirst || m_surface != setup().surface) {
         const bool hasOtherBounds = isFirst || ofObjects & (Change::Objects | Change::Placement | Change::Visibility);
         const Box bounds = hasOtherBounds ? boundsOf(m_scene) : m_bounds;
         const Ground ground = hasOtherBounds ? groundUnder(bounds) : m_ground;
-        const Result<Picture> next = pictureOf(m_scene, m_surface, ground.box);
+        const Result<Setup> next = setupOf(m_scene, m_surface, ground.box);
         if (!next) {
             put(m_state);
             return next.error();
         }
-        const bool isOtherPicture = isFirst || *next != picture();
-        if (isOtherPicture) {
+        const bool isOtherSetup = isFirst || *next != setup();
+        if (isOtherSetup) {
             const Result<Unprojector> unprojector = Unprojector::of(*next);
             if (!unprojector) {
                 put(m_state);
@@ -72,12 +75,13 @@ Result<Changes> SceneDocument::take(const SceneState &state)
         // What follows the window is kept as it came out, so that fields show the numbers in use.
         m_scene.projection = taken.settings.projection = next->projection();
         changes = ofObjects | changesBetween(m_state.settings, m_scene);
-        changes.setFlag(Change::Picture, isOtherPicture || changes.testFlag(Change::Picture));
+        changes.setFlag(Change::Setup, isOtherSetup || changes.testFlag(Change::Setup));
         m_bounds = bounds;
         m_ground = ground;
     }
     if (hasOtherLandmarks && *m_state.landmarks != *state.landmarks)
-        changes |= Change::Landmarks | m_points.follow(m_state.landmarks->landmarks, state.landmarks->landmarks);
+        changes |=
+            Change::Landmarks | m_sceneLandmarks.follow(m_state.landmarks->landmarks, state.landmarks->landmarks);
     m_state = taken;
     return changes | m_picks->follow(m_state.objects, changes);
 }
@@ -93,7 +97,7 @@ Check SceneDocument::open(Scene scene)
     m_savedEdit = ++m_lastEdit;
     m_undoStack.clear();
     emit opened();
-    m_changes.notify(kSeen | Change::Pick | Change::GivenPoint | Change::Conventions | Change::Landmarks
+    m_changes.notify(kVisibleChanges | Change::Pick | Change::GivenPoint | Change::Conventions | Change::Landmarks
                      | Change::LandmarkSelection | Change::History);
     return std::monostate{};
 }

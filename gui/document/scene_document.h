@@ -7,7 +7,7 @@
 #include "gui/document/document_change.h"
 #include "gui/document/object_names.h"
 #include "gui/document/scene_change.h"
-#include "gui/document/scene_points.h"
+#include "gui/document/scene_landmarks.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -19,9 +19,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace geometry;
-using namespace scene;
-using namespace unproject;
 
 class Picks;
 class SceneCurves;
@@ -34,22 +31,22 @@ public:
     /// Emits nothing.
     ~SceneDocument() override;
 
-    const Scene &scene() const { return m_scene; }
-    const std::vector<SceneObject> &objects() const { return m_scene.objects; }
+    const scene::Scene &scene() const { return m_scene; }
+    const std::vector<scene::SceneObject> &objects() const { return m_scene.objects; }
     /// The placed landmarks, world space.
     const std::vector<landmarks::Landmark> &landmarks() const { return m_scene.landmarks.landmarks; }
     /// The picture of the scene in the view's window, always valid.
-    const Picture &picture() const { return m_unprojector->picture(); }
+    const geometry::Setup &setup() const { return m_unprojector->setup(); }
     /// The same, prepared for clicks.
-    const Unprojector &unprojector() const { return *m_unprojector; }
+    const unproject::Unprojector &unprojector() const { return *m_unprojector; }
     /// Around all objects that are not hidden, world space.
-    const Box &bounds() const { return m_bounds; }
+    const geometry::Box &bounds() const { return m_bounds; }
     /// The drawn ground: a square at the lowest height of the objects, world space.
-    const Ground &ground() const { return m_ground; }
+    const scene::Ground &ground() const { return m_ground; }
 
     /// Edits of single landmarks, and which of them are selected.
-    ScenePoints &points() { return m_points; }
-    const ScenePoints &points() const { return m_points; }
+    SceneLandmarks &sceneLandmarks() { return m_sceneLandmarks; }
+    const SceneLandmarks &sceneLandmarks() const { return m_sceneLandmarks; }
     /// The lines on the surface between them.
     SceneCurves &curves() { return *m_curves; }
     const SceneCurves &curves() const { return *m_curves; }
@@ -69,18 +66,18 @@ public:
     void markUnsaved();
 
     /// Shows another scene. The pick and the undo stack go.
-    /// @return the errors of pictureOf; then nothing changed
-    Check open(Scene scene);
-    // Each change is undoable. Where the picture would not be valid, the error of pictureOf is returned and nothing
+    /// @return the errors of setupOf; then nothing changed
+    geometry::Check open(scene::Scene scene);
+    // Each change is undoable. Where the picture would not be valid, the error of setupOf is returned and nothing
     // changes: the last good view stays.
 
     /// The user's work: changes anything of the scene as one edit. What follows from the objects (landmarks on them, a pick)
     /// goes with them; semilandmarks follow from the landmarks of their curve: curves().
-    Check edit(const EditLabel &label, const std::function<void(Scene &)> &change);
+    geometry::Check edit(const EditLabel &label, const std::function<void(scene::Scene &)> &change);
     /// Looking around: changes how the scene is shown. Ignored where it would leave no valid picture or changes nothing.
-    void look(const EditLabel &label, const std::function<void(SceneSettings &)> &change);
+    void look(const EditLabel &label, const std::function<void(scene::SceneSettings &)> &change);
     /// The view's size changed. Not undoable.
-    void setSurface(const Surface &surface);
+    void setSurface(const geometry::Surface &surface);
 
 signals:
     /// Another scene is shown. Emitted before `changed`.
@@ -90,22 +87,22 @@ signals:
 
 private:
     /// Puts a state in place, if its picture is valid. Derives anew only what follows from what changed.
-    /// @return the changes, not reported yet; the errors of pictureOf
-    Result<Changes> take(const SceneState &state);
+    /// @return the changes, not reported yet; the errors of setupOf
+    geometry::Result<Changes> take(const SceneState &state);
     /// Takes a state undoably, if it is another one.
-    Check commit(const SceneState &state, const EditLabel &label);
+    geometry::Check commit(const SceneState &state, const EditLabel &label);
 
-    Scene m_scene; ///< m_state in one piece
+    scene::Scene m_scene; ///< m_state in one piece
     SceneState m_state;
-    Surface m_surface{1, 1, 1.0};
-    std::optional<Unprojector> m_unprojector; ///< of the picture of the scene in the view's window
-    Box m_bounds;
-    Ground m_ground;
+    geometry::Surface m_surface{1, 1, 1.0};
+    std::optional<unproject::Unprojector> m_unprojector; ///< of the picture of the scene in the view's window
+    geometry::Box m_bounds;
+    scene::Ground m_ground;
     std::uint64_t m_lastEdit = 0;
     std::optional<std::uint64_t> m_savedEdit = 0; ///< none: no state of the scene is on the disk
     ChangeNotifier m_changes;
     QUndoStack m_undoStack;
-    ScenePoints m_points;
+    SceneLandmarks m_sceneLandmarks;
     std::unique_ptr<Picks> m_picks;
     std::unique_ptr<SceneCurves> m_curves;
 };

@@ -10,12 +10,16 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace mesh;
+using namespace scene;
+
 namespace {
 
 /// Whether all of an object is in the picture: between its rims and, where they count, between near and far.
-bool isInSight(const Picture &picture, const SceneObject &object, bool withClipDistances)
+bool isInSight(const Setup &setup, const SceneObject &object, bool withClipDistances)
 {
-    const Result<glm::dmat4> matrix = clipFromWorld(picture);
+    const Result<glm::dmat4> matrix = clipFromWorld(setup);
     if (!matrix)
         return false;
     const glm::dmat4 clipFromObject = *matrix * worldFromObject(object.transform);
@@ -35,10 +39,10 @@ bool isInSight(const Picture &picture, const SceneObject &object, bool withClipD
 }
 
 /// Comes to show all of these objects, of which the last `added` are new. Camera, near and far stay where they do already.
-void showAdded(SceneSettings &settings, Picture picture, const std::vector<SceneObject> &objects, std::size_t added)
+void showAdded(SceneSettings &settings, Setup setup, const std::vector<SceneObject> &objects, std::size_t added)
 {
     Box bounds;
-    Framing framing(picture);
+    Framing framing(setup);
     for (const SceneObject &object : objects) {
         if (object.isHidden)
             continue;
@@ -47,14 +51,14 @@ void showAdded(SceneSettings &settings, Picture picture, const std::vector<Scene
     }
     const auto areNewInSight = [&](bool withClipDistances) {
         return std::all_of(objects.end() - static_cast<std::ptrdiff_t>(added), objects.end(),
-                           [&](const SceneObject &object) { return isInSight(picture, object, withClipDistances); });
+                           [&](const SceneObject &object) { return isInSight(setup, object, withClipDistances); });
     };
     if (!areNewInSight(false))
-        picture = framing.picture();
+        setup = framing.setup();
     if (!settings.clipDistancesFitObjects && !areNewInSight(true))
-        picture.projection() = withFittedClipDistances(picture, bounds, {});
-    settings.camera = picture.camera();
-    settings.projection = picture.projection();
+        setup.projection() = withFittedClipDistances(setup, bounds, {});
+    settings.camera = setup.camera();
+    settings.projection = setup.projection();
 }
 
 } // namespace
@@ -67,7 +71,7 @@ Check addObjects(SceneDocument &document, std::vector<SceneObject> objects)
             object.name = freeName(object.name, scene.objects);
             scene.objects.push_back(std::move(object));
         }
-        showAdded(scene, document.picture(), scene.objects, added);
+        showAdded(scene, document.setup(), scene.objects, added);
     });
 }
 
@@ -139,12 +143,12 @@ Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const
 Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection> &projection,
                    const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label)
 {
-    Picture given = document.picture();
+    Setup given = document.setup();
     if (projection)
         given.lens = *projection;
     if (eyeFromWorld)
         given.pose = *eyeFromWorld;
-    const Result<SceneSettings> settings = withPicture(document.scene(), given);
+    const Result<SceneSettings> settings = withSetup(document.scene(), given);
     if (!settings)
         return settings.error();
     return document.edit(label, [&](Scene &scene) { static_cast<SceneSettings &>(scene) = *settings; });

@@ -15,25 +15,26 @@ namespace unprojector::gui {
 
 /// Puts objects after those that are there, under names of their own. Where they are not all in sight, the picture
 /// comes to show everything, near and far planes included. The pick stays.
-/// @return the errors of pictureOf; then nothing changed
-Check addObjects(SceneDocument &document, std::vector<SceneObject> objects);
-Check removeObject(SceneDocument &document, std::size_t index);
+/// @return the errors of setupOf; then nothing changed
+geometry::Check addObjects(SceneDocument &document, std::vector<scene::SceneObject> objects);
+geometry::Check removeObject(SceneDocument &document, std::size_t index);
 /// Puts an object elsewhere in the list.
-Check moveObject(SceneDocument &document, std::size_t from, std::size_t to);
-Check setObjectHidden(SceneDocument &document, std::size_t index, bool isHidden);
-Check showAllObjects(SceneDocument &document);
-bool hasHiddenObjects(const Scene &scene);
+geometry::Check moveObject(SceneDocument &document, std::size_t from, std::size_t to);
+geometry::Check setObjectHidden(SceneDocument &document, std::size_t index, bool isHidden);
+geometry::Check showAllObjects(SceneDocument &document);
+bool hasHiddenObjects(const scene::Scene &scene);
 /// @param name  blanks around it are taken off; see faultOf
 /// @return what is wrong with the name; then nothing changed
 NameFault renameObject(SceneDocument &document, std::size_t index, const QString &name);
 
-/// All placed landmarks, for those that are there. What is done to single ones: ScenePoints.
-Check editLandmarks(SceneDocument &document, std::vector<landmarks::Landmark> landmarks, const EditLabel &label);
-Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const EditLabel &label);
+/// All placed landmarks, for those that are there. What is done to single ones: SceneLandmarks.
+geometry::Check editLandmarks(SceneDocument &document, std::vector<landmarks::Landmark> landmarks,
+                              const EditLabel &label);
+geometry::Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const EditLabel &label);
 
-/// Takes a projection, a view or both from matrices, see withPicture.
-/// @return the errors of byParameters and pictureOf
-Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection> &projection,
-                   const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label);
+/// Takes a projection, a view or both from matrices, see withSetup.
+/// @return the errors of byParameters and setupOf
+geometry::Check editMatrices(SceneDocument &document, const std::optional<geometry::MatrixProjection> &projection,
+                             const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label);
 
 } // namespace unprojector::gui

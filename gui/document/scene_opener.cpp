@@ -14,6 +14,11 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace mesh;
+using namespace scene;
+using namespace scene_file;
+
 namespace {
 
 struct LoadedModel {
@@ -75,7 +80,7 @@ void add(const Loaded &loaded, Opened &opened)
     } else if (loaded.errors.empty()) {
         if (Result<Scene, QString> scene = sceneOf(opened.opening, loaded.models)) {
             opened.scene = std::move(scene).value();
-            const QString loose = letGo(opened.scene->landmarks.landmarks, opened.scene->objects);
+            const QString loose = detachStale(opened.scene->landmarks.landmarks, opened.scene->objects);
             if (!loose.isEmpty())
                 opened.notes << SceneOpener::tr("%1: %2").arg(opened.opening.origin.name, loose);
             opened.notes << opened.opening.notes;
@@ -162,8 +167,8 @@ void SceneOpener::load(Opening asked)
         emit ended();
     };
     m_background.start(work, done, [this, names, count](double share) {
-        const auto place = std::min(static_cast<qsizetype>(share * count), names.size() - 1);
-        emit progressed(names[place], share);
+        const auto index = std::min(static_cast<qsizetype>(share * count), names.size() - 1);
+        emit progressed(names[index], share);
     });
     emit started();
 }

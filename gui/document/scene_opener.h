@@ -14,7 +14,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace scene_file;
 
 class RecoveryFile;
 
@@ -30,7 +29,7 @@ struct Opening {
     enum class Kind { NewScene, Addition, SceneFile };
     Kind kind = Kind::NewScene;
     SceneOrigin origin = {};                        ///< of a scene file; that of a recovered one may have no file
-    SceneFile contents = {};                        ///< of a scene file
+    scene_file::SceneFile contents = {};            ///< of a scene file
     const RecoveryFile *recovered = nullptr;        ///< what the scene is recovered from
     std::vector<std::filesystem::path> models = {}; ///< those of a scene file follow from its contents
     QStringList notes = {};                         ///< what of the scene file is not kept
@@ -40,10 +39,10 @@ struct Opening {
 /// What was opened, to be shown.
 struct Opened {
     Opening opening;
-    std::vector<SceneObject> objects = {}; ///< of the models that could be read, unless they are a scene file's
-    std::optional<Scene> scene = {};       ///< of a scene file; nothing where a part of it could not be read
-    QStringList errors = {};               ///< why parts could not be read
-    QStringList notes = {};                ///< what is not as in its file
+    std::vector<scene::SceneObject> objects = {}; ///< of the models that could be read, unless they are a scene file's
+    std::optional<scene::Scene> scene = {};       ///< of a scene file; nothing where a part of it could not be read
+    QStringList errors = {};                      ///< why parts could not be read
+    QStringList notes = {};                       ///< what is not as in its file
 };
 
 /// From now on the working folder does not matter.
@@ -57,7 +56,7 @@ class SceneOpener : public QObject {
 public:
     /// Reads a scene file, without its models.
     /// @return why it cannot be read or shown
-    static Result<Opening, QString> readScene(const std::filesystem::path &file);
+    static geometry::Result<Opening, QString> readScene(const std::filesystem::path &file);
 
     /// Starts reading the models, one file after the other; a model that is in use already is not read again. An opening that is
     /// under way is cancelled.

@@ -3,7 +3,7 @@
 #include "core/examples/bundled_scene.h"
 #include "core/scene_file/scene_error_text.h"
 #include "gui/document/camera_looks.h"
-#include "gui/document/point_files.h"
+#include "gui/document/landmark_files.h"
 #include "gui/document/recent_files.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
@@ -17,6 +17,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+using namespace scene_file;
 
 Session::Session(SceneDocument &document, SessionQuestions &questions, const Options &options, QObject *parent)
     : QObject(parent), m_document(document), m_questions(questions),
@@ -49,24 +52,24 @@ bool Session::hasUnsavedChanges() const
 void Session::openFiles(std::vector<std::filesystem::path> files)
 {
     const auto points = std::stable_partition(files.begin(), files.end(), [](const std::filesystem::path &file) {
-        return !PointFiles::isPointFile(file) && !PointFiles::isTemplate(file);
+        return !LandmarkFiles::isLandmarkFile(file) && !LandmarkFiles::isTemplate(file);
     });
-    std::vector<std::filesystem::path> pointFiles(points, files.end());
+    std::vector<std::filesystem::path> landmarkFiles(points, files.end());
     files.erase(points, files.end());
-    if (files.empty() && !pointFiles.empty()) {
+    if (files.empty() && !landmarkFiles.empty()) {
         emit progressed();
-        emit pointFilesOpened(pointFiles);
+        emit landmarkFilesOpened(landmarkFiles);
         return;
     }
     const auto scene = std::find_if(files.begin(), files.end(), opening::isMeantAsScene);
     if (scene != files.end()) {
-        openScene(*scene, std::move(pointFiles));
+        openScene(*scene, std::move(landmarkFiles));
         return;
     }
     emit progressed();
     Opening opening;
     opening.models = std::move(files);
-    opening.points = std::move(pointFiles);
+    opening.points = std::move(landmarkFiles);
     m_opener.load(std::move(opening));
 }
 
@@ -179,7 +182,7 @@ void Session::show(Opened opened)
     else if (!reasons.isEmpty())
         emit warned(reasons.join(u'\n'));
     if (isShown && !opened.opening.points.empty()) // to nothing else they belong
-        emit pointFilesOpened(opened.opening.points);
+        emit landmarkFilesOpened(opened.opening.points);
 }
 
 bool Session::showModels(std::vector<SceneObject> objects)
@@ -267,10 +270,10 @@ bool Session::saveAs()
 
 bool Session::saveScene(const std::filesystem::path &file)
 {
-    emit typedToCount();
+    emit commitPendingEdits();
     emit aboutToSaveOrLeave();
     const std::filesystem::path path = absolutePath(file);
-    const SceneFile contents = sceneFileFrom(m_document.scene(), m_document.picture(), path);
+    const SceneFile contents = sceneFileFrom(m_document.scene(), m_document.setup(), path);
     const std::optional<files::FileStamp> onlyIf = path == m_origin.file ? m_origin.stamp : std::nullopt;
     Result<files::FileStamp, SceneFileError> written = writeSceneFile(path, contents, onlyIf);
     if (!written && written.error().code == SceneFileErrorCode::ChangedMeanwhile) {
@@ -327,7 +330,7 @@ bool Session::mayLeaveStep()
 void Session::finishBeforeLeaving()
 {
     m_opener.cancel(); // it could replace the scene under the question
-    emit typedToCount();
+    emit commitPendingEdits();
     emit aboutToSaveOrLeave();
 }
 
@@ -401,7 +404,7 @@ void Session::followChanges()
 
 SceneFile Session::contents() const
 {
-    return sceneFileFrom(m_document.scene(), m_document.picture(), m_origin.file);
+    return sceneFileFrom(m_document.scene(), m_document.setup(), m_origin.file);
 }
 
 Result<Autosave::Content, QString> Session::unsavedContent() const
@@ -442,23 +445,23 @@ std::vector<RecoveryInfo> Session::offered() const
     return infos;
 }
 
-std::unique_ptr<RecoveryFile> Session::takeOffered(std::size_t place)
+std::unique_ptr<RecoveryFile> Session::takeOffered(std::size_t index)
 {
-    std::unique_ptr<RecoveryFile> file = std::move(m_offered.at(place));
-    m_offered.erase(m_offered.begin() + static_cast<std::ptrdiff_t>(place));
+    std::unique_ptr<RecoveryFile> file = std::move(m_offered.at(index));
+    m_offered.erase(m_offered.begin() + static_cast<std::ptrdiff_t>(index));
     emit offeredChanged();
     return file;
 }
 
-void Session::recover(std::size_t place)
+void Session::recover(std::size_t index)
 {
     m_opener.cancel(); // it would replace the scene later, whatever becomes of this one
-    const RecoveryFile &file = *m_offered.at(place);
+    const RecoveryFile &file = *m_offered.at(index);
     const std::optional<RecoveryInfo> info = file.info();
     Result<SceneFile, SceneFileError> scene = file.scene();
     if (!info || !scene) {
         const QString reason = scene ? QString() : QString::fromStdString(sceneErrorText(scene.error()));
-        const QString aside = takeOffered(place)->putAside();
+        const QString aside = takeOffered(index)->putAside();
         emit failed(tr("The unsaved changes are damaged and cannot be recovered. The file was put aside as %1.\n%2")
                         .arg(QDir::toNativeSeparators(aside), reason));
         return;
@@ -479,11 +482,11 @@ void Session::takeRecovered(const RecoveryFile *file)
     m_document.markUnsaved();
 }
 
-void Session::discardOffered(std::size_t place)
+void Session::discardOffered(std::size_t index)
 {
-    const QString name = m_offered.at(place)->info().value_or(RecoveryInfo{}).name;
+    const QString name = m_offered.at(index)->info().value_or(RecoveryInfo{}).name;
     if (m_questions.askDeleteKept(name))
-        takeOffered(place)->remove();
+        takeOffered(index)->remove();
 }
 
 void Session::postponeOffered()

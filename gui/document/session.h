@@ -17,7 +17,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace scene_file;
 
 class SceneDocument;
 
@@ -61,7 +60,7 @@ public:
     /// Absolute: where the scene was opened from or saved to; empty: nowhere.
     const std::filesystem::path &file() const { return m_origin.file; }
     /// What its file would hold if it were saved there now.
-    SceneFile contents() const;
+    scene_file::SceneFile contents() const;
     /// Whether leaving the scene would lose work: any change of a scene that has a file, and more than a look around in one
     /// that has none.
     bool hasUnsavedChanges() const;
@@ -80,7 +79,7 @@ public:
     /// scene that was shown before the lesson stands aside with its unsaved changes.
     /// @param lesson  its name, for `opened`
     /// @return whether it is shown
-    bool openLesson(Scene scene, const QString &name, const QString &lesson);
+    bool openLesson(scene::Scene scene, const QString &name, const QString &lesson);
 
     /// Shows again the scene that was shown before the lesson, unsaved changes included; what was done cannot be undone any
     /// more. What is shown is left without a question.
@@ -95,7 +94,7 @@ public:
     void cancelLoading();
 
     /// What is being typed counts now.
-    void commitTyped() { emit typedToCount(); }
+    void commitTyped() { emit commitPendingEdits(); }
 
     // ---- saving
 
@@ -123,8 +122,8 @@ public:
     /// Those that were found, the last one first.
     std::vector<RecoveryInfo> offered() const;
     // With the place of one of those. @pre place < offered().size()
-    void recover(std::size_t place);
-    void discardOffered(std::size_t place);
+    void recover(std::size_t index);
+    void discardOffered(std::size_t index);
     /// They stay for the next start.
     void postponeOffered();
 
@@ -133,7 +132,7 @@ public:
 
 signals:
     /// What is being typed is to count now: something of the scene is about to be written or left. See commitTyped.
-    void typedToCount();
+    void commitPendingEdits();
     /// The scene is to be saved or left, with all that was typed.
     void aboutToSaveOrLeave();
     /// The name, the file, or whether there are unsaved changes.
@@ -146,7 +145,7 @@ signals:
     void opened(const QString &lesson, bool isBack);
     /// Files of points or templates of names were opened with the models that are shown now, or alone: what becomes of them
     /// is not the session's.
-    void pointFilesOpened(const std::vector<std::filesystem::path> &files);
+    void landmarkFilesOpened(const std::vector<std::filesystem::path> &files);
     /// What could not be opened or saved, in words.
     void failed(const QString &reason);
     /// What of an opened file is not shown, or not as the file has it.
@@ -164,7 +163,7 @@ signals:
 private:
     /// A scene with all that there is to know of it, to come back to.
     struct SceneAside {
-        Scene scene;
+        scene::Scene scene;
         SceneOrigin origin;
         bool isUnsaved = false;
         std::unique_ptr<RecoveryFile> recovery; ///< where its changes are kept
@@ -172,20 +171,20 @@ private:
 
     /// Shows what was opened, and says what of it is not shown or not as in its file.
     void show(Opened opened);
-    bool showModels(std::vector<SceneObject> objects);
-    void addModels(std::vector<SceneObject> objects);
+    bool showModels(std::vector<scene::SceneObject> objects);
+    void addModels(std::vector<scene::SceneObject> objects);
     bool showScene(Opened &opened);
     /// The scene that was just opened is from there.
     void setScene(const SceneOrigin &origin, const QString &lesson = {}, bool isBack = false);
     /// Nobody comes back to it.
     void dropAside();
     void takeRecovered(const RecoveryFile *file);
-    std::unique_ptr<RecoveryFile> takeOffered(std::size_t place);
+    std::unique_ptr<RecoveryFile> takeOffered(std::size_t index);
     /// What came as a matrix and was saved by its arguments, in a sentence; empty where nothing was.
     QString droppedMatrices() const;
     void createAutosave();
     void followChanges();
-    Result<Autosave::Content, QString> unsavedContent() const;
+    geometry::Result<Autosave::Content, QString> unsavedContent() const;
     /// What is loading ends, and what was typed counts, before the scene is left.
     void finishBeforeLeaving();
     /// @param hasFile  see SessionQuestions::askSave

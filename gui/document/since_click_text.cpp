@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 namespace unprojector::gui {
+using namespace unproject;
 using namespace geometry;
 using namespace matrices;
 namespace {
@@ -51,10 +52,10 @@ QString sinceClickText(const SceneDocument &document)
         return SinceClickTexts::tr("The object was moved since this click; the point is where its surface was.");
     if (since.isCutAway)
         return SinceClickTexts::tr("A clip plane cuts the point of this click away now.");
-    if (!since.isOtherPicture)
+    if (!since.isOtherSetup)
         return SinceClickTexts::tr("The view is as it was at the click.");
     const Result<WorldPoint> &world = pick->point.world[Method::Formula];
-    const Result<glm::dmat4> matrix = clipFromWorld(document.picture());
+    const Result<glm::dmat4> matrix = clipFromWorld(document.setup());
     if (pick->hit() && world && matrix) {
         const ClipPoint clip(*matrix * glm::dvec4(world->coordinates(), 1.0));
         if (const QString outside = clipTestText(clip); !outside.isEmpty())

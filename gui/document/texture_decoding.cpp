@@ -12,6 +12,8 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace mesh;
+
 namespace {
 
 /// What has more pixels is not even decoded to be scaled down: that would take gigabytes.

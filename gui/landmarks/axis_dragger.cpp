@@ -9,6 +9,8 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 constexpr double kLengthLogical = 58.0;
@@ -22,18 +24,18 @@ WorldVector unitOf(int axis)
     return unit;
 }
 
-std::optional<QPointF> seenAt(const Picture &picture, const WorldPoint &point)
+std::optional<QPointF> seenAt(const Setup &setup, const WorldPoint &point)
 {
-    const Result<glm::dmat4> matrix = clipFromWorld(picture);
+    const Result<glm::dmat4> matrix = clipFromWorld(setup);
     if (!matrix)
         return std::nullopt;
     const glm::dvec4 clip = *matrix * glm::dvec4(point.coordinates(), 1.0);
     if (!(clip.w > 0.0))
         return std::nullopt;
     const NdcPoint ndc(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w);
-    const DevicePoint at = deviceFromWindow(
-        picture.surface, windowFromNdc(picture.viewport, picture.depthRange, ndc, ndcDepthOf(picture)));
-    const WidgetPoint widget = widgetFromDevice(picture.surface, at);
+    const DevicePoint at =
+        deviceFromWindow(setup.surface, windowFromNdc(setup.viewport, setup.depthRange, ndc, ndcDepthOf(setup)));
+    const WidgetPoint widget = widgetFromDevice(setup.surface, at);
     return QPointF(widget.x, widget.y);
 }
 
@@ -44,14 +46,14 @@ double lengthOf(const QPointF &way)
 
 } // namespace
 
-std::array<AxisArrow, 3> axisArrows(const Picture &picture, const WorldPoint &point)
+std::array<AxisArrow, 3> axisArrows(const Setup &setup, const WorldPoint &point)
 {
     constexpr double kLeastLogical = 14.0;
     std::array<AxisArrow, 3> arrows;
-    const double length = kLengthLogical * worldPerLogicalPixel(picture, point);
-    const std::optional<QPointF> from = seenAt(picture, point);
+    const double length = kLengthLogical * worldPerLogicalPixel(setup, point);
+    const std::optional<QPointF> from = seenAt(setup, point);
     for (int axis = 0; axis < 3; ++axis) {
-        const std::optional<QPointF> to = seenAt(picture, point + unitOf(axis) * length);
+        const std::optional<QPointF> to = seenAt(setup, point + unitOf(axis) * length);
         if (from && to)
             arrows[static_cast<std::size_t>(axis)] = {*from, *to, lengthOf(*to - *from) >= kLeastLogical};
     }

@@ -155,7 +155,7 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
             showRows();
         else if (changes & (Change::Objects | Change::Placement | Change::Curves))
             showLengths();
-        m_join->setEnabled(m_document.points().selection().size() >= 2);
+        m_join->setEnabled(m_document.sceneLandmarks().selection().size() >= 2);
         fitHeight();
         setVisible(!m_reason->isHidden() || !m_document.curves().all().empty());
     });
@@ -167,7 +167,7 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
 
 void CurvesView::join(landmarks::CurveKind kind)
 {
-    const QString reason = m_document.curves().join(m_document.points().selection(), kind);
+    const QString reason = m_document.curves().join(m_document.sceneLandmarks().selection(), kind);
     say(reason.isEmpty() ? QString() : tr("No curve: %1.").arg(reason));
     if (!reason.isEmpty())
         return;
@@ -275,18 +275,18 @@ void CurvesView::showLengths()
 
 void CurvesView::apply(int row, int column, const QVariant &typed)
 {
-    const auto place = static_cast<std::size_t>(row);
+    const auto index = static_cast<std::size_t>(row);
     SceneCurves &curves = m_document.curves();
-    if (row < 0 || place >= curves.all().size())
+    if (row < 0 || index >= curves.all().size())
         return;
     if (column == Name) {
-        if (!curves.rename(place, typed.toString()))
+        if (!curves.rename(index, typed.toString()))
             say(tr("“%1” is no name for it: it is empty, or another curve's.").arg(typed.toString().trimmed()));
-    } else if (column == Count && !curves.all()[place].points.empty()) {
+    } else if (column == Count && !curves.all()[index].points.empty()) {
         bool isNumber = false;
         const int count = typed.toString().trimmed().toInt(&isNumber);
         if (isNumber && count >= 2 && count <= landmarks::kMostSemilandmarks)
-            curves.setCount(place, count);
+            curves.setCount(index, count);
         else
             say(tr("n is “%1”; a curve has 2 to %2 semilandmarks.")
                     .arg(typed.toString().trimmed())
@@ -297,8 +297,8 @@ void CurvesView::apply(int row, int column, const QVariant &typed)
 
 void CurvesView::removeCurrent()
 {
-    if (const std::optional<std::size_t> place = current())
-        m_document.curves().remove(*place);
+    if (const std::optional<std::size_t> index = current())
+        m_document.curves().remove(*index);
 }
 
 void CurvesView::showMenu(const QPoint &place)

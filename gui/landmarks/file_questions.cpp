@@ -21,7 +21,7 @@ int askOwn(QWidget &window, const QString &title, const QString &text, const QSt
 
 } // namespace
 
-PointFileQuestions::Join FileQuestions::askJoin(const Counts &counts)
+LandmarkFileQuestions::Join FileQuestions::askJoin(const Counts &counts)
 {
     QString text = tr("Points that are placed already: %1. Points in the file: %2. Replace them, or put the new ones "
                       "behind them?")
@@ -39,7 +39,7 @@ PointFileQuestions::Join FileQuestions::askJoin(const Counts &counts)
     }
 }
 
-PointFileQuestions::Stray FileQuestions::askStray(const QString &text)
+LandmarkFileQuestions::Stray FileQuestions::askStray(const QString &text)
 {
     switch (askOwn(m_window, tr("Import Points"), text,
                    {tr("&Move Them onto the Mesh"), tr("&Leave Them Where They Are")})) {
@@ -49,7 +49,7 @@ PointFileQuestions::Stray FileQuestions::askStray(const QString &text)
     }
 }
 
-PointFileQuestions::Order FileQuestions::askOrder(const QString &text)
+LandmarkFileQuestions::Order FileQuestions::askOrder(const QString &text)
 {
     switch (askOwn(m_window, tr("Import Points"), text, {tr("&Take the Names in Order"), tr("&Put Them Behind")})) {
     case 0: return Order::Fill;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/document/point_files.h"
+#include "gui/document/landmark_files.h"
 
 #include <QCoreApplication>
 
@@ -9,7 +9,7 @@ class QWidget;
 namespace unprojector::gui {
 
 /// Asks the questions of files of landmarks in message boxes over a window.
-class FileQuestions : public PointFileQuestions {
+class FileQuestions : public LandmarkFileQuestions {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::FileQuestions)
 public:
     explicit FileQuestions(QWidget &window) : m_window(window) {}

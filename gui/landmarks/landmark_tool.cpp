@@ -2,8 +2,8 @@
 
 #include "gui/document/landmark_placing.h"
 #include "gui/document/picks.h"
+#include "gui/landmarks/landmark_loupe.h"
 #include "gui/landmarks/measure_mark.h"
-#include "gui/landmarks/point_loupe.h"
 #include "gui/view/scene_view.h"
 
 #include <QHelpEvent>
@@ -19,6 +19,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 using landmarks::Landmark;
@@ -57,7 +60,7 @@ LandmarkTool::LandmarkTool(SceneDocument &document, SceneView &view)
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Landmarks) // the landmark in the hand may be gone
             endDrag();
-        if (changes & (kSeen | Change::Landmarks | Change::LandmarkSelection))
+        if (changes & (kVisibleChanges | Change::Landmarks | Change::LandmarkSelection))
             m_marks.reset();
     });
     // Only now it can be said which landmarks are behind something.
@@ -76,10 +79,10 @@ void LandmarkTool::setPlacing(bool isPlacing)
     emit placingChanged(isPlacing);
 }
 
-const std::vector<PointMark> &LandmarkTool::marks()
+const std::vector<LandmarkMark> &LandmarkTool::marks()
 {
     if (!m_marks)
-        m_marks = pointMarks(m_document);
+        m_marks = landmarkMarks(m_document);
     return *m_marks;
 }
 
@@ -91,7 +94,7 @@ bool LandmarkTool::prepareToDraw()
 
 void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
 {
-    const std::vector<PointMark> &shown = marks();
+    const std::vector<LandmarkMark> &shown = marks();
     const QRectF area(m_view.rect());
     const auto shownArrows = arrows();
     std::vector<QLineF> lines;
@@ -100,7 +103,7 @@ void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
             lines.emplace_back(arrow.from, arrow.to);
     }
     const std::optional<MeasureMark> measure = measureMark(m_document);
-    std::vector<PointMark> labelled = shown;
+    std::vector<LandmarkMark> labelled = shown;
     if (measure) { // beside its line, and clear of the landmarks' own
         lines.insert(lines.end(), measure->lines.begin(), measure->lines.end());
         labelled.push_back(measure->label);
@@ -115,13 +118,13 @@ void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
     });
     if (measure)
         drawMeasure(painter, *measure, ofMeasure);
-    drawPoints(painter, shown, labels);
+    drawLandmarks(painter, shown, labels);
     if (shownArrows)
         drawAxes(painter, *shownArrows, m_drag == Drag::Axis ? std::optional(m_axis) : std::nullopt);
     if (m_loupeAt) {
         const ray::SceneRays *rays = m_document.picks().rays();
-        drawLoupe(painter, loupeBox(m_document.picture().surface, *m_loupeAt, m_view.cornerWidth()), *m_loupeAt,
-                  m_loupe, rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>());
+        drawLoupe(painter, loupeBox(m_document.setup().surface, *m_loupeAt, m_view.cornerWidth()), *m_loupeAt, m_loupe,
+                  rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>());
     }
 }
 
@@ -135,7 +138,7 @@ void LandmarkTool::aimLoupe(const std::optional<DevicePoint> &at)
 
 std::optional<DevicePoint> LandmarkTool::pointedAt(const QPointF &local) const
 {
-    const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.picture().surface, m_view.widgetPosition(local));
+    const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.setup().surface, m_view.widgetPosition(local));
     return pixel ? std::optional(pixelCenter(*pixel)) : std::nullopt;
 }
 
@@ -143,27 +146,27 @@ ViewTool::Press LandmarkTool::press(const QMouseEvent &event, const QString &mer
 {
     const WidgetPoint position = m_view.widgetPosition(event.position());
     const QPointF pointer(position.x, position.y);
-    const PointMark *mark = markUnder(marks(), pointer, true);
+    const LandmarkMark *mark = markUnder(marks(), pointer, true);
     m_mergeKey = mergeKey;
     if (!mark)
         return pressArrow(pointer) ? Press::Drags : Press::Passed;
-    const PointMark pressed = *mark; // what is selected now has other marks
+    const LandmarkMark pressed = *mark; // what is selected now has other marks
     if (event.modifiers().testFlag(Qt::ControlModifier)) {
-        m_document.points().toggle(pressed.place);
-    } else if (m_document.points().isSelected(pressed.place)) {
-        m_document.points().select(m_document.points().selection(), pressed.place);
+        m_document.sceneLandmarks().toggle(pressed.index);
+    } else if (m_document.sceneLandmarks().isSelected(pressed.index)) {
+        m_document.sceneLandmarks().select(m_document.sceneLandmarks().selection(), pressed.index);
     } else {
-        m_document.points().selectOnly(pressed.place);
+        m_document.sceneLandmarks().selectOnly(pressed.index);
     }
     // The user may be about to turn the view: a landmark that was not selected before must not move along.
     if (!m_isPlacing && !pressed.isSelected)
         return Press::Navigates;
-    m_dragged = pressed.place;
+    m_dragged = pressed.index;
     m_dragStart = pressed.at;
     m_draggedWith.clear();
-    for (const PointMark &other : marks()) {
-        if (other.isSelected && !other.isBehind && other.place != pressed.place)
-            m_draggedWith.emplace_back(other.place, other.at);
+    for (const LandmarkMark &other : marks()) {
+        if (other.isSelected && !other.isBehind && other.index != pressed.index)
+            m_draggedWith.emplace_back(other.index, other.at);
     }
     m_leftBehind = 0;
     m_grab = pressed.at - pointer;
@@ -201,38 +204,38 @@ void LandmarkTool::dragLandmark(const QPointF &local)
 {
     const WidgetPoint position = m_view.widgetPosition(local);
     const QPointF wanted = QPointF(position.x, position.y) + m_grab;
-    const std::optional<Landmark> there = landmarkOnMesh(m_document, deviceOf(m_document.picture().surface, wanted));
+    const std::optional<Landmark> there = landmarkOnMesh(m_document, deviceOf(m_document.setup().surface, wanted));
     if (!there) // beside the mesh it waits where it was last on it
         return;
     m_hasMoved = true;
-    std::vector<ScenePoints::Move> moves{{m_dragged, *there}};
+    std::vector<SceneLandmarks::Move> moves{{m_dragged, *there}};
     for (const auto &[place, at] : m_draggedWith) {
         const std::optional<Landmark> other =
-            landmarkOnMesh(m_document, deviceOf(m_document.picture().surface, at + wanted - m_dragStart));
+            landmarkOnMesh(m_document, deviceOf(m_document.setup().surface, at + wanted - m_dragStart));
         const std::string &before = m_document.landmarks()[place].object;
         if (other && (before.empty() || other->object == before)) // not from one object onto another
             moves.push_back({place, *other});
     }
     const std::vector<std::size_t> selected = selectedInView();
     const auto wantedMoves =
-        static_cast<std::size_t>(std::count_if(selected.begin(), selected.end(), [this](std::size_t place) {
-            return !m_document.landmarks()[place].isMissing();
+        static_cast<std::size_t>(std::count_if(selected.begin(), selected.end(), [this](std::size_t index) {
+            return !m_document.landmarks()[index].isMissing();
         }));
     m_leftBehind = wantedMoves - std::min(wantedMoves, moves.size());
     const QScopedValueRollback<bool> moving(m_isMoving, true);
-    static_cast<void>(m_document.points().moveAll(moves, m_mergeKey));
-    aimLoupe(deviceOf(m_document.picture().surface, wanted));
+    static_cast<void>(m_document.sceneLandmarks().moveAll(moves, m_mergeKey));
+    aimLoupe(deviceOf(m_document.setup().surface, wanted));
 }
 
 std::optional<std::array<AxisArrow, 3>> LandmarkTool::arrows() const
 {
-    const std::optional<std::size_t> current = m_document.points().current();
+    const std::optional<std::size_t> current = m_document.sceneLandmarks().current();
     if (!m_isPlacing || !current)
         return std::nullopt;
-    const Landmark &point = m_document.landmarks()[*current];
-    if (point.isMissing() || point.isHidden)
+    const Landmark &landmark = m_document.landmarks()[*current];
+    if (landmark.isMissing() || landmark.isHidden)
         return std::nullopt;
-    return axisArrows(m_document.picture(), *point.world);
+    return axisArrows(m_document.setup(), *landmark.world);
 }
 
 bool LandmarkTool::pressArrow(const QPointF &pointer)
@@ -242,9 +245,9 @@ bool LandmarkTool::pressArrow(const QPointF &pointer)
     const ray::SceneRays *rays = axis ? m_document.picks().rays() : nullptr;
     if (!rays)
         return false;
-    m_dragged = *m_document.points().current();
+    m_dragged = *m_document.sceneLandmarks().current();
     m_axisStart = *m_document.landmarks()[m_dragged].world;
-    const auto ray = rays->rays().at(deviceOf(m_document.picture().surface, pointer));
+    const auto ray = rays->rays().at(deviceOf(m_document.setup().surface, pointer));
     const std::optional<double> from = ray ? wayAlong(m_axisStart, *axis, *ray) : std::nullopt;
     if (!from)
         return false;
@@ -262,7 +265,7 @@ void LandmarkTool::dragAlongAxis(const QPointF &local)
     if (!rays)
         return;
     const WidgetPoint position = m_view.widgetPosition(local);
-    const auto ray = rays->rays().at(deviceFromWidget(m_document.picture().surface, position));
+    const auto ray = rays->rays().at(deviceFromWidget(m_document.setup().surface, position));
     const std::optional<double> way = ray ? wayAlong(m_axisStart, m_axis, *ray) : std::nullopt;
     if (!way)
         return;
@@ -270,7 +273,7 @@ void LandmarkTool::dragAlongAxis(const QPointF &local)
     to[m_axis] += *way - m_axisFrom;
     m_hasMoved = true;
     const QScopedValueRollback<bool> moving(m_isMoving, true);
-    static_cast<void>(m_document.points().moveTo(m_dragged, to, m_mergeKey));
+    static_cast<void>(m_document.sceneLandmarks().moveTo(m_dragged, to, m_mergeKey));
 }
 
 void LandmarkTool::click(const QPointF &local)
@@ -280,7 +283,7 @@ void LandmarkTool::click(const QPointF &local)
     const std::optional<Landmark> there =
         landmarkOfClick(m_document, position, click ? std::optional(click->sample) : std::nullopt);
     if (there) {
-        static_cast<void>(m_document.points().place(*there));
+        static_cast<void>(m_document.sceneLandmarks().place(*there));
         return;
     }
     QToolTip::showText(m_view.mapToGlobal(local).toPoint(), tr("Background: no surface here"), &m_view);
@@ -297,9 +300,9 @@ void LandmarkTool::endDrag()
 std::vector<std::size_t> LandmarkTool::selectedInView() const
 {
     std::vector<std::size_t> shown;
-    for (const std::size_t place : m_document.points().selection()) {
-        if (!m_document.landmarks()[place].isHidden)
-            shown.push_back(place);
+    for (const std::size_t index : m_document.sceneLandmarks().selection()) {
+        if (!m_document.landmarks()[index].isHidden)
+            shown.push_back(index);
     }
     return shown;
 }
@@ -311,11 +314,11 @@ bool LandmarkTool::isKey(const QKeyEvent &event) const
         return isPlain && (m_drag != Drag::None || m_isPlacing);
     if (event.key() == Qt::Key_Delete)
         return isPlain && !selectedInView().empty();
-    const std::optional<std::size_t> current = m_document.points().current();
+    const std::optional<std::size_t> current = m_document.sceneLandmarks().current();
     if (!m_isPlacing || !current || !nudgeOf(event))
         return false;
-    const Landmark &point = m_document.landmarks()[*current];
-    return !point.isHidden && !point.isMissing(); // else there is nothing to be moved, and keys turn the view
+    const Landmark &landmark = m_document.landmarks()[*current];
+    return !landmark.isHidden && !landmark.isMissing(); // else there is nothing to be moved, and keys turn the view
 }
 
 void LandmarkTool::pressKey(const QKeyEvent &event, bool isDragged)
@@ -333,7 +336,7 @@ void LandmarkTool::pressKey(const QKeyEvent &event, bool isDragged)
     if (isDragged)
         return; // a hand has it already
     if (event.key() == Qt::Key_Delete) {
-        static_cast<void>(m_document.points().remove(selectedInView()));
+        static_cast<void>(m_document.sceneLandmarks().remove(selectedInView()));
         return;
     }
     nudge(*nudgeOf(event));
@@ -343,17 +346,17 @@ void LandmarkTool::nudge(const QPointF &way)
 {
     // As exact as the step: who moves by tenths of a pixel means one of them.
     const double pixels = std::min(1.0, std::abs(way.x()) + std::abs(way.y()));
-    ScenePoints &points = m_document.points();
+    SceneLandmarks &landmarks = m_document.sceneLandmarks();
     const std::vector<std::size_t> selected = selectedInView();
     const auto wanted = std::count_if(selected.begin(), selected.end(),
-                                      [&](std::size_t place) { return !points.all()[place].isMissing(); });
-    std::vector<ScenePoints::Move> moves;
+                                      [&](std::size_t index) { return !landmarks.all()[index].isMissing(); });
+    std::vector<SceneLandmarks::Move> moves;
     std::optional<QPointF> left;
     std::optional<DevicePoint> aim;
-    for (const PointMark &mark : marks()) {
-        if (!points.isSelected(mark.place))
+    for (const LandmarkMark &mark : marks()) {
+        if (!landmarks.isSelected(mark.index))
             continue;
-        DevicePoint to = deviceOf(m_document.picture().surface, mark.at);
+        DevicePoint to = deviceOf(m_document.setup().surface, mark.at);
         to.x += way.x();
         to.y += way.y();
         const std::optional<Landmark> there = mark.isBehind ? std::nullopt : landmarkOnSurface(m_document, to, pixels);
@@ -361,17 +364,17 @@ void LandmarkTool::nudge(const QPointF &way)
             left = mark.at;
         if (!there)
             continue;
-        moves.push_back({mark.place, *there});
+        moves.push_back({mark.index, *there});
         if (mark.isCurrent)
             aim = to;
     }
     QString key = QStringLiteral("nudge");
-    for (const ScenePoints::Move &move : moves)
-        key += u' ' + QString::number(move.place);
-    static_cast<void>(points.moveAll(moves, key));
+    for (const SceneLandmarks::Move &move : moves)
+        key += u' ' + QString::number(move.index);
+    static_cast<void>(landmarks.moveAll(moves, key));
     if (aim) {
         aimLoupe(*aim);
-        m_view.reportHover(widgetFromDevice(m_document.picture().surface, *aim));
+        m_view.reportHover(widgetFromDevice(m_document.setup().surface, *aim));
     }
     const auto unmoved = static_cast<int>(wanted) - static_cast<int>(moves.size());
     if (wanted == 1 && left)
@@ -393,8 +396,8 @@ bool LandmarkTool::showTip(const QHelpEvent &event)
     if (m_document.landmarks().empty())
         return false;
     const WidgetPoint position = m_view.widgetPosition(QPointF(event.pos()));
-    const PointMark *mark = markUnder(marks(), QPointF(position.x, position.y));
-    QToolTip::showText(event.globalPos(), mark ? pointTip(m_document, *mark) : QString(), &m_view);
+    const LandmarkMark *mark = markUnder(marks(), QPointF(position.x, position.y));
+    QToolTip::showText(event.globalPos(), mark ? landmarkTip(m_document, *mark) : QString(), &m_view);
     return true;
 }
 

@@ -2,7 +2,7 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/landmarks/axis_dragger.h"
-#include "gui/landmarks/point_marks.h"
+#include "gui/landmarks/landmark_marks.h"
 #include "gui/view/view_tool.h"
 
 #include <QImage>
@@ -49,7 +49,7 @@ private:
     enum class Drag { None, Landmark, Axis };
 
     /// As they are seen now.
-    const std::vector<PointMark> &marks();
+    const std::vector<LandmarkMark> &marks();
     /// Slides the landmark on the surface under the pointer, and those that are selected besides by as many pixels.
     void dragLandmark(const QPointF &local);
     /// The arrows by which the current landmark is moved off the surface: while landmarks are placed.
@@ -67,14 +67,14 @@ private:
     void tellUnmoved(std::size_t count, const QPointF &at);
     /// Shows a place large while landmarks are placed and dragged.
     /// @param at  device pixels; nothing: no more
-    void aimLoupe(const std::optional<DevicePoint> &at);
+    void aimLoupe(const std::optional<geometry::DevicePoint> &at);
     /// The centre of the pixel under a position; nothing outside the view.
-    std::optional<DevicePoint> pointedAt(const QPointF &local) const;
+    std::optional<geometry::DevicePoint> pointedAt(const QPointF &local) const;
 
     SceneDocument &m_document;
     SceneView &m_view;
     bool m_isPlacing = false;
-    std::optional<std::vector<PointMark>> m_marks; ///< nothing: to be looked for
+    std::optional<std::vector<LandmarkMark>> m_marks; ///< nothing: to be looked for
     Drag m_drag = Drag::None;
     QString m_mergeKey;        ///< of the drag
     std::size_t m_dragged = 0; ///< its index
@@ -87,9 +87,9 @@ private:
     QPointF m_grab;        ///< from the pointer to the dragged mark
     int m_stepAtPress = 0; ///< of undo, when the drag began
     int m_axis = 0;
-    WorldPoint m_axisStart;  ///< where the dragged landmark was
-    double m_axisFrom = 0.0; ///< where along the axis it was grabbed, from there
-    std::optional<DevicePoint> m_loupeAt;
+    geometry::WorldPoint m_axisStart; ///< where the dragged landmark was
+    double m_axisFrom = 0.0;          ///< where along the axis it was grabbed, from there
+    std::optional<geometry::DevicePoint> m_loupeAt;
     QImage m_loupe; ///< the pixels about it
 };
 

@@ -1,16 +1,16 @@
 #include "gui/landmarks/landmarks_feature.h"
 
-#include "gui/document/point_files.h"
-#include "gui/document/point_surface.h"
-#include "gui/document/point_views.h"
+#include "gui/document/landmark_files.h"
+#include "gui/document/landmark_surface.h"
+#include "gui/document/landmark_views.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
 #include "gui/landmarks/curve_waiting.h"
 #include "gui/landmarks/file_questions.h"
+#include "gui/landmarks/landmark_templates.h"
 #include "gui/landmarks/landmark_tool.h"
-#include "gui/landmarks/point_templates.h"
-#include "gui/landmarks/points_panel.h"
+#include "gui/landmarks/landmarks_panel.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/landmarks/series_panel.h"
 #include "gui/text/error_text.h"
@@ -34,7 +34,7 @@ class LandmarksFeature : public Feature {
     Q_OBJECT
 public:
     explicit LandmarksFeature(Window &window);
-    ~LandmarksFeature() override { m_document.curves().setWaiting({}); }
+    ~LandmarksFeature() override { m_document.curves().setNextUnplaced({}); }
 
     std::vector<PanelSpec> panels() override;
     std::optional<WorkspaceSpec> workspace() override
@@ -69,10 +69,10 @@ private:
     Window &m_window;
     SceneDocument &m_document;
     FileQuestions m_questions;
-    PointTemplates m_templates;
-    PointFiles *m_files;
+    LandmarkTemplates m_templates;
+    LandmarkFiles *m_files;
     ScanSeries *m_series;
-    PointsPanel *m_panel;
+    LandmarksPanel *m_panel;
     SeriesPanel *m_seriesPanel;
     LandmarkTool *m_tool;
     QAction *m_placing = nullptr;
@@ -80,24 +80,25 @@ private:
 
 LandmarksFeature::LandmarksFeature(Window &window)
     : Feature(&window), m_window(window), m_document(window.document()), m_questions(window),
-      m_files(new PointFiles(m_document, window.remembers() ? &m_questions : nullptr, this)),
-      m_series(new ScanSeries(m_document, window.session(), this)), m_panel(new PointsPanel(m_document, m_templates)),
-      m_seriesPanel(new SeriesPanel(*m_series)), m_tool(new LandmarkTool(m_document, window.view()))
+      m_files(new LandmarkFiles(m_document, window.remembers() ? &m_questions : nullptr, this)),
+      m_series(new ScanSeries(m_document, window.session(), this)),
+      m_panel(new LandmarksPanel(m_document, m_templates)), m_seriesPanel(new SeriesPanel(*m_series)),
+      m_tool(new LandmarkTool(m_document, window.view()))
 {
     Session &session = window.session();
-    connect(&session, &Session::typedToCount, m_panel, &PointsPanel::applyTyped);
-    connect(&session, &Session::pointFilesOpened, this, &LandmarksFeature::openFiles);
-    connect(m_panel, &PointsPanel::warned, &session, &Session::warned);
-    connect(m_panel, &PointsPanel::placingRequested, this, [this] { m_placing->setChecked(true); });
-    connect(m_tool, &LandmarkTool::placingChanged, m_panel, &PointsPanel::setPlacing);
+    connect(&session, &Session::commitPendingEdits, m_panel, &LandmarksPanel::applyTyped);
+    connect(&session, &Session::landmarkFilesOpened, this, &LandmarksFeature::openFiles);
+    connect(m_panel, &LandmarksPanel::warned, &session, &Session::warned);
+    connect(m_panel, &LandmarksPanel::placingRequested, this, [this] { m_placing->setChecked(true); });
+    connect(m_tool, &LandmarkTool::placingChanged, m_panel, &LandmarksPanel::setPlacing);
     connect(m_series, &ScanSeries::failed, &window, &Window::showFailure);
     connect(m_series, &ScanSeries::warned, &session, &Session::warned);
     connect(m_series, &ScanSeries::noticed, &session, &Session::noticed);
-    connect(m_files, &PointFiles::failed, &window, &Window::showFailure);
-    connect(m_files, &PointFiles::warned, &window, &Window::showMessage);
-    connect(m_files, &PointFiles::noticed, &session, &Session::noticed);
+    connect(m_files, &LandmarkFiles::failed, &window, &Window::showFailure);
+    connect(m_files, &LandmarkFiles::warned, &window, &Window::showMessage);
+    connect(m_files, &LandmarkFiles::noticed, &session, &Session::noticed);
     if (window.remembers()) // a user looks at the window and can wait
-        m_document.curves().setWaiting([this] { return waitForCurves(m_window, m_document); });
+        m_document.curves().setNextUnplaced([this] { return waitForCurves(m_window, m_document); });
 }
 
 std::vector<PanelSpec> LandmarksFeature::panels()
@@ -122,11 +123,11 @@ void LandmarksFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
 void LandmarksFeature::openFiles(const std::vector<std::filesystem::path> &files)
 {
     for (const std::filesystem::path &file : files) {
-        if (PointFiles::isTemplate(file))
+        if (LandmarkFiles::isTemplate(file))
             m_panel->takeTemplate(file);
     }
     for (const std::filesystem::path &file : files) { // they fill the names of the templates
-        if (!PointFiles::isTemplate(file))
+        if (!LandmarkFiles::isTemplate(file))
             m_files->importFrom(file);
     }
 }
@@ -135,7 +136,7 @@ void LandmarksFeature::importLandmarks()
 {
     m_window.session().commitTyped();
     const QString name = QFileDialog::getOpenFileName(
-        &m_window, tr("Import Points"), {}, PointFiles::importFilter() + QStringLiteral(";;") + tr("All files (*)"));
+        &m_window, tr("Import Points"), {}, LandmarkFiles::importFilter() + QStringLiteral(";;") + tr("All files (*)"));
     if (!name.isEmpty())
         m_files->importFrom(std::filesystem::path(name.toStdU16String()));
 }
@@ -144,7 +145,7 @@ void LandmarksFeature::exportLandmarks()
 {
     m_window.session().commitTyped();
     const SaveName named =
-        askSaveName(m_window, tr("Export Points"), PointFiles::exportFilters().split(QStringLiteral(";;")),
+        askSaveName(m_window, tr("Export Points"), LandmarkFiles::exportFilters().split(QStringLiteral(";;")),
                     pathText(m_window.session().proposedName().stem()));
     if (!named.file.empty() && m_window.mayExportTo(named.file))
         m_files->exportTo(named.file);
@@ -200,14 +201,15 @@ void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
     connect(m_tool, &LandmarkTool::placingChanged, m_placing, &QAction::setChecked);
     putOnBar(bar, *m_placing, Drawing::Points);
     bar.addSeparator();
-    addAction(menu, tr("&Go to Point"), Qt::Key_G, tr("Turn the camera to face the surface at the selected point"),
-              [this] { withCurrent([](SceneDocument &document, std::size_t index) { goToPoint(document, index); }); });
+    addAction(
+        menu, tr("&Go to Point"), Qt::Key_G, tr("Turn the camera to face the surface at the selected point"),
+        [this] { withCurrent([](SceneDocument &document, std::size_t index) { goToLandmark(document, index); }); });
     addAction(menu, tr("&Zoom to ± 0.01"), Qt::SHIFT | Qt::Key_G,
               tr("Get closer to the selected point until its pixel leaves no more open than 0.01"),
               [this] {
                   withCurrent([](SceneDocument &document, std::size_t index) {
                       constexpr double kHalf = 0.01;
-                      zoomToPoint(document, index, kHalf);
+                      zoomToLandmark(document, index, kHalf);
                   });
               })
         ->setObjectName(QStringLiteral("zoom_to_point"));
@@ -224,7 +226,7 @@ void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
 
 void LandmarksFeature::withCurrent(void (*change)(SceneDocument &, std::size_t))
 {
-    const std::optional<std::size_t> index = m_document.points().current();
+    const std::optional<std::size_t> index = m_document.sceneLandmarks().current();
     if (index && isPlaced(*index))
         change(m_document, *index);
     else
@@ -233,7 +235,7 @@ void LandmarksFeature::withCurrent(void (*change)(SceneDocument &, std::size_t))
 
 void LandmarksFeature::putSelectedOnSurface()
 {
-    const std::vector<std::size_t> &selected = m_document.points().selection();
+    const std::vector<std::size_t> &selected = m_document.sceneLandmarks().selection();
     if (std::any_of(selected.begin(), selected.end(), [this](std::size_t index) { return isPlaced(index); }))
         static_cast<void>(putOnSurface(m_document, selected));
     else
@@ -242,7 +244,7 @@ void LandmarksFeature::putSelectedOnSurface()
 
 void LandmarksFeature::join(landmarks::CurveKind kind)
 {
-    if (m_document.points().selection().size() < 2) {
+    if (m_document.sceneLandmarks().selection().size() < 2) {
         m_window.notice(tr("Select two points or more first: their rows under Points, with Ctrl."));
         return;
     }

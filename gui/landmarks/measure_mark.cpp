@@ -10,6 +10,8 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 using Shape = ShownMeasure::Shape;
@@ -17,7 +19,7 @@ using Shape = ShownMeasure::Shape;
 /// Lines of the world in the picture.
 class Drawing {
 public:
-    explicit Drawing(const Picture &picture) : m_picture(picture), m_clipFromWorld(clipFromWorld(picture)) {}
+    explicit Drawing(const Setup &setup) : m_setup(setup), m_clipFromWorld(clipFromWorld(setup)) {}
 
     std::optional<QPointF> seen(const glm::dvec3 &point) const
     {
@@ -28,8 +30,8 @@ public:
             return std::nullopt;
         const NdcPoint ndc(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w);
         const DevicePoint device = deviceFromWindow(
-            m_picture.surface, windowFromNdc(m_picture.viewport, m_picture.depthRange, ndc, ndcDepthOf(m_picture)));
-        const WidgetPoint widget = widgetFromDevice(m_picture.surface, device);
+            m_setup.surface, windowFromNdc(m_setup.viewport, m_setup.depthRange, ndc, ndcDepthOf(m_setup)));
+        const WidgetPoint widget = widgetFromDevice(m_setup.surface, device);
         return QPointF(widget.x, widget.y);
     }
     void add(const glm::dvec3 &from, const glm::dvec3 &to)
@@ -41,7 +43,7 @@ public:
     std::vector<QLineF> take() { return std::move(m_lines); }
 
 private:
-    const Picture &m_picture;
+    const Setup &m_setup;
     Result<glm::dmat4> m_clipFromWorld;
     std::vector<QLineF> m_lines;
 };
@@ -102,12 +104,12 @@ std::optional<MeasureMark> measureMark(const SceneDocument &document)
     if (!shown)
         return std::nullopt;
     std::vector<glm::dvec3> at;
-    for (const std::size_t place : shown->points) {
-        if (place >= document.landmarks().size() || document.landmarks()[place].isMissing())
+    for (const std::size_t index : shown->points) {
+        if (index >= document.landmarks().size() || document.landmarks()[index].isMissing())
             return std::nullopt; // the list of measures follows at once
-        at.push_back(document.landmarks()[place].world->coordinates());
+        at.push_back(document.landmarks()[index].world->coordinates());
     }
-    Drawing drawing(document.picture());
+    Drawing drawing(document.setup());
     glm::dvec3 middle(0.0);
     switch (shown->shape) {
     case Shape::Polyline: middle = addPolyline(drawing, at); break;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/landmarks/point_marks.h"
+#include "gui/landmarks/landmark_marks.h"
 
 #include <QLineF>
 
@@ -14,8 +14,8 @@ namespace unprojector::gui {
 /// Where a measure is seen in the picture.
 struct MeasureMark {
     std::vector<QLineF>
-        lines;       ///< logical pixels of the surface; a way along the surface is drawn with the curves instead
-    PointMark label; ///< stands for it where labels are placed: its text, and the place that it belongs to
+        lines;          ///< logical pixels of the surface; a way along the surface is drawn with the curves instead
+    LandmarkMark label; ///< stands for it where labels are placed: its text, and the place that it belongs to
 };
 
 /// The measure that the document shows; nothing where there is none, or it is behind the eye.

@@ -3,13 +3,15 @@
 #include "core/geometry/angle.h"
 #include "core/landmarks/measure.h"
 #include "core/landmarks/symmetry.h"
+#include "gui/text/landmark_text.h"
 #include "gui/text/number_text.h"
-#include "gui/text/point_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 using landmarks::Landmark;
@@ -20,23 +22,23 @@ struct Measures {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::Measures)
 };
 
-QString nameOf(const LandmarkSet &set, std::size_t place)
+QString nameOf(const LandmarkSet &set, std::size_t index)
 {
-    const QString name = QString::fromStdString(set.landmarks[place].name).simplified();
-    return name.isEmpty() ? QString::number(place + 1) : name;
+    const QString name = QString::fromStdString(set.landmarks[index].name).simplified();
+    return name.isEmpty() ? QString::number(index + 1) : name;
 }
 
-QString namesOf(const LandmarkSet &set, const std::vector<std::size_t> &places)
+QString namesOf(const LandmarkSet &set, const std::vector<std::size_t> &indices)
 {
     constexpr std::size_t kMost = 4;
     QStringList names;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (places.size() > kMost && i >= 2 && i + 1 < places.size()) {
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        if (indices.size() > kMost && i >= 2 && i + 1 < indices.size()) {
             if (i == 2)
                 names << QStringLiteral("…");
             continue;
         }
-        names << nameOf(set, places[i]);
+        names << nameOf(set, indices[i]);
     }
     return names.join(QStringLiteral(" – "));
 }
@@ -59,12 +61,12 @@ MeasureRow angleRow(const QString &points, const Measured &measured)
 
 } // namespace
 
-std::vector<MeasureRow> measuresOf(const LandmarkSet &set, const std::vector<std::size_t> &places)
+std::vector<MeasureRow> measuresOf(const LandmarkSet &set, const std::vector<std::size_t> &indices)
 {
     std::vector<const Landmark *> points;
-    points.reserve(places.size());
-    for (const std::size_t place : places)
-        points.push_back(&set.landmarks[place]);
+    points.reserve(indices.size());
+    for (const std::size_t index : indices)
+        points.push_back(&set.landmarks[index]);
     std::vector<MeasureRow> rows;
     using Shape = ShownMeasure::Shape;
     const auto addShown = [&rows](MeasureRow row, const ShownMeasure &shown) {
@@ -72,30 +74,30 @@ std::vector<MeasureRow> measuresOf(const LandmarkSet &set, const std::vector<std
             row.shown = shown;
         rows.push_back(std::move(row));
     };
-    const std::size_t count = places.size();
+    const std::size_t count = indices.size();
     if (count == 2 || count == 3) {
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t k = i + 1; k < count; ++k)
-                addShown(lengthRow(Measures::tr("Distance"), namesOf(set, {places[i], places[k]}),
+                addShown(lengthRow(Measures::tr("Distance"), namesOf(set, {indices[i], indices[k]}),
                                    landmarks::distanceOf(*points[i], *points[k]), set),
-                         {Shape::Polyline, {places[i], places[k]}, {}});
+                         {Shape::Polyline, {indices[i], indices[k]}, {}});
         }
     }
     for (std::size_t i = 0; count == 3 && i < count; ++i) {
         const std::size_t a = (i + 2) % 3, c = (i + 1) % 3;
-        addShown(angleRow(Measures::tr("at %1").arg(nameOf(set, places[i])),
+        addShown(angleRow(Measures::tr("at %1").arg(nameOf(set, indices[i])),
                           landmarks::angleAt(*points[i], *points[a], *points[c])),
-                 {Shape::Angle, {places[i], places[a], places[c]}, {}});
+                 {Shape::Angle, {indices[i], indices[a], indices[c]}, {}});
     }
     if (count == 4)
         addShown(lengthRow(Measures::tr("Height"),
                            Measures::tr("%1 over the plane %2")
-                               .arg(nameOf(set, places[3]), namesOf(set, {places[0], places[1], places[2]})),
+                               .arg(nameOf(set, indices[3]), namesOf(set, {indices[0], indices[1], indices[2]})),
                            landmarks::heightOver(*points[0], *points[1], *points[2], *points[3]), set),
-                 {Shape::Height, places, {}});
+                 {Shape::Height, indices, {}});
     if (count >= 3)
-        addShown(lengthRow(Measures::tr("Length along"), namesOf(set, places), landmarks::lengthAlong(points), set),
-                 {Shape::Polyline, places, {}});
+        addShown(lengthRow(Measures::tr("Length along"), namesOf(set, indices), landmarks::lengthAlong(points), set),
+                 {Shape::Polyline, indices, {}});
     return rows;
 }
 
@@ -106,26 +108,26 @@ QString curveLengthText(const SceneCurves::Line &line, const QString &unit)
     return line.line ? lengthText(line.line->length, unit) : line.reason;
 }
 
-MeasureRow surfaceLengthOf(const LandmarkSet &set, const std::vector<std::size_t> &places,
+MeasureRow surfaceLengthOf(const LandmarkSet &set, const std::vector<std::size_t> &indices,
                            const SceneCurves::Line &line)
 {
-    MeasureRow row{Measures::tr("Along the surface"), namesOf(set, places),
+    MeasureRow row{Measures::tr("Along the surface"), namesOf(set, indices),
                    curveLengthText(line, QString::fromStdString(set.unit))};
     if (line.isComputing || !line.line)
         return row;
     row.number = line.line->length.value;
     row.error = line.line->length.error;
-    row.shown = ShownMeasure{ShownMeasure::Shape::Surface, places, {}};
+    row.shown = ShownMeasure{ShownMeasure::Shape::Surface, indices, {}};
     return row;
 }
 
 namespace {
 
-QString listOf(const LandmarkSet &set, const std::vector<std::size_t> &places)
+QString listOf(const LandmarkSet &set, const std::vector<std::size_t> &indices)
 {
     QStringList names;
-    for (const std::size_t place : places)
-        names << nameOf(set, place);
+    for (const std::size_t index : indices)
+        names << nameOf(set, index);
     return names.join(Measures::tr(", ", "between names"));
 }
 
@@ -138,13 +140,13 @@ std::vector<MeasureRow> madeFrom(const LandmarkSet &set, const std::vector<landm
         isPaired[pair.left] = isPaired[pair.right] = true;
     std::vector<std::size_t> middle, open;
     std::size_t paired = 0;
-    for (const std::size_t place : counted) {
-        if (isPaired[place])
+    for (const std::size_t index : counted) {
+        if (isPaired[index])
             ++paired;
         else
-            middle.push_back(place);
-        if (!set.landmarks[place].uncertainty)
-            open.push_back(place);
+            middle.push_back(index);
+        if (!set.landmarks[index].uncertainty)
+            open.push_back(index);
     }
     const QString from = middle.empty() ? Measures::tr("pairs: %1").arg(paired / 2)
                                         : Measures::tr("pairs: %1; taken to be in the middle: %2")
@@ -160,16 +162,16 @@ std::vector<MeasureRow> madeFrom(const LandmarkSet &set, const std::vector<landm
 std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
 {
     LandmarkSet set = whole;
-    for (Landmark &point : set.landmarks) { // what is hidden is not to be measured
-        if (point.isHidden)
-            point.world.reset();
+    for (Landmark &landmark : set.landmarks) { // what is hidden is not to be measured
+        if (landmark.isHidden)
+            landmark.world.reset();
     }
     const std::vector<landmarks::Pair> pairs = landmarks::pairsByName(set.landmarks);
     if (pairs.empty())
         return {};
-    const auto whyNot = [&](std::size_t place) {
-        return whole.landmarks[place].isMissing() ? Measures::tr("%1 is not placed").arg(nameOf(set, place))
-                                                  : Measures::tr("%1 is hidden").arg(nameOf(set, place));
+    const auto whyNot = [&](std::size_t index) {
+        return whole.landmarks[index].isMissing() ? Measures::tr("%1 is not placed").arg(nameOf(set, index))
+                                                  : Measures::tr("%1 is hidden").arg(nameOf(set, index));
     };
     const std::optional<landmarks::Symmetry> symmetry = landmarks::symmetryOf(set.landmarks, pairs);
     std::vector<MeasureRow> rows;
@@ -190,14 +192,14 @@ std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
                         {},
                         Measures::tr("none is better than another yet; place more left and right points")});
     }
-    const auto add = [&](const QString &kind, const QString &points, std::size_t place, std::size_t partner) {
+    const auto add = [&](const QString &kind, const QString &points, std::size_t index, std::size_t partner) {
         MeasureRow row{kind, points, {}};
-        if (set.landmarks[place].isMissing() || set.landmarks[partner].isMissing()) {
-            row.value = whyNot(set.landmarks[place].isMissing() ? place : partner);
-        } else if (symmetry && symmetry->asymmetries[place]) {
-            row.number = symmetry->asymmetries[place]->value;
-            row.error = symmetry->asymmetries[place]->error;
-            row.value = lengthText(*symmetry->asymmetries[place], unit);
+        if (set.landmarks[index].isMissing() || set.landmarks[partner].isMissing()) {
+            row.value = whyNot(set.landmarks[index].isMissing() ? index : partner);
+        } else if (symmetry && symmetry->asymmetries[index]) {
+            row.number = symmetry->asymmetries[index]->value;
+            row.error = symmetry->asymmetries[index]->error;
+            row.value = lengthText(*symmetry->asymmetries[index], unit);
         } else {
             return;
         }

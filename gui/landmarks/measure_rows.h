@@ -24,12 +24,12 @@ struct MeasureRow {
 
 /// What can be measured at some points, in their order in the list: the distance of two; the angles of three and their
 /// distances; the height of the fourth over the plane of the three before it; the length along all of them.
-/// @param places  of the points, rising
-std::vector<MeasureRow> measuresOf(const landmarks::LandmarkSet &set, const std::vector<std::size_t> &places);
+/// @param indices  of the points, rising
+std::vector<MeasureRow> measuresOf(const landmarks::LandmarkSet &set, const std::vector<std::size_t> &indices);
 
 /// The length along the surface through these points.
 /// @param line  as SceneCurves has it
-MeasureRow surfaceLengthOf(const landmarks::LandmarkSet &set, const std::vector<std::size_t> &places,
+MeasureRow surfaceLengthOf(const landmarks::LandmarkSet &set, const std::vector<std::size_t> &indices,
                            const SceneCurves::Line &line);
 /// Of a curve, "12.34 ± 0.05 mm", or why there is none.
 QString curveLengthText(const SceneCurves::Line &line, const QString &unit);

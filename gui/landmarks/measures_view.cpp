@@ -109,7 +109,7 @@ std::vector<MeasureRow> MeasuresView::rows() const
     const landmarks::LandmarkSet &set = m_document.scene().landmarks;
     if (m_what->choice() == OfSides)
         return sidesOf(set);
-    const std::vector<std::size_t> &selection = m_document.points().selection();
+    const std::vector<std::size_t> &selection = m_document.sceneLandmarks().selection();
     std::vector<MeasureRow> rows = measuresOf(set, selection);
     if (const SceneCurves::Line *line = m_document.curves().throughSelected())
         rows.push_back(surfaceLengthOf(set, selection, *line));

@@ -18,6 +18,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace landmarks;
+using namespace scene;
+
 namespace {
 
 using namespace landmark_files;
@@ -29,9 +32,9 @@ bool isScan(const std::filesystem::path &file)
     return file.has_extension() && (all.contains(pattern + u' ') || all.contains(pattern + u')'));
 }
 
-std::string nameOrNumber(const LandmarkSet &set, std::size_t place)
+std::string nameOrNumber(const LandmarkSet &set, std::size_t index)
 {
-    return set.landmarks[place].name.empty() ? std::to_string(place + 1) : set.landmarks[place].name;
+    return set.landmarks[index].name.empty() ? std::to_string(index + 1) : set.landmarks[index].name;
 }
 
 /// A scan as its file has it.
@@ -44,7 +47,7 @@ SceneObject asInItsFile(const std::filesystem::path &file, const SceneObject &sh
 bool isStill(const Landmark &now, const Landmark &was)
 {
     constexpr double kRounding = 1e-12;
-    if (!now.world || !was.world || now.hold != was.hold)
+    if (!now.world || !was.world || now.anchor != was.anchor)
         return false;
     const auto &[a, b] = std::pair(now.world->coordinates(), was.world->coordinates());
     const double size = std::max({std::abs(b.x), std::abs(b.y), std::abs(b.z)});
@@ -57,7 +60,7 @@ bool isStill(const Landmark &now, const Landmark &was)
 std::size_t Scan::placedCount() const
 {
     return static_cast<std::size_t>(std::count_if(points.landmarks.begin(), points.landmarks.end(),
-                                                  [](const Landmark &point) { return !point.isMissing(); }));
+                                                  [](const Landmark &landmark) { return !landmark.isMissing(); }));
 }
 
 void readKept(Scan &scan, int placing)
@@ -91,7 +94,7 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
     // Told before the points of the other scene are, which are not this scan's.
     connect(&m_document, &SceneDocument::opened, this, [this] {
         if (m_inView)
-            m_aside = Aside{*m_inView, m_shown.has_value(), m_placing};
+            m_aside = SuspendedScene{*m_inView, m_shown.has_value(), m_placing};
         m_inView = m_shown = std::nullopt;
     });
     connect(&m_session, &Session::opened, this, [this](const QString &lesson, bool isBack) {
@@ -138,7 +141,7 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (!(changes & Change::Landmarks) || !m_shown)
             return;
-        takePoints(m_document.scene().landmarks); // what follows from them is waited for when they are kept
+        takeLandmarks(m_document.scene().landmarks); // what follows from them is waited for when they are kept
         emit this->changed();
     });
 }
@@ -161,7 +164,7 @@ bool ScanSeries::open(const std::filesystem::path &folder)
         return false;
     }
     std::sort(scans.begin(), scans.end(), [](const Scan &a, const Scan &b) { return a.file < b.file; });
-    Former former{m_folder, m_scans, m_names, m_curves, m_inView, m_shown, m_aside, m_placing};
+    PreviousScan former{m_folder, m_scans, m_names, m_curves, m_inView, m_shown, m_aside, m_placing};
     m_aside.reset();
     m_folder = folder;
     m_scans = std::move(scans);
@@ -216,7 +219,7 @@ void ScanSeries::goBack()
     m_former.reset();
 }
 
-QStringList ScanSeries::pointNames() const
+QStringList ScanSeries::landmarkNames() const
 {
     QStringList names;
     for (const Landmark &name : m_names)
@@ -236,14 +239,14 @@ void ScanSeries::step(int by)
     if (m_scans.empty())
         return;
     const auto count = static_cast<int>(m_scans.size());
-    const int from = place() ? static_cast<int>(*place()) : by > 0 ? -1 : count;
+    const int from = index() ? static_cast<int>(*index()) : by > 0 ? -1 : count;
     if (const int to = from + by; to >= 0 && to < count)
         show(static_cast<std::size_t>(to));
 }
 
-void ScanSeries::show(std::size_t place)
+void ScanSeries::show(std::size_t index)
 {
-    Q_ASSERT(place < m_scans.size());
+    Q_ASSERT(index < m_scans.size());
     if (!keep())
         return;
     if (m_shown || (m_aside && m_aside->isShown)) {
@@ -255,11 +258,11 @@ void ScanSeries::show(std::size_t place)
     m_isOpening = true;
     m_wasAsked = false;
     m_former.reset();
-    m_current = place;
-    m_session.openFiles({m_scans[place].file});
+    m_current = index;
+    m_session.openFiles({m_scans[index].file});
     if (m_session.isLoading()) { // what was loaded before it has been given up, and told so
         m_isOpening = true;
-        m_current = place;
+        m_current = index;
     }
     emit changed();
 }
@@ -293,24 +296,24 @@ void ScanSeries::takeShown()
     }
     const SceneObject inFile = asInItsFile(scan.file, m_object);
     const auto tie = [&] { // they are this scan's, and go with it
-        for (Landmark &point : set.landmarks) {
-            if (point.world && point.object.empty())
-                point.object = inFile.name;
+        for (Landmark &landmark : set.landmarks) {
+            if (landmark.world && landmark.object.empty())
+                landmark.object = inFile.name;
         }
     };
     tie();
-    const QString loose = letGo(set.landmarks, {inFile});
+    const QString loose = detachStale(set.landmarks, {inFile});
     tie();
     m_kept = set;
     scan.points = set;
-    if (std::optional<landmarks::LandmarkSet> placed = carried(set, inFile, m_object))
+    if (std::optional<landmarks::LandmarkSet> placed = transformed(set, inFile, m_object))
         set = std::move(*placed);
     static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Points of the scan")}));
     // What was kept is where one begins: undoing leads no further back.
     m_document.undoStack().clear();
     m_document.markSaved();
     m_shown = m_current;
-    m_document.points().waitForNext(std::nullopt);
+    m_document.sceneLandmarks().waitForNext(std::nullopt);
     if (!loose.isEmpty())
         emit warned(QStringLiteral("%1: %2").arg(pathText(landmarksBeside(scan.file, m_placing).filename()), loose));
     emit changed();
@@ -318,7 +321,7 @@ void ScanSeries::takeShown()
 
 void ScanSeries::comeBack()
 {
-    const Aside aside = *std::exchange(m_aside, std::nullopt);
+    const SuspendedScene aside = *std::exchange(m_aside, std::nullopt);
     if (aside.placing != m_placing) {
         m_placing = aside.placing;
         for (Scan &scan : m_scans)
@@ -329,12 +332,12 @@ void ScanSeries::comeBack()
         m_current = m_inView;
     if (aside.isShown) {
         m_shown = m_inView;
-        takePoints(m_document.scene().landmarks);
+        takeLandmarks(m_document.scene().landmarks);
     }
     emit changed();
 }
 
-bool ScanSeries::takePoints(landmarks::LandmarkSet set)
+bool ScanSeries::takeLandmarks(landmarks::LandmarkSet set)
 {
     Scan &scan = m_scans[*m_shown];
     for (const SceneObject &object : m_document.objects()) {
@@ -343,14 +346,14 @@ bool ScanSeries::takePoints(landmarks::LandmarkSet set)
             break;
         }
     }
-    auto points = carried(std::move(set), m_object, asInItsFile(scan.file, m_object));
+    auto points = transformed(std::move(set), m_object, asInItsFile(scan.file, m_object));
     if (!points)
         return false;
     for (std::size_t i = 0; i < std::min(points->landmarks.size(), m_kept.landmarks.size()); ++i) {
-        Landmark &point = points->landmarks[i];
-        if (isStill(point, m_kept.landmarks[i])) { // there and back a turn leaves rounding
-            point.world = m_kept.landmarks[i].world;
-            point.uncertainty = m_kept.landmarks[i].uncertainty;
+        Landmark &landmark = points->landmarks[i];
+        if (isStill(landmark, m_kept.landmarks[i])) { // there and back a turn leaves rounding
+            landmark.world = m_kept.landmarks[i].world;
+            landmark.uncertainty = m_kept.landmarks[i].uncertainty;
         }
     }
     scan.points = std::move(*points);
@@ -382,7 +385,7 @@ bool ScanSeries::keep()
     m_session.commitTyped();
     if (!m_shown)
         return true;
-    if (takePoints(m_document.scene().landmarks) && isAsKept()) {
+    if (takeLandmarks(m_document.scene().landmarks) && isAsKept()) {
         m_scans[*m_shown].points = m_kept;
         if (isScanAlone())
             m_document.markSaved();
@@ -398,7 +401,7 @@ bool ScanSeries::keep()
         return false;
     }
     Scan &scan = m_scans[*m_shown];
-    if (!takePoints(std::move(known).value())) {
+    if (!takeLandmarks(std::move(known).value())) {
         emit failed(
             tr("The points of %1 cannot be kept: by the scale of the object they have no coordinates in its file. "
                "Set its glScale back.")
@@ -424,7 +427,7 @@ bool ScanSeries::keep()
         m_kept = scan.points;
         m_stamp = files::stampOf(file);
         if (!written->empty())
-            emit warned(pointNotesText(pathText(file.filename()), *written));
+            emit warned(landmarkNotesText(pathText(file.filename()), *written));
         emit noticed(tr("Points of %1 kept beside it.").arg(pathText(scan.file.filename())));
     }
     // Whoever did something to the scene is asked about it as ever.

@@ -62,13 +62,13 @@ public:
     const std::vector<Scan> &scans() const { return m_scans; }
     /// The scan that is shown, or that could not be; nothing while another scene is.
     std::optional<std::size_t> current() const { return m_current; }
-    bool hasNext() const { return isOpen() && (!place() || *place() + 1 < m_scans.size()); }
-    bool hasPrevious() const { return isOpen() && place() != std::size_t(0); }
+    bool hasNext() const { return isOpen() && (!index() || *index() + 1 < m_scans.size()); }
+    bool hasPrevious() const { return isOpen() && index() != std::size_t(0); }
     /// The names of all points of all scans, in the order in which they first appear.
-    QStringList pointNames() const;
+    QStringList landmarkNames() const;
 
     /// Keeps the points of the scan that is shown and shows another one. @pre place < scans().size()
-    void show(std::size_t place);
+    void show(std::size_t index);
     void next() { step(1); }
     void previous() { step(-1); }
     /// Which time the series is gone through, counted from 1: the points of each are kept by themselves.
@@ -92,14 +92,14 @@ signals:
 
 private:
     /// A scan that is shown, and was before a lesson.
-    struct Aside {
+    struct SuspendedScene {
         std::size_t inView = 0;
         bool isShown = false; ///< its points are kept
         int placing = 1;
     };
 
     /// Where next and previous count from: in a lesson from the scan that it is left for.
-    std::optional<std::size_t> place() const { return m_current || !m_aside ? m_current : m_aside->inView; }
+    std::optional<std::size_t> index() const { return m_current || !m_aside ? m_current : m_aside->inView; }
     void step(int by);
     bool mayPlaceAs(int placing);
     /// The current scan is in the view: its points come to it.
@@ -108,7 +108,7 @@ private:
     void comeBack();
     /// The scan that is shown gets the scene's points.
     /// @return false where they have no finite coordinates in its file
-    bool takePoints(landmarks::LandmarkSet set);
+    bool takeLandmarks(landmarks::LandmarkSet set);
     /// Whether the points of the scan that is shown are those that were kept. @pre m_shown
     bool isAsKept() const;
     /// To the series before, whose scan is still in the view. @pre m_former
@@ -117,13 +117,13 @@ private:
     bool isScanAlone() const;
 
     /// What was open before a series whose first scan is being loaded.
-    struct Former {
+    struct PreviousScan {
         std::filesystem::path folder;
         std::vector<Scan> scans;
         std::vector<landmarks::Landmark> names;
         std::vector<landmarks::Curve> curves;
         std::optional<std::size_t> inView, shown;
-        std::optional<Aside> aside;
+        std::optional<SuspendedScene> aside;
         int placing = 1;
     };
 
@@ -137,12 +137,12 @@ private:
     bool m_isOpening = false;                 ///< the current scan is being loaded
     std::optional<std::size_t> m_inView;      ///< the scan in the view
     std::optional<std::size_t> m_shown;       ///< the same where its points are kept: not where their file is damaged
-    std::optional<Aside> m_aside;             ///< the scan in the view, while a lesson is there instead
+    std::optional<SuspendedScene> m_aside;    ///< the scan in the view, while a lesson is there instead
     scene::SceneObject m_object;              ///< it, as it was last in the scene
     landmarks::LandmarkSet m_kept;            ///< its points as they were read or last written
     files::FileStamp m_stamp;                 ///< of their file then
     int m_placing = 1;
-    std::optional<Former> m_former;
+    std::optional<PreviousScan> m_former;
     bool m_wasAsked = false; ///< whether the scene before may be left, since the current scan is being loaded
 };
 

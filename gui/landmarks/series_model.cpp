@@ -13,11 +13,11 @@
 namespace unprojector::gui {
 
 SeriesModel::SeriesModel(ScanSeries &series, QObject *parent)
-    : QAbstractTableModel(parent), m_series(series), m_names(series.pointNames()),
+    : QAbstractTableModel(parent), m_series(series), m_names(series.landmarkNames()),
       m_rows(static_cast<int>(series.scans().size()))
 {
     connect(&m_series, &ScanSeries::changed, this, [this] {
-        QStringList names = m_series.pointNames();
+        QStringList names = m_series.landmarkNames();
         const int rows = static_cast<int>(m_series.scans().size());
         if (names == m_names && rows == m_rows) {
             if (rows > 0)
@@ -38,7 +38,7 @@ int SeriesModel::rowCount(const QModelIndex &parent) const
 
 int SeriesModel::columnCount(const QModelIndex &parent) const
 {
-    return parent.isValid() ? 0 : FirstPoint + static_cast<int>(m_names.size());
+    return parent.isValid() ? 0 : FirstLandmark + static_cast<int>(m_names.size());
 }
 
 QVariant SeriesModel::text(const QModelIndex &index) const
@@ -48,11 +48,11 @@ QVariant SeriesModel::text(const QModelIndex &index) const
         return pathText(scan.file.filename());
     if (index.column() == Placed)
         return scan.problem.isEmpty() ? tr("%1 of %2").arg(scan.placedCount()).arg(m_names.size()) : tr("not read");
-    const QString &name = m_names[index.column() - FirstPoint];
+    const QString &name = m_names[index.column() - FirstLandmark];
     const auto &points = scan.points.landmarks;
-    const auto found = std::find_if(points.begin(), points.end(), [&](const landmarks::Landmark &point) {
-        const QString own =
-            point.name.empty() ? QString::number(&point - points.data() + 1) : QString::fromStdString(point.name);
+    const auto found = std::find_if(points.begin(), points.end(), [&](const landmarks::Landmark &landmark) {
+        const QString own = landmark.name.empty() ? QString::number(&landmark - points.data() + 1)
+                                                  : QString::fromStdString(landmark.name);
         return own.compare(name, Qt::CaseInsensitive) == 0;
     });
     return found == points.end() || found->isMissing() ? QStringLiteral("–") : QStringLiteral("●");
@@ -74,7 +74,7 @@ QVariant SeriesModel::data(const QModelIndex &index, int role) const
         font.setBold(isCurrent);
         return isCurrent ? QVariant(font) : QVariant();
     }
-    case Qt::TextAlignmentRole: return index.column() >= FirstPoint ? QVariant(Qt::AlignCenter) : QVariant();
+    case Qt::TextAlignmentRole: return index.column() >= FirstLandmark ? QVariant(Qt::AlignCenter) : QVariant();
     case Qt::ForegroundRole:
         return scan.placedCount() == 0 ? QVariant(QGuiApplication::palette().brush(QPalette::PlaceholderText))
                                        : QVariant();
@@ -90,7 +90,7 @@ QVariant SeriesModel::headerData(int section, Qt::Orientation orientation, int r
         return tr("Scan");
     if (section == Placed)
         return tr("Placed");
-    return m_names.value(section - FirstPoint);
+    return m_names.value(section - FirstLandmark);
 }
 
 } // namespace unprojector::gui

@@ -11,7 +11,7 @@ class ScanSeries;
 class SeriesModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { Scan, Placed, FirstPoint };
+    enum Column { Scan, Placed, FirstLandmark };
 
     explicit SeriesModel(ScanSeries &series, QObject *parent = nullptr);
 

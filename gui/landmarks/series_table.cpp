@@ -18,6 +18,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace landmarks;
+
 namespace {
 
 using namespace landmark_files;
@@ -42,8 +45,8 @@ std::vector<LandmarkSet> alignedSets(const std::vector<Scan> &scans, std::vector
         std::vector<Landmark> inOrder;
         std::vector<Landmark> left = std::move(set.landmarks);
         for (const Landmark &name : names) {
-            const auto found = std::find_if(left.begin(), left.end(), [&](const Landmark &point) {
-                return QString::fromStdString(point.name)
+            const auto found = std::find_if(left.begin(), left.end(), [&](const Landmark &landmark) {
+                return QString::fromStdString(landmark.name)
                            .compare(QString::fromStdString(name.name), Qt::CaseInsensitive)
                        == 0;
             });
@@ -150,12 +153,12 @@ Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, Se
                                             QString::fromStdString(files::fileErrorText(written.error())));
     if (!problems.isEmpty())
         problems.prepend(Texts::tr("Not in %1, since they could not be read:").arg(pathText(file.filename())));
-    if (const QString lost = pointNotesText(pathText(file.filename()), text->notes); !lost.isEmpty())
+    if (const QString lost = landmarkNotesText(pathText(file.filename()), text->notes); !lost.isEmpty())
         problems << lost;
     const QString warning = problems.join(u'\n');
     if (table == SeriesTable::Repeats)
-        return WrittenSeries{warning,
-                             inARow({Texts::tr("Repeats written to %1.").arg(pathText(file.filename())), ofRepeats})};
+        return WrittenSeries{
+            warning, joinSentences({Texts::tr("Repeats written to %1.").arg(pathText(file.filename())), ofRepeats})};
     const std::size_t without = scans.size() - sets.size();
     return WrittenSeries{
         warning, without > 0 ? Texts::tr("Scans written to %1: %2. Not in it, without a point: %3.")

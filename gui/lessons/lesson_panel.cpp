@@ -24,6 +24,8 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 constexpr int kWidth = 340;
@@ -91,7 +93,7 @@ LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget 
     m_steps->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     connect(m_steps, &QComboBox::activated, this, [this](int place) {
         if (!m_player.goTo(static_cast<std::size_t>(place)))
-            m_steps->setCurrentIndex(static_cast<int>(m_player.place()));
+            m_steps->setCurrentIndex(static_cast<int>(m_player.index()));
     });
 
     m_text->setFrameShape(QFrame::NoFrame);
@@ -182,7 +184,7 @@ void LessonPanel::showStep()
                                  .arg(count)
                                  .arg(lessonTitle(lesson->steps[static_cast<std::size_t>(i)].title)));
         }
-        const int place = static_cast<int>(m_player.place());
+        const int place = static_cast<int>(m_player.index());
         m_steps->setCurrentIndex(place);
         m_back->setEnabled(m_player.hasPrevious());
         m_next->setText(m_player.hasNext() ? tr("Next ›") : tr("Finish"));
@@ -224,7 +226,7 @@ void LessonPanel::showHint()
     QString hint;
     if (m_player.lesson() && !m_player.isAsTheStep())
         hint = tr("The picture is not as the step has it. <a href='restart:'>Put it back</a>");
-    else if (const Surface surface = m_document.picture().surface; m_player.lesson() && !m_player.hasViewOfStep())
+    else if (const Surface surface = m_document.setup().surface; m_player.lesson() && !m_player.hasViewOfStep())
         hint = tr("The pixels that are spoken of are those of a view of <a href='view:%1x%2'>%1 × %2</a>. This one is "
                   "%3 × %4.")
                    .arg(m_player.step().view->x)

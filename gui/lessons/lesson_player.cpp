@@ -12,6 +12,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+
 namespace {
 
 std::optional<std::string> resource(const QString &name)
@@ -98,14 +101,14 @@ QString LessonPlayer::startAt(const QString &nameAndStep)
         .arg(nameAndStep, names.join(QStringLiteral(", ")));
 }
 
-bool LessonPlayer::goTo(std::size_t place)
+bool LessonPlayer::goTo(std::size_t index)
 {
-    return show(*m_lesson, place);
+    return show(*m_lesson, index);
 }
 
-bool LessonPlayer::show(const Lesson &lesson, std::size_t place)
+bool LessonPlayer::show(const Lesson &lesson, std::size_t index)
 {
-    const lessons::Step &step = lesson.steps.at(place);
+    const lessons::Step &step = lesson.steps.at(index);
     // What is done in a scene that the next step goes on with stays.
     const bool goesOn = m_lesson == &lesson && this->step().scene == step.scene;
     if (!m_lesson)
@@ -115,7 +118,7 @@ bool LessonPlayer::show(const Lesson &lesson, std::size_t place)
     else if (!open(lesson, step))
         return false;
     m_lesson = &lesson;
-    m_place = place;
+    m_index = index;
     m_isRevealed = false;
     emit changed();
     return true;
@@ -147,8 +150,8 @@ bool LessonPlayer::isAsTheStep() const
     if (!m_shown)
         return false;
     const Scene &now = m_document.scene();
-    const Result<Picture> picture = pictureOf(*m_shown, m_document.picture().surface, m_document.ground().box);
-    return picture && *picture == m_document.picture() && now.clipPlanes == m_shown->clipPlanes
+    const Result<Setup> setup = setupOf(*m_shown, m_document.setup().surface, m_document.ground().box);
+    return setup && *setup == m_document.setup() && now.clipPlanes == m_shown->clipPlanes
            && haveSameTransforms(now, *m_shown);
 }
 
@@ -164,14 +167,14 @@ bool LessonPlayer::restart()
 
 bool LessonPlayer::hasViewOfStep() const
 {
-    const Surface &surface = m_document.picture().surface;
+    const Surface &surface = m_document.setup().surface;
     return !step().view || *step().view == glm::ivec2(surface.widthPixels, surface.heightPixels);
 }
 
 std::optional<double> LessonPlayer::answer() const
 {
     // Of the step as it is written, whatever was done to its scene.
-    const auto numbers = lessons::LessonNumbers::of(*m_lesson, m_document.picture().surface);
+    const auto numbers = lessons::LessonNumbers::of(*m_lesson, m_document.setup().surface);
     if (!numbers)
         return std::nullopt;
     const auto values = numbers->values(step().id, step().question->answer);
@@ -186,7 +189,7 @@ void LessonPlayer::reveal()
 
 std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const
 {
-    const Surface &surface = m_document.picture().surface;
+    const Surface &surface = m_document.setup().surface;
     std::map<std::string, lessons::StepPoint> points;
     if (const auto found = step().points.find(point); found != step().points.end()) {
         points.insert(*found);
@@ -222,7 +225,7 @@ bool LessonPlayer::change(const std::string &name)
             tr("The scene as it is now cannot be changed so. Put it back as the step has it. (%1)").arg(reason));
         return false;
     };
-    const auto settings = lessons::settingsWith(m_document.scene(), m_document.picture(), found->second);
+    const auto settings = lessons::settingsWith(m_document.scene(), m_document.setup(), found->second);
     if (!settings)
         return refuse(QString::fromStdString(settings.error().text));
     const Check done = m_document.edit({tr("Change by the Lesson")},

@@ -28,9 +28,9 @@ public:
     /// Null while there is none.
     const Lesson *lesson() const { return m_lesson; }
     /// The place of the step in the lesson.
-    std::size_t place() const { return m_place; }
+    std::size_t index() const { return m_index; }
     /// @pre lesson()
-    const lessons::Step &step() const { return m_lesson->steps[m_place]; }
+    const lessons::Step &step() const { return m_lesson->steps[m_index]; }
 
     // Nothing is asked about what was done in a step's scene, unless that was saved under a name: the steps tell to do it. Nor
     // about the scene that was shown before, which comes back. Where the user stays, nothing has changed, and false is
@@ -42,13 +42,13 @@ public:
     /// @return an error of the option --lesson where there is no such step; else empty
     QString startAt(const QString &nameAndStep);
     /// @pre lesson(), place < its number of steps
-    bool goTo(std::size_t place);
-    bool hasNext() const { return m_lesson && m_place + 1 < m_lesson->steps.size(); }
-    bool hasPrevious() const { return m_lesson && m_place > 0; }
+    bool goTo(std::size_t index);
+    bool hasNext() const { return m_lesson && m_index + 1 < m_lesson->steps.size(); }
+    bool hasPrevious() const { return m_lesson && m_index > 0; }
     /// @pre hasNext()
-    bool next() { return goTo(m_place + 1); }
+    bool next() { return goTo(m_index + 1); }
     /// @pre hasPrevious()
-    bool previous() { return goTo(m_place - 1); }
+    bool previous() { return goTo(m_index - 1); }
     /// Ends the lesson and shows again what was shown before it, its unsaved changes included.
     bool leave();
     /// Ends the lesson, if there is one, and leaves what is shown.
@@ -69,9 +69,9 @@ public:
     /// @pre the step asks
     void reveal();
     /// Where to click for a point that the step names; nothing where it is not in the picture as it is now.
-    std::optional<DevicePixel> pixelOf(const std::string &point) const;
+    std::optional<geometry::DevicePixel> pixelOf(const std::string &point) const;
     /// The same for somebody who clicks there: the click comes back where the picture is put back.
-    std::optional<DevicePixel> clickedPixel(const std::string &point);
+    std::optional<geometry::DevicePixel> clickedPixel(const std::string &point);
 
     /// Does what a link set:NAME of the step says, undoably.
     /// @return false where it cannot, which `failed` tells
@@ -88,7 +88,7 @@ signals:
     void failed(const QString &reason);
 
 private:
-    bool show(const Lesson &lesson, std::size_t place);
+    bool show(const Lesson &lesson, std::size_t index);
     bool open(const Lesson &lesson, const lessons::Step &step);
 
     SceneDocument &m_document;
@@ -96,10 +96,10 @@ private:
     std::vector<Lesson> m_lessons;
     bool m_areRead = false;
     const Lesson *m_lesson = nullptr; ///< one of m_lessons
-    std::size_t m_place = 0;
+    std::size_t m_index = 0;
     bool m_isRevealed = false;
-    std::optional<Scene> m_shown; ///< the step's, as it was opened
-    std::string m_clicked;        ///< by a link, in this scene, last; empty: nothing
+    std::optional<scene::Scene> m_shown; ///< the step's, as it was opened
+    std::string m_clicked;               ///< by a link, in this scene, last; empty: nothing
 };
 
 } // namespace unprojector::gui

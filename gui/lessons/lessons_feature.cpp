@@ -6,9 +6,9 @@
 #include "gui/document/session.h"
 #include "gui/lessons/first_steps.h"
 #include "gui/lessons/formulas_window.h"
+#include "gui/lessons/lesson_layout.h"
 #include "gui/lessons/lesson_panel.h"
 #include "gui/lessons/lesson_player.h"
-#include "gui/lessons/lesson_stage.h"
 #include "gui/lessons/lesson_text.h"
 #include "gui/view/scene_view.h"
 #include "gui/widgets/help_link.h"
@@ -56,7 +56,7 @@ private:
     Window &m_window;
     LessonPlayer *m_player;
     LessonPanel *m_panel;
-    LessonStage *m_stage;
+    LessonLayout *m_stage;
     FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
     FirstSteps *m_firstSteps = nullptr;   ///< the same
     bool m_areFirstStepsShown = false;    ///< where they are seen
@@ -64,10 +64,10 @@ private:
 
 LessonsFeature::LessonsFeature(Window &window)
     : Feature(&window), m_window(window), m_player(new LessonPlayer(window.document(), window.session(), this)),
-      m_panel(new LessonPanel(*m_player, window.document())), m_stage(new LessonStage(window, *m_player))
+      m_panel(new LessonPanel(*m_player, window.document())), m_stage(new LessonLayout(window, *m_player))
 {
-    connect(m_player, &LessonPlayer::aboutToBegin, m_stage, &LessonStage::remember);
-    connect(m_player, &LessonPlayer::changed, m_stage, &LessonStage::showStep);
+    connect(m_player, &LessonPlayer::aboutToBegin, m_stage, &LessonLayout::remember);
+    connect(m_player, &LessonPlayer::changed, m_stage, &LessonLayout::showStep);
     connect(m_player, &LessonPlayer::changed, this, &LessonsFeature::placeFirstSteps);
     connect(m_player, &LessonPlayer::revealed, m_stage, [this] {
         m_stage->showPanels();
@@ -110,9 +110,9 @@ void LessonsFeature::connectWorkspaces()
         if (panel == Panel::Lesson)
             m_panel->setClosesItself(!hasTitleBar);
     });
-    connect(&workspaces, &Workspaces::laidOut, m_stage, &LessonStage::arrange);
+    connect(&workspaces, &Workspaces::laidOut, m_stage, &LessonLayout::arrange);
     connect(&workspaces, &Workspaces::laidOut, this, &LessonsFeature::placeFirstSteps);
-    connect(&workspaces, &Workspaces::panelsHidden, &m_stage->viewSize(), &ViewSize::wantAgain);
+    connect(&workspaces, &Workspaces::panelsHidden, &m_stage->viewSize(), &ViewResizer::wantAgain);
     connect(&workspaces, &Workspaces::closed, this, [this](Panel panel) {
         if (panel == Panel::Lesson)
             leaveOrStay();

@@ -15,6 +15,7 @@
 #include <QMenu>
 
 namespace unprojector::gui {
+using namespace unproject;
 
 class MapFeature : public Feature {
     Q_OBJECT

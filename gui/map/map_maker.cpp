@@ -6,6 +6,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
 
 /// What rays meet of a picture. Whoever has it has the models too.
 struct MapMaker::Seen {
@@ -41,14 +44,14 @@ MapMaker::Answer MapMaker::answerOf(const maps::Question &question, std::shared_
         return {seen, nullptr, map.error()};
     if (!*map)
         return {seen, nullptr, std::nullopt};
-    const MadeMap made{**map, maps::statisticsOf(**map), question, seen->unprojector.picture(), seen->rays.hasPoints()};
+    const MadeMap made{**map, maps::statisticsOf(**map), question, seen->unprojector.setup(), seen->rays.hasPoints()};
     return {seen, std::make_shared<const MadeMap>(made), std::nullopt};
 }
 
 MapMaker::MapMaker(const SceneDocument &document, QObject *parent) : QObject(parent), m_document(document)
 {
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & kSeen) {
+        if (changes & kVisibleChanges) {
             cancel();
             m_seen.reset(); // it holds the models of a scene that is gone, too
         }

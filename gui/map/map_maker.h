@@ -16,7 +16,7 @@ struct MadeMap {
     maps::PixelMap map;
     maps::MapStatistics statistics;
     maps::Question question;
-    Picture picture;
+    geometry::Setup setup;
     bool leavesPointsOut = false; ///< the scene has points of clouds, which maps are not of
 };
 

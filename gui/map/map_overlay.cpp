@@ -16,6 +16,8 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 /// A picture that has not changed for so long is at rest.
@@ -31,7 +33,7 @@ MapOverlay::MapOverlay(SceneDocument &document, SceneView &view)
     m_rest.setInterval(kRestMilliseconds);
     connect(&m_rest, &QTimer::timeout, this, &MapOverlay::ask);
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (m_isShown && (changes & kSeen)) {
+        if (m_isShown && (changes & kVisibleChanges)) {
             drop();
             m_panel->setNote(tr("The map comes when the view rests."));
             m_rest.start();
@@ -149,7 +151,7 @@ void MapOverlay::tellValue()
         m_panel->setValue({});
         return;
     }
-    const Result<DevicePixel> pixel = devicePixelFromWidget(m_map->picture.surface, *m_pointer);
+    const Result<DevicePixel> pixel = devicePixelFromWidget(m_map->setup.surface, *m_pointer);
     const float number = pixel ? m_map->map.at(*pixel) : std::nanf("");
     m_panel->setValue(std::isnan(number) ? tr("no number here")
                                          : tr("here: %1").arg(significantText(static_cast<double>(number), 4)));
@@ -158,7 +160,7 @@ void MapOverlay::tellValue()
 /// The colours with their scale and what they are below.
 QImage MapOverlay::withScale() const
 {
-    const qreal ratio = m_map->picture.surface.devicePixelRatio;
+    const qreal ratio = m_map->setup.surface.devicePixelRatio;
     const QFont font = m_panel->font();
     const QFontMetrics metrics(font);
     const int margin = metrics.height() / 2;

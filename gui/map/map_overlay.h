@@ -32,7 +32,7 @@ public:
     const QImage &image() const { return m_image; }
 
     /// Tells the number under the pointer.
-    void setPointer(const std::optional<WidgetPoint> &position);
+    void setPointer(const std::optional<geometry::WidgetPoint> &position);
     /// Writes it, by the suffix as PFM or PNG.
     /// @return what went wrong, or nothing
     QString exportTo(const std::filesystem::path &file) const;
@@ -56,7 +56,7 @@ private:
     std::shared_ptr<const MadeMap> m_map;
     LogScale m_scale;
     QImage m_image;
-    std::optional<WidgetPoint> m_pointer;
+    std::optional<geometry::WidgetPoint> m_pointer;
     bool m_isShown = false;
 };
 

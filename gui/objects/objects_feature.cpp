@@ -12,7 +12,7 @@ class ObjectsFeature : public Feature {
 public:
     explicit ObjectsFeature(Window &window) : Feature(&window), m_panel(new ObjectsPanel(window.document()))
     {
-        connect(&window.session(), &Session::typedToCount, m_panel, &ObjectsPanel::applyTyped);
+        connect(&window.session(), &Session::commitPendingEdits, m_panel, &ObjectsPanel::applyTyped);
     }
 
     std::vector<PanelSpec> panels() override

@@ -17,6 +17,8 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace scene;
+
 namespace {
 
 const QString kRowType = QStringLiteral("application/x-unprojector-object-row");
@@ -41,10 +43,10 @@ ObjectsModel::ObjectsModel(SceneDocument &document, QObject *parent)
 
 int ObjectsModel::rowAfterReset(int row) const
 {
-    const auto place = static_cast<std::size_t>(row);
-    if (row < 0 || place >= m_before.size())
+    const auto index = static_cast<std::size_t>(row);
+    if (row < 0 || index >= m_before.size())
         return -1;
-    const std::optional<std::size_t> now = placeAfter(m_before, place, m_listed);
+    const std::optional<std::size_t> now = indexAfter(m_before, index, m_listed);
     return now ? static_cast<int>(*now) : -1;
 }
 

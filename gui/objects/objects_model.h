@@ -7,7 +7,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace scene;
 
 class SceneDocument;
 
@@ -43,11 +42,11 @@ signals:
     void nameAccepted();
 
 private:
-    QString toolTip(const SceneObject &object) const;
+    QString toolTip(const scene::SceneObject &object) const;
 
     SceneDocument &m_document;
-    std::vector<SceneObject> m_listed; ///< as the rows show them
-    std::vector<SceneObject> m_before; ///< the last reset
+    std::vector<scene::SceneObject> m_listed; ///< as the rows show them
+    std::vector<scene::SceneObject> m_before; ///< the last reset
 };
 
 } // namespace unprojector::gui

@@ -15,6 +15,9 @@
 #include <vector>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 constexpr double kSignPixels = 30.0;
@@ -37,7 +40,7 @@ glm::vec4 withAlpha(glm::vec4 color, float alpha)
 
 } // namespace
 
-double cameraSignSize(const Picture &observer, const WorldPoint &point)
+double cameraSignSize(const Setup &observer, const WorldPoint &point)
 {
     return kSignPixels * worldPerLogicalPixel(observer, point);
 }
@@ -171,7 +174,7 @@ void ObserverOverlay::drawPick(const ObserverPicture &p)
         m_points.draw(point, clipFromWorld, sizePixels(p), pixelRatio(p), mark);
     };
     // The panel shows the given point outside the view volume, too.
-    if (const std::optional<WorldPoint> given = givenWorld(m_document.scene(), m_document.picture());
+    if (const std::optional<WorldPoint> given = givenWorld(m_document.scene(), m_document.setup());
         given && p.holds(*given)) {
         glDisable(GL_DEPTH_TEST);
         drawMark(*given, PickPainter::Mark::Given);

@@ -14,7 +14,7 @@
 namespace unprojector::gui {
 
 /// World size of the camera's sign at a point of the picture: always as many pixels, because it is a sign, not a thing.
-double cameraSignSize(const Picture &observer, const WorldPoint &point);
+double cameraSignSize(const geometry::Setup &observer, const geometry::WorldPoint &point);
 
 /// What View from Outside draws over the objects: ground, clip planes, the view volume, the camera's sign, the points and the
 /// ray. All calls need the OpenGL context current.
@@ -29,12 +29,12 @@ public:
     /// Onto a framebuffer that has the objects' colours and depths; it leaves the depths as they are.
     /// @param hotPlane       the plane that a hand drags or may drag
     /// @param hasCameraAxes  whether the axes s, u and f stand at the camera's sign
-    void draw(const ObserverPicture &p, std::optional<ClipPlane> hotPlane, bool hasCameraAxes);
+    void draw(const ObserverPicture &p, std::optional<geometry::ClipPlane> hotPlane, bool hasCameraAxes);
 
 private:
     void drawGround(const ObserverPicture &p);
     void drawClipPlanes(const ObserverPicture &p);
-    void drawVolume(const ObserverPicture &p, std::optional<ClipPlane> hotPlane);
+    void drawVolume(const ObserverPicture &p, std::optional<geometry::ClipPlane> hotPlane);
     void drawCamera(const ObserverPicture &p, bool hasAxes);
     void drawPick(const ObserverPicture &p);
     void drawWrong(const ObserverPicture &p);

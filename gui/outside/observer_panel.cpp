@@ -24,6 +24,9 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 constexpr int kSteps = 1000;
@@ -176,7 +179,7 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     connect(m_toDock, &QToolButton::clicked, this, [this] { emit dockRequested(m_close->isVisible()); });
     connect(m_close, &QToolButton::clicked, this, &ObserverPanel::closeRequested);
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & (Change::Picture | Change::Pick))
+        if (changes & (Change::Setup | Change::Pick))
             showDistances();
     });
     m_outOfSight = new QPushButton(tr("× out of sight: show it"));
@@ -214,7 +217,7 @@ void ObserverPanel::showMorph(double t)
 
 void ObserverPanel::showDistances()
 {
-    const Projection &projection = m_document.picture().projection();
+    const Projection &projection = m_document.setup().projection();
     m_help->setAnchor(helpAnchorOfSteps(kindOf(projection)));
     const ProjectionWindow w = projectionWindow(projection);
     constexpr int kDigits = 5;

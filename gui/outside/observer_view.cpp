@@ -18,6 +18,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+
 namespace {
 
 /// The keys that this view takes before the window's shortcuts see them.
@@ -55,8 +58,8 @@ ObserverView::ObserverView(SceneDocument &document, QWidget *parent)
             m_drag = Drag::None;
             setHotPlane(std::nullopt);
         }
-        m_isStale |= bool(changes & kSeen);
-        if (changes & (kSeen | Change::Pick | Change::GivenPoint | Change::WrongPoints))
+        m_isStale |= bool(changes & kVisibleChanges);
+        if (changes & (kVisibleChanges | Change::Pick | Change::GivenPoint | Change::WrongPoints))
             update();
     });
 }
@@ -120,7 +123,7 @@ void ObserverView::updateSurface()
 
 void ObserverView::placeObserver()
 {
-    const Picture &g = m_document.picture();
+    const Setup &g = m_document.setup();
     const bool isResized = !m_isTouched && m_placedFor != g.surface;
     if (m_isPlaced && !isResized)
         return;
@@ -136,7 +139,7 @@ void ObserverView::placeObserver()
 
 void ObserverView::fit()
 {
-    const Picture &g = m_document.picture();
+    const Setup &g = m_document.setup();
     const Result<EyeFrame> frame = eyeFrame(g.camera());
     const Result<ViewVolumeMorph> morph = viewVolumeMorph(g.projection());
     if (!frame || !morph)
@@ -148,14 +151,14 @@ void ObserverView::fit()
             framing.add(point);
         for (const WrongPointMark &mark : m_document.picks().wrongPoints())
             framing.add(mark.got);
-        m_observer.camera() = framing.picture().camera();
+        m_observer.camera() = framing.setup().camera();
         // The camera's sign has a constant size in the picture: how large it is follows from the first try.
         const double size = cameraSignSize(m_observer, frame->eye);
         for (const WorldVector &axis : {frame->side, frame->upward, frame->forward}) {
             for (const double sign : {-1.0, 1.0})
                 framing.add(frame->eye + axis * (sign * size));
         }
-        m_observer.camera() = framing.picture().camera();
+        m_observer.camera() = framing.setup().camera();
     }
     update();
 }
@@ -164,7 +167,7 @@ std::optional<ObserverPicture> ObserverView::picture() const
 {
     Box extent = m_document.bounds();
     extent.add(m_document.ground().box);
-    return observerPicture(m_document.picture(), extent, m_reference, m_observer, m_t);
+    return observerPicture(m_document.setup(), extent, m_reference, m_observer, m_t);
 }
 
 std::optional<QPointF> ObserverView::placeOf(const WorldPoint &point) const
@@ -316,7 +319,7 @@ void ObserverView::zoom(const QPointF &position, double notches)
     const double scale = worldPerLogicalPixel(m_observer, m_observer.camera().center);
     const WorldPoint anchor = m_observer.camera().center + frame->side * ((position.x() - width() / 2.0) * scale)
                               - frame->upward * ((position.y() - height() / 2.0) * scale);
-    Picture next = zoomed(m_observer, anchor, zoomFactor(notches));
+    Setup next = zoomed(m_observer, anchor, zoomFactor(notches));
     // Closer than this the picture would lose its digits, farther off it shows nothing.
     const double away = distance(next.camera().center, next.camera().eye);
     if (away < 1e-3 * m_reference.scale || away > 1e3 * m_reference.scale || !check(next))

@@ -31,9 +31,9 @@ public:
     /// Shows the eye, the view volume and the points that another program got fully, from the direction that the observer looks in.
     void fit();
 
-    const LookAt &observer() const { return m_observer.camera(); }
+    const geometry::LookAt &observer() const { return m_observer.camera(); }
     /// Where a world point stands in this view's picture, logical pixels; nothing when it has no place in it.
-    std::optional<QPointF> placeOf(const WorldPoint &point) const;
+    std::optional<QPointF> placeOf(const geometry::WorldPoint &point) const;
     /// What of a lesson is written into the picture as it is now.
     HighlightMarks highlightMarks() const;
 
@@ -73,11 +73,11 @@ private:
     void drawHighlighted();
 
     /// The plane whose edge is under the pointer, in the hand.
-    std::optional<ClipPlaneDrag> planeAt(const QPointF &position) const;
+    std::optional<geometry::ClipPlaneDrag> planeAt(const QPointF &position) const;
     void dragPlane(const QPointF &position);
-    void setHotPlane(const std::optional<ClipPlaneDrag> &drag);
+    void setHotPlane(const std::optional<geometry::ClipPlaneDrag> &drag);
     /// A hand moves the observer.
-    void setCamera(const LookAt &camera);
+    void setCamera(const geometry::LookAt &camera);
     /// By steps of the arrow keys.
     void turn(int right, int down);
     void zoom(const QPointF &position, double notches);
@@ -86,19 +86,19 @@ private:
     ObserverOverlay m_overlay;
 
     glm::dmat4 m_drawnFrom{0.0}; ///< clipFromWorld of the frame, whether or not it could be drawn
-    Surface m_drawnOn;           ///< the same of its surface
+    geometry::Surface m_drawnOn; ///< the same of its surface
     double m_t = 0.0;
     std::set<lessons::Highlight> m_highlights;
-    Picture m_observer;
-    Placement m_reference; ///< where the cube stands
+    geometry::Setup m_observer;
+    geometry::Placement m_reference; ///< where the cube stands
     bool m_isPlaced = false;
     bool m_isTouched = false; ///< a hand has moved the observer
     bool m_areWrongPointsSeen = true;
-    Surface m_placedFor; ///< the first view's surface when the observer was placed
+    geometry::Surface m_placedFor; ///< the first view's surface when the observer was placed
 
     Drag m_drag = Drag::None;
-    std::optional<ClipPlaneDrag> m_planeDrag;
-    std::optional<ClipPlane> m_hotPlane;
+    std::optional<geometry::ClipPlaneDrag> m_planeDrag;
+    std::optional<geometry::ClipPlane> m_hotPlane;
     QPointF m_lastPosition;
     QString m_gesture; ///< the drag that is under way, undone as one
     int m_gestureCount = 0;

@@ -16,6 +16,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+
 namespace {
 
 constexpr int kEquationDigits = 3;
@@ -36,8 +39,8 @@ Lines linesOf(const Scene &scene)
     for (const glm::dvec4 &plane : scene.clipPlanes)
         lines.push_back({plane, true});
     for (const ClipPlaneOff &off : scene.clipPlanesOff) {
-        const std::size_t place = std::min(off.place, lines.size());
-        lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(place), {off.plane, false, off.extra});
+        const std::size_t index = std::min(off.index, lines.size());
+        lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(index), {off.plane, false, off.extra});
     }
     return lines;
 }

@@ -16,7 +16,7 @@ public:
 
 protected:
     void showScene() override;
-    void setDefaults(Scene &scene) const override;
+    void setDefaults(scene::Scene &scene) const override;
 
 private:
     struct Row {

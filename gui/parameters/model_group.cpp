@@ -19,6 +19,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+
 namespace {
 
 constexpr int kCallDigits = 5;
@@ -125,18 +128,18 @@ const std::vector<TransformStep> &ModelGroup::steps() const
 {
     static const std::vector<TransformStep> none;
     const std::vector<SceneObject> &objects = document().objects();
-    const std::optional<std::size_t> shown = m_shown->place();
+    const std::optional<std::size_t> shown = m_shown->index();
     return shown ? objects[*shown].transform : none;
 }
 
 bool ModelGroup::changeSteps(const QString &text, const std::function<void(std::vector<TransformStep> &)> &edit)
 {
-    return change(text, [&](Scene &scene) { edit(scene.objects[m_shown->place().value()].transform); });
+    return change(text, [&](Scene &scene) { edit(scene.objects[m_shown->index().value()].transform); });
 }
 
 void ModelGroup::addStep(const TransformStep &step, const QString &text, bool byKeyboard)
 {
-    if (m_shown->place() && changeSteps(text, [&](auto &list) { list.push_back(step); }) && !m_rows.empty())
+    if (m_shown->index() && changeSteps(text, [&](auto &list) { list.push_back(step); }) && !m_rows.empty())
         bringUp(m_rows.back().first, byKeyboard);
 }
 
@@ -166,7 +169,7 @@ void ModelGroup::removeStep(std::size_t step, bool byKeyboard)
 
 void ModelGroup::removeObject()
 {
-    const std::optional<std::size_t> shown = m_shown->place();
+    const std::optional<std::size_t> shown = m_shown->index();
     if (!shown)
         return;
     restoreFields();
@@ -176,13 +179,13 @@ void ModelGroup::removeObject()
 void ModelGroup::showObjects()
 {
     const std::vector<SceneObject> &objects = document().objects();
-    if (!m_shown->place()) {
+    if (!m_shown->index()) {
         // What was typed for the one that went is not meant for the one that takes its place.
         m_rowsOf.reset();
         if (!objects.empty())
             m_shown->choose(std::min(m_shown->lastPlace(), objects.size() - 1));
     }
-    const int shown = objects.empty() ? -1 : static_cast<int>(*m_shown->place());
+    const int shown = objects.empty() ? -1 : static_cast<int>(*m_shown->index());
     QStringList names;
     for (const SceneObject &object : objects)
         names << readName(object.name, objects);
@@ -203,7 +206,7 @@ void ModelGroup::showObjects()
 
 void ModelGroup::setDefaults(Scene &scene) const
 {
-    if (const std::optional<std::size_t> shown = m_shown->place())
+    if (const std::optional<std::size_t> shown = m_shown->index())
         scene.objects[*shown].transform.clear();
 }
 
@@ -213,9 +216,9 @@ void ModelGroup::showScene()
     std::vector<std::size_t> kinds;
     for (const TransformStep &step : steps())
         kinds.push_back(step.index());
-    if (kinds != m_shownKinds || m_rowsOf != m_shown->place()) {
+    if (kinds != m_shownKinds || m_rowsOf != m_shown->index()) {
         m_shownKinds = std::move(kinds);
-        m_rowsOf = m_shown->place();
+        m_rowsOf = m_shown->index();
         rebuildRows();
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i)
@@ -290,7 +293,7 @@ ModelGroup::Row ModelGroup::makeRow(std::size_t step)
                                  ? tr("Axis of the rotation, %1; its length does not matter (glRotate: %1)").arg(axis)
                              : isScale ? tr("Factor along %1, not 0 (glScale: %1)").arg(axis)
                                        : tr("Way along %1, world units (glTranslate: %1)").arg(axis);
-        const std::size_t object = m_shown->place().value();
+        const std::size_t object = m_shown->index().value();
         const QString unit = isAngle ? degrees() : isRotation ? ofAnyLength() : isScale ? factor() : worldUnits();
         NumberField *field =
             addField(isAngle ? angle : vector, isAngle ? QString() : axis, unit,

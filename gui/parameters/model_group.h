@@ -18,7 +18,7 @@ public:
 
 protected:
     void showScene() override;
-    void setDefaults(Scene &scene) const override;
+    void setDefaults(scene::Scene &scene) const override;
 
 private:
     struct Row {
@@ -30,10 +30,10 @@ private:
         NumberField *first;
     };
 
-    const std::vector<TransformStep> &steps() const;
+    const std::vector<geometry::TransformStep> &steps() const;
     /// Changes the steps of the object that is shown.
-    bool changeSteps(const QString &text, const std::function<void(std::vector<TransformStep> &)> &edit);
-    void addStep(const TransformStep &step, const QString &text, bool byKeyboard);
+    bool changeSteps(const QString &text, const std::function<void(std::vector<geometry::TransformStep> &)> &edit);
+    void addStep(const geometry::TransformStep &step, const QString &text, bool byKeyboard);
     void moveStep(std::size_t from, std::size_t to, bool byKeyboard);
     void removeStep(std::size_t step, bool byKeyboard);
     void removeObject();

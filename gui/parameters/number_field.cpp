@@ -18,6 +18,8 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 constexpr int kFewestDigits = 3;

@@ -5,7 +5,6 @@
 #include <QLineEdit>
 
 namespace unprojector::gui {
-using namespace geometry;
 
 /// A line edit for one double. What is typed, a number or an expression such as 1/3 or 2*pi, counts when it is finished:
 /// on Enter, when the focus goes elsewhere, or before a shortcut such as Save. Until then it is only a text, and Esc or
@@ -38,7 +37,7 @@ public:
     /// Whether there is a text that is not the document's value, refused or not finished.
     bool isTyping() const { return text() != m_shown; }
     /// What is typed, or the document's value to its last bit where nothing is.
-    Result<double, text::ExpressionError> typed() const;
+    geometry::Result<double, text::ExpressionError> typed() const;
     /// Finishes the typing, if there is any.
     void commit();
     /// Whether there is a text that was not committed as it is: neither taken nor refused.

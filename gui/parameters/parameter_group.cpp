@@ -15,6 +15,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+
 namespace {
 
 /// More fields than this are hardly ever refused at once; the sets of them are tried one by one.
@@ -323,8 +326,8 @@ QString ParameterGroup::refusalOf(const Field &field) const
     }
     Scene next = m_document.scene();
     field.binding.write(next, *typed);
-    const Result<Picture> geometry = pictureOf(next, m_document.picture().surface, m_document.ground().box);
-    return geometry ? QString() : errorText(geometry.error());
+    const Result<Setup> setup = setupOf(next, m_document.setup().surface, m_document.ground().box);
+    return setup ? QString() : errorText(setup.error());
 }
 
 void ParameterGroup::updateReasons()

@@ -26,8 +26,8 @@ struct NumberBinding {
     QString name; ///< what the undo menu says: "Near"
     QString help; ///< what it is, with its unit
     /// Nothing where the scene has no such number: the near plane of no projection, a step that was removed.
-    std::function<std::optional<double>(const Scene &)> read;
-    std::function<void(Scene &, double)> write;
+    std::function<std::optional<double>(const scene::Scene &)> read;
+    std::function<void(scene::Scene &, double)> write;
     /// Why a number is refused that core would take; empty where it is not. May be left out.
     std::function<QString(double)> refusal = {};
 };
@@ -71,7 +71,7 @@ protected:
     /// Puts a slider beneath the field of a row. The group keeps its numbers and its place.
     /// @param within  brings a number to the nearest one that the scene takes
     NumberSlider *addSlider(ParameterRow *row, NumberSlider::Scale scale,
-                            std::function<double(const Scene &, double)> within);
+                            std::function<double(const scene::Scene &, double)> within);
     /// Forgets and deletes the fields inside a widget that is about to go.
     void removeFieldsIn(QWidget *container);
 
@@ -81,9 +81,9 @@ protected:
     /// showScene and all numbers, now.
     void refresh();
     /// Puts this group's numbers to what they are at first.
-    virtual void setDefaults(Scene &scene) const = 0;
+    virtual void setDefaults(scene::Scene &scene) const = 0;
     /// Makes a change that no field made; its refusal is shown beneath the heading.
-    bool change(const QString &text, const std::function<void(Scene &)> &edit);
+    bool change(const QString &text, const std::function<void(scene::Scene &)> &edit);
 
     SceneDocument &document() const { return m_document; }
     QVBoxLayout *content() const { return m_content; }
@@ -119,7 +119,7 @@ private:
     bool isThere(const FieldPointer &field) const;
     void apply(const FieldPointer &field);
     /// Writes the numbers in these fields into the scene, as one change.
-    Check changeTogether(const std::vector<FieldPointer> &fields, const EditLabel &label);
+    geometry::Check changeTogether(const std::vector<FieldPointer> &fields, const EditLabel &label);
     void refuse(const FieldPointer &field);
     /// Why the number in this field would be refused as the scene is now; empty if it would not.
     QString refusalOf(const Field &field) const;

@@ -15,7 +15,7 @@ class ParametersFeature : public Feature {
 public:
     explicit ParametersFeature(Window &window) : Feature(&window), m_panel(new ParametersPanel(window.document()))
     {
-        connect(&window.session(), &Session::typedToCount, m_panel, &ParametersPanel::applyTyped);
+        connect(&window.session(), &Session::commitPendingEdits, m_panel, &ParametersPanel::applyTyped);
     }
 
     std::vector<PanelSpec> panels() override

@@ -77,15 +77,15 @@ void ParametersPanel::addGroup(ParameterGroup *group, const QString &objectName,
     group->setObjectName(objectName);
     group->setOpen(isOpen);
     widget()->layout()->addWidget(group);
-    const std::size_t place = m_groups.size();
+    const std::size_t index = m_groups.size();
     m_groups.push_back(group);
     connect(group, &ParameterGroup::rowsChanged, this, [this] {
         alignRows();
         orderTabs();
     });
     connect(group, &ParameterGroup::bringUpRequested, this, &ParametersPanel::bringUp);
-    connect(&group->heading(), &GroupHeading::neighbourRequested, this, [this, place](int direction) {
-        const auto next = static_cast<std::ptrdiff_t>(place) + direction;
+    connect(&group->heading(), &GroupHeading::neighbourRequested, this, [this, index](int direction) {
+        const auto next = static_cast<std::ptrdiff_t>(index) + direction;
         if (next < 0 || next >= static_cast<std::ptrdiff_t>(m_groups.size()))
             return;
         QWidget *heading = m_groups[static_cast<std::size_t>(next)]->heading().button();

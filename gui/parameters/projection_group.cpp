@@ -16,10 +16,11 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace scene;
 using namespace geometry;
 
 ProjectionGroup::ProjectionGroup(SceneDocument &document, QWidget *parent)
-    : ParameterGroup(document, Change::Picture,
+    : ParameterGroup(document, Change::Setup,
                      {tr("Projection"), tr("glFrustum, gluPerspective, glOrtho, oblique"),
                       tr("A perspective of 45°, its aspect the viewport's, near and far around the objects")},
                      parent)

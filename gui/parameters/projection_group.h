@@ -15,12 +15,12 @@ public:
 
 protected:
     void showScene() override;
-    void setDefaults(Scene &scene) const override;
+    void setDefaults(scene::Scene &scene) const override;
 
 private:
     enum class Number { Left, Right, Bottom, Top, Near, Far, Fovy, Aspect, Theta, Phi };
     /// Where a projection keeps a number, angles in radians; null where it has none such.
-    static double *numberIn(Projection &projection, Number number);
+    static double *numberIn(geometry::Projection &projection, Number number);
     static bool isAngle(Number number);
 
     struct Row {
@@ -32,7 +32,7 @@ private:
     /// For what one explores: the field of view, near and far; null for the others.
     NumberSlider *sliderFor(Number number, ParameterRow *row);
     void rangeSliders();
-    void choose(ProjectionKind kind);
+    void choose(geometry::ProjectionKind kind);
 
     QComboBox *m_kind;
     std::vector<Row> m_rows;
@@ -40,7 +40,7 @@ private:
     bool m_areBoxSliders = false; ///< whose near and far may be anything
     QCheckBox *m_followsViewport;
     QCheckBox *m_fitsObjects;
-    std::optional<ProjectionKind> m_shownKind;
+    std::optional<geometry::ProjectionKind> m_shownKind;
 };
 
 } // namespace unprojector::gui

@@ -6,10 +6,12 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
 
 ViewGroup::ViewGroup(SceneDocument &document, QWidget *parent)
     : ParameterGroup(
-        document, Change::Picture,
+        document, Change::Setup,
         {tr("View"), tr("Where the camera stands (gluLookAt)"), tr("Back to the view that the scene opened with")},
         parent)
 {

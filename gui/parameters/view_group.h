@@ -12,11 +12,11 @@ public:
 
 protected:
     void showScene() override;
-    void setDefaults(Scene &scene) const override;
+    void setDefaults(scene::Scene &scene) const override;
 
 private:
     void addPoint(const QString &title, const QString &name, const QString &objectName, const QString &unit,
-                  const QString &help, const std::function<double *(LookAt &, int)> &component);
+                  const QString &help, const std::function<double *(geometry::LookAt &, int)> &component);
 
     QList<NumberField *> m_lengths;
     double m_step = 0.0;

@@ -12,6 +12,9 @@
 #include <QVBoxLayout>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+
 namespace {
 
 /// What core says of a number that OpenGL does not take; that it is finite, every field asks for itself.
@@ -34,7 +37,7 @@ QString depthRefusal(double value)
 
 ViewportGroup::ViewportGroup(SceneDocument &document, QWidget *parent)
     : ParameterGroup(
-        document, Change::Picture,
+        document, Change::Setup,
         {tr("Viewport and depth"), tr("glViewport and glDepthRange"), tr("The whole window, depths from 0 to 1")},
         parent)
 {
@@ -144,7 +147,7 @@ void ViewportGroup::choose(ViewportRule::Kind kind)
     change(m_kind->currentText(), [&](Scene &scene) {
         scene.viewport.kind = kind;
         if (kind == ViewportRule::Kind::Fixed)
-            scene.viewport.fixed = document().picture().viewport; // the picture stays; its numbers can now be edited
+            scene.viewport.fixed = document().setup().viewport; // the picture stays; its numbers can now be edited
     });
 }
 
@@ -156,22 +159,21 @@ void ViewportGroup::setDefaults(Scene &scene) const
 
 void ViewportGroup::showScene()
 {
-    const Picture &geometry = document().picture();
-    if (geometry.surface != m_shownSurface) {
-        m_shownSurface = geometry.surface;
+    const Setup &setup = document().setup();
+    if (setup.surface != m_shownSurface) {
+        m_shownSurface = setup.surface;
         m_window->setText(
             tr("Window: %1 × %2 pixels").arg(m_shownSurface.widthPixels).arg(m_shownSurface.heightPixels));
     }
-    if (geometry.viewport != m_shownViewport) {
-        m_shownViewport = geometry.viewport;
+    if (setup.viewport != m_shownViewport) {
+        m_shownViewport = setup.viewport;
         const Viewport &v = m_shownViewport;
         m_call->setText(
             QStringLiteral("glViewport(%1, %2, %3, %4)")
                 .arg(writtenText(v.x, 9), writtenText(v.y, 9), writtenText(v.width, 9), writtenText(v.height, 9)));
     }
-    m_depthCall->setText(
-        QStringLiteral("glDepthRangef(%1, %2)")
-            .arg(writtenText(geometry.depthRange.atNear, 9), writtenText(geometry.depthRange.atFar, 9)));
+    m_depthCall->setText(QStringLiteral("glDepthRangef(%1, %2)")
+                             .arg(writtenText(setup.depthRange.atNear, 9), writtenText(setup.depthRange.atFar, 9)));
     const ViewportRule::Kind kind = document().scene().viewport.kind;
     if (kind == m_shownKind)
         return;

@@ -15,12 +15,13 @@ public:
 
 protected:
     void showScene() override;
-    void setDefaults(Scene &scene) const override;
+    void setDefaults(scene::Scene &scene) const override;
 
 private:
-    void addRectangleRow(const QString &name, const QString &objectName, const QString &help, double Viewport::*number);
+    void addRectangleRow(const QString &name, const QString &objectName, const QString &help,
+                         double geometry::Viewport::*number);
     static QLabel *selectable(const QString &name);
-    void choose(ViewportRule::Kind kind);
+    void choose(scene::ViewportRule::Kind kind);
 
     QComboBox *m_kind;
     std::vector<ParameterRow *> m_rectangle;
@@ -28,9 +29,9 @@ private:
     QLabel *m_window;
     QLabel *m_call;
     QLabel *m_depthCall;
-    Surface m_shownSurface;
-    Viewport m_shownViewport;
-    std::optional<ViewportRule::Kind> m_shownKind;
+    geometry::Surface m_shownSurface;
+    geometry::Viewport m_shownViewport;
+    std::optional<scene::ViewportRule::Kind> m_shownKind;
 };
 
 } // namespace unprojector::gui

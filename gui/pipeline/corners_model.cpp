@@ -11,6 +11,8 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 /// To a hundredth at the most.
@@ -39,10 +41,10 @@ CornersModel::Position CornersModel::position(const WidgetPoint &widget, const D
     return {widget, pixel, window, ndcFromWindow(m_geometry.viewport, m_geometry.depthRange, window)};
 }
 
-void CornersModel::setPicture(const Picture &geometry)
+void CornersModel::setPicture(const Setup &setup)
 {
-    m_geometry = geometry;
-    const Surface &surface = geometry.surface;
+    m_geometry = setup;
+    const Surface &surface = setup.surface;
     const int right = surface.widthPixels - 1, bottom = surface.heightPixels - 1;
     const auto at = [this, &surface](int i, int j) {
         return position(widgetFromDevice(surface, DevicePoint(i, j)), {i, j});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 
 #include <QAbstractTableModel>
 
@@ -8,7 +8,6 @@
 #include <optional>
 
 namespace unprojector::gui {
-using namespace geometry;
 
 /// The window's four corner pixels, the pixel at its centre and the one under the pointer, in widget, device, window and
 /// NDC coordinates. A row is what a click on that pixel stands for: the widget position and the device pixel name its
@@ -24,11 +23,11 @@ public:
     explicit CornersModel(QObject *parent = nullptr);
 
     /// @pre the geometry is valid
-    void setPicture(const Picture &geometry);
+    void setPicture(const geometry::Setup &setup);
     /// Nothing, or a position outside the window: the row is empty.
-    void setPointer(const std::optional<WidgetPoint> &position);
+    void setPointer(const std::optional<geometry::WidgetPoint> &position);
     /// The centre of the pointer's pixel, with the depth of the near plane.
-    std::optional<WindowPoint> pointerWindow() const;
+    std::optional<geometry::WindowPoint> pointerWindow() const;
 
     /// All rows with all digits, tab-separated, x and y a column each.
     QString text() const;
@@ -40,18 +39,18 @@ public:
 
 private:
     struct Position {
-        WidgetPoint widget;
-        DevicePixel pixel;
-        WindowPoint window;
-        NdcPoint ndc;
+        geometry::WidgetPoint widget;
+        geometry::DevicePixel pixel;
+        geometry::WindowPoint window;
+        geometry::NdcPoint ndc;
     };
-    Position position(const WidgetPoint &widget, const DevicePixel &pixel) const;
+    Position position(const geometry::WidgetPoint &widget, const geometry::DevicePixel &pixel) const;
     void findPointer();
     QVariant value(const Position &position, int column) const;
 
-    Picture m_geometry;
+    geometry::Setup m_geometry;
     std::array<std::optional<Position>, RowCount> m_rows;
-    std::optional<WidgetPoint> m_pointer;
+    std::optional<geometry::WidgetPoint> m_pointer;
 };
 
 } // namespace unprojector::gui

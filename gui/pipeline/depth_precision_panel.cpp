@@ -17,6 +17,10 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
+
 namespace {
 
 constexpr int kMargin = 8;
@@ -58,7 +62,7 @@ Place placeOf(const SceneDocument &document, const DepthScale &scale)
 {
     if (document.picks().pick() && document.picks().pick()->hit()) {
         if (const std::optional<WorldPoint> point = document.picks().pickedPoint()) {
-            const double distance = -eyeFromWorld(eyeFrame(document.picture().camera()).value(), *point).z;
+            const double distance = -eyeFromWorld(eyeFrame(document.setup().camera()).value(), *point).z;
             if (distance >= scale.nearDistance && distance <= scale.farDistance)
                 return {distance, true};
         }
@@ -86,8 +90,7 @@ DepthPrecisionPanel::DepthPrecisionPanel(const SceneDocument &document, QWidget 
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (isVisible()
             && changes
-                   & (Changes(Change::Objects) | Change::Placement | Change::Visibility | Change::Picture
-                      | Change::Pick))
+                   & (Changes(Change::Objects) | Change::Placement | Change::Visibility | Change::Setup | Change::Pick))
             refresh();
     });
     refresh();
@@ -127,8 +130,8 @@ void DepthPrecisionPanel::showEvent(QShowEvent *event)
 
 void DepthPrecisionPanel::refresh()
 {
-    const Picture &picture = m_document.picture();
-    const DepthScale scale = depthScaleOf(picture);
+    const Setup &setup = m_document.setup();
+    const DepthScale scale = depthScaleOf(setup);
     // Which format the driver has given is told by a click.
     const DepthFormat format = m_document.picks().pick() ? m_document.picks().pick()->sample.format : DepthFormat();
     const Place place = placeOf(m_document, scale);
@@ -150,7 +153,7 @@ void DepthPrecisionPanel::refresh()
             if (!object.isHidden)
                 boxes.push_back(boundsOf(object));
         }
-        if (const std::optional<double> better = betterNear(picture, boxes); better && *better < place.distance) {
+        if (const std::optional<double> better = betterNear(setup, boxes); better && *better < place.distance) {
             DepthScale nearer = scale;
             nearer.nearDistance = *better;
             const double then = halfDepthStepAt(nearer, format, place.distance);
@@ -160,7 +163,7 @@ void DepthPrecisionPanel::refresh()
                 said << tr("Near %1 instead of %2 makes this %3 times better here (±%4).")
                             .arg(name, writtenText(scale.nearDistance, 4), timesText(now / then), errorText(then));
             }
-        } else if (nearestDistance(picture, boxes)) {
+        } else if (nearestDistance(setup, boxes)) {
             said << tr("Near is about as far away as the objects let it be.");
         }
         DepthScale reversed = scale;
@@ -181,7 +184,7 @@ void DepthPrecisionPanel::refresh()
     }
     if (!m_document.picks().pick())
         said << assumedText();
-    const QString words = inARow(said);
+    const QString words = joinSentences(said);
     m_words->setText(words);
     m_plot->setAccessibleDescription(words);
     m_plot->show(std::move(curves), place.isPoint ? std::optional(place.distance) : std::nullopt);

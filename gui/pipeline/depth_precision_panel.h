@@ -7,7 +7,6 @@
 class QBoxLayout;
 
 namespace unprojector::gui {
-using namespace unproject;
 
 class DepthPrecisionPlot;
 class HelpLink;

@@ -12,6 +12,8 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace unproject;
+
 namespace {
 
 constexpr double kGap = 4.0; ///< logical pixels
@@ -106,7 +108,7 @@ DepthPrecisionPlot::Axes DepthPrecisionPlot::axes() const
     return axes;
 }
 
-QPen DepthPrecisionPlot::penOf(std::size_t place) const
+QPen DepthPrecisionPlot::penOf(std::size_t index) const
 {
     // Blue and orange are told apart by every kind of colour vision; these are bright enough on either ground.
     constexpr std::array kStyles{Qt::SolidLine, Qt::DashLine, Qt::DotLine};
@@ -114,7 +116,7 @@ QPen DepthPrecisionPlot::penOf(std::size_t place) const
     const std::array colors{palette().color(QPalette::Text),
                             isDark ? QColor(0x6a, 0xb0, 0xf0) : QColor(0x0a, 0x5f, 0xb0),
                             isDark ? QColor(0xf0, 0xa0, 0x50) : QColor(0xb0, 0x50, 0x00)};
-    QPen pen(colors.at(place), 2.0, kStyles.at(place));
+    QPen pen(colors.at(index), 2.0, kStyles.at(index));
     pen.setCapStyle(Qt::FlatCap);
     return pen;
 }
@@ -170,9 +172,9 @@ void DepthPrecisionPlot::paintAxes(QPainter &painter, const Axes &axes) const
     painter.drawRect(area);
 }
 
-void DepthPrecisionPlot::paintCurve(QPainter &painter, const Axes &axes, std::size_t place) const
+void DepthPrecisionPlot::paintCurve(QPainter &painter, const Axes &axes, std::size_t index) const
 {
-    const Curve &curve = m_curves[place];
+    const Curve &curve = m_curves[index];
     QPainterPath path;
     const int points = std::max(2, static_cast<int>(axes.area.width()));
     for (int i = 0; i <= points; ++i) {
@@ -187,7 +189,7 @@ void DepthPrecisionPlot::paintCurve(QPainter &painter, const Axes &axes, std::si
         else
             path.lineTo(at);
     }
-    painter.setPen(penOf(place));
+    painter.setPen(penOf(index));
     painter.setBrush(Qt::NoBrush);
     painter.drawPath(path);
 }
@@ -231,14 +233,14 @@ void DepthPrecisionPlot::paintNames(QPainter &painter) const
 {
     const QFontMetricsF metrics(font());
     const std::vector<QPointF> places = namePlaces();
-    for (std::size_t place = 0; place < m_curves.size(); ++place) {
-        const QPointF at = places[place];
+    for (std::size_t index = 0; index < m_curves.size(); ++index) {
+        const QPointF at = places[index];
         const double middle = at.y() + metrics.height() / 2.0, text = at.x() + sampleWidth() + kGap;
-        painter.setPen(penOf(place));
+        painter.setPen(penOf(index));
         painter.drawLine(QPointF(at.x(), middle), QPointF(at.x() + sampleWidth(), middle));
         painter.setPen(palette().color(QPalette::WindowText));
         painter.drawText(QRectF(text, at.y(), width() - text, metrics.height()), Qt::AlignLeft | Qt::AlignVCenter,
-                         metrics.elidedText(m_curves[place].name, Qt::ElideRight, width() - text));
+                         metrics.elidedText(m_curves[index].name, Qt::ElideRight, width() - text));
     }
 }
 
@@ -254,8 +256,8 @@ void DepthPrecisionPlot::paintEvent(QPaintEvent *)
     paintAxes(painter, axes);
     paintNames(painter);
     painter.setClipRect(axes.area.adjusted(-1.0, -1.0, 1.0, 1.0));
-    for (std::size_t place = m_curves.size(); place-- > 0;)
-        paintCurve(painter, axes, place);
+    for (std::size_t index = m_curves.size(); index-- > 0;)
+        paintCurve(painter, axes, index);
     paintMark(painter, axes);
 }
 

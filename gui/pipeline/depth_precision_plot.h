@@ -9,7 +9,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace unproject;
 
 /// What rounding a depth leaves open, over the distance in front of the eye: one curve for each way to keep depths. Both axes are
 /// logarithmic, but for a near plane at or behind the eye, as glOrtho may have it: then distances are not. Curves differ by their
@@ -19,8 +18,8 @@ class DepthPrecisionPlot : public QWidget {
 public:
     struct Curve {
         QString name;
-        DepthScale scale;
-        DepthFormat format;
+        unproject::DepthScale scale;
+        unproject::DepthFormat format;
     };
 
     explicit DepthPrecisionPlot(QWidget *parent = nullptr);
@@ -41,12 +40,12 @@ private:
     struct Axes;
     Axes axes() const;
     void paintAxes(QPainter &painter, const Axes &axes) const;
-    void paintCurve(QPainter &painter, const Axes &axes, std::size_t place) const;
+    void paintCurve(QPainter &painter, const Axes &axes, std::size_t index) const;
     void paintMark(QPainter &painter, const Axes &axes) const;
     void paintNames(QPainter &painter) const;
     std::vector<QPointF> namePlaces() const;
     double sampleWidth() const;
-    QPen penOf(std::size_t place) const;
+    QPen penOf(std::size_t index) const;
 
     std::vector<Curve> m_curves;
     std::optional<double> m_marked;

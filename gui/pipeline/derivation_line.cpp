@@ -9,6 +9,8 @@
 #include <QHBoxLayout>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
 
 using Space = PointModel::Space;
 
@@ -39,7 +41,7 @@ void DerivationLine::startOver()
 void DerivationLine::refresh()
 {
     const EntryDerivation derivation =
-        m_chosen ? entryDerivation(m_model, m_document.picture(), m_chosen->space, m_chosen->coordinate)
+        m_chosen ? entryDerivation(m_model, m_document.setup(), m_chosen->space, m_chosen->coordinate)
                  : EntryDerivation{entryHint(), {}, 0, {}, {}};
     m_label->setText(unbrokenTerms(derivation.text));
     m_help->setAnchor(helpOf(derivation));
@@ -67,7 +69,7 @@ void DerivationLine::refresh()
 QString DerivationLine::helpOf(const EntryDerivation &derivation) const
 {
     if (derivation.stage)
-        return stageHelp(*derivation.stage, m_model.direction(), kindOf(m_document.picture().projection()));
+        return stageHelp(*derivation.stage, m_model.direction(), kindOf(m_document.setup().projection()));
     if (!m_chosen || !derivation.source)
         return QStringLiteral("spaces");
     // The flip, and the division.

@@ -8,6 +8,9 @@
 #include <limits>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
+
 namespace {
 
 using Space = PointModel::Space;
@@ -139,10 +142,10 @@ QString productName(const MatrixModel &matrix, const PointModel &source, int row
 }
 
 /// "(NDC x + 1) · w/2 + vx = (0.22 + 1) · 25 + 0"
-QString viewportText(const Numbers &numbers, const Picture &picture, const PointModel &ndc, int axis)
+QString viewportText(const Numbers &numbers, const Setup &setup, const PointModel &ndc, int axis)
 {
-    const Viewport &v = picture.viewport;
-    const DepthRange &range = picture.depthRange;
+    const Viewport &v = setup.viewport;
+    const DepthRange &range = setup.depthRange;
     const std::array scale{v.width / 2.0, v.height / 2.0, (range.atFar - range.atNear) / 2.0};
     const std::array shift{v.x, v.y, range.atNear};
     const std::array names{QStringLiteral("w/2 + vx"), QStringLiteral("h/2 + vy"), QStringLiteral("(df − dn)/2 + dn")};
@@ -153,17 +156,17 @@ QString viewportText(const Numbers &numbers, const Picture &picture, const Point
 }
 
 /// What a position of the window or the widget becomes on the other side, of a name or of a number.
-QString flipText(const Numbers &numbers, const Picture &picture, const PipelineModel &model, bool isY,
+QString flipText(const Numbers &numbers, const Setup &setup, const PipelineModel &model, bool isY,
                  const QString &position)
 {
     const ApiConventions &api = conventionsOf(model.api());
     const bool isForward = model.direction() == PipelineDirection::Forward;
-    const double ratio = api.areLogicalPixels ? 1.0 : picture.surface.devicePixelRatio;
+    const double ratio = api.areLogicalPixels ? 1.0 : setup.surface.devicePixelRatio;
     QString text = position;
     if (!isForward && ratio != 1.0)
         text += QStringLiteral(" · ") + numbers.text(ratio);
     if (isY && !api.isOriginTop)
-        text = QStringLiteral("%1 - %2").arg(picture.surface.heightPixels).arg(text);
+        text = QStringLiteral("%1 - %2").arg(setup.surface.heightPixels).arg(text);
     if (api.pixelCentre == 0.0)
         text += isForward ? QStringLiteral(" + 0.5") : QStringLiteral(" - 0.5");
     if (isForward && ratio != 1.0)
@@ -185,7 +188,7 @@ EntryDerivation divided(const Numbers &numbers, const PointModel &source, const 
     return result;
 }
 
-EntryDerivation flipped(const Numbers &numbers, const Picture &picture, const PipelineModel &model,
+EntryDerivation flipped(const Numbers &numbers, const Setup &setup, const PipelineModel &model,
                         const PointModel &source, const PointModel &point, int coordinate)
 {
     EntryDerivation result;
@@ -200,9 +203,9 @@ EntryDerivation flipped(const Numbers &numbers, const Picture &picture, const Pi
     result.coordinates = {coordinate};
     const QString number = numbers.text(valueAt(source.indexOf(coordinate)));
     const bool isNegative = number.startsWith(u'-');
-    const QString formula = flipText(numbers, picture, model, coordinate == 1, entryName(source, coordinate));
+    const QString formula = flipText(numbers, setup, model, coordinate == 1, entryName(source, coordinate));
     const QString given =
-        flipText(numbers, picture, model, coordinate == 1, isNegative ? QStringLiteral("(%1)").arg(number) : number);
+        flipText(numbers, setup, model, coordinate == 1, isNegative ? QStringLiteral("(%1)").arg(number) : number);
     const QString shown = numbers.text(valueAt(point.indexOf(coordinate)));
     result.text = given == shown ? QStringLiteral("%1 = %2\n= %3").arg(name, formula, shown)
                                  : QStringLiteral("%1 = %2\n= %3 = %4").arg(name, formula, given, shown);
@@ -211,8 +214,7 @@ EntryDerivation flipped(const Numbers &numbers, const Picture &picture, const Pi
 
 } // namespace
 
-EntryDerivation entryDerivation(const PipelineModel &model, const Picture &picture, PointModel::Space space,
-                                int coordinate)
+EntryDerivation entryDerivation(const PipelineModel &model, const Setup &setup, PointModel::Space space, int coordinate)
 {
     const PipelineDirection direction = model.direction();
     const PointModel &point = *model.point(space);
@@ -234,7 +236,7 @@ EntryDerivation entryDerivation(const PipelineModel &model, const Picture &pictu
     const std::optional<PipelineStage> stage = stageOf(space, direction);
     if (!stage)
         return source.space() == Space::Clip ? divided(numbers, source, point, coordinate)
-                                             : flipped(numbers, picture, model, source, point, coordinate);
+                                             : flipped(numbers, setup, model, source, point, coordinate);
     const MatrixModel &matrix = *model.matrix(*stage);
     EntryDerivation result{{}, stage, coordinate, source.space(), {0, 1, 2, 3}};
     const Sum sum = productSum(numbers, matrix, source, coordinate);
@@ -242,7 +244,7 @@ EntryDerivation entryDerivation(const PipelineModel &model, const Picture &pictu
                       .arg(entryName(point, coordinate), productName(matrix, source, coordinate), sum.text,
                            resultText(numbers, sum, valueAt(point.indexOf(coordinate))));
     if (space == Space::Window && coordinate < 3 && model.api() == Api::OpenGl)
-        result.text += QStringLiteral("\n= ") + viewportText(numbers, picture, source, coordinate);
+        result.text += QStringLiteral("\n= ") + viewportText(numbers, setup, source, coordinate);
     return result;
 }
 

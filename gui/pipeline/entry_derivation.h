@@ -12,7 +12,7 @@ namespace unprojector::gui {
 /// How one coordinate of the pipeline comes about from the space before it, and of what.
 struct EntryDerivation {
     QString text; ///< plain, lines with the numbers as the panel shows them
-    std::optional<PipelineStage> stage;
+    std::optional<matrices::PipelineStage> stage;
     int matrixRow = 0;                       ///< of the stage's matrix for column vectors; with `stage`
     std::optional<PointModel::Space> source; ///< none for the first space of the direction
     std::vector<int> coordinates;            ///< of the source: 0 for x, 3 for w
@@ -29,7 +29,7 @@ struct EntryDerivation {
 /// given, and what leads to it computed back) is said to differ.
 ///
 /// @param coordinate  of the space, as it is shown: 0 for x, 3 for w
-EntryDerivation entryDerivation(const PipelineModel &model, const Picture &picture, PointModel::Space space,
+EntryDerivation entryDerivation(const PipelineModel &model, const geometry::Setup &setup, PointModel::Space space,
                                 int coordinate);
 
 /// The same text with blanks that keep a term together: lines break behind a sign, and nowhere else in a sum (behind a minus

@@ -15,6 +15,8 @@
 #include <vector>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 constexpr std::array kLetters{'l', 'r', 'b', 't', 'n', 'f'};

@@ -12,7 +12,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace geometry;
 
 /// A view volume, carried by a matrix, beside the cube from −1 to 1 that it is to become: seen from the front, above and to the
 /// right. Its sides have the letters of glOrtho's and glFrustum's arguments. Both fit into the drawing, whatever their sizes.
@@ -23,7 +22,7 @@ public:
 
     /// @param carried  for column vectors of eye space; divided by w, which is above 0 in the volume
     /// @pre the projection is valid
-    void setVolume(const Projection &projection, const glm::dmat4 &carried);
+    void setVolume(const geometry::Projection &projection, const glm::dmat4 &carried);
     /// From where to where the carried volume reaches along each axis.
     struct Extent {
         glm::dvec3 least, most;

@@ -16,6 +16,9 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
+
 namespace {
 
 constexpr int kAll = 100; ///< percent

@@ -12,7 +12,6 @@ class QLabel;
 class QSlider;
 
 namespace unprojector::gui {
-using namespace matrices;
 
 class FactorDrawing;
 class MatrixModel;
@@ -32,8 +31,8 @@ public:
     /// @param factors     OpenGL's own, of this projection, in the order in which they act; four at most
     /// @param told        one of each
     /// @param clipFromEye the projection's matrix
-    void setFactors(const std::vector<MatrixFactor> &factors, const std::vector<Told> &told,
-                    const Projection &projection, const glm::dmat4 &clipFromEye, const MatrixView &view);
+    void setFactors(const std::vector<matrices::MatrixFactor> &factors, const std::vector<Told> &told,
+                    const geometry::Projection &projection, const glm::dmat4 &clipFromEye, const MatrixView &view);
 
     /// How much of every factor acts, percent.
     void setAll(int percent);
@@ -52,8 +51,8 @@ private:
     QLabel *m_said;
     QLabel *m_extent;
     FactorDrawing *m_drawing;
-    std::vector<MatrixFactor> m_factors;
-    Projection m_projection;
+    std::vector<matrices::MatrixFactor> m_factors;
+    geometry::Projection m_projection;
     glm::dmat4 m_clipFromEye{1.0};
 };
 

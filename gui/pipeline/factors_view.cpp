@@ -12,6 +12,9 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
+
 namespace {
 
 /// As the formulas' product is written.

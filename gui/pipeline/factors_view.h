@@ -10,7 +10,6 @@
 class QLabel;
 
 namespace unprojector::gui {
-using namespace matrices;
 
 class FactorShares;
 class MatrixModel;
@@ -26,8 +25,8 @@ public:
     /// @param matrix   that the factors' product is compared with
     /// @param isGiven  whether it is the conversion of one that was given as sixteen numbers
     /// @param projection  whose factors they are: what a part of them does can be tried. Null: a view's.
-    void setFactors(const std::vector<MatrixFactor> &factors, const glm::dmat4 &matrix, const MatrixView &view,
-                    bool isGiven, const Projection *projection);
+    void setFactors(const std::vector<matrices::MatrixFactor> &factors, const glm::dmat4 &matrix,
+                    const MatrixView &view, bool isGiven, const geometry::Projection *projection);
     /// There is nothing to take apart, and why.
     void setNone(const QString &reason);
     /// Where a part of each factor can be tried; hidden where that cannot be.

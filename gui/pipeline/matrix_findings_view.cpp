@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 namespace unprojector::gui {
+using namespace matrices;
 
 MatrixFindingsView::MatrixFindingsView(QWidget *parent) : QWidget(parent)
 {

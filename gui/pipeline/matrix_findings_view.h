@@ -10,7 +10,6 @@
 class QVBoxLayout;
 
 namespace unprojector::gui {
-using namespace matrices;
 
 /// What is to be seen of a matrix, each in a sentence with the button that does something about it.
 class MatrixFindingsView : public QWidget {
@@ -19,13 +18,14 @@ public:
     explicit MatrixFindingsView(QWidget *parent = nullptr);
 
     /// @param order  that the matrix is read in
-    void setFindings(const std::vector<MatrixFinding> &findings, MatrixRole role, NumberOrder order);
+    void setFindings(const std::vector<matrices::MatrixFinding> &findings, matrices::MatrixRole role,
+                     matrices::NumberOrder order);
 
 signals:
     void repairWanted(const unprojector::matrices::MatrixFinding &finding);
 
 private:
-    std::vector<MatrixFinding> m_findings;
+    std::vector<matrices::MatrixFinding> m_findings;
     QStringList m_texts; ///< as shown
     QVBoxLayout *m_rows;
 };

@@ -3,6 +3,7 @@
 #include "core/matrices/matrix_entry_name.h"
 
 namespace unprojector::gui {
+using namespace geometry;
 using namespace matrices;
 namespace {
 

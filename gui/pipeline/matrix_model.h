@@ -5,21 +5,21 @@
 #include "gui/widgets/number_grid_model.h"
 
 namespace unprojector::gui {
-using namespace matrices;
 
 /// The matrix of one stage: four by four, or its memory. A tooltip names the entry by the formula's symbols.
 class MatrixModel : public NumberGridModel {
     Q_OBJECT
 public:
-    explicit MatrixModel(PipelineStage stage, QObject *parent = nullptr);
+    explicit MatrixModel(matrices::PipelineStage stage, QObject *parent = nullptr);
 
     /// @param isNamed  whether its entries are those that the formulas' symbols stand for
-    void setMatrix(const glm::dmat4 &matrix, PipelineDirection direction, ProjectionKind kind, bool isNamed = true);
+    void setMatrix(const glm::dmat4 &matrix, matrices::PipelineDirection direction, geometry::ProjectionKind kind,
+                   bool isNamed = true);
     void setView(const MatrixView &view);
     /// In place of the one that the stage has.
     void setVariableName(const QString &name) { m_variableName = name; }
 
-    PipelineStage stage() const { return m_stage; }
+    matrices::PipelineStage stage() const { return m_stage; }
     const MatrixView &view() const { return m_view; }
     /// For column vectors.
     const glm::dmat4 &matrix() const { return m_matrix; }
@@ -30,7 +30,7 @@ public:
     /// "eyeFromWorld", as the matrix is named in code.
     QString variableName() const;
     /// The matrix for the clipboard, in the layout and digits shown.
-    QString copyText(MatrixSyntax syntax) const;
+    QString copyText(matrices::MatrixSyntax syntax) const;
 
 protected:
     QString label(int row, int column) const override;
@@ -41,9 +41,9 @@ private:
     /// Where in memory the entry of a cell lies: m[index].
     int memoryIndex(int row, int column) const;
 
-    PipelineStage m_stage;
-    PipelineDirection m_direction = PipelineDirection::Forward;
-    ProjectionKind m_kind = ProjectionKind::Perspective;
+    matrices::PipelineStage m_stage;
+    matrices::PipelineDirection m_direction = matrices::PipelineDirection::Forward;
+    geometry::ProjectionKind m_kind = geometry::ProjectionKind::Perspective;
     bool m_isNamed = true;
     glm::dmat4 m_matrix{1.0};
     MatrixView m_view;

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 namespace unprojector::gui {
+using namespace matrices;
 
 MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(parent), m_model(model)
 {

@@ -87,7 +87,8 @@ QString formName(MatrixForm form)
 QString findingSentence(const MatrixFinding &finding, MatrixRole role)
 {
     const QString found = QString::fromStdString(findingText(finding, role));
-    return inARow({MatrixText::tr("It %1.", "a matrix: what is to be seen of it").arg(found), adviceFor(finding)});
+    return joinSentences(
+        {MatrixText::tr("It %1.", "a matrix: what is to be seen of it").arg(found), adviceFor(finding)});
 }
 
 QString repairName(const MatrixFinding &finding, NumberOrder order)
@@ -126,17 +127,17 @@ QString errorText(const PasteError &error, MatrixRole role)
                           : sentence(reason);
 }
 
-QString cameraText(const Picture &picture, const std::optional<MatrixProjection> &lens)
+QString cameraText(const Setup &setup, const std::optional<MatrixProjection> &lens)
 {
-    const LookAt &camera = picture.camera();
+    const LookAt &camera = setup.camera();
     const WorldVector forward = camera.center - camera.eye;
     const WorldVector direction = forward * (1.0 / length(forward));
     QStringList said{MatrixText::tr("Eye at %1, looking along %2.")
                          .arg(tripleText(camera.eye.coordinates()), tripleText(direction.coordinates()))};
-    const ProjectionWindow w = projectionWindow(picture.projection());
+    const ProjectionWindow w = projectionWindow(setup.projection());
     const QString planes = MatrixText::tr("near %1, far %2").arg(number(w.nearDistance), number(w.farDistance));
     const double width = std::abs(w.right - w.left), height = std::abs(w.top - w.bottom);
-    if (isPerspective(picture.projection())) {
+    if (isPerspective(setup.projection())) {
         const double up = std::atan2(w.top, w.nearDistance), down = std::atan2(w.bottom, w.nearDistance);
         said << MatrixText::tr("Perspective: field of view %1° high, width to height %2, %3.")
                     .arg(number(degreesFromRadians(std::abs(up - down))), number(width / height), planes);
@@ -148,7 +149,7 @@ QString cameraText(const Picture &picture, const std::optional<MatrixProjection>
         said << (form->ndcDepth == NdcDepth::ZeroToOne
                      ? MatrixText::tr("Right-handed eye space, NDC depths from 0 to 1.")
                      : MatrixText::tr("Right-handed eye space, NDC depths from −1 to 1."));
-    return inARow(said);
+    return joinSentences(said);
 }
 
 } // namespace unprojector::gui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 #include "core/matrices/matrix_findings.h"
 #include "core/matrices/pasted_matrix.h"
 
@@ -22,8 +22,8 @@ QString repairName(const matrices::MatrixFinding &finding, matrices::NumberOrder
 /// Why a text is no such matrix, with the place in it.
 QString errorText(const matrices::PasteError &error, matrices::MatrixRole role);
 /// What projection and view mean: where the eye is, which way it looks, field of view, near and far.
-/// @param picture  by parameters
-/// @param lens     the matrix that its projection was read from, if it was
-QString cameraText(const geometry::Picture &picture, const std::optional<geometry::MatrixProjection> &lens);
+/// @param setup  by parameters
+/// @param lens   the matrix that its projection was read from, if it was
+QString cameraText(const geometry::Setup &setup, const std::optional<geometry::MatrixProjection> &lens);
 
 } // namespace unprojector::gui

@@ -3,13 +3,12 @@
 #include "core/matrices/matrix_format.h"
 
 namespace unprojector::gui {
-using namespace matrices;
 
 /// How all matrices and points of the pipeline are shown.
 struct MatrixView {
-    MatrixLayout layout = MatrixLayout::Column;
+    matrices::MatrixLayout layout = matrices::MatrixLayout::Column;
     bool isMemoryOrder = false; ///< m[0] to m[15] as glGetFloatv gives them, in two columns of eight
-    Digits digits = Digits::Double;
+    matrices::Digits digits = matrices::Digits::Double;
     bool isWhole = false; ///< all digits, whatever room they take
     friend bool operator==(const MatrixView &, const MatrixView &) = default;
 };

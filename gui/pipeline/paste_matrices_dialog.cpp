@@ -20,6 +20,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
+
 namespace {
 
 constexpr std::array kRoles{MatrixRole::Projection, MatrixRole::View, MatrixRole::Product};
@@ -151,22 +154,22 @@ QString PasteMatricesDialog::meaning(const MatrixPaste::Camera &camera, bool &is
                   "Paste projection and view.");
     if (!camera.isAnything())
         return {};
-    Picture picture = m_document.picture();
+    Setup setup = m_document.setup();
     if (camera.projection)
-        picture.lens = *camera.projection;
+        setup.lens = *camera.projection;
     if (camera.eyeFromWorld)
-        picture.pose = *camera.eyeFromWorld;
-    const Result<Picture> shown = byParameters(picture);
+        setup.pose = *camera.eyeFromWorld;
+    const Result<Setup> shown = byParameters(setup);
     if (!shown)
         return tr("No picture can be made of it: %1").arg(errorText(shown.error()));
     isUsable = true;
     QStringList said{cameraText(*shown, camera.projection)};
     if (isProduct())
-        said << sentence(takenApartText(*m_paste.apart()));
+        said << sentence(decompositionText(*m_paste.apart()));
     if (const auto viewport = m_paste.viewport())
         said << tr("The viewport, %1 × %2, is left out: that of the view stays (Parameters, Viewport).")
                     .arg(writtenText(viewport->width, 6), writtenText(viewport->height, 6));
-    return inARow(said);
+    return joinSentences(said);
 }
 
 void PasteMatricesDialog::refresh()

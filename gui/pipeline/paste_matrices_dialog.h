@@ -10,7 +10,6 @@ class QLabel;
 class QPushButton;
 
 namespace unprojector::gui {
-using namespace matrices;
 
 class PastedMatrixBox;
 class SceneDocument;
@@ -24,27 +23,27 @@ public:
     explicit PasteMatricesDialog(SceneDocument &document, QWidget *parent = nullptr);
 
     /// Puts a text into the place of a matrix, and shows that place.
-    void setText(MatrixRole role, const QString &text);
+    void setText(matrices::MatrixRole role, const QString &text);
 
     /// Shows the dialog over a window; it deletes itself.
-    static void open(SceneDocument &document, QWidget *parent, MatrixRole role = MatrixRole::Projection,
-                     const QString &text = {});
+    static void open(SceneDocument &document, QWidget *parent,
+                     matrices::MatrixRole role = matrices::MatrixRole::Projection, const QString &text = {});
 
     void accept() override;
 
 private:
-    PastedMatrixBox *box(MatrixRole role) const { return m_boxes[std::size_t(role)]; }
+    PastedMatrixBox *box(matrices::MatrixRole role) const { return m_boxes[std::size_t(role)]; }
     bool isProduct() const;
-    void repair(MatrixRole role, const MatrixFinding &finding);
+    void repair(matrices::MatrixRole role, const matrices::MatrixFinding &finding);
     /// Shows everything as it is now.
     void refresh();
     /// What OK would take.
-    MatrixPaste::Camera camera() const;
+    matrices::MatrixPaste::Camera camera() const;
     /// What the camera means, or why it cannot be taken.
-    QString meaning(const MatrixPaste::Camera &camera, bool &isUsable) const;
+    QString meaning(const matrices::MatrixPaste::Camera &camera, bool &isUsable) const;
 
     SceneDocument &m_document;
-    MatrixPaste m_paste;
+    matrices::MatrixPaste m_paste;
     SegmentedSwitch *m_kind;
     std::array<PastedMatrixBox *, 3> m_boxes{};
     QLabel *m_meaning;

@@ -19,6 +19,9 @@
 #include <array>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
+
 namespace {
 
 constexpr int kTextLines = 5;
@@ -162,7 +165,7 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
                                                                                   : NumberOrder::ByColumns);
     if (!done.isEmpty())
         said << tr("Done: %1.").arg(done.join(QStringLiteral(", ")));
-    m_said->setText(inARow(said));
+    m_said->setText(joinSentences(said));
     m_asPasted->setVisible(!done.isEmpty());
     m_grid->setVisible(matrix.has_value());
     if (matrix)

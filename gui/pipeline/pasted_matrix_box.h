@@ -11,7 +11,6 @@ class QPlainTextEdit;
 class QToolButton;
 
 namespace unprojector::gui {
-using namespace matrices;
 
 class MatrixFindingsView;
 class MatrixModel;
@@ -22,12 +21,12 @@ class SegmentedSwitch;
 class PastedMatrixBox : public QWidget {
     Q_OBJECT
 public:
-    explicit PastedMatrixBox(MatrixRole role, QWidget *parent = nullptr);
+    explicit PastedMatrixBox(matrices::MatrixRole role, QWidget *parent = nullptr);
 
     QString text() const;
     void setText(const QString &text);
     /// Shows what came of the texts.
-    void showPaste(const MatrixPaste &paste);
+    void showPaste(const matrices::MatrixPaste &paste);
 
 signals:
     void textChanged(const QString &text);
@@ -38,7 +37,7 @@ signals:
     void asPastedWanted();
 
 private:
-    MatrixRole m_role;
+    matrices::MatrixRole m_role;
     QPlainTextEdit *m_text;
     QLabel *m_said;
     SegmentedSwitch *m_order;

@@ -19,6 +19,8 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace matrices;
+using namespace unproject;
 
 class PipelineFeature : public Feature {
     Q_OBJECT
@@ -55,7 +57,7 @@ PipelineFeature::PipelineFeature(Window &window)
       m_inspector(new ViewportInspector(window.document())), m_log(new LifecycleLog(this))
 {
     m_pipeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // up and down it scrolls by itself
-    connect(&window.session(), &Session::typedToCount, m_pipeline, &PipelinePanel::applyTyped);
+    connect(&window.session(), &Session::commitPendingEdits, m_pipeline, &PipelinePanel::applyTyped);
     connect(m_pipeline, &PipelinePanel::aboutToPaste, &window.session(), &Session::commitTyped);
     connect(&window.view(), &SceneView::happened, m_log, &LifecycleLog::append);
     connect(&window, &Window::pointed, m_inspector, [this](const std::optional<PixelClick> &click) {

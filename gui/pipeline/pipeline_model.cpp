@@ -18,6 +18,11 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
+using namespace scene;
+using namespace unproject;
+
 namespace {
 
 using Space = PointModel::Space;
@@ -119,7 +124,7 @@ void PipelineModel::take(Space space, int coordinate, const QString &typed)
                 tr("A widget position says nothing of the depth. Give the window point, whose third number it is."));
             return;
         }
-        const Surface &surface = m_document.picture().surface;
+        const Surface &surface = m_document.setup().surface;
         const double depth = (m_spaces.window.inverse() * glm::dvec3(window[0], window[1], window[2])).z;
         given.point = windowFromDevice(surface, deviceFromWidget(surface, WidgetPoint(values[0], values[1])), depth);
         break;
@@ -139,10 +144,10 @@ std::optional<std::size_t> PipelineModel::shownObject() const
     const std::size_t count = m_document.objects().size();
     if (m_isIdentity || count == 0)
         return std::nullopt;
-    if (const std::optional<std::size_t> chosen = m_chosen->place())
+    if (const std::optional<std::size_t> chosen = m_chosen->index())
         return chosen;
     if (followsGiven() && std::holds_alternative<ObjectPoint>(m_document.scene().givenPoint->point))
-        return placeOf(*m_document.scene().givenPoint, m_document.objects());
+        return indexOf(*m_document.scene().givenPoint, m_document.objects());
     const std::size_t picked = m_document.picks().pick() ? m_document.picks().pick()->object.value_or(0) : 0;
     return picked < count ? std::optional(picked) : std::nullopt;
 }
@@ -159,7 +164,7 @@ int PipelineModel::object() const
 {
     if (m_isIdentity)
         return kNoObject;
-    const std::optional<std::size_t> chosen = m_chosen->place();
+    const std::optional<std::size_t> chosen = m_chosen->index();
     return chosen ? static_cast<int>(*chosen) : kAutomaticObject;
 }
 
@@ -186,7 +191,7 @@ void PipelineModel::update()
     const std::optional<Pick> &pick = m_document.picks().pick();
     const std::optional<std::size_t> object = shownObject();
     const glm::dmat4 model = object ? worldFromObject(m_document.objects()[*object].transform) : glm::dmat4(1.0);
-    const Result<Pipeline> pipeline = matrices::pipeline(m_document.picture(), model);
+    const Result<Pipeline> pipeline = matrices::pipeline(m_document.setup(), model);
     if (!pipeline) {
         // The matrices stay as they last were good.
         clearPoints();
@@ -195,7 +200,7 @@ void PipelineModel::update()
     }
     showApi();
     showGiven();
-    const ProjectionKind kind = kindOf(m_document.picture().projection());
+    const ProjectionKind kind = kindOf(m_document.setup().projection());
     const Pipeline shown = m_api == Api::OpenGl ? *pipeline : inApi(*pipeline, m_spaces);
     for (const PipelineStage stage : kPipelineStages) {
         const glm::dmat4 &entries = shown.matrix(stage, m_direction);
@@ -233,12 +238,12 @@ std::optional<std::vector<MatrixFactor>> PipelineModel::factors(PipelineStage st
 {
     if (m_direction == PipelineDirection::Backward)
         return std::nullopt;
-    const Picture &picture = m_document.picture();
+    const Setup &setup = m_document.setup();
     if (stage == PipelineStage::ViewMatrix) {
-        if (const auto parts = matrices::factors(picture.camera()))
+        if (const auto parts = matrices::factors(setup.camera()))
             return inConventions(*parts, m_spaces.world, m_spaces.eye);
     } else if (stage == PipelineStage::ProjectionMatrix) {
-        if (const auto parts = matrices::factors(picture.projection()))
+        if (const auto parts = matrices::factors(setup.projection()))
             return inConventions(*parts, m_spaces.eye, m_spaces.clip);
     }
     return std::nullopt;
@@ -253,7 +258,7 @@ void PipelineModel::setApi(Api api)
 void PipelineModel::showApi()
 {
     m_api = m_document.scene().conventions;
-    m_spaces = apiSpaces(m_document.picture(), m_api);
+    m_spaces = apiSpaces(m_document.setup(), m_api);
     for (PointModel *point : m_points)
         point->setApi(m_api);
     m_apiNote.clear();
@@ -263,8 +268,9 @@ void PipelineModel::showApi()
     if (m_api != Api::OpenCv)
         return;
     // Its own camera has no clip space and no buffer of depths: these rows are OpenGL's from OpenCV's eye.
-    const auto camera = apiCamera(m_document.picture(), m_api);
-    m_apiNote = inARow({m_apiNote, tr("Here clip, NDC and depth stay OpenGL's; the view's matrix is [R t].")}) + u'\n';
+    const auto camera = apiCamera(m_document.setup(), m_api);
+    m_apiNote =
+        joinSentences({m_apiNote, tr("Here clip, NDC and depth stay OpenGL's; the view's matrix is [R t].")}) + u'\n';
     m_apiNote += camera && camera->intrinsics ? intrinsicsText(*camera->intrinsics)
                                               : tr("Without a perspective there is no camera matrix K.");
 }
@@ -285,7 +291,7 @@ void PipelineModel::showGiven()
         return;
     m_projectionFindings = findings(given->clipFromEye, MatrixRole::Projection, given->ndcDepth);
     m_given->setMatrix(apiFromOurs(*given, m_api).clipFromEye, PipelineDirection::Forward,
-                       kindOf(m_document.picture().projection()), m_api == Api::OpenGl);
+                       kindOf(m_document.setup().projection()), m_api == Api::OpenGl);
     QStringList said{form->ndcDepth == NdcDepth::ZeroToOne ? tr("z of NDC from 0 to 1") : tr("z of NDC from −1 to 1")};
     if (form->reversed)
         said << tr("reversed: the depth range is turned round for it");
@@ -342,10 +348,10 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
     // What has changed since the click is said in the words of the comparison; only that the numbers of the other view are
     // shown here, and not those of the click, is the pipeline's own.
     const SinceClick since = m_document.picks().sinceClick();
-    const bool isOutside = since.isOtherPicture && points.clip && !isInsideViewVolume(*points.clip);
+    const bool isOutside = since.isOtherSetup && points.clip && !isInsideViewVolume(*points.clip);
     if (since.isObjectMoved || since.isObjectHidden || since.isCutAway || isOutside)
         m_status = sinceClickText(m_document);
-    else if (since.isOtherPicture && m_direction == PipelineDirection::Forward)
+    else if (since.isOtherSetup && m_direction == PipelineDirection::Forward)
         m_status = tr("The view has changed since this click: the point on its way through the view as it is now.");
     showAll(points);
 }
@@ -356,7 +362,7 @@ void PipelineModel::showGivenPoint(const Pipeline &pipeline)
     const PipelinePoints points = pointsFrom(pipeline, given);
     const QString space = point(static_cast<Space>(given.point.index()))->name();
     const bool isObject = std::holds_alternative<ObjectPoint>(given.point);
-    if (isObject && !given.object.empty() && !placeOf(given, m_document.objects()))
+    if (isObject && !given.object.empty() && !indexOf(given, m_document.objects()))
         m_status = tr("Your point was given in the space of “%1”, which is not here: taken as a world point.")
                        .arg(shownObjectName(given.object, m_document.objects()));
     else if (const QString outside = points.clip ? clipTestText(*points.clip) : QString(); !outside.isEmpty())
@@ -396,7 +402,7 @@ bool PipelineModel::isDepthRead() const
     if (followsGiven())
         return false;
     const std::optional<Pick> &pick = m_document.picks().pick();
-    return pick && pick->hit() && pick->picture == m_document.picture();
+    return pick && pick->hit() && pick->setup == m_document.setup();
 }
 
 void PipelineModel::clearPoints()

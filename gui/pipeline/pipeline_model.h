@@ -15,7 +15,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace matrices;
 
 class SceneDocument;
 
@@ -33,15 +32,15 @@ public:
     /// Takes over the document as it is now.
     void update();
 
-    PipelineDirection direction() const { return m_direction; }
-    void setDirection(PipelineDirection direction);
+    matrices::PipelineDirection direction() const { return m_direction; }
+    void setDirection(matrices::PipelineDirection direction);
     /// A chosen object stays chosen while the list changes around it, until it is removed.
     int object() const;
     void setObject(int object);
     const MatrixView &view() const { return m_view; }
     void setView(const MatrixView &view);
 
-    MatrixModel *matrix(PipelineStage stage) const { return m_matrices[static_cast<std::size_t>(stage)]; }
+    MatrixModel *matrix(matrices::PipelineStage stage) const { return m_matrices[static_cast<std::size_t>(stage)]; }
     /// The projection's matrix as the file gives it.
     MatrixModel *given() const { return m_given; }
     /// How it was read and what became of it; empty where the projection is not given as a matrix (any more).
@@ -49,12 +48,12 @@ public:
     /// The view's matrix as it is given.
     MatrixModel *givenView() const { return m_givenView; }
     /// What is to be seen of the matrices that are given.
-    const std::vector<MatrixFinding> &givenFindings(MatrixRole role) const;
+    const std::vector<matrices::MatrixFinding> &givenFindings(matrices::MatrixRole role) const;
     /// Does what a finding offers to the scene.
-    void repair(MatrixRole role, const MatrixFinding &finding);
+    void repair(matrices::MatrixRole role, const matrices::MatrixFinding &finding);
     /// The factors of the view's or the projection's matrix as it is shown forward.
     /// @return nothing where it has none: of another stage, and backward
-    std::optional<std::vector<MatrixFactor>> factors(PipelineStage stage) const;
+    std::optional<std::vector<matrices::MatrixFactor>> factors(matrices::PipelineStage stage) const;
     PointModel *point(PointModel::Space space) const { return m_points[static_cast<std::size_t>(space)]; }
 
     /// Whether the given point is shown and not the picked one: since it was given, until the next click.
@@ -66,9 +65,9 @@ public:
     /// The object whose space is shown; nothing for the identity.
     std::optional<std::size_t> shownObject() const;
     /// Whose conventions points and matrices have: the scene's.
-    Api api() const { return m_api; }
+    geometry::Api api() const { return m_api; }
     /// Undoably.
-    void setApi(Api api);
+    void setApi(geometry::Api api);
     /// What is otherwise there than in OpenGL, with the camera's numbers where they are no matrix; empty for OpenGL.
     const QString &apiNote() const { return m_apiNote; }
     /// Whether the window point's depth on the way back is the one that was read at the click; else it is computed.
@@ -88,28 +87,28 @@ private:
     void showGiven();
     /// Makes what was typed for a coordinate of a space, or for all of them, the given point.
     void take(PointModel::Space space, int coordinate, const QString &typed);
-    void showGivenPoint(const Pipeline &pipeline);
-    void showAll(const PipelinePoints &points);
+    void showGivenPoint(const matrices::Pipeline &pipeline);
+    void showAll(const matrices::PipelinePoints &points);
     /// How the coordinates of a space follow from those of this program.
-    AxisChange changeOf(PointModel::Space space) const;
+    geometry::AxisChange changeOf(PointModel::Space space) const;
     void showApi();
-    void showPoints(const Pipeline &pipeline);
+    void showPoints(const matrices::Pipeline &pipeline);
     void clearPoints();
 
     SceneDocument &m_document;
     bool m_followsGiven = false;
-    PipelineDirection m_direction = PipelineDirection::Forward;
+    matrices::PipelineDirection m_direction = matrices::PipelineDirection::Forward;
     FollowedObject *m_chosen;
     bool m_isIdentity = false;
     MatrixView m_view;
-    Api m_api = Api::OpenGl;
-    ApiSpaces m_spaces;
+    geometry::Api m_api = geometry::Api::OpenGl;
+    geometry::ApiSpaces m_spaces;
     QString m_apiNote;
-    std::array<MatrixModel *, kPipelineStages.size()> m_matrices;
+    std::array<MatrixModel *, matrices::kPipelineStages.size()> m_matrices;
     std::array<PointModel *, PointModel::kSpaces> m_points;
     MatrixModel *m_given;
     MatrixModel *m_givenView;
-    std::vector<MatrixFinding> m_projectionFindings, m_viewFindings;
+    std::vector<matrices::MatrixFinding> m_projectionFindings, m_viewFindings;
     QString m_givenNote;
     QString m_status;
 };

@@ -29,6 +29,8 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
 
 using Space = PointModel::Space;
 
@@ -50,7 +52,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     layout->addWidget(m_derivation);
 
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & (kSeen | Change::Names | Change::Pick | Change::GivenPoint | Change::Conventions))
+        if (changes & (kVisibleChanges | Change::Names | Change::Pick | Change::GivenPoint | Change::Conventions))
             refresh();
     });
     connect(m_model, &PipelineModel::followedChanged, this, &PipelinePanel::refresh);
@@ -199,7 +201,7 @@ void PipelinePanel::arrange()
     m_division->setText(isForward ? tr("↓  divide by w") : tr("↓  divide by its own w′, as gluUnProject does"));
     for (int i = 0; i < PointModel::kSpaces; ++i)
         m_pointNames[static_cast<std::size_t>(i)]->setText(m_model->point(static_cast<Space>(i))->name());
-    m_flip->setText(flipText(*m_model, m_document.picture().surface));
+    m_flip->setText(flipText(*m_model, m_document.setup().surface));
     showTitles();
 }
 
@@ -237,7 +239,7 @@ void PipelinePanel::showHelp()
 {
     for (const PipelineStage stage : kPipelineStages)
         m_sections[static_cast<std::size_t>(stage)]->setHelp(
-            stageHelp(stage, m_model->direction(), kindOf(m_document.picture().projection())));
+            stageHelp(stage, m_model->direction(), kindOf(m_document.setup().projection())));
 }
 
 void PipelinePanel::showTitles()
@@ -253,7 +255,7 @@ void PipelinePanel::showTitles()
 
 void PipelinePanel::showFactors()
 {
-    const Projection projection = m_document.picture().projection();
+    const Projection projection = m_document.setup().projection();
     const auto show = [this](PipelineStage stage, FactorsView *view, bool isGiven, const Projection *of) {
         if (!m_sections[static_cast<std::size_t>(stage)]->showsFactors())
             return;
@@ -274,7 +276,7 @@ void PipelinePanel::showStatus()
     showHelp();
     showFactors();
     m_derivation->refresh();
-    m_flip->setText(flipText(*m_model, m_document.picture().surface));
+    m_flip->setText(flipText(*m_model, m_document.setup().surface));
 }
 
 void PipelinePanel::showGiven()

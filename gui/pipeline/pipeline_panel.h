@@ -31,8 +31,8 @@ public:
     const PipelineModel &model() const { return *m_model; }
 
     // How it is shown, to be remembered.
-    PipelineDirection direction() const { return m_model->direction(); }
-    void setDirection(PipelineDirection direction);
+    matrices::PipelineDirection direction() const { return m_model->direction(); }
+    void setDirection(matrices::PipelineDirection direction);
     const MatrixView &matrixView() const { return m_model->view(); }
     void setMatrixView(const MatrixView &view);
 
@@ -42,7 +42,7 @@ public:
     /// Back to the first row.
     void scrollToTop();
     /// Shows the factors of the view's or the projection's matrix, forward, and what there is to try with them.
-    void takeApart(PipelineStage stage);
+    void takeApart(matrices::PipelineStage stage);
 
     /// What is being typed counts now.
     void applyTyped();
@@ -62,7 +62,7 @@ private:
     /// What lessons link to, by name: each matrix opened, the shares of the projection's factors.
     void createActions();
     /// Opens a matrix and scrolls to it.
-    void openMatrix(PipelineStage stage);
+    void openMatrix(matrices::PipelineStage stage);
     /// @param tried  what below the row is to be in sight as well, or null
     void scrollTo(const QWidget &row, const QWidget *tried);
     void createStages();
@@ -85,7 +85,7 @@ private:
     QVBoxLayout *m_rows;
     std::array<NumberGrid *, PointModel::kSpaces> m_pointGrids{}; ///< each in a row with its name
     std::array<QLabel *, PointModel::kSpaces> m_pointNames{};
-    std::array<MatrixSection *, kPipelineStages.size()> m_sections{};
+    std::array<MatrixSection *, matrices::kPipelineStages.size()> m_sections{};
     FactorsView *m_viewFactors = nullptr;
     FactorsView *m_projectionFactors = nullptr;
     MatrixSection *m_given = nullptr;     ///< before the projection, while that is given as a matrix

@@ -18,6 +18,10 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
+using namespace scene;
+
 namespace {
 
 // Of the switch of digits, whose first choice is the double as it fits.

@@ -22,7 +22,7 @@ class PipelineSwitches : public QWidget {
 public:
     PipelineSwitches(SceneDocument &document, PipelineModel &model, QWidget *parent = nullptr);
 
-    void setDirection(PipelineDirection direction);
+    void setDirection(matrices::PipelineDirection direction);
     void setMatrixView(const MatrixView &view);
     /// Shows the document's objects, and what its conventions change.
     void refresh();
@@ -36,7 +36,7 @@ signals:
 private:
     void createActions();
     void showObjects();
-    void takeConventions(Api api);
+    void takeConventions(geometry::Api api);
     /// Takes over the document's conventions, seen or not: what is chosen after that stays.
     void followConventions();
     /// Vectors as the API writes them, until the user chooses otherwise.

@@ -7,6 +7,9 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
+
 namespace {
 
 int coordinatesIn(PointModel::Space space)

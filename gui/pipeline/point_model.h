@@ -12,7 +12,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace geometry;
 
 /// One point of the pipeline: a column of x, y, z and w, or a row of them where vectors are rows. w is 1 in every space but
 /// clip, and on the way back before the division; a widget position has no more than x and y.
@@ -26,7 +25,7 @@ public:
     explicit PointModel(Space space, QObject *parent = nullptr);
 
     template <class Tag>
-    void setPoint(const Result<Point<Tag>> &point)
+    void setPoint(const geometry::Result<geometry::Point<Tag>> &point)
     {
         if (!point) {
             clearPoint();
@@ -44,9 +43,9 @@ public:
     /// No point: a dash for each coordinate.
     void clearPoint();
     void setView(const MatrixView &view);
-    void setDirection(PipelineDirection direction);
+    void setDirection(matrices::PipelineDirection direction);
     /// Whose the coordinates are, for what is said of them.
-    void setApi(Api api) { m_api = api; }
+    void setApi(geometry::Api api) { m_api = api; }
 
     Space space() const { return m_space; }
     /// How many coordinates a point of the space has.
@@ -87,8 +86,8 @@ private:
     int m_shown; ///< with w
     Coordinates m_coordinates;
     MatrixView m_view;
-    Api m_api = Api::OpenGl;
-    PipelineDirection m_direction = PipelineDirection::Forward;
+    geometry::Api m_api = geometry::Api::OpenGl;
+    matrices::PipelineDirection m_direction = matrices::PipelineDirection::Forward;
 };
 
 } // namespace unprojector::gui

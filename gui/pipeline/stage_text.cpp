@@ -10,6 +10,9 @@
 #include <vector>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
+
 namespace {
 
 struct Texts {

@@ -9,12 +9,14 @@ namespace unprojector::gui {
 // What the pipeline's panel writes at its stages.
 
 /// "View", backward "View⁻¹".
-QString stageName(PipelineStage stage, PipelineDirection direction);
+QString stageName(matrices::PipelineStage stage, matrices::PipelineDirection direction);
 /// The factors of a combined matrix in the order they are written in; empty for a single one.
-QString productText(PipelineStage stage, PipelineDirection direction, MatrixLayout layout);
+QString productText(matrices::PipelineStage stage, matrices::PipelineDirection direction,
+                    matrices::MatrixLayout layout);
 /// Where Help has the matrix.
-QString stageHelp(PipelineStage stage, PipelineDirection direction, ProjectionKind projection);
+QString stageHelp(matrices::PipelineStage stage, matrices::PipelineDirection direction,
+                  geometry::ProjectionKind projection);
 /// The step between window and widget: the y flip, the pixel ratio and, of some conventions, half a pixel.
-QString flipText(const PipelineModel &model, const Surface &surface);
+QString flipText(const PipelineModel &model, const geometry::Surface &surface);
 
 } // namespace unprojector::gui

@@ -87,13 +87,13 @@ ViewportDrawing::ViewportDrawing(QWidget *parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void ViewportDrawing::setPicture(const Picture &geometry)
+void ViewportDrawing::setPicture(const Setup &setup)
 {
-    m_geometry = geometry;
+    m_geometry = setup;
     m_still = {};
-    const Surface &s = geometry.surface;
-    const Viewport &v = geometry.viewport;
-    const ProjectionWindow w = projectionWindow(geometry.projection());
+    const Surface &s = setup.surface;
+    const Viewport &v = setup.viewport;
+    const ProjectionWindow w = projectionWindow(setup.projection());
     setAccessibleDescription(
         tr("Window %1 × %2; viewport from (%3, %4), %5 × %6; projection window from %7 to %8 and from %9 to %10")
             .arg(s.widthPixels)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 
 #include <QPixmap>
 #include <QWidget>
@@ -8,7 +8,6 @@
 #include <optional>
 
 namespace unprojector::gui {
-using namespace geometry;
 
 /// Two drawings, each to scale: the window with the viewport in it, and the projection window [left, right] x
 /// [bottom, top]; the pointer in both, and a circle of the projection window as the viewport shows it. The projection
@@ -19,9 +18,9 @@ public:
     explicit ViewportDrawing(QWidget *parent = nullptr);
 
     /// @pre the geometry is valid
-    void setPicture(const Picture &geometry);
+    void setPicture(const geometry::Setup &setup);
     /// Window position; nothing: no pointer.
-    void setPointer(const std::optional<WindowPoint> &pointer);
+    void setPointer(const std::optional<geometry::WindowPoint> &pointer);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -44,8 +43,8 @@ private:
     QPointF pointerInProjectionWindow() const;
     double captionHeight() const;
 
-    Picture m_geometry;
-    std::optional<WindowPoint> m_pointer;
+    geometry::Setup m_geometry;
+    std::optional<geometry::WindowPoint> m_pointer;
     QPixmap m_still; ///< null: to be painted anew
     QRectF m_windowRect;
     QRectF m_projectionRect;

@@ -27,7 +27,7 @@ constexpr int kCellPadding = 10;
 constexpr int kSpacing = 16; ///< between drawing, proportions and table
 
 /// The window and its projection are all that is shown: the camera may move without any work here.
-bool isSameWindow(const Picture &a, const Picture &b)
+bool isSameWindow(const Setup &a, const Setup &b)
 {
     return a.surface == b.surface && a.viewport == b.viewport && a.depthRange == b.depthRange && a.lens == b.lens;
 }
@@ -87,7 +87,7 @@ ViewportInspector::ViewportInspector(SceneDocument &document, QWidget *parent)
     addCopyAction();
     connect(m_page, &SegmentedSwitch::chosen, this, &ViewportInspector::arrange);
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & Change::Picture)
+        if (changes & Change::Setup)
             refresh();
     });
     showPicture();
@@ -112,7 +112,7 @@ QWidget *ViewportInspector::createProportions()
            "x_v, y_v: the centre of the pointer's pixel, device pixels from the window's bottom-left corner\n"
            "vx, vy, width, height: the viewport; left, right, bottom, top: the projection window");
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
-        const QString symbols = proportionText(m_document.picture(), kAxes[i], {}).symbols;
+        const QString symbols = proportionText(m_document.setup(), kAxes[i], {}).symbols;
         m_symbols[i] = label(names[i].first, terms);
         m_symbols[i]->setMarkup(proportionMarkup(symbols), symbols);
         m_symbols[i]->setFont(digitsFont(font()));
@@ -275,14 +275,14 @@ void ViewportInspector::clearPointer()
 
 void ViewportInspector::refresh()
 {
-    if (!isVisible() || (m_shown && isSameWindow(*m_shown, m_document.picture())))
+    if (!isVisible() || (m_shown && isSameWindow(*m_shown, m_document.setup())))
         return;
     showPicture();
 }
 
 void ViewportInspector::showPicture()
 {
-    m_shown = m_document.picture();
+    m_shown = m_document.setup();
     m_corners->setPicture(*m_shown);
     m_drawing->setPicture(*m_shown);
     const Viewport &v = m_shown->viewport;

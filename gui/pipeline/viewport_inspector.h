@@ -28,7 +28,7 @@ public:
     explicit ViewportInspector(SceneDocument &document, QWidget *parent = nullptr);
 
     /// The pointer's widget position in the 3-D view.
-    void setPointer(const WidgetPoint &position);
+    void setPointer(const geometry::WidgetPoint &position);
     void clearPointer();
 
     const CornersModel &corners() const { return *m_corners; }
@@ -66,8 +66,8 @@ private:
     SteadyLabel *m_circle;
     QTableView *m_table;
     QHBoxLayout *m_contents;
-    std::optional<Picture> m_shown; ///< the picture that is on display
-    std::optional<WidgetPoint> m_pointer;
+    std::optional<geometry::Setup> m_shown; ///< the picture that is on display
+    std::optional<geometry::WidgetPoint> m_pointer;
 };
 
 } // namespace unprojector::gui

@@ -34,6 +34,9 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 constexpr char kGeometryKey[] = "window/geometry";

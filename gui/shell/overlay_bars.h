@@ -46,8 +46,8 @@ public:
 
 signals:
     // With the place of the chosen one among those offered.
-    void recoverRequested(int place);
-    void discardRequested(int place);
+    void recoverRequested(int index);
+    void discardRequested(int index);
     void laterRequested();
 
 private:

@@ -8,6 +8,7 @@
 #include <limits>
 
 namespace unprojector::gui {
+using namespace scene;
 using namespace geometry;
 namespace {
 
@@ -56,7 +57,7 @@ QString emptyPictureText(const SceneDocument &document)
         return {};
     if (std::all_of(objects.begin(), objects.end(), [](const SceneObject &object) { return object.isHidden; }))
         return PictureNote::tr("All objects are hidden. The Objects panel shows them again.");
-    const auto &[surface, viewport, range, lens, pose] = document.picture();
+    const auto &[surface, viewport, range, lens, pose] = document.setup();
     if (isOutside(viewport, surface))
         return PictureNote::tr(
                    "The viewport (x %1, y %2, width %3, height %4) lies wholly outside the window, which is "
@@ -65,9 +66,9 @@ QString emptyPictureText(const SceneDocument &document)
                  readableText(viewport.height))
             .arg(surface.widthPixels)
             .arg(surface.heightPixels);
-    const Projection &projection = document.picture().projection();
+    const Projection &projection = document.setup().projection();
     const ProjectionWindow window = projectionWindow(projection);
-    const Result<EyeFrame> frame = eyeFrame(document.picture().camera());
+    const Result<EyeFrame> frame = eyeFrame(document.setup().camera());
     if (!frame || document.bounds().isEmpty())
         return {};
     const Extent extent = extentOf(document.bounds(), *frame);
@@ -93,7 +94,7 @@ PictureNote::PictureNote(const SceneDocument &document, QWidget *parent) : QLabe
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & kSeen)
+        if (changes & kVisibleChanges)
             refresh();
     });
     refresh();

@@ -24,6 +24,8 @@
 #include <array>
 
 namespace unprojector::gui {
+using namespace scene_code;
+
 namespace {
 
 /// In the order of the switch.
@@ -73,7 +75,7 @@ SceneCodeWindow::SceneCodeWindow(const SceneDocument &document, const Session &s
         m_text->verticalScrollBar()->setValue(0);
     });
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (isVisible() && changes & (kSeen | Change::Names))
+        if (isVisible() && changes & (kVisibleChanges | Change::Names))
             refresh();
     });
     connect(&session, &Session::changed, this, [this] {

@@ -8,7 +8,6 @@ class QLabel;
 class QPlainTextEdit;
 
 namespace unprojector::gui {
-using namespace scene_code;
 
 class SceneDocument;
 class SegmentedSwitch;
@@ -20,8 +19,8 @@ class SceneCodeWindow : public QDialog {
 public:
     SceneCodeWindow(const SceneDocument &document, const Session &session, QWidget *parent = nullptr);
 
-    CodeDialect dialect() const;
-    void setDialect(CodeDialect dialect);
+    scene_code::CodeDialect dialect() const;
+    void setDialect(scene_code::CodeDialect dialect);
     QString code() const;
 
     /// Writes the code to a file.

@@ -7,7 +7,7 @@
 #include "gui/document/picks.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
-#include "gui/lessons/view_size.h"
+#include "gui/lessons/view_resizer.h"
 #include "gui/shell/start_window.h"
 #include "gui/text/error_text.h"
 #include "gui/text/print.h"
@@ -22,6 +22,8 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
 using namespace scene_file;
 namespace {
 
@@ -103,7 +105,7 @@ void ScreenshotRun::pressAndSave()
 {
     if (m_hasEnded)
         return;
-    if (!m_window->findChild<ViewSize *>()->isSettled()) {
+    if (!m_window->findChild<ViewResizer *>()->isSettled()) {
         QTimer::singleShot(kAgainMilliseconds, this, &ScreenshotRun::pressAndSave);
         return;
     }
@@ -129,7 +131,7 @@ void ScreenshotRun::pressAndSave()
     for (const WidgetPoint &position : m_options.clicks) {
         SceneView &view = m_window->view();
         SceneDocument &document = m_window->document();
-        const Result<DevicePixel> pixel = devicePixelFromWidget(document.picture().surface, position);
+        const Result<DevicePixel> pixel = devicePixelFromWidget(document.setup().surface, position);
         if (!pixel) {
             fail(tr("The click %1,%2 lies outside the view, which is %3 × %4 logical pixels.")
                      .arg(position.x)

@@ -12,6 +12,8 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
 
 StatusReadout::StatusReadout(Window &window)
     : QObject(&window), m_window(window), m_pointed(new QLabel), m_preparing(new QLabel), m_projection(new QLabel)
@@ -42,7 +44,7 @@ StatusReadout::StatusReadout(Window &window)
         m_preparing->hide();
     });
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & Change::Picture)
+        if (changes & Change::Setup)
             showProjection();
     });
     showProjection();
@@ -73,7 +75,7 @@ QString StatusReadout::pointedText(const PixelClick &click) const
 
 void StatusReadout::showProjection()
 {
-    const Projection &projection = m_window.document().picture().projection();
+    const Projection &projection = m_window.document().setup().projection();
     const ProjectionWindow w = projectionWindow(projection);
     const QString kind = isPerspective(projection)                       ? tr("Perspective")
                          : kindOf(projection) == ProjectionKind::Oblique ? tr("Oblique")

@@ -28,6 +28,8 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 std::vector<std::filesystem::path> askForModels(QWidget &window, const QString &title, const QString &filter)
@@ -156,7 +158,7 @@ void WindowMenus::addLooks(QMenu &menu)
 {
     SceneDocument &document = m_window.document();
     const auto look = [&document](StandardView side) {
-        return [&document, side] { setCamera(document, seenFrom(document.picture().camera(), side)); };
+        return [&document, side] { setCamera(document, seenFrom(document.setup().camera(), side)); };
     };
     putOnBar(*m_bar,
              *addAction(menu, tr("&Fit"), Qt::Key_F, tr("Move the camera until all objects fill the view"),
@@ -182,10 +184,10 @@ void WindowMenus::addLooks(QMenu &menu)
     connect(perspective, &QAction::triggered, this, [&document] { switchProjection(document); });
     putOnBar(*m_bar, *perspective, Drawing::Perspective);
     const auto show = [&document, perspective] {
-        perspective->setChecked(isPerspective(document.picture().projection()));
+        perspective->setChecked(isPerspective(document.setup().projection()));
     };
     connect(&document, &SceneDocument::changed, perspective, [show](Changes changes) {
-        if (changes & Change::Picture)
+        if (changes & Change::Setup)
             show();
     });
     show();

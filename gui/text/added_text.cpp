@@ -10,6 +10,9 @@
 #include <optional>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+
 namespace {
 
 struct AddedText {

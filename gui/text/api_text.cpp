@@ -6,6 +6,8 @@
 #include <QStringList>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 struct ApiText {

@@ -40,7 +40,7 @@ QString verdictText(const Diagnosis &diagnosis)
     const QString said = QString::fromStdString(doctor::verdictSentence(diagnosis));
     const bool isOpen =
         diagnosis.verdict == "unknown" || (diagnosis.verdict == "right" && diagnosis.depthKnown == DepthKnown::ByRay);
-    return isOpen ? inARow({sentence(doctor::verdictName(diagnosis)), said}) : said;
+    return isOpen ? joinSentences({sentence(doctor::verdictName(diagnosis)), said}) : said;
 }
 
 QString coordinateText(double value, double lastDigit)

@@ -11,6 +11,8 @@
 #include <QTextDocument>
 
 namespace unprojector::gui {
+using namespace mesh;
+using namespace scene_file;
 using namespace geometry;
 namespace {
 

@@ -8,12 +8,10 @@
 #include <QString>
 
 namespace unprojector::gui {
-using namespace geometry;
-using namespace mesh;
 
 /// What core says is wrong, as sentences of the window.
-QString errorText(const Error &error);
-QString errorText(const ImportError &error);
+QString errorText(const geometry::Error &error);
+QString errorText(const mesh::ImportError &error);
 /// Names the file and the place in it.
 QString errorText(const scene_file::SceneFileError &error);
 /// Why a text typed for a number is none, with the place in it.

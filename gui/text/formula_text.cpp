@@ -57,17 +57,17 @@ FormulaTerms termsOf(const Pick &pick, const EyePoint &eye, const WorldPoint &wo
                      const EyeFrame &frame)
 {
     const DevicePoint device = pixelCenter(pick.devicePixel);
-    const Viewport &v = pick.picture.viewport;
-    const ProjectionWindow w = projectionWindow(pick.picture.projection());
+    const Viewport &v = pick.setup.viewport;
+    const ProjectionWindow w = projectionWindow(pick.setup.projection());
     const double z = -eye.z;
-    const auto *oblique = std::get_if<Oblique>(&pick.picture.projection());
+    const auto *oblique = std::get_if<Oblique>(&pick.setup.projection());
     FormulaTerms terms{
         {"px", scalar("px", Formulas::tr("The pixel's centre from the window's left edge, device pixels"), device.x,
                       kPixelDigits)},
         {"py", scalar("py", Formulas::tr("The pixel's centre from the window's upper edge, device pixels"), device.y,
                       kPixelDigits)},
         {"H", scalar("rect.bottom", Formulas::tr("Height of the window, device pixels"),
-                     pick.picture.surface.heightPixels, kPixelDigits)},
+                     pick.setup.surface.heightPixels, kPixelDigits)},
         {"vx", scalar("v<sub>x</sub>", Formulas::tr("Left edge of the viewport, device pixels"), v.x, kPixelDigits)},
         {"vy", scalar("v<sub>y</sub>", Formulas::tr("Lower edge of the viewport, device pixels"), v.y, kPixelDigits)},
         {"width", scalar("width", Formulas::tr("Width of the viewport, device pixels"), v.width)},
@@ -113,8 +113,8 @@ PickFormulas surfaceFormulas(const Pick &pick)
 {
     const Result<EyePoint> &eye = pick.point.eye[Method::Formula];
     const Result<WorldPoint> &world = pick.point.world[Method::Formula];
-    const Result<double> depth = unitDepth(pick.picture.depthRange, pick.window.z);
-    const Result<EyeFrame> frame = eyeFrame(pick.picture.camera());
+    const Result<double> depth = unitDepth(pick.setup.depthRange, pick.window.z);
+    const Result<EyeFrame> frame = eyeFrame(pick.setup.camera());
     if (!eye || !world || !depth || !frame)
         return {};
     PickFormulas result{{}, termsOf(pick, *eye, *world, *depth, *frame)};
@@ -122,8 +122,8 @@ PickFormulas surfaceFormulas(const Pick &pick)
         result.formulas.emplace_back(QString::fromUtf8(number), QString::fromUtf8(left), QString::fromUtf8(expression),
                                      result.terms);
     };
-    const bool isOblique = std::holds_alternative<Oblique>(pick.picture.projection());
-    if (isPerspective(pick.picture.projection())) {
+    const bool isOblique = std::holds_alternative<Oblique>(pick.setup.projection());
+    if (isPerspective(pick.setup.projection())) {
         add("(13)", "z", "{[n]*[f] | [f]*(1 − [d]) + [n]*[d]}");
         add("(9)", "x", "{([px] − [vx])*([r] − [l])*[z] | [width] · [n]} + {[l]*[z] | [n]}");
         add("(10)", "y", "{([H] − [py] − [vy])*([t] − [b])*[z] | [height] · [n]} + {[b]*[z] | [n]}");
@@ -182,8 +182,7 @@ QString certaintyText(const Pick &pick)
                                 "(half of the %4 pixels that a point is drawn wide).")
                 .arg(boundText(c.distance), boundText(c.footprintWidth / 2.0), boundText(c.footprintHeight / 2.0),
                      significantText(pick.sample.dotPixels, 3));
-        return Formulas::tr(
-                   "Accuracy ± %1 along the view (depth buffer alone ± %2). A pixel covers %3 × %4 here.")
+        return Formulas::tr("Accuracy ± %1 along the view (depth buffer alone ± %2). A pixel covers %3 × %4 here.")
             .arg(boundText(c.distance), readableText(c.halfDepthStep), readableText(c.footprintWidth),
                  readableText(c.footprintHeight));
     }

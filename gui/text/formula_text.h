@@ -6,7 +6,6 @@
 #include <QString>
 
 namespace unprojector::gui {
-using namespace unproject;
 
 /// The formulas that a pick was computed by, and what they name.
 struct PickFormulas {
@@ -21,10 +20,10 @@ struct PickFormulas {
 /// world point from the camera's axes. Of the background the ray under the pixel. Numbers are rounded for reading; the
 /// results are those of the full doubles.
 /// @return none where a method found no point
-PickFormulas formulasOf(const Pick &pick);
+PickFormulas formulasOf(const unproject::Pick &pick);
 
 /// How far off the picked coordinate can be, and from what. Of the background: where the ray enters and leaves the view
 /// volume.
-QString certaintyText(const Pick &pick);
+QString certaintyText(const unproject::Pick &pick);
 
 } // namespace unprojector::gui

@@ -10,6 +10,8 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace mesh;
+
 namespace {
 
 struct NoteTexts {
@@ -33,10 +35,10 @@ QString notesText(const QString &fileName, const std::vector<ModelNote> &notes)
     });
     if (isUnusable && !QImageReader::supportedImageFormats().contains("jpeg"))
         sentences << NoteTexts::tr("JPEG is not known here: Qt's plugin for it is missing. Convert it to PNG.");
-    return sentences.isEmpty() ? QString() : ofFile(fileName, inARow(sentences));
+    return sentences.isEmpty() ? QString() : ofFile(fileName, joinSentences(sentences));
 }
 
-QString pointNotesText(const QString &fileName, const std::vector<landmark_files::LandmarkNote> &notes)
+QString landmarkNotesText(const QString &fileName, const std::vector<landmark_files::LandmarkNote> &notes)
 {
     QStringList lines;
     for (const landmark_files::LandmarkNote &note : notes)

@@ -8,11 +8,10 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace mesh;
 
 /// What a model does not show as its file has it: core's sentences, the file's name before them; empty without any.
-QString notesText(const QString &fileName, const std::vector<ModelNote> &notes);
+QString notesText(const QString &fileName, const std::vector<mesh::ModelNote> &notes);
 /// What a file of points does not have as it was given: core's words, a line each, the file's name before them.
-QString pointNotesText(const QString &fileName, const std::vector<landmark_files::LandmarkNote> &notes);
+QString landmarkNotesText(const QString &fileName, const std::vector<landmark_files::LandmarkNote> &notes);
 
 } // namespace unprojector::gui

@@ -6,6 +6,8 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 /// What is written out whatever its digits.

@@ -5,7 +5,6 @@
 #include <QString>
 
 namespace unprojector::gui {
-using namespace geometry;
 
 // How numbers are written everywhere in the window. Copied text uses the ASCII minus, so that it can be pasted into code.
 //
@@ -64,17 +63,17 @@ struct Notation {
 /// is shorter than the largest need not lose its place for it.
 /// @param coordinate  the one of them that is to be written
 /// @param characters  the column's room, with a sign and the decimal point
-Notation notationOf(const Components<3> &point, double coordinate, int digits, int characters);
+Notation notationOf(const geometry::Components<3> &point, double coordinate, int digits, int characters);
 
 /// The digits of a coordinate that say something: those that are certain and two more, which a comparison is made by. Of one that
 /// nothing is uncertain of, ten of the point's largest coordinate.
 /// @param uncertainty  of the coordinate
-Notation notationWithin(const Components<3> &point, double coordinate, double uncertainty);
+Notation notationWithin(const geometry::Components<3> &point, double coordinate, double uncertainty);
 
 /// Decimals with which the largest component of a point shows `digits` significant digits; from 0.1 to 1 one less.
-int decimalsFor(const Components<3> &point, int digits);
+int decimalsFor(const geometry::Components<3> &point, int digits);
 
 /// "(x, y, z)", each coordinate rounded to the place that its uncertainty leaves certain.
-QString pointText(const Components<3> &point, const Components<3> &uncertainty);
+QString pointText(const geometry::Components<3> &point, const geometry::Components<3> &uncertainty);
 
 } // namespace unprojector::gui

@@ -42,14 +42,14 @@ QString ProportionText::line() const
            + (share.isEmpty() ? share : QStringLiteral(" = ") + share);
 }
 
-ProportionText proportionText(const Picture &geometry, Axis axis, const std::optional<WindowPoint> &pointer)
+ProportionText proportionText(const Setup &setup, Axis axis, const std::optional<WindowPoint> &pointer)
 {
-    const ProjectionWindow w = projectionWindow(geometry.projection());
-    const Viewport &v = geometry.viewport;
+    const ProjectionWindow w = projectionWindow(setup.projection());
+    const Viewport &v = setup.viewport;
     const bool isX = axis == Axis::X;
     const double low = isX ? w.left : w.bottom, high = isX ? w.right : w.top;
     const double corner = isX ? v.x : v.y, size = isX ? v.width : v.height;
-    const int pixels = isX ? geometry.surface.widthPixels : geometry.surface.heightPixels;
+    const int pixels = isX ? setup.surface.widthPixels : setup.surface.heightPixels;
 
     constexpr int kDigits = 5, kPixelDecimals = 1, kShareDecimals = 4;
     const int decimals = decimalsFor({low, high, 0.0}, kDigits);
@@ -61,7 +61,7 @@ ProportionText proportionText(const Picture &geometry, Axis axis, const std::opt
     QString inWindow = isX ? QStringLiteral("x_w") : QStringLiteral("y_w");
     QString inView = isX ? QStringLiteral("x_v") : QStringLiteral("y_v");
     if (pointer) {
-        const Proportions p = proportions(geometry, *pointer);
+        const Proportions p = proportions(setup, *pointer);
         inWindow = inPlane(isX ? p.position.x : p.position.y);
         inView = typographic(fixedText(isX ? pointer->x : pointer->y, kPixelDecimals));
         text.share = typographic(fixedText(isX ? p.share.x : p.share.y, kShareDecimals));

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "core/geometry/picture.h"
+#include "core/geometry/setup.h"
 
 #include <QString>
 
 #include <optional>
 
 namespace unprojector::gui {
-using namespace geometry;
 
 /// The proportion (3) or (4) in symbols, both of its sides with their numbers, and the share that they make.
 struct ProportionText {
@@ -25,7 +24,8 @@ enum class Axis { X, Y };
 /// What changes with the pointer is padded with blanks to one width, so that a text does not jump.
 /// @param pointer  window position; nothing: x_w and x_v (y_w and y_v) stand as symbols
 /// @pre the geometry is valid
-ProportionText proportionText(const Picture &geometry, Axis axis, const std::optional<WindowPoint> &pointer);
+ProportionText proportionText(const geometry::Setup &setup, Axis axis,
+                              const std::optional<geometry::WindowPoint> &pointer);
 
 /// Lines of proportions as rich text: the indexes of x_w, x_v and vx are set as such, and blanks are kept.
 QString proportionMarkup(const QString &plain);

@@ -10,6 +10,9 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace ray;
+
 namespace {
 
 struct RayTexts {

@@ -21,7 +21,7 @@ QString sentence(const std::string &said)
     return line;
 }
 
-QString inARow(const QStringList &said)
+QString joinSentences(const QStringList &said)
 {
     constexpr QStringView kWideEnds = u"。！？；：";
     QString text;

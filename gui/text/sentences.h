@@ -14,6 +14,6 @@ QString sentence(const std::string &said);
 
 /// Sentences one after the other: with a blank between them, and with none where the one before ends as Chinese ones do, whose
 /// full stop has its own room. Empty ones are left out.
-QString inARow(const QStringList &said);
+QString joinSentences(const QStringList &said);
 
 } // namespace unprojector::gui

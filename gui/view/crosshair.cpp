@@ -5,10 +5,11 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
 
 DevicePixel Crosshair::pixel() const
 {
-    const auto &[surface, viewport, depthRange, projection, view] = m_document.picture();
+    const auto &[surface, viewport, depthRange, projection, view] = m_document.setup();
     if (m_pixel && m_pixel->i < surface.widthPixels && m_pixel->j < surface.heightPixels)
         return *m_pixel;
     const DevicePoint middle = deviceFromWindow(
@@ -22,18 +23,18 @@ DevicePixel Crosshair::pixel() const
 
 WidgetPoint Crosshair::position() const
 {
-    return widgetFromDevice(m_document.picture().surface, pixelCenter(pixel()));
+    return widgetFromDevice(m_document.setup().surface, pixelCenter(pixel()));
 }
 
 void Crosshair::put(const WidgetPoint &position)
 {
-    if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.picture().surface, position))
+    if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.setup().surface, position))
         m_pixel = *pixel;
 }
 
 void Crosshair::move(const QPoint &way)
 {
-    const Surface &surface = m_document.picture().surface;
+    const Surface &surface = m_document.setup().surface;
     const DevicePixel from = pixel();
     m_pixel = {std::clamp(from.i + way.x(), 0, surface.widthPixels - 1),
                std::clamp(from.j + way.y(), 0, surface.heightPixels - 1)};

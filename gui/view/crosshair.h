@@ -15,14 +15,14 @@ public:
     /// @param document  outlives it
     explicit Crosshair(const SceneDocument &document) : m_document(document) {}
 
-    DevicePixel pixel() const;
+    geometry::DevicePixel pixel() const;
     /// The pixel's centre.
-    WidgetPoint position() const;
+    geometry::WidgetPoint position() const;
     /// The pixel while keys are used, to be drawn.
-    std::optional<DevicePixel> shown() const { return m_isShown ? std::optional(pixel()) : std::nullopt; }
+    std::optional<geometry::DevicePixel> shown() const { return m_isShown ? std::optional(pixel()) : std::nullopt; }
 
     /// Puts it onto the pixel under a position; outside the view it stays.
-    void put(const WidgetPoint &position);
+    void put(const geometry::WidgetPoint &position);
     /// Moves it by device pixels, x to the right and y down, as far as the view's edge.
     void move(const QPoint &way);
     /// Back to the middle.
@@ -32,7 +32,7 @@ public:
 
 private:
     const SceneDocument &m_document;
-    std::optional<DevicePixel> m_pixel; ///< where it was put
+    std::optional<geometry::DevicePixel> m_pixel; ///< where it was put
     bool m_isShown = false;
 };
 

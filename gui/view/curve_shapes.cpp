@@ -9,6 +9,8 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 using landmarks::Curve;
@@ -19,10 +21,10 @@ const glm::vec4 kUsualColor(1.0f, 0.76f, 0.18f, 1.0f), kMeasureColor(1.0f, 1.0f,
 /// Pulls a line off its surface, towards the eye.
 class Lifted {
 public:
-    Lifted(const Picture &picture, const EyeFrame &frame)
-        : m_picture(picture), m_eye(frame.eye), m_backward(-frame.forward.coordinates())
+    Lifted(const Setup &setup, const EyeFrame &frame)
+        : m_setup(setup), m_eye(frame.eye), m_backward(-frame.forward.coordinates())
     {
-        const Result<glm::dmat4> clip = clipFromEye(picture);
+        const Result<glm::dmat4> clip = clipFromEye(setup);
         m_isPerspective = clip && (*clip)[2][3] != 0.0;
     }
     glm::dvec3 operator()(const WorldPoint &point) const
@@ -30,11 +32,11 @@ public:
         constexpr double kPixels = 4.0; // logical; enough for lines on what is seen at an angle
         const glm::dvec3 toEye = (m_eye - point).coordinates();
         const glm::dvec3 way = m_isPerspective && glm::length(toEye) > 0.0 ? glm::normalize(toEye) : m_backward;
-        return point.coordinates() + kPixels * worldPerLogicalPixel(m_picture, point) * way;
+        return point.coordinates() + kPixels * worldPerLogicalPixel(m_setup, point) * way;
     }
 
 private:
-    const Picture &m_picture;
+    const Setup &m_setup;
     WorldPoint m_eye;
     glm::dvec3 m_backward;
     bool m_isPerspective = false;
@@ -48,16 +50,16 @@ void addPath(std::vector<LineSegment> &lines, const std::vector<WorldPoint> &pat
 }
 
 /// Of its first point; nothing where one of them is hidden.
-std::optional<glm::vec4> colorOf(const Curve &curve, const std::vector<Landmark> &points)
+std::optional<glm::vec4> colorOf(const Curve &curve, const std::vector<Landmark> &landmarks)
 {
     glm::vec4 color = kUsualColor;
-    for (const Landmark &point : points) {
-        if (std::find(curve.points.begin(), curve.points.end(), point.name) == curve.points.end())
+    for (const Landmark &landmark : landmarks) {
+        if (std::find(curve.points.begin(), curve.points.end(), landmark.name) == curve.points.end())
             continue;
-        if (point.isHidden)
+        if (landmark.isHidden)
             return std::nullopt;
-        if (point.name == curve.points.front() && point.color)
-            color = glm::vec4(glm::vec3(*point.color) / 255.0f, 1.0f);
+        if (landmark.name == curve.points.front() && landmark.color)
+            color = glm::vec4(glm::vec3(*landmark.color) / 255.0f, 1.0f);
     }
     return color;
 }
@@ -72,11 +74,11 @@ CurveShapes curveShapes(const SceneDocument &document)
     const bool isMeasured = measure && measure->shape == ShownMeasure::Shape::Surface;
     if (curves.all().empty() && !isMeasured)
         return shapes;
-    const Picture &picture = document.picture();
-    const Result<EyeFrame> frame = eyeFrame(picture.camera());
+    const Setup &setup = document.setup();
+    const Result<EyeFrame> frame = eyeFrame(setup.camera());
     if (!frame)
         return shapes;
-    const Lifted lifted(picture, *frame);
+    const Lifted lifted(setup, *frame);
     for (std::size_t i = 0; i < curves.all().size(); ++i) {
         const Curve &curve = curves.all()[i];
         const SceneCurves::Line &line = curves.line(i);
@@ -91,7 +93,7 @@ CurveShapes curveShapes(const SceneDocument &document)
         for (const WorldPoint &place : semilandmarks) {
             // A line as long as it is wide is a dot; without any length it would have no direction.
             const glm::dvec3 at = lifted(place);
-            const glm::dvec3 half = 3.5 * worldPerLogicalPixel(picture, place) * frame->upward.coordinates();
+            const glm::dvec3 half = 3.5 * worldPerLogicalPixel(setup, place) * frame->upward.coordinates();
             shapes.dots.push_back({at - half, at + half, *color});
         }
     }

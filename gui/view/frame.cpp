@@ -11,6 +11,9 @@
 #include <cstring>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 constexpr std::array<GLenum, 2> kColorsAlone{GL_COLOR_ATTACHMENT0, GL_NONE};
@@ -48,7 +51,7 @@ void Frame::releaseTextures()
     glDeleteFramebuffers(1, &m_framebuffer);
     m_framebuffer = m_colors = m_objects = m_depths = 0;
     m_widthPixels = m_heightPixels = 0;
-    m_picture.reset();
+    m_setup.reset();
 }
 
 bool Frame::allocate(int widthPixels, int heightPixels)
@@ -122,8 +125,8 @@ void Frame::bind()
 bool Frame::begin(const Drawable &drawable, const QColor &around)
 {
     dropRequest();
-    m_picture.reset();
-    if (!allocate(drawable.picture.surface.widthPixels, drawable.picture.surface.heightPixels))
+    m_setup.reset();
+    if (!allocate(drawable.setup.surface.widthPixels, drawable.setup.surface.heightPixels))
         return false;
     m_begun = drawable;
     m_isPaused = false;
@@ -163,13 +166,13 @@ void Frame::end()
 {
     glDisable(GL_DEPTH_TEST);
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(m_boundBefore));
-    m_picture = m_begun->picture;
+    m_setup = m_begun->setup;
     m_begun.reset();
 }
 
 Frame::Block Frame::blockAround(const DevicePixel &pixel) const
 {
-    const Surface &surface = m_picture->surface;
+    const Surface &surface = m_setup->surface;
     assert(pixel.i >= 0 && pixel.i < surface.widthPixels && pixel.j >= 0 && pixel.j < surface.heightPixels);
     const int row = framebufferRow(surface, pixel);
     Block block;
@@ -222,7 +225,7 @@ double Frame::depthOf(std::uint32_t raw) const
 
 DepthSample Frame::decoded(const Raw &raw, const Block &block) const
 {
-    const DepthRange &range = m_picture->depthRange;
+    const DepthRange &range = m_setup->depthRange;
     const std::size_t middle = block.middle;
     const std::uint32_t id = idOf(raw.objects[middle]);
     if (id == 0)
@@ -231,9 +234,9 @@ DepthSample Frame::decoded(const Raw &raw, const Block &block) const
     // The steeper of both sides: a triangle smaller than a pixel is no less steep than the way to the next pixel.
     const auto slopeTo = [&](bool isBefore, bool isAfter, std::size_t step) {
         std::optional<double> slope;
-        const auto add = [&](std::size_t place) {
-            if (idOf(raw.objects[place]) == id)
-                slope = std::max(slope.value_or(0.0), std::abs(depthOf(raw.depths[place]) - depth));
+        const auto add = [&](std::size_t index) {
+            if (idOf(raw.objects[index]) == id)
+                slope = std::max(slope.value_or(0.0), std::abs(depthOf(raw.depths[index]) - depth));
         };
         if (isBefore)
             add(middle - step);
@@ -269,7 +272,7 @@ double Frame::cornerShiftPixels()
 
 std::optional<DepthSample> Frame::sample(const DevicePixel &pixel)
 {
-    if (!m_picture)
+    if (!m_setup)
         return std::nullopt;
     measureCorners();
     clearErrors(*this);
@@ -284,7 +287,7 @@ std::optional<DepthSample> Frame::sample(const DevicePixel &pixel)
 void Frame::request(const DevicePixel &pixel)
 {
     dropRequest();
-    if (!m_picture)
+    if (!m_setup)
         return;
     measureCorners();
     clearErrors(*this);

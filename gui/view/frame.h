@@ -12,8 +12,6 @@
 #include <optional>
 
 namespace unprojector::gui {
-using namespace geometry;
-using namespace unproject;
 
 /// A framebuffer of our own: the colour, the depth and the object of every pixel, one sample each, and the picture that
 /// they were drawn with. Whether there is a surface under a pixel is told by the object, never by comparing depths.
@@ -34,7 +32,7 @@ public:
     /// plane.
     /// @param around  the colour of what the viewport leaves of the surface
     /// @return false when OpenGL gives no such framebuffer; then nothing is bound, and there is nothing to end
-    bool begin(const Drawable &drawable, const QColor &around = QColor(0xcc, 0xd1, 0xd6));
+    bool begin(const geometry::Drawable &drawable, const QColor &around = QColor(0xcc, 0xd1, 0xd6));
     /// From now on objects are drawn: colour, depth and object id. After pause() they are drawn on.
     void beginObjects();
     /// What was bound before is drawn into for a while; nothing of the frame is to be read yet.
@@ -43,7 +41,7 @@ public:
     void end();
 
     /// The picture that was drawn; nothing before the first.
-    const std::optional<Picture> &picture() const { return m_picture; }
+    const std::optional<geometry::Setup> &setup() const { return m_setup; }
     unsigned framebuffer() const { return m_framebuffer; }
     unsigned colors() const { return m_colors; }
     unsigned depths() const { return m_depths; }
@@ -53,17 +51,17 @@ public:
     /// What was drawn at a pixel, with the slope that the same object's pixels beside it show. Waits until it is drawn.
     /// @pre the pixel lies inside the picture, if there is one
     /// @return nothing without a picture, and when OpenGL reports an error
-    std::optional<DepthSample> sample(const DevicePixel &pixel);
+    std::optional<unproject::DepthSample> sample(const geometry::DevicePixel &pixel);
 
     /// Asks for a sample without waiting. There is one request at a time: another one, or another picture, drops it.
     /// @pre the pixel lies inside the picture, if there is one
-    void request(const DevicePixel &pixel);
+    void request(const geometry::DevicePixel &pixel);
     /// Nobody waits for the sample any more: nothing is requested.
     void dropRequest();
     bool isRequested() const { return m_fence != nullptr; }
     /// The sample that was asked for, once it has come; then nothing is requested any more. When OpenGL reports an
     /// error, nothing comes, and nothing is requested any more.
-    std::optional<DepthSample> takeRequested();
+    std::optional<unproject::DepthSample> takeRequested();
 
 private:
     static constexpr std::size_t kBlock = 3; ///< pixels are read with those around them
@@ -82,22 +80,22 @@ private:
     bool allocate(int widthPixels, int heightPixels);
     void releaseTextures();
     void measureCorners();
-    Block blockAround(const DevicePixel &pixel) const;
+    Block blockAround(const geometry::DevicePixel &pixel) const;
     void readBlock(const Block &block, void *depths, void *objects);
     std::uint32_t idOf(std::uint32_t raw) const;
     double depthOf(std::uint32_t raw) const;
-    DepthSample decoded(const Raw &raw, const Block &block) const;
+    unproject::DepthSample decoded(const Raw &raw, const Block &block) const;
 
     ObjectIds m_ids = ObjectIds::Integers;
     unsigned m_framebuffer = 0;
     unsigned m_colors = 0, m_objects = 0, m_depths = 0; ///< textures
     int m_widthPixels = 0, m_heightPixels = 0;
-    DepthFormat m_depthFormat;
+    unproject::DepthFormat m_depthFormat;
     std::optional<double> m_cornerShift; ///< measuredCornerShift, once pixels are read
     int m_boundBefore = 0;
-    std::optional<Drawable> m_begun;
+    std::optional<geometry::Drawable> m_begun;
     bool m_isPaused = false;
-    std::optional<Picture> m_picture;
+    std::optional<geometry::Setup> m_setup;
     unsigned m_requestBuffer = 0;
     Block m_requested;
     GLsync m_fence = nullptr;

@@ -17,6 +17,10 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace mesh;
+using namespace scene;
+
 namespace {
 
 /// A frame that has not been drawn anew for so long is at rest.
@@ -132,7 +136,7 @@ void FrameView::releaseFrame()
 bool FrameView::beginFrame(Frame &frame)
 {
     if (!frame.begin(m_contents.drawn, aroundOf(palette()))) {
-        const Surface &surface = m_contents.drawn.picture.surface;
+        const Surface &surface = m_contents.drawn.setup.surface;
         emit failed(tr("OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics "
                        "driver.")
                         .arg(surface.widthPixels)
@@ -304,12 +308,12 @@ bool FrameView::showFrame()
 {
     if (!m_isOnScreen)
         completeFrame();
-    if (!frame().picture()) {
+    if (!frame().setup()) {
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); // why has been told
         return false;
     }
     const bool isInMotion = m_isOnScreen && m_painter.isSmoothingSlow() && !m_sinceDrawn.hasExpired(kRestMilliseconds);
-    const Surface &surface = frame().picture()->surface;
+    const Surface &surface = frame().setup()->surface;
     m_painter.draw(
         {frame().framebuffer(), frame().colors(), frame().depths(), surface.widthPixels, surface.heightPixels},
         m_smoothEdges && !isInMotion);

@@ -64,7 +64,7 @@ public:
 
     /// The widget position of a mouse event, corrected for fractional pixel ratios: Qt composes the view onto whole
     /// device pixels, while the event's position is relative to the view's logical corner.
-    WidgetPoint widgetPosition(const QPointF &local) const;
+    geometry::WidgetPoint widgetPosition(const QPointF &local) const;
     /// The pixels of what has been drawn, the top row first, black outside the view. While the view is painted.
     /// @param wanted  device pixels, origin top-left
     QImage pixelsIn(const QRect &wanted);
@@ -112,7 +112,7 @@ protected:
     void tellDrawn(double share);
 
     /// The widget's size in device pixels.
-    Surface currentSurface() const;
+    geometry::Surface currentSurface() const;
     /// To release all that was made in the context, if anything was. It is called when the context goes, as it does when
     /// the widget moves to another window; a destructor has to call it itself.
     virtual void releaseGL() = 0;

@@ -15,6 +15,8 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 using Tips = HighlightMarks::Tips;
@@ -25,23 +27,23 @@ const QColor kDark(0x18, 0x1a, 0x1c), kRim(0xff, 0xff, 0xff, 225);
 const QColor kNear(0x0c, 0x4c, 0x9c), kFar(0x9c, 0x4a, 0x00);
 constexpr double kHead = 8.0;
 
-double axisLength(const Picture &picture)
+double axisLength(const Setup &setup)
 {
     constexpr double kMostLogical = 64.0, kMostShare = 0.16;
-    return std::min(kMostLogical, kMostShare * std::min(picture.viewport.width, picture.viewport.height)
-                                      / picture.surface.devicePixelRatio);
+    return std::min(kMostLogical, kMostShare * std::min(setup.viewport.width, setup.viewport.height)
+                                      / setup.surface.devicePixelRatio);
 }
 
 /// @param origin, tip  clip space of the picture
-void addAxis(HighlightMarks &marks, const Picture &picture, const glm::dvec4 &origin, const glm::dvec4 &tip,
+void addAxis(HighlightMarks &marks, const Setup &setup, const glm::dvec4 &origin, const glm::dvec4 &tip,
              std::size_t axis, const std::string &name)
 {
-    const std::optional<QPointF> from = placeInPicture(picture, origin), to = placeInPicture(picture, tip);
+    const std::optional<QPointF> from = placeInPicture(setup, origin), to = placeInPicture(setup, tip);
     if (!from || !to)
         return;
     const QLineF line(*from, *to);
     constexpr double kMostShare = 8.0;
-    if (!(line.length() < kMostShare * axisLength(picture)))
+    if (!(line.length() < kMostShare * axisLength(setup)))
         return;                     // it ends beside the eye
     constexpr double kLeast = 10.0; // shorter, it is seen end-on
     Tips tips = Tips::End;
@@ -64,14 +66,14 @@ void addAxis(HighlightMarks &marks, const Picture &picture, const glm::dvec4 &or
 }
 
 /// What of a line is in front of the eye, logical pixels.
-std::optional<QLineF> lineInPicture(const Picture &picture, glm::dvec4 from, glm::dvec4 to)
+std::optional<QLineF> lineInPicture(const Setup &setup, glm::dvec4 from, glm::dvec4 to)
 {
     const double least = 1e-3 * std::max(from.w, to.w);
     if (from.w < least)
         std::swap(from, to);
     if (to.w < least)
         to = glm::mix(from, to, (from.w - least) / (from.w - to.w));
-    const std::optional<QPointF> one = placeInPicture(picture, from), other = placeInPicture(picture, to);
+    const std::optional<QPointF> one = placeInPicture(setup, from), other = placeInPicture(setup, to);
     return one && other ? std::optional(QLineF(*one, *other)) : std::nullopt;
 }
 
@@ -138,20 +140,20 @@ void drawLetter(QPainter &painter, const QFont &usual, const HighlightMarks::Tex
 
 } // namespace
 
-std::optional<QPointF> placeInPicture(const Picture &picture, const glm::dvec4 &clip)
+std::optional<QPointF> placeInPicture(const Setup &setup, const glm::dvec4 &clip)
 {
     if (!(clip.w > 0.0))
         return std::nullopt;
     const NdcPoint ndc(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w);
-    const WindowPoint window = windowFromNdc(picture.viewport, picture.depthRange, ndc, ndcDepthOf(picture));
-    const WidgetPoint widget = widgetFromDevice(picture.surface, deviceFromWindow(picture.surface, window));
+    const WindowPoint window = windowFromNdc(setup.viewport, setup.depthRange, ndc, ndcDepthOf(setup));
+    const WidgetPoint widget = widgetFromDevice(setup.surface, deviceFromWindow(setup.surface, window));
     return QPointF(widget.x, widget.y);
 }
 
 HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Highlight> &highlights)
 {
     HighlightMarks marks;
-    const Picture &g = document.picture();
+    const Setup &g = document.setup();
     const Result<EyeFrame> eye = eyeFrame(g.camera());
     const Result<glm::dmat4> clip = clipFromWorld(g);
     if (highlights.contains(Highlight::Axes) && eye && clip) {
@@ -190,7 +192,7 @@ HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Hi
             marks.lines.push_back(*line);
     }
     for (const std::optional<WorldPoint> &point :
-         {document.picks().pickedPoint(), givenWorld(document.scene(), document.picture())}) {
+         {document.picks().pickedPoint(), givenWorld(document.scene(), document.setup())}) {
         const std::optional<QPointF> at =
             point ? placeInPicture(g, *clip * glm::dvec4(point->coordinates(), 1.0)) : std::nullopt;
         constexpr double kHalf = 15.0; // the arms of the crosshair
@@ -209,7 +211,7 @@ HighlightMarks highlightsFromOutside(const SceneDocument &document, const Observ
                                      const std::set<Highlight> &highlights)
 {
     HighlightMarks marks;
-    const Picture &g = picture.observer;
+    const Setup &g = picture.observer;
     const auto add = [&](const glm::dvec4 &drawn, const Letter &letter, const QColor &color) {
         if (const std::optional<QPointF> at = placeInPicture(g, picture.clipFromDrawn * drawn))
             marks.texts.push_back({*at, letter, color});

@@ -74,6 +74,6 @@ std::optional<QLineF> leaderOf(const HighlightMarks &marks, std::size_t text, co
 void drawHighlights(QPainter &painter, const HighlightMarks &marks, const std::vector<QRectF> &boxes);
 
 /// The logical pixels that a clip-space point of a picture is seen at; nothing behind the eye.
-std::optional<QPointF> placeInPicture(const Picture &picture, const glm::dvec4 &clip);
+std::optional<QPointF> placeInPicture(const geometry::Setup &setup, const glm::dvec4 &clip);
 
 } // namespace unprojector::gui

@@ -7,6 +7,8 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
 
 HoverReader::HoverReader(QOpenGLWidget &view, const SceneDocument &document, ReadableFrame frame)
     : m_view(view), m_document(document), m_frame(std::move(frame))
@@ -33,7 +35,7 @@ void HoverReader::request()
     if (!frame || !m_waiting || frame->isRequested())
         return;
     const WidgetPoint position = *std::exchange(m_waiting, std::nullopt);
-    const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.picture().surface, position);
+    const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.setup().surface, position);
     if (!pixel)
         return;
     m_requested = {position, *pixel, {}};

@@ -27,9 +27,9 @@ public:
     HoverReader(QOpenGLWidget &view, const SceneDocument &document, ReadableFrame frame);
 
     /// Reads a position, and reads it again in every new picture.
-    void follow(const WidgetPoint &position);
+    void follow(const geometry::WidgetPoint &position);
     /// Reads a position once.
-    void readOnce(const WidgetPoint &position);
+    void readOnce(const geometry::WidgetPoint &position);
     /// Asks for the position that waits. To be called after every picture.
     void request();
     /// A new picture is about to be drawn: the position that was asked of the last one is asked of the new one.
@@ -49,9 +49,9 @@ private:
     QOpenGLWidget &m_view;
     const SceneDocument &m_document;
     ReadableFrame m_frame;
-    std::optional<WidgetPoint> m_followed;
-    std::optional<WidgetPoint> m_waiting;
-    std::optional<PixelClick> m_requested;
+    std::optional<geometry::WidgetPoint> m_followed;
+    std::optional<geometry::WidgetPoint> m_waiting;
+    std::optional<unproject::PixelClick> m_requested;
     QTimer m_timer;
 };
 

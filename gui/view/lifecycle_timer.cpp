@@ -9,6 +9,9 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 using Kind = LifecycleEvent::Kind;
@@ -40,7 +43,7 @@ LifecycleEvent LifecycleTimer::onCreate() const
 
 LifecycleEvent LifecycleTimer::onSize(const Drawable &drawn) const
 {
-    const Surface &surface = drawn.picture.surface;
+    const Surface &surface = drawn.setup.surface;
     return step(
         Kind::OnSize, QStringLiteral("%1, %2").arg(surface.widthPixels).arg(surface.heightPixels),
         QStringLiteral("glViewport(%1, %2, %3, %4)").arg(drawn.x).arg(drawn.y).arg(drawn.width).arg(drawn.height));

@@ -7,6 +7,7 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
 
 LookAt turnedBy(const QPointF &way, const LookAt &camera, const WorldPoint &pivot, int viewHeight)
 {
@@ -14,13 +15,13 @@ LookAt turnedBy(const QPointF &way, const LookAt &camera, const WorldPoint &pivo
     return orbited(camera, pivot, way.x() * radiansPerPixel, way.y() * radiansPerPixel);
 }
 
-LookAt pannedBy(const QPointF &way, const Picture &picture, const WorldPoint &pivot)
+LookAt pannedBy(const QPointF &way, const Setup &setup, const WorldPoint &pivot)
 {
-    const Result<EyeFrame> frame = eyeFrame(picture.camera());
+    const Result<EyeFrame> frame = eyeFrame(setup.camera());
     if (!frame)
-        return picture.camera();
-    const double scale = worldPerLogicalPixel(picture, pivot);
-    return moved(picture.camera(), (frame->upward * way.y() - frame->side * way.x()) * scale);
+        return setup.camera();
+    const double scale = worldPerLogicalPixel(setup, pivot);
+    return moved(setup.camera(), (frame->upward * way.y() - frame->side * way.x()) * scale);
 }
 
 double zoomFactor(double notches)
@@ -45,12 +46,12 @@ const QString &Navigation::beginDrag()
 
 void Navigation::orbit(const QPointF &way, int viewHeight)
 {
-    setCamera(m_document, turnedBy(way, m_document.picture().camera(), m_pivot, viewHeight), m_mergeKey);
+    setCamera(m_document, turnedBy(way, m_document.setup().camera(), m_pivot, viewHeight), m_mergeKey);
 }
 
 void Navigation::pan(const QPointF &way)
 {
-    setCamera(m_document, pannedBy(way, m_document.picture(), m_pivot), m_mergeKey);
+    setCamera(m_document, pannedBy(way, m_document.setup(), m_pivot), m_mergeKey);
 }
 
 void Navigation::zoomByWheel(const WidgetPoint &position, double notches)
@@ -64,15 +65,14 @@ void Navigation::press(const ViewKey &key, const WidgetPoint &position, int view
     case ViewKey::Kind::Turn: {
         const WorldPoint pivot = pivotAt(position);
         const QPointF radians = QPointF(key.way) * kKeyTurnRadians;
-        setCamera(m_document, orbited(m_document.picture().camera(), pivot, radians.x(), radians.y()),
+        setCamera(m_document, orbited(m_document.setup().camera(), pivot, radians.x(), radians.y()),
                   QStringLiteral("turn by keys"));
         keepPivot(position, pivot);
         return;
     }
     case ViewKey::Kind::Move: {
         constexpr double kShare = 0.05; // of the view's height
-        setCamera(m_document,
-                  pannedBy(QPointF(key.way) * (kShare * viewHeight), m_document.picture(), pivotAt(position)),
+        setCamera(m_document, pannedBy(QPointF(key.way) * (kShare * viewHeight), m_document.setup(), pivotAt(position)),
                   QStringLiteral("move by keys"));
         return;
     }
@@ -92,7 +92,7 @@ WorldPoint Navigation::pivotAt(const WidgetPoint &position)
 void Navigation::zoom(const WidgetPoint &position, double notches, const QString &mergeKey)
 {
     const WorldPoint pivot = pivotAt(position);
-    const Picture next = zoomed(m_document.picture(), pivot, zoomFactor(notches));
+    const Setup next = zoomed(m_document.setup(), pivot, zoomFactor(notches));
     setView(m_document, next.camera(), next.projection(), mergeKey);
     keepPivot(position, pivot);
 }

@@ -9,6 +9,8 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
 
 std::optional<WorldPoint> ObserverPicture::drawnPoint(const EyePoint &point) const
 {
@@ -31,8 +33,8 @@ float eyeOpacity(const Projection &projection, double t)
     return isPerspective(projection) ? static_cast<float>((1.0 - t) * (1.0 - t)) : 1.0f;
 }
 
-std::optional<ObserverPicture> observerPicture(const Picture &watched, const Box &extent, const Placement &reference,
-                                               const Picture &observer, double t)
+std::optional<ObserverPicture> observerPicture(const Setup &watched, const Box &extent, const Placement &reference,
+                                               const Setup &observer, double t)
 {
     const Result<EyeFrame> frame = eyeFrame(watched.camera());
     const Result<ViewVolumeMorph> morph = viewVolumeMorph(watched.projection());
@@ -86,11 +88,11 @@ std::optional<ObserverPicture> observerPicture(const Picture &watched, const Box
 
 std::optional<Segment> rayThrough(const Pick &pick, const ObserverPicture &picture)
 {
-    const Result<EyeFrame> frame = eyeFrame(pick.picture.camera());
+    const Result<EyeFrame> frame = eyeFrame(pick.setup.camera());
     const Result<WorldPoint> &enter = pick.rayNear.world[Method::Formula], &leave = pick.rayFar.world[Method::Formula];
     if (!frame || !enter || !leave)
         return std::nullopt;
-    const bool perspective = isPerspective(pick.picture.projection());
+    const bool perspective = isPerspective(pick.setup.projection());
     const WorldPoint from = perspective ? frame->eye : *enter;
     const WorldVector along = *leave - from;
     const bool isSameCamera = frame->eye == picture.watched.eye && frame->forward == picture.watched.forward

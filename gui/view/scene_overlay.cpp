@@ -13,14 +13,17 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
-glm::vec2 viewportPixels(const Picture &g)
+glm::vec2 viewportPixels(const Setup &g)
 {
     return glm::vec2(g.viewport.width, g.viewport.height);
 }
 
-float pixelRatio(const Picture &g)
+float pixelRatio(const Setup &g)
 {
     return static_cast<float>(g.surface.devicePixelRatio);
 }
@@ -45,7 +48,7 @@ void SceneOverlay::release()
 void SceneOverlay::draw(const SceneDocument &document, const std::optional<DevicePixel> &crosshair,
                         const std::optional<SnapMark> &mark)
 {
-    const Picture &g = document.picture();
+    const Setup &g = document.setup();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
     const Result<EyeFrame> frame = eyeFrame(g.camera());
     const Result<Drawable> drawn = drawable(g);
@@ -74,7 +77,7 @@ void SceneOverlay::draw(const SceneDocument &document, const std::optional<Devic
 
 void SceneOverlay::drawClipPlanes(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
 {
-    const Picture &g = document.picture();
+    const Setup &g = document.setup();
     for (const glm::dvec4 &plane : document.scene().clipPlanes) {
         const ClipPlaneShape shape = clipPlaneShape(plane, document.bounds());
         m_faces.draw(shape.faces, clipFromWorld);
@@ -85,7 +88,7 @@ void SceneOverlay::drawClipPlanes(const SceneDocument &document, const glm::dmat
 void SceneOverlay::drawCurves(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
 {
     constexpr float kWidthLogical = 2.5f, kRimLogical = 4.5f, kDotLogical = 9.0f;
-    const Picture &g = document.picture();
+    const Setup &g = document.setup();
     const CurveShapes shapes = curveShapes(document);
     const auto draw = [&](const std::vector<LineSegment> &lines, float widthLogical) {
         m_lines.draw(lines, clipFromWorld, viewportPixels(g), widthLogical * pixelRatio(g));
@@ -102,8 +105,8 @@ void SceneOverlay::drawCurves(const SceneDocument &document, const glm::dmat4 &c
 
 void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld)
 {
-    const Picture &g = document.picture();
-    if (const std::optional<WorldPoint> given = givenWorld(document.scene(), document.picture())) {
+    const Setup &g = document.setup();
+    if (const std::optional<WorldPoint> given = givenWorld(document.scene(), document.setup())) {
         glDisable(GL_DEPTH_TEST);
         m_pick.draw(*given, clipFromWorld, viewportPixels(g), pixelRatio(g), PickPainter::Mark::Given);
     }
@@ -126,7 +129,7 @@ void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &cli
     m_pick.draw(*point, clipFromWorld, viewportPixels(g), pixelRatio(g));
 }
 
-void SceneOverlay::drawMark(const SnapMark &mark, const Picture &g, const glm::dmat4 &clipFromWorld)
+void SceneOverlay::drawMark(const SnapMark &mark, const Setup &g, const glm::dmat4 &clipFromWorld)
 {
     constexpr float kWidthLogical = 2.0f, kRimLogical = 4.5f;
     const SnapShape shape = snapShape(mark);
@@ -157,7 +160,7 @@ int SceneOverlay::axesSide(const Drawable &drawn)
 {
     constexpr double kMostLogical = 84.0, kLeastLogical = 40.0;
     constexpr double kMostShare = 0.25; // of the viewport: the scene is what is looked at
-    const double ratio = drawn.picture.surface.devicePixelRatio;
+    const double ratio = drawn.setup.surface.devicePixelRatio;
     const double side = std::min(kMostLogical * ratio, kMostShare * std::min(drawn.width, drawn.height));
     return side < kLeastLogical * ratio ? 0 // its letters could not be read
                                         : static_cast<int>(std::lround(side));
@@ -165,7 +168,7 @@ int SceneOverlay::axesSide(const Drawable &drawn)
 
 QRectF SceneOverlay::axesBox(const Drawable &drawn)
 {
-    const Picture &g = drawn.picture;
+    const Setup &g = drawn.setup;
     const double side = axesSide(drawn);
     const WidgetPoint corner =
         widgetFromDevice(g.surface, deviceFromWindow(g.surface, WindowPoint(g.viewport.x, g.viewport.y + side, 0.0)));
@@ -180,7 +183,7 @@ void SceneOverlay::drawAxes(const EyeFrame &frame, const Drawable &drawn)
     glViewport(drawn.x, drawn.y, pixels, pixels);
     const Result<glm::dmat4> box = clipFromEye(Ortho{-1.45, 1.45, -1.45, 1.45, -2.0, 2.0});
     if (box)
-        m_lines.draw(triadLines(frame), *box, glm::vec2(pixels, pixels), 2.0f * pixelRatio(drawn.picture));
+        m_lines.draw(triadLines(frame), *box, glm::vec2(pixels, pixels), 2.0f * pixelRatio(drawn.setup));
 }
 
 void SceneOverlay::drawCrosshair(const DevicePixel &pixel, const Surface &surface)
@@ -211,7 +214,7 @@ std::optional<SnapMark> snapMarkAt(const SceneDocument &document, const WidgetPo
 {
     const ray::Snap snap = document.picks().snap();
     const ray::SceneRays *rays = snap == ray::Snap::Surface ? nullptr : document.picks().rays();
-    const Result<DevicePixel> pixel = devicePixelFromWidget(document.picture().surface, position);
+    const Result<DevicePixel> pixel = devicePixelFromWidget(document.setup().surface, position);
     if (!rays || !pixel)
         return std::nullopt;
     const Result<std::optional<ray::SceneHit>> hit = rays->at(pixelCenter(*pixel), snap);

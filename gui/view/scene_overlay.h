@@ -15,7 +15,7 @@
 namespace unprojector::gui {
 
 /// What a click at a position would take of the meshes; nothing where that is the surface itself.
-std::optional<SnapMark> snapMarkAt(const SceneDocument &document, const WidgetPoint &position);
+std::optional<SnapMark> snapMarkAt(const SceneDocument &document, const geometry::WidgetPoint &position);
 
 /// What is drawn over the objects and cannot be clicked: ground, axes, clip planes, curves, the picked point, what a click would take,
 /// the directions of the axes in the corner and the crosshair of the keys. All calls need the OpenGL context current.
@@ -27,24 +27,24 @@ public:
     /// Onto a framebuffer that has the objects' colours and depths; it leaves the depths as they are.
     /// @param crosshair  the pixel that keys pick at, where it is to be shown
     /// @param mark       what a click would take, where that is to be shown
-    void draw(const SceneDocument &document, const std::optional<DevicePixel> &crosshair,
+    void draw(const SceneDocument &document, const std::optional<geometry::DevicePixel> &crosshair,
               const std::optional<SnapMark> &mark);
 
     /// The side of the square, in device pixels, that the directions of the axes take in the lower left corner of the viewport; 0
     /// where that is too small.
-    static int axesSide(const Drawable &drawn);
+    static int axesSide(const geometry::Drawable &drawn);
     /// The same square, logical pixels of the view.
-    static QRectF axesBox(const Drawable &drawn);
+    static QRectF axesBox(const geometry::Drawable &drawn);
 
 private:
     void drawClipPlanes(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
     /// The curves between placed points: where they are in sight, and faintly behind.
     void drawCurves(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
     void drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
-    void drawMark(const SnapMark &mark, const Picture &g, const glm::dmat4 &clipFromWorld);
+    void drawMark(const SnapMark &mark, const geometry::Setup &g, const glm::dmat4 &clipFromWorld);
     /// In the corner of the viewport, where that is large enough.
-    void drawAxes(const EyeFrame &frame, const Drawable &drawn);
-    void drawCrosshair(const DevicePixel &pixel, const Surface &surface);
+    void drawAxes(const geometry::EyeFrame &frame, const geometry::Drawable &drawn);
+    void drawCrosshair(const geometry::DevicePixel &pixel, const geometry::Surface &surface);
 
     LinePainter m_lines;
     FacePainter m_faces;

@@ -23,6 +23,10 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
+
 namespace {
 
 /// A hand that only clicks trembles: it drags from the desktop's distance on.
@@ -56,7 +60,7 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Objects) // the former pick may be on one that went
             m_formerPick.reset();
-        if (changes & kSeen)
+        if (changes & kVisibleChanges)
             redraw();
         else if (changes
                  & (Change::Pick | Change::GivenPoint | Change::WrongPoints | Change::Ray | Change::Landmarks
@@ -113,7 +117,7 @@ void SceneView::onSize()
 {
     const LifecycleTimer timer;
     m_document.setSurface(currentSurface());
-    if (const Result<Drawable> drawn = drawable(m_document.picture()))
+    if (const Result<Drawable> drawn = drawable(m_document.setup()))
         emit happened(timer.onSize(*drawn));
 }
 
@@ -135,13 +139,13 @@ void SceneView::onDraw()
 FrameView::Drawn SceneView::updateFrame()
 {
     // A pixel ratio can change without a change of size.
-    if (m_document.picture().surface != currentSurface())
+    if (m_document.setup().surface != currentSurface())
         m_document.setSurface(currentSurface());
     if (!m_isStale)
         return Drawn::Nothing;
     m_isStale = false;
     m_hover.renew(m_drag == Drag::None);
-    const Picture &g = m_document.picture();
+    const Setup &g = m_document.setup();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
     const Result<EyeFrame> frame = eyeFrame(g.camera());
     const Result<Drawable> drawn = drawable(g);
@@ -185,7 +189,7 @@ std::optional<PixelClick> SceneView::clickAt(const WidgetPoint &position)
         emit happened(timer.onDrawFrame());
     completeFrame();
     std::optional<PixelClick> click;
-    if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.picture().surface, position)) {
+    if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.setup().surface, position)) {
         if (const std::optional<DepthSample> sample = frame().sample(*pixel))
             click = {position, *pixel, withDot(*sample)};
         else
@@ -215,7 +219,7 @@ void SceneView::drawMap()
 std::vector<QRectF> SceneView::takenCorners() const
 {
     std::vector<QRectF> taken;
-    if (const Result<Drawable> drawn = drawable(m_document.picture()))
+    if (const Result<Drawable> drawn = drawable(m_document.setup()))
         taken.push_back(SceneOverlay::axesBox(*drawn));
     if (const int width = cornerWidth(); width > 0)
         taken.emplace_back(QRectF(rect().topRight() - QPoint(width, 0), QSizeF(m_corner->size())));
@@ -240,7 +244,7 @@ DepthSample SceneView::withDot(DepthSample sample) const
 {
     const std::vector<SceneObject> &objects = m_document.objects();
     if (sample.object && *sample.object < objects.size() && objects[*sample.object].model->pointCount() > 0)
-        sample.dotPixels = pointPixels(m_document.picture().surface);
+        sample.dotPixels = pointPixels(m_document.setup().surface);
     return sample;
 }
 
@@ -250,9 +254,9 @@ void SceneView::onLButtonDown(const WidgetPoint &position)
     const std::optional<PixelClick> click = clickAt(position);
     if (!click)
         return;
-    emit happened(timer.onLButtonDown(m_document.picture().surface, *click));
+    emit happened(timer.onLButtonDown(m_document.setup().surface, *click));
     const Result<Pick> pick = m_document.picks().unprojected(*click);
-    m_navigation.setPivot(pivotOf(m_document.picture().camera(), pick));
+    m_navigation.setPivot(pivotOf(m_document.setup().camera(), pick));
     m_document.picks().setPick(pick);
 }
 
@@ -277,7 +281,7 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     if (pans || m_toolTakesClick || pressed == ViewTool::Press::Navigates) {
         m_navigation.grab(position);
     } else {
-        m_navigation.setPivot(m_document.picture().camera().center); // where nothing can be read
+        m_navigation.setPivot(m_document.setup().camera().center); // where nothing can be read
         m_formerPick = m_document.picks().keptPick();
         pickAt(position);
     }
@@ -357,7 +361,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
         return;
     const Result<Pick> pick = m_document.picks().unprojected(*click);
     m_document.picks().setPick(pick);
-    setCamera(m_document, recentered(m_document.picture(), pivotOf(m_document.picture().camera(), pick)));
+    setCamera(m_document, recentered(m_document.setup(), pivotOf(m_document.setup().camera(), pick)));
 }
 
 void SceneView::wheelEvent(QWheelEvent *event)
@@ -374,8 +378,8 @@ void SceneView::wheelEvent(QWheelEvent *event)
 WorldPoint SceneView::pivotAt(const WidgetPoint &position)
 {
     const std::optional<PixelClick> click = clickAt(position);
-    return click ? pivotOf(m_document.picture().camera(), m_document.picks().unprojected(*click))
-                 : m_document.picture().camera().center;
+    return click ? pivotOf(m_document.setup().camera(), m_document.picks().unprojected(*click))
+                 : m_document.setup().camera().center;
 }
 
 void SceneView::leaveEvent(QEvent *event)
@@ -424,7 +428,7 @@ void SceneView::pickAt(const WidgetPoint &position)
 
 void SceneView::pickPixel(const DevicePixel &pixel)
 {
-    const WidgetPoint position = widgetFromDevice(m_document.picture().surface, pixelCenter(pixel));
+    const WidgetPoint position = widgetFromDevice(m_document.setup().surface, pixelCenter(pixel));
     m_crosshair.put(position);
     setCrosshairShown(true);
     update();

@@ -39,12 +39,12 @@ public:
 
     /// The left button pressed at a widget position in logical pixels: the depth there is read and picked. Where a drag
     /// follows, what was picked before comes back. A position outside the view is ignored.
-    void onLButtonDown(const WidgetPoint &position);
+    void onLButtonDown(const geometry::WidgetPoint &position);
 
     /// Puts the crosshair there and picks.
-    void pickAt(const WidgetPoint &position);
+    void pickAt(const geometry::WidgetPoint &position);
     /// Puts the crosshair onto a pixel and picks there, as Enter does. One outside the view is ignored.
-    void pickPixel(const DevicePixel &pixel);
+    void pickPixel(const geometry::DevicePixel &pixel);
 
     /// Colours over the objects, below points, picks and crosshair; device pixels, null: none.
     void setMap(const QImage &map);
@@ -62,9 +62,9 @@ public:
     // For the tool.
 
     /// What is under a position in a picture that is up to date; nothing outside of it, and where OpenGL cannot read it.
-    std::optional<PixelClick> clickAt(const WidgetPoint &position);
+    std::optional<unproject::PixelClick> clickAt(const geometry::WidgetPoint &position);
     /// Reports what is at a position, as it does where the pointer is.
-    void reportHover(const WidgetPoint &position) { m_hover.follow(position); }
+    void reportHover(const geometry::WidgetPoint &position) { m_hover.follow(position); }
     /// The drag of the tool is over, whatever buttons are down.
     void endToolDrag();
     /// How much of the view's width the widget over the upper right corner takes, logical pixels.
@@ -109,13 +109,13 @@ private:
     /// @return what it drew
     Drawn updateFrame();
     /// The sample with the size of the dot that a point is drawn as, where its object is a cloud.
-    DepthSample withDot(DepthSample sample) const;
+    unproject::DepthSample withDot(unproject::DepthSample sample) const;
     void redraw();
 
     /// The point to turn about, to move with and to zoom to at a position.
-    WorldPoint pivotAt(const WidgetPoint &position);
+    geometry::WorldPoint pivotAt(const geometry::WidgetPoint &position);
     /// Marks what a click at a position would take of the meshes, and reports what is there.
-    void lookAt(const WidgetPoint &position);
+    void lookAt(const geometry::WidgetPoint &position);
     /// Shows a mark, or none.
     void setMark(const std::optional<SnapMark> &mark);
 

@@ -13,13 +13,15 @@
 #include <QMenu>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
 
 void showViewMenu(SceneView &view, SceneDocument &document, const WidgetPoint &position, const QPoint &global)
 {
     const std::optional<PixelClick> click = view.clickAt(position);
     std::optional<WorldPoint> surface;
     if (click && click->sample.hit())
-        surface = pivotOf(document.picture().camera(), document.picks().unprojected(*click));
+        surface = pivotOf(document.setup().camera(), document.picks().unprojected(*click));
     const std::optional<std::size_t> object = click ? click->sample.object : std::nullopt;
 
     auto *menu = new QMenu(&view);
@@ -51,7 +53,7 @@ void showViewMenu(SceneView &view, SceneDocument &document, const WidgetPoint &p
         });
     add("lookHere", SceneView::tr("Look at This Point"), {},
         SceneView::tr("Bring it to the middle; the view turns about it"), surface.has_value(),
-        [&document, surface] { setCamera(document, recentered(document.picture(), *surface)); });
+        [&document, surface] { setCamera(document, recentered(document.setup(), *surface)); });
     menu->addSeparator();
     add("fit", SceneView::tr("Fit"), Qt::Key_F, SceneView::tr("Move the camera until all objects fill the view"), true,
         [&document] { fitAll(document); });

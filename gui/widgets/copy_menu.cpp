@@ -9,6 +9,8 @@
 #include <QMenu>
 
 namespace unprojector::gui {
+using namespace matrices;
+
 namespace {
 
 struct CopyMenu {

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace matrices;
+
 namespace {
 
 /// Of a double: no fewer than of a float, which is shown whole, as the debugger's watch window shows it.

@@ -9,7 +9,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace matrices;
 
 /// Numbers in rows and columns, shown with as many digits as there is room for and copied with all of them. Texts are
 /// made when they are asked for, so that a grid nobody sees costs nothing.
@@ -52,7 +51,7 @@ protected:
 
     /// Row by row. The views keep their shape unless the numbers of rows and columns or `isWhole` change.
     /// @param isWhole  all digits, instead of those that there is room for
-    void setNumbers(int rows, int columns, Numbers numbers, Digits digits, bool isWhole);
+    void setNumbers(int rows, int columns, Numbers numbers, matrices::Digits digits, bool isWhole);
 
     virtual QString label(int row, int column) const;
     virtual QString toolTip(int row, int column) const = 0;
@@ -68,7 +67,7 @@ private:
     int m_rows = 0;
     int m_columns = 0;
     Numbers m_numbers;
-    Digits m_digits = Digits::Double;
+    matrices::Digits m_digits = matrices::Digits::Double;
     bool m_isWhole = false;
     QModelIndexList m_marked;
     int m_capacity = 12;

@@ -2481,6 +2481,170 @@ Both are as large as fits.</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::LandmarkFiles</name>
+    <message>
+        <source>Points (%1)</source>
+        <translation>点 (%1)</translation>
+    </message>
+    <message>
+        <source>Table (%1)</source>
+        <translation>表格 (%1)</translation>
+    </message>
+    <message>
+        <source>MeshLab, picked points (%1)</source>
+        <translation>MeshLab 拾取点 (%1)</translation>
+    </message>
+    <message>
+        <source>3D Slicer, markups (%1)</source>
+        <translation>3D Slicer 标记 (%1)</translation>
+    </message>
+    <message>
+        <source>3D Slicer, older markups (%1)</source>
+        <translation>3D Slicer 旧式标记 (%1)</translation>
+    </message>
+    <message>
+        <source>IDAV Landmark (%1)</source>
+        <translation>IDAV Landmark (%1)</translation>
+    </message>
+    <message>
+        <source>TPS of geomorph and tpsDig (%1)</source>
+        <translation>geomorph 与 tpsDig 的 TPS (%1)</translation>
+    </message>
+    <message>
+        <source>NTSYS (%1)</source>
+        <translation>NTSYS (%1)</translation>
+    </message>
+    <message>
+        <source>Points far from every object: %1. “%2” is %3 off, which is %4 % of the object&apos;s size. Are they of another object, or in other axes?</source>
+        <translation>远离所有物体的点：%1 个。“%2”相距 %3，为物体大小的 %4 %。它们是另一个物体的，还是坐标轴不同？</translation>
+    </message>
+    <message>
+        <source>They were moved onto the mesh by at most %1 (%2).</source>
+        <translation>它们已移到网格上，最多移动 %1（%2）。</translation>
+    </message>
+    <message>
+        <source>They lie on the mesh.</source>
+        <translation>它们就在网格上。</translation>
+    </message>
+    <message>
+        <source>%1 has %2 specimens; the points of the first are shown.</source>
+        <translation>%1 有 %2 个标本；显示的是第一个的点。</translation>
+    </message>
+    <message>
+        <source>Import points</source>
+        <translation>导入点</translation>
+    </message>
+    <message>
+        <source>Points read from %1: %2.</source>
+        <translation>从 %1 读取的点：%2 个。</translation>
+    </message>
+    <message>
+        <source>Points written to %1: %2.</source>
+        <translation>写入 %1 的点：%2 个。</translation>
+    </message>
+    <message>
+        <source>%1 is in %2: that is the scene&apos;s unit now, instead of %3. Nothing is converted.</source>
+        <translation>%1 的单位是 %2：它现在取代 %3 成为场景的单位。没有进行任何换算。</translation>
+    </message>
+    <message>
+        <source>%1 is in %2, and what the scene is in is not known. Nothing is converted.</source>
+        <translation>%1 的单位是 %2，而场景的单位未知。没有进行任何换算。</translation>
+    </message>
+    <message>
+        <source>%1 is in %2, and the scene in %3. Nothing is converted.</source>
+        <translation>%1 的单位是 %2，而场景的单位是 %3。没有进行任何换算。</translation>
+    </message>
+    <message>
+        <source>%1: the scene has other values of these already, which stay: %2.</source>
+        <translation>%1：场景中以下各项已有别的值，保持不变：%2。</translation>
+    </message>
+    <message>
+        <source>%1: the scene has changed meanwhile. Import the points again.</source>
+        <translation>%1：场景在此期间已经改变。请重新导入这些点。</translation>
+    </message>
+    <message>
+        <source>There is no object that they lie on: open their scan together with them.</source>
+        <translation>没有它们所在的物体：请把它们的扫描与它们一起打开。</translation>
+    </message>
+    <message>
+        <source>On the mesh: %1.</source>
+        <translation>在网格上：%1 个。</translation>
+    </message>
+    <message>
+        <source>Free where they are, far from it: %1.</source>
+        <translation>远离网格，留在原处不固定：%1 个。</translation>
+    </message>
+    <message>
+        <source>Without a place: %1.</source>
+        <translation>没有位置：%1 个。</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2.</source>
+        <translation>%1 未写入：%2。</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names</comment>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 及另外 %2 个</translation>
+    </message>
+    <message>
+        <source>Besides, its semilandmarks: %1, of %2; they are no points to place.</source>
+        <translation>另有半标志点 %1 个，属于 %2；它们不算放置的点。</translation>
+    </message>
+    <message>
+        <source>Names that have their point now: %1.</source>
+        <translation>已得到点的名称：%1 个。</translation>
+    </message>
+    <message>
+        <source>%1: names that nothing waits for, put behind the others: %2.</source>
+        <translation>%1：没有等待放置的名称与之对应、排在其他点之后的：%2。</translation>
+    </message>
+    <message>
+        <source>Still without a place: %1.</source>
+        <translation>仍未放置：%1。</translation>
+    </message>
+    <message>
+        <source>%1 has no names, only an order: %2 points. Names that wait for a place: %3. Shall the points take these names in their order, as far as both go, or be put behind them without a name?</source>
+        <translation>%1 没有名称，只有顺序：%2 个点。等待放置的名称：%3 个。让这些点按顺序取用这些名称（到其中一方用完为止），还是不带名称排在其后？</translation>
+    </message>
+    <message>
+        <source>%1 has no names: its points took those that waited, by their order. See that the order is the same.</source>
+        <translation>%1 没有名称：其中的点已按顺序取用等待放置的名称。请确认顺序一致。</translation>
+    </message>
+    <message>
+        <source>%1: the scene has these curves itself, and its own stay: %2.</source>
+        <translation>%1：场景中已有这些曲线，保留场景自己的：%2。</translation>
+    </message>
+    <message>
+        <source>%1 has no names: its points have those of the points before, by their order.</source>
+        <translation>%1 没有名称：其中的点已按顺序取用原有各点的名称。</translation>
+    </message>
+    <message>
+        <source>%1: points without a name, put behind the others: %2.</source>
+        <translation>%1：没有名称、排在其他点之后的点：%2 个。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::LandmarkMark</name>
+    <message>
+        <source>%1 (behind)</source>
+        <comment>a point that the surface hides</comment>
+        <translation>%1（在后面）</translation>
+    </message>
+    <message>
+        <source>It is behind what is seen here.</source>
+        <translation>它在此处可见的表面后面。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::LandmarkObjects</name>
     <message>
         <source>“%1” (%2)</source>
@@ -2505,6 +2669,39 @@ Both are as large as fits.</source>
     <message>
         <source>Points on an object that is not here: %1, as %2.</source>
         <translation>所在物体不在此场景中的点：%1 个，如 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::LandmarkTemplates</name>
+    <message>
+        <source>Definitions in our own words, after Martin and Saller, Lehrbuch der Anthropologie (1957)</source>
+        <translation>定义为我们自己的表述，依据 Martin 与 Saller《Lehrbuch der Anthropologie》（1957）</translation>
+    </message>
+    <message>
+        <source>Definitions in our own words, after Farkas, Anthropometry of the Head and Face (1994)</source>
+        <translation>定义为我们自己的表述，依据 Farkas《Anthropometry of the Head and Face》（1994）</translation>
+    </message>
+    <message>
+        <source>Skull (craniometric points)</source>
+        <translation>颅骨（测量点）</translation>
+    </message>
+    <message>
+        <source>craniometric</source>
+        <extracomment>The file of resources/templates with the hints in this language</extracomment>
+        <translation>craniometric_zh_CN</translation>
+    </message>
+    <message>
+        <source>Face (soft tissue)</source>
+        <translation>面部（软组织）</translation>
+    </message>
+    <message>
+        <source>facial</source>
+        <extracomment>The file of resources/templates with the hints in this language</extracomment>
+        <translation>facial_zh_CN</translation>
+    </message>
+    <message>
+        <source>Template %1</source>
+        <translation>模板 %1</translation>
     </message>
 </context>
 <context>
@@ -2667,6 +2864,247 @@ Both are as large as fits.</source>
     <message>
         <source>Select two points or more first: their rows under Points, with Ctrl.</source>
         <translation>请先选择两个或更多的点：按住 Ctrl 点击“点”面板中的各行。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::LandmarksModel</name>
+    <message>
+        <source>%1 ± %2, world units</source>
+        <translation>%1 ± %2，世界单位</translation>
+    </message>
+    <message>
+        <source>%1, world units; how far it can be off is not known</source>
+        <translation>%1，世界单位；可能相差多少不得而知</translation>
+    </message>
+    <message>
+        <source>%1, hidden</source>
+        <translation>%1，已隐藏</translation>
+    </message>
+    <message>
+        <source>How far the point can be off, world units: the length of what each coordinate can be</source>
+        <translation>该点可能相差多少，世界单位：各坐标可能相差之量的长度</translation>
+    </message>
+    <message>
+        <source>Its number in the list, and in files that have no names</source>
+        <translation>它在列表中的编号，也是没有名称的文件中的编号</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>World x; black as far as it is certain</source>
+        <translation>世界 x；黑色部分是确定的</translation>
+    </message>
+    <message>
+        <source>World y; black as far as it is certain</source>
+        <translation>世界 y；黑色部分是确定的</translation>
+    </message>
+    <message>
+        <source>World z; black as far as it is certain</source>
+        <translation>世界 z；黑色部分是确定的</translation>
+    </message>
+    <message>
+        <source>The object that it lies on</source>
+        <translation>它所在的物体</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>What of the object&apos;s mesh holds it</source>
+        <translation>它依附于物体网格的哪一部分</translation>
+    </message>
+    <message>
+        <source>Held by</source>
+        <translation>依附于</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>This point has no place yet. Type all three coordinates, as “1 2 3”, or place it in the view.</source>
+        <translation>这个点还没有位置。请一次输入三个坐标，如“1 2 3”，或在视图中放置它。</translation>
+    </message>
+    <message>
+        <source>How far the point can be off is not known, so none of its digits counts as certain</source>
+        <translation>该点可能偏差多少未知，因此没有一位数字算是确定的</translation>
+    </message>
+    <message>
+        <source>How far the point can be off, world units: half a pixel to the side, and how far a click is off (which alone is what the comparison and the map of uncertainty have)</source>
+        <translation>此点可能偏差多远（世界单位）：侧向半个像素，再加点击本身的偏差（“比较”和不确定度图只含后者）</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::LandmarksPanel</name>
+    <message>
+        <source>No points yet. Press P, then click where one is to be; or choose a template, and its points are placed one after the other.</source>
+        <translation>还没有点。按 P，再点击要放置的地方；或选择一个模板，依次放置其中的点。</translation>
+    </message>
+    <message>
+        <source>Why the number was refused</source>
+        <translation>数字被拒绝的原因</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>模板</translation>
+    </message>
+    <message>
+        <source>Names to place one after the other</source>
+        <translation>依次放置的名称</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Put the selected point before the one above it</source>
+        <translation>将所选的点移到上一个之前</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Put the selected point behind the one below it</source>
+        <translation>将所选的点移到下一个之后</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Remove the selected points (Del)</source>
+        <translation>移除所选的点 (Del)</translation>
+    </message>
+    <message>
+        <source>&amp;Load Template…</source>
+        <translation>载入模板(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save Names as Template…</source>
+        <translation>将名称存为模板(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>&amp;Place All Again</source>
+        <translation>全部重新放置(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The names stay, and every point is placed anew</source>
+        <translation>名称保留，每个点重新放置</translation>
+    </message>
+    <message>
+        <source>Load Template</source>
+        <translation>载入模板</translation>
+    </message>
+    <message>
+        <source>Templates and points (%1)</source>
+        <translation>模板与点 (%1)</translation>
+    </message>
+    <message>
+        <source>Save Names as Template</source>
+        <translation>将名称存为模板</translation>
+    </message>
+    <message>
+        <source>MeshLab&apos;s template (%1)</source>
+        <translation>MeshLab 模板 (%1)</translation>
+    </message>
+    <message>
+        <source>Table with hints (%1)</source>
+        <translation>带提示的表格 (%1)</translation>
+    </message>
+    <message>
+        <source>Colour of Points</source>
+        <translation>点的颜色</translation>
+    </message>
+    <message>
+        <source>&amp;Colour</source>
+        <translation>颜色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Usual</source>
+        <translation>通常(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>橙</translation>
+    </message>
+    <message>
+        <source>Sky Blue</source>
+        <translation>天蓝</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>朱红</translation>
+    </message>
+    <message>
+        <source>Purple</source>
+        <translation>紫</translation>
+    </message>
+    <message>
+        <source>&amp;Other…</source>
+        <translation>其他(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>重命名(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>隐藏(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Place This One Next</source>
+        <translation>下一个放置这个点(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Mark as &amp;Missing</source>
+        <translation>标为缺失(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Copy as C&amp;SV</source>
+        <translation>复制为 CSV(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>移除(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>无(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Take away the names that are not placed: points are placed freely</source>
+        <translation>去掉尚未放置的名称：自由放置各点</translation>
+    </message>
+    <message>
+        <source>No points yet. Click where one is to be; or choose a template, and its points are placed one after the other.</source>
+        <translation>还没有点。在要放点的地方单击；或选择一个模板，依次放置其中的点。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::LandmarksTable</name>
+    <message>
+        <source>Placed points</source>
+        <translation>已放置的点</translation>
     </message>
 </context>
 <context>
@@ -3903,7 +4341,7 @@ Both are as large as fits.</source>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::NextPointBar</name>
+    <name>unprojector::gui::NextLandmarkBar</name>
     <message>
         <source>The point that is placed next</source>
         <translation>下一个要放置的点</translation>
@@ -4752,170 +5190,6 @@ m[0] … m[15]、JSON、C、three.js</translation>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::PointFiles</name>
-    <message>
-        <source>Points (%1)</source>
-        <translation>点 (%1)</translation>
-    </message>
-    <message>
-        <source>Table (%1)</source>
-        <translation>表格 (%1)</translation>
-    </message>
-    <message>
-        <source>MeshLab, picked points (%1)</source>
-        <translation>MeshLab 拾取点 (%1)</translation>
-    </message>
-    <message>
-        <source>3D Slicer, markups (%1)</source>
-        <translation>3D Slicer 标记 (%1)</translation>
-    </message>
-    <message>
-        <source>3D Slicer, older markups (%1)</source>
-        <translation>3D Slicer 旧式标记 (%1)</translation>
-    </message>
-    <message>
-        <source>IDAV Landmark (%1)</source>
-        <translation>IDAV Landmark (%1)</translation>
-    </message>
-    <message>
-        <source>TPS of geomorph and tpsDig (%1)</source>
-        <translation>geomorph 与 tpsDig 的 TPS (%1)</translation>
-    </message>
-    <message>
-        <source>NTSYS (%1)</source>
-        <translation>NTSYS (%1)</translation>
-    </message>
-    <message>
-        <source>Points far from every object: %1. “%2” is %3 off, which is %4 % of the object&apos;s size. Are they of another object, or in other axes?</source>
-        <translation>远离所有物体的点：%1 个。“%2”相距 %3，为物体大小的 %4 %。它们是另一个物体的，还是坐标轴不同？</translation>
-    </message>
-    <message>
-        <source>They were moved onto the mesh by at most %1 (%2).</source>
-        <translation>它们已移到网格上，最多移动 %1（%2）。</translation>
-    </message>
-    <message>
-        <source>They lie on the mesh.</source>
-        <translation>它们就在网格上。</translation>
-    </message>
-    <message>
-        <source>%1 has %2 specimens; the points of the first are shown.</source>
-        <translation>%1 有 %2 个标本；显示的是第一个的点。</translation>
-    </message>
-    <message>
-        <source>Import points</source>
-        <translation>导入点</translation>
-    </message>
-    <message>
-        <source>Points read from %1: %2.</source>
-        <translation>从 %1 读取的点：%2 个。</translation>
-    </message>
-    <message>
-        <source>Points written to %1: %2.</source>
-        <translation>写入 %1 的点：%2 个。</translation>
-    </message>
-    <message>
-        <source>%1 is in %2: that is the scene&apos;s unit now, instead of %3. Nothing is converted.</source>
-        <translation>%1 的单位是 %2：它现在取代 %3 成为场景的单位。没有进行任何换算。</translation>
-    </message>
-    <message>
-        <source>%1 is in %2, and what the scene is in is not known. Nothing is converted.</source>
-        <translation>%1 的单位是 %2，而场景的单位未知。没有进行任何换算。</translation>
-    </message>
-    <message>
-        <source>%1 is in %2, and the scene in %3. Nothing is converted.</source>
-        <translation>%1 的单位是 %2，而场景的单位是 %3。没有进行任何换算。</translation>
-    </message>
-    <message>
-        <source>%1: the scene has other values of these already, which stay: %2.</source>
-        <translation>%1：场景中以下各项已有别的值，保持不变：%2。</translation>
-    </message>
-    <message>
-        <source>%1: the scene has changed meanwhile. Import the points again.</source>
-        <translation>%1：场景在此期间已经改变。请重新导入这些点。</translation>
-    </message>
-    <message>
-        <source>There is no object that they lie on: open their scan together with them.</source>
-        <translation>没有它们所在的物体：请把它们的扫描与它们一起打开。</translation>
-    </message>
-    <message>
-        <source>On the mesh: %1.</source>
-        <translation>在网格上：%1 个。</translation>
-    </message>
-    <message>
-        <source>Free where they are, far from it: %1.</source>
-        <translation>远离网格，留在原处不固定：%1 个。</translation>
-    </message>
-    <message>
-        <source>Without a place: %1.</source>
-        <translation>没有位置：%1 个。</translation>
-    </message>
-    <message>
-        <source>%1 was not written: %2.</source>
-        <translation>%1 未写入：%2。</translation>
-    </message>
-    <message>
-        <source>“%1”</source>
-        <translation>“%1”</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <comment>between names</comment>
-        <translation>、</translation>
-    </message>
-    <message>
-        <source>%1 and %2 more</source>
-        <translation>%1 及另外 %2 个</translation>
-    </message>
-    <message>
-        <source>Besides, its semilandmarks: %1, of %2; they are no points to place.</source>
-        <translation>另有半标志点 %1 个，属于 %2；它们不算放置的点。</translation>
-    </message>
-    <message>
-        <source>Names that have their point now: %1.</source>
-        <translation>已得到点的名称：%1 个。</translation>
-    </message>
-    <message>
-        <source>%1: names that nothing waits for, put behind the others: %2.</source>
-        <translation>%1：没有等待放置的名称与之对应、排在其他点之后的：%2。</translation>
-    </message>
-    <message>
-        <source>Still without a place: %1.</source>
-        <translation>仍未放置：%1。</translation>
-    </message>
-    <message>
-        <source>%1 has no names, only an order: %2 points. Names that wait for a place: %3. Shall the points take these names in their order, as far as both go, or be put behind them without a name?</source>
-        <translation>%1 没有名称，只有顺序：%2 个点。等待放置的名称：%3 个。让这些点按顺序取用这些名称（到其中一方用完为止），还是不带名称排在其后？</translation>
-    </message>
-    <message>
-        <source>%1 has no names: its points took those that waited, by their order. See that the order is the same.</source>
-        <translation>%1 没有名称：其中的点已按顺序取用等待放置的名称。请确认顺序一致。</translation>
-    </message>
-    <message>
-        <source>%1: the scene has these curves itself, and its own stay: %2.</source>
-        <translation>%1：场景中已有这些曲线，保留场景自己的：%2。</translation>
-    </message>
-    <message>
-        <source>%1 has no names: its points have those of the points before, by their order.</source>
-        <translation>%1 没有名称：其中的点已按顺序取用原有各点的名称。</translation>
-    </message>
-    <message>
-        <source>%1: points without a name, put behind the others: %2.</source>
-        <translation>%1：没有名称、排在其他点之后的点：%2 个。</translation>
-    </message>
-</context>
-<context>
-    <name>unprojector::gui::PointMark</name>
-    <message>
-        <source>%1 (behind)</source>
-        <comment>a point that the surface hides</comment>
-        <translation>%1（在后面）</translation>
-    </message>
-    <message>
-        <source>It is behind what is seen here.</source>
-        <translation>它在此处可见的表面后面。</translation>
-    </message>
-</context>
-<context>
     <name>unprojector::gui::PointModel</name>
     <message>
         <source>object</source>
@@ -5029,39 +5303,6 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::PointTemplates</name>
-    <message>
-        <source>Definitions in our own words, after Martin and Saller, Lehrbuch der Anthropologie (1957)</source>
-        <translation>定义为我们自己的表述，依据 Martin 与 Saller《Lehrbuch der Anthropologie》（1957）</translation>
-    </message>
-    <message>
-        <source>Definitions in our own words, after Farkas, Anthropometry of the Head and Face (1994)</source>
-        <translation>定义为我们自己的表述，依据 Farkas《Anthropometry of the Head and Face》（1994）</translation>
-    </message>
-    <message>
-        <source>Skull (craniometric points)</source>
-        <translation>颅骨（测量点）</translation>
-    </message>
-    <message>
-        <source>craniometric</source>
-        <extracomment>The file of resources/templates with the hints in this language</extracomment>
-        <translation>craniometric_zh_CN</translation>
-    </message>
-    <message>
-        <source>Face (soft tissue)</source>
-        <translation>面部（软组织）</translation>
-    </message>
-    <message>
-        <source>facial</source>
-        <extracomment>The file of resources/templates with the hints in this language</extracomment>
-        <translation>facial_zh_CN</translation>
-    </message>
-    <message>
-        <source>Template %1</source>
-        <translation>模板 %1</translation>
-    </message>
-</context>
-<context>
     <name>unprojector::gui::Points</name>
     <message>
         <source>missing</source>
@@ -5118,247 +5359,6 @@ of a point that needs no division</source>
     <message>
         <source>as far as they are certain, the three points lie on one line, so there is no plane</source>
         <translation>在其确定程度内，这三个点在一条直线上，因此没有平面</translation>
-    </message>
-</context>
-<context>
-    <name>unprojector::gui::PointsModel</name>
-    <message>
-        <source>%1 ± %2, world units</source>
-        <translation>%1 ± %2，世界单位</translation>
-    </message>
-    <message>
-        <source>%1, world units; how far it can be off is not known</source>
-        <translation>%1，世界单位；可能相差多少不得而知</translation>
-    </message>
-    <message>
-        <source>%1, hidden</source>
-        <translation>%1，已隐藏</translation>
-    </message>
-    <message>
-        <source>How far the point can be off, world units: the length of what each coordinate can be</source>
-        <translation>该点可能相差多少，世界单位：各坐标可能相差之量的长度</translation>
-    </message>
-    <message>
-        <source>Its number in the list, and in files that have no names</source>
-        <translation>它在列表中的编号，也是没有名称的文件中的编号</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>名称</translation>
-    </message>
-    <message>
-        <source>World x; black as far as it is certain</source>
-        <translation>世界 x；黑色部分是确定的</translation>
-    </message>
-    <message>
-        <source>World y; black as far as it is certain</source>
-        <translation>世界 y；黑色部分是确定的</translation>
-    </message>
-    <message>
-        <source>World z; black as far as it is certain</source>
-        <translation>世界 z；黑色部分是确定的</translation>
-    </message>
-    <message>
-        <source>The object that it lies on</source>
-        <translation>它所在的物体</translation>
-    </message>
-    <message>
-        <source>Object</source>
-        <translation>物体</translation>
-    </message>
-    <message>
-        <source>What of the object&apos;s mesh holds it</source>
-        <translation>它依附于物体网格的哪一部分</translation>
-    </message>
-    <message>
-        <source>Held by</source>
-        <translation>依附于</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>备注</translation>
-    </message>
-    <message>
-        <source>This point has no place yet. Type all three coordinates, as “1 2 3”, or place it in the view.</source>
-        <translation>这个点还没有位置。请一次输入三个坐标，如“1 2 3”，或在视图中放置它。</translation>
-    </message>
-    <message>
-        <source>How far the point can be off is not known, so none of its digits counts as certain</source>
-        <translation>该点可能偏差多少未知，因此没有一位数字算是确定的</translation>
-    </message>
-    <message>
-        <source>How far the point can be off, world units: half a pixel to the side, and how far a click is off (which alone is what the comparison and the map of uncertainty have)</source>
-        <translation>此点可能偏差多远（世界单位）：侧向半个像素，再加点击本身的偏差（“比较”和不确定度图只含后者）</translation>
-    </message>
-</context>
-<context>
-    <name>unprojector::gui::PointsPanel</name>
-    <message>
-        <source>No points yet. Press P, then click where one is to be; or choose a template, and its points are placed one after the other.</source>
-        <translation>还没有点。按 P，再点击要放置的地方；或选择一个模板，依次放置其中的点。</translation>
-    </message>
-    <message>
-        <source>Why the number was refused</source>
-        <translation>数字被拒绝的原因</translation>
-    </message>
-    <message>
-        <source>Template</source>
-        <translation>模板</translation>
-    </message>
-    <message>
-        <source>Names to place one after the other</source>
-        <translation>依次放置的名称</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>上移</translation>
-    </message>
-    <message>
-        <source>Put the selected point before the one above it</source>
-        <translation>将所选的点移到上一个之前</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>下移</translation>
-    </message>
-    <message>
-        <source>Put the selected point behind the one below it</source>
-        <translation>将所选的点移到下一个之后</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>移除</translation>
-    </message>
-    <message>
-        <source>Remove the selected points (Del)</source>
-        <translation>移除所选的点 (Del)</translation>
-    </message>
-    <message>
-        <source>&amp;Load Template…</source>
-        <translation>载入模板(&amp;L)…</translation>
-    </message>
-    <message>
-        <source>&amp;Save Names as Template…</source>
-        <translation>将名称存为模板(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>&amp;Place All Again</source>
-        <translation>全部重新放置(&amp;P)</translation>
-    </message>
-    <message>
-        <source>The names stay, and every point is placed anew</source>
-        <translation>名称保留，每个点重新放置</translation>
-    </message>
-    <message>
-        <source>Load Template</source>
-        <translation>载入模板</translation>
-    </message>
-    <message>
-        <source>Templates and points (%1)</source>
-        <translation>模板与点 (%1)</translation>
-    </message>
-    <message>
-        <source>Save Names as Template</source>
-        <translation>将名称存为模板</translation>
-    </message>
-    <message>
-        <source>MeshLab&apos;s template (%1)</source>
-        <translation>MeshLab 模板 (%1)</translation>
-    </message>
-    <message>
-        <source>Table with hints (%1)</source>
-        <translation>带提示的表格 (%1)</translation>
-    </message>
-    <message>
-        <source>Colour of Points</source>
-        <translation>点的颜色</translation>
-    </message>
-    <message>
-        <source>&amp;Colour</source>
-        <translation>颜色(&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Usual</source>
-        <translation>通常(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Orange</source>
-        <translation>橙</translation>
-    </message>
-    <message>
-        <source>Sky Blue</source>
-        <translation>天蓝</translation>
-    </message>
-    <message>
-        <source>Green</source>
-        <translation>绿</translation>
-    </message>
-    <message>
-        <source>Yellow</source>
-        <translation>黄</translation>
-    </message>
-    <message>
-        <source>Blue</source>
-        <translation>蓝</translation>
-    </message>
-    <message>
-        <source>Vermilion</source>
-        <translation>朱红</translation>
-    </message>
-    <message>
-        <source>Purple</source>
-        <translation>紫</translation>
-    </message>
-    <message>
-        <source>&amp;Other…</source>
-        <translation>其他(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>&amp;Rename</source>
-        <translation>重命名(&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Show</source>
-        <translation>显示(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Hide</source>
-        <translation>隐藏(&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;Place This One Next</source>
-        <translation>下一个放置这个点(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Mark as &amp;Missing</source>
-        <translation>标为缺失(&amp;M)</translation>
-    </message>
-    <message>
-        <source>Copy as C&amp;SV</source>
-        <translation>复制为 CSV(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Re&amp;move</source>
-        <translation>移除(&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;None</source>
-        <translation>无(&amp;N)</translation>
-    </message>
-    <message>
-        <source>Take away the names that are not placed: points are placed freely</source>
-        <translation>去掉尚未放置的名称：自由放置各点</translation>
-    </message>
-    <message>
-        <source>No points yet. Click where one is to be; or choose a template, and its points are placed one after the other.</source>
-        <translation>还没有点。在要放点的地方单击；或选择一个模板，依次放置其中的点。</translation>
-    </message>
-</context>
-<context>
-    <name>unprojector::gui::PointsTable</name>
-    <message>
-        <source>Placed points</source>
-        <translation>已放置的点</translation>
     </message>
 </context>
 <context>
@@ -5883,32 +5883,7 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::SceneOpener</name>
-    <message>
-        <source>The files cannot be opened: %1. Close other programs, then try again.</source>
-        <translation>无法打开文件：%1。请关闭其他程序，然后重试。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 and %n more</source>
-        <translation>
-            <numerusform>%1 及另外 %n 个</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>%1: unknown in a step of a transform, and not saved.</source>
-        <translation>%1：变换步骤中的未知键，不会被保存。</translation>
-    </message>
-    <message>
-        <source>%1: unknown, and not saved once the clip plane is switched on.</source>
-        <translation>%1：未知键，启用该裁剪平面后不会被保存。</translation>
-    </message>
-</context>
-<context>
-    <name>unprojector::gui::ScenePoints</name>
+    <name>unprojector::gui::SceneLandmarks</name>
     <message>
         <source>point %1</source>
         <translation>点 %1</translation>
@@ -6002,6 +5977,31 @@ of a point that needs no division</source>
         <translation>
             <numerusform>移动 %n 个点</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SceneOpener</name>
+    <message>
+        <source>The files cannot be opened: %1. Close other programs, then try again.</source>
+        <translation>无法打开文件：%1。请关闭其他程序，然后重试。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 及另外 %n 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: unknown in a step of a transform, and not saved.</source>
+        <translation>%1：变换步骤中的未知键，不会被保存。</translation>
+    </message>
+    <message>
+        <source>%1: unknown, and not saved once the clip plane is switched on.</source>
+        <translation>%1：未知键，启用该裁剪平面后不会被保存。</translation>
     </message>
 </context>
 <context>
@@ -6564,7 +6564,7 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::ViewSize</name>
+    <name>unprojector::gui::ViewResizer</name>
     <message>
         <source>The view is %1 × %2 now, and cannot be %3 × %4 on a screen that is scaled by %5: numbers differ a little from those of the text.</source>
         <extracomment>Sizes in pixels: what the view has, then what it should have; the last is the scale of the screen, such as 1.75.</extracomment>

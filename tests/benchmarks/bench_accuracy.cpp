@@ -28,7 +28,7 @@ namespace {
 
 constexpr int kCamerasPerKind = 1500, kClicksPerCamera = 4;
 
-glm::dvec3 byBatch(const Result<BatchUnprojection> &unprojection, const Picture &g, const WindowPoint &window)
+glm::dvec3 byBatch(const Result<BatchUnprojection> &unprojection, const Setup &g, const WindowPoint &window)
 {
     const DevicePoint device = deviceFromWindow(g.surface, window);
     const double px = device.x, py = device.y, depth = window.z;
@@ -38,7 +38,7 @@ glm::dvec3 byBatch(const Result<BatchUnprojection> &unprojection, const Picture 
 }
 
 template <class Scalar>
-glm::dvec3 byGlm(const Picture &g, const WindowPoint &window)
+glm::dvec3 byGlm(const Setup &g, const WindowPoint &window)
 {
     using Vector = glm::vec<3, Scalar>;
     using Matrix = glm::mat<4, 4, Scalar>;
@@ -48,7 +48,7 @@ glm::dvec3 byGlm(const Picture &g, const WindowPoint &window)
 }
 
 /// The formulas as they are mostly programmed: in double, with z = n f / (f - d (f - n)).
-glm::dvec3 byUsualFormula(const Picture &g, const WindowPoint &window)
+glm::dvec3 byUsualFormula(const Setup &g, const WindowPoint &window)
 {
     const Projection &projection = std::get<Projection>(g.lens);
     const ProjectionWindow w = projectionWindow(projection);
@@ -67,7 +67,7 @@ glm::dvec3 byUsualFormula(const Picture &g, const WindowPoint &window)
 }
 
 #ifdef UNPROJECTOR_GLU
-glm::dvec3 byGlu(const Picture &g, const WindowPoint &window)
+glm::dvec3 byGlu(const Setup &g, const WindowPoint &window)
 {
     const glm::dmat4 view = eyeFromWorld(g).value(), projection = clipFromEye(g).value();
     const GLint viewport[4] = {GLint(g.viewport.x), GLint(g.viewport.y), GLint(g.viewport.width),
@@ -88,16 +88,16 @@ void printRow(double nearDistance, double farDistance)
     const oracle::SceneLimits limits = oracle::everydayScenes(nearDistance, farDistance);
     oracle::Random random(7);
     std::vector<std::pair<std::string, std::vector<double>>> methods;
-    const auto add = [&](std::size_t place, const char *name, double error) {
-        if (place == methods.size())
+    const auto add = [&](std::size_t index, const char *name, double error) {
+        if (index == methods.size())
             methods.push_back({name, {}});
-        methods[place].second.push_back(error);
+        methods[index].second.push_back(error);
     };
     for (const auto kind : {RandomKind::Frustum, RandomKind::Perspective, RandomKind::Ortho, RandomKind::Oblique}) {
         for (int camera = 0; camera < kCamerasPerKind; ++camera) {
             const oracle::Scene s = oracle::randomScene(random, kind, limits);
             const oracle::Oracle exact(s.view, s.projection, s.target);
-            const Picture g = oracle::corePicture(s);
+            const Setup g = oracle::corePicture(s);
             const auto formula = BatchUnprojection::byFormula(g, {}), matrix = BatchUnprojection::byMatrix(g, {});
             for (int click = 0; click < kClicksPerCamera; ++click) {
                 const std::array<double, 3> at = oracle::randomClick(random, s.target);
@@ -108,16 +108,16 @@ void printRow(double nearDistance, double farDistance)
                 const auto error = [&](const auto &p) {
                     return static_cast<double>(oracle::maxNorm(oracle::difference(oracle::extended(p), truth)) / ulp);
                 };
-                std::size_t place = 0;
-                add(place++, "a click, by the formulas", error(*unprojectedAt(g, window).world[Method::Formula]));
-                add(place++, "a batch, by the formulas", error(byBatch(formula, g, window)));
-                add(place++, "the formulas as mostly programmed", error(byUsualFormula(g, window)));
-                add(place++, "a batch, by the inverted matrix", error(byBatch(matrix, g, window)));
-                add(place++, "glm::unProject, double", error(byGlm<double>(g, window)));
+                std::size_t index = 0;
+                add(index++, "a click, by the formulas", error(*unprojectedAt(g, window).world[Method::Formula]));
+                add(index++, "a batch, by the formulas", error(byBatch(formula, g, window)));
+                add(index++, "the formulas as mostly programmed", error(byUsualFormula(g, window)));
+                add(index++, "a batch, by the inverted matrix", error(byBatch(matrix, g, window)));
+                add(index++, "glm::unProject, double", error(byGlm<double>(g, window)));
 #ifdef UNPROJECTOR_GLU
-                add(place++, "gluUnProject", error(byGlu(g, window)));
+                add(index++, "gluUnProject", error(byGlu(g, window)));
 #endif
-                add(place++, "glm::unProject, float", error(byGlm<float>(g, window)));
+                add(index++, "glm::unProject, float", error(byGlm<float>(g, window)));
             }
         }
     }

@@ -22,9 +22,9 @@ namespace {
 
 constexpr std::size_t kPoints = 10'000'000;
 
-Picture geometry()
+Setup setup()
 {
-    Picture g;
+    Setup g;
     g.surface = {3840, 2160, 1.0};
     g.viewport = wholeSurface(g.surface);
     g.lens = Frustum{-1.0, 1.2, -0.5, 0.7, 1.0, 100.0};
@@ -109,7 +109,7 @@ void batchInCache(benchmark::State &state, const Result<BatchUnprojection> &unpr
 /// One glm::unProject a point, as it is called in most programs.
 void glmUnProject(benchmark::State &state)
 {
-    const Picture g = geometry();
+    const Setup g = setup();
     Arrays<double> &a = arrays<double>();
     const glm::dmat4 view = eyeFromWorld(g).value(), projection = clipFromEye(g).value();
     const glm::dvec4 viewport(g.viewport.x, g.viewport.y, g.viewport.width, g.viewport.height);
@@ -129,7 +129,7 @@ void glmUnProject(benchmark::State &state)
 #ifdef UNPROJECTOR_GLU
 void gluUnProjectEach(benchmark::State &state)
 {
-    const Picture g = geometry();
+    const Setup g = setup();
     Arrays<double> &a = arrays<double>();
     const glm::dmat4 view = eyeFromWorld(g).value(), projection = clipFromEye(g).value();
     const GLint viewport[4] = {0, 0, GLint(g.viewport.width), GLint(g.viewport.height)};
@@ -146,7 +146,7 @@ void gluUnProjectEach(benchmark::State &state)
 
 void glmInverseOnce(benchmark::State &state)
 {
-    const Picture g = geometry();
+    const Setup g = setup();
     Arrays<double> &a = arrays<double>();
     const glm::dmat4 inverse = glm::inverse(clipFromEye(g).value() * eyeFromWorld(g).value());
     for (auto _ : state) {
@@ -176,7 +176,7 @@ const char *name(InstructionSet set)
 template <class Scalar>
 void registerBatches(const std::string &scalar)
 {
-    Picture box = geometry();
+    Setup box = setup();
     box.lens = Ortho{-10, 10, -7, 9, 1, 100};
     const auto add = [&](const std::string &what, const Result<BatchUnprojection> &unprojection, InstructionSet set) {
         benchmark::RegisterBenchmark((what + '/' + scalar + '/' + name(set)).c_str(),
@@ -184,15 +184,14 @@ void registerBatches(const std::string &scalar)
     };
     benchmark::RegisterBenchmark(("memcpy/" + scalar).c_str(), copying<Scalar>);
     for (const InstructionSet set : availableInstructionSets()) {
-        add("closed form, perspective", BatchUnprojection::byFormula(geometry(), {}), set);
+        add("closed form, perspective", BatchUnprojection::byFormula(setup(), {}), set);
         add("closed form, box", BatchUnprojection::byFormula(box, {}), set);
-        add("matrix", BatchUnprojection::byMatrix(geometry(), {}), set);
+        add("matrix", BatchUnprojection::byMatrix(setup(), {}), set);
     }
     const InstructionSet best = availableInstructionSets().back();
-    benchmark::RegisterBenchmark(("closed form, perspective/" + scalar + '/' + name(best) + ", in cache").c_str(),
-                                 [=](benchmark::State &state) {
-                                     batchInCache<Scalar>(state, BatchUnprojection::byFormula(geometry(), {}), best);
-                                 });
+    benchmark::RegisterBenchmark(
+        ("closed form, perspective/" + scalar + '/' + name(best) + ", in cache").c_str(),
+        [=](benchmark::State &state) { batchInCache<Scalar>(state, BatchUnprojection::byFormula(setup(), {}), best); });
 }
 
 } // namespace

@@ -27,9 +27,9 @@ namespace {
 constexpr std::size_t kWidth = 3840, kHeight = 2160;
 constexpr double kNear = 1.0, kFar = 100.0;
 
-Picture picture()
+Setup setup()
 {
-    Picture g;
+    Setup g;
     g.surface = {kWidth, kHeight, 1.0};
     g.viewport = wholeSurface(g.surface);
     g.lens = Frustum{-1.0, 1.0, -0.5625, 0.5625, kNear, kFar};
@@ -59,7 +59,7 @@ void finish(benchmark::State &state)
 void computing(benchmark::State &state, const Result<BatchUnprojection> &unprojection, std::size_t bufferRows)
 {
     const DepthImage image = waves();
-    const DepthCloud<float> cloud(*unprojection, picture(), image);
+    const DepthCloud<float> cloud(*unprojection, setup(), image);
     std::vector<float> points(3 * kWidth * bufferRows);
     for (auto _ : state) {
         std::size_t count = 0;
@@ -87,7 +87,7 @@ void openCv(benchmark::State &state)
     }
     const double focal = kWidth / 2.0;
     const cv::Matx33f camera(float(focal), 0, kWidth / 2.0f, 0, float(focal), kHeight / 2.0f, 0, 0, 1);
-    const EyeFrame frame = eyeFrame(std::get<LookAt>(picture().pose)).value();
+    const EyeFrame frame = eyeFrame(std::get<LookAt>(setup().pose)).value();
     cv::Matx34f worldFromCamera; // OpenCV's y points down, its z ahead
     for (int row = 0; row < 3; ++row) {
         worldFromCamera(row, 0) = float(frame.side[row]);
@@ -184,11 +184,11 @@ void writing(benchmark::State &state)
 BENCHMARK(openCv)->Name("computing/OpenCV depthTo3d + transform")->Unit(benchmark::kMillisecond);
 #endif
 constexpr std::size_t kRowsOfTheCommand = 5;
-BENCHMARK_CAPTURE(computing, formula, BatchUnprojection::byFormula(picture(), {}), kRowsOfTheCommand)
+BENCHMARK_CAPTURE(computing, formula, BatchUnprojection::byFormula(setup(), {}), kRowsOfTheCommand)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(computing, matrix, BatchUnprojection::byMatrix(picture(), {}), kRowsOfTheCommand)
+BENCHMARK_CAPTURE(computing, matrix, BatchUnprojection::byMatrix(setup(), {}), kRowsOfTheCommand)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(computing, formula kept whole, BatchUnprojection::byFormula(picture(), {}), kHeight)
+BENCHMARK_CAPTURE(computing, formula kept whole, BatchUnprojection::byFormula(setup(), {}), kHeight)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(writing)->Name("whole/writing the same bytes")->Unit(benchmark::kMillisecond);
 BENCHMARK(command)->Name("whole/unproject cloud")->Unit(benchmark::kMillisecond);

@@ -9,15 +9,16 @@
 namespace {
 using namespace unprojector;
 using namespace unprojector::doctor;
+using namespace unprojector::geometry;
 
 Case scene()
 {
     Case result;
-    result.picture = {{1000, 700, 1.5},
-                      {100, 40, 800, 600},
-                      {0.1, 0.9},
-                      Projection(Perspective{std::numbers::pi / 4, 800.0 / 600.0, 1, 100}),
-                      LookAt{WorldPoint(3, 2, 5), WorldPoint(0, 0, 0), {0, 1, 0}}};
+    result.setup = {{1000, 700, 1.5},
+                    {100, 40, 800, 600},
+                    {0.1, 0.9},
+                    Projection(Perspective{std::numbers::pi / 4, 800.0 / 600.0, 1, 100}),
+                    LookAt{WorldPoint(3, 2, 5), WorldPoint(0, 0, 0), {0, 1, 0}}};
     result.models = {{"box", worldFromObject({Translate{{2, 0, -1}}})},
                      {"ball", worldFromObject({Rotate{30, {1, 2, 3}}, Scale{{2, 2, 2}}})}};
     return result;

@@ -13,23 +13,24 @@ using namespace unprojector::geometry;
 using namespace unprojector::maps;
 using namespace unprojector::ray;
 using namespace unprojector::unproject;
+using namespace unprojector::scene;
 
 namespace {
 
 struct Shown {
-    Picture picture;
+    Setup setup;
     std::vector<SceneObject> objects;
     std::unique_ptr<const Unprojector> unprojector;
     std::unique_ptr<const SceneRays> rays;
 
     Shown()
     {
-        picture.surface = {1920, 1080, 1.0};
-        picture.viewport = wholeSurface(picture.surface);
-        picture.lens = Projection(Frustum{-1.0, 1.0, -0.5625, 0.5625, 1.5, 30.0});
-        picture.pose = LookAt{WorldPoint(1.0, 2.0, 2.5), WorldPoint(0, 0, 0), {0, 1, 0}};
+        setup.surface = {1920, 1080, 1.0};
+        setup.viewport = wholeSurface(setup.surface);
+        setup.lens = Projection(Frustum{-1.0, 1.0, -0.5625, 0.5625, 1.5, 30.0});
+        setup.pose = LookAt{WorldPoint(1.0, 2.0, 2.5), WorldPoint(0, 0, 0), {0, 1, 0}};
         objects.push_back({"ball", {}, cubeSphere(90), {}});
-        unprojector = std::make_unique<const Unprojector>(*Unprojector::of(picture));
+        unprojector = std::make_unique<const Unprojector>(*Unprojector::of(setup));
         const std::vector<std::shared_ptr<const RayCaster>> casters{RayCaster::build(objects[0].model, {})};
         rays = std::make_unique<const SceneRays>(*unprojector, objects, casters, std::vector<glm::dvec4>());
     }

@@ -30,6 +30,8 @@ namespace {
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
 
 /// @return whether it came true within two minutes
 bool waitFor(const std::function<bool()> &isTrue)

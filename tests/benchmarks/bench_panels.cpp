@@ -21,6 +21,7 @@ namespace {
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
 
 constexpr double kLimitSeconds = 1e-3;
 

@@ -8,7 +8,7 @@
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
-#include "gui/landmarks/point_marks.h"
+#include "gui/landmarks/landmark_marks.h"
 
 #include <benchmark/benchmark.h>
 
@@ -25,6 +25,8 @@ namespace {
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
 using landmarks::Landmark;
 
 constexpr int kWidth = 1280, kHeight = 800;
@@ -64,14 +66,14 @@ SceneDocument &document()
                     {WorldPoint(0.0, -4.5, 3.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 0.0, 1.0}});
         fresh->picks().rayCasters().complete(fresh->objects());
         std::mt19937 random(1);
-        std::vector<Landmark> points;
-        while (points.size() < kPoints) {
+        std::vector<Landmark> landmarks;
+        while (landmarks.size() < kPoints) {
             const auto at =
                 landmarkOnSurface(*fresh, {double(random() % kWidth) + 0.5, double(random() % kHeight) + 0.5});
             if (at)
-                points.push_back(*at);
+                landmarks.push_back(*at);
         }
-        const Check placed = editLandmarks(*fresh, std::move(points), {QStringLiteral("points")});
+        const Check placed = editLandmarks(*fresh, std::move(landmarks), {QStringLiteral("points")});
         Q_ASSERT(placed.hasValue());
         return fresh;
     }();
@@ -83,12 +85,12 @@ void marks(benchmark::State &state)
 {
     SceneDocument &points = document();
     for (auto _ : state)
-        benchmark::DoNotOptimize(pointMarks(points));
+        benchmark::DoNotOptimize(landmarkMarks(points));
 }
 
 void labels(benchmark::State &state)
 {
-    const std::vector<PointMark> shown = pointMarks(document());
+    const std::vector<LandmarkMark> shown = landmarkMarks(document());
     const QFontMetricsF metrics{QFont()};
     for (auto _ : state)
         benchmark::DoNotOptimize(placedLabels(shown, metrics, QRectF(0, 0, kWidth, kHeight)));
@@ -97,12 +99,12 @@ void labels(benchmark::State &state)
 /// By the processor alone; the view has the graphics card do it.
 void drawing(benchmark::State &state)
 {
-    const std::vector<PointMark> shown = pointMarks(document());
+    const std::vector<LandmarkMark> shown = landmarkMarks(document());
     const std::vector<PlacedLabel> placed = placedLabels(shown, QFontMetricsF{QFont()}, QRectF(0, 0, kWidth, kHeight));
     QImage image(kWidth, kHeight, QImage::Format_RGB32);
     for (auto _ : state) {
         QPainter painter(&image);
-        drawPoints(painter, shown, placed);
+        drawLandmarks(painter, shown, placed);
     }
 }
 
@@ -115,7 +117,7 @@ void drag(benchmark::State &state)
         ++step;
         const DevicePoint to(double(kWidth / 2 + step % 100), double(kHeight / 2 + step % 37));
         if (const auto there = landmarkOnMesh(points, to))
-            static_cast<void>(points.points().move(0, *there, QStringLiteral("drag")));
+            static_cast<void>(points.sceneLandmarks().move(0, *there, QStringLiteral("drag")));
     }
 }
 

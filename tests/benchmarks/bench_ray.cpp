@@ -25,6 +25,8 @@ namespace {
 
 using namespace unprojector;
 using namespace unprojector::ray;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
 using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start)

@@ -20,9 +20,9 @@ namespace {
 
 constexpr std::size_t kRows = 4000; // about one block
 
-Picture geometry()
+Setup setup()
 {
-    Picture g;
+    Setup g;
     g.surface = {800, 600, 1.0};
     g.viewport = wholeSurface(g.surface);
     g.lens = Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 100.0};
@@ -51,8 +51,8 @@ void rows(benchmark::State &state, bool isComputing)
     const LineBlock text = block();
     const NumberReader reader("rows", NumberColumns{kClickColumns, {0, 1, 2}});
     const std::vector<std::string> names(10, "name");
-    const ClickBatch formula = *ClickBatch::of(Method::Formula, geometry(), {});
-    const ClickBatch matrix = *ClickBatch::of(Method::Matrix, geometry(), {});
+    const ClickBatch formula = *ClickBatch::of(Method::Formula, setup(), {});
+    const ClickBatch matrix = *ClickBatch::of(Method::Matrix, setup(), {});
     NumberRows numbers;
     std::vector<LineMessage> messages;
     std::array<std::vector<double>, 7> results;

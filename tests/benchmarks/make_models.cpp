@@ -23,6 +23,7 @@
 #include <vector>
 
 using namespace unprojector::scene;
+using namespace unprojector::mesh;
 
 namespace {
 

@@ -12,6 +12,7 @@ using namespace unprojector::geometry;
 using namespace unprojector::scene;
 using namespace unprojector::scene_file;
 using namespace unprojector::unproject;
+using namespace unprojector::mesh;
 
 namespace {
 
@@ -29,13 +30,13 @@ Scene twoObjects()
 Click clickAt(double x, double y, double depth, bool hit, double eyeX = 0.1)
 {
     const Surface surface = surfaceFromWidget(800, 600, 1.25);
-    const Picture picture{surface,
-                          wholeSurface(surface),
-                          {1.0, 0.0},
-                          Projection(Perspective{0.7, 1.3, 0.1, 50.0}),
-                          LookAt{WorldPoint(eyeX, 0.2, 5.3), WorldPoint(0.0, 0.1, 0.0), {0, 1, 0.1}}};
+    const Setup setup{surface,
+                      wholeSurface(surface),
+                      {1.0, 0.0},
+                      Projection(Perspective{0.7, 1.3, 0.1, 50.0}),
+                      LookAt{WorldPoint(eyeX, 0.2, 5.3), WorldPoint(0.0, 0.1, 0.0), {0, 1, 0.1}}};
     return clickOf(
-        pickAt(picture, WidgetPoint(x, y), {depth, hit ? std::optional<std::size_t>(1) : std::nullopt, 24}).value(),
+        pickAt(setup, WidgetPoint(x, y), {depth, hit ? std::optional<std::size_t>(1) : std::nullopt, 24}).value(),
         twoObjects());
 }
 

@@ -20,8 +20,8 @@ const QByteArray kFace = "v -1 -0.5 0\nv 1 -0.5 0\nv 1 0.5 0\nv -1 0.5 0\nf 1 2 
 float valueAt(const QByteArray &map, const QByteArray &header, int width, int height, int i, int j)
 {
     float value = 0.0F;
-    const int place = (height - 1 - j) * width + i;
-    std::memcpy(&value, map.constData() + header.size() + 4 * place, sizeof value);
+    const int index = (height - 1 - j) * width + i;
+    std::memcpy(&value, map.constData() + header.size() + 4 * index, sizeof value);
     return value;
 }
 

@@ -15,10 +15,6 @@
 /// What the tests of the bundled meshes share: a mesh's triangles, its edges after welding, and its volume.
 namespace mesh_measures {
 
-using namespace unprojector;
-using namespace unprojector::geometry;
-using namespace unprojector::mesh;
-
 using Place = std::tuple<float, float, float>;
 
 // Positions are floats of size up to 4: their rounding is at most 2.4e-7, and a few of them add up.
@@ -26,12 +22,12 @@ inline constexpr double kFloatTolerance = 1e-6;
 
 inline constexpr int kTeapotDivisions = 10;
 
-inline glm::dvec3 corner(const Mesh &mesh, std::size_t index)
+inline glm::dvec3 corner(const unprojector::mesh::Mesh &mesh, std::size_t index)
 {
     return mesh.position(mesh.vertexAt(index));
 }
 
-inline std::array<glm::dvec3, 3> triangle(const Mesh &mesh, std::size_t number)
+inline std::array<glm::dvec3, 3> triangle(const unprojector::mesh::Mesh &mesh, std::size_t number)
 {
     return {corner(mesh, 3 * number), corner(mesh, 3 * number + 1), corner(mesh, 3 * number + 2)};
 }
@@ -45,7 +41,7 @@ inline Place place(const glm::dvec3 &point)
 }
 
 /// By the divergence theorem: positive when a closed mesh is counter-clockwise from outside.
-inline double signedVolume(const Mesh &mesh)
+inline double signedVolume(const unprojector::mesh::Mesh &mesh)
 {
     double volume = 0.0;
     for (std::size_t number = 0; number < mesh.triangleCount(); ++number) {
@@ -56,7 +52,7 @@ inline double signedVolume(const Mesh &mesh)
 }
 
 /// How often each directed edge occurs, after welding.
-inline std::map<std::pair<Place, Place>, int> directedEdges(const Mesh &mesh)
+inline std::map<std::pair<Place, Place>, int> directedEdges(const unprojector::mesh::Mesh &mesh)
 {
     std::map<std::pair<Place, Place>, int> edges;
     for (std::size_t number = 0; number < mesh.triangleCount(); ++number) {

@@ -9,27 +9,28 @@
 
 /// Scene files there and back, for tests.
 namespace scene_texts {
-using namespace unprojector::scene_file;
 
-inline SceneFile parsed(const QByteArray &text)
+inline unprojector::scene_file::SceneFile parsed(const QByteArray &text)
 {
-    const auto scene = parseScene(std::string_view(text.constData(), std::size_t(text.size())), "scene.json");
+    const auto scene =
+        unprojector::scene_file::parseScene(std::string_view(text.constData(), std::size_t(text.size())), "scene.json");
     if (!scene)
         qFatal("%s", sceneErrorText(scene.error()).c_str());
     return *scene;
 }
 
-inline QByteArray written(const SceneFile &scene)
+inline QByteArray written(const unprojector::scene_file::SceneFile &scene)
 {
     return QByteArray::fromStdString(sceneText(scene).value());
 }
 
 /// The objects of a scene file, all with this model.
-inline std::vector<SceneObject> objectsWith(const std::shared_ptr<const Model> &model, const SceneFile &scene,
-                                            const std::filesystem::path &sceneFile)
+inline std::vector<unprojector::scene::SceneObject>
+objectsWith(const std::shared_ptr<const unprojector::mesh::Model> &model,
+            const unprojector::scene_file::SceneFile &scene, const std::filesystem::path &sceneFile)
 {
-    std::vector<SceneObject> objects;
-    for (const SceneFileObject &object : scene.objects)
+    std::vector<unprojector::scene::SceneObject> objects;
+    for (const unprojector::scene_file::SceneFileObject &object : scene.objects)
         objects.push_back(
             {object.name, objectFile(object, sceneFile), model, object.transform, object.isHidden, object.extra});
     return objects;

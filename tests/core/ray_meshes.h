@@ -16,25 +16,24 @@
 // Meshes that rays are aimed at, and the answer without any tree.
 namespace ray_meshes {
 
-using namespace unprojector;
-using namespace unprojector::ray;
-
-using ObjectVector = Vector<ObjectSpace>;
+using ObjectVector = unprojector::geometry::Vector<unprojector::geometry::ObjectSpace>;
 
 using ::modelOf;
 
-inline std::shared_ptr<Model> modelOf(const std::vector<glm::vec3> &positions, std::vector<std::uint32_t> indices = {})
+inline std::shared_ptr<unprojector::mesh::Model> modelOf(const std::vector<glm::vec3> &positions,
+                                                         std::vector<std::uint32_t> indices = {})
 {
-    Mesh mesh;
+    unprojector::mesh::Mesh mesh;
     mesh.positions = positions;
     mesh.indices = std::move(indices);
     return modelOf(std::move(mesh));
 }
 
 /// A surface over [0, 1] x [0, 1] whose rims meet, every vertex shared: nothing is open where it wraps around.
-inline std::shared_ptr<Model> wrapped(std::uint32_t n, const std::function<glm::dvec3(double, double)> &at)
+inline std::shared_ptr<unprojector::mesh::Model> wrapped(std::uint32_t n,
+                                                         const std::function<glm::dvec3(double, double)> &at)
 {
-    Mesh mesh;
+    unprojector::mesh::Mesh mesh;
     for (std::uint32_t j = 0; j < n; ++j) {
         for (std::uint32_t i = 0; i < n; ++i)
             mesh.positions.emplace_back(at(double(i) / n, double(j) / n));
@@ -51,7 +50,7 @@ inline std::shared_ptr<Model> wrapped(std::uint32_t n, const std::function<glm::
 
 constexpr double kTurn = 6.283185307179586;
 
-inline std::shared_ptr<Model> torus(std::uint32_t n)
+inline std::shared_ptr<unprojector::mesh::Model> torus(std::uint32_t n)
 {
     return wrapped(n, [](double u, double v) {
         const double ring = 1.0 + 0.4 * std::cos(kTurn * v);
@@ -60,7 +59,7 @@ inline std::shared_ptr<Model> torus(std::uint32_t n)
 }
 
 /// Triangles of all sizes and shapes anywhere, some of them without an area; in double precision.
-inline std::shared_ptr<Model> soup(std::size_t count, std::uint64_t seed)
+inline std::shared_ptr<unprojector::mesh::Model> soup(std::size_t count, std::uint64_t seed)
 {
     std::mt19937_64 engine(seed);
     std::uniform_real_distribution<double> place(-1.0, 1.0), size(-4.0, -0.5);
@@ -72,24 +71,26 @@ inline std::shared_ptr<Model> soup(std::size_t count, std::uint64_t seed)
         const glm::dvec3 a = center + extent * anywhere(), b = center + extent * anywhere();
         positions.insert(positions.end(), {a, b, i % 16 == 0 ? a : i % 16 == 1 ? 2.0 * b - a : center});
     }
-    Mesh mesh;
+    unprojector::mesh::Mesh mesh;
     setPositions(mesh, glm::dvec3(0.0), positions);
     return modelOf(std::move(mesh));
 }
 
 /// The nearest of all triangles, each tested.
-inline std::optional<TriangleHit> testingAll(const Model &model, const Ray<ObjectSpace> &ray)
+inline std::optional<unprojector::ray::TriangleHit>
+testingAll(const unprojector::mesh::Model &model, const unprojector::ray::Ray<unprojector::geometry::ObjectSpace> &ray)
 {
-    NearestTriangle nearest(model, ray);
+    unprojector::ray::NearestTriangle nearest(model, ray);
     std::uint32_t number = 0;
     for (std::uint32_t mesh = 0; mesh < model.meshes.size(); ++mesh) {
         for (std::uint32_t i = 0; i < model.meshes[mesh].triangleCount(); ++i)
-            nearest.test(mesh, number++, cornersOf(model.meshes[mesh], i));
+            nearest.test(mesh, number++, unprojector::ray::cornersOf(model.meshes[mesh], i));
     }
     return nearest.hit();
 }
 
-inline bool isSame(const std::optional<TriangleHit> &a, const std::optional<TriangleHit> &b)
+inline bool isSame(const std::optional<unprojector::ray::TriangleHit> &a,
+                   const std::optional<unprojector::ray::TriangleHit> &b)
 {
     if (!a || !b)
         return !a && !b;
@@ -109,10 +110,11 @@ public:
     std::size_t below(std::size_t count) { return m_engine() % count; }
 
     /// From somewhere about a center to a point and as far again behind it.
-    Ray<ObjectSpace> at(const glm::dvec3 &target, const glm::dvec3 &center, double distance)
+    unprojector::ray::Ray<unprojector::geometry::ObjectSpace> at(const glm::dvec3 &target, const glm::dvec3 &center,
+                                                                 double distance)
     {
         const glm::dvec3 eye = center + distance * direction();
-        return {ObjectPoint(eye), ObjectVector(target - eye), 0.0, 2.0};
+        return {unprojector::geometry::ObjectPoint(eye), ObjectVector(target - eye), 0.0, 2.0};
     }
 
 private:

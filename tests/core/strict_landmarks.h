@@ -14,12 +14,11 @@
 
 /// What tests of files of landmarks share: readers that share nothing with ours and forgive nothing.
 namespace strict_landmarks {
-using namespace unprojector::landmark_files;
 
-inline QStringList noteTexts(const std::vector<LandmarkNote> &notes)
+inline QStringList noteTexts(const std::vector<unprojector::landmark_files::LandmarkNote> &notes)
 {
     QStringList texts;
-    for (const LandmarkNote &note : notes)
+    for (const unprojector::landmark_files::LandmarkNote &note : notes)
         texts << QString::fromStdString(noteText(note));
     return texts;
 }
@@ -74,13 +73,13 @@ inline QList<QList<QByteArray>> strictCsv(const QByteArray &text)
     return rows;
 }
 
-inline QList<StrictPoint> strictPoints(const QByteArray &text, Format format)
+inline QList<StrictPoint> strictPoints(const QByteArray &text, unprojector::landmark_files::Format format)
 {
     QList<StrictPoint> points;
     const QList<QByteArray> lines = text.split('\n');
     const auto at = [&](int i) { return lines.at(i); };
     switch (format) {
-    case Format::Csv: {
+    case unprojector::landmark_files::Format::Csv: {
         const auto rows = strictCsv(text);
         const auto column = [&](const char *name) { return rows.front().indexOf(name); };
         for (const auto &row : rows.mid(1)) {
@@ -91,18 +90,20 @@ inline QList<StrictPoint> strictPoints(const QByteArray &text, Format format)
         }
         break;
     }
-    case Format::MeshLab:
-    case Format::MeshLabTemplate: {
+    case unprojector::landmark_files::Format::MeshLab:
+    case unprojector::landmark_files::Format::MeshLabTemplate: {
         QXmlStreamReader xml(text);
         while (!xml.atEnd()) {
             if (xml.readNext() == QXmlStreamReader::DTD
-                && xml.dtdName() != QLatin1String(format == Format::MeshLab ? "PickedPoints" : "PickPointsTemplate"))
+                && xml.dtdName()
+                       != QLatin1String(format == unprojector::landmark_files::Format::MeshLab ? "PickedPoints"
+                                                                                               : "PickPointsTemplate"))
                 qFatal("another document");
             if (!xml.isStartElement() || xml.name() != QLatin1String("point"))
                 continue;
             const auto value = [&](const char *name) { return xml.attributes().value(QLatin1String(name)).toUtf8(); };
             StrictPoint point{xml.attributes().value(QLatin1String("name")).toString(), value("active") != "1", {}};
-            if (format == Format::MeshLab) {
+            if (format == unprojector::landmark_files::Format::MeshLab) {
                 point.place = strictPlace({value("x"), value("y"), value("z")});
                 if ((value("x") + value("y") + value("z")).contains('e'))
                     qFatal("an exponent, whose letter R's Morpho strips");
@@ -113,7 +114,7 @@ inline QList<StrictPoint> strictPoints(const QByteArray &text, Format format)
             qFatal("%s", qPrintable(xml.errorString()));
         break;
     }
-    case Format::SlicerJson: {
+    case unprojector::landmark_files::Format::SlicerJson: {
         const QJsonObject document = QJsonDocument::fromJson(text).object();
         if (!document["@schema"].toString().contains("markups-schema-v1"))
             qFatal("3D Slicer takes no file without a schema");
@@ -132,7 +133,7 @@ inline QList<StrictPoint> strictPoints(const QByteArray &text, Format format)
         }
         break;
     }
-    case Format::SlicerCsv: {
+    case unprojector::landmark_files::Format::SlicerCsv: {
         if (at(0) != "# Markups fiducial file version = 5.8" || !at(1).startsWith("# CoordinateSystem = ")
             || at(2) != "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID")
             qFatal("another header");
@@ -147,7 +148,7 @@ inline QList<StrictPoint> strictPoints(const QByteArray &text, Format format)
         }
         break;
     }
-    case Format::Idav: {
+    case unprojector::landmark_files::Format::Idav: {
         if (at(0) != "Version 1.0" || !text.endsWith("\n\n") || lines.size() != at(1).toInt() + 4)
             qFatal("the header or the end is wrong");
         for (int i = 2; i < lines.size() - 2; ++i) {
@@ -159,7 +160,7 @@ inline QList<StrictPoint> strictPoints(const QByteArray &text, Format format)
         }
         break;
     }
-    case Format::Tps: {
+    case unprojector::landmark_files::Format::Tps: {
         const int count = at(0).mid(4).toInt();
         if (!at(0).startsWith("LM3=") || !text.endsWith("\n\n") || text.contains("SCALE"))
             qFatal("the header or the end is wrong");
@@ -169,9 +170,9 @@ inline QList<StrictPoint> strictPoints(const QByteArray &text, Format format)
         }
         break;
     }
-    case Format::Nts:
-    case Format::LandmarkAscii:
-    case Format::Landmarker: break;
+    case unprojector::landmark_files::Format::Nts:
+    case unprojector::landmark_files::Format::LandmarkAscii:
+    case unprojector::landmark_files::Format::Landmarker: break;
     }
     return points;
 }

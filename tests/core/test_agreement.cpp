@@ -13,7 +13,7 @@ using namespace unprojector::unproject;
 namespace {
 
 /// Near 2, far 10, from (0, 0, 5) towards the origin.
-Picture picture(const Projection &projection)
+Setup setup(const Projection &projection)
 {
     return {{800, 600, 1.0},
             {0.0, 0.0, 800.0, 600.0},
@@ -26,9 +26,9 @@ Picture picture(const Projection &projection)
 Pick pickOf(const Projection &projection, const glm::dvec3 &formula, const glm::dvec3 &matrix, double uncertainty,
             bool hit = true)
 {
-    Pick pick = pickAt(picture(projection), {412.0, 299.0},
-                       {hit ? 0.5 : 1.0, hit ? std::optional<std::size_t>(0) : std::nullopt})
-                    .value();
+    Pick pick =
+        pickAt(setup(projection), {412.0, 299.0}, {hit ? 0.5 : 1.0, hit ? std::optional<std::size_t>(0) : std::nullopt})
+            .value();
     pick.point.world =
         Answers<WorldSpace>::of([&](Method method) { return WorldPoint(method == Method::Matrix ? matrix : formula); });
     pick.uncertainty.world = {uncertainty, uncertainty, uncertainty};
@@ -106,7 +106,7 @@ void TestAgreement::theVerdictNamesTheCause()
     const Frustum frustum{-0.4 * nearDistance, 0.4 * nearDistance, -0.3 * nearDistance,
                           0.3 * nearDistance,  nearDistance,       10.0};
     Pick pick = pickOf(kFrustum, point, point, uncertainty);
-    pick.picture.lens = Projection(frustum);
+    pick.setup.lens = Projection(frustum);
     const double unit = ulpOfLargest(WorldPoint(point));
     // Differences of tenths of an ulp are in the smaller coordinates.
     glm::dvec3 matrix = point;

@@ -21,6 +21,7 @@
 using namespace unprojector;
 using namespace unprojector::geometry;
 using namespace unprojector::scene_file;
+using namespace unprojector::scene;
 
 namespace {
 
@@ -28,7 +29,7 @@ constexpr double kTolerance = 1e-9; // as many digits as the table has
 const WorldPoint kPoint(0.5, 0.75, -0.25);
 
 /// Viewport (100, 40, 800, 600) in a window of 1000 x 700 device pixels, two a logical one; 45 degrees, near 1, far 100.
-Picture picture()
+Setup setup()
 {
     return {{1000, 700, 2.0},
             {100, 40, 800, 600},
@@ -37,12 +38,12 @@ Picture picture()
             LookAt{WorldPoint(3, 2, 5), WorldPoint(0, 0, 0), {0, 1, 0}}};
 }
 
-EyePoint eyePoint(const Picture &p)
+EyePoint eyePoint(const Setup &p)
 {
     return EyePoint(glm::dvec3(eyeFromWorld(p).value() * glm::dvec4(kPoint.coordinates(), 1.0)));
 }
 
-std::vector<double> clickIn(const Picture &p, Api api)
+std::vector<double> clickIn(const Setup &p, Api api)
 {
     const ApiClick c = apiClick(p, api, windowFromWorld(p, kPoint).value(), eyePoint(p), kPoint).value();
     std::vector<double> all{c.position.x, c.position.y, c.depth, c.ndc.x, c.ndc.y, c.ndc.z};
@@ -140,7 +141,7 @@ void TestApiConventions::aClickHasEachApisNumbers_data()
 void TestApiConventions::aClickHasEachApisNumbers()
 {
     QFETCH(std::vector<double>, numbers);
-    const std::vector<double> found = clickIn(picture(), apiOf(QTest::currentDataTag()).value());
+    const std::vector<double> found = clickIn(setup(), apiOf(QTest::currentDataTag()).value());
     QCOMPARE(found.size(), numbers.size());
     for (std::size_t i = 0; i < numbers.size(); ++i)
         QVERIFY2(std::abs(found[i] - numbers[i]) <= kTolerance,
@@ -149,10 +150,10 @@ void TestApiConventions::aClickHasEachApisNumbers()
 
 void TestApiConventions::eachApisOwnMatricesLeadBackToThePoint()
 {
-    Picture orthographic = picture();
+    Setup orthographic = setup();
     orthographic.lens = Projection(Ortho{-4, 4, -3, 3, 1, 20});
     orthographic.depthRange = {0.25, 0.75};
-    for (const Picture &p : {picture(), orthographic}) {
+    for (const Setup &p : {setup(), orthographic}) {
         for (const Api api : kApis) {
             const ApiCamera camera = apiCamera(p, api).value();
             const ApiClick click = apiClick(p, api, windowFromWorld(p, kPoint).value(), eyePoint(p), kPoint).value();
@@ -168,7 +169,7 @@ void TestApiConventions::eachApisOwnMatricesLeadBackToThePoint()
 
 void TestApiConventions::openCvsCameraProjectsAndUnprojects()
 {
-    const Picture p = picture();
+    const Setup p = setup();
     const ApiCamera camera = apiCamera(p, Api::OpenCv).value();
     const glm::dmat3 r(camera.eyeFromWorld), k = camera.intrinsics.value();
     const glm::dvec3 t(camera.eyeFromWorld[3]);
@@ -184,14 +185,14 @@ void TestApiConventions::openCvsCameraProjectsAndUnprojects()
 
 void TestApiConventions::aBoxHasNoCameraMatrix()
 {
-    Picture p = picture();
+    Setup p = setup();
     p.lens = Projection(Ortho{-4, 4, -3, 3, 1, 20});
     QVERIFY(!apiCamera(p, Api::OpenCv).value().intrinsics);
 }
 
 void TestApiConventions::depthsThatAreReversedAlreadyStaySo()
 {
-    Picture p = picture();
+    Setup p = setup();
     p.depthRange = {1.0, 0.0};
     QVERIFY(std::abs(clickIn(p, Api::Unity)[2] - 0.161669495032) < kTolerance);
     QVERIFY(std::abs(clickIn(p, Api::Direct3d)[2] - 0.161669495032) < kTolerance);
@@ -207,7 +208,7 @@ void TestApiConventions::matricesOfAnApiMakeThePictureThatTheyMakeThere_data()
 void TestApiConventions::matricesOfAnApiMakeThePictureThatTheyMakeThere()
 {
     QFETCH(QByteArray, text);
-    const Picture p = pictureOf(parsed(text));
+    const Setup p = setupOf(parsed(text));
     const glm::dvec3 window = windowFromWorld(p, kPoint).value().coordinates();
     QVERIFY(glm::distance(window, glm::dvec3(568.647484851, 425.662250382, 0.838330504968)) < kTolerance);
     const auto shown = sceneFromFile(parsed(text), "/there/api.json", {});
@@ -220,7 +221,7 @@ void TestApiConventions::matricesComeBackToTheLastDigit()
     QFETCH(QByteArray, text);
     const SceneFile file = parsed(text);
     const Scene scene = sceneFromFile(file, "/there/api.json", {}).value();
-    const SceneFile saved = sceneFileFrom(scene, pictureOf(scene, {1000, 700, 1.0}, {}).value(), "/there/saved.json");
+    const SceneFile saved = sceneFileFrom(scene, setupOf(scene, {1000, 700, 1.0}, {}).value(), "/there/saved.json");
     const std::string written = scene_file::sceneText(saved).value();
     const auto before = nlohmann::json::parse(text.toStdString()), after = nlohmann::json::parse(written);
     QVERIFY(before["conventions"] == after["conventions"]);
@@ -232,14 +233,13 @@ void TestApiConventions::otherConventionsWriteOtherMatricesOfTheSamePicture()
 {
     const SceneFile file = parsed(textOf("", "1.1,0,0,0, 0,1.3,0,0, 0.1,-0.3,-1.25,-1, 0,0,-2.25,0", kRightHandedView));
     Scene scene = sceneFromFile(file, "/there/api.json", {}).value();
-    const glm::dvec3 before = windowFromWorld(pictureOf(file), kPoint).value().coordinates();
+    const glm::dvec3 before = windowFromWorld(setupOf(file), kPoint).value().coordinates();
     for (const Api api : kApis) {
         scene.conventions = api;
-        const SceneFile saved =
-            sceneFileFrom(scene, pictureOf(scene, {1000, 700, 1.0}, {}).value(), "/there/saved.json");
+        const SceneFile saved = sceneFileFrom(scene, setupOf(scene, {1000, 700, 1.0}, {}).value(), "/there/saved.json");
         const SceneFile again = parseScene(scene_file::sceneText(saved).value(), "saved.json").value();
         QCOMPARE(again.conventions.has_value(), api != Api::OpenGl);
-        const glm::dvec3 after = windowFromWorld(pictureOf(again), kPoint).value().coordinates();
+        const glm::dvec3 after = windowFromWorld(setupOf(again), kPoint).value().coordinates();
         QVERIFY2(glm::distance(before, after) < kTolerance, conventionsOf(api).name);
     }
 }

@@ -325,7 +325,7 @@ void TestBatchUnproject::matricesOfOtherPrograms()
     QFETCH(glm::dmat4, projection);
     QFETCH(bool, isZeroToOne);
     QFETCH(bool, isFormulaOurs);
-    Picture g;
+    Setup g;
     g.surface = {640, 480, 1.0};
     g.viewport = {20.0, 30.0, 500.0, 400.0};
     g.lens = MatrixProjection{projection, isZeroToOne ? NdcDepth::ZeroToOne : NdcDepth::MinusOneToOne};
@@ -411,7 +411,7 @@ void TestBatchUnproject::noPointsTouchNothing()
 
 void TestBatchUnproject::aBadPictureIsRefused()
 {
-    Picture g;
+    Setup g;
     g.surface = {4, 3, 1.0};
     g.viewport = wholeSurface(g.surface);
     g.lens = Frustum{-1, 1, -1, 1, 0.0, 10.0};

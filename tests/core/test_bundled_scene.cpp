@@ -22,6 +22,9 @@
 
 using namespace mesh_measures;
 using namespace unprojector::scene;
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
 
 namespace {
 

@@ -21,13 +21,13 @@ constexpr double kRoundingPixels = 1e-8;
 constexpr double kRounding = 1e-12;
 
 /// Where a point stands in the picture; NaN where it has no place.
-glm::dvec2 placeOf(const Picture &g, const WorldPoint &point)
+glm::dvec2 placeOf(const Setup &g, const WorldPoint &point)
 {
     const Result<WindowPoint> window = windowFromWorld(g, point);
     return window ? glm::dvec2(window->x, window->y) : glm::dvec2(std::nan(""));
 }
 
-bool hasSamePlace(const Picture &before, const Picture &after, const WorldPoint &point)
+bool hasSamePlace(const Setup &before, const Setup &after, const WorldPoint &point)
 {
     const glm::dvec2 a = placeOf(before, point), b = placeOf(after, point);
     return isNear(a.x, b.x, kRoundingPixels) && isNear(a.y, b.y, kRoundingPixels);
@@ -49,7 +49,7 @@ double elevationOf(const LookAt &camera)
     return std::asin(forwardOf(camera).y);
 }
 
-Picture withCamera(Picture g, const LookAt &camera)
+Setup withCamera(Setup g, const LookAt &camera)
 {
     g.camera() = camera;
     return g;
@@ -61,14 +61,14 @@ LookAt obliqueCamera()
     return {WorldPoint(5.0, 6.0, 9.0), WorldPoint(1.0, 2.0, 3.0), {0.0, 1.0, 0.0}};
 }
 
-Picture geometryWith(const Projection &projection)
+Setup geometryWith(const Projection &projection)
 {
     return {{1200, 800, 1.5}, {0.0, 0.0, 1200.0, 800.0}, {}, projection, obliqueCamera()};
 }
 
 void addProjections()
 {
-    QTest::addColumn<Picture>("geometry");
+    QTest::addColumn<Setup>("geometry");
     const Ortho box{-4.0, 8.0, -3.0, 5.0, -2.0, 40.0};
     QTest::newRow("frustum") << geometryWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
     QTest::newRow("frustum, off-centre") << geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
@@ -76,7 +76,7 @@ void addProjections()
     QTest::newRow("ortho") << geometryWith(Ortho{-6.0, 6.0, -4.0, 4.0, -2.0, 40.0});
     QTest::newRow("ortho, off-centre") << geometryWith(box);
     QTest::newRow("oblique") << geometryWith(Oblique{box, kPi / 3.0, 2.0 * kPi / 3.0});
-    Picture offset = geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
+    Setup offset = geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
     offset.viewport = {100.0, 50.0, 600.0, 400.0};
     QTest::newRow("frustum, off-centre, in an offset viewport") << offset;
 }
@@ -136,12 +136,12 @@ private slots:
 
 void TestCameraMotion::orbitKeepsThePivotsPlaceAndAllDistances()
 {
-    QFETCH(Picture, geometry);
+    QFETCH(Setup, geometry);
     for (const WorldPoint &pivot : {WorldPoint(1.0, 2.0, 3.0), WorldPoint(0.0, 1.0, 2.5), WorldPoint(2.0, 0.0, 4.0)}) {
         for (const double yaw : {-2.0, 0.0, 0.3, 3.0}) {
             for (const double pitch : {-0.4, 0.0, 0.5}) {
                 const LookAt camera = orbited(geometry.camera(), pivot, yaw, pitch);
-                const Picture after = withCamera(geometry, camera);
+                const Setup after = withCamera(geometry, camera);
                 QVERIFY(check(after).hasValue());
                 QVERIFY(hasSamePlace(geometry, after, pivot));
                 QVERIFY(isNear(distanceOf(camera), distanceOf(geometry.camera()), kRounding * 10.0));
@@ -158,19 +158,19 @@ void TestCameraMotion::orbitKeepsThePivotsPlaceAndAllDistances()
 
 void TestCameraMotion::orbitTurnsTheSceneWithTheHand()
 {
-    const Picture g{{800, 800, 1.0},
-                    {0.0, 0.0, 800.0, 800.0},
-                    {},
-                    Frustum{-1.0, 1.0, -1.0, 1.0, 1.0, 100.0},
-                    LookAt{WorldPoint(0.0, 0.0, 10.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
+    const Setup g{{800, 800, 1.0},
+                  {0.0, 0.0, 800.0, 800.0},
+                  {},
+                  Frustum{-1.0, 1.0, -1.0, 1.0, 1.0, 100.0},
+                  LookAt{WorldPoint(0.0, 0.0, 10.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
     const WorldPoint pivot(0.0, 0.0, 0.0);
     const WorldPoint nearest(0.0, 0.0, 1.0), top(0.0, 1.0, 0.0);
     // To the right: what is nearest goes right, by the sine of the angle: 1 x sin 0.1 at a distance of 10 - cos 0.1.
-    const Picture right = withCamera(g, orbited(g.camera(), pivot, 0.1, 0.0));
+    const Setup right = withCamera(g, orbited(g.camera(), pivot, 0.1, 0.0));
     QVERIFY(isNear(placeOf(right, nearest).x, 400.0 + 400.0 * std::sin(0.1) / (10.0 - std::cos(0.1)), kRoundingPixels));
     QVERIFY(isNear(placeOf(right, nearest).y, 400.0, kRoundingPixels));
     // Down: the top comes towards the viewer, so what is nearest sinks.
-    const Picture down = withCamera(g, orbited(g.camera(), pivot, 0.0, 0.1));
+    const Setup down = withCamera(g, orbited(g.camera(), pivot, 0.0, 0.1));
     QVERIFY(isNear(placeOf(down, nearest).y, 400.0 - 400.0 * std::sin(0.1) / (10.0 - std::cos(0.1)), kRoundingPixels));
     QVERIFY(isNear(placeOf(down, nearest).x, 400.0, kRoundingPixels));
     QVERIFY(isNear(placeOf(down, top).y, 400.0 + 400.0 * std::cos(0.1) / (10.0 - std::sin(0.1)), kRoundingPixels));
@@ -221,7 +221,7 @@ void TestCameraMotion::orbitLeavesAPoleItStandsAt()
     QFETCH(double, pitch);
     QFETCH(double, elevation);
     const LookAt pole = seenFrom(obliqueCamera(), static_cast<StandardView>(side));
-    const Picture before = withCamera(geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0}), pole);
+    const Setup before = withCamera(geometryWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0}), pole);
     const WorldPoint pivot(0.5, 2.5, 2.0);
     const LookAt camera = orbited(pole, pivot, 0.4, pitch);
     QVERIFY(hasSamePlace(before, withCamera(before, camera), pivot));
@@ -286,12 +286,12 @@ void TestCameraMotion::seenFromLooksAlongTheNamedAxis()
 
 void TestCameraMotion::worldPerLogicalPixelMovesByOnePixel()
 {
-    QFETCH(Picture, geometry);
+    QFETCH(Setup, geometry);
     geometry.surface.devicePixelRatio = 1.5;
     const EyeFrame frame = *eyeFrame(geometry.camera());
     for (const WorldPoint &anchor : {WorldPoint(1.0, 2.0, 3.0), WorldPoint(-2.0, 1.0, -4.0)}) {
         const double scale = worldPerLogicalPixel(geometry, anchor);
-        const Picture after =
+        const Setup after =
             withCamera(geometry, moved(geometry.camera(), -(frame.side * 30.0 - frame.upward * 20.0) * scale));
         const glm::dvec2 step = placeOf(after, anchor) - placeOf(geometry, anchor);
         QVERIFY(isNear(step.x, 45.0, kRoundingPixels));
@@ -301,10 +301,10 @@ void TestCameraMotion::worldPerLogicalPixelMovesByOnePixel()
 
 void TestCameraMotion::zoomKeepsTheAnchorsPlace()
 {
-    QFETCH(Picture, geometry);
+    QFETCH(Setup, geometry);
     for (const WorldPoint &anchor : {WorldPoint(1.0, 2.0, 3.0), WorldPoint(0.0, 3.0, 1.0), WorldPoint(2.0, 0.5, 4.0)}) {
         for (const double factor : {0.5, 1.0, 1.2, 8.0}) {
-            const Picture after = zoomed(geometry, anchor, factor);
+            const Setup after = zoomed(geometry, anchor, factor);
             QVERIFY(check(after).hasValue());
             QVERIFY(hasSamePlace(geometry, after, anchor));
             QVERIFY(isNear(forwardOf(after.camera()), forwardOf(geometry.camera()), kRounding));
@@ -325,10 +325,10 @@ void TestCameraMotion::zoomKeepsTheAnchorsPlace()
 
 void TestCameraMotion::recenteredBringsThePointToTheMiddle()
 {
-    QFETCH(Picture, geometry);
+    QFETCH(Setup, geometry);
     for (const WorldPoint &point :
          {WorldPoint(1.0, 2.0, 3.0), WorldPoint(0.0, 3.0, 1.0), WorldPoint(-7.0, 0.5, -4.0)}) {
-        const Picture after = withCamera(geometry, recentered(geometry, point));
+        const Setup after = withCamera(geometry, recentered(geometry, point));
         const glm::dvec2 place = placeOf(after, point);
         QVERIFY(isNear(place.x, geometry.viewport.x + geometry.viewport.width / 2.0, kRoundingPixels));
         QVERIFY(isNear(place.y, geometry.viewport.y + geometry.viewport.height / 2.0, kRoundingPixels));
@@ -341,7 +341,7 @@ void TestCameraMotion::recenteredBringsThePointToTheMiddle()
 
 void TestCameraMotion::fittedClipDistancesHoldTheBox()
 {
-    QFETCH(Picture, geometry);
+    QFETCH(Setup, geometry);
     const Box bounds = someBounds();
     Box ground;
     ground.add(glm::dvec3(-20.0, 0.5, -20.0));
@@ -367,7 +367,7 @@ void TestCameraMotion::fittedClipDistancesHoldTheBox()
     QVERIFY(wide.farDistance > farthestGround);
 
     // The picture stays: each corner keeps its place, and its depth lies in the range.
-    Picture after = geometry;
+    Setup after = geometry;
     after.projection() = withFittedClipDistances(geometry, bounds, ground);
     for (const WorldPoint &corner : cornersOf(bounds)) {
         QVERIFY(hasSamePlace(geometry, after, corner));
@@ -378,13 +378,13 @@ void TestCameraMotion::fittedClipDistancesHoldTheBox()
 
 void TestCameraMotion::clipDistancesOfAnEmptyBoxStay()
 {
-    QFETCH(Picture, geometry);
+    QFETCH(Setup, geometry);
     QVERIFY(withFittedClipDistances(geometry, {}, someBounds()) == geometry.projection());
 }
 
 void TestCameraMotion::anEyeInsideTheBoxKeepsAValidFrustum()
 {
-    Picture g = geometryWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
+    Setup g = geometryWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
     g.camera() = {WorldPoint(1.0, 1.5, 3.5), WorldPoint(1.0, 1.5, 2.5), {0.0, 1.0, 0.0}};
     const ProjectionWindow w = projectionWindow(withFittedClipDistances(g, someBounds(), {}));
     QVERIFY(isNear(w.nearDistance, 0.01, kRounding)); // 1% of the centre's distance
@@ -396,15 +396,15 @@ void TestCameraMotion::anEyeInsideTheBoxKeepsAValidFrustum()
 
 void TestCameraMotion::theSwitchedProjectionKeepsThePictureAtTheCenter()
 {
-    QFETCH(Picture, geometry);
+    QFETCH(Setup, geometry);
     const EyeFrame frame = *eyeFrame(geometry.camera());
     const double distance = distanceOf(geometry.camera());
     for (const ProjectionKind kind : {ProjectionKind::Frustum, ProjectionKind::Ortho, ProjectionKind::Oblique}) {
-        Picture other = geometry;
+        Setup other = geometry;
         other.projection() = converted(geometry.projection(), kind, distance);
         QVERIFY(kindOf(other.projection()) == kind);
         QVERIFY(check(other).hasValue());
-        Picture back = geometry;
+        Setup back = geometry;
         back.projection() =
             converted(other.projection(),
                       isPerspective(geometry.projection()) ? ProjectionKind::Frustum : ProjectionKind::Ortho, distance);

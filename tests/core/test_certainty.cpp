@@ -24,7 +24,7 @@ namespace {
 using Triangle = std::array<glm::dvec3, 3>;
 
 /// 800 x 600 device pixels, looked at from (4, 3, 7).
-Picture pictureOf(const Projection &projection, const DepthRange &range)
+Setup setupOf(const Projection &projection, const DepthRange &range)
 {
     return {{800, 600, 1.0},
             {0.0, 0.0, 800.0, 600.0},
@@ -51,11 +51,11 @@ struct Rasteriser {
     };
 
     /// The depth at a place of a triangle, of which the vertices are multiplied by the matrix in single precision.
-    Drawn depthAt(const Picture &picture, const glm::mat4 &clipFromVertices, const Triangle &vertices,
+    Drawn depthAt(const Setup &setup, const glm::mat4 &clipFromVertices, const Triangle &vertices,
                   const glm::dvec2 &place) const
     {
-        const auto &[atNear, atFar] = picture.depthRange;
-        const float halfWidth = float(picture.viewport.width / 2.0), halfHeight = float(picture.viewport.height / 2.0);
+        const auto &[atNear, atFar] = setup.depthRange;
+        const float halfWidth = float(setup.viewport.width / 2.0), halfHeight = float(setup.viewport.height / 2.0);
         const float halfRange = float(atFar - atNear) / 2.0f, middle = float(atNear + atFar) / 2.0f;
         std::array<glm::vec3, 3> w;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -103,7 +103,7 @@ glm::dvec3 onPlane(const Pick &pick, const Triangle &world)
 /// Triangles of all sizes in the picture, inclined in every way, about places that are seen.
 class Clicks {
 public:
-    Clicks(const Picture &picture, const glm::dvec3 &origin) : m_picture(picture), m_origin(origin) {}
+    Clicks(const Setup &setup, const glm::dvec3 &origin) : m_setup(setup), m_origin(origin) {}
 
     struct Click {
         DevicePixel pixel;
@@ -120,9 +120,9 @@ public:
         Click click;
         click.pixel = {int(share(0.0, 800.0)), int(share(0.0, 600.0))};
         const WidgetPoint widget(click.pixel.i, click.pixel.j);
-        const DepthRange &range = m_picture.depthRange;
+        const DepthRange &range = m_setup.depthRange;
         const double depth = range.atNear + (range.atFar - range.atNear) * share(0.02, 0.98);
-        const Pick pick = pickAt(m_picture, widget, {depth, 0}).value();
+        const Pick pick = pickAt(m_setup, widget, {depth, 0}).value();
         const glm::dvec3 place = pick.point.world[Method::Formula]->coordinates();
         const double size = pick.certainty.footprintWidth * std::pow(10.0, share(-0.3, 2.0));
         const glm::dvec3 a = size * turned(), b = size * thinness * turned();
@@ -137,7 +137,7 @@ public:
     }
 
 private:
-    Picture m_picture;
+    Setup m_setup;
     glm::dvec3 m_origin;
     std::mt19937_64 m_engine{5};
     std::uniform_real_distribution<double> m_share;
@@ -147,8 +147,8 @@ private:
 /// The middle of the picture, where the footprint of a pixel is the same to the right and upward.
 DepthError errorOf(const DepthSample &sample, const DrawnSurface &surface = {}, const Projection &projection = kBox)
 {
-    const Pick pick = pickAt(pictureOf(projection, {}), WidgetPoint(400.0, 300.0), sample).value();
-    return depthErrorAt(pick.picture, pick.window, *pick.point.world[Method::Formula], sample, surface);
+    const Pick pick = pickAt(setupOf(projection, {}), WidgetPoint(400.0, 300.0), sample).value();
+    return depthErrorAt(pick.setup, pick.window, *pick.point.world[Method::Formula], sample, surface);
 }
 
 } // namespace
@@ -230,8 +230,8 @@ void TestCertainty::aTriangleTellsItsSlope_data()
 void TestCertainty::aTriangleTellsItsSlope()
 {
     QFETCH(Projection, projection);
-    const Picture picture = pictureOf(projection, {0.2, 0.9});
-    const Unprojector unprojector = Unprojector::of(picture).value();
+    const Setup setup = setupOf(projection, {0.2, 0.9});
+    const Unprojector unprojector = Unprojector::of(setup).value();
     const glm::dvec2 slope(3e-4, -5e-4);
     const WindowPoint middle(400.5, 299.5, 0.55);
     const auto at = [&](double x, double y) {
@@ -245,7 +245,7 @@ void TestCertainty::aTriangleTellsItsSlope()
         DepthSample sample{middle.z, 0, 24, DepthSlope{1.0, 1.0}, 0.0}; // the triangle counts, not the neighbours
         const auto drawing = [&](double cornerShift) {
             sample.cornerShiftPixels = cornerShift;
-            return depthErrorAt(picture, middle, WorldPoint(at(0.0, 0.0)), sample, {glm::dmat4(1.0), triangle}).drawing;
+            return depthErrorAt(setup, middle, WorldPoint(at(0.0, 0.0)), sample, {glm::dmat4(1.0), triangle}).drawing;
         };
         QVERIFY(isRelativelyNear(drawing(1.0) - drawing(0.0), std::abs(slope.x) + std::abs(slope.y), 1e-6));
     }
@@ -268,8 +268,8 @@ void TestCertainty::anErrorOfDepthIsOneOfDistance()
 {
     QFETCH(Projection, projection);
     QFETCH(DepthRange, range);
-    const Picture picture = pictureOf(projection, range);
-    const Unprojector unprojector = Unprojector::of(picture).value();
+    const Setup setup = setupOf(projection, range);
+    const Unprojector unprojector = Unprojector::of(setup).value();
     const auto distance = [&](double depth) {
         return -unprojector.eyeAt(Method::Formula, WindowPoint(200.5, 100.5, depth)).value().z;
     };
@@ -279,7 +279,7 @@ void TestCertainty::anErrorOfDepthIsOneOfDistance()
         const double depth = range.atNear + share * (range.atFar - range.atNear), here = distance(depth);
         for (const double part : {1e-9, 1e-4, 0.02, 0.6}) {
             const double error = part * extent;
-            const Certainty certainty = certaintyAt(picture, here, {error / 4.0, error * 0.75});
+            const Certainty certainty = certaintyAt(setup, here, {error / 4.0, error * 0.75});
             double farthest = 0.0;
             for (const double end : {depth - error, depth + error})
                 farthest = std::max(farthest, std::abs(distance(std::clamp(end, lowest, highest)) - here));
@@ -318,21 +318,21 @@ void TestCertainty::theSurfaceLiesInTheBox_data()
 namespace {
 
 /// Clicks on triangles as a rasteriser draws them. Half of those that thin triangles get are of no use: they cover no pixel.
-InsideShare clicked(const Picture &picture, const glm::dvec3 &origin, const Rasteriser &rasteriser, double thinness,
+InsideShare clicked(const Setup &setup, const glm::dvec3 &origin, const Rasteriser &rasteriser, double thinness,
                     int count)
 {
-    Clicks clicks(picture, origin);
+    Clicks clicks(setup, origin);
     glm::dmat4 worldFromVertices(1.0);
     worldFromVertices[3] = glm::dvec4(origin, 1.0);
-    const glm::mat4 clipFromVertices(clipFromWorld(picture).value() * worldFromVertices);
-    const Unprojector unprojector = Unprojector::of(picture).value();
+    const glm::mat4 clipFromVertices(clipFromWorld(setup).value() * worldFromVertices);
+    const Unprojector unprojector = Unprojector::of(setup).value();
     InsideShare inside;
     for (int i = 0; i < count; ++i) {
         const Clicks::Click click = clicks.next(thinness);
-        const WindowPoint centre = windowFromDevice(picture.surface, pixelCenter(click.pixel), 0.5);
+        const WindowPoint centre = windowFromDevice(setup.surface, pixelCenter(click.pixel), 0.5);
         const Rasteriser::Drawn drawn =
-            rasteriser.depthAt(picture, clipFromVertices, click.vertices, {centre.x, centre.y});
-        const auto [lowest, highest] = std::minmax(picture.depthRange.atNear, picture.depthRange.atFar);
+            rasteriser.depthAt(setup, clipFromVertices, click.vertices, {centre.x, centre.y});
+        const auto [lowest, highest] = std::minmax(setup.depthRange.atNear, setup.depthRange.atFar);
         if (!drawn.covers || !(drawn.depth >= lowest && drawn.depth <= highest))
             continue;
         const DepthSample sample{drawn.depth, 0, rasteriser.format, {}, rasteriser.isOnGrid ? kCornerShiftPixels : 0.0};
@@ -355,14 +355,14 @@ void TestCertainty::theSurfaceLiesInTheBox()
     QFETCH(DepthRange, range);
     QFETCH(Rasteriser, rasteriser);
     QFETCH(bool, isFarAway);
-    Picture picture = pictureOf(projection, range);
+    Setup setup = setupOf(projection, range);
     glm::dvec3 origin(0.0);
     if (isFarAway) {
         origin = {4.5e5, 5.4e6, 300.0};
-        picture.camera().eye = WorldPoint(picture.camera().eye.coordinates() + origin);
-        picture.camera().center = WorldPoint(picture.camera().center.coordinates() + origin);
+        setup.camera().eye = WorldPoint(setup.camera().eye.coordinates() + origin);
+        setup.camera().center = WorldPoint(setup.camera().center.coordinates() + origin);
     }
-    const InsideShare inside = clicked(picture, origin, rasteriser, 1.0, 4'000);
+    const InsideShare inside = clicked(setup, origin, rasteriser, 1.0, 4'000);
     qInfo("%zu clicks, %.3f %% inside, needed scale %.2f", inside.count(), 100.0 * inside.inside(),
           inside.neededScale());
     QVERIFY(inside.count() > 3000);
@@ -380,7 +380,7 @@ void TestCertainty::aThinTriangleLiesInTheBox_data()
 void TestCertainty::aThinTriangleLiesInTheBox()
 {
     QFETCH(double, thinness);
-    const InsideShare inside = clicked(pictureOf(kFrustum, {}), glm::dvec3(0.0), Rasteriser{24}, thinness, 10'000);
+    const InsideShare inside = clicked(setupOf(kFrustum, {}), glm::dvec3(0.0), Rasteriser{24}, thinness, 10'000);
     qInfo("%zu clicks, %.3f %% inside, needed scale %.2f", inside.count(), 100.0 * inside.inside(),
           inside.neededScale());
     QVERIFY(inside.count() > 1000);
@@ -389,8 +389,8 @@ void TestCertainty::aThinTriangleLiesInTheBox()
 
 void TestCertainty::aPointOfACloudLiesInItsPixel()
 {
-    const Picture picture = pictureOf(kFrustum, {});
-    const Unprojector unprojector = Unprojector::of(picture).value();
+    const Setup setup = setupOf(kFrustum, {});
+    const Unprojector unprojector = Unprojector::of(setup).value();
     DrawnSurface cloud;
     cloud.isPoint = true;
     const DepthSample sample{0.8, 0};
@@ -410,7 +410,7 @@ void TestCertainty::aPointOfACloudLiesInItsPixel()
 
 void TestCertainty::moreKnownOfTheSurfaceChangesOnlyTheCertainty()
 {
-    const Unprojector unprojector = Unprojector::of(pictureOf(kFrustum, {})).value();
+    const Unprojector unprojector = Unprojector::of(setupOf(kFrustum, {})).value();
     const DepthSample sample{0.8, 0};
     DrawnSurface surface;
     surface.triangle = Triangle{glm::dvec3(-1.0, 0.0, 0.0), glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.5)};

@@ -21,7 +21,7 @@ namespace {
 using Columns = std::array<std::vector<double>, 3>;
 
 /// Clicks anywhere in the picture, on whole pixels' centres and at the ends of the depth range.
-Columns clicksOn(oracle::Random &random, const Picture &g, std::size_t count)
+Columns clicksOn(oracle::Random &random, const Setup &g, std::size_t count)
 {
     Columns clicks;
     for (std::size_t i = 0; i < count; ++i) {
@@ -68,9 +68,9 @@ bool areTheClicks(const Columns &points, const std::vector<Result<Point<Space>>>
 }
 
 /// Every second scene comes as matrices, every fourth with numbers in single precision.
-Picture pictureOf(oracle::Random &random, oracle::RandomKind kind, int i)
+Setup setupOf(oracle::Random &random, oracle::RandomKind kind, int i)
 {
-    Picture g = oracle::corePicture(oracle::randomScene(random, kind, {}));
+    Setup g = oracle::corePicture(oracle::randomScene(random, kind, {}));
     if (i % 3 == 1)
         std::swap(g.depthRange.atNear, g.depthRange.atFar);
     if (i % 2 == 0)
@@ -130,7 +130,7 @@ void TestClickBatch::rowsHaveTheDigitsOfAClick()
     oracle::Random random(11);
     int refused = 0;
     for (int i = 0; i < 300; ++i) {
-        const Picture g = pictureOf(random, oracle::RandomKind(kind), i);
+        const Setup g = setupOf(random, oracle::RandomKind(kind), i);
         const Columns clicks = clicksOn(random, g, kClicks);
         std::vector<Unprojected> expected;
         for (std::size_t k = 0; k < kClicks; ++k) {
@@ -169,7 +169,7 @@ void TestClickBatch::rowsHaveTheDigitsOfAClick()
 
 void TestClickBatch::aCoordinateOfZeroIsOne()
 {
-    Picture g;
+    Setup g;
     g.surface = {4, 4, 1.0};
     g.viewport = wholeSurface(g.surface);
     g.lens = Frustum{-1.0, 1.0, -1.0, 1.0, 1.0, 3.0};

@@ -19,6 +19,7 @@ using namespace unprojector::geometry;
 using namespace unprojector::scene;
 using namespace unprojector::scene_file;
 using namespace unprojector::unproject;
+using namespace unprojector::mesh;
 
 namespace {
 
@@ -60,14 +61,14 @@ std::vector<Click> readAgain(const std::vector<Click> &clicks)
 }
 
 /// A scene with a cube around a point, turned and stretched.
-Scene sceneAround(const Picture &picture, const glm::dvec3 &centre)
+Scene sceneAround(const Setup &setup, const glm::dvec3 &centre)
 {
     const auto model = std::make_shared<Model>();
     model->name = "Cube";
     Scene scene;
-    scene.camera = picture.camera();
-    scene.projection = picture.projection();
-    scene.depthRange = picture.depthRange;
+    scene.camera = setup.camera();
+    scene.projection = setup.projection();
+    scene.depthRange = setup.depthRange;
     scene.projectionFollowsViewport = true;
     scene.objects = {{"far away", "models/a.obj", model, {Translate{{1e9, 0, 0}}}},
                      {"W\xC3\xBCrfel", {}, model, {Translate{centre}, Rotate{33.3, {1, 2, 3}}, Scale{{0.5, 2, 3}}}}};
@@ -79,19 +80,18 @@ Scene sceneAround(const Picture &picture, const glm::dvec3 &centre)
 Result<Pick> randomPick(oracle::Random &random, oracle::RandomKind kind, bool hit)
 {
     const oracle::Scene scene = oracle::randomScene(random, kind, {});
-    Picture picture = oracle::corePicture(scene);
+    Setup setup = oracle::corePicture(scene);
     constexpr double kRatios[] = {1.0, 1.25, 1.5, 1.75, 2.0};
-    picture.surface =
+    setup.surface =
         surfaceFromWidget(random.integer(100, 3000), random.integer(100, 2000), kRatios[random.integer(0, 4)]);
     const auto click = oracle::randomClick(random, scene.target);
-    const WidgetPoint widget(
-        random.uniform(0.0, picture.surface.widthPixels / picture.surface.devicePixelRatio - 1.0),
-        random.uniform(0.0, picture.surface.heightPixels / picture.surface.devicePixelRatio - 1.0));
+    const WidgetPoint widget(random.uniform(0.0, setup.surface.widthPixels / setup.surface.devicePixelRatio - 1.0),
+                             random.uniform(0.0, setup.surface.heightPixels / setup.surface.devicePixelRatio - 1.0));
     DepthSample sample;
     sample.depth = click[2];
     if (hit)
         sample.object = 1;
-    return pickAt(picture, widget, sample);
+    return pickAt(setup, widget, sample);
 }
 
 } // namespace
@@ -132,7 +132,7 @@ void TestClicks::everyClickComputedFromItsJsonIsTheSame()
         const glm::dvec3 centre = pick->point.world[Method::Formula].hasValue()
                                       ? pick->point.world[Method::Formula]->coordinates()
                                       : glm::dvec3(0.0);
-        const Click click = readAgain({clickOf(*pick, sceneAround(pick->picture, centre))}).at(0);
+        const Click click = readAgain({clickOf(*pick, sceneAround(pick->setup, centre))}).at(0);
         QVERIFY(click.hit && click.devicePixel == pick->devicePixel);
         QVERIFY(isSameBits(click.window.coordinates(), pick->window.coordinates()));
         QVERIFY(isSame(click.eye.surface, pick->point.eye) && isSame(click.world.surface, pick->point.world));
@@ -141,11 +141,11 @@ void TestClicks::everyClickComputedFromItsJsonIsTheSame()
         QVERIFY(isSameBits(click.uncertainty->eye, pick->uncertainty.eye.coordinates()));
         QVERIFY(isSameBits(click.uncertainty->world, pick->uncertainty.world.coordinates()));
 
-        const Picture picture = pictureOf(click.scene);
-        QVERIFY(picture.surface == pick->picture.surface && picture.viewport == pick->picture.viewport);
-        QVERIFY(picture.depthRange == pick->picture.depthRange);
-        QVERIFY(isSame(picture.lens, pick->picture.lens));
-        const Unprojected again = unprojectedAt(picture, click.window);
+        const Setup setup = setupOf(click.scene);
+        QVERIFY(setup.surface == pick->setup.surface && setup.viewport == pick->setup.viewport);
+        QVERIFY(setup.depthRange == pick->setup.depthRange);
+        QVERIFY(isSame(setup.lens, pick->setup.lens));
+        const Unprojected again = unprojectedAt(setup, click.window);
         QVERIFY(isSame(click.eye.surface, again.eye) && isSame(click.world.surface, again.world));
 
         QVERIFY(click.object && click.object->index == 1);
@@ -162,11 +162,11 @@ void TestClicks::aClickOnTheBackgroundHasItsRay()
 {
     oracle::Random random(1);
     const Pick pick = randomPick(random, oracle::RandomKind::Perspective, false).value();
-    const std::string text = clicksText({clickOf(pick, sceneAround(pick.picture, {}))}).value();
+    const std::string text = clicksText({clickOf(pick, sceneAround(pick.setup, {}))}).value();
     const Json json = Json::parse(text).at(0);
     QVERIFY(json["hit"] == false && json["object"].is_null() && !json.contains("uncertainty"));
     QVERIFY(json["eye"].contains("near") && json["eye"].contains("far") && !json["eye"].contains("formula"));
-    const Click click = readAgain({clickOf(pick, sceneAround(pick.picture, {}))}).at(0);
+    const Click click = readAgain({clickOf(pick, sceneAround(pick.setup, {}))}).at(0);
     QVERIFY(!click.hit && !click.object);
     QVERIFY(isSame(click.eye.rayNear, pick.rayNear.eye) && isSame(click.eye.rayFar, pick.rayFar.eye));
     QVERIFY(isSame(click.world.rayNear, pick.rayNear.world) && isSame(click.world.rayFar, pick.rayFar.world));
@@ -176,7 +176,7 @@ void TestClicks::theRayOnTheMeshIsWritten()
 {
     oracle::Random random(3);
     const Pick pick = randomPick(random, oracle::RandomKind::Perspective, true).value();
-    const Scene scene = sceneAround(pick.picture, {});
+    const Scene scene = sceneAround(pick.setup, {});
     const auto written = [&](const std::optional<RayOnMesh> &ray) {
         const std::string text = clicksText({clickOf(pick, scene, ray)}).value();
         const Click again = std::get<std::vector<Click>>(parseSceneOrClicks(text, "clicks.json").value()).at(0);
@@ -209,7 +209,7 @@ void TestClicks::aClicksSceneIsASceneFile()
 {
     oracle::Random random(2);
     const Pick pick = randomPick(random, oracle::RandomKind::Perspective, true).value();
-    const Scene scene = sceneAround(pick.picture, pick.point.world[Method::Formula]->coordinates());
+    const Scene scene = sceneAround(pick.setup, pick.point.world[Method::Formula]->coordinates());
     const Json json = Json::parse(clicksText({clickOf(pick, scene)}).value()).at(0);
     const SceneFile read = parseScene(json["scene"].dump(), "scene.json").value();
     QVERIFY(json["scene"]["projection"]["type"] == "perspective" && json["scene"]["projection"].contains("aspect"));
@@ -222,7 +222,7 @@ void TestClicks::aClicksSceneIsASceneFile()
     // The window that opens it does not choose other numbers.
     const Scene opened = sceneFromFile(read, "scene.json", scene.objects).value();
     QVERIFY(!opened.projectionFollowsViewport && !opened.clipDistancesFitObjects);
-    QVERIFY(opened.projection == pick.picture.projection());
+    QVERIFY(opened.projection == pick.setup.projection());
     // Alone it is a scene, in a click a click.
     QVERIFY(std::holds_alternative<SceneFile>(parseSceneOrClicks(json["scene"].dump(), "scene.json").value()));
     QCOMPARE(std::get<std::vector<Click>>(parseSceneOrClicks(json.dump(), "click.json").value()).size(),
@@ -234,7 +234,7 @@ void TestClicks::whatIsNotNeededMayBeLeftOut()
 {
     oracle::Random random(3);
     const Pick pick = randomPick(random, oracle::RandomKind::Ortho, true).value();
-    Json json = Json::parse(clicksText({clickOf(pick, sceneAround(pick.picture, {}))}).value());
+    Json json = Json::parse(clicksText({clickOf(pick, sceneAround(pick.setup, {}))}).value());
     for (const char *key : {"widget", "devicePixel", "hit", "eye", "world", "uncertainty", "object"})
         json[0].erase(key);
     const auto read = std::get<std::vector<Click>>(parseSceneOrClicks(json.dump(), "clicks.json").value());
@@ -268,7 +268,7 @@ void TestClicks::malformedClicksAreRefusedWithTheirPlace()
     QFETCH(QString, message);
     oracle::Random random(4);
     const Pick pick = randomPick(random, oracle::RandomKind::Frustum, true).value();
-    const Click click = clickOf(pick, sceneAround(pick.picture, {}));
+    const Click click = clickOf(pick, sceneAround(pick.setup, {}));
     Json json = Json::parse(clicksText({click, click}).value());
     json[Json::json_pointer(pointer.toStdString())] = Json::parse(value.toStdString());
     const auto read = parseSceneOrClicks(json.dump(), "clicks.json");

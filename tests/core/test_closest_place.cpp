@@ -12,6 +12,9 @@ namespace {
 
 using namespace ray_meshes;
 using namespace unprojector::landmarks;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
+using namespace unprojector::ray;
 
 /// Of all triangles and points, each tested; the distance in long double, by another way: the foot on the plane by
 /// Gram's equations, else the edges.
@@ -107,10 +110,10 @@ void TestClosestPlace::asCloseAsTestingAll()
         const double rounding = 8e-16 * (size + distance + glm::length(center));
         QVERIFY2(std::abs(place->distance - least) <= rounding, qPrintable(QString::number(place->distance - least)));
         QVERIFY(std::abs(glm::length(place->point.coordinates() - point) - least) <= 4.0 * rounding);
-        const auto &hold = std::get<OnTriangle>(place->hold);
+        const auto &hold = std::get<OnTriangle>(place->anchor);
         QVERIFY(hold.barycentric.x >= 0.0 && hold.barycentric.y >= 0.0 && hold.barycentric.z >= 0.0);
         QVERIFY(std::abs(hold.barycentric.x + hold.barycentric.y + hold.barycentric.z - 1.0) <= 4e-16);
-        QVERIFY(*placeOf(place->hold, *model) == place->point);
+        QVERIFY(*placeOf(place->anchor, *model) == place->point);
     }
 }
 
@@ -143,7 +146,7 @@ void TestClosestPlace::cornersAreExact()
         for (const double step : {0.0, 1e-9, 3.0}) {
             const auto place = places->to(ObjectPoint(corner + step * away));
             QVERIFY(place && place->point == ObjectPoint(corner));
-            QVERIFY(std::get<OnTriangle>(place->hold).barycentric[int(i)] == 1.0);
+            QVERIFY(std::get<OnTriangle>(place->anchor).barycentric[int(i)] == 1.0);
         }
     }
 }
@@ -156,7 +159,7 @@ void TestClosestPlace::ofTwoAtOnePlaceTheFirst()
     const auto places = ClosestPlaces::build(modelOf(positions), {});
     const auto place = places->to(ObjectPoint(0.25, 0.25, 4.0));
     QVERIFY(place);
-    QCOMPARE(std::get<OnTriangle>(place->hold).triangle, 0u);
+    QCOMPARE(std::get<OnTriangle>(place->anchor).triangle, 0u);
     QCOMPARE(place->distance, 4.0);
     QVERIFY(place->point == ObjectPoint(0.25, 0.25, 0.0));
 }
@@ -172,7 +175,7 @@ void TestClosestPlace::pointsOfACloud()
     const auto places = ClosestPlaces::build(model, {});
     const auto place = places->to(ObjectPoint(104.25, 7.5 + 1e-9, 2.0));
     QVERIFY(place);
-    QCOMPARE(std::get<AtVertex>(place->hold).vertex, 284u);
+    QCOMPARE(std::get<AtVertex>(place->anchor).vertex, 284u);
     QVERIFY(place->point == ObjectPoint(104, 8, 2));
 }
 
@@ -188,8 +191,8 @@ void TestClosestPlace::severalMeshesAreCountedThrough()
     }
     model->bounds = boundsOf(model->meshes);
     const auto places = ClosestPlaces::build(model, {});
-    QCOMPARE(std::get<OnTriangle>(places->to(ObjectPoint(30.9, 0.9, 1))->hold).triangle, 5u);
-    QCOMPARE(std::get<AtVertex>(places->to(ObjectPoint(21, 1.5, 0))->hold).vertex, 16u);
+    QCOMPARE(std::get<OnTriangle>(places->to(ObjectPoint(30.9, 0.9, 1))->anchor).triangle, 5u);
+    QCOMPARE(std::get<AtVertex>(places->to(ObjectPoint(21, 1.5, 0))->anchor).vertex, 16u);
 }
 
 void TestClosestPlace::holdsSayWhereTheyAre()

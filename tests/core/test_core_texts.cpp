@@ -18,6 +18,7 @@
 
 using namespace unprojector;
 using namespace unprojector::text;
+using namespace unprojector::geometry;
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include <random>
 
 using namespace unprojector::unproject;
+using namespace unprojector::geometry;
 
 namespace {
 
@@ -42,7 +43,7 @@ long double distanceOf(const DepthScale &s, long double depth)
     return std::isinf(s.farDistance) ? n / (1.0L - unit) : 1.0L / (1.0L / n - unit * (1.0L / n - 1.0L / f));
 }
 
-Picture pictureWith(const Projection &projection)
+Setup pictureWith(const Projection &projection)
 {
     return {{800, 600, 1.0}, {0, 0, 800, 600}, {}, projection, LookAt{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}}};
 }
@@ -110,10 +111,10 @@ void TestDepthPrecision::aClickSaysTheSame()
 {
     for (const Projection &projection :
          {Projection(Perspective{0.8, 1.5, 0.1, 70.0}), Projection(Ortho{-1, 1, -1, 1, 2, 9})}) {
-        const Picture picture = pictureWith(projection);
-        const DepthScale scale = depthScaleOf(picture);
+        const Setup setup = pictureWith(projection);
+        const DepthScale scale = depthScaleOf(setup);
         const DepthFormat format(24);
-        const Certainty certainty = certaintyAt(picture, 4.5, {format.halfStep(unitDepthAt(scale, 4.5)), 0.0});
+        const Certainty certainty = certaintyAt(setup, 4.5, {format.halfStep(unitDepthAt(scale, 4.5)), 0.0});
         QVERIFY(std::abs(halfDepthStepAt(scale, format, 4.5) / certainty.halfDepthStep - 1.0) < 1e-12);
     }
 }
@@ -130,13 +131,13 @@ void TestDepthPrecision::tenTimesTheNearIsTenTimesAsGood()
 
 void TestDepthPrecision::theNearestBoxCounts()
 {
-    const Picture picture = pictureWith(Perspective{0.8, 1.5, 0.1, 70.0}); // the eye at z = 5 looks down -z
+    const Setup setup = pictureWith(Perspective{0.8, 1.5, 0.1, 70.0}); // the eye at z = 5 looks down -z
     const std::array boxes{Box{{-1, -1, -4}, {1, 1, 2}}, Box{{50, 0, 0}, {60, 1, 3.5}}, Box{},
                            Box{{0, 0, 6}, {1, 1, 9}}};
-    QCOMPARE(nearestDistance(picture, boxes), std::optional(1.5));
+    QCOMPARE(nearestDistance(setup, boxes), std::optional(1.5));
     const std::array around{Box{{-1, -1, -4}, {1, 1, 2}}, Box{{-9, -9, -9}, {9, 9, 9}}};
-    QCOMPARE(nearestDistance(picture, around), std::nullopt);
-    QCOMPARE(nearestDistance(picture, {}), std::nullopt);
+    QCOMPARE(nearestDistance(setup, around), std::nullopt);
+    QCOMPARE(nearestDistance(setup, {}), std::nullopt);
 }
 
 void TestDepthPrecision::noNearThatWouldCutIsSuggested()

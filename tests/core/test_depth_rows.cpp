@@ -89,7 +89,7 @@ void TestDepthRows::rowsLeaveOutWhatNoFloatHolds()
 {
     QFETCH(InstructionSet, set);
     SKIP_WITHOUT(set);
-    Picture g;
+    Setup g;
     g.surface = {40, 1, 1.0};
     g.viewport = wholeSurface(g.surface);
     g.lens = Ortho{0.0, 4e39, -1.0, 1.0, 1.0, 3.0}; // pixel i at x = (i + 1/2) 1e38; floats end at 3.4e38

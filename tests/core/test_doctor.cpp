@@ -19,6 +19,7 @@
 
 using namespace unprojector;
 using namespace unprojector::doctor;
+using namespace unprojector::geometry;
 
 namespace {
 
@@ -31,11 +32,11 @@ const glm::dvec3 kTruth(0.5, 0.75, -0.25);
 Case scene()
 {
     Case result;
-    result.picture = {{1000, 700, 1.0},
-                      {100, 40, 800, 600},
-                      {},
-                      Projection(Perspective{std::numbers::pi / 4, 800.0 / 600.0, 1, 100}),
-                      LookAt{WorldPoint(3, 2, 5), WorldPoint(0, 0, 0), {0, 1, 0}}};
+    result.setup = {{1000, 700, 1.0},
+                    {100, 40, 800, 600},
+                    {},
+                    Projection(Perspective{std::numbers::pi / 4, 800.0 / 600.0, 1, 100}),
+                    LookAt{WorldPoint(3, 2, 5), WorldPoint(0, 0, 0), {0, 1, 0}}};
     result.models = {{"box", worldFromObject({Translate{{2, 0, -1}}})}};
     return result;
 }
@@ -48,9 +49,9 @@ double rounded(double number, int decimals)
 
 WrongPoint pointAt(const Case &of, const WorldPoint &truth, const glm::dvec3 &got, int decimals = 4)
 {
-    const WindowPoint window = windowFromWorld(of.picture, truth).value();
+    const WindowPoint window = windowFromWorld(of.setup, truth).value();
     WrongPoint point;
-    point.pixel = deviceFromWindow(of.picture.surface, window);
+    point.pixel = deviceFromWindow(of.setup.surface, window);
     point.depth = window.z;
     for (int axis = 0; axis < 3; ++axis)
         point.got[axis] = rounded(got[axis], decimals);
@@ -173,7 +174,7 @@ void TestDoctor::aMistakeIsNamed()
 void TestDoctor::theOracleAgreesOnPairs()
 {
     const Case of = scene();
-    const WindowPoint window = windowFromWorld(of.picture, WorldPoint(kTruth)).value();
+    const WindowPoint window = windowFromWorld(of.setup, WorldPoint(kTruth)).value();
     const double x = window.x, y = window.y, d = window.z;
     const struct {
         const char *id;
@@ -245,10 +246,10 @@ void TestDoctor::theLandingSortsMistakes()
 {
     const Case of = scene();
     const auto landing = [&](const glm::dvec3 &got) { return diagnosed(of, pointAt(of, WorldPoint(kTruth), got)); };
-    QCOMPARE(landing(kTruth).landing, Landing::Right);
-    QCOMPARE(landing({0.7051, -0.4122, 0.0918}).landing, Landing::Pixel);
-    QCOMPARE(landing({2.4939, 1.7469, 3.9371}).landing, Landing::Depth);
-    QCOMPARE(landing({-0.1383, -0.0869, 0.1686}).landing, Landing::Matrix);
+    QCOMPARE(landing(kTruth).landing, ErrorKind::Right);
+    QCOMPARE(landing({0.7051, -0.4122, 0.0918}).landing, ErrorKind::Pixel);
+    QCOMPARE(landing({2.4939, 1.7469, 3.9371}).landing, ErrorKind::Depth);
+    QCOMPARE(landing({-0.1383, -0.0869, 0.1686}).landing, ErrorKind::Matrix);
     // y' = H - y
     const Diagnosis flipped = landing({0.7051, -0.4122, 0.0918});
     QVERIFY(std::abs(flipped.projected->x - 568.647) < 0.02);
@@ -282,7 +283,7 @@ void TestDoctor::severalPointsSettleIt()
     const Case of = scene();
     std::vector<WrongPoint> points;
     for (const glm::dvec3 &truth : {kTruth, glm::dvec3(-1, -0.5, 0.5), glm::dvec3(0.9, -1.1, 0.3)}) {
-        const WindowPoint at = windowFromWorld(of.picture, WorldPoint(truth)).value();
+        const WindowPoint at = windowFromWorld(of.setup, WorldPoint(truth)).value();
         points.push_back(pointAt(of, WorldPoint(truth), oracleUnder(at.x, 700 - at.y, at.z), 1));
     }
     const Diagnosis settled = diagnose(of, points).value();
@@ -323,13 +324,13 @@ void TestDoctor::withoutADepthTheRayJudges()
     // The eye's side of the near plane is no depth at all.
     const Diagnosis beyond = byRay({3.0882, 2.0441, 5.1852});
     QVERIFY(beyond.verdict != "right");
-    QCOMPARE(beyond.landing, Landing::Depth);
+    QCOMPARE(beyond.landing, ErrorKind::Depth);
 }
 
 void TestDoctor::theMeshKnowsTheDepth()
 {
     Case of = scene();
-    const WindowPoint window = windowFromWorld(of.picture, WorldPoint(kTruth)).value();
+    const WindowPoint window = windowFromWorld(of.setup, WorldPoint(kTruth)).value();
     of.depthOnMesh = [&](const DevicePoint &) { return std::optional<double>(window.z); };
     WrongPoint point = pointAt(of, WorldPoint(kTruth), {2.4939, 1.7469, 3.9371});
     point.depth.reset();
@@ -356,7 +357,7 @@ void TestDoctor::aRoundedDepthIsAllowedFor()
 void TestDoctor::anotherSizeIsTried()
 {
     Case of = scene();
-    const WindowPoint window = windowFromWorld(of.picture, WorldPoint(kTruth)).value();
+    const WindowPoint window = windowFromWorld(of.setup, WorldPoint(kTruth)).value();
     const double yDown = 700 - window.y;
     // A viewport (0, 0, 640, 333) spreads NDC otherwise: the same NDC in the right one.
     const auto inRight = [](double x, double y) { return glm::dvec2(100 + x / 640 * 800, 40 + y / 333 * 600); };
@@ -388,8 +389,8 @@ void TestDoctor::aMatrixIsAsGoodAsParameters()
 {
     Case of = scene();
     const Case byParameters = of;
-    of.picture.lens = MatrixProjection{clipFromEye(of.picture).value(), {}};
-    of.picture.pose = eyeFromWorld(byParameters.picture).value();
+    of.setup.lens = MatrixProjection{clipFromEye(of.setup).value(), {}};
+    of.setup.pose = eyeFromWorld(byParameters.setup).value();
     for (const glm::dvec3 &got : {glm::dvec3(0.3119, 0.4080, -0.0004), glm::dvec3(0.3839, 0.6920, -0.4937),
                                   glm::dvec3(0.1997, 0.2040, 0.1486), glm::dvec3(2.5531, 1.7765, 4.0614)}) {
         const WrongPoint point = pointAt(byParameters, WorldPoint(kTruth), got);
@@ -401,12 +402,12 @@ void TestDoctor::aMatrixIsAsGoodAsParameters()
 void TestDoctor::roundingIsNoMistake()
 {
     const Case of = scene();
-    const auto unprojector = unproject::Unprojector::of(of.picture).value();
+    const auto unprojector = unproject::Unprojector::of(of.setup).value();
     for (int i = 0; i < 10; ++i) {
         WrongPoint point;
         point.pixel = DevicePoint(120.5 + 76.0 * i, 650.5 - 56.0 * i);
         point.depth = 0.3 + 0.0692 * i;
-        const WindowPoint window = windowFromDevice(of.picture.surface, point.pixel, *point.depth);
+        const WindowPoint window = windowFromDevice(of.setup.surface, point.pixel, *point.depth);
         for (const unproject::Method method : unproject::kMethods) {
             point.got = unprojector.at(window).world[method].value().coordinates();
             point.lastDigit = glm::dvec3(1e-17); // all that is printed of a double
@@ -474,9 +475,9 @@ void TestDoctor::everyMistakeHasItsIdOnce()
     std::vector<std::size_t> made;
     for (const bool isPerspective : {true, false}) {
         if (!isPerspective)
-            of.picture.lens = Projection(Ortho{});
-        of.picture.depthRange = {0.1, 0.9};
-        for (const Variant &variant : variants(Given::of(of.picture).value(), of))
+            of.setup.lens = Projection(Ortho{});
+        of.setup.depthRange = {0.1, 0.9};
+        for (const Variant &variant : variants(Given::of(of.setup).value(), of))
             made.push_back(variant.mistake);
     }
     for (std::size_t i = 0; i < mistakes().size(); ++i)
@@ -498,13 +499,13 @@ void TestDoctor::everyMistakeAndWayIsWordedInBothLanguages()
 {
     Case of = scene();
     of.otherSize = Surface{640, 480, 1.0};
-    of.picture.depthRange = {0.1, 0.9};
-    of.picture.viewport = Viewport{10.0, 20.0, 700.0, 500.0};
-    std::vector<Way> ways;
+    of.setup.depthRange = {0.1, 0.9};
+    of.setup.viewport = Viewport{10.0, 20.0, 700.0, 500.0};
+    std::vector<VariantName> ways;
     for (const bool isPerspective : {true, false}) {
         if (!isPerspective)
-            of.picture.lens = Projection(Ortho{});
-        for (const Variant &variant : variants(Given::of(of.picture).value(), of)) {
+            of.setup.lens = Projection(Ortho{});
+        for (const Variant &variant : variants(Given::of(of.setup).value(), of)) {
             if (!variant.way.isEmpty())
                 ways.push_back(variant.way);
         }
@@ -520,7 +521,7 @@ void TestDoctor::everyMistakeAndWayIsWordedInBothLanguages()
         QVERIFY2(mistakeName(id) != remedy.name && !hasEnglish(mistakeName(id)), id.c_str());
         QVERIFY2(mistakeSentence(id) != remedy.sentence && !hasEnglish(mistakeSentence(id)), id.c_str());
     }
-    for (const Way &way : ways) {
+    for (const VariantName &way : ways) {
         const std::string said = waysText({way});
         QVERIFY2(way.words == nullptr || (text::tr(way.words) != way.words && !hasEnglish(said)), said.c_str());
     }
@@ -542,7 +543,7 @@ void TestDoctor::badInputIsRefused()
     point.got.y = std::numeric_limits<double>::quiet_NaN();
     QCOMPARE(diagnose(of, {&point, 1}).error().code, ErrorCode::NotFinite);
     Case empty = of;
-    empty.picture.viewport.width = 0;
+    empty.setup.viewport.width = 0;
     QCOMPARE(diagnose(empty, {&point, 1}).error().code, ErrorCode::EmptyViewport);
 }
 

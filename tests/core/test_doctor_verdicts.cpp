@@ -19,6 +19,7 @@
 
 using namespace unprojector;
 using namespace unprojector::doctor;
+using namespace unprojector::geometry;
 
 namespace {
 
@@ -29,11 +30,11 @@ using Kind = KnownPoint::Kind;
 Case testScene()
 {
     Case result;
-    result.picture = {{1000, 700, 1.0},
-                      {100, 40, 800, 600},
-                      {},
-                      Projection(Perspective{std::numbers::pi / 4, 800.0 / 600.0, 1, 100}),
-                      LookAt{WorldPoint(3, 2, 5), WorldPoint(0, 0, 0), {0, 1, 0}}};
+    result.setup = {{1000, 700, 1.0},
+                    {100, 40, 800, 600},
+                    {},
+                    Projection(Perspective{std::numbers::pi / 4, 800.0 / 600.0, 1, 100}),
+                    LookAt{WorldPoint(3, 2, 5), WorldPoint(0, 0, 0), {0, 1, 0}}};
     result.models = {{"box", worldFromObject({Translate{{2, 0, -1}}})}};
     return result;
 }
@@ -145,7 +146,7 @@ void TestDoctorVerdicts::aPointOfTheSceneIsNamed()
 void TestDoctorVerdicts::itsDigitsMayBeCutOff()
 {
     Case scene = testScene();
-    scene.picture.pose = LookAt{WorldPoint(3.12349, 2.98768, 5.55558), WorldPoint(0, 0, 0), {0, 1, 0}};
+    scene.setup.pose = LookAt{WorldPoint(3.12349, 2.98768, 5.55558), WorldPoint(0, 0, 0), {0, 1, 0}};
     QVERIFY(kindsOf(diagnosed(scene, wrongPoint({3.1234, 2.9876, 5.5555}))) == std::vector{Kind::Eye});
     QVERIFY(kindsOf(diagnosed(scene, wrongPoint({3.1235, 2.9877, 5.5556}))) == std::vector{Kind::Eye});
     // Away from zero, a digit is neither rounded nor cut off.
@@ -156,7 +157,7 @@ void TestDoctorVerdicts::itsDigitsMayBeCutOff()
 void TestDoctorVerdicts::whereItLandsTellsNothing()
 {
     Case scene = testScene();
-    scene.picture.pose = LookAt{WorldPoint(3.12349, 2.98768, 5.55558), WorldPoint(0, 0, 0), {0, 1, 0}};
+    scene.setup.pose = LookAt{WorldPoint(3.12349, 2.98768, 5.55558), WorldPoint(0, 0, 0), {0, 1, 0}};
     const Diagnosis eye = diagnosed(scene, wrongPoint({3.1235, 2.9877, 5.5556}));
     QVERIFY(eye.projected && !eye.hasTellingLanding());
     const Diagnosis flipped = diagnosed(testScene(), wrongPoint({0.7051, -0.4122, 0.0918}));
@@ -188,7 +189,7 @@ void TestDoctorVerdicts::aRightPointStaysRight()
     const Case of = testScene();
     WrongPoint point = wrongPoint({0, 0, 0});
     point.pixel = DevicePoint(500, 360);
-    point.depth = windowFromWorld(of.picture, WorldPoint(0, 0, 0)).value().z;
+    point.depth = windowFromWorld(of.setup, WorldPoint(0, 0, 0)).value().z;
     const Diagnosis diagnosis = diagnosed(of, point);
     QCOMPARE(diagnosis.verdict, std::string("right"));
     QVERIFY(diagnosis.known.empty());
@@ -198,9 +199,9 @@ void TestDoctorVerdicts::aRightPointStaysRight()
 void TestDoctorVerdicts::aMistakeThatExplainsAsWellIsNamed()
 {
     Case of = testScene();
-    of.picture.lens = Projection(Perspective{std::numbers::pi / 4, 800.0 / 600.0, 1e-6, 100});
+    of.setup.lens = Projection(Perspective{std::numbers::pi / 4, 800.0 / 600.0, 1e-6, 100});
     WrongPoint point = wrongPoint({3, 2, 5});
-    point.depth = windowFromWorld(of.picture, WorldPoint(0.5, 0.75, -0.25)).value().z;
+    point.depth = windowFromWorld(of.setup, WorldPoint(0.5, 0.75, -0.25)).value().z;
     const Diagnosis diagnosis = diagnosed(of, point);
     QVERIFY2(diagnosis.namesMistake(), diagnosis.verdict.c_str());
     QVERIFY(kindsOf(diagnosis) == std::vector{Kind::Eye});
@@ -297,13 +298,13 @@ void TestDoctorVerdicts::whatComesToOneMatrix()
 void TestDoctorVerdicts::whatComesToOneView()
 {
     Case of = testScene();
-    of.picture.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(-3, -2, -5), {0, 1, 0}};
+    of.setup.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(-3, -2, -5), {0, 1, 0}};
     WrongPoint point = wrongPoint({0, 0, 0});
     const glm::dvec3 eye(0.5, 0.4, -4.0);
-    const glm::dmat4 view = eyeFromWorld(of.picture).value();
+    const glm::dmat4 view = eyeFromWorld(of.setup).value();
     const glm::dvec3 right = glm::transpose(glm::dmat3(view)) * eye;
-    const WindowPoint window = windowFromWorld(of.picture, WorldPoint(right)).value();
-    point.pixel = deviceFromWindow(of.picture.surface, window);
+    const WindowPoint window = windowFromWorld(of.setup, WorldPoint(right)).value();
+    point.pixel = deviceFromWindow(of.setup.surface, window);
     point.depth = window.z;
     point.got = inFourDecimals(glm::dmat3(view) * eye);
     const Diagnosis diagnosis = diagnosed(of, point);
@@ -332,11 +333,11 @@ void TestDoctorVerdicts::whatUndoesItselfIsNoOtherMistake()
 void TestDoctorVerdicts::whatFewDigitsLeaveAlikeIsSaid()
 {
     Case of = testScene();
-    of.picture.lens = Projection(Perspective{std::numbers::pi / 4, 800.0 / 600.0, 1e-3, 100});
+    of.setup.lens = Projection(Perspective{std::numbers::pi / 4, 800.0 / 600.0, 1e-3, 100});
     const glm::dvec3 eye(3, 2, 5), truth(0.5, 0.75, -0.25);
     constexpr double kDistance = 5.8805;
     WrongPoint point = wrongPoint(inFourDecimals(10.0 * (eye + 1e-3 / kDistance * (truth - eye))) / 10.0, 1e-5);
-    point.depth = windowFromWorld(of.picture, WorldPoint(truth)).value().z;
+    point.depth = windowFromWorld(of.setup, WorldPoint(truth)).value().z;
     const Diagnosis diagnosis = diagnosed(of, point);
     QCOMPARE(diagnosis.verdict, std::string("depth-zero"));
     const Candidate *reversed = named(diagnosis, "depth-reversed");
@@ -392,7 +393,7 @@ void TestDoctorVerdicts::theFirstThatCanBeToldIsTheRunnerUp()
 void TestDoctorVerdicts::whatAnswersTheSameIsNoRunnerUp()
 {
     Case scene = testScene();
-    scene.picture.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(1, -2, -3), {0, 1, 0}};
+    scene.setup.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(1, -2, -3), {0, 1, 0}};
     std::mt19937 engine(5);
     std::uniform_real_distribution<double> anywhere(-4.0, 4.0);
     int count = 0;

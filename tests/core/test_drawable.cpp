@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-Picture pictureWith(const Viewport &viewport, const DepthRange &range)
+Setup pictureWith(const Viewport &viewport, const DepthRange &range)
 {
     return {{800, 600, 1.0}, viewport, range, Projection(Frustum{-1, 1, -0.75, 0.75, 1, 100}), LookAt{}};
 }
@@ -55,14 +55,14 @@ void TestDrawable::numbersAreThoseOfOpenGl()
     QCOMPARE(drawn->height, 480);
     QVERIFY(drawn->depthAtNear == static_cast<float>(atNear) && drawn->depthAtFar == static_cast<float>(atFar));
     // Clicks are unprojected with just these, not with the doubles they came from.
-    const DepthRange &range = drawn->picture.depthRange;
+    const DepthRange &range = drawn->setup.depthRange;
     QVERIFY(range.atNear == double(drawn->depthAtNear) && range.atFar == double(drawn->depthAtFar));
-    QVERIFY((drawn->picture.viewport == Viewport{-5, 7, 640, 480}));
+    QVERIFY((drawn->setup.viewport == Viewport{-5, 7, 640, 480}));
 }
 
 void TestDrawable::whatOpenGlWouldChangeIsRefused_data()
 {
-    QTest::addColumn<Picture>("picture");
+    QTest::addColumn<Setup>("picture");
     QTest::addColumn<ErrorCode>("code");
     QTest::addColumn<double>("value");
     const Viewport whole{0, 0, 800, 600};
@@ -75,16 +75,16 @@ void TestDrawable::whatOpenGlWouldChangeIsRefused_data()
     QTest::newRow("near below 0") << pictureWith(whole, {-0.25, 1.0}) << ErrorCode::DepthRangeNotDrawable << -0.25;
     QTest::newRow("ends that are one float")
         << pictureWith(whole, {0.5, 0.5 + 1e-12}) << ErrorCode::EmptyDepthRange << 0.5;
-    Picture large = pictureWith(whole, {});
+    Setup large = pictureWith(whole, {});
     large.surface = {20000, 600, 1.0};
     QTest::newRow("a window that no driver draws") << large << ErrorCode::FramebufferTooLarge << 20000.0;
-    Picture broken = pictureWith({0, 0, kNan, 600}, {});
+    Setup broken = pictureWith({0, 0, kNan, 600}, {});
     QTest::newRow("no number") << broken << ErrorCode::NotFinite << kNan;
 }
 
 void TestDrawable::whatOpenGlWouldChangeIsRefused()
 {
-    QFETCH(Picture, picture);
+    QFETCH(Setup, picture);
     QFETCH(ErrorCode, code);
     QFETCH(double, value);
     const Result<Drawable> drawn = drawable(picture);
@@ -99,11 +99,11 @@ void TestDrawable::aScenesPictureIsTheOneDrawn()
     scene.objects = examples::bundledScene();
     scene.projection = Frustum{-1, 1, -0.75, 0.75, 1, 100};
     scene.depthRange = {0.0, 0.65};
-    const Result<Picture> picture = pictureOf(scene, {800, 600, 1.0}, {});
-    QVERIFY(picture);
-    QVERIFY(picture->depthRange.atFar == double(0.65f) && picture->depthRange.atFar != 0.65);
+    const Result<Setup> setup = setupOf(scene, {800, 600, 1.0}, {});
+    QVERIFY(setup);
+    QVERIFY(setup->depthRange.atFar == double(0.65f) && setup->depthRange.atFar != 0.65);
     scene.viewport = {ViewportRule::Kind::Fixed, {0.5, 0, 640, 480}, 1.0};
-    QCOMPARE(pictureOf(scene, {800, 600, 1.0}, {}).error().code, ErrorCode::ViewportNotWhole);
+    QCOMPARE(setupOf(scene, {800, 600, 1.0}, {}).error().code, ErrorCode::ViewportNotWhole);
 }
 
 QTEST_GUILESS_MAIN(TestDrawable)

@@ -19,6 +19,7 @@ using namespace unprojector;
 using namespace unprojector::mesh;
 using namespace unprojector::scene;
 using namespace model_files;
+using namespace unprojector::geometry;
 
 Q_DECLARE_METATYPE(glm::dvec3)
 

@@ -20,6 +20,7 @@ using namespace unprojector::geometry;
 using namespace unprojector::matrices;
 using namespace unprojector::scene;
 using namespace unprojector::unproject;
+using namespace unprojector::mesh;
 
 namespace {
 
@@ -44,10 +45,10 @@ const examples::Example &example(const char *id)
 Pipeline pipelineOf(const char *id, const Surface &surface = {800, 600, 1.0})
 {
     const Scene &scene = example(id).scene;
-    const Result<Picture> geometry = pictureOf(scene, surface, {});
-    if (!geometry)
+    const Result<Setup> setup = setupOf(scene, surface, {});
+    if (!setup)
         qFatal("The example %s has no picture.", id);
-    const Result<Pipeline> made = pipeline(*geometry, worldFromObject(scene.objects.at(0).transform));
+    const Result<Pipeline> made = pipeline(*setup, worldFromObject(scene.objects.at(0).transform));
     if (!made)
         qFatal("The example %s has no pipeline.", id);
     return *made;
@@ -106,13 +107,13 @@ void TestExamples::idsAreUnique()
 void TestExamples::everyExampleCanBeWrittenAndRead()
 {
     for (const examples::Example &e : examples::examples()) {
-        const Result<Picture> picture = pictureOf(e.scene, {800, 600, 1.0}, {});
-        const auto text = scene_file::sceneText(scene_file::sceneFileFrom(e.scene, *picture, {}));
+        const Result<Setup> setup = setupOf(e.scene, {800, 600, 1.0}, {});
+        const auto text = scene_file::sceneText(scene_file::sceneFileFrom(e.scene, *setup, {}));
         QVERIFY2(text, e.id.c_str());
         const auto read = scene_file::parseScene(*text, e.id);
         QVERIFY2(read, read ? "" : scene_file::sceneErrorText(read.error()).c_str());
-        const Picture back = scene_file::pictureOf(*read);
-        QVERIFY2(byParameters(back).value() == *picture, e.id.c_str());
+        const Setup back = scene_file::setupOf(*read);
+        QVERIFY2(byParameters(back).value() == *setup, e.id.c_str());
         QVERIFY2(back.isByParameters() || std::get<MatrixProjection>(back.lens) == *e.scene.projection.matrix(),
                  e.id.c_str());
     }
@@ -137,10 +138,10 @@ void TestExamples::everyExampleIsSeen()
     QFETCH(int, surface);
     const examples::Example e = examples::examples().at(std::size_t(index));
     QVERIFY(check(e.scene));
-    const Result<Picture> geometry = pictureOf(e.scene, kSurfaces[surface], {});
-    QVERIFY(geometry);
+    const Result<Setup> setup = setupOf(e.scene, kSurfaces[surface], {});
+    QVERIFY(setup);
     QVERIFY(!e.scene.objects.empty());
-    const Result<glm::dmat4> clip = clipFromWorld(*geometry);
+    const Result<glm::dmat4> clip = clipFromWorld(*setup);
     QVERIFY(clip);
     for (const SceneObject &object : e.scene.objects) {
         QVERIFY(!object.name.empty());
@@ -156,8 +157,8 @@ void TestExamples::everyExampleIsSeen()
         QVERIFY2(inside > 0, object.name.c_str());
     }
     // The camera and the projection are the tutorial's in every window.
-    QCOMPARE(kindOf(geometry->projection()), kindOf(e.scene.projection));
-    QVERIFY(geometry->projection() == e.scene.projection);
+    QCOMPARE(kindOf(setup->projection()), kindOf(e.scene.projection));
+    QVERIFY(setup->projection() == e.scene.projection);
 }
 
 void TestExamples::inTwoDimensionsThePointCanBeClicked()
@@ -170,8 +171,8 @@ void TestExamples::inTwoDimensionsThePointCanBeClicked()
 void TestExamples::theNamesOfTheAxesCanBeRead()
 {
     const Scene scene = example("zhangci-2d").scene;
-    const Result<Picture> picture = pictureOf(scene, {800, 600, 1.0}, {});
-    QVERIFY(picture);
+    const Result<Setup> setup = setupOf(scene, {800, 600, 1.0}, {});
+    QVERIFY(setup);
     constexpr std::size_t kCornersOfC = std::size_t{7} * 6, kCornersOfStroke = 6;
     for (const SceneObject &object : scene.objects) {
         const Mesh &name = object.model->meshes.at(2); // behind the two axes
@@ -180,7 +181,7 @@ void TestExamples::theNamesOfTheAxesCanBeRead()
             glm::dvec2 sum(0.0);
             for (std::size_t i = first; i < end; ++i) {
                 const glm::dvec4 world = placement * glm::dvec4(name.position(name.vertexAt(i)), 1.0);
-                const WindowPoint at = *windowFromWorld(*picture, WorldPoint(glm::dvec3(world)));
+                const WindowPoint at = *windowFromWorld(*setup, WorldPoint(glm::dvec3(world)));
                 sum += glm::dvec2(at.x, at.y);
             }
             return sum / double(end - first);
@@ -204,11 +205,11 @@ void TestExamples::theCubeOfSide10TakesHalfOfTheVolume()
 void TestExamples::farCubesAreSmaller()
 {
     const Scene &scene = example("zhangci-perspective").scene;
-    const Result<Picture> geometry = pictureOf(scene, {800, 600, 1.0}, {});
+    const Result<Setup> setup = setupOf(scene, {800, 600, 1.0}, {});
     const double distances[] = {5, 11, 19};
     for (std::size_t i = 0; i < 3; ++i) {
         const SceneObject &cube = scene.objects.at(i);
-        const Result<Pipeline> made = pipeline(*geometry, worldFromObject(cube.transform));
+        const Result<Pipeline> made = pipeline(*setup, worldFromObject(cube.transform));
         const PipelinePoints low = pointsForward(*made, ObjectPoint(0, -0.7, 0)),
                              high = pointsForward(*made, ObjectPoint(0, 0.7, 0));
         // 1.4 units of an extent of 2 tan(22.5 degrees) z, in a viewport 600 pixels high.
@@ -231,10 +232,10 @@ void TestExamples::theMiddleOfTheVolumeOf50PixelsHasDepth075()
 
 void TestExamples::theQuarterIsTheLowerRight()
 {
-    const Result<Picture> geometry = pictureOf(example("zhangci-viewport-quarter").scene, {801, 600, 1.0}, {});
-    QVERIFY(geometry);
+    const Result<Setup> setup = setupOf(example("zhangci-viewport-quarter").scene, {801, 600, 1.0}, {});
+    QVERIFY(setup);
     const Viewport expected{400, 0, 400, 300};
-    QVERIFY(geometry->viewport == expected);
+    QVERIFY(setup->viewport == expected);
     const PipelinePoints points = pointsForward(pipelineOf("zhangci-viewport-quarter"), ObjectPoint(0, 0, 0));
     QVERIFY(isAt(points.window->coordinates(), {600, 150, 0.75}));
 }
@@ -274,8 +275,8 @@ void TestExamples::aCircleIsDrawnWiderByTwoOfThem()
              {std::pair("derivation-matrix", 16.0 / 9.0), std::pair("derivation-perspective", 1.0),
               std::pair("derivation-frustum", 16.0 / 9.0)}) {
             const Scene &scene = example(id).scene;
-            const Result<Picture> geometry = pictureOf(scene, surface, {});
-            const Result<Pipeline> made = pipeline(*geometry, worldFromObject(scene.objects.at(1).transform));
+            const Result<Setup> setup = setupOf(scene, surface, {});
+            const Result<Pipeline> made = pipeline(*setup, worldFromObject(scene.objects.at(1).transform));
             const PipelinePoints middle = pointsForward(*made, ObjectPoint(0, 0, 0)),
                                  right = pointsForward(*made, ObjectPoint(5, 0, 0)),
                                  top = pointsForward(*made, ObjectPoint(0, 5, 0));

@@ -5,6 +5,7 @@
 #include <QTest>
 
 using namespace strict_landmarks;
+using namespace unprojector::landmark_files;
 
 class TestForeignLandmarks : public QObject {
     Q_OBJECT

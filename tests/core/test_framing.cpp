@@ -28,9 +28,9 @@ struct Seen {
 };
 
 /// @return nothing where a point is behind the eye
-std::optional<Seen> seenIn(const Picture &picture, const std::vector<WorldPoint> &points)
+std::optional<Seen> seenIn(const Setup &setup, const std::vector<WorldPoint> &points)
 {
-    const glm::dmat4 matrix = clipFromWorld(picture).value();
+    const glm::dmat4 matrix = clipFromWorld(setup).value();
     Seen seen;
     for (const WorldPoint &point : points) {
         const glm::dvec4 clip = matrix * glm::dvec4(point.coordinates(), 1.0);
@@ -43,12 +43,12 @@ std::optional<Seen> seenIn(const Picture &picture, const std::vector<WorldPoint>
     return seen;
 }
 
-Picture framed(const Picture &picture, const std::vector<WorldPoint> &points)
+Setup framed(const Setup &setup, const std::vector<WorldPoint> &points)
 {
-    Framing framing(picture);
+    Framing framing(setup);
     for (const WorldPoint &point : points)
         framing.add(point);
-    return framing.picture();
+    return framing.setup();
 }
 
 std::vector<WorldPoint> cloud(const glm::dvec3 &center, const glm::dvec3 &half)
@@ -75,7 +75,7 @@ std::vector<WorldPoint> woundUp(const glm::dvec3 &center, const glm::dvec3 &half
     return points;
 }
 
-Picture pictureWith(const Projection &projection)
+Setup pictureWith(const Projection &projection)
 {
     return {{1200, 800, 1.5},
             {0.0, 0.0, 1200.0, 800.0},
@@ -102,15 +102,15 @@ private slots:
 
 void TestFraming::pointsFillThePicture_data()
 {
-    QTest::addColumn<Picture>("picture");
+    QTest::addColumn<Setup>("picture");
     QTest::addColumn<glm::dvec3>("half");
     const Ortho box{-4.0, 8.0, -3.0, 5.0, -2.0, 40.0};
     for (const auto &[shape, half] :
          {std::pair("ball", glm::dvec3(2.0)), std::pair("wide", glm::dvec3(9.0, 1.0, 0.5)),
           std::pair("high", glm::dvec3(0.2, 7.0, 0.4)), std::pair("deep", glm::dvec3(0.5, 0.4, 30.0)),
           std::pair("tiny", glm::dvec3(1e-4, 1e-4, 1e-4))}) {
-        const auto row = [shape = shape, half = half](const char *name, const Picture &picture) {
-            QTest::addRow("%s, %s", name, shape) << picture << half;
+        const auto row = [shape = shape, half = half](const char *name, const Setup &setup) {
+            QTest::addRow("%s, %s", name, shape) << setup << half;
         };
         row("frustum", pictureWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0}));
         row("frustum, off-centre", pictureWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0}));
@@ -123,15 +123,15 @@ void TestFraming::pointsFillThePicture_data()
 
 void TestFraming::pointsFillThePicture()
 {
-    QFETCH(Picture, picture);
+    QFETCH(Setup, picture);
     QFETCH(glm::dvec3, half);
     const std::vector<WorldPoint> points = cloud({10.0, -4.0, 2.0}, half);
     for (const StandardView side : {StandardView::Front, StandardView::Left, StandardView::Top}) {
         for (const bool isTurned : {false, true}) {
-            Picture before = picture;
+            Setup before = picture;
             if (!isTurned)
                 before.camera() = seenFrom(before.camera(), side);
-            const Picture after = framed(before, points);
+            const Setup after = framed(before, points);
             QVERIFY(check(after));
             const std::optional<Seen> seen = seenIn(after, points);
             QVERIFY(seen);
@@ -158,8 +158,8 @@ void TestFraming::pointsFillThePicture()
 void TestFraming::itDoesNotMatterWhereTheCameraIs()
 {
     const std::vector<WorldPoint> points = cloud({1.0, 2.0, 3.0}, {1.0, 2.0, 0.5});
-    const Picture one = pictureWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
-    Picture other = one;
+    const Setup one = pictureWith(Frustum{-0.2, 1.0, -0.7, 0.1, 1.0, 100.0});
+    Setup other = one;
     other.camera() = moved(one.camera(), {300.0, -20.0, 70.0});
     const LookAt a = framed(one, points).camera(), b = framed(other, points).camera();
     QVERIFY(distance(a.eye, b.eye) < kRounding && distance(a.center, b.center) < kRounding);
@@ -193,27 +193,27 @@ void TestFraming::aModelIsFramedByItsTriangles()
         mesh.positions.emplace_back((point.coordinates() - glm::dvec3(1.0, 2.0, 3.0)) / 4.0);
     }
     const scene::SceneObject object{"cloud", {}, model, {Translate{{1.0, 2.0, 3.0}}, Scale{{4.0, 4.0, 4.0}}}};
-    const Picture picture = pictureWith(Perspective{kPi / 4.0, 1.5, 0.1, 100.0});
-    Framing framing(picture);
+    const Setup setup = pictureWith(Perspective{kPi / 4.0, 1.5, 0.1, 100.0});
+    Framing framing(setup);
     add(framing, object);
     // Positions are in single precision.
-    QVERIFY(distance(framing.picture().camera().eye, framed(picture, points).camera().eye) < 1e-5);
+    QVERIFY(distance(framing.setup().camera().eye, framed(setup, points).camera().eye) < 1e-5);
 }
 
 void TestFraming::littleIsShownWithItsSurroundings_data()
 {
-    QTest::addColumn<Picture>("picture");
+    QTest::addColumn<Setup>("picture");
     QTest::newRow("frustum") << pictureWith(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0});
     QTest::newRow("ortho") << pictureWith(Ortho{-4.0, 8.0, -3.0, 5.0, -2.0, 40.0});
 }
 
 void TestFraming::littleIsShownWithItsSurroundings()
 {
-    QFETCH(Picture, picture);
+    QFETCH(Setup, picture);
     for (const std::vector<WorldPoint> &points : {std::vector<WorldPoint>{},
                                                   {WorldPoint(7.0, 8.0, 9.0)},
                                                   {WorldPoint(7.0, 8.0, 9.0), WorldPoint(7.0, 8.0, 9.0)}}) {
-        const Picture after = framed(picture, points);
+        const Setup after = framed(picture, points);
         QVERIFY(check(after));
         const WorldPoint shown = points.empty() ? WorldPoint() : points.front();
         const Seen seen = seenIn(after, {shown}).value();
@@ -229,9 +229,9 @@ void TestFraming::aNeedleAtTheEyeIsNotPiercedByIt()
 {
     for (const Projection &projection :
          {Projection(Frustum{-0.6, 0.6, -0.4, 0.4, 1.0, 100.0}), Projection(Ortho{-4.0, 8.0, -3.0, 5.0, -2.0, 40.0})}) {
-        Picture picture = pictureWith(projection);
-        picture.camera() = {WorldPoint(0.0, 0.0, 9.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}};
-        Picture after = framed(picture, {WorldPoint(0.0, 0.0, -2.0), WorldPoint(0.0, 0.0, 2.0)});
+        Setup setup = pictureWith(projection);
+        setup.camera() = {WorldPoint(0.0, 0.0, 9.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}};
+        Setup after = framed(setup, {WorldPoint(0.0, 0.0, -2.0), WorldPoint(0.0, 0.0, 2.0)});
         QVERIFY(check(after));
         if (isPerspective(projection))
             QVERIFY(std::abs(after.camera().eye.z - 2.08) < kRounding); // a fiftieth of its length before its point

@@ -14,6 +14,9 @@
 #include <set>
 
 using namespace mesh_measures;
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
 
 class TestHead : public QObject {
     Q_OBJECT

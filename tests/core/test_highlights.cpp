@@ -9,6 +9,7 @@
 using namespace unprojector;
 using namespace unprojector::geometry;
 using namespace unprojector::lessons;
+using namespace unprojector::scene;
 
 class TestHighlights : public QObject {
     Q_OBJECT

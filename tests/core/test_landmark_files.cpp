@@ -18,6 +18,7 @@ using namespace unprojector;
 using namespace unprojector::geometry;
 using namespace unprojector::landmark_files;
 using namespace strict_landmarks;
+using namespace unprojector::landmarks;
 
 namespace {
 
@@ -84,11 +85,11 @@ LandmarkSet setFor(Format format)
             landmark.object = i % 2 == 0 ? "skull, left" : "";
             landmark.note += i % 4 == 0 ? "line\nbreak\r\n" : "";
             if (i % 4 == 1)
-                landmark.hold = OnTriangle{0xffffffffu - std::uint32_t(i), {0.001 * i, 0.5 - 0.001 * i, 0.5}};
+                landmark.anchor = OnTriangle{0xffffffffu - std::uint32_t(i), {0.001 * i, 0.5 - 0.001 * i, 0.5}};
             else if (i % 4 == 2)
-                landmark.hold = AtVertex{std::uint32_t(i)};
+                landmark.anchor = AtVertex{std::uint32_t(i)};
             else if (i % 4 == 3)
-                landmark.hold = OnEdge{{std::uint32_t(i), 7}, anyDouble(engine)};
+                landmark.anchor = OnEdge{{std::uint32_t(i), 7}, anyDouble(engine)};
             if (i % 2 == 0)
                 landmark.uncertainty = WorldVector(anyPlace(engine));
             if (i % 3 == 1)

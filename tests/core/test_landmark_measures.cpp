@@ -40,8 +40,8 @@ using Measuring = std::function<Measured(const Points &)>;
 Measured lengthOf(const Points &points)
 {
     std::vector<const Landmark *> pointers;
-    for (const Landmark &point : points)
-        pointers.push_back(&point);
+    for (const Landmark &landmark : points)
+        pointers.push_back(&landmark);
     return lengthAlong(pointers);
 }
 
@@ -302,9 +302,9 @@ void TestLandmarkMeasures::errorsOfTheMirrorPlane()
     Points points = symmetric(glm::normalize(glm::dvec3(1, -2, 0.5)), {3, -4, 5});
     std::mt19937_64 engine(13);
     std::uniform_real_distribution<double> little(-0.05, 0.05), small(0.0, 1e-6);
-    for (Landmark &point : points) {
-        *point.world += WorldVector(little(engine), little(engine), little(engine));
-        point.uncertainty = WorldVector(small(engine), small(engine), small(engine));
+    for (Landmark &landmark : points) {
+        *landmark.world += WorldVector(little(engine), little(engine), little(engine));
+        landmark.uncertainty = WorldVector(small(engine), small(engine), small(engine));
     }
     const std::vector<Pair> pairs = pairsByName(points);
     const auto exact = symmetryOf(points, pairs);
@@ -330,8 +330,8 @@ void TestLandmarkMeasures::errorsOfTheMirrorPlane()
         QCOMPARE(exact->asymmetries[i]->value, *values[i]);
     // What is alike has no direction in which it could be off: it is off all the same.
     Points alike = symmetric({1, 0, 0}, {0, 0, 0});
-    for (Landmark &point : alike)
-        point.uncertainty = WorldVector(0.01, 0.01, 0.01);
+    for (Landmark &landmark : alike)
+        landmark.uncertainty = WorldVector(0.01, 0.01, 0.01);
     const auto open = symmetryOf(alike, pairs);
     QVERIFY(open);
     for (const std::optional<Measure> &one : open->asymmetries)

@@ -15,6 +15,7 @@
 namespace {
 using namespace unprojector::landmarks;
 using namespace unprojector::landmark_files;
+using namespace unprojector::geometry;
 using unprojector::mesh::Mesh;
 using unprojector::mesh::Model;
 using unprojector::ray::ClosestPlaces;
@@ -233,7 +234,7 @@ void TestLandmarkSets::tiedToTheClosest()
     QCOMPARE(tied->target, std::size_t(1));
     QCOMPARE(landmark.object, std::string("high"));
     QCOMPARE(landmark.world->coordinates(), glm::dvec3(0.25, 0.25, 10.0));
-    QVERIFY(std::holds_alternative<OnTriangle>(landmark.hold));
+    QVERIFY(std::holds_alternative<OnTriangle>(landmark.anchor));
 
     Landmark missing = named("b");
     QVERIFY(!tieToMesh(missing, targets));
@@ -259,14 +260,14 @@ void TestLandmarkSets::aHoldThatIsWhereItIsStays()
     const std::vector<TyingTarget> targets{{"low", triangleAt(0.0F)}};
     Landmark landmark = named("a", glm::dvec3(1.0, 0.0, 0.0));
     landmark.object = "low";
-    landmark.hold = AtVertex{1};
+    landmark.anchor = AtVertex{1};
     const Landmark before = landmark;
     QVERIFY(tieToMesh(landmark, targets));
     QCOMPARE(landmark, before);
     // Held by another mesh's vertex: that is elsewhere here.
-    landmark.hold = AtVertex{0};
+    landmark.anchor = AtVertex{0};
     QVERIFY(tieToMesh(landmark, targets));
-    QVERIFY(std::holds_alternative<OnTriangle>(landmark.hold));
+    QVERIFY(std::holds_alternative<OnTriangle>(landmark.anchor));
     QCOMPARE(landmark.world->coordinates(), glm::dvec3(1.0, 0.0, 0.0));
 }
 

@@ -7,6 +7,9 @@
 #include <nlohmann/json.hpp>
 
 using namespace strict_landmarks;
+using namespace unprojector::geometry;
+using namespace unprojector::landmark_files;
+using namespace unprojector::landmarks;
 
 namespace {
 

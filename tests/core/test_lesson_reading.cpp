@@ -17,6 +17,7 @@ using namespace unprojector;
 using namespace unprojector::geometry;
 using namespace unprojector::lessons;
 using namespace lessontexts;
+using namespace unprojector::scene;
 
 class TestLessonReading : public QObject {
     Q_OBJECT
@@ -310,25 +311,25 @@ void TestLessonReading::aChangeLeavesTheRest()
     auto perspective = std::get<Perspective>(*scene.projection);
     perspective.verticalFovRadians = 0.8; // of which degrees have other digits
     scene.projection = perspective;
-    const Picture picture = *pictureOf(scene, {800, 600, 1.0}, {});
+    const Setup setup = *setupOf(scene, {800, 600, 1.0}, {});
 
-    const SceneSettings other = *settingsWith(scene, picture, step.changes.at("other"));
+    const SceneSettings other = *settingsWith(scene, setup, step.changes.at("other"));
     QVERIFY(other.givenPoint == (GivenPoint{EyePoint(0.1, 0, -5)}));
     QVERIFY(other.camera == scene.camera && other.projection == scene.projection);
     QCOMPARE(other.clipDistancesFitObjects, scene.clipDistancesFitObjects);
 
-    const SceneSettings nearer = *settingsWith(scene, picture, step.changes.at("nearer"));
+    const SceneSettings nearer = *settingsWith(scene, setup, step.changes.at("nearer"));
     QCOMPARE(std::get<Perspective>(*nearer.projection).nearDistance, 0.3);
     QVERIFY(!nearer.clipDistancesFitObjects);
     QVERIFY(nearer.camera == scene.camera && nearer.givenPoint == scene.givenPoint);
 
-    const auto wrong = settingsWith(scene, picture, step.changes.at("wrong"));
+    const auto wrong = settingsWith(scene, setup, step.changes.at("wrong"));
     QVERIFY(!wrong);
     const QByteArray why = QByteArray::fromStdString(wrong.error().text);
     QVERIFY2(why.contains("projection.near"), why.constData());
     // What is not there cannot be set: that nothing happens is not to be taken for the answer.
     const auto unknown =
-        settingsWith(scene, picture, text::JsonValue(nlohmann::ordered_json::parse(R"({"projection": {"left": 1}})")));
+        settingsWith(scene, setup, text::JsonValue(nlohmann::ordered_json::parse(R"({"projection": {"left": 1}})")));
     QVERIFY(!unknown);
     QCOMPARE(QByteArray::fromStdString(unknown.error().text), QByteArray("set: there is no projection.left"));
 }

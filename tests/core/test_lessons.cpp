@@ -21,6 +21,7 @@ using namespace unprojector;
 using namespace unprojector::geometry;
 using namespace unprojector::lessons;
 using namespace lessontexts;
+using namespace unprojector::scene;
 
 namespace {
 
@@ -193,10 +194,10 @@ void TestLessons::everyLinkLeadsSomewhere()
                     scene.givenPoint = before;
                     const Surface surface{800, 600, 1.0};
                     const text::JsonValue &change = step.changes.at(to);
-                    const auto changed = settingsWith(scene, *pictureOf(scene, surface, {}), change);
+                    const auto changed = settingsWith(scene, *setupOf(scene, surface, {}), change);
                     QVERIFY2(changed, changed ? "" : changed.error().text.c_str());
                     static_cast<SceneSettings &>(scene) = *changed;
-                    QVERIFY2(pictureOf(scene, surface, {}), where.c_str());
+                    QVERIFY2(setupOf(scene, surface, {}), where.c_str());
                     if (!change.json().contains("point"))
                         made = before;
                     else if (!made)

@@ -10,6 +10,7 @@
 
 using namespace unprojector;
 using namespace unprojector::matrices;
+using namespace unprojector::geometry;
 
 namespace {
 
@@ -108,10 +109,10 @@ void TestMatrixFactors::theirProductIsTheMatrixToAnUlp()
 
 void TestMatrixFactors::theConventionsAreFactorsOfTheirOwn()
 {
-    Picture picture;
-    picture.surface = surfaceFromWidget(50, 50, 1.0);
-    picture.viewport = wholeSurface(picture.surface);
-    const ApiSpaces spaces = apiSpaces(picture, Api::Direct3d);
+    Setup setup;
+    setup.surface = surfaceFromWidget(50, 50, 1.0);
+    setup.viewport = wholeSurface(setup.surface);
+    const ApiSpaces spaces = apiSpaces(setup, Api::Direct3d);
     const Projection projection = Frustum{-1, 3, -2, 1, 2, 10};
     const auto parts = inConventions(*factors(projection), spaces.eye, spaces.clip);
     QCOMPARE(parts.size(), std::size_t(4));

@@ -341,11 +341,11 @@ void TestMatrixProjection::theMatrixPathHonoursTheDepths()
 {
     QFETCH(int, style);
     const auto s = Style(style);
-    const Picture g{{800, 600, 1},
-                    {0, 0, 800, 600},
-                    {0, 1},
-                    MatrixProjection{perspectiveMatrix(s, -1, 1, -0.75, 0.75, 1, 100), depthOf(s)},
-                    LookAt{{1, 2, 5}, {0, 0, 0}, {0, 1, 0}}};
+    const Setup g{{800, 600, 1},
+                  {0, 0, 800, 600},
+                  {0, 1},
+                  MatrixProjection{perspectiveMatrix(s, -1, 1, -0.75, 0.75, 1, 100), depthOf(s)},
+                  LookAt{{1, 2, 5}, {0, 0, 0}, {0, 1, 0}}};
     const WorldPoint point(0.25, -0.5, 0.125);
     const WindowPoint window = windowFromWorld(g, point).value();
     QVERIFY(window.z > 0.0 && window.z < 1.0);
@@ -410,11 +410,11 @@ void TestMatrixProjection::viewMatricesHitTheExactPoint()
             view = inSinglePrecision(view);
         const glm::dmat4 m = clipFromEye(oracle::coreProjection(scene.projection)).value();
         const oracle::Oracle exact(columns(view), columns(m), scene.target, false);
-        const Picture g{{100, 100, 1},
-                        oracle::coreViewport(scene.target),
-                        oracle::coreDepthRange(scene.target),
-                        MatrixProjection{m, NdcDepth::MinusOneToOne},
-                        view};
+        const Setup g{{100, 100, 1},
+                      oracle::coreViewport(scene.target),
+                      oracle::coreDepthRange(scene.target),
+                      MatrixProjection{m, NdcDepth::MinusOneToOne},
+                      view};
         const std::array<double, 3> at = oracle::randomClick(random, scene.target);
         const Unprojected c = unprojectedAt(g, WindowPoint(at[0], at[1], at[2]));
         const oracle::Vector3 truth = exact.worldUnder(at);
@@ -450,7 +450,7 @@ void TestMatrixProjection::theMatrixAnswersWhereNoFormulaDoes()
     view[1][1] = 2.0;
     view[3][2] = -4.0;
     const WorldPoint point(0.5, 0.25, -1.0);
-    Picture g{{80, 60, 1}, {0, 0, 80, 60}, {0, 1}, MatrixProjection{projection, {}}, LookAt{}};
+    Setup g{{80, 60, 1}, {0, 0, 80, 60}, {0, 1}, MatrixProjection{projection, {}}, LookAt{}};
     Unprojected c = unprojectedAt(g, windowFromWorld(g, point).value());
     QVERIFY(!c.eye[Method::Formula] && c.eye[Method::Formula].error().code == ErrorCode::MatrixNotAProjection);
     QVERIFY(!c.world[Method::Formula] && c.world[Method::Formula].error().code == ErrorCode::MatrixNotAProjection);
@@ -471,19 +471,19 @@ void TestMatrixProjection::theWindowsPictureIsTheSame()
     QFETCH(int, style);
     const auto s = Style(style);
     const LookAt camera{{1, 2, 5}, {0, 0, 0}, {0, 1, 0}};
-    const Picture g{{800, 600, 1},
-                    {0, 0, 800, 600},
-                    {0, 0.5},
-                    MatrixProjection{perspectiveMatrix(s, -1, 1, -0.75, 0.5, 1, 100), depthOf(s)},
-                    eyeFromWorld(eyeFrame(camera).value())};
-    const Picture shown = byParameters(g).value();
+    const Setup g{{800, 600, 1},
+                  {0, 0, 800, 600},
+                  {0, 0.5},
+                  MatrixProjection{perspectiveMatrix(s, -1, 1, -0.75, 0.5, 1, 100), depthOf(s)},
+                  eyeFromWorld(eyeFrame(camera).value())};
+    const Setup shown = byParameters(g).value();
     for (const glm::dvec3 &p : {glm::dvec3(0.25, -0.5, 0.125), glm::dvec3(-9, 3, -40)}) {
         const glm::dvec3 a = windowFromWorld(g, WorldPoint(p)).value().coordinates();
         const glm::dvec3 b = windowFromWorld(shown, WorldPoint(p)).value().coordinates();
         QVERIFY(glm::length(glm::dvec2(a) - glm::dvec2(b)) < 1e-9);
         QVERIFY(std::abs(a.z - b.z) < (s >= Style::Infinite ? 1e-6 : 1e-13));
     }
-    Picture leftHanded = g;
+    Setup leftHanded = g;
     leftHanded.lens = MatrixProjection{perspectiveMatrix(s, -1, 1, -1, 1, 1, 9, 1), depthOf(s)};
     QVERIFY(byParameters(leftHanded).error().code == ErrorCode::MatrixNotAProjection);
 }

@@ -13,7 +13,7 @@ using namespace unprojector::unproject;
 namespace {
 
 /// 800 x 600 with [-1, 1] x [-3/4, 3/4] at 1, far 4, from (0, 0, 5) down -z: 800 pixels a unit at the distance 2.
-Picture picture()
+Setup setup()
 {
     const Surface surface{800, 600, 1.0};
     return {surface,
@@ -68,18 +68,18 @@ void TestOtherPrograms::whereTheyLook()
     QFETCH(double, x);
     QFETCH(double, y);
     QFETCH(int, depthRow);
-    const OtherClick click = clickOf(program, picture(), {100, 40});
-    const WindowPoint window = windowFromDevice(picture().surface, click.position, 0.0);
+    const OtherClick click = clickOf(program, setup(), {100, 40});
+    const WindowPoint window = windowFromDevice(setup().surface, click.position, 0.0);
     QVERIFY(std::abs(window.x - x) < 1e-12);
     QVERIFY(std::abs(window.y - y) < 1e-12);
     QCOMPARE(click.depthFrom.i, 100);
-    QCOMPARE(framebufferRow(picture().surface, click.depthFrom), depthRow);
+    QCOMPARE(framebufferRow(setup().surface, click.depthFrom), depthRow);
 }
 
 /// A pixel is 1/200 wide and high at the distance 2, which is the depth 2/3.
 void TestOtherPrograms::whatTheyAnswer()
 {
-    const Unprojector unprojector = Unprojector::of(picture()).value();
+    const Unprojector unprojector = Unprojector::of(setup()).value();
     const WorldPoint right(-299.5 / 200, 259.5 / 200, 3.0);
     const auto flat = [](const DevicePixel &) { return std::optional(2.0 / 3.0); };
     for (const OtherAnswer &answer : otherAnswers(unprojector, {100, 40}, flat)) {
@@ -106,7 +106,7 @@ void TestOtherPrograms::whatTheyAnswer()
 
 void TestOtherPrograms::theViewportCounts()
 {
-    Picture quarter = picture();
+    Setup quarter = setup();
     quarter.viewport = {400, 100, 300, 200};
     // screen2world flips with the viewport's height.
     const OtherClick tutorial = clickOf(OtherProgram::Screen2World, quarter, {450, 150});

@@ -1,9 +1,9 @@
 // Matrices as other programs write them, and what is to be seen of them.
 
 #include "core/geometry/view_matrix.h"
+#include "core/matrices/decomposition.h"
 #include "core/matrices/matrix_findings.h"
 #include "core/matrices/pasted_matrix.h"
-#include "core/matrices/taken_apart.h"
 
 #include <QTest>
 #include <glm/gtc/matrix_transform.hpp>
@@ -483,29 +483,29 @@ void TestPastedMatrices::productsAreTakenApart()
     QFETCH(glm::dmat4, projection);
     QFETCH(glm::dmat4, view);
     for (const double scale : {1.0, 2.5}) {
-        const auto apart = takenApart(projection * view * scale);
+        const auto apart = decomposed(projection * view * scale);
         QVERIFY(apart);
         QVERIFY(isClose(apart->clipFromEye, projection));
         QVERIFY(isClose(apart->eyeFromWorld, view));
-        QVERIFY(apart->off <= 1e-14);
+        QVERIFY(apart->residual <= 1e-14);
     }
-    const auto printed = takenApart(inSixDigits(projection * view));
+    const auto printed = decomposed(inSixDigits(projection * view));
     QVERIFY(printed);
-    QVERIFY(printed->off > 1e-9 && printed->off <= 1e-4);
+    QVERIFY(printed->residual > 1e-9 && printed->residual <= 1e-4);
     // The eye of a box is put on its near plane.
     const glm::dmat4 box = glm::ortho(-3.0, 3.0, -2.0, 2.0, 1.0, 50.0);
     glm::dmat4 sheared(1.0);
     sheared[2][0] = 0.5;
-    const auto ofBox = takenApart(box * view * 2.0);
+    const auto ofBox = decomposed(box * view * 2.0);
     QVERIFY(ofBox && ofBox->isBox && axesOff(ofBox->eyeFromWorld));
     QVERIFY(isClose(ofBox->clipFromEye, glm::ortho(-3.0, 3.0, -2.0, 2.0, 0.0, 49.0)));
     QVERIFY(isClose(ofBox->clipFromEye * ofBox->eyeFromWorld, box * view));
-    QVERIFY(!takenApart(box * sheared * view));
+    QVERIFY(!decomposed(box * sheared * view));
     // Whatever w is, a last decimal leaves as much.
     glm::dmat4 rounded = box * view * 0.3;
     for (int i = 0; i < 16; ++i)
         rounded[i / 4][i % 4] = std::round(rounded[i / 4][i % 4] * 1e3) / 1e3;
-    QVERIFY(takenApart(rounded));
+    QVERIFY(decomposed(rounded));
 }
 
 void TestPastedMatrices::everyFindingIsASentence()

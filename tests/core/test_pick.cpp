@@ -25,7 +25,7 @@ constexpr double kInverseRounding = 1e-10;
 constexpr double kFloatRounding = 2e-3;
 
 /// 800 x 600 logical pixels, looked at from (0, 0, 5) towards the origin.
-Picture plainFrustum()
+Setup plainFrustum()
 {
     return {{800, 600, 1.0},
             {0.0, 0.0, 800.0, 600.0},
@@ -36,7 +36,7 @@ Picture plainFrustum()
 
 /// 1200 x 900 device pixels at ratio 1.5, with a viewport that does not start in the corner nor fill the surface; the
 /// camera looks along -z, so that its axes are the world's.
-Picture offsetBox()
+Setup offsetBox()
 {
     return {{1200, 900, 1.5},
             {100.0, 50.0, 600.0, 400.0},
@@ -68,7 +68,7 @@ private slots:
 
 void TestPick::aClickIsFollowedBackToTheWorld_data()
 {
-    QTest::addColumn<Picture>("geometry");
+    QTest::addColumn<Setup>("geometry");
     QTest::addColumn<glm::dvec3>("click"); // widget x, y; depth
     QTest::addColumn<QPoint>("pixel");
     QTest::addColumn<glm::dvec3>("window");
@@ -92,27 +92,27 @@ void TestPick::aClickIsFollowedBackToTheWorld_data()
     const glm::dvec3 click(300.5, 500.5, 0.25), window(450.5, 149.5, 0.25);
     QTest::newRow("ortho, offset viewport@1.5x") << offsetBox() << click << QPoint(450, 750) << window
                                                  << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(10.505, 18.995, 27.0);
-    Picture reversed = offsetBox();
+    Setup reversed = offsetBox();
     reversed.depthRange = {1.0, 0.0};
     QTest::newRow("ortho, reversed depth range@1.5x")
         << reversed << glm::dvec3(300.5, 500.5, 0.75) << QPoint(450, 750) << glm::dvec3(450.5, 149.5, 0.75)
         << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(10.505, 18.995, 27.0);
     // cot 45 degrees = 1: x and y grow by z = 3.
-    Picture oblique = offsetBox();
+    Setup oblique = offsetBox();
     oblique.projection() =
         Oblique{std::get<Ortho>(offsetBox().projection()), radiansFromDegrees(45.0), radiansFromDegrees(45.0)};
     QTest::newRow("oblique, offset viewport@1.5x")
         << oblique << click << QPoint(450, 750) << window << glm::dvec3(3.505, 1.995, -3.0)
         << glm::dvec3(13.505, 21.995, 27.0);
     // The same window as a frustum with n = 1, f = 9: z = 9 / (9 x 0.75 + 0.25) = 9 / 7, x = 0.505 z, y = -1.005 z
-    Picture frustum = offsetBox();
+    Setup frustum = offsetBox();
     frustum.projection() = Frustum{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0};
     const double distance = 9.0 / 7.0;
     QTest::newRow("frustum, offset viewport@1.5x")
         << frustum << click << QPoint(450, 750) << window << glm::dvec3(0.505 * distance, -1.005 * distance, -distance)
         << glm::dvec3(10.0 + 0.505 * distance, 20.0 - 1.005 * distance, 30.0 - distance);
     // Seen along +x with z up: s = -y, u = z, f = x, so world = eye + (z, -x, y).
-    Picture turned = offsetBox();
+    Setup turned = offsetBox();
     turned.camera() = {WorldPoint(10.0, 20.0, 30.0), WorldPoint(11.0, 20.0, 30.0), {0.0, 0.0, 1.0}};
     QTest::newRow("ortho, turned camera@1.5x") << turned << click << QPoint(450, 750) << window
                                                << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(13.0, 19.495, 28.995);
@@ -124,7 +124,7 @@ void TestPick::aClickIsFollowedBackToTheWorld_data()
 
 void TestPick::aClickIsFollowedBackToTheWorld()
 {
-    QFETCH(Picture, geometry);
+    QFETCH(Setup, geometry);
     QFETCH(glm::dvec3, click);
     QFETCH(QPoint, pixel);
     QFETCH(glm::dvec3, window);
@@ -152,12 +152,12 @@ void TestPick::aClickIsFollowedBackToTheWorld()
 
 void TestPick::allPositionsInAPixelGiveTheSamePoint()
 {
-    const Picture geometry = plainFrustum();
-    const Result<Pick> middle = pickAt(geometry, WidgetPoint(412.5, 300.5), {0.5, 0, 24});
+    const Setup setup = plainFrustum();
+    const Result<Pick> middle = pickAt(setup, WidgetPoint(412.5, 300.5), {0.5, 0, 24});
     QVERIFY(middle.hasValue());
     for (const WidgetPoint &position :
          {WidgetPoint(412.0, 300.0), WidgetPoint(412.99, 300.0), WidgetPoint(412.0, 300.99)}) {
-        const Result<Pick> pick = pickAt(geometry, position, {0.5, 0, 24});
+        const Result<Pick> pick = pickAt(setup, position, {0.5, 0, 24});
         QVERIFY(pick.hasValue());
         QVERIFY(pick->devicePixel == (DevicePixel{412, 300}));
         QVERIFY(isNear(pick->point.world[Method::Formula]->coordinates(),
@@ -181,7 +181,7 @@ void TestPick::aBackgroundClickGivesTheRayOfItsPixel()
     QVERIFY(isNear(pick->rayFar.world[Method::Matrix]->coordinates(), {-9.9875, 7.4875, -5.0}, kInverseRounding));
 
     // The ends are those of the depth range, wherever it puts them.
-    Picture reversed = plainFrustum();
+    Setup reversed = plainFrustum();
     reversed.depthRange = {1.0, 0.25};
     const Result<Pick> other = pickAt(reversed, WidgetPoint(0.0, 0.0), {0.25, {}, 24});
     QVERIFY(other.hasValue());
@@ -191,10 +191,10 @@ void TestPick::aBackgroundClickGivesTheRayOfItsPixel()
 
 void TestPick::whatCannotBePickedIsRefused_data()
 {
-    QTest::addColumn<Picture>("geometry");
+    QTest::addColumn<Setup>("geometry");
     QTest::addColumn<glm::dvec3>("click");
     QTest::addColumn<int>("code");
-    const auto row = [](const char *name, const Picture &g, const glm::dvec3 &click, ErrorCode code) {
+    const auto row = [](const char *name, const Setup &g, const glm::dvec3 &click, ErrorCode code) {
         QTest::newRow(name) << g << click << static_cast<int>(code);
     };
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -203,7 +203,7 @@ void TestPick::whatCannotBePickedIsRefused_data()
     row("below the view", plainFrustum(), {400.0, 600.0, 0.5}, ErrorCode::OutsideFramebuffer);
     row("above the view", plainFrustum(), {400.0, -0.5, 0.5}, ErrorCode::OutsideFramebuffer);
     row("position NaN", plainFrustum(), {kNan, 0.0, 0.5}, ErrorCode::NotFinite);
-    Picture g = plainFrustum();
+    Setup g = plainFrustum();
     g.surface.heightPixels = 0;
     row("no framebuffer", g, middle, ErrorCode::EmptyFramebuffer);
     g = plainFrustum();
@@ -222,7 +222,7 @@ void TestPick::whatCannotBePickedIsRefused_data()
 
 void TestPick::whatCannotBePickedIsRefused()
 {
-    QFETCH(Picture, geometry);
+    QFETCH(Setup, geometry);
     QFETCH(glm::dvec3, click);
     QFETCH(int, code);
     for (const std::optional<std::size_t> object : {std::optional<std::size_t>(0), {}}) {
@@ -245,7 +245,7 @@ void TestPick::aDepthOutsideItsRangeIsRefusedOnASurfaceOnly()
 
 void TestPick::certaintyHasTheDepthStepAndThePixel_data()
 {
-    QTest::addColumn<Picture>("geometry");
+    QTest::addColumn<Setup>("geometry");
     QTest::addColumn<double>("distance");
     QTest::addColumn<int>("bits");
     QTest::addColumn<glm::dvec3>("expected"); // half a depth step, pixel's width and height
@@ -263,23 +263,23 @@ void TestPick::certaintyHasTheDepthStepAndThePixel_data()
     QTest::newRow("ortho, 24 bits") << offsetBox() << 3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01);
     QTest::newRow("ortho, 24 bits, behind the eye")
         << offsetBox() << -3.0 << 24 << glm::dvec3(2.3841859331241806e-7, 0.01, 0.01);
-    Picture half = offsetBox();
+    Setup half = offsetBox();
     half.depthRange = {0.75, 0.25};
     QTest::newRow("ortho, half the depth range") << half << 3.0 << 24 << glm::dvec3(4.768371866248361e-7, 0.01, 0.01);
     // gluPerspective(90 degrees, 2, 0.5, 8): window 2 x 1 at n = 0.5; 16 x 7.5 / 4 / (2^24 - 1) / 2; 2 x 4 / 0.5 / 800, 4 / 0.5 / 600
-    Picture perspective = plainFrustum();
+    Setup perspective = plainFrustum();
     perspective.projection() = Perspective{1.5707963267948966, 2.0, 0.5, 8.0};
     QTest::newRow("perspective, wide pixels")
         << perspective << 4.0 << 24 << glm::dvec3(8.940697249215677e-7, 0.02, 4.0 / 300.0);
     // A mirrored window: sizes stay positive.
-    Picture mirrored = plainFrustum();
+    Setup mirrored = plainFrustum();
     mirrored.projection() = Frustum{1.0, -1.0, 0.75, -0.75, 1.0, 10.0};
     QTest::newRow("mirrored frustum") << mirrored << 5.0 << 24 << glm::dvec3(6.705522936911759e-7, 0.0125, 0.0125);
 }
 
 void TestPick::certaintyHasTheDepthStepAndThePixel()
 {
-    QFETCH(Picture, geometry);
+    QFETCH(Setup, geometry);
     QFETCH(double, distance);
     QFETCH(int, bits);
     QFETCH(glm::dvec3, expected);
@@ -302,27 +302,27 @@ void TestPick::thePickKeepsTheCertaintyOfItsDistance()
 
 void TestPick::eachAxisHasItsOwnUncertainty_data()
 {
-    QTest::addColumn<Picture>("geometry");
+    QTest::addColumn<Setup>("geometry");
     QTest::addColumn<EyePoint>("point");
     QTest::addColumn<glm::dvec3>("inEye");
     QTest::addColumn<glm::dvec3>("inWorld");
     // Half a depth step of 0.5, a pixel of 0.2 x 0.1.
-    Picture geometry = plainFrustum();
-    geometry.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
+    Setup setup = plainFrustum();
+    setup.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
     // The ray through (1, -2, -4) is (0.25, -0.5, -1) a unit: 0.125 + 0.1, 0.25 + 0.05, 0.5.
     QTest::newRow("frustum along the axes")
-        << geometry << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5) << glm::dvec3(0.225, 0.3, 0.5);
+        << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5) << glm::dvec3(0.225, 0.3, 0.5);
     // Looking along +x with z up: s = -y, u = z, f = x.
-    geometry.pose = LookAt{WorldPoint(5, 5, 5), WorldPoint(6, 5, 5), {0, 0, 1}};
-    QTest::newRow("frustum along x") << geometry << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
+    setup.pose = LookAt{WorldPoint(5, 5, 5), WorldPoint(6, 5, 5), {0, 0, 1}};
+    QTest::newRow("frustum along x") << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
                                      << glm::dvec3(0.5, 0.225, 0.3);
     // At 45 degrees about y: s = (r, 0, -r), f = (-r, 0, -r) with r = sqrt(1/2). The ray's step is 0.125 s - 0.25 u + 0.5 f
     // = (-0.375 r, -0.25, -0.625 r); the pixel adds 0.1 r, 0.05, 0.1 r.
     const double r = std::sqrt(0.5);
-    geometry.pose = LookAt{WorldPoint(1, 0, 1), WorldPoint(0, 0, 0), {0, 1, 0}};
-    QTest::newRow("frustum at an angle") << geometry << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
+    setup.pose = LookAt{WorldPoint(1, 0, 1), WorldPoint(0, 0, 0), {0, 1, 0}};
+    QTest::newRow("frustum at an angle") << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
                                          << glm::dvec3(0.475 * r, 0.3, 0.725 * r);
-    Picture box = offsetBox();
+    Setup box = offsetBox();
     box.pose = LookAt{WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
     QTest::newRow("box") << box << EyePoint(1, -2, -4) << glm::dvec3(0.1, 0.05, 0.5) << glm::dvec3(0.1, 0.05, 0.5);
     QTest::newRow("box, behind the eye") << box << EyePoint(1, -2, 4) << glm::dvec3(0.1, 0.05, 0.5)
@@ -334,7 +334,7 @@ void TestPick::eachAxisHasItsOwnUncertainty_data()
 
 void TestPick::eachAxisHasItsOwnUncertainty()
 {
-    QFETCH(Picture, geometry);
+    QFETCH(Setup, geometry);
     QFETCH(EyePoint, point);
     QFETCH(glm::dvec3, inEye);
     QFETCH(glm::dvec3, inWorld);
@@ -353,9 +353,9 @@ void TestPick::eachAxisHasItsOwnUncertainty()
 void TestPick::whatHasTheDepthAndThePixelLiesWithinThePixel()
 {
     // Every corner of the pixel, half a step of a coarse depth buffer before and behind.
-    Picture geometry = plainFrustum();
-    geometry.pose = LookAt{WorldPoint(4, 3, 7), WorldPoint(0.3, 0.2, 0.1), {0.1, 1, 0.2}};
-    const Unprojector unprojector = Unprojector::of(geometry).value();
+    Setup setup = plainFrustum();
+    setup.pose = LookAt{WorldPoint(4, 3, 7), WorldPoint(0.3, 0.2, 0.1), {0.1, 1, 0.2}};
+    const Unprojector unprojector = Unprojector::of(setup).value();
     const Result<Pick> pick = unproject::pickAt(unprojector, {{}, {123, 456}, {0.625, 0, 10}});
     QVERIFY(pick.hasValue());
     const double halfStep = 0.5 / 1023.0;

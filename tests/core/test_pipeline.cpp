@@ -24,7 +24,7 @@ constexpr double kRoundTrip = 1e-11;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-Picture geometryOf(const Projection &projection, const LookAt &camera, int width, int height, double ratio = 1.0)
+Setup geometryOf(const Projection &projection, const LookAt &camera, int width, int height, double ratio = 1.0)
 {
     const Surface surface = surfaceFromWidget(width, height, ratio);
     return {surface, wholeSurface(surface), {}, projection, camera};
@@ -117,9 +117,9 @@ void TestPipeline::theOriginIsTheMiddleOfTheWidgetAtEveryPixelRatio()
 {
     QFETCH(double, ratio);
     QFETCH(double, device);
-    const Picture geometry = geometryOf(Perspective{std::numbers::pi / 2.0, 1, 1, 100},
-                                        {WorldPoint(3, 4, 12), WorldPoint(0, 0, 0), {0, 1, 0}}, 300, 300, ratio);
-    const PipelinePoints points = pointsForward(pipeline(geometry, glm::dmat4(1.0)).value(), WorldPoint(0, 0, 0));
+    const Setup setup = geometryOf(Perspective{std::numbers::pi / 2.0, 1, 1, 100},
+                                   {WorldPoint(3, 4, 12), WorldPoint(0, 0, 0), {0, 1, 0}}, 300, 300, ratio);
+    const PipelinePoints points = pointsForward(pipeline(setup, glm::dmat4(1.0)).value(), WorldPoint(0, 0, 0));
     QVERIFY(isNear({points.device->x, points.device->y, 0}, {device, device, 0}, 1e-10));
     // A surface of 375 or 600 pixels has its middle at the same logical pixel.
     QVERIFY(isNear({points.widget->x, points.widget->y, 0}, {150, 150, 0}, 1e-10));
@@ -141,11 +141,11 @@ void TestPipeline::backwardUndoesForward()
 {
     QFETCH(Projection, projection);
     QFETCH(ObjectPoint, point);
-    Picture geometry = geometryOf(projection, aside(), 640, 480, 1.5);
-    geometry.viewport = {13, 7, 400, 300};
-    geometry.depthRange = {0.9, 0.1};
+    Setup setup = geometryOf(projection, aside(), 640, 480, 1.5);
+    setup.viewport = {13, 7, 400, 300};
+    setup.depthRange = {0.9, 0.1};
     const Pipeline p =
-        pipeline(geometry, worldFromObject({Translate{{1, 2, 3}}, Rotate{30, {1, 2, 3}}, Scale{{1, -2, 0.5}}})).value();
+        pipeline(setup, worldFromObject({Translate{{1, 2, 3}}, Rotate{30, {1, 2, 3}}, Scale{{1, -2, 0.5}}})).value();
     const PipelinePoints forward = pointsForward(p, point);
     const PipelinePoints back = pointsBackward(p, *forward.window);
     QVERIFY(isNear(back.ndc->coordinates(), forward.ndc->coordinates(), kRoundTrip));
@@ -247,18 +247,18 @@ void TestPipeline::theClipTestSaysWhereAPointLies()
 
 void TestPipeline::badValuesAreNamed()
 {
-    Picture geometry = geometryOf(kPerspective, fromFive(), 50, 50);
-    QCOMPARE(pipeline(geometry, glm::dmat4(0.0)).error().code, ErrorCode::SingularMatrix);
+    Setup setup = geometryOf(kPerspective, fromFive(), 50, 50);
+    QCOMPARE(pipeline(setup, glm::dmat4(0.0)).error().code, ErrorCode::SingularMatrix);
     glm::dmat4 broken(1.0);
     broken[3][1] = kNaN;
-    QCOMPARE(pipeline(geometry, broken).error().code, ErrorCode::NotFinite);
+    QCOMPARE(pipeline(setup, broken).error().code, ErrorCode::NotFinite);
     // Invertible in principle, but 1e-200 cubed is below the smallest double.
-    QCOMPARE(pipeline(geometry, matrixOf(Scale{glm::dvec3(1e-200)})).error().code, ErrorCode::SingularMatrix);
-    const Pipeline p = pipeline(geometry, glm::dmat4(1.0)).value();
+    QCOMPARE(pipeline(setup, matrixOf(Scale{glm::dvec3(1e-200)})).error().code, ErrorCode::SingularMatrix);
+    const Pipeline p = pipeline(setup, glm::dmat4(1.0)).value();
     QCOMPARE(pointsForward(p, WorldPoint(0, kNaN, 0)).widget.error().code, ErrorCode::NotFinite);
     QCOMPARE(pointsBackward(p, WindowPoint(0, kNaN, 0)).object.error().code, ErrorCode::NotFinite);
-    geometry.camera().eye = geometry.camera().center;
-    QCOMPARE(pipeline(geometry, glm::dmat4(1.0)).error().code, ErrorCode::EyeEqualsCenter);
+    setup.camera().eye = setup.camera().center;
+    QCOMPARE(pipeline(setup, glm::dmat4(1.0)).error().code, ErrorCode::EyeEqualsCenter);
 }
 
 void TestPipeline::entryNamesMeanTheirNumbers_data()
@@ -339,10 +339,10 @@ void TestPipeline::entryNamesMeanTheirNumbers()
     QFETCH(int, column);
     QFETCH(QString, name);
     QFETCH(double, value);
-    Picture geometry = geometryOf(projection, fromFive(), 640, 480);
-    geometry.viewport = {13, 7, 400, 300};
-    geometry.depthRange = {0.25, 0.75};
-    const Pipeline p = pipeline(geometry, worldFromObject({Translate{{1, 2, 3}}, Rotate{90, {1, 0, 0}}})).value();
+    Setup setup = geometryOf(projection, fromFive(), 640, 480);
+    setup.viewport = {13, 7, 400, 300};
+    setup.depthRange = {0.25, 0.75};
+    const Pipeline p = pipeline(setup, worldFromObject({Translate{{1, 2, 3}}, Rotate{90, {1, 0, 0}}})).value();
     const std::string_view symbol = matrixEntryName(stage, direction, kindOf(projection), row, column);
     QCOMPARE(QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size())), name);
     const double found = entry(p, stage, direction, row, column);
@@ -353,9 +353,9 @@ void TestPipeline::entryNamesMeanTheirNumbers()
 void TestPipeline::entriesNamedAsConstantsAreConstant()
 {
     for (const Projection &projection : {kOffCentre, kPerspective, kOrtho, kOblique}) {
-        Picture geometry = geometryOf(projection, aside(), 640, 480);
-        geometry.viewport = {13, 7, 400, 300};
-        const Pipeline p = pipeline(geometry, worldFromObject({Translate{{1, 2, 3}}, Rotate{40, {1, 2, 0}}})).value();
+        Setup setup = geometryOf(projection, aside(), 640, 480);
+        setup.viewport = {13, 7, 400, 300};
+        const Pipeline p = pipeline(setup, worldFromObject({Translate{{1, 2, 3}}, Rotate{40, {1, 2, 0}}})).value();
         for (const PipelineStage stage : kPipelineStages) {
             for (const auto direction : {PipelineDirection::Forward, PipelineDirection::Backward}) {
                 for (int index = 0; index < 16; ++index) {
@@ -388,10 +388,10 @@ void TestPipeline::aPointGivenInAnySpaceIsTheSamePoint()
 {
     QFETCH(Projection, projection);
     QFETCH(double, zEye);
-    Picture geometry = geometryOf(projection, aside(), 640, 480, 2.0);
-    geometry.viewport = {13, 7, 400, 300};
-    geometry.depthRange = {0.25, 0.75};
-    const Pipeline p = pipeline(geometry, worldFromObject({Translate{{1, 2, 3}}, Rotate{40, {1, 2, 0}}})).value();
+    Setup setup = geometryOf(projection, aside(), 640, 480, 2.0);
+    setup.viewport = {13, 7, 400, 300};
+    setup.depthRange = {0.25, 0.75};
+    const Pipeline p = pipeline(setup, worldFromObject({Translate{{1, 2, 3}}, Rotate{40, {1, 2, 0}}})).value();
     const PipelinePoints truth = pointsFrom(p, {EyePoint(0.7, -0.4, zEye)});
     const std::vector<GivenPoint> ways{{*truth.object}, {*truth.world}, {*truth.eye},
                                        {*truth.clip},   {*truth.ndc},   {*truth.window}};

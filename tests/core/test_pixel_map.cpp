@@ -17,6 +17,7 @@ using namespace unprojector::geometry;
 using namespace unprojector::maps;
 using namespace unprojector::ray;
 using namespace unprojector::unproject;
+using namespace unprojector::scene;
 
 namespace {
 
@@ -24,7 +25,7 @@ const LookAt kCamera{WorldPoint(1.0, 2.0, 4.0), WorldPoint(0.1, -0.2, 0.3), {0.0
 const Lens kPerspective = Projection(Perspective{radiansFromDegrees(45.0), 4.0 / 3.0, 1.0, 20.0});
 
 /// The viewport leaves a rim of the window free.
-Picture pictureWith(const Lens &lens, const DepthRange &range = {})
+Setup pictureWith(const Lens &lens, const DepthRange &range = {})
 {
     const Surface surface{64, 48, 1.0};
     return {surface, {8, 6, 48, 36}, range, lens, kCamera};
@@ -32,14 +33,14 @@ Picture pictureWith(const Lens &lens, const DepthRange &range = {})
 
 /// A ball that fills a part of the picture.
 struct Shown {
-    Picture picture = pictureWith(kPerspective);
+    Setup setup = pictureWith(kPerspective);
     std::vector<SceneObject> objects{{"ball", {}, cubeSphere(20), {Translate{{0.2, 0.1, 0.0}}}}};
-    Unprojector unprojector = *Unprojector::of(picture);
+    Unprojector unprojector = *Unprojector::of(setup);
     SceneRays rays = raysOf();
     SurfaceImage surfaces = *surfacesMet(rays, *PixelRays::of(rays.rays()), {}, {});
 
     Shown() = default;
-    explicit Shown(const Picture &other) : picture(other) {}
+    explicit Shown(const Setup &other) : setup(other) {}
 
     SceneRays raysOf() const
     {
@@ -56,12 +57,12 @@ struct Shown {
     {
         for (int j = 0; j < surfaces.heightPixels; ++j) {
             for (int i = 0; i < surfaces.widthPixels; ++i)
-                each(DevicePixel{i, j}, surfaces.place(i, j));
+                each(DevicePixel{i, j}, surfaces.indexOf(i, j));
         }
     }
     WindowPoint window(const DevicePixel &pixel) const
     {
-        return windowFromDevice(picture.surface, pixelCenter(pixel), surfaces.depths[surfaces.place(pixel.i, pixel.j)]);
+        return windowFromDevice(setup.surface, pixelCenter(pixel), surfaces.depths[surfaces.indexOf(pixel.i, pixel.j)]);
     }
 };
 
@@ -72,7 +73,7 @@ bool isClose(float value, double expected, double relative)
 
 } // namespace
 
-Q_DECLARE_METATYPE(unprojector::geometry::Picture)
+Q_DECLARE_METATYPE(unprojector::geometry::Setup)
 Q_DECLARE_METATYPE(unprojector::maps::Question)
 
 class TestPixelMap : public QObject {
@@ -99,7 +100,7 @@ private slots:
 
 void TestPixelMap::surfacesAreWhatRaysMeet_data()
 {
-    QTest::addColumn<Picture>("picture");
+    QTest::addColumn<Setup>("picture");
     QTest::newRow("perspective") << pictureWith(kPerspective);
     QTest::newRow("reversed") << pictureWith(kPerspective, {1.0, 0.0});
     QTest::newRow("partial range") << pictureWith(kPerspective, {0.2, 0.3});
@@ -115,21 +116,21 @@ void TestPixelMap::surfacesAreWhatRaysMeet_data()
 
 void TestPixelMap::surfacesAreWhatRaysMeet()
 {
-    QFETCH(Picture, picture);
+    QFETCH(Setup, picture);
     const Shown shown(picture);
     const DepthFormat format;
     int met = 0, missed = 0;
-    shown.forEachPixel([&](const DevicePixel &pixel, std::size_t place) {
+    shown.forEachPixel([&](const DevicePixel &pixel, std::size_t index) {
         const std::optional<SceneHit> hit = *shown.rays.at(pixelCenter(pixel));
-        QCOMPARE(std::isnan(shown.surfaces.depths[place]), !hit.has_value());
+        QCOMPARE(std::isnan(shown.surfaces.depths[index]), !hit.has_value());
         (hit ? met : missed) += 1;
         if (!hit)
             return;
-        QCOMPARE(shown.surfaces.triangles[place], hit->triangle->triangle);
-        QVERIFY(std::abs(shown.surfaces.ts[place] - hit->t) <= 1e-12 * hit->t);
+        QCOMPARE(shown.surfaces.triangles[index], hit->triangle->triangle);
+        QVERIFY(std::abs(shown.surfaces.ts[index] - hit->t) <= 1e-12 * hit->t);
         const double depth = windowFromWorld(picture, hit->world).value().z;
-        QVERIFY(std::abs(shown.surfaces.depths[place] - depth) <= format.halfStep(depth) * 1.000001);
-        QCOMPARE(shown.surfaces.depths[place], format.kept(shown.surfaces.depths[place]));
+        QVERIFY(std::abs(shown.surfaces.depths[index] - depth) <= format.halfStep(depth) * 1.000001);
+        QCOMPARE(shown.surfaces.depths[index], format.kept(shown.surfaces.depths[index]));
     });
     QVERIFY(met > 100 && missed > 1000);
 }
@@ -142,8 +143,8 @@ void TestPixelMap::differencesAreThoseOfClicks()
     const PixelMap formulaRay = shown.map({Quantity::FormulaRay, Unit::World, {}});
     const PixelMap matrixRay = shown.map({Quantity::MatrixRay, Unit::World, {}});
     bool isAnyOff = false;
-    shown.forEachPixel([&](const DevicePixel &pixel, std::size_t place) {
-        QCOMPARE(std::isnan(world.at(pixel)), std::isnan(shown.surfaces.depths[place]));
+    shown.forEachPixel([&](const DevicePixel &pixel, std::size_t index) {
+        QCOMPARE(std::isnan(world.at(pixel)), std::isnan(shown.surfaces.depths[index]));
         if (std::isnan(world.at(pixel)))
             return;
         const Unprojected click = shown.unprojector.at(shown.window(pixel));
@@ -165,7 +166,7 @@ void TestPixelMap::theRayIsWithinTheRoundingOfTheDepth()
 {
     const Shown shown;
     const PixelMap map = shown.map({Quantity::FormulaRay, Unit::World, {}});
-    const Certainties certainties(shown.picture);
+    const Certainties certainties(shown.setup);
     float greatest = 0.0F;
     shown.forEachPixel([&](const DevicePixel &pixel, std::size_t) {
         if (std::isnan(map.at(pixel)))
@@ -184,16 +185,16 @@ void TestPixelMap::theUncertaintyIsThatOfAClick()
     const Shown shown;
     const PixelMap map = shown.map({Quantity::Uncertainty, Unit::World, {}});
     int compared = 0;
-    shown.forEachPixel([&](const DevicePixel &pixel, std::size_t place) {
-        QCOMPARE(std::isnan(map.at(pixel)), std::isnan(shown.surfaces.depths[place]));
+    shown.forEachPixel([&](const DevicePixel &pixel, std::size_t index) {
+        QCOMPARE(std::isnan(map.at(pixel)), std::isnan(shown.surfaces.depths[index]));
         if (std::isnan(map.at(pixel)))
             return;
         const std::vector<double> &depths = shown.surfaces.depths;
         const auto width = static_cast<std::size_t>(shown.surfaces.widthPixels);
-        DepthSample sample{depths[place], 0};
+        DepthSample sample{depths[index], 0};
         const auto steeper = [&](std::size_t step) {
-            return std::max(std::abs(depths[place - step] - depths[place]),
-                            std::abs(depths[place + step] - depths[place]));
+            return std::max(std::abs(depths[index - step] - depths[index]),
+                            std::abs(depths[index + step] - depths[index]));
         };
         sample.slope = DepthSlope{steeper(1), steeper(width)};
         if (std::isnan(sample.slope->perPixelX + sample.slope->perPixelY))
@@ -209,14 +210,14 @@ void TestPixelMap::theUncertaintyIsThatOfAClick()
 void TestPixelMap::programsReadTheRowThatTheyRead()
 {
     Shown shown;
-    shown.surfaces = surfacesAt(shown.picture, 0.5);
+    shown.surfaces = surfacesAt(shown.setup, 0.5);
     // Two columns: in row 20 the depth is another one, in row 30 there is nothing.
     for (const int column : {20, 21}) {
-        shown.surfaces.depths[shown.surfaces.place(column, 20)] = 0.6;
-        shown.surfaces.depths[shown.surfaces.place(column, 30)] = std::numeric_limits<double>::quiet_NaN();
+        shown.surfaces.depths[shown.surfaces.indexOf(column, 20)] = 0.6;
+        shown.surfaces.depths[shown.surfaces.indexOf(column, 30)] = std::numeric_limits<double>::quiet_NaN();
     }
     const auto answer = [&](const DevicePoint &position, double depth) {
-        return *shown.unprojector.worldAt(Method::Matrix, windowFromDevice(shown.picture.surface, position, depth));
+        return *shown.unprojector.worldAt(Method::Matrix, windowFromDevice(shown.setup.surface, position, depth));
     };
     for (const auto &[program, above] :
          {std::pair(OtherProgram::Open3D, false), std::pair(OtherProgram::MeshLab, true)}) {
@@ -228,9 +229,9 @@ void TestPixelMap::programsReadTheRowThatTheyRead()
         }
     }
     // Above the window nobody knows what is read; the viewport begins below its edge, so that one is made here.
-    Picture whole = shown.picture;
+    Setup whole = shown.setup;
     whole.viewport = wholeSurface(whole.surface);
-    shown.picture = whole;
+    shown.setup = whole;
     shown.unprojector = *Unprojector::of(whole);
     shown.surfaces = surfacesAt(whole, 0.5);
     const PixelMap map = shown.map({Quantity::Displacement, Unit::World, OtherProgram::Polyscope});
@@ -247,8 +248,8 @@ void TestPixelMap::mistakes()
     const PixelMap open3d = shown.map({Quantity::Displacement, Unit::World, conventionNamed("open3d")->other});
     const PixelMap left = shown.map({Quantity::Displacement, Unit::World, conventionNamed("model-left-in")->other});
     int compared = 0;
-    shown.forEachPixel([&](const DevicePixel &pixel, std::size_t place) {
-        if (std::isnan(shown.surfaces.depths[place]))
+    shown.forEachPixel([&](const DevicePixel &pixel, std::size_t index) {
+        if (std::isnan(shown.surfaces.depths[index]))
             return;
         ++compared;
         QCOMPARE(none.at(pixel), methods.at(pixel));
@@ -279,14 +280,14 @@ void TestPixelMap::mistakesOfThePixel()
 {
     QFETCH(double, x);
     QFETCH(double, y);
-    Picture picture = pictureWith(kPerspective);
-    picture.surface.devicePixelRatio = 2.0;
-    const Unprojector unprojector = Unprojector::of(picture).value();
+    Setup setup = pictureWith(kPerspective);
+    setup.surface.devicePixelRatio = 2.0;
+    const Unprojector unprojector = Unprojector::of(setup).value();
     const Other other = conventionNamed(QTest::currentDataTag())->other;
     const auto map =
-        pixelMap({Quantity::Displacement, Unit::World, other}, unprojector, surfacesAt(picture, 0.5), {}, {});
+        pixelMap({Quantity::Displacement, Unit::World, other}, unprojector, surfacesAt(setup, 0.5), {}, {});
     const WorldPoint right =
-        *unprojector.worldAt(Method::Formula, windowFromDevice(picture.surface, pixelCenter({20, 11}), 0.5));
+        *unprojector.worldAt(Method::Formula, windowFromDevice(setup.surface, pixelCenter({20, 11}), 0.5));
     const WorldPoint wrong = *unprojector.worldAt(Method::Matrix, WindowPoint(x, y, 0.5));
     QVERIFY(map && *map);
     QVERIFY(isClose((*map)->at({20, 11}), distance(right, wrong), 1e-6));
@@ -311,17 +312,17 @@ void TestPixelMap::singlePrecisionAndAngles()
 
 void TestPixelMap::aDepthEverywhere()
 {
-    const Picture picture = pictureWith(kPerspective);
-    const SurfaceImage surfaces = surfacesAt(picture, 0.25);
+    const Setup setup = pictureWith(kPerspective);
+    const SurfaceImage surfaces = surfacesAt(setup, 0.25);
     QVERIFY(!surfaces.isMet());
     int inside = 0;
     for (const double depth : surfaces.depths)
         inside += depth == 0.25 ? 1 : 0;
     QCOMPARE(inside, 48 * 36);
-    QVERIFY(std::isnan(surfaces.depths[surfaces.place(7, 20)]));
-    QCOMPARE(surfaces.depths[surfaces.place(8, 6)], 0.25);
+    QVERIFY(std::isnan(surfaces.depths[surfaces.indexOf(7, 20)]));
+    QCOMPARE(surfaces.depths[surfaces.indexOf(8, 6)], 0.25);
     const auto map = pixelMap({Quantity::Displacement, Unit::World, conventionNamed("model-left-in")->other},
-                              *Unprojector::of(picture), surfaces, {}, {});
+                              *Unprojector::of(setup), surfaces, {}, {});
     QVERIFY(map && map.value()->at({8, 6}) < 1e-10F); // no object, no model matrix
 }
 
@@ -341,10 +342,10 @@ void TestPixelMap::bandsGiveTheWhole_data()
 void TestPixelMap::bandsGiveTheWhole()
 {
     QFETCH(Question, question);
-    Picture picture = pictureWith(kPerspective);
-    picture.surface = {60000, 24, 1.0};
-    picture.viewport = {8, 4, 640, 16};
-    static const Shown shown(picture);
+    Setup setup = pictureWith(kPerspective);
+    setup.surface = {60000, 24, 1.0};
+    setup.viewport = {8, 4, 640, 16};
+    static const Shown shown(setup);
     std::size_t most = 0;
     const SurfaceSource source{true, [&](const Rows &rows, const Progress &progress) {
                                    most = std::max(most, rows.size());

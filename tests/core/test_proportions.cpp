@@ -51,9 +51,9 @@ void TestProportions::aCircleIsDrawnSoMuchWiderThanHigh()
     QFETCH(Viewport, viewport);
     QFETCH(Projection, projection);
     QFETCH(double, aspect);
-    const Picture geometry{{800, 600, 1.0}, viewport, {}, projection, {}};
-    QVERIFY2(std::abs(circleAspect(geometry) - aspect) < kRounding,
-             qPrintable(QString::number(circleAspect(geometry), 'g', 17)));
+    const Setup setup{{800, 600, 1.0}, viewport, {}, projection, {}};
+    QVERIFY2(std::abs(circleAspect(setup) - aspect) < kRounding,
+             qPrintable(QString::number(circleAspect(setup), 'g', 17)));
 }
 
 void TestProportions::aWindowPositionHasItsPlaceInTheProjectionWindow_data()
@@ -84,8 +84,8 @@ void TestProportions::aWindowPositionHasItsPlaceInTheProjectionWindow()
     QFETCH(glm::dvec2, window);
     QFETCH(glm::dvec2, share);
     QFETCH(glm::dvec2, position);
-    const Picture geometry{{800, 600, 1.0}, viewport, {}, Ortho{-4, 12, -3, 1, 1, 100}, {}};
-    const Proportions p = proportions(geometry, WindowPoint(window.x, window.y, 0.5));
+    const Setup setup{{800, 600, 1.0}, viewport, {}, Ortho{-4, 12, -3, 1, 1, 100}, {}};
+    const Proportions p = proportions(setup, WindowPoint(window.x, window.y, 0.5));
     QCOMPARE(p.share.x, share.x);
     QCOMPARE(p.share.y, share.y);
     QCOMPARE(p.position.x, position.x);

@@ -15,6 +15,9 @@
 namespace {
 
 using namespace ray_meshes;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
+using namespace unprojector::ray;
 using Tree = RayCaster::Tree;
 
 std::shared_ptr<const RayCaster> built(const std::shared_ptr<const Model> &model, Tree tree)

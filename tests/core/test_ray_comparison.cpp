@@ -10,6 +10,8 @@
 
 using namespace unprojector;
 using namespace unprojector::ray;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 Q_DECLARE_METATYPE(RayComparison::Kind)
 
@@ -17,11 +19,11 @@ namespace {
 
 using Kind = RayComparison::Kind;
 
-const Picture kPicture{{800, 600, 1.0},
-                       {0.0, 0.0, 800.0, 600.0},
-                       {},
-                       Frustum{-0.8, 0.8, -0.6, 0.6, 2.0, 10.0},
-                       LookAt{WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
+const Setup kPicture{{800, 600, 1.0},
+                     {0.0, 0.0, 800.0, 600.0},
+                     {},
+                     Frustum{-0.8, 0.8, -0.6, 0.6, 2.0, 10.0},
+                     LookAt{WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
 
 /// z = 20 / (2.5 + 1.5) = 5: on the plane z = 0. A step there is 25 * 8 / 20 / (2^24 - 1).
 constexpr double kStep = 10.0 / 16777215.0;

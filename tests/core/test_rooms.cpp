@@ -144,6 +144,7 @@ private slots:
     void waysToHeavyHeadersAreFound();
     void heavyHeadersStayInTheirRooms_data();
     void heavyHeadersStayInTheirRooms();
+    void noHeaderTakesANamespace();
     void namesThatWindowsTakesAreFound();
     void noNameIsAMacroOfWindows();
 };
@@ -283,6 +284,19 @@ void TestRooms::heavyHeadersStayInTheirRooms()
         QVERIFY2(way.isEmpty(), qPrintable(way));
     }
     QVERIFY(count > 200);
+}
+
+/// A header with "using namespace" passes the names of a namespace on to everything that includes it.
+void TestRooms::noHeaderTakesANamespace()
+{
+    static const QRegularExpression directive(QStringLiteral("^\\s*(using namespace [\\w:]+)"),
+                                              QRegularExpression::MultilineOption);
+    QCOMPARE(matchesIn(QStringLiteral("// using namespace a;\nusing b::c;\n    using namespace d::e;\n"), directive),
+             QStringList{QStringLiteral("using namespace d::e")});
+    for (const QString &file : sourcesUnder({"core", "gui", "tests"})) {
+        if (!file.endsWith(QLatin1String(".cpp")))
+            QVERIFY2(matchesIn(textOf(file), directive).isEmpty(), qPrintable(file));
+    }
 }
 
 void TestRooms::namesThatWindowsTakesAreFound()

@@ -19,6 +19,7 @@ using namespace unprojector::scene;
 using namespace unprojector::scene_file;
 using namespace unprojector::unproject;
 using namespace scene_texts;
+using namespace unprojector::mesh;
 
 class TestSceneDescription : public QObject {
     Q_OBJECT
@@ -57,17 +58,17 @@ void TestSceneDescription::aWindowsSceneSurvivesASave()
     scene.clipDistancesFitObjects = false;
     for (const bool follows : {true, false}) {
         scene.projectionFollowsViewport = follows;
-        const Picture geometry = pictureOf(scene, {1001, 751, 1.25}, {}).value();
-        SceneFile file = sceneFileFrom(scene, geometry, "/there/scene.json");
+        const Setup setup = setupOf(scene, {1001, 751, 1.25}, {}).value();
+        SceneFile file = sceneFileFrom(scene, setup, "/there/scene.json");
         QVERIFY(file.objects[0].file == std::filesystem::path("models") / "a.obj");
         QCOMPARE(file.objects[1].bundled, "Teapot");
         file = parsed(written(file));
 
         // Another program sees what the window showed.
-        const Picture shown = byParameters(pictureOf(file)).value();
-        QVERIFY(shown.surface == geometry.surface && shown.viewport == geometry.viewport);
-        QVERIFY(shown.projection() == geometry.projection() && shown.depthRange == geometry.depthRange);
-        QVERIFY(shown.camera() == geometry.camera());
+        const Setup shown = byParameters(setupOf(file)).value();
+        QVERIFY(shown.surface == setup.surface && shown.viewport == setup.viewport);
+        QVERIFY(shown.projection() == setup.projection() && shown.depthRange == setup.depthRange);
+        QVERIFY(shown.camera() == setup.camera());
 
         const Scene again =
             sceneFromFile(file, "/there/scene.json", objectsWith(model, file, "/there/scene.json")).value();
@@ -75,18 +76,18 @@ void TestSceneDescription::aWindowsSceneSurvivesASave()
         QVERIFY(again.viewport == scene.viewport && again.depthRange == scene.depthRange);
         QCOMPARE(again.projectionFollowsViewport, follows);
         QVERIFY(!again.clipDistancesFitObjects);
-        QVERIFY(pictureOf(again, geometry.surface, {}).value().projection() == geometry.projection());
+        QVERIFY(setupOf(again, setup.surface, {}).value().projection() == setup.projection());
         QVERIFY(again.objects[0].file == scene.objects[0].file && again.objects[1].file.empty());
         QVERIFY(again.objects[0].transform == scene.objects[0].transform);
         QVERIFY(!again.objects[0].isHidden && again.objects[1].isHidden);
         QVERIFY(again.clipPlanes == scene.clipPlanes);
         QVERIFY(again.landmarks == scene.landmarks);
         QCOMPARE(again.clipPlanesOff.size(), std::size_t(1));
-        QVERIFY(again.clipPlanesOff[0].place == 0 && again.clipPlanesOff[0].plane == scene.clipPlanesOff[0].plane);
+        QVERIFY(again.clipPlanesOff[0].index == 0 && again.clipPlanesOff[0].plane == scene.clipPlanesOff[0].plane);
     }
 
     // Of a scene that has no file yet the paths are absolute, and a bundled model has none.
-    const SceneFile unnamed = sceneFileFrom(scene, pictureOf(scene, {100, 75, 1}, {}).value(), {});
+    const SceneFile unnamed = sceneFileFrom(scene, setupOf(scene, {100, 75, 1}, {}).value(), {});
     QVERIFY(unnamed.objects[0].file.is_absolute());
     QVERIFY(unnamed.objects[1].file.empty() && unnamed.objects[1].bundled == "Teapot");
 }
@@ -130,7 +131,7 @@ void TestSceneDescription::aSceneSavedElsewhereKeepsUnknownKeys()
     const SceneFile before = readSceneFile(source).value();
     const Scene scene = sceneFromFile(before, source, objectsWith(model, before, source)).value();
     const std::filesystem::path written = root / target.toStdU16String();
-    const SceneFile after = sceneFileFrom(scene, pictureOf(scene, {801, 599, 1.25}, {}).value(), written);
+    const SceneFile after = sceneFileFrom(scene, setupOf(scene, {801, 599, 1.25}, {}).value(), written);
     QVERIFY(writeSceneFile(written, after).hasValue());
     const SceneFile again = readSceneFile(written).value();
     const Json json = Json::parse(sceneText(again).value());
@@ -150,14 +151,14 @@ void TestSceneDescription::unknownKeysGoWithTheirObject()
     Scene scene = sceneFromFile(file, "scene.json", objectsWith(std::make_shared<Model>(), file, "scene.json")).value();
     scene.objects[0].name = "other name";
     std::swap(scene.objects[0], scene.objects[1]);
-    const Picture picture = pictureOf(scene, {800, 600, 1}, {}).value();
-    const Json json = Json::parse(sceneText(sceneFileFrom(scene, picture, "there.json")).value());
+    const Setup setup = setupOf(scene, {800, 600, 1}, {}).value();
+    const Json json = Json::parse(sceneText(sceneFileFrom(scene, setup, "there.json")).value());
     QVERIFY(json["author"] == "A");
     QVERIFY(json.contains("viewport") && json["conventions"] == "opengl");
     QVERIFY(json["objects"][1]["colour"] == "red" && !json["objects"][0].contains("colour"));
     QVERIFY(json["ui"]["clipPlanesOff"][0]["by"] == "hand");
     // A click has the numbers of its picture alone.
-    const Click click = clickOf(pickAt(picture, {50, 37}, {0.5, 0}).value(), scene);
+    const Click click = clickOf(pickAt(setup, {50, 37}, {0.5, 0}).value(), scene);
     const Json clicked = Json::parse(sceneText(click.scene).value());
     QVERIFY(!clicked.contains("author") && !clicked.contains("conventions"));
     QVERIFY(!clicked["objects"][1].contains("colour"));
@@ -262,8 +263,8 @@ void TestSceneDescription::aModelBehindALinkStaysTheSame()
     Scene scene;
     scene.objects = {{"m", root / model.toStdU16String(), std::make_shared<Model>(), {}}};
     const std::filesystem::path sceneFile = root / target.toStdU16String();
-    const Picture picture = pictureOf(scene, {100, 75, 1}, {}).value();
-    const SceneFile written = sceneFileFrom(scene, picture, sceneFile);
+    const Setup setup = setupOf(scene, {100, 75, 1}, {}).value();
+    const SceneFile written = sceneFileFrom(scene, setup, sceneFile);
     QCOMPARE(QString::fromStdU16String(written.objects[0].file.generic_u16string()), path);
     const std::filesystem::path read = objectFile(written.objects[0], sceneFile);
     if (std::filesystem::exists(scene.objects[0].file))
@@ -279,7 +280,7 @@ void TestSceneDescription::theDepthRangeOfAClickIsInSinglePrecision()
     Scene scene;
     scene.depthRange = {0.0, 0.3};
     const DepthRange drawn{0.0, double(0.3f)};
-    const Picture shown = pictureOf(scene, {100, 75, 1}, {}).value();
+    const Setup shown = setupOf(scene, {100, 75, 1}, {}).value();
     QVERIFY(shown.depthRange == drawn);
     const SceneFile saved = parsed(written(sceneFileFrom(scene, shown, "scene.json")));
     QVERIFY(saved.depthRange == scene.depthRange);
@@ -288,8 +289,8 @@ void TestSceneDescription::theDepthRangeOfAClickIsInSinglePrecision()
     const DepthSample sample{drawn.atFar, 0};
     const Click click = clickOf(pickAt(shown, {50, 37}, sample).value(), scene);
     QVERIFY(click.scene.depthRange == drawn);
-    QVERIFY(pickAt(pictureOf(click.scene), {50, 37}, sample).hasValue());
-    const Result<Pick> refused = pickAt(pictureOf(saved), {50, 37}, sample);
+    QVERIFY(pickAt(setupOf(click.scene), {50, 37}, sample).hasValue());
+    const Result<Pick> refused = pickAt(setupOf(saved), {50, 37}, sample);
     QVERIFY(!refused && refused.error().code == ErrorCode::DepthOutsideRange);
 }
 

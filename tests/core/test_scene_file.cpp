@@ -71,7 +71,7 @@ void TestSceneFile::everyKeyIsRead()
     QCOMPARE(scene.ui.clipDistancesFitObjects, std::optional(false));
     QVERIFY(scene.ui.home == (LookAt{{9, 8, 7}, {0, 0, 0}, {0, 1, 0}}));
     QCOMPARE(scene.ui.clipPlanesOff.size(), std::size_t(1));
-    QCOMPARE(scene.ui.clipPlanesOff[0].place, std::size_t(1));
+    QCOMPARE(scene.ui.clipPlanesOff[0].index, std::size_t(1));
     QVERIFY(scene.ui.clipPlanesOff[0].plane == glm::dvec4(0, 0, 1, 2));
 
     using namespace unprojector::landmarks;
@@ -89,16 +89,16 @@ void TestSceneFile::everyKeyIsRead()
                          true,
                          {}}));
     QVERIFY(set.landmarks[1] == (Landmark{"", WorldPoint(1e-300, 2, 3), "", AtVertex{7}, {}, "", {}, false, {}}));
-    QVERIFY(set.landmarks[2].hold == Hold(OnEdge{{5, 6}, 0.75}));
+    QVERIFY(set.landmarks[2].anchor == Anchor(OnEdge{{5, 6}, 0.75}));
     QVERIFY(set.landmarks[3].isMissing());
     QCOMPARE(set.curves.size(), std::size_t(2));
     QVERIFY(set.curves[0] == (Curve{"brow", {"Nasion", "e"}, CurveKind::PlaneSection, 12, {}, {}}));
     QVERIFY(set.curves[1]
             == (Curve{"as read", {}, CurveKind::Geodesic, 2, {WorldPoint(1, 2, 3), WorldPoint(4, 5, 0.1)}, {}}));
 
-    const Picture geometry = pictureOf(scene);
-    QVERIFY(geometry.surface == (Surface{801, 599, 1.25}));
-    QVERIFY(geometry.viewport == *scene.viewport);
+    const Setup setup = setupOf(scene);
+    QVERIFY(setup.surface == (Surface{801, 599, 1.25}));
+    QVERIFY(setup.viewport == *scene.viewport);
     QVERIFY(objectFile(scene.objects[0], "/there/scene.json") == std::filesystem::path("/there/models/face.obj"));
 }
 
@@ -108,7 +108,7 @@ void TestSceneFile::whatIsLeftOutHasItsDefault()
     QCOMPARE(scene.devicePixelRatio, 1.0);
     QVERIFY(!scene.viewport && scene.objects.empty() && scene.clipPlanes.empty());
     QVERIFY(scene.depthRange == (DepthRange{0, 1}));
-    QVERIFY(pictureOf(scene).viewport == (Viewport{0, 0, 800, 600}));
+    QVERIFY(setupOf(scene).viewport == (Viewport{0, 0, 800, 600}));
     QVERIFY(!scene.ui.viewportRule && !scene.ui.home && !scene.ui.projectionFollowsViewport);
 }
 

@@ -32,7 +32,7 @@ Scene opened(const SceneFile &file)
 
 SceneFile saved(const Scene &scene)
 {
-    const SceneFile file = sceneFileFrom(scene, pictureOf(scene, kSurface, {}).value(), "/there/saved.json");
+    const SceneFile file = sceneFileFrom(scene, setupOf(scene, kSurface, {}).value(), "/there/saved.json");
     return parseScene(sceneText(file).value(), "saved.json").value();
 }
 
@@ -146,8 +146,8 @@ void TestSceneMatrices::aClickOnAReversedMatrixIsComputedAgain()
     const Scene scene = opened(
         parsed(R"({"type": "matrix", "ndcDepth": [0, 1], "matrix": [1.1,0,0,0, 0,1.3,0,0, 0,0,0.125,-1, 0,0,1.125,0]})",
                kTurned));
-    const Pick pick = pickAt(pictureOf(scene, kSurface, {}).value(), {320, 240}, DepthSample{0.5, 0}).value();
-    const Picture again = pictureOf(clickOf(pick, scene).scene);
+    const Pick pick = pickAt(setupOf(scene, kSurface, {}).value(), {320, 240}, DepthSample{0.5, 0}).value();
+    const Setup again = setupOf(clickOf(pick, scene).scene);
     const WorldPoint point = unprojectedAt(again, pick.window).world[Method::Matrix].value();
     QVERIFY(distance(point, pick.point.world[Method::Matrix].value()) < 1e-9);
 }
@@ -158,7 +158,7 @@ void TestSceneMatrices::projectionsThatFollowTheWindowAreWrittenAsShown()
     Scene scene = opened(file);
     scene.projectionFollowsViewport = true;
     const SceneFile again = saved(scene);
-    QVERIFY(std::get<Projection>(again.projection) == pictureOf(scene, kSurface, {}).value().projection());
+    QVERIFY(std::get<Projection>(again.projection) == setupOf(scene, kSurface, {}).value().projection());
 }
 
 QTEST_GUILESS_MAIN(TestSceneMatrices)

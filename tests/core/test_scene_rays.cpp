@@ -22,17 +22,21 @@
 namespace {
 
 using namespace ray_meshes;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
+using namespace unprojector::ray;
+using namespace unprojector::unproject;
 using unprojector::scene::SceneObject;
 
 const LookAt kCamera{WorldPoint(1.0, 2.0, 6.0), WorldPoint(0.1, -0.2, 0.3), {0.0, 1.0, 0.1}};
 
-Picture pictureWith(const Lens &lens, const DepthRange &range = {}, const Pose &pose = kCamera)
+Setup pictureWith(const Lens &lens, const DepthRange &range = {}, const Pose &pose = kCamera)
 {
     const Surface surface{640, 480, 1.0};
     return {surface, wholeSurface(surface), range, lens, pose};
 }
 
-Picture usualPicture()
+Setup usualPicture()
 {
     return pictureWith(Perspective{radiansFromDegrees(45.0), 4.0 / 3.0, 1.0, 20.0});
 }
@@ -42,12 +46,12 @@ struct Clicked {
     std::vector<SceneObject> objects;
     std::vector<glm::dvec4> clipPlanes = {};
 
-    SceneRays rays(const Picture &picture) const
+    SceneRays rays(const Setup &setup) const
     {
         std::vector<std::shared_ptr<const RayCaster>> casters;
         for (const SceneObject &object : objects)
             casters.push_back(RayCaster::build(object.model, {}));
-        return SceneRays(*Unprojector::of(picture), objects, casters, clipPlanes);
+        return SceneRays(*Unprojector::of(setup), objects, casters, clipPlanes);
     }
     std::optional<SceneHit> at(const DevicePoint &position) const { return *rays(usualPicture()).at(position); }
 };
@@ -64,7 +68,7 @@ std::shared_ptr<Model> wallAt(float z)
 }
 
 /// Looks down -z from z = 5; near 1, far 11: z from 4 to -6.
-Picture straightPicture()
+Setup straightPicture()
 {
     return pictureWith(Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 11.0}, {},
                        LookAt{WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
@@ -109,7 +113,7 @@ private slots:
 
 void TestSceneRays::hitsAreSeenWhereTheClickWas_data()
 {
-    QTest::addColumn<Picture>("picture");
+    QTest::addColumn<Setup>("picture");
     const Perspective perspective{radiansFromDegrees(40.0), 4.0 / 3.0, 0.5, 50.0};
     const Ortho ortho{-2.0, 2.0, -1.5, 1.5, 0.5, 50.0};
     const auto matrixOf = [](const Projection &projection) {
@@ -130,14 +134,14 @@ void TestSceneRays::hitsAreSeenWhereTheClickWas_data()
     sheared[1][0] += 0.1; // no known projection
     QTest::newRow("matrix of no known form") << pictureWith(MatrixProjection{sheared, std::nullopt});
     QTest::newRow("view by matrix") << pictureWith(perspective, {}, eyeFromWorld(*eyeFrame(kCamera)));
-    Picture part = pictureWith(perspective);
+    Setup part = pictureWith(perspective);
     part.viewport = {100.0, 50.0, 320.0, 240.0};
     QTest::newRow("viewport in a part of the window") << part;
 }
 
 void TestSceneRays::hitsAreSeenWhereTheClickWas()
 {
-    QFETCH(Picture, picture);
+    QFETCH(Setup, picture);
     const SceneRays rays = Clicked{{objectOf(cubeSphere(40))}}.rays(picture);
     Aim aim(1);
     int hits = 0;
@@ -215,9 +219,9 @@ void TestSceneRays::nearAndFarEndTheRay()
 
 void TestSceneRays::outsideThePictureNothingIsMet()
 {
-    Picture picture = straightPicture();
-    picture.viewport = {100.0, 60.0, 320.0, 240.0}; // from the top: 180 to 420
-    const SceneRays rays = Clicked{{objectOf(wallAt(0.0f))}}.rays(picture);
+    Setup setup = straightPicture();
+    setup.viewport = {100.0, 60.0, 320.0, 240.0}; // from the top: 180 to 420
+    const SceneRays rays = Clicked{{objectOf(wallAt(0.0f))}}.rays(setup);
     const auto isHit = [&rays](double x, double y) { return (*rays.at(DevicePoint(x, y))).has_value(); };
     QVERIFY(isHit(100.5, 180.5) && isHit(419.5, 419.5));
     QVERIFY(!isHit(99.5, 200.5) && !isHit(420.5, 200.5) && !isHit(200.5, 179.5) && !isHit(200.5, 420.5));
@@ -304,7 +308,7 @@ void TestSceneRays::distances()
     const DevicePoint corner(0.0, 0.0);
     const auto hit = *clicked.rays(straightPicture()).at(corner);
     QVERIFY(std::abs(hit->distance - std::sqrt(9.0 + 9.0 + 81.0 / 16.0)) < 1e-14); // from (0, 0, 5) to (-3, 9/4, 2)
-    Picture box = straightPicture();
+    Setup box = straightPicture();
     box.lens = Ortho{-1.0, 1.0, -1.0, 1.0, 1.0, 11.0};
     QCOMPARE((*clicked.rays(box).at(corner))->distance, 2.0); // from the near plane, z = 4
 }
@@ -340,7 +344,7 @@ void TestSceneRays::farWorldsKeepTheirMillimetres()
     const glm::dvec3 place(4e6, 5e5, 300.0);
     model->meshes[0].origin = place;
     model->bounds = boundsOf(model->meshes);
-    Picture distant = usualPicture();
+    Setup distant = usualPicture();
     distant.camera() = {WorldPoint(place + glm::dvec3(1, 2, 6)), WorldPoint(place + glm::dvec3(0.1, -0.2, 0.3)),
                         kCamera.up};
     const SceneRays farRays = Clicked{{objectOf(model)}}.rays(distant);
@@ -408,9 +412,9 @@ void TestSceneRays::uncertaintyHoldsWhatIsRounded()
     setPositions(mesh, originFor(box), exact);
     QVERIFY(!mesh.remainders.empty());
     const auto model = modelOf(std::move(mesh));
-    Picture picture = usualPicture();
-    picture.camera() = {WorldPoint(offset, 0.0, 9.0), WorldPoint(offset, 0.0, 0.0), kCamera.up};
-    const SceneRays rays = Clicked{{objectOf(model)}}.rays(picture);
+    Setup setup = usualPicture();
+    setup.camera() = {WorldPoint(offset, 0.0, 9.0), WorldPoint(offset, 0.0, 0.0), kCamera.up};
+    const SceneRays rays = Clicked{{objectOf(model)}}.rays(setup);
     int hits = 0, outside = 0;
     std::vector<double> ratios;
     const auto click = [&](const DevicePoint &position) {
@@ -439,9 +443,9 @@ void TestSceneRays::uncertaintyHoldsWhatIsRounded()
     // Thin ones have to be aimed at.
     for (std::size_t i = 0; i < exact.size(); i += 3) {
         const glm::dvec3 middle = (exact[i] + exact[i + 1] + exact[i + 2]) / 3.0;
-        const auto seen = windowFromWorld(picture, WorldPoint(middle));
+        const auto seen = windowFromWorld(setup, WorldPoint(middle));
         if (seen)
-            click(deviceFromWindow(picture.surface, *seen));
+            click(deviceFromWindow(setup.surface, *seen));
     }
     std::sort(ratios.begin(), ratios.end());
     QVERIFY2(hits > (thickness < 1e-3 ? 50 : 2000), qPrintable(QString::number(hits)));

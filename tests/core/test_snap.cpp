@@ -21,10 +21,15 @@
 namespace {
 
 using namespace ray_meshes;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
+using namespace unprojector::ray;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 using unprojector::scene::SceneObject;
 
 /// Looks down -z from z = 5: the plane z = 0 is 10 wide and 7.5 high, 64 pixels a unit.
-Picture straightPicture()
+Setup straightPicture()
 {
     const Surface surface{640, 480, 1.0};
     return {surface,
@@ -35,7 +40,7 @@ Picture straightPicture()
 }
 
 SceneRays raysOf(const std::vector<std::shared_ptr<Model>> &models, const std::vector<glm::dvec4> &planes = {},
-                 const Picture &picture = straightPicture())
+                 const Setup &setup = straightPicture())
 {
     std::vector<SceneObject> objects;
     std::vector<std::shared_ptr<const RayCaster>> casters;
@@ -43,7 +48,7 @@ SceneRays raysOf(const std::vector<std::shared_ptr<Model>> &models, const std::v
         objects.push_back({"object", {}, model, {}});
         casters.push_back(RayCaster::build(model, {}));
     }
-    return SceneRays(*Unprojector::of(picture), objects, casters, planes);
+    return SceneRays(*Unprojector::of(setup), objects, casters, planes);
 }
 
 /// Where a point of the plane z = 0 is seen, and so many pixels beside it.
@@ -194,14 +199,14 @@ void TestSnap::hiddenAndClippedCornersAreNotTaken()
 void TestSnap::everySnapIsExactOnAMesh()
 {
     const auto model = cubeSphere(12);
-    const Picture picture = straightPicture();
+    const Setup setup = straightPicture();
     const SceneRays rays = raysOf({model});
     Aim aim(1);
     int vertices = 0, edges = 0;
     for (int i = 0; i < 60; ++i) {
         const DevicePoint click = seen(2.4 * aim.share() - 1.2, 2.4 * aim.share() - 1.2);
         const auto pixels = [&](const SceneHit &hit) {
-            return distance(deviceFromWindow(picture.surface, *windowFromWorld(picture, hit.world)), click);
+            return distance(deviceFromWindow(setup.surface, *windowFromWorld(setup, hit.world)), click);
         };
         const auto vertex = *rays.at(click, Snap::Vertex), edge = *rays.at(click, Snap::Edge);
         if (vertex) {
@@ -236,8 +241,8 @@ void TestSnap::sliversSnapAsTestingAll()
 {
     QFETCH(Lens, lens);
     QFETCH(Tree, tree);
-    Picture picture = straightPicture();
-    picture.lens = lens;
+    Setup setup = straightPicture();
+    setup.lens = lens;
     Aim aim(5);
     std::vector<glm::vec3> corners;
     for (int i = 0; i < 1500; ++i) {
@@ -250,7 +255,7 @@ void TestSnap::sliversSnapAsTestingAll()
     const std::vector<SceneObject> objects{
         {"object", {}, model, {Translate{{0.1, -0.2, 0.0}}, Scale{glm::dvec3(1.1)}}}};
     const std::vector<std::shared_ptr<const RayCaster>> casters{RayCaster::build(model, {}, tree)};
-    const SceneRays rays(*Unprojector::of(picture), objects, casters, {});
+    const SceneRays rays(*Unprojector::of(setup), objects, casters, {});
     const glm::dmat4 matrix = worldFromObject(objects[0].transform);
     struct Seen {
         WorldPoint world;
@@ -259,7 +264,7 @@ void TestSnap::sliversSnapAsTestingAll()
     std::vector<Seen> all;
     for (const glm::vec3 &corner : corners) {
         const WorldPoint world(glm::dvec3(matrix * glm::dvec4(glm::dvec3(corner), 1.0)));
-        all.push_back({world, deviceFromWindow(picture.surface, *windowFromWorld(picture, world))});
+        all.push_back({world, deviceFromWindow(setup.surface, *windowFromWorld(setup, world))});
     }
     const auto isHidden = [&](const Seen &seen) {
         if (!rays.rays().isInPicture(seen.at))
@@ -285,7 +290,7 @@ void TestSnap::sliversSnapAsTestingAll()
         QVERIFY(distance(hit->world, nearest->world) < 1e-9);
         const auto edge = *rays.at(click, Snap::Edge);
         QVERIFY(edge);
-        const DevicePoint at = deviceFromWindow(picture.surface, *windowFromWorld(picture, edge->world));
+        const DevicePoint at = deviceFromWindow(setup.surface, *windowFromWorld(setup, edge->world));
         QVERIFY(distance(at, click) <= distance(nearest->at, click) + 1e-6);
     }
     QVERIFY2(hits > 60, qPrintable(QString::number(hits)));
@@ -304,11 +309,11 @@ void TestSnap::aCornerBehindAnotherIsNotTaken()
         setPositions(mesh, glm::dvec3(0.0), places);
         mesh.indices = {4, 5, 7, 4, 7, 6, 0, 3, 1, 0, 2, 3, 0, 1, 5, 0, 5, 4,
                         2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
-        Picture picture = straightPicture();
-        picture.lens = Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0};
-        picture.camera() = LookAt{WorldPoint(5.0 * z), WorldPoint(0.0, 0.0, 0.0), WorldVector(y)};
-        const SceneRays rays = raysOf({modelOf(std::move(mesh))}, {}, picture);
-        const DevicePoint corner = deviceFromWindow(picture.surface, *windowFromWorld(picture, WorldPoint(places[7])));
+        Setup setup = straightPicture();
+        setup.lens = Ortho{-2.0, 2.0, -1.5, 1.5, 1.0, 11.0};
+        setup.camera() = LookAt{WorldPoint(5.0 * z), WorldPoint(0.0, 0.0, 0.0), WorldVector(y)};
+        const SceneRays rays = raysOf({modelOf(std::move(mesh))}, {}, setup);
+        const DevicePoint corner = deviceFromWindow(setup.surface, *windowFromWorld(setup, WorldPoint(places[7])));
         for (const glm::dvec2 &off : {glm::dvec2(3.0, -2.0), glm::dvec2(-3.0, 2.0), glm::dvec2(0.0)}) {
             const DevicePoint click(corner.x + off.x, corner.y + off.y);
             const auto vertex = *rays.at(click, Snap::Vertex), edge = *rays.at(click, Snap::Edge);
@@ -329,9 +334,9 @@ void TestSnap::whatIsTakenIsAsSureAsItsVertices()
             corner = aim.direction();
         Mesh mesh;
         setPositions(mesh, glm::dvec3(0.0), file);
-        const Picture picture = straightPicture();
-        const SceneRays rays = raysOf({modelOf(std::move(mesh))}, {}, picture);
-        const DevicePoint corner = deviceFromWindow(picture.surface, *windowFromWorld(picture, WorldPoint(file[0])));
+        const Setup setup = straightPicture();
+        const SceneRays rays = raysOf({modelOf(std::move(mesh))}, {}, setup);
+        const DevicePoint corner = deviceFromWindow(setup.surface, *windowFromWorld(setup, WorldPoint(file[0])));
         if (const auto hit = *rays.at(corner, Snap::Vertex)) {
             ++vertices;
             const glm::dvec3 stated = hit->uncertainty.coordinates();
@@ -339,7 +344,7 @@ void TestSnap::whatIsTakenIsAsSureAsItsVertices()
             QVERIFY(glm::all(glm::lessThan(stated, glm::dvec3(1e-15)))); // rounding in double
         }
         const WorldPoint middle(0.5 * (file[0] + file[1]));
-        const DevicePoint between = deviceFromWindow(picture.surface, *windowFromWorld(picture, middle));
+        const DevicePoint between = deviceFromWindow(setup.surface, *windowFromWorld(setup, middle));
         if (const auto hit = *rays.at(between, Snap::Edge)) {
             ++edges;
             const auto &[from, to] = hit->triangle->edge.ids;
@@ -418,15 +423,15 @@ void TestSnap::pointsAnswerAsTestingAll_data()
 void TestSnap::pointsAnswerAsTestingAll()
 {
     QFETCH(Lens, lens);
-    Picture picture = straightPicture();
-    picture.lens = lens;
+    Setup setup = straightPicture();
+    setup.lens = lens;
     Aim aim(2);
     std::vector<glm::vec3> points(3000);
     for (glm::vec3 &point : points)
         point = glm::vec3(2.0 * aim.share() * aim.direction());
-    const SceneRays rays = raysOf({pointsAt(points)}, {}, picture);
-    const auto placeOf = [&picture](const WorldPoint &point) {
-        return deviceFromWindow(picture.surface, *windowFromWorld(picture, point));
+    const SceneRays rays = raysOf({pointsAt(points)}, {}, setup);
+    const auto placeOf = [&setup](const WorldPoint &point) {
+        return deviceFromWindow(setup.surface, *windowFromWorld(setup, point));
     };
     std::vector<DevicePoint> places;
     places.reserve(points.size());
@@ -443,7 +448,7 @@ void TestSnap::pointsAnswerAsTestingAll()
             if (!front || points[k].z > points[*front].z)
                 front = k;
             const double off = std::max(std::abs(places[k].x - click.x), std::abs(places[k].y - click.y));
-            if (off <= pointPixels(picture.surface) / 2.0 && (!drawn || points[k].z > points[*drawn].z))
+            if (off <= pointPixels(setup.surface) / 2.0 && (!drawn || points[k].z > points[*drawn].z))
                 drawn = k;
         }
         const auto hit = *rays.at(click);
@@ -458,7 +463,7 @@ void TestSnap::pointsAnswerAsTestingAll()
         }
         const glm::dvec3 &world = hit->world.coordinates();
         const double pixel =
-            lens.index() == 0 && isPerspective(picture.projection()) ? (5.0 - points[*front].z) / 320.0 : 4.0 / 640.0;
+            lens.index() == 0 && isPerspective(setup.projection()) ? (5.0 - points[*front].z) / 320.0 : 4.0 / 640.0;
         QVERIFY(points[*front].z - world.z <= 1.001 * 4.0 * 2.0 * kSnapPixels * pixel);
         const double own = distance(placeOf(hit->world), click);
         for (std::size_t k = 0; k < points.size(); ++k) // no other front one is nearer to the click

@@ -18,6 +18,9 @@
 #include <vector>
 
 using namespace source_examples;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -89,7 +92,7 @@ int undeclaredIn(const std::string &text)
 void errorsOfThePaper(Errata &errors)
 {
     // Off the middle, so that nothing is 0 or hidden by symmetry.
-    const Picture frustum = pictureBy(Frustum{-1, 3, -2, 1, 2, 10}, kFromOrigin);
+    const Setup frustum = pictureBy(Frustum{-1, 3, -2, 1, 2, 10}, kFromOrigin);
     const WindowPoint at = windowFromWorld(frustum, WorldPoint(1.5, 0.4, -4)).value();
     const EyePoint eye = unprojectedAt(frustum, at).eye[Method::Formula].value();
     const double zEye = -4;
@@ -106,7 +109,7 @@ void errorsOfThePaper(Errata &errors)
                framebufferRow(surface, clickOf(OtherProgram::Screen2World, frustum, pixel).depthFrom), 579,
                framebufferRow(surface, pixel));
 
-    const Picture before = pictureBy(Perspective{kRightAngle, 4.0 / 3.0, 1, 100}, kFromFive);
+    const Setup before = pictureBy(Perspective{kRightAngle, 4.0 / 3.0, 1, 100}, kFromFive);
     errors.add("error-weng-x-axis", "the side of the middle that x lies on", -1, 1,
                std::copysign(1.0, windowFromWorld(before, WorldPoint(1, 0, 0)).value().x - 400));
     const WindowPoint foot = windowFromWorld(before, WorldPoint(0, 0, 0)).value(),
@@ -141,7 +144,7 @@ void errorsOfThePaper(Errata &errors)
     errors.add("error-weng-bottom", "y_v by the bottom of a rectangle from 40 to 640", 640 - 20.5, 579.5,
                flippedY(surface, 20.5));
 
-    const Picture aside = pictureBy(Perspective{kRightAngle, 4.0 / 3.0, 1, 100}, kFromAside);
+    const Setup aside = pictureBy(Perspective{kRightAngle, 4.0 / 3.0, 1, 100}, kFromAside);
     const Unprojected origin = unprojectedAt(aside, windowFromWorld(aside, WorldPoint(0, 0, 0)).value());
     errors.add("error-weng-eye", "z of the world's origin", origin.eye[Method::Formula].value().z, 0,
                origin.world[Method::Formula].value().z);
@@ -175,7 +178,7 @@ void errorsOfZhangci(Errata &errors)
                windowFromNdc(Viewport{0, 0, 50, 50}, DepthRange{}, NdcPoint(0, 0, 0.5)).z);
 
     // Figure 2.13's own viewport, 400 x 300 at (400, 0) of 800 x 600, clicked at its middle: from the top, row 450.
-    const Picture quarter = pipelineOf("zhangci-viewport-quarter").geometry;
+    const Setup quarter = pipelineOf("zhangci-viewport-quarter").geometry;
     const DevicePixel pixel{600, 450};
     const OtherClick click = clickOf(OtherProgram::Screen2World, quarter, pixel);
     errors.add("error-zhangci-height", "winY", windowFromDevice(quarter.surface, click.position, 0.0).y, 150,
@@ -204,10 +207,8 @@ void errorsOfProjectionDerivation(Errata &errors)
                m0("derivation-perspective"));
     // The circle of radius 5 around (-8, 0, -20).
     const auto widthOverHeight = [](const char *id) {
-        const Picture picture = pipelineOf(id).geometry;
-        const auto at = [&picture](double x, double y) {
-            return windowFromWorld(picture, WorldPoint(x, y, -20)).value();
-        };
+        const Setup setup = pipelineOf(id).geometry;
+        const auto at = [&setup](double x, double y) { return windowFromWorld(setup, WorldPoint(x, y, -20)).value(); };
         return (at(-3, 0).x - at(-13, 0).x) / (at(-8, 5).y - at(-8, -5).y);
     };
     for (const char *id : {"derivation-matrix", "derivation-frustum"})
@@ -261,7 +262,7 @@ void errorsOfOpenCascade(Errata &errors)
     // differs as well: 3 - 3/13.
     errors.add("error-opencascade-depth", "z of the pixel (150, 150) with the depth 0", 0, 99,
                pointsBackward(pipelineOf("opencascade-round-trip"), WindowPoint(150, 150, 0)).world.value().z);
-    const Picture aside = pictureBy(Perspective{kRightAngle, 4.0 / 3.0, 1, 100}, kFromAside);
+    const Setup aside = pictureBy(Perspective{kRightAngle, 4.0 / 3.0, 1, 100}, kFromAside);
     errors.add("error-opencascade-depth", "x of the origin's pixel with the depth 0, from aside", 0, 36.0 / 13.0,
                unprojectedAt(aside, WindowPoint(400, 300, 0)).world[Method::Formula].value().x);
 }

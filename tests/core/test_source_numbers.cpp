@@ -19,6 +19,9 @@
 #include <vector>
 
 using namespace source_examples;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -114,7 +117,7 @@ void zhangciInSpace()
             forward(modelView, PipelineStage::ModelviewMatrix));
 
     // Onto the plane z = 0, along the view: the window point of (1, 1, 5) taken back with the plane's own depth.
-    const Picture box = pictureBy(Ortho{-10, 10, -10, 10, 0, 10}, kFromFive);
+    const Setup box = pictureBy(Ortho{-10, 10, -10, 10, 0, 10}, kFromFive);
     const WindowPoint five = windowFromWorld(box, WorldPoint(1, 1, 5)).value(),
                       zero = windowFromWorld(box, WorldPoint(0, 0, 0)).value();
     rows(
@@ -190,7 +193,7 @@ void projectionDerivation()
     }
 
     // "1, 640/480": a square is none in the CVV, whose sides are equal, and is one again in a viewport of that aspect.
-    const Picture wide{
+    const Setup wide{
         {640, 480, 1.0}, {0, 0, 640, 480}, {}, Perspective{kRightAngle, 640.0 / 480.0, 5, 80000}, kFromOrigin};
     const Pipeline unturned = pipeline(wide, glm::dmat4(1.0)).value();
     const PipelinePoints low = pointsFrom(unturned, {EyePoint(-1, -1, -10)}),
@@ -217,7 +220,7 @@ void openCascade()
 void parallelProjection()
 {
     // The flat projection of its first matrix, z = 0: what is left of an eye point in the window.
-    const Picture box = pictureBy(Ortho{-9, 9, -9, 9, 0, 9}, kFromOrigin);
+    const Setup box = pictureBy(Ortho{-9, 9, -9, 9, 0, 9}, kFromOrigin);
     const WindowPoint at = windowFromWorld(box, WorldPoint(2, 5, -4)).value();
     rows(
         "parallel diag(1, 1, 0, 1)", {"2", "5", "0"},

@@ -10,6 +10,7 @@
 #include <random>
 
 using namespace source_examples;
+using namespace unprojector::geometry;
 
 namespace {
 

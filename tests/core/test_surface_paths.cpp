@@ -15,6 +15,9 @@ namespace {
 
 using namespace unprojector;
 using namespace unprojector::curves;
+using namespace unprojector::geometry;
+using namespace unprojector::landmarks;
+using namespace unprojector::mesh;
 using ray_meshes::kTurn;
 using ray_meshes::modelOf;
 
@@ -137,7 +140,7 @@ Landmark landmarkAt(const Model &model, const glm::dvec3 &at, std::optional<Worl
 {
     const SurfacePlace place = nearestTo(model, at);
     Landmark landmark;
-    landmark.hold = OnTriangle{place.triangle, place.barycentric};
+    landmark.anchor = OnTriangle{place.triangle, place.barycentric};
     landmark.world = WorldPoint(at);
     landmark.uncertainty = uncertainty;
     return landmark;
@@ -381,9 +384,9 @@ void TestSurfacePaths::linesGoThroughAllTheirPoints()
         QVERIFY(line);
         QVERIFY2(std::abs(line->length.value - 1.3) < 1e-7, qPrintable(QString::number(line->length.value, 'g', 12)));
         QVERIFY(std::abs(summed(line->path) - line->length.value) < 1e-12);
-        const auto passes = [&](const Landmark &point) {
+        const auto passes = [&](const Landmark &landmark) {
             return std::any_of(line->path.begin(), line->path.end(), [&](const WorldPoint &place) {
-                return glm::distance(place.coordinates(), point.world->coordinates()) < 1e-7;
+                return glm::distance(place.coordinates(), landmark.world->coordinates()) < 1e-7;
             });
         };
         QVERIFY(passes(a) && passes(b) && passes(c));
@@ -410,7 +413,7 @@ void TestSurfacePaths::linesSayWhatIsWrong()
     const auto surface = surfaceOf(*model);
     const Landmark a = landmarkAt(*model, {0.2, 0.5, 1});
     Landmark free = a;
-    free.hold = Free{};
+    free.anchor = Free{};
     const Landmark missing;
     const auto errorOf = [&](std::vector<const Landmark *> points) {
         const auto line = lineThrough(*surface, points, CurveKind::Geodesic, kAsItIs, {});
@@ -422,7 +425,7 @@ void TestSurfacePaths::linesSayWhatIsWrong()
     // As files may have them: no corner has a weight, or weights that are no numbers together.
     for (const glm::dvec3 &weights : {glm::dvec3(0.0), glm::dvec3(-1.0, 0.0, -0.5), glm::dvec3(1e308)}) {
         Landmark unheld = a;
-        unheld.hold = OnTriangle{0, weights};
+        unheld.anchor = OnTriangle{0, weights};
         QCOMPARE(errorOf({&a, &unheld}), std::pair(int(CurveError::Code::NotOnSurface), std::size_t(1)));
     }
 }

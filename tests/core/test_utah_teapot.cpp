@@ -14,6 +14,9 @@
 #include <vector>
 
 using namespace mesh_measures;
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
 
 namespace {
 

@@ -325,15 +325,15 @@ void TestViewVolume::theObserverSeesEverythingItIsToFrame()
         std::vector<WorldPoint> points{frame.eye};
         for (const EyePoint &corner : viewVolumeCorners(watched))
             points.push_back(worldFromEye(frame, corner));
-        Picture observer{{300, 400, 1.0},
-                         {0.0, 0.0, 300.0, 400.0},
-                         {},
-                         Perspective{0.6, 0.75, 0.1, 1e4},
-                         observerOf(frame, frame.eye)};
+        Setup observer{{300, 400, 1.0},
+                       {0.0, 0.0, 300.0, 400.0},
+                       {},
+                       Perspective{0.6, 0.75, 0.1, 1e4},
+                       observerOf(frame, frame.eye)};
         Framing framing(observer);
         for (const WorldPoint &point : points)
             framing.add(point);
-        observer.camera() = framing.picture().camera();
+        observer.camera() = framing.setup().camera();
         QVERIFY(check(observer).hasValue());
         const EyeFrame from = *eyeFrame(observer.camera());
         QVERIFY(std::abs(std::asin(-from.forward.y) * 180.0 / kPi - 35.0) < 1e-9);

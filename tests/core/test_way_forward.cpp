@@ -140,14 +140,14 @@ void TestWayForward::matrices()
     double worst = 0.0;
     for (int i = 0; i < kScenes; ++i) {
         const oracle::Scene scene = oracle::randomScene(random, kind, {});
-        Picture picture = oracle::corePicture(scene);
-        const glm::dmat4 view = 3.0 * eyeFromWorld(picture).value();
-        const glm::dmat4 projection = clipFromEye(picture).value();
+        Setup setup = oracle::corePicture(scene);
+        const glm::dmat4 view = 3.0 * eyeFromWorld(setup).value();
+        const glm::dmat4 projection = clipFromEye(setup).value();
         const bool isZeroToOne = random.chance(0.5);
-        picture.pose = view;
-        picture.lens = MatrixProjection{projection, isZeroToOne ? NdcDepth::ZeroToOne : NdcDepth::MinusOneToOne};
+        setup.pose = view;
+        setup.lens = MatrixProjection{projection, isZeroToOne ? NdcDepth::ZeroToOne : NdcDepth::MinusOneToOne};
         const oracle::Oracle exact(numbersOf(view), numbersOf(projection), scene.target, isZeroToOne);
-        const WayForward way = WayForward::of(picture).value();
+        const WayForward way = WayForward::of(setup).value();
         const WorldPoint world = roundedPoint(exact.worldUnder(oracle::randomClick(random, scene.target)));
         worst = std::max(worst,
                          worstUlps(way.fromWorld({world.x, world.y, world.z}), exact.forward(oracle::extended(world))));
@@ -182,18 +182,18 @@ void TestWayForward::anglesInDegrees()
 
 void TestWayForward::thePlaneOfTheEye()
 {
-    Picture picture;
-    picture.surface = {800, 600, 1.0};
-    picture.viewport = wholeSurface(picture.surface);
-    picture.lens = Projection(Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 4.0});
-    picture.pose = LookAt{WorldPoint(0, 0, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
-    const PreciseStages stages = WayForward::of(picture).value().fromWorld({1.0, 2.0, 5.0});
+    Setup setup;
+    setup.surface = {800, 600, 1.0};
+    setup.viewport = wholeSurface(setup.surface);
+    setup.lens = Projection(Frustum{-1.0, 1.0, -0.75, 0.75, 1.0, 4.0});
+    setup.pose = LookAt{WorldPoint(0, 0, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
+    const PreciseStages stages = WayForward::of(setup).value().fromWorld({1.0, 2.0, 5.0});
     QCOMPARE(stages.clip[3].value, 0.0);
     QCOMPARE(stages.eye[0].value, 1.0);
     QVERIFY(!std::isfinite(stages.window[0].value));
-    QVERIFY(windowFromWorld(picture, WorldPoint(1, 2, 5)).error().code == ErrorCode::PointAtInfinity);
-    picture.viewport.width = 0.0;
-    QVERIFY(WayForward::of(picture).error().code == ErrorCode::EmptyViewport);
+    QVERIFY(windowFromWorld(setup, WorldPoint(1, 2, 5)).error().code == ErrorCode::PointAtInfinity);
+    setup.viewport.width = 0.0;
+    QVERIFY(WayForward::of(setup).error().code == ErrorCode::EmptyViewport);
 }
 
 QTEST_APPLESS_MAIN(TestWayForward)

@@ -11,8 +11,6 @@
 /// What the tests of the viewport's two halves share: before and behind NDC.
 namespace viewport_checks {
 
-using namespace unprojector::geometry;
-
 inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -20,7 +18,7 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kRoundingPixels = 1e-11;
 inline constexpr double kRoundingNdc = 1e-14;
 
-inline const Error &errorOf(const auto &result)
+inline const unprojector::geometry::Error &errorOf(const auto &result)
 {
     Q_ASSERT(!result);
     return result.error();

@@ -31,7 +31,7 @@ void leadCurves(const landmarks::LandmarkSet &set)
         std::vector<const Landmark *> points;
         for (const std::string &name : curve.points) {
             const auto found = std::find_if(set.landmarks.begin(), set.landmarks.end(),
-                                            [&](const Landmark &point) { return point.name == name; });
+                                            [&](const Landmark &landmark) { return landmark.name == name; });
             if (found != set.landmarks.end() && points.size() < kMostPoints)
                 points.push_back(&*found);
         }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 using namespace unprojector::landmark_files;
+using namespace unprojector::landmarks;
 
 // The name is that which libFuzzer calls. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)

@@ -25,6 +25,10 @@ namespace drawnclicks {
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -58,7 +62,7 @@ SceneObject placed(const std::shared_ptr<const Model> &model, int number)
     return object;
 }
 
-Result<Picture> randomPicture(const SceneObject &object, int number, Random &random)
+Result<Setup> randomPicture(const SceneObject &object, int number, Random &random)
 {
     constexpr double kRatios[] = {1.0, 1.25, 2.0};
     constexpr DepthRange kRanges[] = {{0.0, 1.0}, {1.0, 0.0}, {0.2, 0.9}, {0.0, 0.65}};
@@ -86,7 +90,7 @@ Result<Picture> randomPicture(const SceneObject &object, int number, Random &ran
     scene.projectionFollowsViewport = true;
     scene.clipDistancesFitObjects = number % 4 != 3;
     scene.depthRange = kRanges[number / 3 % 4];
-    return pictureOf(scene, surfaceFromWidget(640, 480, kRatios[number % 3]), Box());
+    return setupOf(scene, surfaceFromWidget(640, 480, kRatios[number % 3]), Box());
 }
 
 } // namespace
@@ -100,10 +104,10 @@ struct Stage::Drawing {
     bool isReady = false;
 
     /// @return whether it is drawn
-    bool draw(const Picture &picture, const SceneObject &object)
+    bool draw(const Setup &setup, const SceneObject &object)
     {
         const FrameContents contents{
-            drawable(picture).value(), {object}, clipFromWorld(picture).value(), eyeFromWorld(picture).value(), {}};
+            drawable(setup).value(), {object}, clipFromWorld(setup).value(), eyeFromWorld(setup).value(), {}};
         if (!frame.begin(contents.drawn))
             return false;
         frame.beginObjects();
@@ -210,12 +214,12 @@ std::optional<Shares> Stage::clicked(const std::shared_ptr<const Model> &model, 
 {
     Random random(number);
     const SceneObject object = placed(model, number);
-    const Result<Picture> asked = randomPicture(object, number, random);
+    const Result<Setup> asked = randomPicture(object, number, random);
     if (!m_drawing->isReady || !asked || !m_drawing->draw(*asked, object))
         return std::nullopt;
-    const Picture &picture = *m_drawing->frame.picture();
-    const Unprojector unprojector = Unprojector::of(picture).value();
-    const EyeFrame axes = eyeFrame(picture.camera()).value();
+    const Setup &setup = *m_drawing->frame.setup();
+    const Unprojector unprojector = Unprojector::of(setup).value();
+    const EyeFrame axes = eyeFrame(setup.camera()).value();
     std::shared_ptr<const ray::RayCaster> &caster = m_drawing->caster;
     if (!caster || &caster->model() != model.get())
         caster = ray::RayCaster::build(std::const_pointer_cast<Model>(model), {});
@@ -224,7 +228,7 @@ std::optional<Shares> Stage::clicked(const std::shared_ptr<const Model> &model, 
     Shares shares;
     const int most = 8 * clicks; // where little of the model is seen
     for (int i = 0; i < most && static_cast<int>(shares.byTriangle.count()) < clicks; ++i) {
-        const DevicePixel pixel{random.below(picture.surface.widthPixels), random.below(picture.surface.heightPixels)};
+        const DevicePixel pixel{random.below(setup.surface.widthPixels), random.below(setup.surface.heightPixels)};
         const DevicePoint centre = pixelCenter(pixel);
         const std::optional<DepthSample> sample = m_drawing->frame.sample(pixel);
         if (!sample)

@@ -12,16 +12,14 @@
 /// double, without a depth buffer.
 namespace drawnclicks {
 
-using namespace unprojector::scene;
-
 // Models of the trial's own.
 
 /// Triangles of the size of a few pixels, each inclined another way.
-std::shared_ptr<Model> roughTerrain(std::uint32_t n);
+std::shared_ptr<unprojector::mesh::Model> roughTerrain(std::uint32_t n);
 /// A twisted wall of triangles that are hundreds of times as long as wide.
-std::shared_ptr<Model> slivers(std::uint32_t n);
+std::shared_ptr<unprojector::mesh::Model> slivers(std::uint32_t n);
 /// The same model somewhere else, about another origin, as it is read from a file of national coordinates.
-std::shared_ptr<Model> movedFarAway(const Model &model);
+std::shared_ptr<unprojector::mesh::Model> movedFarAway(const unprojector::mesh::Model &model);
 
 /// Of what was clicked, how much lies in the box that was stated.
 struct Shares {
@@ -45,7 +43,7 @@ public:
     /// @param number  from 0
     /// @param clicks  on the model, at random pixels
     /// @return nothing when OpenGL draws no picture
-    std::optional<Shares> clicked(const std::shared_ptr<const Model> &model, int number, int clicks);
+    std::optional<Shares> clicked(const std::shared_ptr<const unprojector::mesh::Model> &model, int number, int clicks);
 
     /// measuredCornerShift of the OpenGL that draws.
     double cornerShift(double grid);

@@ -20,6 +20,11 @@
 #include <cmath>
 
 namespace guitest {
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
 
 void redirectSettings()
 {
@@ -219,14 +224,14 @@ glm::dvec2 windowOf(const SceneView &view, const DevicePixel &pixel)
 glm::dvec2 placeOf(const MainWindow &window, const glm::dvec3 &world)
 {
     const Result<WindowPoint> point =
-        windowFromWorld(const_cast<MainWindow &>(window).document().picture(), WorldPoint(world));
+        windowFromWorld(const_cast<MainWindow &>(window).document().setup(), WorldPoint(world));
     return point ? glm::dvec2(point->x, point->y) : glm::dvec2(std::nan(""));
 }
 
 QPointF localOf(const MainWindow &window, const glm::dvec3 &world)
 {
     SceneView &view = const_cast<MainWindow &>(window).view();
-    const Picture &g = const_cast<MainWindow &>(window).document().picture();
+    const Setup &g = const_cast<MainWindow &>(window).document().setup();
     const glm::dvec2 place = placeOf(window, world);
     const WidgetPoint widget =
         widgetFromDevice(g.surface, deviceFromWindow(g.surface, WindowPoint(place.x, place.y, 0.0)));
@@ -282,7 +287,7 @@ double distanceOf(const LookAt &camera, const glm::dvec3 &world)
     return glm::dot(world - camera.eye.coordinates(), forwardOf(camera));
 }
 
-Ray rayThrough(const Picture &g, const glm::dvec2 &window)
+Ray rayThrough(const Setup &g, const glm::dvec2 &window)
 {
     const glm::dvec3 f = forwardOf(g.camera());
     const glm::dvec3 s = glm::normalize(glm::cross(f, g.camera().up.coordinates()));

@@ -17,9 +17,6 @@
 /// pixel to a plane that shares no line with core.
 namespace guitest {
 
-using namespace unprojector;
-using namespace unprojector::gui;
-
 /// Settings go to a folder of the test's own, never to the user's.
 void redirectSettings();
 
@@ -36,22 +33,24 @@ const std::array<Face, 6> &cubeFaces();
 /// Away from the origin, so that the axes, which start there, cross none of its faces.
 inline const glm::dvec3 kCubeCenter{3.25, 1.5, -2.75};
 /// A cube of edge 2 about that centre, a colour a face.
-std::vector<SceneObject> cubeScene();
+std::vector<unprojector::scene::SceneObject> cubeScene();
 /// Two such cubes, the second partly behind the first: their boxes overlap in the picture, seen from kBeforeTwoCubes.
-std::vector<SceneObject> twoCubes();
+std::vector<unprojector::scene::SceneObject> twoCubes();
 inline const std::array<glm::dvec3, 2> kTwoCubeCenters{{kCubeCenter, kCubeCenter + glm::dvec3(-1.2, 0.4, -3.1)}};
-inline const LookAt kBeforeTwoCubes{
-    WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}};
+inline const unprojector::geometry::LookAt kBeforeTwoCubes{
+    unprojector::geometry::WorldPoint(kCubeCenter + glm::dvec3(1.9, 2.3, 7.0)),
+    unprojector::geometry::WorldPoint(kCubeCenter),
+    {0.0, 1.0, 0.0}};
 /// The face whose colour a picture's pixel has under whatever light, or -1: two channels of a face are equal, or one is
 /// all there is, and light scales them alike.
 int faceOfColor(const QColor &color);
 
 /// A plane of 2 x 2 half-edges about a point, both sides visible.
-std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &halfEdge,
-                                    const glm::dvec3 &otherHalfEdge);
+std::vector<unprojector::scene::SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &halfEdge,
+                                                        const glm::dvec3 &otherHalfEdge);
 
-void setClipPlanes(SceneDocument &document, const std::vector<glm::dvec4> &planes);
-void setDepthRange(SceneDocument &document, const DepthRange &range);
+void setClipPlanes(unprojector::gui::SceneDocument &document, const std::vector<glm::dvec4> &planes);
+void setDepthRange(unprojector::gui::SceneDocument &document, const unprojector::geometry::DepthRange &range);
 
 // ---- pictures ----------------------------------------------------------------------------------------------------
 
@@ -61,53 +60,53 @@ int differentPixels(const QImage &a, const QImage &b);
 // ---- windows -----------------------------------------------------------------------------------------------------
 
 /// Shows a window, and waits until it is on the screen and its view ready.
-void bringUp(MainWindow &window);
+void bringUp(unprojector::gui::MainWindow &window);
 
 /// Goes to the workspace of this name.
-void enter(MainWindow &window, const char *name);
+void enter(unprojector::gui::MainWindow &window, const char *name);
 /// The panel of this name that the window has.
-Panel panelNamed(const QString &name);
+unprojector::gui::Panel panelNamed(const QString &name);
 
 /// The one object of a class in the window: a part of a feature.
 template <class Part>
-Part &part(const MainWindow &window)
+Part &part(const unprojector::gui::MainWindow &window)
 {
     return *window.findChild<Part *>();
 }
 /// On the screen, its view ready, without the dock unless asked for. Remembers nothing.
-std::unique_ptr<MainWindow> shownWindow(bool smoothEdges, const QSize &size, bool withDock = false);
+std::unique_ptr<unprojector::gui::MainWindow> shownWindow(bool smoothEdges, const QSize &size, bool withDock = false);
 /// The cube, seen from the right, above and in front, in a window of 500 x 400.
-std::unique_ptr<MainWindow> cubeWindow(bool isOrtho);
+std::unique_ptr<unprojector::gui::MainWindow> cubeWindow(bool isOrtho);
 /// The two cubes in a window of 420 x 360, from kBeforeTwoCubes.
-std::unique_ptr<MainWindow> twoCubesWindow(const DepthRange &range = {});
+std::unique_ptr<unprojector::gui::MainWindow> twoCubesWindow(const unprojector::geometry::DepthRange &range = {});
 /// Lets happen what the last step causes: timers that are due within the time, answers of the window system, layouts and
 /// paints. A busy machine may wake up only after the time; what was due by then happens all the same.
 void settle(int milliseconds = 50);
 /// Resizes and waits until the view has its new size.
-bool resized(MainWindow &window, const QSize &size);
+bool resized(unprojector::gui::MainWindow &window, const QSize &size);
 
 // ---- positions ---------------------------------------------------------------------------------------------------
 
 /// The pixel of the view under a position in it, worked out by hand: the pointer's device pixel in the window less the
 /// device pixel that the view's corner is composed at.
-DevicePixel pixelUnder(const SceneView &view, const QPointF &local);
+unprojector::geometry::DevicePixel pixelUnder(const unprojector::gui::SceneView &view, const QPointF &local);
 /// The window position of a pixel's centre, by hand.
-glm::dvec2 windowOf(const SceneView &view, const DevicePixel &pixel);
+glm::dvec2 windowOf(const unprojector::gui::SceneView &view, const unprojector::geometry::DevicePixel &pixel);
 /// The position in the view of a world point, in logical pixels, not rounded.
-QPointF localOf(const MainWindow &window, const glm::dvec3 &world);
+QPointF localOf(const unprojector::gui::MainWindow &window, const glm::dvec3 &world);
 /// Where a world point stands in the picture, device pixels from the bottom-left corner.
-glm::dvec2 placeOf(const MainWindow &window, const glm::dvec3 &world);
+glm::dvec2 placeOf(const unprojector::gui::MainWindow &window, const glm::dvec3 &world);
 
 // ---- mouse -------------------------------------------------------------------------------------------------------
 
 /// A mouse event at a position between the logical pixels, which QTest cannot give.
-void sendMouse(SceneView &view, QEvent::Type type, const QPointF &local, Qt::MouseButton button,
+void sendMouse(unprojector::gui::SceneView &view, QEvent::Type type, const QPointF &local, Qt::MouseButton button,
                Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers = {});
-void click(SceneView &view, const QPointF &local);
+void click(unprojector::gui::SceneView &view, const QPointF &local);
 /// Press, move in steps, release.
-void drag(SceneView &view, const QPointF &from, const QPointF &to, Qt::MouseButton button,
+void drag(unprojector::gui::SceneView &view, const QPointF &from, const QPointF &to, Qt::MouseButton button,
           Qt::KeyboardModifiers modifiers = {});
-void turnWheel(SceneView &view, const QPointF &local, int notches);
+void turnWheel(unprojector::gui::SceneView &view, const QPointF &local, int notches);
 
 // ---- rays by hand ------------------------------------------------------------------------------------------------
 
@@ -116,10 +115,10 @@ struct Ray {
     glm::dvec3 direction; ///< its component along the view is 1
 };
 /// The ray of a window position: from the arguments of glFrustum, glOrtho and gluLookAt, without a matrix or a depth.
-Ray rayThrough(const Picture &geometry, const glm::dvec2 &window);
+Ray rayThrough(const unprojector::geometry::Setup &setup, const glm::dvec2 &window);
 glm::dvec3 onPlane(const Ray &ray, const glm::dvec3 &point, const glm::dvec3 &normal);
-glm::dvec3 forwardOf(const LookAt &camera);
+glm::dvec3 forwardOf(const unprojector::geometry::LookAt &camera);
 /// Distance from the eye along the view.
-double distanceOf(const LookAt &camera, const glm::dvec3 &world);
+double distanceOf(const unprojector::geometry::LookAt &camera, const glm::dvec3 &world);
 
 } // namespace guitest

@@ -10,33 +10,34 @@
 /// Jobs that fail as on a machine without threads or memory to spare.
 namespace jobfaults {
 
-using namespace unprojector::gui;
-
 /// While this lives, each job fails in this way.
 /// @pre no job runs when it comes and when it goes
 class Fault {
 public:
-    explicit Fault(JobFailure::Kind kind)
+    explicit Fault(unprojector::gui::JobFailure::Kind kind)
     {
-        Background::fault = [kind](Background::Step step) {
-            if (kind == JobFailure::Kind::NoThread && step == Background::Step::Start)
+        unprojector::gui::Background::fault = [kind](unprojector::gui::Background::Step step) {
+            if (kind == unprojector::gui::JobFailure::Kind::NoThread
+                && step == unprojector::gui::Background::Step::Start)
                 throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
-            if (kind == JobFailure::Kind::OutOfMemory && step == Background::Step::Work)
+            if (kind == unprojector::gui::JobFailure::Kind::OutOfMemory
+                && step == unprojector::gui::Background::Step::Work)
                 throw std::bad_alloc();
         };
     }
-    ~Fault() { Background::fault = nullptr; }
+    ~Fault() { unprojector::gui::Background::fault = nullptr; }
     Fault(const Fault &) = delete;
     Fault &operator=(const Fault &) = delete;
 };
 
 inline void addRows()
 {
-    QTest::addColumn<JobFailure::Kind>("kind");
+    QTest::addColumn<unprojector::gui::JobFailure::Kind>("kind");
     QTest::addColumn<QString>("reason");
-    QTest::newRow("no thread") << JobFailure::Kind::NoThread
+    QTest::newRow("no thread") << unprojector::gui::JobFailure::Kind::NoThread
                                << QStringLiteral("the system cannot start another thread");
-    QTest::newRow("no memory") << JobFailure::Kind::OutOfMemory << QStringLiteral("there is not enough memory");
+    QTest::newRow("no memory") << unprojector::gui::JobFailure::Kind::OutOfMemory
+                               << QStringLiteral("there is not enough memory");
 }
 
 } // namespace jobfaults

@@ -6,6 +6,7 @@
 #include "document_edits.h"
 
 using namespace std::chrono_literals;
+using namespace unprojector::gui;
 
 namespace keeping {
 

@@ -17,9 +17,6 @@
 /// that keep unsaved changes there, and a change that a person would not like to lose.
 namespace keeping {
 
-using namespace unprojector;
-using namespace unprojector::gui;
-
 /// Has a key of somebody else's and a model by a relative name.
 inline const QByteArray kScene = R"({"unprojector": 1, "window": {"width": 300, "height": 200},
     "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},
@@ -46,10 +43,10 @@ private:
 };
 
 /// Not on the screen: nothing here needs the view. Asks nothing when it is left.
-std::unique_ptr<MainWindow> windowKeepingIn(const QString &folder);
-bool openAndWait(MainWindow &window, const QString &file);
+std::unique_ptr<unprojector::gui::MainWindow> windowKeepingIn(const QString &folder);
+bool openAndWait(unprojector::gui::MainWindow &window, const QString &file);
 /// A clip plane at height `d`.
-void edit(MainWindow &window, double d = 0.3333333333333333);
+void edit(unprojector::gui::MainWindow &window, double d = 0.3333333333333333);
 /// The recovery files in a folder.
 QStringList keptIn(const QString &folder);
 bool becomesKept(const QString &folder, int count = 1);

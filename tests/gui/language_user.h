@@ -11,13 +11,14 @@
 namespace guitest {
 
 /// A window on the bundled scene, with a pick.
-inline std::unique_ptr<MainWindow> windowIn(const Translation &translation, bool remembers = false)
+inline std::unique_ptr<unprojector::gui::MainWindow> windowIn(const unprojector::gui::Translation &translation,
+                                                              bool remembers = false)
 {
-    MainWindow::Options options;
+    unprojector::gui::MainWindow::Options options;
     options.smoothEdges = false;
     options.remembers = remembers;
     options.translation = &translation;
-    auto window = std::make_unique<MainWindow>(options);
+    auto window = std::make_unique<unprojector::gui::MainWindow>(options);
     window->resize(1180, 760);
     window->session().openBundledScene();
     bringUp(*window);

@@ -24,7 +24,7 @@ inline constexpr QSize kLow(1280, 600); ///< a screen that is not high either ha
 
 /// Until the window has looked at the view's size for the last time, and panels are laid out: a timer of its own is late
 /// whenever this one is.
-inline void settle(MainWindow &window)
+inline void settle(unprojector::gui::MainWindow &window)
 {
     constexpr int kLooks = 8; // more, and later ones, than the window's
     constexpr int kMilliseconds = 50;
@@ -38,7 +38,7 @@ inline void settle(MainWindow &window)
 }
 
 /// The height of a view that the window has to grow for, in a lesson; nothing where the screen has no room for it.
-inline std::optional<int> heightToGrowFor(MainWindow &window)
+inline std::optional<int> heightToGrowFor(unprojector::gui::MainWindow &window)
 {
     constexpr int kMost = 900;
     const int place = window.view().parentWidget()->height();
@@ -47,17 +47,17 @@ inline std::optional<int> heightToGrowFor(MainWindow &window)
     return height > place ? std::optional(height) : std::nullopt;
 }
 
-inline LessonPanel &panelOf(MainWindow &window)
+inline unprojector::gui::LessonPanel &panelOf(unprojector::gui::MainWindow &window)
 {
-    return *window.findChild<LessonPanel *>();
+    return *window.findChild<unprojector::gui::LessonPanel *>();
 }
 
-inline void follow(MainWindow &window, const QString &link)
+inline void follow(unprojector::gui::MainWindow &window, const QString &link)
 {
     emit panelOf(window).findChild<QTextBrowser *>()->anchorClicked(QUrl(link));
 }
 
-inline QPushButton *buttonOf(MainWindow &window, const QString &text)
+inline QPushButton *buttonOf(unprojector::gui::MainWindow &window, const QString &text)
 {
     for (QPushButton *button : panelOf(window).findChildren<QPushButton *>()) {
         if (button->text().remove(u'&') == text)
@@ -67,7 +67,7 @@ inline QPushButton *buttonOf(MainWindow &window, const QString &text)
 }
 
 /// What the panel says of an answer or of the picture: the label with this name or with a link.
-inline QString verdictOf(MainWindow &window)
+inline QString verdictOf(unprojector::gui::MainWindow &window)
 {
     for (const QLabel *label : panelOf(window).findChildren<QLabel *>()) {
         if (label->accessibleName() == QStringLiteral("Whether your answer is right"))
@@ -76,7 +76,7 @@ inline QString verdictOf(MainWindow &window)
     return {};
 }
 
-inline QLabel *hintOf(MainWindow &window)
+inline QLabel *hintOf(unprojector::gui::MainWindow &window)
 {
     for (QLabel *label : panelOf(window).findChildren<QLabel *>()) {
         if (label->text().contains(QLatin1String("<a href=")))
@@ -85,7 +85,7 @@ inline QLabel *hintOf(MainWindow &window)
     return nullptr;
 }
 
-inline void answer(MainWindow &window, const QString &text)
+inline void answer(unprojector::gui::MainWindow &window, const QString &text)
 {
     auto *field = panelOf(window).findChild<QLineEdit *>();
     field->setText(text);

@@ -7,6 +7,8 @@
 #include <QTest>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace scene;
 
 bool isSameScene(const Scene &a, const Scene &b)
 {

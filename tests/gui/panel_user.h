@@ -10,69 +10,70 @@
 namespace unprojector::gui {
 
 /// The state that every row starts from, each number another one.
-inline Scene startScene()
+inline scene::Scene startScene()
 {
-    Scene scene;
-    scene.camera = scene.home = {WorldPoint(0.0, 0.0, 10.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}};
-    scene.projection = Frustum{-0.5, 0.75, -0.375, 0.25, 1.0, 100.0};
+    scene::Scene scene;
+    scene.camera =
+        scene.home = {geometry::WorldPoint(0.0, 0.0, 10.0), geometry::WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}};
+    scene.projection = geometry::Frustum{-0.5, 0.75, -0.375, 0.25, 1.0, 100.0};
     scene.projectionFollowsViewport = false;
     scene.clipDistancesFitObjects = false;
-    auto model = std::make_shared<Model>();
+    auto model = std::make_shared<mesh::Model>();
     model->bounds.add({-1.0, -1.0, -1.0});
     model->bounds.add({1.0, 1.0, 1.0});
     scene.objects = {{"first", {}, model, {}}, {"second", {}, model, {}}};
     return scene;
 }
 
-inline const Frustum &frustumOf(const Scene &scene)
+inline const geometry::Frustum &frustumOf(const scene::Scene &scene)
 {
-    return std::get<Frustum>(*scene.projection);
+    return std::get<geometry::Frustum>(*scene.projection);
 }
 
 // What the rows make of it first.
-inline void asIs(Scene &) {}
-inline void perspective(Scene &s)
+inline void asIs(scene::Scene &) {}
+inline void perspective(scene::Scene &s)
 {
-    s.projection = Perspective{0.8, 1.5, 1.0, 100.0};
+    s.projection = geometry::Perspective{0.8, 1.5, 1.0, 100.0};
 }
-inline void box(Scene &s)
+inline void box(scene::Scene &s)
 {
-    s.projection = Ortho{-2.0, 3.0, -1.0, 4.0, 1.0, 100.0};
+    s.projection = geometry::Ortho{-2.0, 3.0, -1.0, 4.0, 1.0, 100.0};
 }
-inline void oblique(Scene &s)
+inline void oblique(scene::Scene &s)
 {
-    s.projection = Oblique{Ortho{-2.0, 3.0, -1.0, 4.0, 1.0, 100.0}, 1.0, 2.0};
+    s.projection = geometry::Oblique{geometry::Ortho{-2.0, 3.0, -1.0, 4.0, 1.0, 100.0}, 1.0, 2.0};
 }
-inline void fixedViewport(Scene &s)
+inline void fixedViewport(scene::Scene &s)
 {
-    s.viewport.kind = ViewportRule::Kind::Fixed;
+    s.viewport.kind = scene::ViewportRule::Kind::Fixed;
 }
-inline void letterbox(Scene &s)
+inline void letterbox(scene::Scene &s)
 {
-    s.viewport.kind = ViewportRule::Kind::KeepAspect;
+    s.viewport.kind = scene::ViewportRule::Kind::KeepAspect;
 }
-inline void scaled(Scene &s)
+inline void scaled(scene::Scene &s)
 {
-    s.objects[0].transform = {Scale{{2.0, 1.0, 1.0}}};
+    s.objects[0].transform = {geometry::Scale{{2.0, 1.0, 1.0}}};
 }
-inline void rotated(Scene &s)
+inline void rotated(scene::Scene &s)
 {
-    s.objects[0].transform = {Rotate{30.0, {0.0, 1.0, 0.0}}};
+    s.objects[0].transform = {geometry::Rotate{30.0, {0.0, 1.0, 0.0}}};
 }
-inline void cut(Scene &s)
+inline void cut(scene::Scene &s)
 {
     s.clipPlanes = {{1.0, 0.0, 0.0, 0.5}};
 }
 
 /// Compares what a scene's parameters are; of its objects only how they are placed.
-bool isSameScene(const Scene &a, const Scene &b);
+bool isSameScene(const scene::Scene &a, const scene::Scene &b);
 
 /// A document, its parameters panel in a window of its own, and a person's hands on them.
 class PanelUser {
 public:
     /// Everything anew, with startScene in a window of 801 x 601 pixels.
     void start();
-    void open(const Scene &scene);
+    void open(const scene::Scene &scene);
     /// Unfolds a group.
     ParameterGroup *showGroup(const QString &name);
     /// The field of that name, inside a part of its group where the name is not its alone; its group is unfolded.
@@ -87,7 +88,7 @@ public:
     /// Chooses the entry that starts with a text.
     void choose(const QString &comboBox, const QString &text);
     void click(const QString &button, const QString &within = {});
-    const Scene &scene() const { return m_document->scene(); }
+    const scene::Scene &scene() const { return m_document->scene(); }
 
 protected:
     std::unique_ptr<SceneDocument> m_document;

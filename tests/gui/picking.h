@@ -14,18 +14,19 @@ namespace guitest {
 /// A pivot is read from the depth buffer and turned about in doubles: its place moves by roundings only.
 inline constexpr double kStillPixels = 1e-3;
 
-inline QString heading(MainWindow &window)
+inline QString heading(unprojector::gui::MainWindow &window)
 {
-    return part<AnswerView>(window).heading();
+    return part<unprojector::gui::AnswerView>(window).heading();
 }
 
 /// The picked point by formula.
-inline glm::dvec3 picked(MainWindow &window)
+inline glm::dvec3 picked(unprojector::gui::MainWindow &window)
 {
-    return window.document().picks().pick()->point.world[Method::Formula]->coordinates();
+    return window.document().picks().pick()->point.world[unprojector::unproject::Method::Formula]->coordinates();
 }
 
-inline bool isAt(const MainWindow &window, const glm::dvec3 &world, const glm::dvec2 &place, double tolerance)
+inline bool isAt(const unprojector::gui::MainWindow &window, const glm::dvec3 &world, const glm::dvec2 &place,
+                 double tolerance)
 {
     const glm::dvec2 is = placeOf(window, world);
     if (glm::length(is - place) <= tolerance)
@@ -35,7 +36,7 @@ inline bool isAt(const MainWindow &window, const glm::dvec3 &world, const glm::d
 }
 
 /// Where a position's pixel has its centre, in window coordinates.
-inline glm::dvec2 centerUnder(const SceneView &view, const QPointF &local)
+inline glm::dvec2 centerUnder(const unprojector::gui::SceneView &view, const QPointF &local)
 {
     return windowOf(view, pixelUnder(view, local));
 }

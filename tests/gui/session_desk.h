@@ -18,9 +18,6 @@
 /// who answers as the test says.
 namespace sessions {
 
-using namespace unprojector;
-using namespace unprojector::gui;
-
 inline const QByteArray kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 inline const QByteArray kHead = R"({"unprojector": 1, "window": {"width": 300, "height": 200},
     "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},
@@ -38,7 +35,7 @@ inline QByteArray read(const QString &file)
 }
 
 /// Answers as it was told to, and notes what it was asked.
-class CannedAnswers : public SessionQuestions {
+class CannedAnswers : public unprojector::gui::SessionQuestions {
 public:
     SaveAnswer save = SaveAnswer::Cancel;
     bool yes = false;
@@ -84,8 +81,10 @@ private:
 struct Desk {
     explicit Desk(const QString &recoveryFolder) : session(document, answers, {true, recoveryFolder, {}})
     {
-        QObject::connect(&session, &Session::failed, &context, [this](const QString &reason) { failures << reason; });
-        QObject::connect(&session, &Session::noticed, &context, [this](const QString &text) { notices << text; });
+        QObject::connect(&session, &unprojector::gui::Session::failed, &context,
+                         [this](const QString &reason) { failures << reason; });
+        QObject::connect(&session, &unprojector::gui::Session::noticed, &context,
+                         [this](const QString &text) { notices << text; });
     }
     bool openAndWait(const QStringList &files, bool adds = false)
     {
@@ -98,15 +97,15 @@ struct Desk {
     QStringList names() const
     {
         QStringList names;
-        for (const SceneObject &object : document.objects())
+        for (const unprojector::scene::SceneObject &object : document.objects())
             names << QString::fromStdString(object.name);
         return names;
     }
     void cut(double d = 0.5) { QVERIFY(editClipPlanes(document, {{0.0, 1.0, 0.0, d}}, {}, {QStringLiteral("Plane")})); }
 
-    SceneDocument document;
+    unprojector::gui::SceneDocument document;
     CannedAnswers answers;
-    Session session;
+    unprojector::gui::Session session;
     QStringList failures;
     QStringList notices;
     QObject context;

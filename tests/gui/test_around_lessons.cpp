@@ -21,6 +21,8 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
 
 namespace {
 
@@ -39,7 +41,7 @@ bool grow(MainWindow &window)
     const int high = static_cast<int>(std::lround(before * window.view().devicePixelRatioF()));
     follow(window, QStringLiteral("view:%1x%1").arg(high));
     const bool hasGrown = QTest::qWaitFor(
-        [&] { return window.height() > before && window.document().picture().surface.heightPixels == high; },
+        [&] { return window.height() > before && window.document().setup().surface.heightPixels == high; },
         kPatienceMilliseconds);
     settle(200);
     return hasGrown;

@@ -10,6 +10,8 @@
 
 using namespace keeping;
 using namespace std::chrono_literals;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
 
 class TestAutosave : public QObject {
     Q_OBJECT

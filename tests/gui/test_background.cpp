@@ -17,6 +17,7 @@
 #include <vector>
 
 using namespace jobfaults;
+using namespace unprojector::gui;
 
 namespace {
 

@@ -15,6 +15,7 @@
 
 using namespace comparing;
 using namespace unprojector::gui;
+using namespace unprojector::unproject;
 
 class TestComparisonDigits : public QObject {
     Q_OBJECT

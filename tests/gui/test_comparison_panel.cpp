@@ -27,6 +27,8 @@
 
 using namespace comparing;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 class TestComparisonPanel : public QObject {
     Q_OBJECT
@@ -326,16 +328,16 @@ void TestComparisonPanel::selectedCellsAreCopiedWithAllDigits()
 
 void TestComparisonPanel::theChainIsWrittenOut()
 {
-    Picture geometry = frustumGeometry();
-    geometry.surface = {800, 600, 1.5};
+    Setup setup = frustumGeometry();
+    setup.surface = {800, 600, 1.5};
     PanelOfPicks panel;
-    panel.setPick(picked(geometry, 275.2, 200.0, 0.75)); // device 412.8, 300
+    panel.setPick(picked(setup, 275.2, 200.0, 0.75)); // device 412.8, 300
     QCOMPARE(panel.findChild<AnswerView *>()->heading(), QStringLiteral("the surface"));
     QCOMPARE(labelNamed(panel, "Widget position")->text(), QStringLiteral("(275.2, 200) logical pixels"));
     QCOMPARE(labelNamed(panel, "Device pixel")->text(), QStringLiteral("(412, 300) of 800 × 600, ratio 1.5"));
     QCOMPARE(labelNamed(panel, "Window position")->text(), QStringLiteral("(412.5, 299.5), the pixel's centre"));
     QCOMPARE(labelNamed(panel, "Depth")->text(), QStringLiteral("0.75, as read"));
-    panel.setPick(picked(geometry, 275.2, 200.0, 1.0, false));
+    panel.setPick(picked(setup, 275.2, 200.0, 1.0, false));
     QCOMPARE(panel.findChild<AnswerView *>()->heading(), QStringLiteral("Background: no surface here"));
     QVERIFY(panel.findChild<AnswerView *>()->text().isEmpty());
     QCOMPARE(labelNamed(panel, "Depth")->text(), QStringLiteral("1, the far plane's: nothing to read"));
@@ -361,16 +363,16 @@ void TestComparisonPanel::theShownDepthTellsThePoint()
     QFETCH(double, distance);
     QFETCH(DepthRange, range);
     const double n = 0.001, f = 100000.0;
-    Picture geometry = frustumGeometry();
-    geometry.depthRange = range;
-    geometry.lens = Projection(Frustum{-n / 2.0, n / 2.0, -n * 0.375, n * 0.375, n, f});
+    Setup setup = frustumGeometry();
+    setup.depthRange = range;
+    setup.lens = Projection(Frustum{-n / 2.0, n / 2.0, -n * 0.375, n * 0.375, n, f});
     const double share = (1.0 / n - 1.0 / distance) / (1.0 / n - 1.0 / f);
     constexpr double kSteps = 16777215.0; // of 24 bits
     const double depth = std::round((range.atNear + share * (range.atFar - range.atNear)) * kSteps) / kSteps;
-    const Pick pick = picked(geometry, 700.0, 100.0, depth);
+    const Pick pick = picked(setup, 700.0, 100.0, depth);
     PanelOfPicks panel;
     panel.setPick(pick);
-    const Unprojector unprojector = Unprojector::of(geometry).value();
+    const Unprojector unprojector = Unprojector::of(setup).value();
     const auto tellsThePoint = [&](double shown) {
         const Result<WorldPoint> point =
             unprojector.worldAt(Method::Formula, WindowPoint(pick.window.x, pick.window.y, shown));
@@ -401,14 +403,14 @@ void TestComparisonPanel::theShownDepthTellsThePoint()
 void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
 {
     const DepthRange range = depthranges::ofThisRow();
-    Picture geometry = frustumGeometry();
-    geometry.depthRange = range;
+    Setup setup = frustumGeometry();
+    setup.depthRange = range;
     // By hand: half of the depths is the distance 2 n f / (n + f) = 10/3, the eye point (412.5, 300.5) of 800 x 600 there.
     const double distance = 10.0 / 3.0;
     const glm::dvec3 eye((412.5 / 400.0 - 1.0) * 0.8284271247461901 / 2.0 * distance,
                          (300.5 / 300.0 - 1.0) * 0.6213203435596426 / 2.0 * distance, -distance);
     PanelOfPicks panel;
-    panel.setPick(picked(geometry, 412.0, 299.0, (range.atNear + range.atFar) / 2.0));
+    panel.setPick(picked(setup, 412.0, 299.0, (range.atNear + range.atFar) / 2.0));
     QCOMPARE(labelNamed(panel, "Depth")->text(),
              shortestText((range.atNear + range.atFar) / 2.0) + QStringLiteral(", as read"));
     ComparisonModel inEye;
@@ -425,7 +427,7 @@ void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
     QVERIFY2(formulas.contains(QStringLiteral("(1 − 0.5)")) && formulas.contains(QStringLiteral("3.33333")),
              qPrintable(formulas));
     // The ray of the background goes from the near plane's depth to the far plane's.
-    panel.setPick(picked(geometry, 412.0, 299.0, range.atFar, false));
+    panel.setPick(picked(setup, 412.0, 299.0, range.atFar, false));
     QCOMPARE(labelNamed(panel, "Depth")->text(),
              shortestText(range.atFar) + QStringLiteral(", the far plane's: nothing to read"));
     const auto worldZ = [&](int row) {

@@ -18,6 +18,9 @@
 
 using namespace comparing;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -123,7 +126,7 @@ void TestComparisonTexts::theFormulaIsWrittenWithItsNumbers_data()
 
     // A viewport of 400 x 300 from (100, 50); window 0.5 .. 1.5 and -0.5 .. 1 at n = 1, f = 4: z = 4 / (2 + 0.5) = 1.6;
     // x = (200.5 x 1 / 400 + 0.5) x 1.6 = 1.602, y = (100.5 x 1.5 / 300 - 0.5) x 1.6 = 0.004
-    Picture offset = frustumGeometry();
+    Setup offset = frustumGeometry();
     offset.viewport = {100.0, 50.0, 400.0, 300.0};
     offset.projection() = Frustum{0.5, 1.5, -0.5, 1.0, 1.0, 4.0};
     QTest::newRow("off-centre frustum in an offset viewport")
@@ -201,7 +204,7 @@ void TestComparisonTexts::theRayOfABackgroundIsWritten()
 /// Where a survey is, every text has the digits that are certain, down to thousandths, and no power of ten.
 void TestComparisonTexts::coordinatesOfASurveyCanBeRead()
 {
-    Picture survey = boxGeometry(Ortho{-0.3, 0.3, -0.2, 0.2, 1.0, 9.0});
+    Setup survey = boxGeometry(Ortho{-0.3, 0.3, -0.2, 0.2, 1.0, 9.0});
     survey.camera() = LookAt{WorldPoint(4000000.1231, 500000.4561, 305.789),
                              WorldPoint(4000000.1231, 500000.4561, 300.789),
                              {0.0, 1.0, 0.0}};

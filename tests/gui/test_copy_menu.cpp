@@ -21,6 +21,9 @@
 
 using namespace comparing;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
+using namespace unprojector::unproject;
 
 namespace {
 

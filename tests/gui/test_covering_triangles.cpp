@@ -23,6 +23,7 @@ using namespace unprojector;
 using namespace unprojector::gui;
 using namespace unprojector::geometry;
 using namespace unprojector::scene;
+using namespace unprojector::mesh;
 
 Q_DECLARE_METATYPE(std::shared_ptr<unprojector::mesh::Model>)
 
@@ -65,15 +66,15 @@ Read readBoundFrame()
 }
 
 /// What comes of an object in a picture.
-std::optional<Read> drawn(const Picture &picture, const std::vector<SceneObject> &objects,
+std::optional<Read> drawn(const Setup &setup, const std::vector<SceneObject> &objects,
                           const std::vector<glm::dvec4> &planes, bool isSoftware, std::optional<int> milliseconds)
 {
     Frame frame;
     frame.initialize();
     MeshPainter painter;
     painter.initialize(frame.ids(), isSoftware);
-    const FrameContents contents{drawable(picture).value(), objects, clipFromWorld(picture).value(),
-                                 eyeFromWorld(picture).value(), planes};
+    const FrameContents contents{drawable(setup).value(), objects, clipFromWorld(setup).value(),
+                                 eyeFromWorld(setup).value(), planes};
     if (frame.ids() != ObjectIds::Integers || !frame.begin(contents.drawn))
         return std::nullopt;
     frame.beginObjects();
@@ -87,14 +88,14 @@ std::optional<Read> drawn(const Picture &picture, const std::vector<SceneObject>
     return read;
 }
 
-Picture pictureOf(const WorldPoint &eye, const WorldPoint &center, const Projection &projection)
+Setup setupOf(const WorldPoint &eye, const WorldPoint &center, const Projection &projection)
 {
-    Picture picture;
-    picture.surface = {kWidth, kHeight, 1.0};
-    picture.viewport = wholeSurface(picture.surface);
-    picture.projection() = projection;
-    picture.camera() = LookAt{eye, center, {0.0, 1.0, 0.0}};
-    return picture;
+    Setup setup;
+    setup.surface = {kWidth, kHeight, 1.0};
+    setup.viewport = wholeSurface(setup.surface);
+    setup.projection() = projection;
+    setup.camera() = LookAt{eye, center, {0.0, 1.0, 0.0}};
+    return setup;
 }
 
 /// Triangles of all shapes and sizes about a place, from slivers to such as fill the picture.
@@ -130,7 +131,7 @@ private slots:
 void TestCoveringTriangles::thePictureIsTheSame_data()
 {
     QTest::addColumn<std::shared_ptr<Model>>("model");
-    QTest::addColumn<Picture>("picture");
+    QTest::addColumn<Setup>("picture");
     QTest::addColumn<bool>("isClipped");
     const Projection perspective = Perspective{0.8, double(kWidth) / kHeight, 0.1, 100.0};
     const Projection box = Ortho{-1.6, 1.6, -1.2, 1.2, 0.1, 10.0};
@@ -143,24 +144,23 @@ void TestCoveringTriangles::thePictureIsTheSame_data()
         soup->meshes[0].positions.push_back(sphere->meshes[0].positions[index]);
     }
     soup->bounds = sphere->bounds;
-    const auto row = [](const char *name, const std::shared_ptr<Model> &model, const Picture &picture,
-                        bool isClipped = false) { QTest::newRow(name) << model << picture << isClipped; };
-    row("sphere", sphere, pictureOf({1.0, 2.0, 3.0}, middle, perspective));
-    row("soup", soup, pictureOf({1.0, 2.0, 3.0}, middle, perspective));
-    row("clipped", sphere, pictureOf({1.0, 2.0, 3.0}, middle, perspective), true);
-    row("box", sphere, pictureOf({1.0, 2.0, 3.0}, middle, box));
-    row("oblique", sphere,
-        pictureOf({1.0, 2.0, 3.0}, middle, Oblique{Ortho{-4.0, 4.0, -3.0, 3.0, 0.1, 10.0}, 1.1, 0.8}));
-    row("from within", sphere, pictureOf({0.1, 0.2, 0.3}, {1.0, 0.0, 0.0}, perspective));
-    row("through the eye", sphere, pictureOf({0.0, 0.0, 1.0}, middle, Perspective{1.9, 4.0 / 3.0, 1e-4, 100.0}));
-    row("small", sphere, pictureOf({12.0, 8.0, 16.0}, middle, perspective));
-    row("beside the picture", sphere, pictureOf({1.0, 2.0, 3.0}, {1.2, 0.3, 0.0}, perspective));
-    row("litter", litter({}), pictureOf({1.0, 0.5, 2.0}, middle, perspective));
-    row("litter from within", litter({}), pictureOf({0.1, 0.2, 0.3}, middle, perspective));
+    const auto row = [](const char *name, const std::shared_ptr<Model> &model, const Setup &setup,
+                        bool isClipped = false) { QTest::newRow(name) << model << setup << isClipped; };
+    row("sphere", sphere, setupOf({1.0, 2.0, 3.0}, middle, perspective));
+    row("soup", soup, setupOf({1.0, 2.0, 3.0}, middle, perspective));
+    row("clipped", sphere, setupOf({1.0, 2.0, 3.0}, middle, perspective), true);
+    row("box", sphere, setupOf({1.0, 2.0, 3.0}, middle, box));
+    row("oblique", sphere, setupOf({1.0, 2.0, 3.0}, middle, Oblique{Ortho{-4.0, 4.0, -3.0, 3.0, 0.1, 10.0}, 1.1, 0.8}));
+    row("from within", sphere, setupOf({0.1, 0.2, 0.3}, {1.0, 0.0, 0.0}, perspective));
+    row("through the eye", sphere, setupOf({0.0, 0.0, 1.0}, middle, Perspective{1.9, 4.0 / 3.0, 1e-4, 100.0}));
+    row("small", sphere, setupOf({12.0, 8.0, 16.0}, middle, perspective));
+    row("beside the picture", sphere, setupOf({1.0, 2.0, 3.0}, {1.2, 0.3, 0.0}, perspective));
+    row("litter", litter({}), setupOf({1.0, 0.5, 2.0}, middle, perspective));
+    row("litter from within", litter({}), setupOf({0.1, 0.2, 0.3}, middle, perspective));
     const glm::dvec3 place(4e6, 5e5, 300.0);
     row("far from the origin", litter(place),
-        pictureOf(WorldPoint(place + glm::dvec3(1.0, 0.5, 2.0)), WorldPoint(place), perspective));
-    Picture inset = pictureOf({1.0, 2.0, 3.0}, middle, perspective);
+        setupOf(WorldPoint(place + glm::dvec3(1.0, 0.5, 2.0)), WorldPoint(place), perspective));
+    Setup inset = setupOf({1.0, 2.0, 3.0}, middle, perspective);
     inset.viewport = {20.0, 30.0, 120.0, 70.0};
     row("a part of the surface", sphere, inset);
     inset.viewport = {-30.0, -20.0, 200.0, 150.0};
@@ -170,7 +170,7 @@ void TestCoveringTriangles::thePictureIsTheSame_data()
 void TestCoveringTriangles::thePictureIsTheSame()
 {
     QFETCH(std::shared_ptr<Model>, model);
-    QFETCH(Picture, picture);
+    QFETCH(Setup, picture);
     QFETCH(bool, isClipped);
     Context gl;
     QVERIFY(gl.isCurrent);
@@ -192,10 +192,10 @@ void TestCoveringTriangles::mostOfAFineMeshAreLeftOut()
 {
     const auto model = cubeSphere(300); // of a million triangles
     const Mesh &mesh = model->meshes.front();
-    const Picture picture =
-        pictureOf({1.0, 2.0, 3.0}, {0.0, 0.0, 0.0}, Perspective{0.8, double(kWidth) / kHeight, 0.1, 100.0});
+    const Setup setup =
+        setupOf({1.0, 2.0, 3.0}, {0.0, 0.0, 0.0}, Perspective{0.8, double(kWidth) / kHeight, 0.1, 100.0});
     std::vector<std::uint32_t> vertices;
-    CoveringTriangles(mesh, glm::mat4(clipFromWorld(picture).value()), {0, 0, kWidth, kHeight}, glm::dvec3(1.1))
+    CoveringTriangles(mesh, glm::mat4(clipFromWorld(setup).value()), {0, 0, kWidth, kHeight}, glm::dvec3(1.1))
         .append(0, mesh.indices.size(), vertices);
     // Front and back, each pixel of it is covered twice.
     QVERIFY2(vertices.size() / 3 > 10'000 && vertices.size() / 3 < 100'000,

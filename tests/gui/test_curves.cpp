@@ -4,7 +4,7 @@
 #include "core/ray/closest_place.h"
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
-#include "gui/document/point_files.h"
+#include "gui/document/landmark_files.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_edits.h"
 #include "gui/landmarks/curves_view.h"
@@ -31,6 +31,11 @@
 #include <numeric>
 
 using namespace guitest;
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
 using landmarks::CurveKind;
 using landmarks::Landmark;
 using Shape = ShownMeasure::Shape;
@@ -45,13 +50,13 @@ Landmark heldAt(const SceneObject &object, const glm::dvec3 &world, const std::s
 {
     const auto placement = worldFromObject(object.transform);
     const glm::dvec3 inObject(glm::inverse(placement) * glm::dvec4(world, 1.0));
-    Landmark point;
-    point.name = name;
-    point.object = object.name;
-    point.world = WorldPoint(world);
-    point.hold = ray::ClosestPlaces::build(object.model, {})->to(ObjectPoint(inObject))->hold;
-    point.uncertainty = WorldVector(0.01, 0.01, 0.01);
-    return point;
+    Landmark landmark;
+    landmark.name = name;
+    landmark.object = object.name;
+    landmark.world = WorldPoint(world);
+    landmark.anchor = ray::ClosestPlaces::build(object.model, {})->to(ObjectPoint(inObject))->anchor;
+    landmark.uncertainty = WorldVector(0.01, 0.01, 0.01);
+    return landmark;
 }
 
 /// Three points on the cube.
@@ -71,11 +76,11 @@ std::unique_ptr<SceneDocument> cubeDocument()
     return document;
 }
 
-void add(SceneDocument &document, const Landmark &point)
+void add(SceneDocument &document, const Landmark &landmark)
 {
-    std::vector<Landmark> points = document.landmarks();
-    points.push_back(point);
-    QVERIFY(editLandmarks(document, std::move(points), {"add"}));
+    std::vector<Landmark> landmarks = document.landmarks();
+    landmarks.push_back(landmark);
+    QVERIFY(editLandmarks(document, std::move(landmarks), {"add"}));
 }
 
 double lengthOf(SceneDocument &document, std::size_t curve)
@@ -137,13 +142,14 @@ void TestCurves::curvesFollowTheirPoints()
     const auto document = cubeDocument();
     QCOMPARE(document->curves().join({0, 1, 2}, CurveKind::Geodesic), QString());
     const double before = lengthOf(*document, 0);
-    QVERIFY(document->points().move(1, heldAt(document->objects()[0], kCubeCenter + glm::dvec3(0.5, 0.5, 1.0), "")));
+    QVERIFY(document->sceneLandmarks().move(
+        1, heldAt(document->objects()[0], kCubeCenter + glm::dvec3(0.5, 0.5, 1.0), "")));
     const double moved = lengthOf(*document, 0);
     QVERIFY(std::abs(moved - before) > 0.1);
-    QVERIFY(document->points().rename(1, "chin"));
+    QVERIFY(document->sceneLandmarks().rename(1, "chin"));
     QCOMPARE(document->curves().all()[0].points[1], "chin");
     QCOMPARE(lengthOf(*document, 0), moved);
-    QVERIFY(document->points().reorder(2, 0));
+    QVERIFY(document->sceneLandmarks().reorder(2, 0));
     QCOMPARE(lengthOf(*document, 0), moved);
     // With its object, stretched: the length is the world's.
     QVERIFY(editTransform(*document, 0, {Scale{glm::dvec3(2.0)}}, {"scale"}));
@@ -158,17 +164,17 @@ void TestCurves::curvesSayWhyTheyDoNotGo()
     const auto document = cubeDocument();
     QCOMPARE(document->curves().join({0, 1}, CurveKind::Geodesic), QString());
     const auto reason = [&] { return document->curves().line(0).reason; };
-    QVERIFY(document->points().setMissing({1}));
+    QVERIFY(document->sceneLandmarks().setMissing({1}));
     QCOMPARE(reason(), "“front” is not placed");
     QVERIFY(!document->curves().line(0).line);
     document->undoStack().undo();
-    QVERIFY(document->points().moveTo(1, WorldPoint(kFront + glm::dvec3(0, 0, 1))));
+    QVERIFY(document->sceneLandmarks().moveTo(1, WorldPoint(kFront + glm::dvec3(0, 0, 1))));
     QCOMPARE(reason(), "“front” is not on a surface; B puts it there");
     document->undoStack().undo();
-    QVERIFY(document->points().remove({1}));
+    QVERIFY(document->sceneLandmarks().remove({1}));
     QCOMPARE(reason(), "there is no point “front”");
     document->undoStack().undo();
-    QVERIFY(document->points().rename(2, "front"));
+    QVERIFY(document->sceneLandmarks().rename(2, "front"));
     QCOMPARE(reason(), "several points are called “front”; rename all but one");
     document->undoStack().undo();
     QCOMPARE(reason(), QString());
@@ -179,7 +185,7 @@ void TestCurves::joiningIsRefusedInWords()
 {
     const auto document = cubeDocument();
     QCOMPARE(document->curves().join({0}, CurveKind::Geodesic), "a curve has two points at least");
-    QVERIFY(document->points().rename(1, ""));
+    QVERIFY(document->sceneLandmarks().rename(1, ""));
     QCOMPARE(document->curves().join({0, 1}, CurveKind::Geodesic),
              "point 2 has no name; a curve knows its points by their names");
     document->undoStack().undo();
@@ -209,14 +215,14 @@ void TestCurves::largeModelsAreWorkedOutAside()
     QTRY_VERIFY_WITH_TIMEOUT(!document.curves().line(0).isComputing, kPatienceMilliseconds);
     QVERIFY(std::abs(lengthOf(document, 0) - 1.5708) < 2e-3);
     // Moved, the line before is what it is until the new one comes; it is not drawn as the curve.
-    QVERIFY(document.points().move(1, heldAt(ball, {0, 0, 1}, "b")));
+    QVERIFY(document.sceneLandmarks().move(1, heldAt(ball, {0, 0, 1}, "b")));
     QVERIFY(document.curves().line(0).isComputing && document.curves().line(0).line);
     QVERIFY(curveShapes(document).lines.empty() && !curveShapes(document).former.empty());
-    QVERIFY(document.points().move(1, heldAt(ball, {0, -1, 0}, "b"))); // while the other is under way
+    QVERIFY(document.sceneLandmarks().move(1, heldAt(ball, {0, -1, 0}, "b"))); // while the other is under way
     document.curves().complete();
     QVERIFY(distance(document.curves().line(0).line->path.back(), WorldPoint(0, -1, 0)) < 0.05);
     QVERIFY(!curveShapes(document).lines.empty());
-    QVERIFY(document.points().move(1, heldAt(ball, {0, 0, 1}, "b"))); // and it may end while it works
+    QVERIFY(document.sceneLandmarks().move(1, heldAt(ball, {0, 0, 1}, "b"))); // and it may end while it works
 }
 
 void TestCurves::whoWaitsForCurvesMayGiveUp()
@@ -233,18 +239,18 @@ void TestCurves::whoWaitsForCurvesMayGiveUp()
     QVERIFY(editLandmarks(document, {heldAt(ball, {1, 0, 0}, "a"), heldAt(ball, {0, 1, 0}, "b")}, {"put"}));
     QCOMPARE(document.curves().join({0, 1}, CurveKind::Geodesic), QString());
     int asked = 0;
-    document.curves().setWaiting([&] {
+    document.curves().setNextUnplaced([&] {
         ++asked;
         const SceneCurves::Progress progress = document.curves().progress();
         return progress.count != 1 || progress.done > 1; // given up
     });
     const QTemporaryDir folder;
     const QString name = folder.filePath("p.csv");
-    PointFiles files(document, nullptr);
+    LandmarkFiles files(document, nullptr);
     QVERIFY(!files.exportTo(name.toStdU16String()));
     QCOMPARE(asked, 1);
-    QVERIFY(!QFile::exists(name));     // not without them in silence
-    document.curves().setWaiting([&] { // who asks meanwhile blocks: there is no second question
+    QVERIFY(!QFile::exists(name));          // not without them in silence
+    document.curves().setNextUnplaced([&] { // who asks meanwhile blocks: there is no second question
         return document.curves().complete();
     });
     QVERIFY(files.exportTo(name.toStdU16String()));
@@ -261,7 +267,7 @@ void TestCurves::filesHaveTheSemilandmarks()
     const auto fileOf = [&](const char *name) {
         return std::filesystem::path(folder.filePath(QLatin1String(name)).toStdU16String());
     };
-    PointFiles files(*document, nullptr);
+    LandmarkFiles files(*document, nullptr);
     QVERIFY(files.exportTo(fileOf("p.csv")) && files.exportTo(fileOf("p.tps")) && files.exportTo(fileOf("p.pts")));
     const auto textOf = [&](const char *name) {
         QFile file(folder.filePath(QLatin1String(name)));
@@ -289,7 +295,7 @@ void TestCurves::theListEditsCurves()
     const auto document = cubeDocument();
     CurvesView view(*document);
     QVERIFY(view.isHidden() && !view.joinButton()->isEnabled());
-    document->points().select({0, 1});
+    document->sceneLandmarks().select({0, 1});
     QVERIFY(view.joinButton()->isEnabled());
     view.joinButton()->menu()->actions()[0]->trigger();
     QCOMPARE(document->curves().all().size(), std::size_t(1));
@@ -303,7 +309,7 @@ void TestCurves::theListEditsCurves()
     QVERIFY(!view.focusWidget() || view.focusWidget() == rows);
     document->undoStack().undo();
     rows->clearFocus();
-    document->points().select({0, 1});
+    document->sceneLandmarks().select({0, 1});
     view.join(CurveKind::Geodesic);
     QCOMPARE(view.focusWidget(), rows);
     // What is being typed counts where something is written.
@@ -344,7 +350,7 @@ void TestCurves::theListEditsCurves()
     QVERIFY(!reason->isVisible());
     rows->topLevelItem(0)->setText(0, "ridge");
     QTRY_COMPARE_WITH_TIMEOUT(document->curves().all()[0].name, "ridge", kPatienceMilliseconds);
-    QVERIFY(document->points().setMissing({1}));
+    QVERIFY(document->sceneLandmarks().setMissing({1}));
     QCOMPARE(rows->topLevelItem(0)->text(4), "“front” is not placed");
     rows->setCurrentItem(rows->topLevelItem(0));
     document->curves().remove(0);
@@ -355,19 +361,19 @@ void TestCurves::theLengthAlongTheSurfaceIsAMeasure()
 {
     const auto document = cubeDocument();
     MeasuresView view(*document);
-    document->points().select({0, 1});
+    document->sceneLandmarks().select({0, 1});
     auto *rows = view.findChild<QTreeWidget *>();
     QCOMPARE(rows->topLevelItemCount(), 2);
     QCOMPARE(rows->topLevelItem(1)->text(0), "Along the surface");
     QVERIFY(rows->topLevelItem(1)->text(2).startsWith("1.25 ± "));
     QVERIFY(view.csv().contains("\nAlong the surface,top – front,1.25"));
-    QVERIFY(document->points().moveTo(1, WorldPoint(0, 0, 0)));
+    QVERIFY(document->sceneLandmarks().moveTo(1, WorldPoint(0, 0, 0)));
     QCOMPARE(rows->topLevelItem(1)->text(2), "“front” is not on a surface; B puts it there");
     std::vector<Landmark> many(21, document->landmarks()[0]);
     QVERIFY(editLandmarks(*document, many, {"many"}));
     std::vector<std::size_t> all(many.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    document->points().select(all);
+    document->sceneLandmarks().select(all);
     QCOMPARE(rows->topLevelItem(rows->topLevelItemCount() - 1)->text(2), "it is worked out for at most 20 points");
 }
 
@@ -376,7 +382,7 @@ void TestCurves::curvesAreDrawnOnTheSurface()
     const std::unique_ptr<MainWindow> window = cubeWindow(false);
     SceneDocument &document = window->document();
     putPoints(document);
-    QVERIFY(document.points().setHidden({2}, true));
+    QVERIFY(document.sceneLandmarks().setHidden({2}, true));
     const QImage before = window->view().grabFramebuffer();
     QCOMPARE(document.curves().join({0, 1}, CurveKind::Geodesic), QString());
     const QImage after = window->view().grabFramebuffer();
@@ -389,7 +395,7 @@ void TestCurves::curvesAreDrawnOnTheSurface()
         isDrawn = isDrawn || (color.red() > 200 && color.green() > 150 && color.blue() < 100);
     }
     QVERIFY(isDrawn);
-    QVERIFY(document.points().setHidden({0}, true));
+    QVERIFY(document.sceneLandmarks().setHidden({0}, true));
     QVERIFY(curveShapes(document).lines.empty());
 }
 
@@ -416,9 +422,9 @@ void TestCurves::theChosenMeasureIsShown()
     add(document, heldAt(document.objects()[0], kCubeCenter + glm::dvec3(0.7, 0.9, 1.0), "more"));
     auto *measures = window->findChild<MeasuresView *>();
     QVERIFY(measures);
-    std::vector<std::size_t> places(static_cast<std::size_t>(points));
-    std::iota(places.begin(), places.end(), std::size_t(0));
-    document.points().select(places);
+    std::vector<std::size_t> indices(static_cast<std::size_t>(points));
+    std::iota(indices.begin(), indices.end(), std::size_t(0));
+    document.sceneLandmarks().select(indices);
     QVERIFY(!measureMark(document));
     const QImage before = window->view().grabFramebuffer();
     auto *rows = measures->findChild<QTreeWidget *>();
@@ -432,7 +438,7 @@ void TestCurves::theChosenMeasureIsShown()
     QCOMPARE(int(mark->lines.size()), lines);
     QVERIFY(differentPixels(before, window->view().grabFramebuffer()) > 200);
     // Its label stands clear of the points' labels.
-    std::vector<PointMark> marks = pointMarks(document);
+    std::vector<LandmarkMark> marks = landmarkMarks(document);
     marks.push_back(mark->label);
     const auto labels = placedLabels(marks, QFontMetricsF(window->font()), QRectF(window->view().rect()), mark->lines);
     for (std::size_t i = 0; i < labels.size(); ++i) {

@@ -13,6 +13,8 @@
 #include <cmath>
 
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 class TestDepthPrecisionPanel : public QObject {
     Q_OBJECT
@@ -75,7 +77,7 @@ void TestDepthPrecisionPanel::aNearThatFitsIsLeftAlone()
     QVERIFY2(!text().contains(QStringLiteral("instead of")), qPrintable(text()));
     const QString fits = QStringLiteral("Near is about as far away as the objects let it be");
     QVERIFY2(text().contains(fits), qPrintable(text()));
-    LookAt inside = m_document->picture().camera();
+    LookAt inside = m_document->setup().camera();
     inside.eye = WorldPoint(guitest::kCubeCenter + glm::dvec3(0.0, 0.0, 0.5));
     setCamera(*m_document, inside);
     setPerspective(0.001);
@@ -96,7 +98,7 @@ void TestDepthPrecisionPanel::theClickedPointIsMarked()
 {
     setPerspective(0.1);
     DepthSample sample;
-    sample.depth = unitDepthAt(depthScaleOf(m_document->picture()), 4.0); // on the cube's front
+    sample.depth = unitDepthAt(depthScaleOf(m_document->setup()), 4.0); // on the cube's front
     sample.object = 0;
     sample.format = DepthFormat(16);
     pickAt(*m_document, WidgetPoint(400.0, 300.0), sample);
@@ -117,7 +119,7 @@ void TestDepthPrecisionPanel::aCurveStaysWhereItGainsNothing()
     setPerspective(3.5);
     QCOMPARE(plot().curves().back().name, QStringLiteral("floats, reversed"));
     DepthSample sample; // just behind the near plane, where floats have no finer steps than 24 bits
-    sample.depth = unitDepthAt(depthScaleOf(m_document->picture()), 4.0);
+    sample.depth = unitDepthAt(depthScaleOf(m_document->setup()), 4.0);
     sample.object = 0;
     pickAt(*m_document, WidgetPoint(400.0, 300.0), sample);
     QVERIFY2(text().contains(QStringLiteral("A buffer of floats with 1 at near would change little here (±")),

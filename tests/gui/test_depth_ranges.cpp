@@ -17,6 +17,9 @@
 #include <cmath>
 
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -80,10 +83,10 @@ void TestDepthRanges::thePictureIsTheSame()
             click(view, marked);
             return view.grabFramebuffer();
         };
-        const QImage whole = picture();
+        const QImage whole = setup();
         QVERIFY(window->document().picks().pick()->hit());
         setDepthRange(window->document(), range);
-        const int different = differentPixels(picture(), whole);
+        const int different = differentPixels(setup(), whole);
         QVERIFY2(different < 40, qPrintable(QString::number(different)));
     }
 }
@@ -121,9 +124,9 @@ void TestDepthRanges::theBackgroundHasTheFarPlanesDepth()
     const Pick &pick = *window->document().picks().pick();
     QVERIFY(!pick.hit());
     QCOMPARE(pick.window.z, double(float(range.atFar)));
-    const ProjectionWindow w = projectionWindow(pick.picture.projection());
+    const ProjectionWindow w = projectionWindow(pick.setup.projection());
     const auto distance = [&](const Unprojected &end) {
-        return distanceOf(pick.picture.camera(), end.world[Method::Formula]->coordinates());
+        return distanceOf(pick.setup.camera(), end.world[Method::Formula]->coordinates());
     };
     QVERIFY(std::abs(distance(pick.rayNear) - w.nearDistance) < 1e-9);
     QVERIFY(std::abs(distance(pick.rayFar) - w.farDistance) < 1e-9);
@@ -189,7 +192,7 @@ void TestDepthRanges::theViewFromOutsideIsTheSame()
     ObserverView &view = panel.view();
     const auto pictures = [&] {
         std::vector<QImage> seen;
-        const DepthRange &drawn = document.picture().depthRange;
+        const DepthRange &drawn = document.setup().depthRange;
         for (const bool hit : {true, false}) {
             const double share = hit ? 0.9 : 1.0;
             pickAt(document, WidgetPoint(190.0, 170.0),

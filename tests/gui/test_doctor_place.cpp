@@ -37,6 +37,9 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -113,7 +116,7 @@ QString pointText(const glm::dvec3 &point)
 /// What a program gives for a window position: the product inverted, whole.
 glm::dvec3 unprojected(const MainWindow &window, const glm::dvec3 &at)
 {
-    const Picture &g = const_cast<MainWindow &>(window).document().picture();
+    const Setup &g = const_cast<MainWindow &>(window).document().setup();
     const glm::dvec4 ndc(2.0 * (at.x - g.viewport.x) / g.viewport.width - 1.0,
                          2.0 * (at.y - g.viewport.y) / g.viewport.height - 1.0, 2.0 * at.z - 1.0, 1.0);
     const glm::dvec4 world = glm::inverse(*clipFromWorld(g)) * ndc;
@@ -125,7 +128,7 @@ glm::dvec3 clickedAndWrong(MainWindow &window, const glm::dvec3 &off = {0.4, 0.6
 {
     click(window.view(), localOf(window, kCubeCenter + off));
     const Pick &pick = *window.document().picks().pick();
-    const double height = window.document().picture().surface.heightPixels;
+    const double height = window.document().setup().surface.heightPixels;
     return unprojected(window, {pick.window.x, height - pick.window.y, pick.window.z});
 }
 
@@ -220,7 +223,7 @@ void TestDoctorPlace::aPointOfTheSceneIsNamed()
 {
     const auto window = doctorWindow();
     clickedAndWrong(*window);
-    type(gotOf(*window), pointText(window->document().picture().camera().eye.coordinates()));
+    type(gotOf(*window), pointText(window->document().setup().camera().eye.coordinates()));
     QTRY_VERIFY_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("The point given is the eye. Usually")),
                              kPatienceMilliseconds);
     QVERIFY(!panelOf(*window).code().isVisible());
@@ -236,7 +239,7 @@ void TestDoctorPlace::whatCannotBeToldApartIsNamedTogether()
 {
     const auto window = doctorWindow();
     clickedAndWrong(*window);
-    const Picture &g = window->document().picture();
+    const Setup &g = window->document().setup();
     const Pick &pick = *window->document().picks().pick();
     const glm::dvec4 ndc(2.0 * (pick.window.x - g.viewport.x) / g.viewport.width - 1.0,
                          2.0 * (pick.window.y - g.viewport.y) / g.viewport.height - 1.0, 2.0 * pick.window.z - 1.0,
@@ -418,7 +421,7 @@ void TestDoctorPlace::aWindowOfOnesOwnHasTheRatioOfTheScreen()
 {
     const auto window = doctorWindow();
     constexpr double kRatio = 2.625;
-    Surface surface = window->document().picture().surface;
+    Surface surface = window->document().setup().surface;
     surface.devicePixelRatio = kRatio;
     window->document().setSurface(surface);
     typeOwnWindow(*window, QStringLiteral("%1 x %2").arg(surface.widthPixels).arg(surface.heightPixels));

@@ -15,6 +15,9 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace documenttest;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
 
 Q_DECLARE_METATYPE(Verb)
 
@@ -48,21 +51,21 @@ void TestDocument::everyVerbTellsItsKindOnceAndIsUndone_data()
     const auto row = [](const char *name, Changes kinds, const Verb &verb) {
         QTest::newRow(name) << verb << (kinds | Change::History);
     };
-    row("camera", Change::Picture, [](SceneDocument &d) { setCamera(d, cameraAt(7.0)); });
-    row("projection", Change::Picture, [](SceneDocument &d) { switchProjection(d); });
-    row("typed eye", Change::Picture, [](SceneDocument &d) { QVERIFY(editCamera(d, cameraAt(7.0), kLabel)); });
-    row("typed near", Change::Picture, [](SceneDocument &d) {
+    row("camera", Change::Setup, [](SceneDocument &d) { setCamera(d, cameraAt(7.0)); });
+    row("projection", Change::Setup, [](SceneDocument &d) { switchProjection(d); });
+    row("typed eye", Change::Setup, [](SceneDocument &d) { QVERIFY(editCamera(d, cameraAt(7.0), kLabel)); });
+    row("typed near", Change::Setup, [](SceneDocument &d) {
         QVERIFY(editProjection(d, {Ortho{-2, 2, -2, 2, 1, 50}, false, false}, kLabel));
     });
-    row("a rule without effect yet", Change::Picture, [](SceneDocument &d) {
+    row("a rule without effect yet", Change::Setup, [](SceneDocument &d) {
         QVERIFY(editProjection(d, {d.scene().projection, false, true}, kLabel));
     });
-    row("viewport", Change::Picture, [](SceneDocument &d) {
+    row("viewport", Change::Setup, [](SceneDocument &d) {
         ViewportRule rule;
         rule.kind = ViewportRule::Kind::Quarter;
         QVERIFY(editViewport(d, rule, {}, kLabel));
     });
-    row("depth range", Change::Picture, [](SceneDocument &d) { QVERIFY(editViewport(d, {}, {0.25, 0.75}, kLabel)); });
+    row("depth range", Change::Setup, [](SceneDocument &d) { QVERIFY(editViewport(d, {}, {0.25, 0.75}, kLabel)); });
     row("clip plane", Change::ClipPlanes, [](SceneDocument &d) {
         QVERIFY(editClipPlanes(d, {{0.0, 1.0, 0.0, 0.0}}, {}, kLabel));
     });
@@ -70,20 +73,20 @@ void TestDocument::everyVerbTellsItsKindOnceAndIsUndone_data()
         QVERIFY(editClipPlanes(d, {}, {{0, {0.0, 1.0, 0.0, 0.0}}}, kLabel));
     });
     // Near and far fit the objects.
-    row("transform", Change::Placement | Change::Picture, [](SceneDocument &d) {
+    row("transform", Change::Placement | Change::Setup, [](SceneDocument &d) {
         QVERIFY(editTransform(d, 0, {Translate{{40.0, 0.0, 0.0}}}, kLabel));
     });
     const Changes objects = Change::Objects | Change::Placement | Change::Visibility;
     row("removed object", objects, [](SceneDocument &d) { QVERIFY(removeObject(d, 0)); });
     row("order of objects", objects, [](SceneDocument &d) { QVERIFY(moveObject(d, 0, 2)); });
     // Near and far fit the others.
-    row("hidden object", Change::Visibility | Change::Picture,
+    row("hidden object", Change::Visibility | Change::Setup,
         [](SceneDocument &d) { QVERIFY(setObjectHidden(d, 1, true)); });
     row("name", Change::Names, [](SceneDocument &d) {
         QCOMPARE(renameObject(d, 0, QStringLiteral("  other ")), NameFault::None);
         QCOMPARE(d.objects()[0].name, "other");
     });
-    row("fitted object", Change::Picture, [](SceneDocument &d) { fitObject(d, 1); });
+    row("fitted object", Change::Setup, [](SceneDocument &d) { fitObject(d, 1); });
     row("added object", objects, [](SceneDocument &d) { QVERIFY(addObjects(d, {examples::bundledScene()[0]})); });
 }
 
@@ -126,14 +129,13 @@ void TestDocument::lookingAtNothingIsNoChange_data()
     row("home where the scene opened", nothing, [](SceneDocument &d) { goHome(d); });
     twice("fit", [](SceneDocument &d) { fitAll(d); });
     twice("fit a box", [](SceneDocument &d) {
-        if (isPerspective(d.picture().projection()))
+        if (isPerspective(d.setup().projection()))
             switchProjection(d);
         fitAll(d);
     });
-    twice("from the right",
-          [](SceneDocument &d) { setCamera(d, seenFrom(d.picture().camera(), StandardView::Right)); });
+    twice("from the right", [](SceneDocument &d) { setCamera(d, seenFrom(d.setup().camera(), StandardView::Right)); });
     row("turned by nothing", nothing, [](SceneDocument &d) {
-        setCamera(d, orbited(d.picture().camera(), WorldPoint(0.3, 1.7, -2.9), 0.0, 0.0), QStringLiteral("drag"));
+        setCamera(d, orbited(d.setup().camera(), WorldPoint(0.3, 1.7, -2.9), 0.0, 0.0), QStringLiteral("drag"));
     });
     row("the same transform", nothing, [](SceneDocument &d) {
         QVERIFY(editTransform(d, 0, std::vector<TransformStep>(d.objects()[0].transform), kLabel));
@@ -167,14 +169,14 @@ void TestDocument::fittingCutsNothingOff()
         openScene(document);
         if (isBox)
             switchProjection(document);
-        Projection typed = withClipDistances(document.picture().projection(), nearDistance, farDistance);
+        Projection typed = withClipDistances(document.setup().projection(), nearDistance, farDistance);
         QVERIFY(editProjection(document, {typed, true, false}, kLabel));
         if (isObject)
             fitObject(document, 1);
         else
             fitAll(document);
-        const ProjectionWindow window = projectionWindow(document.picture().projection());
-        const EyeFrame frame = *eyeFrame(document.picture().camera());
+        const ProjectionWindow window = projectionWindow(document.setup().projection());
+        const EyeFrame frame = *eyeFrame(document.setup().camera());
         const Box bounds = isObject ? boundsOf(document.objects()[1]) : document.bounds();
         for (const glm::dvec3 &corner : {bounds.lowest, bounds.highest}) {
             const double distance = -eyeFromWorld(frame, WorldPoint(corner)).z;
@@ -192,11 +194,11 @@ void TestDocument::theOtherProjectionHasTheSameHeightAtTheCenter()
     openScene(document);
     pickAt(document, WidgetPoint(400.0, 300.0), {0.01, 0, 24});
     QVERIFY(document.picks().pick() && document.picks().pick()->hit());
-    const ProjectionWindow before = projectionWindow(document.picture().projection());
-    const LookAt &camera = document.picture().camera();
+    const ProjectionWindow before = projectionWindow(document.setup().projection());
+    const LookAt &camera = document.setup().camera();
     const double height = (before.top - before.bottom) / before.nearDistance * distance(camera.center, camera.eye);
     switchProjection(document);
-    const ProjectionWindow after = projectionWindow(document.picture().projection());
+    const ProjectionWindow after = projectionWindow(document.setup().projection());
     QVERIFY(std::abs((after.top - after.bottom) - height) < 1e-9 * height);
 }
 
@@ -268,7 +270,7 @@ void TestDocument::openingTellsWhenAllIsInPlace()
     int tellings = 0;
     connect(&document, &SceneDocument::changed, this, [&](Changes changes) {
         ++tellings;
-        QCOMPARE(changes, kSeen | Change::Pick | Change::GivenPoint | Change::Conventions | Change::Landmarks
+        QCOMPARE(changes, kVisibleChanges | Change::Pick | Change::GivenPoint | Change::Conventions | Change::Landmarks
                               | Change::LandmarkSelection | Change::History);
         QVERIFY(!document.picks().pick() && !document.undoStack().canUndo());
         QVERIFY(!document.isModified() && !document.isEdited());
@@ -334,14 +336,15 @@ void TestDocument::anEditRebuildsOnlyWhatFollowsFromIt_data()
     const auto row = [](const char *name, bool isOfLandmarks, bool keepsRays, const Verb &verb) {
         QTest::newRow(name) << verb << isOfLandmarks << keepsRays;
     };
-    row("placed landmark", true, true, [](SceneDocument &d) { QVERIFY(d.points().place({})); });
-    row("name of a landmark", true, true, [](SceneDocument &d) { QVERIFY(d.points().rename(0, "other")); });
-    row("moved landmark", true, true, [](SceneDocument &d) { QVERIFY(d.points().moveTo(0, WorldPoint(4, 5, 6))); });
+    row("placed landmark", true, true, [](SceneDocument &d) { QVERIFY(d.sceneLandmarks().place({})); });
+    row("name of a landmark", true, true, [](SceneDocument &d) { QVERIFY(d.sceneLandmarks().rename(0, "other")); });
+    row("moved landmark", true, true,
+        [](SceneDocument &d) { QVERIFY(d.sceneLandmarks().moveTo(0, WorldPoint(4, 5, 6))); });
     row("colour of a landmark", true, true,
-        [](SceneDocument &d) { QVERIFY(d.points().setColor({0}, glm::u8vec3(1, 2, 3))); });
-    row("note on a landmark", true, true, [](SceneDocument &d) { QVERIFY(d.points().setNote(0, "note")); });
-    row("hidden landmark", true, true, [](SceneDocument &d) { QVERIFY(d.points().setHidden({0}, true)); });
-    row("removed landmark", true, true, [](SceneDocument &d) { QVERIFY(d.points().remove({0})); });
+        [](SceneDocument &d) { QVERIFY(d.sceneLandmarks().setColor({0}, glm::u8vec3(1, 2, 3))); });
+    row("note on a landmark", true, true, [](SceneDocument &d) { QVERIFY(d.sceneLandmarks().setNote(0, "note")); });
+    row("hidden landmark", true, true, [](SceneDocument &d) { QVERIFY(d.sceneLandmarks().setHidden({0}, true)); });
+    row("removed landmark", true, true, [](SceneDocument &d) { QVERIFY(d.sceneLandmarks().remove({0})); });
     row("curve", true, true, [](SceneDocument &d) {
         landmarks::Curve curve;
         curve.name = "curve";
@@ -384,7 +387,7 @@ void TestDocument::anEditRebuildsOnlyWhatFollowsFromIt()
     };
     QVERIFY(!hasRays() && hasRays());
     // A picture that is not derived anew keeps what is written into it.
-    double &planted = const_cast<Picture &>(document.picture()).depthRange.atFar;
+    double &planted = const_cast<Setup &>(document.setup()).depthRange.atFar;
     const double value = isOfLandmarks ? planted / 2.0 : planted;
     const auto check = [&] {
         QVERIFY(!isOfLandmarks || planted == value);

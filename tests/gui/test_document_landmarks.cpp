@@ -29,17 +29,17 @@ namespace {
 
 Landmark pointAt(double x, const char *name = "")
 {
-    Landmark point;
-    point.name = name;
-    point.world = WorldPoint(x, 2.0, 3.0);
-    return point;
+    Landmark landmark;
+    landmark.name = name;
+    landmark.world = WorldPoint(x, 2.0, 3.0);
+    return landmark;
 }
 
 QStringList pointNames(const SceneDocument &document)
 {
     QStringList names;
-    for (const Landmark &point : document.landmarks())
-        names << QString::fromStdString(point.name);
+    for (const Landmark &landmark : document.landmarks())
+        names << QString::fromStdString(landmark.name);
     return names;
 }
 
@@ -69,7 +69,7 @@ void openTriangle(SceneDocument &document, ray::Snap snap = ray::Snap::Surface)
 /// The device position of a world point, by hand.
 DevicePoint deviceOf(const SceneDocument &document, const glm::dvec3 &world)
 {
-    const Picture &g = document.picture();
+    const Setup &g = document.setup();
     const glm::dvec4 clip = *clipFromWorld(g) * glm::dvec4(world, 1.0);
     return {(clip.x / clip.w + 1.0) / 2.0 * g.surface.widthPixels,
             (1.0 - clip.y / clip.w) / 2.0 * g.surface.heightPixels};
@@ -109,19 +109,22 @@ void TestDocumentLandmarks::eachVerbIsOneStepByName_data()
     const auto row = [](const char *name, const char *text, const char *names, const Verb &verb) {
         QTest::newRow(name) << verb << QString::fromLatin1(text) << QString::fromLatin1(names).split(u' ');
     };
-    row("place", "Place nasion", "a b c nasion", [](auto &d) { QVERIFY(d.points().place(pointAt(5, "nasion"))); });
-    row("move", "Move b", "a b c", [](auto &d) { QVERIFY(d.points().move(1, pointAt(9))); });
-    row("move to", "Move b", "a b c", [](auto &d) { QVERIFY(d.points().moveTo(1, WorldPoint(7, 7, 7))); });
-    row("rename", "Rename b", "a x c", [](auto &d) { QVERIFY(d.points().rename(1, QStringLiteral(" x "))); });
-    row("note", "Note on c", "a b c", [](auto &d) { QVERIFY(d.points().setNote(2, QStringLiteral("chipped"))); });
-    row("colour", "Colour of a", "a b c", [](auto &d) { QVERIFY(d.points().setColor({0}, glm::u8vec3(1, 2, 3))); });
-    row("hide", "Hide a", "a b c", [](auto &d) { QVERIFY(d.points().setHidden({0}, true)); });
-    row("hide two", "Hide 2 points", "a b c", [](auto &d) { QVERIFY(d.points().setHidden({0, 2}, true)); });
-    row("remove", "Remove a", "b c", [](auto &d) { QVERIFY(d.points().remove({0})); });
-    row("remove two", "Remove 2 points", "b", [](auto &d) { QVERIFY(d.points().remove({2, 0})); });
-    row("missing", "b missing", "a b c", [](auto &d) { QVERIFY(d.points().setMissing({1})); });
-    row("reorder", "Order of points", "c a b", [](auto &d) { QVERIFY(d.points().reorder(2, 0)); });
-    row("sort", "Order of points", "c b a", [](auto &d) { QVERIFY(d.points().arrange({2, 1, 0})); });
+    row("place", "Place nasion", "a b c nasion",
+        [](auto &d) { QVERIFY(d.sceneLandmarks().place(pointAt(5, "nasion"))); });
+    row("move", "Move b", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().move(1, pointAt(9))); });
+    row("move to", "Move b", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().moveTo(1, WorldPoint(7, 7, 7))); });
+    row("rename", "Rename b", "a x c", [](auto &d) { QVERIFY(d.sceneLandmarks().rename(1, QStringLiteral(" x "))); });
+    row("note", "Note on c", "a b c",
+        [](auto &d) { QVERIFY(d.sceneLandmarks().setNote(2, QStringLiteral("chipped"))); });
+    row("colour", "Colour of a", "a b c",
+        [](auto &d) { QVERIFY(d.sceneLandmarks().setColor({0}, glm::u8vec3(1, 2, 3))); });
+    row("hide", "Hide a", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().setHidden({0}, true)); });
+    row("hide two", "Hide 2 points", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().setHidden({0, 2}, true)); });
+    row("remove", "Remove a", "b c", [](auto &d) { QVERIFY(d.sceneLandmarks().remove({0})); });
+    row("remove two", "Remove 2 points", "b", [](auto &d) { QVERIFY(d.sceneLandmarks().remove({2, 0})); });
+    row("missing", "b missing", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().setMissing({1})); });
+    row("reorder", "Order of points", "c a b", [](auto &d) { QVERIFY(d.sceneLandmarks().reorder(2, 0)); });
+    row("sort", "Order of points", "c b a", [](auto &d) { QVERIFY(d.sceneLandmarks().arrange({2, 1, 0})); });
     row("another set", "Import points", "z", [](auto &d) {
         QVERIFY(editLandmarkSet(d, {"skull", "skull.ply", "mm", {}, {pointAt(0, "z")}, {}, {}},
                                 {QStringLiteral("Import points")}));
@@ -142,7 +145,7 @@ void TestDocumentLandmarks::eachVerbIsOneStepByName()
     verb(document);
     QCOMPARE(told.count(), std::size_t{1});
     QVERIFY(told.all().testFlag(Change::Landmarks));
-    QVERIFY(!(told.all() & kSeen)); // the mesh is not drawn again for it
+    QVERIFY(!(told.all() & kVisibleChanges)); // the mesh is not drawn again for it
     QCOMPARE(document.undoStack().count(), steps + 1);
     QCOMPARE(document.undoStack().undoText(), text);
     QCOMPARE(pointNames(document), names);
@@ -162,8 +165,8 @@ void TestDocumentLandmarks::aDragIsOneStep()
     openPoints(document);
     const int steps = document.undoStack().count();
     for (int i = 0; i < 5; ++i)
-        QVERIFY(document.points().move(1, pointAt(10.0 + i), QStringLiteral("drag 1")));
-    QVERIFY(document.points().move(1, pointAt(20.0), QStringLiteral("drag 2")));
+        QVERIFY(document.sceneLandmarks().move(1, pointAt(10.0 + i), QStringLiteral("drag 1")));
+    QVERIFY(document.sceneLandmarks().move(1, pointAt(20.0), QStringLiteral("drag 2")));
     QCOMPARE(document.undoStack().count(), steps + 2);
     document.undoStack().undo();
     QCOMPARE(document.landmarks()[1].world->x, 14.0);
@@ -179,34 +182,34 @@ void TestDocumentLandmarks::whatWaitsIsPlacedFirst()
     Landmark missing;
     missing.note = "a hint";
     missing.name = "nasion";
-    std::vector<Landmark> points{missing, pointAt(1, "there"), missing};
-    points[2].name = "gnathion";
-    QVERIFY(editLandmarks(document, points, kLabel));
-    ScenePoints &list = document.points();
-    QVERIFY(!list.waiting());
+    std::vector<Landmark> landmarks{missing, pointAt(1, "there"), missing};
+    landmarks[2].name = "gnathion";
+    QVERIFY(editLandmarks(document, landmarks, kLabel));
+    SceneLandmarks &list = document.sceneLandmarks();
+    QVERIFY(!list.nextUnplaced());
     list.waitForNext(std::nullopt);
-    QVERIFY(list.waiting() == 0u);
+    QVERIFY(list.nextUnplaced() == 0u);
     QVERIFY(list.place(pointAt(5)));
     QCOMPARE(pointNames(document), QStringList({"nasion", "there", "gnathion"}));
     QCOMPARE(document.landmarks()[0].world->x, 5.0);
     QCOMPARE(document.landmarks()[0].note, std::string("a hint"));
     QVERIFY(list.selection() == Places{0});
-    QVERIFY(list.waiting() == 2u);
+    QVERIFY(list.nextUnplaced() == 2u);
     list.selectOnly(1); // a look at another does not skip it
-    QVERIFY(list.waiting() == 2u);
+    QVERIFY(list.nextUnplaced() == 2u);
     document.undoStack().undo();
     QVERIFY(document.landmarks()[0].isMissing());
     list.selectOnly(0); // chosen, it waits
-    QVERIFY(list.waiting() == 0u);
+    QVERIFY(list.nextUnplaced() == 0u);
     QVERIFY(list.place(pointAt(6)));
     QVERIFY(list.place(pointAt(7)));
-    QVERIFY(!list.waiting());
+    QVERIFY(!list.nextUnplaced());
     QVERIFY(list.place(pointAt(8)));
     QVERIFY(list.place(pointAt(9)));
     QCOMPARE(pointNames(document), QStringList({"nasion", "there", "gnathion", "Point 4", "Point 5"}));
     QVERIFY(list.current() == 4u);
-    list.setWaiting(1);
-    QVERIFY(!list.waiting()); // it has its place
+    list.setNextUnplaced(1);
+    QVERIFY(!list.nextUnplaced()); // it has its place
 }
 
 void TestDocumentLandmarks::anUndonePlacingWaitsAgain()
@@ -217,20 +220,20 @@ void TestDocumentLandmarks::anUndonePlacingWaitsAgain()
     first.name = "first";
     second.name = "second";
     QVERIFY(editLandmarks(document, {first, second}, kLabel));
-    ScenePoints &points = document.points();
-    points.waitForNext(std::nullopt);
-    QVERIFY(points.place(pointAt(1)));
-    QVERIFY(points.waiting() == 1u);
+    SceneLandmarks &landmarks = document.sceneLandmarks();
+    landmarks.waitForNext(std::nullopt);
+    QVERIFY(landmarks.place(pointAt(1)));
+    QVERIFY(landmarks.nextUnplaced() == 1u);
     document.undoStack().undo();
-    QVERIFY(points.waiting() == 0u);
-    QVERIFY(points.place(pointAt(2)) && points.place(pointAt(3)));
-    QCOMPARE(points.all()[0].world->x, 2.0);
+    QVERIFY(landmarks.nextUnplaced() == 0u);
+    QVERIFY(landmarks.place(pointAt(2)) && landmarks.place(pointAt(3)));
+    QCOMPARE(landmarks.all()[0].world->x, 2.0);
     document.undoStack().undo(); // the last of all
-    QVERIFY(points.waiting() == 1u);
+    QVERIFY(landmarks.nextUnplaced() == 1u);
     document.undoStack().redo();
-    QVERIFY(!points.waiting());
-    QVERIFY(points.setMissing({0})); // it is not there: nothing to be placed
-    QVERIFY(!points.waiting());
+    QVERIFY(!landmarks.nextUnplaced());
+    QVERIFY(landmarks.setMissing({0})); // it is not there: nothing to be placed
+    QVERIFY(!landmarks.nextUnplaced());
 }
 
 void TestDocumentLandmarks::aTwinIsAnotherPoint()
@@ -238,11 +241,11 @@ void TestDocumentLandmarks::aTwinIsAnotherPoint()
     SceneDocument document;
     openScene(document);
     QVERIFY(editLandmarks(document, {pointAt(1, "a"), pointAt(1, "a")}, kLabel));
-    document.points().selectOnly(0);
-    QVERIFY(document.points().moveTo(0, WorldPoint(7, 7, 7)));
-    QVERIFY(document.points().selection() == Places{0});
+    document.sceneLandmarks().selectOnly(0);
+    QVERIFY(document.sceneLandmarks().moveTo(0, WorldPoint(7, 7, 7)));
+    QVERIFY(document.sceneLandmarks().selection() == Places{0});
     document.undoStack().undo();
-    QVERIFY(document.points().selection() == Places{0});
+    QVERIFY(document.sceneLandmarks().selection() == Places{0});
 }
 
 void TestDocumentLandmarks::theSelectionGoesWithThePoints_data()
@@ -252,17 +255,17 @@ void TestDocumentLandmarks::theSelectionGoesWithThePoints_data()
     const auto row = [](const char *name, const Places &places, const Verb &verb) {
         QTest::newRow(name) << verb << places;
     };
-    row("moved", {1, 2}, [](auto &d) { QVERIFY(d.points().move(1, pointAt(9))); });
-    row("one before it removed", {0, 1}, [](auto &d) { QVERIFY(d.points().remove({0})); });
-    row("one of them removed", {1}, [](auto &d) { QVERIFY(d.points().remove({1})); });
-    row("reordered", {0, 2}, [](auto &d) { QVERIFY(d.points().reorder(2, 0)); });
-    row("all removed", {}, [](auto &d) { QVERIFY(d.points().remove({0, 1, 2})); });
+    row("moved", {1, 2}, [](auto &d) { QVERIFY(d.sceneLandmarks().move(1, pointAt(9))); });
+    row("one before it removed", {0, 1}, [](auto &d) { QVERIFY(d.sceneLandmarks().remove({0})); });
+    row("one of them removed", {1}, [](auto &d) { QVERIFY(d.sceneLandmarks().remove({1})); });
+    row("reordered", {0, 2}, [](auto &d) { QVERIFY(d.sceneLandmarks().reorder(2, 0)); });
+    row("all removed", {}, [](auto &d) { QVERIFY(d.sceneLandmarks().remove({0, 1, 2})); });
     row("removed and undone", {0, 1}, [](auto &d) {
-        QVERIFY(d.points().reorder(2, 0));
-        QVERIFY(d.points().remove({1}));
-        QVERIFY(d.points().rename(0, QStringLiteral("C")));
+        QVERIFY(d.sceneLandmarks().reorder(2, 0));
+        QVERIFY(d.sceneLandmarks().remove({1}));
+        QVERIFY(d.sceneLandmarks().rename(0, QStringLiteral("C")));
     });
-    row("places that are none", {1}, [](auto &d) { d.points().select({7, 1, 1}); });
+    row("places that are none", {1}, [](auto &d) { d.sceneLandmarks().select({7, 1, 1}); });
 }
 
 void TestDocumentLandmarks::theSelectionGoesWithThePoints()
@@ -271,18 +274,19 @@ void TestDocumentLandmarks::theSelectionGoesWithThePoints()
     QFETCH(Places, places);
     SceneDocument document;
     openPoints(document);
-    document.points().select({2, 1}, 2);
-    QVERIFY(document.points().selection() == (Places{1, 2}));
-    QVERIFY(document.points().current() == 2u);
+    document.sceneLandmarks().select({2, 1}, 2);
+    QVERIFY(document.sceneLandmarks().selection() == (Places{1, 2}));
+    QVERIFY(document.sceneLandmarks().current() == 2u);
     verb(document);
-    QVERIFY(document.points().selection() == places);
-    QCOMPARE(document.points().current().has_value(), !places.empty());
-    QVERIFY(!document.points().current() || document.points().isSelected(*document.points().current()));
+    QVERIFY(document.sceneLandmarks().selection() == places);
+    QCOMPARE(document.sceneLandmarks().current().has_value(), !places.empty());
+    QVERIFY(!document.sceneLandmarks().current()
+            || document.sceneLandmarks().isSelected(*document.sceneLandmarks().current()));
     // It is no step of undo.
     const int steps = document.undoStack().count();
     Told told(document);
-    document.points().clearSelection();
-    QVERIFY(document.points().selection().empty());
+    document.sceneLandmarks().clearSelection();
+    QVERIFY(document.sceneLandmarks().selection().empty());
     QCOMPARE(document.undoStack().count(), steps);
     QVERIFY(places.empty() || told.all() == Change::LandmarkSelection);
 }
@@ -291,16 +295,16 @@ void TestDocumentLandmarks::anotherSceneHasItsOwn()
 {
     SceneDocument document;
     openPoints(document);
-    document.points().select({1});
+    document.sceneLandmarks().select({1});
     Told told(document);
     Scene other = document.scene();
     other.landmarks.landmarks = {pointAt(4, "other"), pointAt(5, "missing")};
     other.landmarks.landmarks[1].world.reset();
     QVERIFY(document.open(other));
-    QVERIFY(document.points().waiting() == 1u); // it goes on where it was left
+    QVERIFY(document.sceneLandmarks().nextUnplaced() == 1u); // it goes on where it was left
     QVERIFY(told.all().testFlag(Change::Landmarks));
     QCOMPARE(pointNames(document), QStringList({"other", "missing"}));
-    QVERIFY(document.points().selection().empty());
+    QVERIFY(document.sceneLandmarks().selection().empty());
     openObjects(document, examples::bundledScene());
     QVERIFY(document.landmarks().empty());
 }
@@ -343,9 +347,9 @@ void TestDocumentLandmarks::pointsGoWithTheirObject()
     openTriangle(document);
     Landmark onMesh = *landmarkOnMesh(document, deviceOf(document, {1.0, 1.0, 0.0}));
     Landmark above = onMesh, elsewhere = onMesh;
-    above.hold = landmarks::Free{};
+    above.anchor = landmarks::Free{};
     above.world = WorldPoint(1.0, 1.0, 2.0);
-    elsewhere.hold = landmarks::Free{};
+    elsewhere.anchor = landmarks::Free{};
     elsewhere.object.clear();
     QVERIFY(editLandmarks(document, {onMesh, above, elsewhere}, kLabel));
     const landmarks::LandmarkSet before = document.scene().landmarks;
@@ -357,7 +361,7 @@ void TestDocumentLandmarks::pointsGoWithTheirObject()
     QVERIFY(glm::length(now[0].world->coordinates() - held) < 1e-12);
     QVERIFY(glm::length(now[1].world->coordinates() - free) < 1e-12);
     QVERIFY(now[2] == before.landmarks[2]); // on nothing, it stays
-    QCOMPARE(std::holds_alternative<landmarks::OnTriangle>(now[0].hold), !object.isEmpty());
+    QCOMPARE(std::holds_alternative<landmarks::OnTriangle>(now[0].anchor), !object.isEmpty());
     while (document.undoStack().count() > steps && document.undoStack().index() > steps)
         document.undoStack().undo();
     QVERIFY(document.scene().landmarks == before); // and with the object they are back
@@ -367,9 +371,9 @@ void TestDocumentLandmarks::turnedUncertaintyDoesNotGrow()
 {
     SceneDocument document;
     openTriangle(document);
-    Landmark point = *landmarkOnMesh(document, deviceOf(document, {1.0, 1.0, 0.0}));
-    point.uncertainty = WorldVector(0.1, 0.2, 0.2);
-    QVERIFY(editLandmarks(document, {point}, kLabel));
+    Landmark landmark = *landmarkOnMesh(document, deviceOf(document, {1.0, 1.0, 0.0}));
+    landmark.uncertainty = WorldVector(0.1, 0.2, 0.2);
+    QVERIFY(editLandmarks(document, {landmark}, kLabel));
     for (int degrees = 1; degrees <= 360; ++degrees)
         QVERIFY(editTransform(document, 0, {Rotate{double(degrees), {1, 2, 3}}}, {QStringLiteral("turn")}));
     QVERIFY(std::abs(length(*document.landmarks()[0].uncertainty) - 0.3) < 1e-9);
@@ -381,31 +385,36 @@ void TestDocumentLandmarks::clicksAreHeldByTheMesh_data()
 {
     QTest::addColumn<ray::Snap>("snap");
     QTest::addColumn<glm::dvec3>("world");
-    QTest::addColumn<landmarks::Hold>("hold");
+    QTest::addColumn<landmarks::Anchor>("hold");
     using namespace landmarks;
+    using namespace unprojector::geometry;
+    using namespace unprojector::mesh;
+    using namespace unprojector::scene;
+    using namespace unprojector::unproject;
     QTest::newRow("surface") << ray::Snap::Surface << glm::dvec3(1, 1, 0)
-                             << Hold(OnTriangle{0, glm::dvec3(0.5, 0.25, 0.25)});
-    QTest::newRow("vertex") << ray::Snap::Vertex << glm::dvec3(4, 0, 0) << Hold(AtVertex{1});
-    QTest::newRow("edge") << ray::Snap::Edge << glm::dvec3(1, 0, 0) << Hold(OnEdge{{0, 1}, 0.25});
-    QTest::newRow("slanting edge") << ray::Snap::Edge << glm::dvec3(3, 1, 0) << Hold(OnEdge{{1, 2}, 0.25});
-    QTest::newRow("face") << ray::Snap::Face << glm::dvec3(1, 2, 0) << Hold(OnTriangle{0, glm::dvec3(0.25, 0.25, 0.5)});
+                             << Anchor(OnTriangle{0, glm::dvec3(0.5, 0.25, 0.25)});
+    QTest::newRow("vertex") << ray::Snap::Vertex << glm::dvec3(4, 0, 0) << Anchor(AtVertex{1});
+    QTest::newRow("edge") << ray::Snap::Edge << glm::dvec3(1, 0, 0) << Anchor(OnEdge{{0, 1}, 0.25});
+    QTest::newRow("slanting edge") << ray::Snap::Edge << glm::dvec3(3, 1, 0) << Anchor(OnEdge{{1, 2}, 0.25});
+    QTest::newRow("face") << ray::Snap::Face << glm::dvec3(1, 2, 0)
+                          << Anchor(OnTriangle{0, glm::dvec3(0.25, 0.25, 0.5)});
 }
 
 void TestDocumentLandmarks::clicksAreHeldByTheMesh()
 {
     QFETCH(ray::Snap, snap);
     QFETCH(glm::dvec3, world);
-    QFETCH(landmarks::Hold, hold);
+    QFETCH(landmarks::Anchor, hold);
     SceneDocument document;
     openTriangle(document, snap);
     const std::optional<Landmark> point = landmarkOnMesh(document, deviceOf(document, world));
     QVERIFY(point);
     QCOMPARE(point->object, std::string("triangle"));
-    QCOMPARE(point->hold.index(), hold.index());
+    QCOMPARE(point->anchor.index(), hold.index());
     const Model &model = *document.objects()[0].model;
-    QVERIFY(glm::length(ray::placeOf(point->hold, model)->coordinates() - world) < 1e-9);
+    QVERIFY(glm::length(ray::placeOf(point->anchor, model)->coordinates() - world) < 1e-9);
     QVERIFY(glm::length(ray::placeOf(hold, model)->coordinates() - world) < 1e-9); // the row itself
-    QVERIFY(glm::length(ray::placeOf(point->hold, model)->coordinates() - point->world->coordinates()) < 1e-14);
+    QVERIFY(glm::length(ray::placeOf(point->anchor, model)->coordinates() - point->world->coordinates()) < 1e-14);
     QVERIFY(!landmarkOnMesh(document, deviceOf(document, {4.0, 4.0, 0.0})));
 }
 
@@ -413,7 +422,7 @@ void TestDocumentLandmarks::aHandIsAsSureAsItsPixel()
 {
     SceneDocument document;
     openTriangle(document);
-    const Picture &g = document.picture();
+    const Setup &g = document.setup();
     const DevicePoint at = deviceOf(document, {1.0, 1.0, 0.0});
     const ProjectionWindow window = projectionWindow(g.projection());
     const double footprint = (window.right - window.left) / window.nearDistance * 10.0 / g.surface.widthPixels;
@@ -443,10 +452,10 @@ void TestDocumentLandmarks::aDepthWithoutAMeshIsFree()
     QVERIFY(editTransform(document, 0, {Translate{{0, 0, 0}}}, kLabel));
     // Beside the triangle no ray meets it, but the frame may have drawn its rim there.
     const DevicePoint beside = deviceOf(document, {-0.5, 1.0, 0.0});
-    const WidgetPoint position = widgetFromDevice(document.picture().surface, beside);
+    const WidgetPoint position = widgetFromDevice(document.setup().surface, beside);
     const std::optional<Landmark> point = landmarkOfClick(document, position, DepthSample{0.5, 0, 24});
     QVERIFY(point);
-    QVERIFY(std::holds_alternative<landmarks::Free>(point->hold));
+    QVERIFY(std::holds_alternative<landmarks::Free>(point->anchor));
     QCOMPARE(point->object, std::string("triangle"));
     const Result<Pick> pick =
         document.picks().unprojected({position, DevicePixel{int(beside.x), int(beside.y)}, {0.5, 0, 24}});
@@ -463,10 +472,10 @@ void TestDocumentLandmarks::aThousandStepsAndBack()
     document.undoStack().setUndoLimit(0);
     openScene(document);
     QVERIFY(editLandmarks(document, {pointAt(0, "a"), pointAt(1, "b")}, kLabel));
-    for (Landmark point : {pointAt(5, "c"), pointAt(6, "d")}) {
-        point.object = document.objects()[1].name;
-        point.hold = landmarks::OnTriangle{1, glm::dvec3(0.25, 0.25, 0.5)};
-        QVERIFY(document.points().place(point));
+    for (Landmark landmark : {pointAt(5, "c"), pointAt(6, "d")}) {
+        landmark.object = document.objects()[1].name;
+        landmark.anchor = landmarks::OnTriangle{1, glm::dvec3(0.25, 0.25, 0.5)};
+        QVERIFY(document.sceneLandmarks().place(landmark));
     }
     document.markSaved();
     const landmarks::LandmarkSet begin = document.scene().landmarks;
@@ -475,42 +484,42 @@ void TestDocumentLandmarks::aThousandStepsAndBack()
     const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
     std::vector<landmarks::LandmarkSet> states; // by index of the stack, from first on
     states.push_back(begin);
-    ScenePoints &points = document.points();
+    SceneLandmarks &landmarks = document.sceneLandmarks();
     const auto isSelectionValid = [&] {
-        const auto &selection = points.selection();
+        const auto &selection = landmarks.selection();
         return std::is_sorted(selection.begin(), selection.end())
                && (selection.empty() || selection.back() < document.landmarks().size())
-               && points.current().has_value() == !selection.empty()
-               && (!points.current() || points.isSelected(*points.current()))
-               && (!points.waiting()
-                   || (*points.waiting() < document.landmarks().size()
-                       && document.landmarks()[*points.waiting()].isMissing()));
+               && landmarks.current().has_value() == !selection.empty()
+               && (!landmarks.current() || landmarks.isSelected(*landmarks.current()))
+               && (!landmarks.nextUnplaced()
+                   || (*landmarks.nextUnplaced() < document.landmarks().size()
+                       && document.landmarks()[*landmarks.nextUnplaced()].isMissing()));
     };
     for (int step = 0; step < 1000; ++step) {
         const std::size_t count = document.landmarks().size();
         const std::size_t some = count ? below(count) : 0, other = count ? below(count) : 0;
         const int kind = static_cast<int>(below(17));
         if (kind < 3 || count == 0) {
-            QVERIFY(points.place(pointAt(double(random() % 1000))));
+            QVERIFY(landmarks.place(pointAt(double(random() % 1000))));
         } else if (kind == 3) {
-            QVERIFY(points.move(some, pointAt(double(random() % 1000)), QStringLiteral("drag %1").arg(below(2))));
+            QVERIFY(landmarks.move(some, pointAt(double(random() % 1000)), QStringLiteral("drag %1").arg(below(2))));
         } else if (kind == 4) {
-            QVERIFY(points.moveTo(some, WorldPoint(double(random() % 1000), 1.0, 1.0)));
+            QVERIFY(landmarks.moveTo(some, WorldPoint(double(random() % 1000), 1.0, 1.0)));
         } else if (kind == 5) {
-            QVERIFY(points.rename(some, QString::number(random() % 10)));
+            QVERIFY(landmarks.rename(some, QString::number(random() % 10)));
         } else if (kind == 6) {
-            QVERIFY(points.remove({some, other}));
+            QVERIFY(landmarks.remove({some, other}));
         } else if (kind == 7) {
-            QVERIFY(points.reorder(some, other));
+            QVERIFY(landmarks.reorder(some, other));
         } else if (kind == 8) {
-            QVERIFY(points.setHidden({some, other}, random() % 2 == 0));
+            QVERIFY(landmarks.setHidden({some, other}, random() % 2 == 0));
         } else if (kind == 9) {
-            QVERIFY(points.setColor({some}, glm::u8vec3(random() % 3)));
+            QVERIFY(landmarks.setColor({some}, glm::u8vec3(random() % 3)));
         } else if (kind == 10) {
-            QVERIFY(points.setMissing({some}));
-            points.waitForNext(some);
+            QVERIFY(landmarks.setMissing({some}));
+            landmarks.waitForNext(some);
         } else if (kind == 11) {
-            points.toggle(some);
+            landmarks.toggle(some);
         } else if (kind == 12) {
             const auto objects = document.objects().size();
             QVERIFY(editTransform(document, below(objects), {Translate{{double(random() % 9), 0, 0}}}, kLabel));
@@ -559,18 +568,18 @@ void TestDocumentLandmarks::pointsAreInTheSceneFile()
     for (int x = 5; x < 800 && !held; x += 5)
         held = landmarkOnMesh(document, {x + 0.5, 300.5});
     QVERIFY(held);
-    QVERIFY(document.points().place(*held));
-    QVERIFY(document.points().place(pointAt(0.1, "b")));
-    QVERIFY(document.points().setNote(1, QStringLiteral("chipped")));
-    QVERIFY(document.points().setHidden({1}, true));
-    QVERIFY(document.points().setMissing({1}));
-    const scene_file::SceneFile file = scene_file::sceneFileFrom(document.scene(), document.picture(), "scene.json");
+    QVERIFY(document.sceneLandmarks().place(*held));
+    QVERIFY(document.sceneLandmarks().place(pointAt(0.1, "b")));
+    QVERIFY(document.sceneLandmarks().setNote(1, QStringLiteral("chipped")));
+    QVERIFY(document.sceneLandmarks().setHidden({1}, true));
+    QVERIFY(document.sceneLandmarks().setMissing({1}));
+    const scene_file::SceneFile file = scene_file::sceneFileFrom(document.scene(), document.setup(), "scene.json");
     const auto text = scene_file::sceneText(file);
     QVERIFY(text);
     const auto read = scene_file::parseScene(*text, "scene.json");
     QVERIFY(read);
     QVERIFY(read->landmarks == document.scene().landmarks);
-    QVERIFY(std::holds_alternative<landmarks::OnTriangle>(read->landmarks.landmarks[0].hold));
+    QVERIFY(std::holds_alternative<landmarks::OnTriangle>(read->landmarks.landmarks[0].anchor));
 }
 
 QTEST_GUILESS_MAIN(TestDocumentLandmarks)

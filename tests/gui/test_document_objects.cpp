@@ -13,6 +13,9 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace documenttest;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
 
 class TestDocumentObjects : public QObject {
     Q_OBJECT
@@ -123,20 +126,20 @@ void TestDocumentObjects::hiddenObjectsAreOutOfSight()
     QVERIFY(setObjectHidden(document, 1, true));
     QVERIFY(document.bounds().highest.x < both.highest.x - 40.0);
     fitAll(document);
-    const LookAt one = document.picture().camera();
+    const LookAt one = document.setup().camera();
     document.undoStack().undo();
     document.undoStack().undo();
     QCOMPARE(document.bounds().highest.x, both.highest.x);
     fitAll(document);
-    QVERIFY(distance(document.picture().camera().eye, one.eye) > 10.0);
+    QVERIFY(distance(document.setup().camera().eye, one.eye) > 10.0);
     // A hidden one can be looked at all the same, and all can be hidden.
     fitObject(document, 0);
-    QVERIFY(distance(document.picture().camera().eye, one.eye) < 1e-9);
+    QVERIFY(distance(document.setup().camera().eye, one.eye) < 1e-9);
     QVERIFY(setObjectHidden(document, 0, true) && setObjectHidden(document, 1, true));
     QVERIFY(document.bounds().isEmpty());
     fitAll(document);
     fitObject(document, 1);
-    QVERIFY(std::abs(document.picture().camera().center.x - both.highest.x) < 10.0);
+    QVERIFY(std::abs(document.setup().camera().center.x - both.highest.x) < 10.0);
 }
 
 void TestDocumentObjects::namesStayUnique_data()
@@ -185,7 +188,7 @@ SceneObject placed(const glm::dvec3 &middle, double scale)
 bool isInSight(const SceneDocument &document, const SceneObject &object, glm::dvec2 *share = nullptr)
 {
     glm::dvec2 lowest(1e300), highest(-1e300);
-    const glm::dmat4 clipFromObject = clipFromWorld(document.picture()).value() * worldFromObject(object.transform);
+    const glm::dmat4 clipFromObject = clipFromWorld(document.setup()).value() * worldFromObject(object.transform);
     for (const Mesh &mesh : object.model->meshes) {
         for (std::size_t element = 0; element < mesh.elementCount(); ++element) {
             const glm::dvec4 clip = clipFromObject * glm::dvec4(mesh.position(mesh.vertexAt(element)), 1.0);
@@ -227,19 +230,19 @@ void TestDocumentObjects::whatIsAddedIsInSight()
     document.setSurface({801, 601, 1.0});
     openObjects(document, {placed({0.0, 0.0, 0.0}, 1.0)},
                 {WorldPoint(0.0, 0.0, 12.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}});
-    const Projection typed = withClipDistances(document.picture().projection(), 1.0, 30.0);
+    const Projection typed = withClipDistances(document.setup().projection(), 1.0, 30.0);
     if (!fits)
         QVERIFY(editProjection(document, {typed, true, false}, kLabel));
-    const Picture before = document.picture();
+    const Setup before = document.setup();
     const int steps = document.undoStack().count();
     QVERIFY(addObjects(document, {placed(middle, scale)}));
     QCOMPARE(document.undoStack().count(), steps + 1);
     QVERIFY(isInSight(document, document.objects()[0]));
     QVERIFY(isInSight(document, document.objects()[1]));
-    QCOMPARE(document.picture().camera() != before.camera(), moves);
+    QCOMPARE(document.setup().camera() != before.camera(), moves);
     QCOMPARE(document.scene().clipDistancesFitObjects, fits); // a rule stays what it is
     document.undoStack().undo();
-    QVERIFY(document.picture() == before);
+    QVERIFY(document.setup() == before);
     QCOMPARE(document.objects().size(), std::size_t(1));
 }
 
@@ -249,10 +252,10 @@ void TestDocumentObjects::twoSizesCanBothBeSeen()
     document.setSurface({801, 601, 1.0});
     openObjects(document, {placed({0.0, 0.0, 0.0}, 1.0)});
     QVERIFY(addObjects(document, {placed({3.0, 0.0, 0.0}, 1e-4)}));
-    for (const std::size_t place : {std::size_t(1), std::size_t(0)}) {
-        fitObject(document, place);
+    for (const std::size_t index : {std::size_t(1), std::size_t(0)}) {
+        fitObject(document, index);
         glm::dvec2 share(0.0);
-        QVERIFY(isInSight(document, document.objects()[place], &share));
+        QVERIFY(isInSight(document, document.objects()[index], &share));
         QVERIFY(std::abs(std::max(share.x, share.y) - Framing::kFilled) < 1e-4);
     }
 }

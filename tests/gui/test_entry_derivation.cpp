@@ -15,12 +15,14 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace pipelinetest;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
 
 namespace {
 
 QString derivation(const SceneDocument &document, const PipelineModel &model, Space space, int coordinate)
 {
-    return entryDerivation(model, document.picture(), space, coordinate).text;
+    return entryDerivation(model, document.setup(), space, coordinate).text;
 }
 
 /// The value of "0.1 · (-4.2) + 1"; not a number where it is none.

@@ -16,6 +16,9 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -113,10 +116,10 @@ void TestExamplesDrawn::aClickReadsThePointOfTheNote()
     QVERIFY(QTest::qWaitForWindowExposed(&stage.view, kPatienceMilliseconds));
     QVERIFY(!stage.picture(example(id.toStdString()).scene).isNull());
     const WorldPoint expected(x, y, z);
-    const Picture &geometry = stage.document.picture();
-    const Result<WindowPoint> window = windowFromWorld(geometry, expected);
+    const Setup &setup = stage.document.setup();
+    const Result<WindowPoint> window = windowFromWorld(setup, expected);
     QVERIFY(window);
-    const WidgetPoint widget = widgetFromDevice(geometry.surface, deviceFromWindow(geometry.surface, *window));
+    const WidgetPoint widget = widgetFromDevice(setup.surface, deviceFromWindow(setup.surface, *window));
     QTest::mouseClick(&stage.view, Qt::LeftButton, {}, QPoint(int(widget.x), int(widget.y)));
     QTRY_VERIFY_WITH_TIMEOUT(stage.document.picks().pick(), kPatienceMilliseconds);
     const Pick &pick = *stage.document.picks().pick();

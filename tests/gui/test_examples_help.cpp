@@ -24,6 +24,8 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
 
 namespace {
 

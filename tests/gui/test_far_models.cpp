@@ -18,6 +18,11 @@
 #include <cmath>
 
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -231,7 +236,7 @@ void TestFarModels::millimetresArePicked()
             const Pick &pick = *document.picks().pick();
             QVERIFY2(pick.hit(), qPrintable(QStringLiteral("square %1").arg(square)));
             const glm::dvec3 truth =
-                onPlane(rayThrough(pick.picture, windowOf(view, pixelUnder(view, local))), middleOf(square), {0, 0, 1});
+                onPlane(rayThrough(pick.setup, windowOf(view, pixelUnder(view, local))), middleOf(square), {0, 0, 1});
             const glm::dvec3 picked = pick.point.world[Method::Formula]->coordinates();
             const double off = glm::length(picked - truth);
             QVERIFY2(off < 0.25 * kMillimetre,

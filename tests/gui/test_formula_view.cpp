@@ -15,6 +15,8 @@
 
 using namespace comparing;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -40,9 +42,9 @@ void moveTo(QWidget &view, const QPointF &position)
 
 Pick hugePick()
 {
-    Picture geometry = frustumGeometry();
-    geometry.projection() = Frustum{-1234567.0, 1234567.0, -987654.0, 987654.0, 123456.0, 98765432.0};
-    return picked(geometry, 411.0, 299.0, 0.123456789);
+    Setup setup = frustumGeometry();
+    setup.projection() = Frustum{-1234567.0, 1234567.0, -987654.0, 987654.0, 123456.0, 98765432.0};
+    return picked(setup, 411.0, 299.0, 0.123456789);
 }
 
 } // namespace

@@ -22,6 +22,9 @@
 #include <limits>
 
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -103,7 +106,7 @@ void TestFrame::everyPixelIsTheSurfaceThatIsThere()
                 QVERIFY(window->document().picks().pick());
                 const Pick &pick = *window->document().picks().pick();
                 const DevicePixel pixel = pixelUnder(view, QPointF(x, y));
-                const guitest::Ray ray = rayThrough(window->document().picture(), windowOf(view, pixel));
+                const guitest::Ray ray = rayThrough(window->document().setup(), windowOf(view, pixel));
                 std::optional<std::size_t> object;
                 double nearest = std::numeric_limits<double>::infinity();
                 for (std::size_t i = 0; i < kTwoCubeCenters.size(); ++i) {
@@ -185,7 +188,7 @@ void TestFrame::aPickIsNeverOnAClippedPart()
         for (int x = 0; x < window->view().width(); x += 10 * kCoarser) {
             click(window->view(), QPointF(x, y));
             const Pick &pick = *window->document().picks().pick();
-            const guitest::Ray ray = rayThrough(window->document().picture(),
+            const guitest::Ray ray = rayThrough(window->document().setup(),
                                                 windowOf(window->view(), pixelUnder(window->view(), QPointF(x, y))));
             const std::optional<double> uncut = entry(ray, kTwoCubeCenters[0]);
             if (!pick.hit()) {
@@ -295,7 +298,7 @@ void TestFrame::aFrameTooLargeIsRefusedAndLeavesNothingBehind()
                               ? ObjectIds::Colors
                               : ObjectIds::Integers);
     const auto picture = [](int size) {
-        Picture g;
+        Setup g;
         g.surface = {size, size, 1.0};
         g.viewport = wholeSurface(g.surface);
         return g;
@@ -305,9 +308,9 @@ void TestFrame::aFrameTooLargeIsRefusedAndLeavesNothingBehind()
     frame.end();
     QVERIFY(frame.sample({3, 4}) && !frame.sample({3, 4})->hit());
     Drawable tooLarge; // more than any driver has, and more than drawable() lets through
-    tooLarge.picture = picture(1 << 20);
+    tooLarge.setup = picture(1 << 20);
     QVERIFY(!frame.begin(tooLarge));
-    QVERIFY(!frame.picture() && !frame.sample({3, 4}));
+    QVERIFY(!frame.setup() && !frame.sample({3, 4}));
     QVERIFY(frame.begin(drawable(picture(16)).value()));
     frame.end();
     QVERIFY(frame.sample({3, 4}));
@@ -347,10 +350,10 @@ void TestFrame::aFrameIsPutOntoWhateverThereIs()
     Context gl;
     QVERIFY(gl.isCurrent);
     QOpenGLExtraFunctions &f = *gl.context.extraFunctions();
-    Picture picture;
-    picture.surface = {16, 8, 1.0};
-    picture.viewport = wholeSurface(picture.surface);
-    picture.depthRange = {0.25, 0.75};
+    Setup setup;
+    setup.surface = {16, 8, 1.0};
+    setup.viewport = wholeSurface(setup.surface);
+    setup.depthRange = {0.25, 0.75};
     Frame frame;
     frame.initialize();
     FramePainter painter;
@@ -367,7 +370,7 @@ void TestFrame::aFrameIsPutOntoWhateverThereIs()
     }
     const std::array<std::array<float, 4>, 2> colors{{{1.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 1.0f, 1.0f}}};
     for (int round = 0; round < 2; ++round) { // what the first one finds out the second goes by
-        QVERIFY(frame.begin(drawable(picture).value()));
+        QVERIFY(frame.begin(drawable(setup).value()));
         f.glClearBufferfv(GL_COLOR, 0, colors[static_cast<std::size_t>(round)].data());
         frame.end();
         QVERIFY(shown.bind());

@@ -15,6 +15,10 @@
 #include <cmath>
 
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 

@@ -21,6 +21,8 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace pipelinetest;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
 
 namespace {
 
@@ -120,7 +122,7 @@ void TestGivenPoint::aTypedNumberIsAPointBothWays()
     QVERIFY(isPoint(shown.model().point(Space::Widget), {25, 25}));
     QVERIFY(shown.tells(QStringLiteral("given in eye coordinates")));
     QVERIFY(shown.document.scene().givenPoint->point == GivenPoint{EyePoint(0, 0, -8)}.point);
-    QVERIFY(givenWorld(shown.document.scene(), shown.document.picture()).value() == WorldPoint(0, 0, -3));
+    QVERIFY(givenWorld(shown.document.scene(), shown.document.setup()).value() == WorldPoint(0, 0, -3));
     QVERIFY(shown.document.isEdited());
     // The camera goes on, the eye point stays what it is.
     QVERIFY(shown.document.scene().givenPoint.has_value());
@@ -232,7 +234,7 @@ void TestGivenPoint::outsideTheViewVolumeIsSaid()
     const ShownPanel shown;
     shown.paste(Space::World, QStringLiteral("100 0 0"));
     QVERIFY(shown.tells(QStringLiteral("x > w")));
-    QVERIFY(givenWorld(shown.document.scene(), shown.document.picture())
+    QVERIFY(givenWorld(shown.document.scene(), shown.document.setup())
                 .has_value()); // it is marked in the view from outside
 }
 

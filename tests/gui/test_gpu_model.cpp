@@ -10,6 +10,7 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::mesh;
 
 namespace {
 

@@ -32,6 +32,8 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
 using namespace comparing;
 namespace {
 

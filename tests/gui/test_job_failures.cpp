@@ -24,6 +24,10 @@
 
 using namespace jobfaults;
 using namespace sessions;
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::scene;
 
 namespace {
 
@@ -38,13 +42,13 @@ std::vector<SceneObject> ball(int subdivisions)
 landmarks::Landmark pointOn(const SceneObject &object, const glm::dvec3 &place, const char *name)
 {
     const auto closest = ray::ClosestPlaces::build(object.model, {})->to(ObjectPoint(place));
-    landmarks::Landmark point;
-    point.name = name;
-    point.object = object.name;
-    point.world = WorldPoint(place);
-    point.hold = closest->hold;
-    point.uncertainty = WorldVector(0.01, 0.01, 0.01);
-    return point;
+    landmarks::Landmark landmark;
+    landmark.name = name;
+    landmark.object = object.name;
+    landmark.world = WorldPoint(place);
+    landmark.anchor = closest->anchor;
+    landmark.uncertainty = WorldVector(0.01, 0.01, 0.01);
+    return landmark;
 }
 
 } // namespace
@@ -169,9 +173,9 @@ void TestJobFailures::curvesSayWhy()
     openObjects(document, ball(kMany));
     document.picks().rayCasters().complete(document.objects());
     const SceneObject &ball = document.objects()[0];
-    const std::vector<landmarks::Landmark> points{
+    const std::vector<landmarks::Landmark> landmarks{
         pointOn(ball, {0.0, 0.0, 1.0}, "a"), pointOn(ball, {0.0, 0.6, 0.8}, "b"), pointOn(ball, {0.6, 0.0, 0.8}, "c")};
-    QVERIFY(editLandmarks(document, points, {"put"}));
+    QVERIFY(editLandmarks(document, landmarks, {"put"}));
     SceneCurves &curves = document.curves();
     {
         const Fault fault(kind);
@@ -202,7 +206,7 @@ void TestJobFailures::theDoctorHasNoAnswer()
         doctor::WrongPoint point;
         point.pixel = DevicePoint(200.0, 150.0);
         point.got = {1.0, 2.0, 3.0};
-        diagnoser.ask({document.unprojector().picture(), {}, {}, {}, {}}, {point});
+        diagnoser.ask({document.unprojector().setup(), {}, {}, {}, {}}, {point});
     };
     {
         const Fault fault(kind);

@@ -10,6 +10,7 @@
 #include <functional>
 
 using namespace guitest;
+using namespace unprojector::gui;
 
 namespace {
 

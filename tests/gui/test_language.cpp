@@ -41,6 +41,7 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::scene;
 
 namespace {
 

@@ -14,6 +14,11 @@
 #include <QSignalSpy>
 
 using namespace guitest;
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
 
 namespace {
 

@@ -11,6 +11,7 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
 
 class TestLessonsAnswers : public QObject {
     Q_OBJECT
@@ -157,7 +158,7 @@ void TestLessonsAnswers::theViewIsCalledAsThePaperSays()
                              kPatienceMilliseconds);
     QVERIFY2(calls(before).section(u'\n', 0, 0).contains(QStringLiteral("OnSize")), qPrintable(calls(before)));
     const auto stretch = [&] { // of a square
-        const Picture &g = window->document().picture();
+        const Setup &g = window->document().setup();
         const ProjectionWindow w = projectionWindow(g.projection());
         return g.viewport.width / (w.right - w.left) / (g.viewport.height / (w.top - w.bottom));
     };

@@ -24,6 +24,8 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
 
 namespace {
 
@@ -83,8 +85,8 @@ void TestLessonsLinks::everyStepOpensAndItsLinksLead()
     LessonPlayer &player = part<LessonPlayer>(*window);
     QVERIFY(dockOf(*window, "lesson")->isHidden());
     QVERIFY(player.start(name.toStdString()));
-    for (std::size_t place = 0; place < player.lesson()->steps.size(); ++place) {
-        QVERIFY(player.goTo(place));
+    for (std::size_t index = 0; index < player.lesson()->steps.size(); ++index) {
+        QVERIFY(player.goTo(index));
         const lessons::Step &step = player.step();
         QVERIFY(isSeen(*window, "lesson"));
         QVERIFY(!step.workspace || *step.workspace == window->workspaces().current());

@@ -19,6 +19,8 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 class TestLessonsView : public QObject {
     Q_OBJECT
@@ -174,9 +176,9 @@ void TestLessonsView::aDraggedPointEndsWithItsScene()
     follow(*window, QStringLiteral("view:500x500"));
     QTRY_VERIFY_WITH_TIMEOUT(part<LessonPlayer>(*window).hasViewOfStep(), kPatienceMilliseconds);
     const QPointF at = view.rect().center();
-    const auto there = landmarkOnMesh(document, deviceFromWidget(document.picture().surface, view.widgetPosition(at)));
-    QVERIFY(there && document.points().place(*there));
-    document.points().selectOnly(0);
+    const auto there = landmarkOnMesh(document, deviceFromWidget(document.setup().surface, view.widgetPosition(at)));
+    QVERIFY(there && document.sceneLandmarks().place(*there));
+    document.sceneLandmarks().selectOnly(0);
     const QImage without = view.grabFramebuffer();
     const auto send = [&](QEvent::Type type, const QPointF &way, Qt::MouseButton button, Qt::MouseButtons buttons) {
         sendMouse(view, type, at + way, button, buttons);
@@ -293,7 +295,7 @@ void TestLessonsView::lettersOverlapNothing()
     QVERIFY(player.goTo(std::size_t(player.lesson()->step(step.toStdString()) - player.lesson()->steps.data())));
     follow(*window, QStringLiteral("view:%1x%2").arg(size.width()).arg(size.height()));
     QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), size, kPatienceMilliseconds);
-    const Picture &g = window->document().picture();
+    const Setup &g = window->document().setup();
     const double side = SceneOverlay::axesSide(*drawable(g));
     const QRectF cross(g.viewport.x, g.surface.heightPixels - g.viewport.y - side, side, side);
     const HighlightMarks marks = highlightsInView(window->document(), player.step().highlights);

@@ -18,6 +18,10 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
 
 class TestLessonsWindow : public QObject {
     Q_OBJECT
@@ -157,16 +161,16 @@ void TestLessonsWindow::theKeysGoFromStepToStep()
     window->activateWindow(); // keys are for the active one
     QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
     QTest::keyClick(&window->view(), Qt::Key_PageDown, Qt::AltModifier);
-    QCOMPARE(part<LessonPlayer>(*window).place(), std::size_t(1));
+    QCOMPARE(part<LessonPlayer>(*window).index(), std::size_t(1));
     auto *steps = panelOf(*window).findChild<QComboBox *>();
     QCOMPARE(steps->currentIndex(), 1);
     const std::size_t count = part<LessonPlayer>(*window).lesson()->steps.size();
     QVERIFY(steps->currentText().startsWith(QStringLiteral("2 of %1").arg(count)));
     follow(*window, QStringLiteral("step:frustum"));
-    QCOMPARE(part<LessonPlayer>(*window).place(), count - 1);
+    QCOMPARE(part<LessonPlayer>(*window).index(), count - 1);
     QVERIFY(!next->isEnabled() && !buttonOf(*window, QStringLiteral("Next ›")));
     QTest::keyClick(&window->view(), Qt::Key_PageUp, Qt::AltModifier);
-    QCOMPARE(part<LessonPlayer>(*window).place(), count - 2);
+    QCOMPARE(part<LessonPlayer>(*window).index(), count - 2);
     leave->trigger();
     QVERIFY(!part<LessonPlayer>(*window).lesson() && !next->isEnabled());
     QVERIFY(part<LessonPlayer>(*window).start("derivation"));

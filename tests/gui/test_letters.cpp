@@ -16,6 +16,7 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
 
 namespace {
 
@@ -174,7 +175,7 @@ void TestLetters::theEyesOwnAxesAreNotInAPerspective()
     const std::set<Highlight> highlights = player.step().highlights;
     QVERIFY(highlights.contains(Highlight::Axes));
     SceneDocument &document = window->document();
-    const LookAt start = document.picture().camera();
+    const LookAt start = document.setup().camera();
     // Turned and moved, the eye's depth is 0 but for rounding, above or below.
     for (int i = 0; i < 50; ++i) {
         LookAt camera = start;

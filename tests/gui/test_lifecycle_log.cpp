@@ -22,6 +22,7 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::scene;
 using Kind = LifecycleEvent::Kind;
 
 namespace {
@@ -271,7 +272,7 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
     QCOMPARE(names, QStringList({"PreCreateWindow", "OnCreate", "OnSize", "OnDraw", "OnSize", "OnDraw", "OnLButtonDown",
                                  "OnDraw", "OnDestroy"}));
 
-    const double ratio = document.picture().surface.devicePixelRatio;
+    const double ratio = document.setup().surface.devicePixelRatio;
     if (ratio != 1.0)
         QSKIP("The numbers are those of one device pixel per logical pixel.");
     const auto rowOf = [&steps](const QString &step) { return static_cast<int>(steps.indexOf(step)); };

@@ -31,6 +31,8 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
 
 namespace {
 

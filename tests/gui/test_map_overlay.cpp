@@ -3,7 +3,7 @@
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
-#include "gui/landmarks/point_loupe.h"
+#include "gui/landmarks/landmark_loupe.h"
 #include "gui/map/map_colors.h"
 #include "gui/map/map_overlay.h"
 #include "gui/map/map_panel.h"
@@ -23,6 +23,8 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -121,8 +123,8 @@ void TestMapOverlay::itComesAndGoes()
     action->trigger();
     QVERIFY(!part<MapOverlay>(*window).panel().isHidden());
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
-    const Picture before = window->document().picture();
-    QVERIFY(part<MapOverlay>(*window).map()->picture == before);
+    const Setup before = window->document().setup();
+    QVERIFY(part<MapOverlay>(*window).map()->setup == before);
 
     LookAt camera = before.camera();
     camera.eye += WorldVector(0.5, 0.0, 0.0);
@@ -130,8 +132,8 @@ void TestMapOverlay::itComesAndGoes()
     QVERIFY(part<MapOverlay>(*window).map() == nullptr); // no stale colours
     QVERIFY(part<MapOverlay>(*window).image().isNull());
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
-    QVERIFY(part<MapOverlay>(*window).map()->picture == window->document().picture());
-    QVERIFY(!(part<MapOverlay>(*window).map()->picture == before));
+    QVERIFY(part<MapOverlay>(*window).map()->setup == window->document().setup());
+    QVERIFY(!(part<MapOverlay>(*window).map()->setup == before));
 
     action->trigger();
     QVERIFY(part<MapOverlay>(*window).panel().isHidden());
@@ -147,21 +149,20 @@ void TestMapOverlay::itIsOfThePicture()
     part<MapOverlay>(*window).setShown(true);
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
     const MadeMap &made = *part<MapOverlay>(*window).map();
-    const Picture &picture = window->document().picture();
-    QCOMPARE(made.map.widthPixels, picture.surface.widthPixels);
-    QCOMPARE(part<MapOverlay>(*window).image().size(),
-             QSize(picture.surface.widthPixels, picture.surface.heightPixels));
+    const Setup &setup = window->document().setup();
+    QCOMPARE(made.map.widthPixels, setup.surface.widthPixels);
+    QCOMPARE(part<MapOverlay>(*window).image().size(), QSize(setup.surface.widthPixels, setup.surface.heightPixels));
     const std::optional<DevicePixel> pixel = seenPixel(made.map);
     QVERIFY(pixel);
     QCOMPARE(part<MapOverlay>(*window).image().pixelColor(pixel->i, pixel->j).alpha(), 255);
     // The depth as a buffer of 24 bits has it.
     const auto hit = window->document().picks().rays()->at(pixelCenter(*pixel)).value();
-    const double depth = DepthFormat().kept(windowFromWorld(picture, hit->world).value().z);
+    const double depth = DepthFormat().kept(windowFromWorld(setup, hit->world).value().z);
     const Unprojected click =
-        window->document().unprojector().at(windowFromDevice(picture.surface, pixelCenter(*pixel), depth));
+        window->document().unprojector().at(windowFromDevice(setup.surface, pixelCenter(*pixel), depth));
     QVERIFY(std::abs(double(made.map.at(*pixel)) - length(click.world.difference())) < 1e-14);
 
-    part<MapOverlay>(*window).setPointer(widgetFromDevice(picture.surface, pixelCenter(*pixel)));
+    part<MapOverlay>(*window).setPointer(widgetFromDevice(setup.surface, pixelCenter(*pixel)));
     const auto says = [&window](const QString &start) {
         for (const QLabel *label : part<MapOverlay>(*window).panel().findChildren<QLabel *>()) {
             if (label->text().startsWith(start))
@@ -230,9 +231,9 @@ void TestMapOverlay::pointsAreOverTheMap()
     QVERIFY(pixel);
     const QImage shown = view.grabFramebuffer();
     QCOMPARE(shown.pixelColor(pixel->i, pixel->j), part<MapOverlay>(*window).image().pixelColor(pixel->i, pixel->j));
-    landmarks::Landmark point;
-    point.world = document.picks().rays()->at(pixelCenter(*pixel)).value()->world;
-    QVERIFY(document.points().place(point));
+    landmarks::Landmark landmark;
+    landmark.world = document.picks().rays()->at(pixelCenter(*pixel)).value()->world;
+    QVERIFY(document.sceneLandmarks().place(landmark));
     QVERIFY(part<MapOverlay>(*window).map() != nullptr); // a point is no other picture
     const QImage marked = view.grabFramebuffer();
     int changed = 0;
@@ -245,7 +246,7 @@ void TestMapOverlay::pointsAreOverTheMap()
     }
     QVERIFY2(changed > 20, qPrintable(QString::number(changed)));
     // The loupe stands beside the panel.
-    const Surface &surface = document.picture().surface;
+    const Surface &surface = document.setup().surface;
     const QRectF beside = loupeBox(surface, {10.0, 10.0}, 100.0), usual = loupeBox(surface, {10.0, 10.0});
     QCOMPARE(usual.left() - beside.left(), 100.0);
     // Where there is no room beside it, below.
@@ -267,7 +268,7 @@ void TestMapOverlay::uncertaintyIsThatOfAClick()
     part<MapOverlay>(*window).setShown(true);
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
     const MadeMap &made = *part<MapOverlay>(*window).map();
-    const Picture &picture = window->document().picture();
+    const Setup &setup = window->document().setup();
     std::vector<DevicePixel> seen; // of the model
     for (int i = 0; i < made.map.widthPixels; ++i) {
         if (const DevicePixel pixel{i, made.map.heightPixels / 2}; std::isfinite(made.map.at(pixel)))
@@ -276,7 +277,7 @@ void TestMapOverlay::uncertaintyIsThatOfAClick()
     QVERIFY(seen.size() > 20);
     for (const double share : {0.4, 0.5, 0.6}) {
         const DevicePixel pixel = seen[std::size_t(share * double(seen.size()))];
-        window->view().onLButtonDown(widgetFromDevice(picture.surface, pixelCenter(pixel)));
+        window->view().onLButtonDown(widgetFromDevice(setup.surface, pixelCenter(pixel)));
         const std::optional<Pick> &pick = window->document().picks().pick();
         QVERIFY(pick && pick->hit());
         const double stated = length(pick->uncertainty.world), shown = double(made.map.at(pixel));

@@ -9,6 +9,9 @@
 #include <cmath>
 
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::mesh;
 
 namespace {
 

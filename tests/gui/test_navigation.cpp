@@ -13,6 +13,7 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
 
 class TestNavigation : public QObject {
     Q_OBJECT
@@ -65,7 +66,7 @@ void TestNavigation::aTrembleIsNoDrag()
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
     const QPointF position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.1, 0.2));
-    const LookAt before = window->document().picture().camera();
+    const LookAt before = window->document().setup().camera();
     for (const auto &[button, modifiers] :
          {std::pair(Qt::LeftButton, Qt::NoModifier), std::pair(Qt::LeftButton, Qt::ShiftModifier),
           std::pair(Qt::MiddleButton, Qt::NoModifier)}) {
@@ -74,12 +75,12 @@ void TestNavigation::aTrembleIsNoDrag()
         for (const QPointF &step : {QPointF(1.0, 0.0), QPointF(1.0, -1.0), QPointF(-most, 0.0), QPointF(0.0, 0.0)})
             sendMouse(view, QEvent::MouseMove, position + step, Qt::NoButton, button, modifiers);
         sendMouse(view, QEvent::MouseButtonRelease, position, button, Qt::NoButton, modifiers);
-        QVERIFY(window->document().picture().camera() == before);
+        QVERIFY(window->document().setup().camera() == before);
     }
     QVERIFY(window->document().picks().pick()); // of the first, which was a click
     // A drag it is from the desktop's distance on.
     drag(view, position, position + QPointF(QApplication::startDragDistance(), 0.0), Qt::LeftButton);
-    QVERIFY(window->document().picture().camera() != before);
+    QVERIFY(window->document().setup().camera() != before);
 }
 
 void TestNavigation::aDragLeavesThePickAlone_data()
@@ -109,7 +110,7 @@ void TestNavigation::aDragLeavesThePickAlone()
     const std::optional<glm::dvec3> former = point();
     QCOMPARE(former.has_value(), hasFormer);
     const QString said = heading(*window);
-    const LookAt before = document.picture().camera();
+    const LookAt before = document.setup().camera();
     const int steps = document.undoStack().index();
 
     const QPointF from = fromSurface ? localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5)) : QPointF(6.0, 7.0);
@@ -120,7 +121,7 @@ void TestNavigation::aDragLeavesThePickAlone()
     QCOMPARE(document.undoStack().index(), steps);
     sendMouse(view, QEvent::MouseMove, from + QPointF(30.0, 8.0), Qt::NoButton, Qt::LeftButton);
     QVERIFY(point() == former);
-    QVERIFY(document.picture().camera() != before);
+    QVERIFY(document.setup().camera() != before);
     sendMouse(view, QEvent::MouseMove, from + QPointF(45.0, 8.0), Qt::NoButton, Qt::LeftButton);
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::LeftButton, Qt::NoButton); // back where it began
     QVERIFY(point() == former);
@@ -129,7 +130,7 @@ void TestNavigation::aDragLeavesThePickAlone()
     // The whole drag is one step.
     QCOMPARE(document.undoStack().index(), steps + 1);
     document.undoStack().undo();
-    QVERIFY(document.picture().camera() == before);
+    QVERIFY(document.setup().camera() == before);
     QVERIFY(point() == former);
 }
 
@@ -154,12 +155,12 @@ void TestNavigation::aDragTurnsAboutThePickedPoint()
     const auto window = cubeWindow(isOrtho);
     SceneView &view = window->view();
     const QPointF from = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
-    const LookAt before = window->document().picture().camera();
+    const LookAt before = window->document().setup().camera();
     click(view, from);
     const glm::dvec3 point = picked(*window);
     drag(view, from, from + QPointF(70.0, -25.0), Qt::LeftButton);
     QVERIFY(isAt(*window, point, centerUnder(view, from), kStillPixels));
-    const LookAt &after = window->document().picture().camera();
+    const LookAt &after = window->document().setup().camera();
     // 70 of the height's logical pixels of half a turn about world up: the scene turns right, the camera left.
     const glm::dvec3 f = forwardOf(before), g = forwardOf(after);
     const double yaw = std::atan2(f.z * g.x - f.x * g.z, f.x * g.x + f.z * g.z);
@@ -168,7 +169,7 @@ void TestNavigation::aDragTurnsAboutThePickedPoint()
     QCOMPARE(glm::length(after.center.coordinates() - after.eye.coordinates()),
              glm::length(before.center.coordinates() - before.eye.coordinates()));
     // The pick stays what was clicked.
-    QVERIFY(window->document().picks().pick()->picture.camera() == before);
+    QVERIFY(window->document().picks().pick()->setup.camera() == before);
 }
 
 void TestNavigation::aSecondButtonStartsNoOtherDrag_data()
@@ -193,7 +194,7 @@ void TestNavigation::aSecondButtonStartsNoOtherDrag()
     int picks = 0;
     connect(&document, &SceneDocument::changed, this,
             [&picks](Changes changes) { picks += changes.testFlag(Change::Pick) ? 1 : 0; });
-    const auto forward = [&] { return forwardOf(document.picture().camera()); };
+    const auto forward = [&] { return forwardOf(document.setup().camera()); };
     const int steps = document.undoStack().index();
 
     sendMouse(view, QEvent::MouseButtonPress, position, one, one);
@@ -204,10 +205,10 @@ void TestNavigation::aSecondButtonStartsNoOtherDrag()
     QCOMPARE(glm::length(forward() - before) > 0.01, turns);
     // Nor does it end the first.
     sendMouse(view, QEvent::MouseButtonRelease, position + QPointF(40.0, 0.0), other, one);
-    const LookAt camera = document.picture().camera();
+    const LookAt camera = document.setup().camera();
     before = forward();
     sendMouse(view, QEvent::MouseMove, position + QPointF(60.0, 0.0), Qt::NoButton, one);
-    QVERIFY(document.picture().camera() != camera);
+    QVERIFY(document.setup().camera() != camera);
     QCOMPARE(glm::length(forward() - before) > 0.01, turns);
     sendMouse(view, QEvent::MouseButtonRelease, position + QPointF(60.0, 0.0), one, Qt::NoButton);
     QCOMPARE(picks, turns ? 2 : 0); // at the press, and what was before when it turned
@@ -230,10 +231,10 @@ void TestNavigation::aHandThatReadsNothingGoesByTheCentre()
     SceneView view(document); // never shown: without OpenGL there is nothing to read
     view.resize(500, 400);
     document.setSurface(surfaceFromWidget(500, 400, view.devicePixelRatio()));
-    const Picture before = document.picture();
+    const Setup before = document.setup();
     const WorldPoint center = before.camera().center;
     drag(view, QPointF(100.0, 50.0), QPointF(160.0, 50.0), static_cast<Qt::MouseButton>(button));
-    const LookAt after = document.picture().camera();
+    const LookAt after = document.setup().camera();
     if (button == Qt::LeftButton) {
         QVERIFY(distance(after.eye, before.camera().eye) > 0.1);
         QVERIFY(distance(after.center, center) < 1e-9);
@@ -267,12 +268,12 @@ void TestNavigation::panningKeepsThePointUnderThePointer()
     const QPointF from = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5));
     click(view, from);
     const glm::dvec3 point = picked(*window);
-    const glm::dvec3 forward = forwardOf(window->document().picture().camera());
+    const glm::dvec3 forward = forwardOf(window->document().setup().camera());
     const QPointF way(-90.0, 40.0);
     drag(view, from, from + way, static_cast<Qt::MouseButton>(button), static_cast<Qt::KeyboardModifiers>(modifiers));
     // Window y points up.
     QVERIFY(isAt(*window, point, centerUnder(view, from) + glm::dvec2(way.x(), -way.y()) * ratio, kStillPixels));
-    QVERIFY(glm::length(forwardOf(window->document().picture().camera()) - forward) < 1e-12);
+    QVERIFY(glm::length(forwardOf(window->document().setup().camera()) - forward) < 1e-12);
     QCOMPARE(picked(*window), point);
 }
 
@@ -298,10 +299,10 @@ void TestNavigation::theWheelKeepsThePointUnderThePointer()
     QVERIFY(isAt(*window, point, centerUnder(view, position), kStillPixels));
     QVERIFY(size() < before);
     // Over the background there is a place to zoom to as well.
-    const LookAt camera = window->document().picture().camera();
-    const Projection projection = window->document().picture().projection();
+    const LookAt camera = window->document().setup().camera();
+    const Projection projection = window->document().setup().projection();
     turnWheel(view, QPointF(4.0, 4.0), 1);
-    QVERIFY(window->document().picture().camera() != camera || window->document().picture().projection() != projection);
+    QVERIFY(window->document().setup().camera() != camera || window->document().setup().projection() != projection);
 }
 
 void TestNavigation::aDoubleClickBringsThePointToTheMiddle()
@@ -312,26 +313,26 @@ void TestNavigation::aDoubleClickBringsThePointToTheMiddle()
     const QPoint position = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5)).toPoint();
     QTest::mouseDClick(&view, Qt::LeftButton, {}, position);
     QVERIFY(window->document().picks().pick() && window->document().picks().pick()->hit());
-    const Viewport &viewport = window->document().picture().viewport;
+    const Viewport &viewport = window->document().setup().viewport;
     QVERIFY(isAt(*window, picked(*window), {viewport.width / 2.0, viewport.height / 2.0}, kStillPixels));
     // On the background it leaves the camera alone.
-    const LookAt camera = window->document().picture().camera();
+    const LookAt camera = window->document().setup().camera();
     QTest::mouseDClick(&view, Qt::LeftButton, {}, QPoint(view.width() - 5, 5));
-    QVERIFY(window->document().picture().camera() == camera);
+    QVERIFY(window->document().setup().camera() == camera);
 }
 
 void TestNavigation::draggingOnTheBackgroundMovesTheCameraAllTheSame()
 {
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
-    const glm::dvec3 center = window->document().picture().camera().center.coordinates();
+    const glm::dvec3 center = window->document().setup().camera().center.coordinates();
     const QPointF from(view.width() - 30.0, 30.0);
     drag(view, from, from + QPointF(-40.0, 10.0), Qt::LeftButton);
     QVERIFY(!window->document().picks().pick());
-    const LookAt turned = window->document().picture().camera();
+    const LookAt turned = window->document().setup().camera();
     QVERIFY(turned.center.coordinates() != center);
     drag(view, from, from + QPointF(-40.0, 10.0), Qt::MiddleButton);
-    QVERIFY(turned.eye.coordinates() != window->document().picture().camera().eye.coordinates());
+    QVERIFY(turned.eye.coordinates() != window->document().setup().camera().eye.coordinates());
 }
 
 QTEST_MAIN(TestNavigation)

@@ -20,6 +20,8 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
 
 class TestObjectsPanel : public QObject {
     Q_OBJECT
@@ -218,7 +220,7 @@ void TestObjectsPanel::theButtonsGoToTheCurrentObject()
 {
     m_list->setCurrentIndex(at(1));
     button(QStringLiteral("Fit"))->click();
-    QVERIFY(std::abs(m_document->picture().camera().center.x - 30.0) < 5.0);
+    QVERIFY(std::abs(m_document->setup().camera().center.x - 30.0) < 5.0);
     button(QStringLiteral("Remove"))->click();
     QCOMPARE(names(), QStringList({"first", "third"}));
     QCOMPARE(m_list->currentIndex().row(), 1); // the next one
@@ -271,9 +273,9 @@ void TestObjectsPanel::draggingARowMovesItsObject()
     QFETCH(QStringList, order);
     const QStringList before = names();
     QAbstractItemModel *model = m_list->model();
-    const std::unique_ptr<QMimeData> carried(model->mimeData({at(from)}));
-    QVERIFY(model->canDropMimeData(carried.get(), Qt::MoveAction, row, 0, {}));
-    model->dropMimeData(carried.get(), Qt::MoveAction, row, 0, {});
+    const std::unique_ptr<QMimeData> transformed(model->mimeData({at(from)}));
+    QVERIFY(model->canDropMimeData(transformed.get(), Qt::MoveAction, row, 0, {}));
+    model->dropMimeData(transformed.get(), Qt::MoveAction, row, 0, {});
     QCOMPARE(names(), order);
     QCOMPARE(m_list->model()->rowCount(), 3);
     QCOMPARE(m_document->undoStack().count(), order == before ? 0 : 1);

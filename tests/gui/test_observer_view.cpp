@@ -127,7 +127,7 @@ void TestObserverView::show(const Projection &projection)
 
 QPointF TestObserverView::placeOfEye(const EyePoint &point) const
 {
-    const EyeFrame frame = *eyeFrame(m_document->picture().camera());
+    const EyeFrame frame = *eyeFrame(m_document->setup().camera());
     return m_panel->view().placeOf(worldFromEye(frame, point)).value_or(QPointF(-1.0, -1.0));
 }
 
@@ -162,7 +162,7 @@ void TestObserverView::theWholeVolumeIsInThePictureAllTheWay()
     show(projection);
     for (int i = 0; i <= 20; ++i) {
         view().setMorph(i / 20.0);
-        for (const EyePoint &corner : viewVolumeCorners(m_document->picture().projection()))
+        for (const EyePoint &corner : viewVolumeCorners(m_document->setup().projection()))
             QVERIFY(QRectF(view().rect()).contains(placeOfEye(corner)));
     }
     view().setMorph(0.0);
@@ -225,23 +225,23 @@ void TestObserverView::aDraggedEdgeMovesThePlaneAsOneUndoStep()
     QVERIFY(view().cursor().shape() == Qt::SizeHorCursor || view().cursor().shape() == Qt::SizeVerCursor);
     drag(view(), from, to);
 
-    const ProjectionWindow after = projectionWindow(m_document->picture().projection());
+    const ProjectionWindow after = projectionWindow(m_document->setup().projection());
     const double moved = movesFar ? after.farDistance : after.nearDistance;
     QVERIFY2(std::abs(moved - wanted) < 0.1, qPrintable(QStringLiteral("%1 instead of %2").arg(moved).arg(wanted)));
     QCOMPARE(movesFar ? after.nearDistance : after.farDistance, movesFar ? 6.0 : 20.0);
     QVERIFY(!m_document->scene().clipDistancesFitObjects);
     QCOMPARE(m_document->undoStack().count(), 1);
     m_document->undoStack().undo();
-    QVERIFY(m_document->picture().projection() == projection);
+    QVERIFY(m_document->setup().projection() == projection);
     // Another drag is another step.
     drag(view(), from, to);
-    drag(view(), middleOf(m_document->picture().projection()), from);
+    drag(view(), middleOf(m_document->setup().projection()), from);
     QCOMPARE(m_document->undoStack().count(), 2);
 }
 
 void TestObserverView::orbitLeavesTheDocumentAlone()
 {
-    const Picture before = m_document->picture();
+    const Setup before = m_document->setup();
     const LookAt observer = view().observer();
     const QImage picture = view().grabFramebuffer();
     drag(view(), QPointF(10.0, 10.0), QPointF(90.0, 40.0));
@@ -249,8 +249,8 @@ void TestObserverView::orbitLeavesTheDocumentAlone()
     QVERIFY(glm::length(view().observer().center.coordinates() - observer.center.coordinates()) < 1e-9);
     QVERIFY(differentPixels(picture, view().grabFramebuffer()) > 2000);
     QCOMPARE(m_document->undoStack().count(), 0);
-    QVERIFY(m_document->picture().camera().eye.coordinates() == before.camera().eye.coordinates());
-    QVERIFY(m_document->picture().projection() == before.projection());
+    QVERIFY(m_document->setup().camera().eye.coordinates() == before.camera().eye.coordinates());
+    QVERIFY(m_document->setup().projection() == before.projection());
     QVERIFY(view().cursor().shape() == Qt::ArrowCursor);
 }
 
@@ -275,7 +275,7 @@ void TestObserverView::theCubeStandsStillWhileTheCameraMoves()
     view().setMorph(1.0);
     const auto corners = [this] {
         std::vector<QPointF> places;
-        for (const EyePoint &corner : viewVolumeCorners(m_document->picture().projection()))
+        for (const EyePoint &corner : viewVolumeCorners(m_document->setup().projection()))
             places.push_back(placeOfEye(corner));
         return places;
     };
@@ -294,13 +294,13 @@ void TestObserverView::aNewSceneIsFitted()
     openObjects(*m_document, examples::bundledScene(),
                 {WorldPoint(65.0, 5.0, 10.5), WorldPoint(0.5, 0.9, 0.0), {0.0, 1.0, 0.0}});
     view().grabFramebuffer();
-    for (const EyePoint &corner : viewVolumeCorners(m_document->picture().projection()))
+    for (const EyePoint &corner : viewVolumeCorners(m_document->setup().projection()))
         QVERIFY(QRectF(view().rect()).contains(placeOfEye(corner)));
     openObjects(*m_document, {});
     view().grabFramebuffer();
     view().setMorph(1.0);
     view().grabFramebuffer();
-    QVERIFY(QRectF(view().rect()).contains(placeOfEye(viewVolumeCorners(m_document->picture().projection())[7])));
+    QVERIFY(QRectF(view().rect()).contains(placeOfEye(viewVolumeCorners(m_document->setup().projection())[7])));
 }
 
 void TestObserverView::keysTurnAndZoom()

@@ -26,6 +26,10 @@
 #include <glm/geometric.hpp>
 
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -67,12 +71,12 @@ bool openAndWait(MainWindow &window, const QStringList &files)
 /// What must stay when an opening fails.
 struct State {
     explicit State(MainWindow &window)
-        : objects(window.document().objects()), geometry(window.document().picture()),
+        : objects(window.document().objects()), geometry(window.document().setup()),
           pick(window.document().picks().pick()), title(window.windowTitle())
     {
     }
     std::vector<SceneObject> objects;
-    Picture geometry;
+    Setup geometry;
     std::optional<Pick> pick;
     QString title;
 

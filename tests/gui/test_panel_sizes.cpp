@@ -35,6 +35,9 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
 
 namespace {
 
@@ -70,7 +73,7 @@ const std::vector<std::function<void(SceneDocument &)>> &happenings()
         },
         [pick](SceneDocument &document) {
             pick(document);
-            LookAt camera = document.picture().camera();
+            LookAt camera = document.setup().camera();
             camera.eye.x += 37.0;
             camera.eye.y -= 55.0;
             camera.eye.z += 12.0;
@@ -85,7 +88,7 @@ const std::vector<std::function<void(SceneDocument &)>> &happenings()
             pick(document);
         },
         [](SceneDocument &document) {
-            LookAt camera = document.picture().camera();
+            LookAt camera = document.setup().camera();
             camera.eye.z *= 9.0;
             setCamera(document, camera);
         },

@@ -16,6 +16,8 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
 
 class TestParametersColumn : public QObject, PanelUser {
     Q_OBJECT
@@ -189,7 +191,7 @@ void TestParametersColumn::aDragIsOneStep()
     QVERIFY(fovy);
     int changes = 0;
     connect(m_document.get(), &SceneDocument::changed, this,
-            [&](Changes told) { changes += told & Change::Picture ? 1 : 0; });
+            [&](Changes told) { changes += told & Change::Setup ? 1 : 0; });
     for (const int end : {90, 60}) {
         fovy->setSliderDown(true);
         for (const int way : {end - 10, end - 5, end})

@@ -19,6 +19,8 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
 
 namespace {
 
@@ -60,7 +62,7 @@ private slots:
 private:
     WindowPoint windowPoint(const WorldPoint &point) const
     {
-        return windowFromWorld(m_document->picture(), point).value();
+        return windowFromWorld(m_document->setup(), point).value();
     }
 };
 
@@ -220,7 +222,7 @@ void TestParametersGroups::theViewportFollowsItsRule()
     showGroup(QStringLiteral("viewportGroup"));
     choose(QStringLiteral("viewportKind"), kind);
     const auto viewport = [this] {
-        const Viewport &v = m_document->picture().viewport;
+        const Viewport &v = m_document->setup().viewport;
         return QRect(static_cast<int>(v.x), static_cast<int>(v.y), static_cast<int>(v.width),
                      static_cast<int>(v.height));
     };

@@ -9,6 +9,8 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
 
 namespace {
 

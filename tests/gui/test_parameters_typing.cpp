@@ -10,6 +10,8 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
 
 class TestParametersTyping : public QObject, PanelUser {
     Q_OBJECT

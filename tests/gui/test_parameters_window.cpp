@@ -23,6 +23,7 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
 
 class TestParametersWindow : public QObject {
     Q_OBJECT

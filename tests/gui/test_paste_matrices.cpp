@@ -28,6 +28,9 @@
 
 using namespace guitest;
 using namespace unprojector::scene_file;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::matrices;
 
 namespace {
 
@@ -142,13 +145,13 @@ struct Pasting {
         return false;
     }
     /// Of the camera of the scene.
-    glm::dmat4 shownProduct() const { return *clipFromWorld(document.picture()); }
+    glm::dmat4 shownProduct() const { return *clipFromWorld(document.setup()); }
 };
 
 /// What is written for a document, and read again, without its objects.
 SceneFile saved(const SceneDocument &document)
 {
-    SceneFile file = sceneFileFrom(document.scene(), document.picture(), {});
+    SceneFile file = sceneFileFrom(document.scene(), document.setup(), {});
     file.objects.clear();
     return parseScene(*sceneText(file), "saved").value();
 }
@@ -315,7 +318,7 @@ void TestPasteMatrices::everyFindingHasItsButton()
     }
     QVERIFY(difference(pasting.document.scene().projection.matrix()->clipFromEye, expected) <= 1e-12);
     if (button == "Read as 0 to 1")
-        QVERIFY(std::abs(projectionWindow(pasting.document.picture().projection()).nearDistance - 2.0) <= 1e-12);
+        QVERIFY(std::abs(projectionWindow(pasting.document.setup().projection()).nearDistance - 2.0) <= 1e-12);
 }
 
 void TestPasteMatrices::theOrderIsToldByTheNumbers()
@@ -354,7 +357,7 @@ void TestPasteMatrices::theDepthsCanBeSaid()
     zeroToOne[2][2] = -kFar / (kFar - kNear);
     zeroToOne[3][2] = -kFar * kNear / (kFar - kNear);
     const auto nearOf = [](const Pasting &pasting) {
-        return projectionWindow(pasting.document.picture().projection()).nearDistance;
+        return projectionWindow(pasting.document.setup().projection()).nearDistance;
     };
     Pasting pasting;
     QVERIFY(!pasting.button("0 to 1")->isEnabled());
@@ -383,10 +386,10 @@ void TestPasteMatrices::theDepthsCanBeSaid()
 void TestPasteMatrices::theScenesOwnStaysWithoutOne()
 {
     Pasting pasting;
-    const LookAt camera = pasting.document.picture().camera();
+    const LookAt camera = pasting.document.setup().camera();
     pasting.paste(MatrixRole::Projection, printed(lens(), "C"));
     pasting.ok()->click();
-    QCOMPARE(pasting.document.picture().camera(), camera);
+    QCOMPARE(pasting.document.setup().camera(), camera);
     QVERIFY(!pasting.document.scene().camera.matrix());
 }
 
@@ -435,7 +438,7 @@ void TestPasteMatrices::whatIsNoMatrixIsSaid()
 void TestPasteMatrices::oneStepIsUndone()
 {
     Pasting pasting;
-    const Picture before = pasting.document.picture();
+    const Setup before = pasting.document.setup();
     // Reversed, with its far plane at infinity, near 2.
     glm::dmat4 reversed = lens();
     reversed[2][2] = 0.0;
@@ -445,14 +448,14 @@ void TestPasteMatrices::oneStepIsUndone()
     QVERIFY(pasting.says("It has reversed depths") && pasting.says("far plane at infinity"));
     pasting.ok()->click();
     SceneDocument &document = pasting.document;
-    QCOMPARE(document.picture().depthRange, (DepthRange{1.0, 0.0}));
+    QCOMPARE(document.setup().depthRange, (DepthRange{1.0, 0.0}));
     QCOMPARE(document.undoStack().undoText(), QStringLiteral("Paste Matrices"));
     // The next one is not reversed: the depth range is as it was.
     QVERIFY(editMatrices(document, MatrixProjection{lens(), std::nullopt}, std::nullopt, {"again"}));
-    QCOMPARE(document.picture().depthRange, DepthRange{});
+    QCOMPARE(document.setup().depthRange, DepthRange{});
     document.undoStack().undo();
     document.undoStack().undo();
-    QCOMPARE(document.picture(), before);
+    QCOMPARE(document.setup(), before);
     QVERIFY(!document.scene().projection.matrix() && !document.scene().camera.matrix());
     document.undoStack().redo();
     QCOMPARE(document.scene().projection.matrix()->clipFromEye, reversed);
@@ -474,15 +477,15 @@ void TestPasteMatrices::theSameTextGivesTheSameDepths()
     };
     for (int time = 0; time < 2; ++time) {
         QVERIFY(paste(reversed) && changeProjection());
-        QCOMPARE(document.picture().depthRange, (DepthRange{1.0, 0.0}));
+        QCOMPARE(document.setup().depthRange, (DepthRange{1.0, 0.0}));
     }
     QVERIFY(paste(lens()));
-    QCOMPARE(document.picture().depthRange, DepthRange{});
+    QCOMPARE(document.setup().depthRange, DepthRange{});
     // A range that was set since stays.
     QVERIFY(paste(reversed) && changeProjection());
     QVERIFY(editViewport(document, document.scene().viewport, {0.25, 0.75}, {"Depth range"}));
     QVERIFY(paste(lens()));
-    QCOMPARE(document.picture().depthRange, (DepthRange{0.25, 0.75}));
+    QCOMPARE(document.setup().depthRange, (DepthRange{0.25, 0.75}));
 }
 
 void TestPasteMatrices::theFileKeepsThemAsGiven()
@@ -499,7 +502,7 @@ void TestPasteMatrices::theFileKeepsThemAsGiven()
     QVERIFY(scene && scene->projection.matrix() && scene->camera.matrix());
     QCOMPARE(*scene->camera.matrix(), view());
     // Who turns the camera has another view, and still the projection; undone, the view is as given again.
-    LookAt camera = document.picture().camera();
+    LookAt camera = document.setup().camera();
     camera.eye.x += 1.0;
     setCamera(document, camera);
     QVERIFY(std::holds_alternative<LookAt>(saved(document).view));

@@ -21,6 +21,10 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace documenttest;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -120,8 +124,8 @@ void TestPickedRay::theRayMeetsWhatIsShown_data()
     row(
         "nothing there",
         [](SceneDocument &d) {
-            for (const std::size_t place : {0, 1, 2})
-                QVERIFY(setObjectHidden(d, place, true));
+            for (const std::size_t index : {0, 1, 2})
+                QVERIFY(setObjectHidden(d, index, true));
         },
         "nothing");
     row(
@@ -312,8 +316,8 @@ void TestPickedRay::itsTriangleSaysHowSureThePointIs()
     QFETCH(bool, isKnown);
     SceneDocument document;
     openCubes(document);
-    const auto place = static_cast<std::size_t>(object);
-    pickAt(document, kInCube, {depth, place, 24});
+    const auto index = static_cast<std::size_t>(object);
+    pickAt(document, kInCube, {depth, index, 24});
     QTRY_COMPARE_WITH_TIMEOUT(met(document), QStringLiteral("front 1"), kPatienceMilliseconds);
     const Pick pick = *document.picks().pick();
     const auto distanceWith = [&pick](const DrawnSurface &surface) {
@@ -321,7 +325,7 @@ void TestPickedRay::itsTriangleSaysHowSureThePointIs()
     };
     const double known = distanceWith(ray::drawnSurface(document.objects()[0], document.picks().pickedRay()->met->hit));
     const double assumed =
-        distanceWith(ray::drawnSurface(document.objects()[place], *pick.point.world[Method::Formula]));
+        distanceWith(ray::drawnSurface(document.objects()[index], *pick.point.world[Method::Formula]));
     QVERIFY2(assumed > 1.01 * known, qPrintable(QStringLiteral("%1 > %2").arg(assumed).arg(known)));
     QCOMPARE(pick.certainty.distance, isKnown ? known : assumed);
 }

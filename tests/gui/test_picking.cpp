@@ -13,6 +13,9 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 class TestPicking : public QObject {
     Q_OBJECT
@@ -57,16 +60,15 @@ void TestPicking::theBackgroundHasNoSurface()
     QVERIFY(!isAsBefore(middle - QPointF(7.0, 0.0)));
     QVERIFY(!isAsBefore(middle + QPointF(0.0, 7.0)));
     // The ray is that of the pixel, by hand.
-    const Ray ray = rayThrough(pick.picture, centerUnder(view, position));
+    const Ray ray = rayThrough(pick.setup, centerUnder(view, position));
     for (const Result<WorldPoint> &end : {pick.rayNear.world[Method::Formula], pick.rayFar.world[Method::Formula]})
         QVERIFY(glm::length(glm::cross(end->coordinates() - ray.origin, ray.direction)) < 1e-9);
-    const ProjectionWindow w = projectionWindow(pick.picture.projection());
+    const ProjectionWindow w = projectionWindow(pick.setup.projection());
     QVERIFY(
-        std::abs(distanceOf(pick.picture.camera(), pick.rayNear.world[Method::Formula]->coordinates()) - w.nearDistance)
+        std::abs(distanceOf(pick.setup.camera(), pick.rayNear.world[Method::Formula]->coordinates()) - w.nearDistance)
         < 1e-9);
-    QVERIFY(
-        std::abs(distanceOf(pick.picture.camera(), pick.rayFar.world[Method::Formula]->coordinates()) - w.farDistance)
-        < 1e-9);
+    QVERIFY(std::abs(distanceOf(pick.setup.camera(), pick.rayFar.world[Method::Formula]->coordinates()) - w.farDistance)
+            < 1e-9);
     // A surface pick does leave a marker.
     click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.0, 0.0)));
     QVERIFY(view.grabFramebuffer() != empty);

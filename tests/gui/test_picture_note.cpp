@@ -8,6 +8,9 @@
 #include <functional>
 
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::scene;
 
 namespace {
 

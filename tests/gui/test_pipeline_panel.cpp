@@ -17,6 +17,9 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace pipelinetest;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
+using namespace unprojector::scene_file;
 
 class TestPipelinePanel : public QObject {
     Q_OBJECT
@@ -104,7 +107,7 @@ void TestPipelinePanel::theDepthRangeChangesOnlyTheWindow()
     SceneDocument document;
     openFigures(document);
     QVERIFY(editViewport(document, document.scene().viewport, depthranges::ofThisRow(), {QStringLiteral("Depths")}));
-    const auto &[atNear, atFar] = document.picture().depthRange; // OpenGL's, in single precision
+    const auto &[atNear, atFar] = document.setup().depthRange; // OpenGL's, in single precision
     PipelineModel model(document);
     const double depth = atNear + 0.85 * (atFar - atNear);
     pickAt(document, WidgetPoint(30, 35), {depth, 0, 24});

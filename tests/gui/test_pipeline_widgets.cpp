@@ -27,6 +27,9 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace pipelinetest;
+using namespace unprojector::geometry;
+using namespace unprojector::matrices;
+using namespace unprojector::scene_file;
 
 class TestPipelineWidgets : public QObject {
     Q_OBJECT

@@ -15,6 +15,11 @@
 #include <glm/common.hpp>
 
 using namespace guitest;
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -80,7 +85,7 @@ void TestPointClouds::aPointIsADot()
     const QImage without = view.grabFramebuffer();
     QVERIFY(setObjectHidden(document, 0, false));
     const QImage with = view.grabFramebuffer();
-    const int dot = static_cast<int>(pointPixels(document.picture().surface));
+    const int dot = static_cast<int>(pointPixels(document.setup().surface));
     QVERIFY(dot >= 3 && dot >= 3.0 * view.devicePixelRatio() - 0.5);
     QVERIFY2(differentPixels(with, without) >= static_cast<int>(kPoints.size()) * dot * dot,
              qPrintable(QString::number(differentPixels(with, without))));
@@ -108,7 +113,7 @@ void TestPointClouds::aPointIsADot()
                          qPrintable(QStringLiteral("%1, %2 of %3").arg(off.x).arg(off.y).arg(claimed.x)));
                 QVERIFY2(off.z < 1e-6, qPrintable(QString::number(off.z))); // a dot is flat: its depth is the point's
                 QVERIFY(pick.certainty.footprintWidth
-                        > (dot - 0.01) * pixelFootprint(pick.picture, -pick.point.eye[Method::Formula]->z).x);
+                        > (dot - 0.01) * pixelFootprint(pick.setup, -pick.point.eye[Method::Formula]->z).x);
                 farthest = std::max(farthest, off.x / claimed.x);
                 QVERIFY(certaintyText(pick).contains(QStringLiteral("%1 pixels").arg(dot)));
             }

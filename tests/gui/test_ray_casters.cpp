@@ -14,6 +14,9 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
 
 namespace {
 

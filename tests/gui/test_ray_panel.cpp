@@ -25,6 +25,11 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace documenttest;
+using namespace unprojector::geometry;
+using namespace unprojector::mesh;
+using namespace unprojector::ray;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 

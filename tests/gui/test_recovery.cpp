@@ -24,6 +24,9 @@
 #endif
 
 using namespace keeping;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::scene_file;
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include "gui/document/scene_edits.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/text/error_text.h"
-#include "point_desk.h"
+#include "landmark_desk.h"
 #include "tests/support/patience.h"
 
 #include <QDir>
@@ -17,9 +17,12 @@
 #include <map>
 #include <random>
 
-using namespace pointfiles;
+using namespace landmarkfiles;
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
 
-class TestScanSeries : public PointsTest {
+class TestScanSeries : public LandmarksTest {
     Q_OBJECT
 
 private slots:
@@ -47,7 +50,7 @@ void TestScanSeries::whatIsKeptWithAScanIsLetGoToo()
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(points().size(), std::size_t(1));
-    QVERIFY(std::holds_alternative<landmarks::Free>(points()[0].hold));
+    QVERIFY(std::holds_alternative<landmarks::Free>(points()[0].anchor));
     QCOMPARE(m_warnings.size(), 1);
     QVERIFY2(m_warnings[0].contains(QStringLiteral("“a” (triangle 7)")), qPrintable(m_warnings[0]));
 }
@@ -61,7 +64,7 @@ void TestScanSeries::aSeriesThatIsNotWantedLeavesTheOneBefore()
     placeAll(1.0);
     Landmark placed;
     placed.world = WorldPoint(1.0, 1.0, 0.0);
-    QVERIFY(m_document->points().place(placed));
+    QVERIFY(m_document->sceneLandmarks().place(placed));
     m_answers->save = SessionQuestions::SaveAnswer::Cancel;
     QVERIFY(m_series->open(file(QStringLiteral("others"))));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
@@ -74,7 +77,7 @@ void TestScanSeries::aSeriesThatIsNotWantedLeavesTheOneBefore()
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->folder(), file(QString()));
-    QVERIFY(m_document->points().place(placed));
+    QVERIFY(m_document->sceneLandmarks().place(placed));
     QVERIFY(
         editTransform(*m_document, 0, {Translate{{1.0, 0.0, 0.0}}}, {QStringLiteral("Move")})); // this is asked about
     m_answers->save = SessionQuestions::SaveAnswer::Cancel;
@@ -85,7 +88,7 @@ void TestScanSeries::aSeriesThatIsNotWantedLeavesTheOneBefore()
     QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
     QCOMPARE(m_series->scans()[0].placedCount(), points().size());
     // And its points are kept as before.
-    QVERIFY(m_document->points().moveTo(0, WorldPoint(4.0, 3.0, 0.0)));
+    QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(4.0, 3.0, 0.0)));
     QVERIFY(m_series->keep());
     QVERIFY2(read(QStringLiteral("square.obj.points.csv")).contains(",3,3,0"),
              read(QStringLiteral("square.obj.points.csv")).constData());
@@ -114,7 +117,7 @@ void TestScanSeries::aSeriesGoesOnWhereItWasLeft()
     QVERIFY(read(QStringLiteral("a.obj.points.csv")).contains("first,1,1,0"));
     QCOMPARE(points().size(), std::size_t(2));
     QVERIFY(points()[0].isMissing());
-    QCOMPARE(m_document->points().waiting(), std::optional<std::size_t>(0));
+    QCOMPARE(m_document->sceneLandmarks().nextUnplaced(), std::optional<std::size_t>(0));
     placeAll(2.0);
     m_series->next();
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
@@ -129,7 +132,7 @@ void TestScanSeries::aSeriesGoesOnWhereItWasLeft()
     QVERIFY(!QFile::exists(path(QStringLiteral("c.obj.points.csv"))));
 
     // Whoever leaves the program keeps the points, without a question.
-    QVERIFY(m_document->points().moveTo(0, WorldPoint(9.0, 9.0, 0.0)));
+    QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(9.0, 9.0, 0.0)));
     QVERIFY(m_session->mayLeave());
     QCOMPARE(m_answers->saveQuestions, 0);
     QVERIFY(read(QStringLiteral("b.obj.points.csv")).contains("first,9,9,0"));
@@ -251,7 +254,7 @@ void TestScanSeries::aScanThatIsGivenUpLeavesTheOneShown()
     m_session->cancelLoading();
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
-    QVERIFY(m_document->points().moveTo(0, WorldPoint(5.0, 5.0, 0.0)));
+    QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(5.0, 5.0, 0.0)));
     QVERIFY(m_series->keep());
     QVERIFY(read(QStringLiteral("other.obj.points.csv")).contains("a,5,5,0"));
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,2,2,0"));
@@ -318,12 +321,12 @@ void TestScanSeries::aTurnedScanKeepsItsFilesNumbers()
     QCOMPARE(read(QStringLiteral("square.obj.points.csv")), before); // nothing of it has changed
     Landmark held;
     held.object = "square.obj";
-    held.hold = landmarks::OnTriangle{0, glm::dvec3(0.5, 0.25, 0.25)};
+    held.anchor = landmarks::OnTriangle{0, glm::dvec3(0.5, 0.25, 0.25)};
     held.world = WorldPoint(-5.0, 10.0, 0.0); // (5, 2.5, 0) of the file
-    QVERIFY(m_document->points().place(held));
+    QVERIFY(m_document->sceneLandmarks().place(held));
     Landmark free;
     free.world = WorldPoint(-8.0, 6.0, 2.0); // (3, 4, 1)
-    QVERIFY(m_document->points().place(free));
+    QVERIFY(m_document->sceneLandmarks().place(free));
     QCOMPARE(renameObject(*m_document, 0, QStringLiteral("turned")), NameFault::None);
     QVERIFY(m_series->keep());
     const auto kept = landmark_files::readLandmarkFile(file(QStringLiteral("square.obj.points.csv")));
@@ -344,7 +347,7 @@ void TestScanSeries::aTurnedScanKeepsItsFilesNumbers()
     }
     // Without the scan in the scene its points have the places that it gave them.
     QVERIFY(removeObject(*m_document, 0));
-    QVERIFY(m_document->points().rename(0, QStringLiteral("A")));
+    QVERIFY(m_document->sceneLandmarks().rename(0, QStringLiteral("A")));
     QVERIFY(m_series->keep());
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("A,1,2,0"));
 }
@@ -354,7 +357,7 @@ void TestScanSeries::whatSomebodyElseWroteIsNotWrittenOver()
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,1,0\n");
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
-    QVERIFY(m_document->points().moveTo(0, WorldPoint(5.0, 5.0, 0.0)));
+    QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(5.0, 5.0, 0.0)));
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,7,7,0\n");
     QVERIFY(!m_series->keep());
     QCOMPARE(m_failures.size(), 1);
@@ -377,7 +380,7 @@ void TestScanSeries::aDamagedPlacingIsNotGoneOver()
     QCOMPARE(m_series->placing(), 1);
     QCOMPARE(m_failures.size(), 1);
     QVERIFY(m_failures[0].contains(QStringLiteral("points-2.csv:2:")));
-    QVERIFY(m_document->points().moveTo(0, WorldPoint(5.0, 5.0, 0.0))); // and what is shown is still kept
+    QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(5.0, 5.0, 0.0))); // and what is shown is still kept
     QVERIFY(m_series->keep());
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,5,5,0"));
     QCOMPARE(read(QStringLiteral("square.obj.points-2.csv")), damaged);
@@ -388,13 +391,13 @@ void TestScanSeries::aDamagedPlacingIsNotGoneOver()
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     Landmark placed;
     placed.world = WorldPoint(3.0, 3.0, 0.0);
-    QVERIFY(m_document->points().place(placed));
+    QVERIFY(m_document->sceneLandmarks().place(placed));
     m_answers->saveQuestions = 0;
     m_series->setPlacing(3);
     QCOMPARE(m_answers->saveQuestions, 1);
     QCOMPARE(m_series->placing(), 3);
     QVERIFY(points().size() == 1 && points()[0].isMissing());
-    QVERIFY(m_document->points().place(placed));
+    QVERIFY(m_document->sceneLandmarks().place(placed));
     QVERIFY(m_series->keep());
     QVERIFY(QFile::exists(path(QStringLiteral("square.obj.points-3.csv"))));
     QCOMPARE(read(QStringLiteral("square.obj.points.csv")), damaged);
@@ -415,9 +418,9 @@ void TestScanSeries::noScanGetsThePointsOfAnother()
     // Names that wait are not written for themselves.
     const auto placedOf = [](const std::vector<Landmark> &all) {
         std::vector<std::pair<std::string, WorldPoint>> placed;
-        for (const Landmark &point : all) {
-            if (!point.isMissing())
-                placed.emplace_back(point.name, *point.world);
+        for (const Landmark &landmark : all) {
+            if (!landmark.isMissing())
+                placed.emplace_back(landmark.name, *landmark.world);
         }
         return placed;
     };
@@ -458,10 +461,10 @@ void TestScanSeries::noScanGetsThePointsOfAnother()
         } else if (kind == 10) {
             m_document->undoStack().undo();
         } else if (kind == 11 && isScan()) {
-            Landmark point;
-            point.name = "p" + std::to_string(below(4));
-            point.world = WorldPoint(double(below(10)), double(below(10)), 0.0);
-            QVERIFY(m_document->points().place(point));
+            Landmark landmark;
+            landmark.name = "p" + std::to_string(below(4));
+            landmark.world = WorldPoint(double(below(10)), double(below(10)), 0.0);
+            QVERIFY(m_document->sceneLandmarks().place(landmark));
         }
         look(kind == 10 || kind == 11);
         if (below(3) > 0) { // else what is loading is met by what comes next

@@ -1,13 +1,16 @@
 // The tables that are written of a series of scans.
 
 #include "core/landmark_files/landmark_file.h"
-#include "gui/landmarks/point_templates.h"
-#include "point_desk.h"
+#include "gui/landmarks/landmark_templates.h"
+#include "landmark_desk.h"
 #include "tests/support/patience.h"
 
-using namespace pointfiles;
+using namespace landmarkfiles;
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
 
-class TestScanTables : public PointsTest {
+class TestScanTables : public LandmarksTest {
     Q_OBJECT
 
 private slots:
@@ -26,7 +29,7 @@ void TestScanTables::tablesOfASeries()
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,5,6,0\n");
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
-    QCOMPARE(m_series->pointNames(), (QStringList{"b", "a"}));
+    QCOMPARE(m_series->landmarkNames(), (QStringList{"b", "a"}));
     QVERIFY(m_series->exportTable(file(QStringLiteral("wide.csv")), ScanSeries::Table::Wide));
     QCOMPARE(read(QStringLiteral("wide.csv")),
              QByteArray("specimen,b_x,b_y,b_z,a_x,a_y,a_z\nother,1,2,0,3,4,0\nsquare,,,,5,6,0\n"));
@@ -58,7 +61,7 @@ void TestScanTables::repeatsOfASeries()
     m_series->setPlacing(2);
     QCOMPARE(points().size(), std::size_t(1));
     QVERIFY(points()[0].isMissing());
-    m_document->points().waitForNext(std::nullopt);
+    m_document->sceneLandmarks().waitForNext(std::nullopt);
     placeAll(3.0);
     QVERIFY(m_series->exportTable(file(QStringLiteral("repeats.csv")), ScanSeries::Table::Repeats));
     QVERIFY2(told.back().startsWith(QStringLiteral("Repeats written to repeats.csv. Scans that were placed more than "
@@ -71,12 +74,12 @@ void TestScanTables::repeatsOfASeries()
              repeats.constData());
     m_series->setPlacing(1);
     QCOMPARE(points()[0].world->x, 1.0);
-    QVERIFY(m_document->points().moveTo(0, WorldPoint(4.0, 4.0, 0.0)));
+    QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(4.0, 4.0, 0.0)));
     QVERIFY(m_series->close());
     QVERIFY(!m_series->isOpen() && !m_series->hasNext() && !m_series->hasPrevious());
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,4,4,0")); // kept, and still shown
     QCOMPARE(points()[0].world->x, 4.0);
-    QVERIFY(m_document->points().moveTo(0, WorldPoint(5.0, 4.0, 0.0)));
+    QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(5.0, 4.0, 0.0)));
     QVERIFY(m_session->mayLeave());
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,4,4,0")); // no scan of a series any more
 }
@@ -147,9 +150,9 @@ void TestScanTables::aHundredScansAndABrokenOne()
             for (const glm::dvec3 &corner : {glm::dvec3(0.0), glm::dvec3(i + 1, 0, 0), glm::dvec3(0, i + 1, 0)}) {
                 Landmark placed;
                 placed.world = WorldPoint(corner);
-                QVERIFY(m_document->points().place(placed));
+                QVERIFY(m_document->sceneLandmarks().place(placed));
             }
-            QVERIFY(!m_document->points().waiting());
+            QVERIFY(!m_document->sceneLandmarks().nextUnplaced());
         }
         m_series->next();
         QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);

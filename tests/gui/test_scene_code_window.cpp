@@ -26,6 +26,9 @@
 #include <algorithm>
 
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::scene_code;
 
 class TestSceneCodeWindow : public QObject {
     Q_OBJECT
@@ -60,7 +63,7 @@ void TestSceneCodeWindow::itFollowsTheScene()
 {
     auto *text = m_code->findChild<QPlainTextEdit *>();
     text->verticalScrollBar()->setValue(7);
-    LookAt camera = m_window->document().picture().camera();
+    LookAt camera = m_window->document().setup().camera();
     camera.eye = WorldPoint(1.25, 2.5, 7.0625);
     setCamera(m_window->document(), camera);
     QVERIFY2(shown().contains(QStringLiteral("gluLookAt(1.25, 2.5, 7.0625, ")), qPrintable(shown()));

@@ -17,6 +17,8 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
 
 class TestSceneFiles : public QObject {
     Q_OBJECT

@@ -17,6 +17,9 @@
 #include <set>
 
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -27,7 +30,7 @@ constexpr double kRasterizerSteps = 6.0;
 constexpr double kSubpixel = 1.0 / 256.0;
 /// The farthest that a quantity of the plane point is from its value at the centre when the sample lies beside it.
 template <class Quantity>
-double slopeTerm(const Picture &g, const glm::dvec2 &window, double reach, const glm::dvec3 &point,
+double slopeTerm(const Setup &g, const glm::dvec2 &window, double reach, const glm::dvec3 &point,
                  const glm::dvec3 &normal, Quantity quantity)
 {
     const double middle = quantity(onPlane(rayThrough(g, window), point, normal));
@@ -62,13 +65,13 @@ Projection projectionNamed(const QString &name, const SceneView &view)
 
 /// From in front of a face, to the side and above, so that it is seen at a slant; what is looked at is put where the
 /// middle of an off-centre or sheared picture is.
-LookAt cameraBefore(const Face &face, const Picture &g)
+LookAt cameraBefore(const Face &face, const Setup &g)
 {
     const glm::dvec3 middle = kCubeCenter + face.normal;
     const glm::dvec3 other = glm::cross(face.normal, face.across);
     const LookAt camera{WorldPoint(middle + 5.0 * face.normal + 1.7 * face.across + 2.3 * other), WorldPoint(middle),
                         std::abs(face.normal.y) > 0.5 ? WorldVector(0.0, 0.0, -1.0) : WorldVector(0.0, 1.0, 0.0)};
-    Picture seen = g;
+    Setup seen = g;
     seen.camera() = camera;
     return recentered(seen, WorldPoint(middle));
 }
@@ -99,7 +102,7 @@ void TestSceneView::theFramebufferHasTheSizeThatDeviceCoordinatesAssume()
         const auto window = shownWindow(false, size);
         if (!wanted.isEmpty())
             QCOMPARE(window->view().devicePixelRatio(), wanted.toDouble());
-        const Surface &surface = window->document().picture().surface;
+        const Surface &surface = window->document().setup().surface;
         const QImage picture = window->view().grabFramebuffer();
         QCOMPARE(QSize(surface.widthPixels, surface.heightPixels), picture.size());
         QCOMPARE(surface.devicePixelRatio, window->view().devicePixelRatio());
@@ -149,7 +152,7 @@ void TestSceneView::clickFace(MainWindow &window, const Face &face, const glm::d
     QCOMPARE(pick.window.x, center.x);
     QCOMPARE(pick.window.y, center.y);
 
-    const Picture &g = document.picture();
+    const Setup &g = document.setup();
     const Ray ray = rayThrough(g, center);
     const glm::dvec3 expected = onPlane(ray, aimed, face.normal);
     const double step = 2.0 * pick.certainty.halfDepthStep;
@@ -188,8 +191,8 @@ void TestSceneView::aClickOnAFaceGivesItsPlane()
         QVERIFY(resized(*window, size));
         for (const Face &face : cubeFaces()) {
             setProjection(window->document(), projectionNamed(projection, window->view()));
-            setCamera(window->document(), cameraBefore(face, window->document().picture()));
-            QCOMPARE(window->document().picture().projection().index(),
+            setCamera(window->document(), cameraBefore(face, window->document().setup()));
+            QCOMPARE(window->document().setup().projection().index(),
                      projectionNamed(projection, window->view()).index());
             for (const glm::dvec2 &place : {glm::dvec2(0.0, 0.0), glm::dvec2(0.8, -0.7), glm::dvec2(-0.75, 0.6)}) {
                 clickFace(*window, face, place);
@@ -227,7 +230,7 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
     const double aspect = double(view.width()) / view.height();
     setView(document, {WorldPoint(0.0, 0.0, 0.0), WorldPoint(0.0, 0.0, -30.0), {0.0, 1.0, 0.0}},
             Frustum{-0.15 * aspect, 0.15 * aspect, -0.15, 0.15, 1.0, 100.0});
-    const Picture &g = document.picture();
+    const Setup &g = document.setup();
     const glm::dvec3 normal = glm::normalize(glm::cross(steep, level));
     const auto depthAt = [&](const glm::dvec3 &p) { return windowFromWorld(g, WorldPoint(p)).value().z; };
 
@@ -306,7 +309,7 @@ void TestSceneView::theViewIsComposedOntoWholeDevicePixels()
     SceneView &view = window->view();
     QVERIFY(view.mapTo(window.get(), QPoint(0, 0)).x() > 61);
     openObjects(window->document(), cubeScene());
-    setCamera(window->document(), cameraBefore(cubeFaces()[0], window->document().picture()));
+    setCamera(window->document(), cameraBefore(cubeFaces()[0], window->document().setup()));
     const double ratio = view.devicePixelRatio();
     QScreen *screen = window->screen();
     if (!screen->availableGeometry().contains(window->frameGeometry()))

@@ -27,9 +27,9 @@ glm::dvec3 vectorOf(const Json &json)
 }
 
 /// What is needed to compute the click again, from the JSON alone: its scene is a scene file.
-Picture clickedPicture(const Json &scene)
+Setup clickedPicture(const Json &scene)
 {
-    return pictureOf(parseScene(scene.dump(), "scene").value());
+    return setupOf(parseScene(scene.dump(), "scene").value());
 }
 
 bool isExactly(const Json &json, const glm::dvec3 &expected)
@@ -96,7 +96,7 @@ void TestScreenshotClicks::theNumbersReadBackAndComputedAgainAreTheSame()
     QCOMPARE(clicks.size(), std::size_t(3));
     for (const Json &click : clicks) {
         QCOMPARE(click["scene"]["window"]["devicePixelRatio"].get<double>(), ratio);
-        const Picture g = clickedPicture(click["scene"]);
+        const Setup g = clickedPicture(click["scene"]);
         QCOMPARE(double(g.surface.widthPixels), g.viewport.width);
         QCOMPARE(double(g.surface.heightPixels), g.viewport.height);
         // The pixel and its centre, by hand.

@@ -8,6 +8,9 @@
 #include <QStandardPaths>
 
 using namespace sessions;
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace unprojector::scene;
 
 class TestSession : public QObject, protected FolderUser {
     Q_OBJECT

@@ -9,6 +9,8 @@
 #include <QTranslator>
 
 using namespace sessions;
+using namespace unprojector::gui;
+using namespace unprojector::scene;
 
 namespace {
 
@@ -95,7 +97,7 @@ void TestSessionLessons::theSceneBehindALessonIsAskedAbout()
     QCOMPARE(desk->answers.asked, QStringList(QStringLiteral("save Bundled scene")));
     // Who stays is where they were, and the scene is still behind it.
     QVERIFY(player.lesson());
-    QCOMPARE(player.place(), std::size_t(1));
+    QCOMPARE(player.index(), std::size_t(1));
     QCOMPARE(desk->names(), names);
     QCOMPARE(desk->document.scene().clipPlanes.at(0).w, 0.25);
     QVERIFY(kept() > 0);

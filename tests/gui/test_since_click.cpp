@@ -18,6 +18,11 @@
 #include <functional>
 
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::matrices;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -259,7 +264,7 @@ void TestSinceClick::computingAgainPicksTheSamePixelOfTheViewAsItIs()
     QVERIFY(before.hit());
     QPushButton *again = againButton(part<ComparisonPanel>(*window));
     QVERIFY(again->parentWidget()->isHidden());
-    LookAt camera = document.picture().camera();
+    LookAt camera = document.setup().camera();
     camera.eye.z += 0.5;
     setCamera(document, camera);
     QVERIFY(!again->parentWidget()->isHidden() && again->isEnabled());
@@ -267,7 +272,7 @@ void TestSinceClick::computingAgainPicksTheSamePixelOfTheViewAsItIs()
     again->click();
     const Pick &after = *document.picks().pick();
     QCOMPARE(after.devicePixel, before.devicePixel);
-    QVERIFY(after.picture == document.picture());
+    QVERIFY(after.setup == document.setup());
     QVERIFY(after.hit() && *after.point.world[Method::Formula] != *before.point.world[Method::Formula]);
     QVERIFY(again->parentWidget()->isHidden());
 }

@@ -15,6 +15,9 @@
 #include <cmath>
 
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::unproject;
 using unprojector::ray::Snap;
 
 namespace {

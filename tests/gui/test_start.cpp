@@ -35,7 +35,7 @@ QStringList stateOf(MainWindow &window)
             lessons::nameOf(window.workspaces().current()),
             window.workspaces().arePanelsHidden() ? "without panels" : "with panels",
             window.hasSmoothEdges() ? "smooth" : "with steps",
-            player.lesson() ? QStringLiteral("step %1").arg(player.place() + 1) : QStringLiteral("no lesson"),
+            player.lesson() ? QStringLiteral("step %1").arg(player.index() + 1) : QStringLiteral("no lesson"),
             QStringLiteral("%1x%2").arg(window.view().width()).arg(window.view().height())};
 }
 

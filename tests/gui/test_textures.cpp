@@ -9,6 +9,7 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::mesh;
 
 namespace {
 

@@ -18,6 +18,8 @@
 #include <memory>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 struct Message {
@@ -172,11 +174,11 @@ void TestTranslation::theFirstLanguageCounts()
 
 void TestTranslation::chineseSentencesHaveNoBlankBetween()
 {
-    QCOMPARE(inARow({QStringLiteral("One."), QString(), QStringLiteral("Two: three.")}),
+    QCOMPARE(joinSentences({QStringLiteral("One."), QString(), QStringLiteral("Two: three.")}),
              QStringLiteral("One. Two: three."));
-    QCOMPARE(inARow({QStringLiteral("一。"), QStringLiteral("二。"), QStringLiteral("3 个")}),
+    QCOMPARE(joinSentences({QStringLiteral("一。"), QStringLiteral("二。"), QStringLiteral("3 个")}),
              QStringLiteral("一。二。3 个"));
-    QCOMPARE(inARow({}), QString());
+    QCOMPARE(joinSentences({}), QString());
     static const QRegularExpression blank(QStringLiteral("[。！？；：，、] "));
     for (const Message &m : messagesOfFile())
         QVERIFY2(!m.translation.contains(blank), qPrintable(m.translation));

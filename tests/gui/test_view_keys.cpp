@@ -17,6 +17,10 @@
 #include <cmath>
 
 using namespace guitest;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -47,7 +51,7 @@ QPoint pickedByEnter(MainWindow &window)
 
 QPoint middleOf(const MainWindow &window)
 {
-    const Surface &surface = const_cast<MainWindow &>(window).document().picture().surface;
+    const Surface &surface = const_cast<MainWindow &>(window).document().setup().surface;
     return {surface.widthPixels / 2, surface.heightPixels / 2};
 }
 
@@ -107,9 +111,9 @@ void TestViewKeys::keysLookFromTheSides()
     const auto window = cubeWindow(false);
     window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
-    const LookAt before = window->document().picture().camera();
+    const LookAt before = window->document().setup().camera();
     QTest::keyClick(&window->view(), static_cast<Qt::Key>(key), static_cast<Qt::KeyboardModifiers>(modifiers));
-    const LookAt &after = window->document().picture().camera();
+    const LookAt &after = window->document().setup().camera();
     QVERIFY(glm::length(forwardOf(after) - forward) < 1e-12);
     QCOMPARE(after.center.coordinates(), before.center.coordinates());
     const QImage picture = window->view().grabFramebuffer();
@@ -124,15 +128,15 @@ void TestViewKeys::keysFitGoHomeAndSwitchTheProjection()
     const auto window = shownWindow(false, {500, 400});
     SceneDocument &document = window->document();
     openObjects(document, cubeScene());
-    const Picture home = document.picture();
+    const Setup home = document.setup();
     window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
     SceneView &view = window->view();
 
     QTest::keyClick(&view, Qt::Key_5);
-    QVERIFY(!isPerspective(document.picture().projection()));
+    QVERIFY(!isPerspective(document.setup().projection()));
     QTest::keyClick(&view, Qt::Key_5);
-    QVERIFY(isPerspective(document.picture().projection()));
+    QVERIFY(isPerspective(document.setup().projection()));
 
     QTest::keyClick(&view, Qt::Key_1);
     turnWheel(view, QPointF(100.0, 80.0), 8);
@@ -142,11 +146,11 @@ void TestViewKeys::keysFitGoHomeAndSwitchTheProjection()
             kCubeCenter + glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
         QVERIFY(QRectF(view.rect()).contains(localOf(*window, world)));
     }
-    QVERIFY(glm::length(forwardOf(document.picture().camera()) - glm::dvec3(0.0, 0.0, -1.0)) < 1e-12);
+    QVERIFY(glm::length(forwardOf(document.setup().camera()) - glm::dvec3(0.0, 0.0, -1.0)) < 1e-12);
 
     QTest::keyClick(&view, Qt::Key_Home);
-    QVERIFY(document.picture().camera() == home.camera());
-    QVERIFY(document.picture().projection() == home.projection());
+    QVERIFY(document.setup().camera() == home.camera());
+    QVERIFY(document.setup().projection() == home.projection());
 }
 
 void TestViewKeys::addArrows()
@@ -174,10 +178,10 @@ void TestViewKeys::arrowsTurnAboutThePointAtTheCrosshair()
     QVERIFY(document.picks().pick() && document.picks().pick()->hit());
     const glm::dvec3 point = document.picks().pick()->point.world[Method::Formula]->coordinates();
     const glm::dvec2 place = placeOf(*window, point);
-    const glm::dvec3 before = forwardOf(document.picture().camera());
+    const glm::dvec3 before = forwardOf(document.setup().camera());
     QTest::keyClick(&window->view(), static_cast<Qt::Key>(key));
     QTest::keyClick(&window->view(), static_cast<Qt::Key>(key));
-    const glm::dvec3 after = forwardOf(document.picture().camera());
+    const glm::dvec3 after = forwardOf(document.setup().camera());
     QVERIFY(glm::length(placeOf(*window, point) - place) < kStillPixels);
     // The scene turns the way of the arrow, the camera the other way: twice five degrees.
     constexpr double kTenDegrees = 3.14159265358979 / 18.0;
@@ -241,10 +245,10 @@ void TestViewKeys::plusAndMinusZoomToTheCrosshair()
     click(window->view(), localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.6, -0.5))); // the crosshair goes there
     const glm::dvec3 point = document.picks().pick()->point.world[Method::Formula]->coordinates();
     const glm::dvec2 place = placeOf(*window, point);
-    const double before = distanceOf(document.picture().camera(), point);
+    const double before = distanceOf(document.setup().camera(), point);
     QTest::keyClick(&window->view(), static_cast<Qt::Key>(key), static_cast<Qt::KeyboardModifiers>(modifiers));
     QVERIFY(glm::length(placeOf(*window, point) - place) < kStillPixels);
-    QVERIFY(std::abs(before / distanceOf(document.picture().camera(), point) - factor) < 1e-6);
+    QVERIFY(std::abs(before / distanceOf(document.setup().camera(), point) - factor) < 1e-6);
 }
 
 void TestViewKeys::enterPicksAtTheCrosshair()
@@ -275,7 +279,7 @@ void TestViewKeys::theCrosshairStaysInTheView()
 {
     const auto window = activeCubeWindow();
     SceneView &view = window->view();
-    const Surface &surface = window->document().picture().surface;
+    const Surface &surface = window->document().setup().surface;
     click(view, QPointF(3.0, 4.0));
     for (int k = 0; k < 2; ++k) {
         QTest::keyClick(&view, Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
@@ -347,11 +351,11 @@ void TestViewKeys::keysInARowAreUndoneAsOne()
     SceneView &view = window->view();
     SceneDocument &document = window->document();
     const int steps = document.undoStack().index();
-    const LookAt before = document.picture().camera();
+    const LookAt before = document.setup().camera();
     for (int k = 0; k < 3; ++k)
         QTest::keyClick(&view, Qt::Key_Left);
     QCOMPARE(document.undoStack().index(), steps + 1);
-    const LookAt turned = document.picture().camera();
+    const LookAt turned = document.setup().camera();
     for (int k = 0; k < 3; ++k)
         QTest::keyClick(&view, Qt::Key_Left, Qt::ShiftModifier);
     QTest::keyClick(&view, Qt::Key_Plus);
@@ -361,9 +365,9 @@ void TestViewKeys::keysInARowAreUndoneAsOne()
     QCOMPARE(document.undoStack().index(), steps + 3);
     document.undoStack().undo();
     document.undoStack().undo();
-    QVERIFY(document.picture().camera() == turned);
+    QVERIFY(document.setup().camera() == turned);
     document.undoStack().undo();
-    QVERIFY(document.picture().camera() == before);
+    QVERIFY(document.setup().camera() == before);
 }
 
 void TestViewKeys::theViewsKeysComeBeforeTheWindowsShortcuts()
@@ -375,11 +379,11 @@ void TestViewKeys::theViewsKeysComeBeforeTheWindowsShortcuts()
         auto *shortcut = new QShortcut(key, window.get());
         connect(shortcut, &QShortcut::activated, this, [&taken] { ++taken; });
     }
-    const LookAt before = window->document().picture().camera();
+    const LookAt before = window->document().setup().camera();
     for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Plus, Qt::Key_Return})
         QTest::keyClick(&window->view(), key);
     QCOMPARE(taken, 0);
-    QVERIFY(window->document().picture().camera() != before);
+    QVERIFY(window->document().setup().camera() != before);
     QVERIFY(window->document().picks().pick());
 }
 
@@ -390,10 +394,10 @@ void TestViewKeys::withoutAPictureKeysGoByTheCentre()
     SceneView view(document); // never shown: without OpenGL there is nothing to read
     view.resize(500, 400);
     document.setSurface(surfaceFromWidget(500, 400, view.devicePixelRatio()));
-    const LookAt before = document.picture().camera();
+    const LookAt before = document.setup().camera();
     QTest::keyClick(&view, Qt::Key_Right);
-    QVERIFY(distance(document.picture().camera().eye, before.eye) > 0.01);
-    QVERIFY(distance(document.picture().camera().center, before.center) < 1e-9);
+    QVERIFY(distance(document.setup().camera().eye, before.eye) > 0.01);
+    QVERIFY(distance(document.setup().camera().center, before.center) < 1e-9);
     QTest::keyClick(&view, Qt::Key_Return);
     QVERIFY(!document.picks().pick());
 }

@@ -16,6 +16,10 @@
 #include <glm/geometric.hpp>
 
 using namespace guitest;
+using namespace unprojector;
+using namespace unprojector::geometry;
+using namespace unprojector::gui;
+using namespace unprojector::unproject;
 
 namespace {
 
@@ -78,7 +82,7 @@ void TestViewMenu::aRightClickOpensIt()
 {
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
-    const LookAt before = window->document().picture().camera();
+    const LookAt before = window->document().setup().camera();
     clickRight(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1)));
     QVERIFY(openMenu(view));
     QVERIFY(!window->document().picks().pick()); // until it is asked for
@@ -87,14 +91,14 @@ void TestViewMenu::aRightClickOpensIt()
     QContextMenuEvent again(QContextMenuEvent::Mouse, QPoint(50, 50), view.mapToGlobal(QPoint(50, 50)));
     QVERIFY(QCoreApplication::sendEvent(&view, &again) && again.isAccepted());
     QVERIFY(!openMenu(view));
-    QVERIFY(window->document().picture().camera() == before);
+    QVERIFY(window->document().setup().camera() == before);
 }
 
 void TestViewMenu::aRightDragDoesNot()
 {
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
-    const LookAt before = window->document().picture().camera();
+    const LookAt before = window->document().setup().camera();
     const QPointF from(100.0, 100.0);
     drag(view, from, from + QPointF(QApplication::startDragDistance() + 5.0, 0.0), Qt::RightButton);
     QVERIFY(!openMenu(view));
@@ -104,7 +108,7 @@ void TestViewMenu::aRightDragDoesNot()
     sendMouse(view, QEvent::MouseMove, from, Qt::NoButton, Qt::RightButton);
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::RightButton, Qt::NoButton);
     QVERIFY(!openMenu(view));
-    QVERIFY(window->document().picture().camera() == before);
+    QVERIFY(window->document().setup().camera() == before);
     sendMouse(view, QEvent::MouseButtonPress, from, Qt::MiddleButton, Qt::MiddleButton);
     sendMouse(view, QEvent::MouseButtonPress, from, Qt::RightButton, Qt::MiddleButton | Qt::RightButton);
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::RightButton, Qt::MiddleButton);
@@ -127,7 +131,7 @@ void TestViewMenu::theMenuKeyOpensItAtTheCrosshair()
     QAction *pick = actionIn(view, "pickHere");
     QVERIFY(pick);
     pick->trigger();
-    const Surface &surface = window->document().picture().surface;
+    const Surface &surface = window->document().setup().surface;
     QCOMPARE(window->document().picks().pick()->devicePixel.i, surface.widthPixels / 2);
     QCOMPARE(window->document().picks().pick()->devicePixel.j, surface.heightPixels / 2);
     QVERIFY(!openMenu(view)); // another point is picked now
@@ -219,7 +223,7 @@ void TestViewMenu::lookingAtAPointBringsItToTheMiddle()
     click(view, local);
     const glm::dvec3 point = window->document().picks().pick()->point.world[Method::Formula]->coordinates();
     choose(view, local, "lookHere");
-    const Viewport &viewport = window->document().picture().viewport;
+    const Viewport &viewport = window->document().setup().viewport;
     QVERIFY(glm::length(placeOf(*window, point) - glm::dvec2(viewport.width, viewport.height) / 2.0) < kStillPixels);
 }
 
@@ -232,11 +236,11 @@ void TestViewMenu::fittingShowsTheObjectThatWasClicked()
     click(view, behind);
     QCOMPARE(document.picks().pick()->object, std::optional<std::size_t>(1));
     choose(view, behind, "fitObject");
-    const LookAt one = document.picture().camera();
+    const LookAt one = document.setup().camera();
     fitObject(document, 1);
-    QVERIFY(distance(one.eye, document.picture().camera().eye) < 1e-9);
+    QVERIFY(distance(one.eye, document.setup().camera().eye) < 1e-9);
     choose(view, QPointF(2.0, 2.0), "fit");
-    QVERIFY(distance(one.eye, document.picture().camera().eye) > 1.0);
+    QVERIFY(distance(one.eye, document.setup().camera().eye) > 1.0);
 }
 
 void TestViewMenu::aHiddenObjectIsNeitherDrawnNorPicked()
@@ -245,7 +249,7 @@ void TestViewMenu::aHiddenObjectIsNeitherDrawnNorPicked()
     SceneView &view = window->view();
     SceneDocument &document = window->document();
     // Near and far stay: fitted to the one that is left they would cut the other one away.
-    QVERIFY(editProjection(document, {document.picture().projection(), true, false}, {QStringLiteral("Fixed")}));
+    QVERIFY(editProjection(document, {document.setup().projection(), true, false}, {QStringLiteral("Fixed")}));
     const QPointF front = localOf(*window, kCubeCenter + glm::dvec3(0.0, 0.0, 1.0));
     const QImage both = view.grabFramebuffer();
     const int steps = document.undoStack().count();

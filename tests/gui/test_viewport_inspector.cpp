@@ -21,6 +21,8 @@
 
 using namespace unprojector;
 using namespace unprojector::gui;
+using namespace unprojector::geometry;
+using namespace unprojector::scene;
 
 namespace {
 
@@ -221,13 +223,13 @@ void TestViewportInspector::theProportionsHaveTheirNumbers()
     QFETCH(Viewport, viewport);
     QFETCH(QString, x);
     QFETCH(QString, y);
-    const Picture geometry{{800, 600, 1.0}, viewport, {}, projection, {}};
+    const Setup setup{{800, 600, 1.0}, viewport, {}, projection, {}};
     const WindowPoint pointer(412.5, 299.5, 0.0);
-    QCOMPARE(plain(proportionText(geometry, Axis::X, pointer).line()), x);
-    QCOMPARE(plain(proportionText(geometry, Axis::Y, pointer).line()), y);
-    QCOMPARE(proportionText(geometry, Axis::X, pointer).symbols,
+    QCOMPARE(plain(proportionText(setup, Axis::X, pointer).line()), x);
+    QCOMPARE(plain(proportionText(setup, Axis::Y, pointer).line()), y);
+    QCOMPARE(proportionText(setup, Axis::X, pointer).symbols,
              QStringLiteral("(3) (x_w − left) / (right − left) = (x_v − vx) / width"));
-    const QString without = plain(proportionText(geometry, Axis::Y, std::nullopt).line());
+    const QString without = plain(proportionText(setup, Axis::Y, std::nullopt).line());
     QVERIFY2(without.startsWith(QStringLiteral("(4) (y_w − ")) && without.contains(QStringLiteral("(y_v − ")),
              qPrintable(without));
 }
@@ -258,10 +260,10 @@ void TestViewportInspector::indexesAreSetAsSuch()
 
 void TestViewportInspector::textsOfThePointerKeepTheirWidth()
 {
-    const Picture geometry{{800, 600, 1.0}, {0, 0, 800, 600}, {}, Ortho{-12, 9, -1, 1, 1, 100}, {}};
-    const QString first = proportionText(geometry, Axis::X, WindowPoint(0.5, 0.5, 0.0)).line();
+    const Setup setup{{800, 600, 1.0}, {0, 0, 800, 600}, {}, Ortho{-12, 9, -1, 1, 1, 100}, {}};
+    const QString first = proportionText(setup, Axis::X, WindowPoint(0.5, 0.5, 0.0)).line();
     for (const double x : {9.5, 99.5, 456.5, 457.5, 799.5})
-        QCOMPARE(proportionText(geometry, Axis::X, WindowPoint(x, 0.5, 0.0)).line().size(), first.size());
+        QCOMPARE(proportionText(setup, Axis::X, WindowPoint(x, 0.5, 0.0)).line().size(), first.size());
 }
 
 void TestViewportInspector::aDistortedCircleIsNamed_data()
@@ -326,7 +328,7 @@ void TestViewportInspector::hiddenItDoesNothing()
     changes.clear();
     QVERIFY(editProjection(document, {document.scene().projection, true, false}, {QStringLiteral("Clip distances")}));
     changes.clear();
-    LookAt camera = document.picture().camera();
+    LookAt camera = document.setup().camera();
     camera.eye.x += 1.0;
     setCamera(document, camera);
     QCOMPARE(changes.count(), 0);

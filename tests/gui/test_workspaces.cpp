@@ -21,6 +21,7 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace guitest;
+using namespace unprojector::geometry;
 
 namespace {
 

@@ -11,23 +11,21 @@
 
 /// What the tests of the document share.
 namespace documenttest {
-using namespace unprojector;
-using namespace unprojector::gui;
 
-using Verb = std::function<void(SceneDocument &)>;
+using Verb = std::function<void(unprojector::gui::SceneDocument &)>;
 
 /// What a document has told, one entry a telling.
 class Told {
 public:
-    explicit Told(SceneDocument &document)
+    explicit Told(unprojector::gui::SceneDocument &document)
     {
-        QObject::connect(&document, &SceneDocument::changed, &m_context,
-                         [this](Changes changes) { m_tellings.push_back(changes); });
+        QObject::connect(&document, &unprojector::gui::SceneDocument::changed, &m_context,
+                         [this](unprojector::gui::Changes changes) { m_tellings.push_back(changes); });
     }
-    Changes all() const
+    unprojector::gui::Changes all() const
     {
-        Changes all;
-        for (const Changes &changes : m_tellings)
+        unprojector::gui::Changes all;
+        for (const unprojector::gui::Changes &changes : m_tellings)
             all |= changes;
         return all;
     }
@@ -36,26 +34,28 @@ public:
 
 private:
     QObject m_context;
-    std::vector<Changes> m_tellings;
+    std::vector<unprojector::gui::Changes> m_tellings;
 };
 
-inline const EditLabel kLabel{QStringLiteral("edit")};
+inline const unprojector::gui::EditLabel kLabel{QStringLiteral("edit")};
 
-inline void openScene(SceneDocument &document)
+inline void openScene(unprojector::gui::SceneDocument &document)
 {
     document.setSurface({801, 601, 1.0});
-    openObjects(document, examples::bundledScene());
+    openObjects(document, unprojector::examples::bundledScene());
 }
 
-inline LookAt cameraAt(double z)
+inline unprojector::geometry::LookAt cameraAt(double z)
 {
-    return {WorldPoint(0.0, 0.0, z), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}};
+    return {unprojector::geometry::WorldPoint(0.0, 0.0, z),
+            unprojector::geometry::WorldPoint(0.0, 0.0, 0.0),
+            {0.0, 1.0, 0.0}};
 }
 
-inline QStringList namesIn(const SceneDocument &document)
+inline QStringList namesIn(const unprojector::gui::SceneDocument &document)
 {
     QStringList names;
-    for (const SceneObject &object : document.objects())
+    for (const unprojector::scene::SceneObject &object : document.objects())
         names << QString::fromStdString(object.name);
     return names;
 }

@@ -13,13 +13,13 @@
 /// What the tests of the whole window do with it.
 namespace guitest {
 
-inline QDockWidget *dockOf(const MainWindow &window, const char *name)
+inline QDockWidget *dockOf(const unprojector::gui::MainWindow &window, const char *name)
 {
     return window.findChild<QDockWidget *>(QLatin1String(name));
 }
 
 /// The action with this text (without its mnemonic) in any menu.
-inline QAction *actionOf(const MainWindow &window, const QString &text)
+inline QAction *actionOf(const unprojector::gui::MainWindow &window, const QString &text)
 {
     for (QAction *action : window.findChildren<QAction *>()) {
         if (action->text().remove(u'&') == text && !action->associatedObjects().isEmpty())
@@ -30,12 +30,12 @@ inline QAction *actionOf(const MainWindow &window, const QString &text)
 
 /// With the bundled scene, its view ready.
 /// @param size  where it remembers nothing; else it has the size that it was left with
-inline std::unique_ptr<MainWindow> windowOfSize(const QSize &size, bool remembers = false)
+inline std::unique_ptr<unprojector::gui::MainWindow> windowOfSize(const QSize &size, bool remembers = false)
 {
-    MainWindow::Options options;
+    unprojector::gui::MainWindow::Options options;
     options.smoothEdges = false;
     options.remembers = remembers;
-    auto window = std::make_unique<MainWindow>(options);
+    auto window = std::make_unique<unprojector::gui::MainWindow>(options);
     if (!remembers)
         window->resize(size);
     window->session().openBundledScene();
@@ -45,7 +45,7 @@ inline std::unique_ptr<MainWindow> windowOfSize(const QSize &size, bool remember
 }
 
 /// On the screen, not behind another tab.
-inline bool isSeen(MainWindow &window, const char *name)
+inline bool isSeen(unprojector::gui::MainWindow &window, const char *name)
 {
     return window.workspaces().isFront(*dockOf(window, name));
 }

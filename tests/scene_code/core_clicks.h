@@ -15,12 +15,11 @@
 
 /// What core makes of the scenes whose code is compiled.
 namespace core_clicks {
-using namespace unprojector;
 
-inline scene_file::SceneFile sceneNamed(const char *name)
+inline unprojector::scene_file::SceneFile sceneNamed(const char *name)
 {
     const std::string file = std::string(UNPROJECTOR_SCENES "/") + name + ".json";
-    auto scene = scene_file::readSceneFile(std::filesystem::path(file));
+    auto scene = unprojector::scene_file::readSceneFile(std::filesystem::path(file));
     if (!scene)
         qFatal("%s cannot be read", file.c_str());
     return std::move(scene).value();
@@ -33,24 +32,24 @@ struct Click {
 };
 
 /// A hundred pixels of the viewport with any depths of the depth range, by the formulas; the same in every run.
-inline std::vector<Click> hundredClicks(const scene_file::SceneFile &scene)
+inline std::vector<Click> hundredClicks(const unprojector::scene_file::SceneFile &scene)
 {
-    const geometry::Picture picture = pictureOf(scene);
-    const auto unprojector = unproject::Unprojector::of(picture);
+    const unprojector::geometry::Setup setup = setupOf(scene);
+    const auto unprojector = unprojector::unproject::Unprojector::of(setup);
     if (!unprojector)
         qFatal("no picture");
     std::mt19937 engine(7);
     const auto share = [&engine] { return double(engine()) / 4294967296.0; };
     std::vector<Click> clicks;
     while (clicks.size() < 100) {
-        const geometry::Viewport &v = picture.viewport;
-        const geometry::DevicePoint at = deviceFromWindow(
-            picture.surface, geometry::WindowPoint(v.x + share() * v.width, v.y + share() * v.height, 0.0));
-        const geometry::DevicePixel pixel{int(std::floor(at.x)), int(std::floor(at.y))};
-        const double depth =
-            picture.depthRange.atNear + share() * (picture.depthRange.atFar - picture.depthRange.atNear);
-        const auto world = unprojector->worldAt(unproject::Method::Formula,
-                                                windowFromDevice(picture.surface, geometry::pixelCenter(pixel), depth));
+        const unprojector::geometry::Viewport &v = setup.viewport;
+        const unprojector::geometry::DevicePoint at = deviceFromWindow(
+            setup.surface, unprojector::geometry::WindowPoint(v.x + share() * v.width, v.y + share() * v.height, 0.0));
+        const unprojector::geometry::DevicePixel pixel{int(std::floor(at.x)), int(std::floor(at.y))};
+        const double depth = setup.depthRange.atNear + share() * (setup.depthRange.atFar - setup.depthRange.atNear);
+        const auto world =
+            unprojector->worldAt(unprojector::unproject::Method::Formula,
+                                 windowFromDevice(setup.surface, unprojector::geometry::pixelCenter(pixel), depth));
         if (!world)
             qFatal("no point");
         clicks.push_back({pixel.i, pixel.j, depth, glm::dvec3(world->x, world->y, world->z)});
@@ -75,7 +74,8 @@ using Screen2World = std::function<glm::dvec3(int, int, double)>;
 
 /// That a hundred clicks are as core has them. Every mistake moves points by half a pixel or more: the tolerance must be far less.
 /// @param share  of a point's size and its distance
-inline void compareClicks(const scene_file::SceneFile &scene, const Screen2World &screen2world, double share)
+inline void compareClicks(const unprojector::scene_file::SceneFile &scene, const Screen2World &screen2world,
+                          double share)
 {
     for (const Click &click : hundredClicks(scene)) {
         const glm::dvec3 found = screen2world(click.i, click.j, click.depth);

@@ -54,6 +54,7 @@ namespace perspective {
 }
 
 using namespace unprojector::scene_file;
+using namespace unprojector::geometry;
 
 namespace {
 
@@ -135,13 +136,13 @@ void TestGluCode::compiledRows()
 void TestGluCode::matricesAreCores()
 {
     QFETCH(Compiled, code);
-    const Picture picture = pictureOf(core_clicks::sceneNamed(code.scene));
+    const Setup setup = setupOf(core_clicks::sceneNamed(code.scene));
     code.setUp();
     code.setViewport();
     code.setProjection();
     code.setCamera();
-    core_clicks::compareMatrices(current(GL_PROJECTION_MATRIX), *clipFromEye(picture), kInFloat);
-    core_clicks::compareMatrices(current(GL_MODELVIEW_MATRIX), *eyeFromWorld(picture), kInFloat);
+    core_clicks::compareMatrices(current(GL_PROJECTION_MATRIX), *clipFromEye(setup), kInFloat);
+    core_clicks::compareMatrices(current(GL_MODELVIEW_MATRIX), *eyeFromWorld(setup), kInFloat);
     QCOMPARE(glGetError(), GLenum(GL_NO_ERROR));
 }
 
@@ -161,7 +162,7 @@ void TestGluCode::objectsAreWhereCoreHasThem()
     GLdouble plane[4];
     glGetClipPlane(GL_CLIP_PLANE0, plane);
     // In eye space: planes are given by the inverse of the camera's matrix.
-    const glm::dmat4 view = *eyeFromWorld(pictureOf(scene));
+    const glm::dmat4 view = *eyeFromWorld(setupOf(scene));
     const glm::dvec4 expected = scene.clipPlanes[0] * glm::inverse(view);
     for (int k = 0; k < 4; ++k)
         QVERIFY(std::abs(plane[k] - expected[k]) < 1e-5);
@@ -183,15 +184,15 @@ void TestGluCode::aHundredPointsAreCores()
 void TestGluCode::theDepthOfThePixelsOwnRowIsRead()
 {
     QFETCH(Compiled, code);
-    const Picture picture = pictureOf(core_clicks::sceneNamed(code.scene));
-    const int height = picture.surface.heightPixels;
-    QOpenGLFramebufferObject frame(picture.surface.widthPixels, height, QOpenGLFramebufferObject::Depth);
+    const Setup setup = setupOf(core_clicks::sceneNamed(code.scene));
+    const int height = setup.surface.heightPixels;
+    QOpenGLFramebufferObject frame(setup.surface.widthPixels, height, QOpenGLFramebufferObject::Depth);
     QVERIFY(frame.bind());
     code.setUp();
     code.setViewport();
     code.setProjection();
     glClear(GL_DEPTH_BUFFER_BIT);
-    const double clicked = 0.25 * picture.depthRange.atNear + 0.75 * picture.depthRange.atFar;
+    const double clicked = 0.25 * setup.depthRange.atNear + 0.75 * setup.depthRange.atFar;
     glEnable(GL_SCISSOR_TEST);
     glScissor(123, height - 1 - 100, 1, 1);
     glClearDepth(clicked);

@@ -50,6 +50,8 @@ namespace perspective_qt {
 }
 
 using namespace unprojector::scene_code;
+using namespace unprojector::geometry;
+using namespace unprojector::scene_file;
 
 namespace {
 
@@ -148,9 +150,9 @@ void TestSceneCode::matricesAreCores()
 {
     QFETCH(Compiled, code);
     const SceneFile scene = core_clicks::sceneNamed(code.scene.c_str());
-    const Picture picture = pictureOf(scene);
-    core_clicks::compareMatrices(code.clipFromEye, *clipFromEye(picture), code.share);
-    core_clicks::compareMatrices(code.eyeFromWorld, *eyeFromWorld(picture), code.share);
+    const Setup setup = setupOf(scene);
+    core_clicks::compareMatrices(code.clipFromEye, *clipFromEye(setup), code.share);
+    core_clicks::compareMatrices(code.eyeFromWorld, *eyeFromWorld(setup), code.share);
     QCOMPARE(code.models.size(), scene.objects.size());
     for (std::size_t i = 0; i < code.models.size(); ++i)
         core_clicks::compareMatrices(code.models[i], worldFromObject(scene.objects[i].transform), code.share);

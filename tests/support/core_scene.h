@@ -43,9 +43,9 @@ Vector3 extended(const Numbers &v)
     return {Extended(v.x), Extended(v.y), Extended(v.z)};
 }
 
-inline unprojector::geometry::Picture corePicture(const Scene &s)
+inline unprojector::geometry::Setup corePicture(const Scene &s)
 {
-    unprojector::geometry::Picture g;
+    unprojector::geometry::Setup g;
     g.surface = {static_cast<int>(s.target.width), static_cast<int>(s.target.height), 1.0};
     g.viewport = coreViewport(s.target);
     g.depthRange = coreDepthRange(s.target);

@@ -13,10 +13,9 @@
 /// a sphere of radius 1, with hills of a height.
 inline std::shared_ptr<unprojector::mesh::Model> cubeSphere(std::uint32_t n, double hills = 0.05)
 {
-    using namespace unprojector::mesh;
-    auto model = std::make_shared<Model>();
+    auto model = std::make_shared<unprojector::mesh::Model>();
     model->name = "cube sphere";
-    Mesh mesh;
+    unprojector::mesh::Mesh mesh;
     // The points of the cube's surface, numbered layer by layer; those inside have no number.
     const auto isInside = [n](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
         return i > 0 && i < n && j > 0 && j < n && k > 0 && k < n;

@@ -139,16 +139,16 @@ doctor::Case caseOf(const Shot &shot)
     const wrong_programs::Scene &s = shot.scene;
     const wrong_programs::Lens &lens = s.lens;
     doctor::Case result;
-    Picture &picture = result.picture;
-    picture.surface = {int(s.framebufferWidth), int(s.framebufferHeight), shot.ratioTold};
-    picture.viewport = {s.viewport.x, s.viewport.y, s.viewport.z, s.viewport.w};
+    Setup &setup = result.setup;
+    setup.surface = {int(s.framebufferWidth), int(s.framebufferHeight), shot.ratioTold};
+    setup.viewport = {s.viewport.x, s.viewport.y, s.viewport.z, s.viewport.w};
     const double top = lens.height / 2.0, right = top * lens.aspect;
     if (lens.isPerspective)
-        picture.lens = Projection(Perspective{lens.fovyRadians, lens.aspect, lens.nearDistance, lens.farDistance});
+        setup.lens = Projection(Perspective{lens.fovyRadians, lens.aspect, lens.nearDistance, lens.farDistance});
     else
-        picture.lens = Projection(Ortho{-right, right, -top, top, lens.nearDistance, lens.farDistance});
-    picture.pose = LookAt{WorldPoint(s.eye.x, s.eye.y, s.eye.z), WorldPoint(s.target.x, s.target.y, s.target.z),
-                          WorldVector(s.up.x, s.up.y, s.up.z)};
+        setup.lens = Projection(Ortho{-right, right, -top, top, lens.nearDistance, lens.farDistance});
+    setup.pose = LookAt{WorldPoint(s.eye.x, s.eye.y, s.eye.z), WorldPoint(s.target.x, s.target.y, s.target.z),
+                        WorldVector(s.up.x, s.up.y, s.up.z)};
     result.models = {{"model", s.worldFromObject}};
     return result;
 }

@@ -9,20 +9,20 @@
 // One point of a picture that is used once: the tests' short way past preparing an Unprojector.
 
 /// @pre the picture is valid
-inline unprojector::unproject::Unprojected unprojectedAt(const unprojector::geometry::Picture &picture,
+inline unprojector::unproject::Unprojected unprojectedAt(const unprojector::geometry::Setup &setup,
                                                          const unprojector::geometry::WindowPoint &window)
 {
-    return unprojector::unproject::Unprojector::of(picture).value().at(window);
+    return unprojector::unproject::Unprojector::of(setup).value().at(window);
 }
 
 inline unprojector::geometry::Result<unprojector::unproject::Pick>
-pickAt(const unprojector::geometry::Picture &picture, const unprojector::geometry::WidgetPoint &position,
+pickAt(const unprojector::geometry::Setup &setup, const unprojector::geometry::WidgetPoint &position,
        const unprojector::unproject::DepthSample &sample)
 {
-    const auto prepared = unprojector::unproject::Unprojector::of(picture);
+    const auto prepared = unprojector::unproject::Unprojector::of(setup);
     if (!prepared)
         return prepared.error();
-    const auto pixel = devicePixelFromWidget(picture.surface, position);
+    const auto pixel = devicePixelFromWidget(setup.surface, position);
     if (!pixel)
         return pixel.error();
     return unprojector::unproject::pickAt(*prepared, {position, *pixel, sample});
@@ -34,8 +34,7 @@ unprojector::geometry::Result<unprojector::geometry::EyePoint>
 unprojectClosedForm(const Lens &lens, const unprojector::geometry::Viewport &viewport,
                     const unprojector::geometry::DepthRange &range, const unprojector::geometry::WindowPoint &window)
 {
-    using namespace unprojector;
-    using unproject::preciseEyePoint; // of a Projection; that of a matrix is found by its argument
+    using unprojector::unproject::preciseEyePoint; // of a Projection; that of a matrix is found by its argument
     const auto point = preciseEyePoint(lens, viewport, range, window);
     if (!point)
         return point.error();

@@ -6,6 +6,9 @@
 #include "core/unproject/object_from_world.h"
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace scene_file;
+using namespace unproject;
 using namespace text;
 namespace {
 
@@ -45,24 +48,24 @@ public:
 
     /// Writes the row of a click. Errors are printed on stderr.
     /// @return false where a click cannot be computed at all
-    bool add(std::size_t place, const Click &click)
+    bool add(std::size_t index, const Click &click)
     {
         const std::optional<BatchSpace> space = batchSpace(m_options.rows.space, click.scene);
         if (!space)
             return false;
-        const Picture picture = pictureOf(click.scene);
-        const Result<Unprojector> unprojector = Unprojector::of(picture);
+        const Setup setup = setupOf(click.scene);
+        const Result<Unprojector> unprojector = Unprojector::of(setup);
         if (!unprojector) {
-            complainOf(place, errorText(unprojector.error()));
+            complainOf(index, errorText(unprojector.error()));
             return false;
         }
-        const DevicePoint device = deviceFromWindow(picture.surface, click.window);
+        const DevicePoint device = deviceFromWindow(setup.surface, click.window);
         for (const double number : {device.x, device.y, click.window.z})
             m_writer.number(number);
         if (click.hit)
-            write(place, unprojector->at(click.window), *space);
+            write(index, unprojector->at(click.window), *space);
         else
-            writeBackground(place);
+            writeBackground(index);
         m_writer.endRow();
         return true;
     }
@@ -75,21 +78,21 @@ public:
     }
 
 private:
-    void complainOf(std::size_t place, const std::string &what)
+    void complainOf(std::size_t index, const std::string &what)
     {
         const std::string file = m_options.rows.scene == "-" ? "stdin" : m_options.rows.scene;
-        complain(file + (m_isOnly ? "" : ": [" + std::to_string(place) + ']') + ": " + what);
+        complain(file + (m_isOnly ? "" : ": [" + std::to_string(index) + ']') + ": " + what);
     }
 
-    void writeBackground(std::size_t place)
+    void writeBackground(std::size_t index)
     {
         m_hasBad = true;
-        complainOf(place, tr("background: nothing was drawn there, so the click has no point, only a ray"));
+        complainOf(index, tr("background: nothing was drawn there, so the click has no point, only a ray"));
         for (std::size_t k = kClickColumns.size(); k < m_names.size(); ++k)
             m_writer.nothing();
     }
 
-    void write(std::size_t place, const Unprojected &click, const BatchSpace &space)
+    void write(std::size_t index, const Unprojected &click, const BatchSpace &space)
     {
         std::vector<std::optional<glm::dvec3>> points;
         for (const Method method : m_options.methods) {
@@ -97,7 +100,7 @@ private:
             points.push_back(point ? std::optional(*point) : std::nullopt);
             if (!point) {
                 m_hasBad = true;
-                complainOf(place, std::string(keyOf(method)) + ": " + errorText(point.error()));
+                complainOf(index, std::string(keyOf(method)) + ": " + errorText(point.error()));
             }
         }
         writePoints(m_writer, m_options.methods, points);

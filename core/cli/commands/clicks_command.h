@@ -6,6 +6,6 @@ namespace unprojector::cli {
 
 /// `unproject points` of clicks: each computed again with its own scene, one row a click. A click on the background has
 /// no point and counts as a bad row.
-ExitCode runClicks(const PointsOptions &options, const std::vector<Click> &clicks);
+ExitCode runClicks(const PointsOptions &options, const std::vector<scene_file::Click> &clicks);
 
 } // namespace unprojector::cli

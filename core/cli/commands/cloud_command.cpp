@@ -21,6 +21,9 @@
 #include <vector>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace scene_file;
+using namespace unproject;
 using namespace text;
 namespace {
 
@@ -32,7 +35,7 @@ void makeLittleEndian([[maybe_unused]] std::span<Scalar> values)
         swapBytes(values);
 }
 
-std::uint64_t pixelsOf(const Picture &g)
+std::uint64_t pixelsOf(const Setup &g)
 {
     return static_cast<std::uint64_t>(g.surface.widthPixels) * static_cast<std::uint64_t>(g.surface.heightPixels);
 }
@@ -81,8 +84,8 @@ private:
 
 /// @param seen  how many depths are of a surface
 template <class Scalar>
-ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnprojection &unprojection,
-                    const Picture &g, const DepthImage &image, std::size_t seen)
+ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnprojection &unprojection, const Setup &g,
+                    const DepthImage &image, std::size_t seen)
 {
     const DepthCloud<Scalar> cloud(unprojection, g, image);
     constexpr std::size_t kBufferNumbers = std::size_t{1} << 16;
@@ -143,7 +146,7 @@ ExitCode runCloud(const CloudOptions &options)
     const std::optional<SceneFile> scene = readScene(options.scene);
     if (!scene)
         return ExitCode::UnusableInput;
-    const Picture g = pictureOf(*scene);
+    const Setup g = setupOf(*scene);
     const Result<BatchUnprojection> unprojection =
         options.method == Method::Matrix ? BatchUnprojection::byMatrix(g, {}) : BatchUnprojection::byFormula(g, {});
     if (!unprojection) {

@@ -21,7 +21,7 @@ struct CloudOptions {
     std::string size;   ///< "WxH", for raw floats
     std::string output; ///< a PLY file, "-" for stdout
     DepthNumbers depths = DepthNumbers::Window;
-    Method method = Method::Formula;
+    unproject::Method method = unproject::Method::Formula;
     PointPrecision precision = PointPrecision::Float;
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 namespace unprojector::cli {
+using namespace scene_file;
 
 ExitCode runCode(const CodeOptions &options)
 {

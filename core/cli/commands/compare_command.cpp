@@ -21,6 +21,8 @@
 #include <vector>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace scene_file;
 using namespace unproject;
 using namespace text;
 namespace {
@@ -81,9 +83,9 @@ struct Way {
 /// The closed form wholly in single precision, as a program does it that stores its numbers so.
 class FormulaInFloat {
 public:
-    explicit FormulaInFloat(const Picture &geometry)
+    explicit FormulaInFloat(const Setup &setup)
     {
-        const Result<Picture> view = byParameters(geometry);
+        const Result<Setup> view = byParameters(setup);
         m_problem = view ? std::nullopt : std::optional(view.error());
         if (!view)
             return;
@@ -99,7 +101,7 @@ public:
     {
         if (m_problem)
             return *m_problem;
-        const Picture &g = m_geometry;
+        const Setup &g = m_geometry;
         const ProjectionWindow w = projectionWindow(g.projection());
         const bool perspective = isPerspective(g.projection());
         const auto n = float(w.nearDistance), f = float(w.farDistance);
@@ -125,7 +127,7 @@ public:
     }
 
 private:
-    Picture m_geometry;
+    Setup m_geometry;
     EyeFrame m_frame;
     std::optional<Error> m_problem;
 };
@@ -138,7 +140,7 @@ double middleOfPart(int i, int parts)
 
 /// The centres of pixels spread over the viewport, times depths from one end to the other.
 template <class Function>
-void forEachPoint(const Picture &g, const CompareOptions &options, Function function)
+void forEachPoint(const Setup &g, const CompareOptions &options, Function function)
 {
     const auto spread = [&](double start, double size, int i) {
         return start + std::floor(middleOfPart(i, options.pixels) * size) + kHalfPixel;
@@ -225,13 +227,13 @@ ExitCode runCompare(const CompareOptions &options)
     const std::optional<SceneFile> scene = readScene(options.scene);
     if (!scene)
         return ExitCode::UnusableInput;
-    const Picture picture = pictureOf(*scene);
-    const std::optional<ExactUnprojection> exact = ExactUnprojection::of(picture);
+    const Setup setup = setupOf(*scene);
+    const std::optional<ExactUnprojection> exact = ExactUnprojection::of(setup);
     if (!exact) {
         complain(options.scene + ": " + errorText(Error{ErrorCode::SingularMatrix}));
         return ExitCode::UnusableInput;
     }
-    const Result<Unprojector> unprojector = Unprojector::of(picture);
+    const Result<Unprojector> unprojector = Unprojector::of(setup);
     if (!unprojector) {
         complain(options.scene + ": " + errorText(unprojector.error()));
         return ExitCode::UnusableInput;
@@ -239,7 +241,7 @@ ExitCode runCompare(const CompareOptions &options)
     ByteSink sink("-", filesOf(*scene, options.scene));
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
-    const FormulaInFloat formulaInFloat(picture);
+    const FormulaInFloat formulaInFloat(setup);
     const auto by = [&](Method method) {
         return [&, method](const WindowPoint &window) { return unprojector->worldAt(method, window); };
     };
@@ -251,7 +253,7 @@ ExitCode runCompare(const CompareOptions &options)
                           {marked("matrix|method"), "float", true, most, by(Method::MatrixInFloat)}};
     ProgressBar progress(most, ProgressBar::Unit::Points);
     std::size_t points = 0;
-    forEachPoint(picture, options, [&](const WindowPoint &window) {
+    forEachPoint(setup, options, [&](const WindowPoint &window) {
         progress.advance(1);
         const std::optional<std::array<Extended, 3>> world = exact->world(window);
         if (!world)

@@ -24,6 +24,10 @@
 #include <vector>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace scene;
+using namespace scene_file;
+using namespace unproject;
 using namespace doctor;
 using namespace text;
 namespace {
@@ -64,7 +68,7 @@ std::optional<CaseRead> withoutMesh(const std::string &file)
     const std::optional<SceneFile> scene = readScene(file);
     if (!scene)
         return std::nullopt;
-    Case result{pictureOf(*scene), {}, {}, {}, verticesOnceRead(file)};
+    Case result{setupOf(*scene), {}, {}, {}, verticesOnceRead(file)};
     for (const SceneFileObject &object : scene->objects)
         result.models.push_back({object.name, worldFromObject(object.transform)});
     return CaseRead{std::move(result), filesOf(*scene, file)};
@@ -73,13 +77,13 @@ std::optional<CaseRead> withoutMesh(const std::string &file)
 std::optional<CaseRead> withMesh(const std::string &file)
 {
     const std::optional<OpenedScene> opened = openScene(file);
-    const std::optional<Picture> picture = opened ? pictureOf(*opened, {}) : std::nullopt;
-    if (!picture)
+    const std::optional<Setup> setup = opened ? setupOf(*opened, {}) : std::nullopt;
+    if (!setup)
         return std::nullopt;
-    Case result{*picture, {}, {}, {}, {}};
+    Case result{*setup, {}, {}, {}, {}};
     for (const SceneObject &object : opened->objects)
         result.models.push_back({object.name, worldFromObject(object.transform)});
-    const Result<Unprojector> unprojector = Unprojector::of(*picture);
+    const Result<Unprojector> unprojector = Unprojector::of(*setup);
     if (!unprojector) {
         complain(opened->name + ": " + errorText(unprojector.error()));
         return std::nullopt;
@@ -159,14 +163,14 @@ void leaveOutside(WrongPoints &given, const Surface &surface)
 }
 
 /// Which of the points has a depth that is refused, and what to do about it.
-std::string depthRefused(const WrongPoints &given, double depth, const Picture &picture)
+std::string depthRefused(const WrongPoints &given, double depth, const Setup &setup)
 {
     const auto refused = std::find_if(given.points.begin(), given.points.end(),
                                       [depth](const WrongPoint &point) { return point.depth == depth; });
     const std::string place = refused == given.points.end() || given.names.front() == "--pixel"
                                   ? "--depth"
                                   : given.names[std::size_t(refused - given.points.begin())] + ": depth";
-    return place + ": " + depthOutsideText(shortestText(depth), picture.depthRange);
+    return place + ": " + depthOutsideText(shortestText(depth), setup.depthRange);
 }
 
 } // namespace
@@ -210,13 +214,13 @@ ExitCode runDoctor(const DoctorOptions &options)
             return ExitCode::UnusableInput;
         }
     }
-    leaveOutside(given, scene.picture.surface);
+    leaveOutside(given, scene.setup.surface);
     if (given.points.empty())
         return ExitCode::UnusableInput;
     const Result<Diagnosis> diagnosis = diagnose(scene, given.points);
     if (!diagnosis) {
         const Error &error = diagnosis.error();
-        complain(error.code == ErrorCode::DepthOutsideRange ? depthRefused(given, error.value, scene.picture)
+        complain(error.code == ErrorCode::DepthOutsideRange ? depthRefused(given, error.value, scene.setup)
                                                             : options.scene + ": " + errorText(error));
         return ExitCode::UnusableInput;
     }

@@ -30,13 +30,13 @@ Json jsonOf(const glm::dvec3 &v)
     return Json::array({jsonNumber(v.x), jsonNumber(v.y), jsonNumber(v.z)});
 }
 
-std::string_view landingName(Landing landing)
+std::string_view landingName(ErrorKind landing)
 {
     switch (landing) {
-    case Landing::Right: return "right";
-    case Landing::Pixel: return "pixel";
-    case Landing::Depth: return "depth";
-    case Landing::Matrix: return "matrix";
+    case ErrorKind::Right: return "right";
+    case ErrorKind::Pixel: return "pixel";
+    case ErrorKind::Depth: return "depth";
+    case ErrorKind::Matrix: return "matrix";
     }
     return {};
 }

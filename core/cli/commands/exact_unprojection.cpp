@@ -3,6 +3,8 @@
 #include <utility>
 
 namespace unprojector::cli {
+using namespace geometry;
+
 namespace {
 
 using Triple = std::array<Extended, 3>;
@@ -118,7 +120,7 @@ ExactUnprojection::Matrix ExactUnprojection::clipFromEye(const Projection &proje
     return m;
 }
 
-ExactUnprojection::Matrix ExactUnprojection::windowFromNdc(const Picture &g)
+ExactUnprojection::Matrix ExactUnprojection::windowFromNdc(const Setup &g)
 {
     const Extended dn = g.depthRange.atNear, df = g.depthRange.atFar;
     const bool zeroToOne = ndcDepthOf(g) == NdcDepth::ZeroToOne;
@@ -161,7 +163,7 @@ std::optional<ExactUnprojection::Matrix> ExactUnprojection::inverse(Matrix m)
     return result;
 }
 
-std::optional<ExactUnprojection> ExactUnprojection::of(const Picture &g)
+std::optional<ExactUnprojection> ExactUnprojection::of(const Setup &g)
 {
     const auto *projection = std::get_if<MatrixProjection>(&g.lens);
     const auto *view = std::get_if<glm::dmat4>(&g.pose);

@@ -16,6 +16,8 @@
 #include <vector>
 
 namespace unprojector::cli {
+using namespace mesh;
+using namespace scene;
 using namespace text;
 namespace {
 

@@ -25,6 +25,8 @@
 #include <vector>
 
 namespace unprojector::cli {
+using namespace landmarks;
+using namespace mesh;
 using namespace landmark_files;
 using namespace files;
 using geometry::Result;
@@ -124,9 +126,9 @@ std::string shortText(double value)
     return {digits.data(), written.ptr};
 }
 
-std::string nameOf(const Landmark &landmark, std::size_t place)
+std::string nameOf(const Landmark &landmark, std::size_t index)
 {
-    return landmark.name.empty() ? tr("point %1", place + 1) : tr("\"%1\"", landmark.name);
+    return landmark.name.empty() ? tr("point %1", index + 1) : tr("\"%1\"", landmark.name);
 }
 
 /// Moves every point to the place of the mesh that is closest to it, and says how far that was.

@@ -17,6 +17,9 @@
 #include <utility>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace scene;
+using namespace unproject;
 using namespace maps;
 using namespace text;
 namespace {
@@ -24,10 +27,10 @@ namespace {
 /// 256 MB: the command keeps all numbers of a map until it is written, because it reports their median.
 constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
 
-std::uint64_t pixelsOf(const Picture &picture)
+std::uint64_t pixelsOf(const Setup &setup)
 {
-    return static_cast<std::uint64_t>(picture.surface.widthPixels)
-           * static_cast<std::uint64_t>(picture.surface.heightPixels);
+    return static_cast<std::uint64_t>(setup.surface.widthPixels)
+           * static_cast<std::uint64_t>(setup.surface.heightPixels);
 }
 
 /// A part of the work on a bar; nobody stops it but the system.
@@ -75,7 +78,7 @@ public:
     {
         if (!m_rays)
             return {false, [this](const Rows &rows, const ray::Progress &) {
-                        return std::optional(surfacesAt(m_picture, m_depth, rows));
+                        return std::optional(surfacesAt(m_setup, m_depth, rows));
                     }};
         return {true, [this](const Rows &rows, const ray::Progress &progress) {
                     return surfacesMet(*m_rays, *m_pixels, m_format, rows, progress);
@@ -83,12 +86,12 @@ public:
     }
 
 private:
-    Seen(const MapOptions &options, const Picture &picture)
-        : m_picture(picture), m_depth(options.depth), m_format(options.format)
+    Seen(const MapOptions &options, const Setup &setup)
+        : m_setup(setup), m_depth(options.depth), m_format(options.format)
     {
     }
 
-    Picture m_picture;
+    Setup m_setup;
     double m_depth;
     DepthFormat m_format;
     std::optional<ray::SceneRays> m_rays; ///< none: the depth is given
@@ -98,15 +101,15 @@ private:
 std::unique_ptr<const Seen> Seen::of(const MapOptions &options, const OpenedScene &opened,
                                      const Unprojector &unprojector)
 {
-    const Picture &picture = unprojector.picture();
-    std::unique_ptr<Seen> seen(new Seen(options, picture));
+    const Setup &setup = unprojector.setup();
+    std::unique_ptr<Seen> seen(new Seen(options, setup));
     if (options.isDepthGiven) {
         if (needsRays(options.quantity)) {
             complain(tr("--depth: %1 is about surfaces; leave the depth out and give a model or a scene with objects",
                         keyOf(options.quantity)));
             return nullptr;
         }
-        if (const Result<double> valid = unitDepth(picture.depthRange, options.depth); !valid) {
+        if (const Result<double> valid = unitDepth(setup.depthRange, options.depth); !valid) {
             complain("--depth " + shortestText(options.depth) + ": " + errorText(valid.error()));
             return nullptr;
         }
@@ -117,7 +120,7 @@ std::unique_ptr<const Seen> Seen::of(const MapOptions &options, const OpenedScen
     if (!isAnySeen) {
         complain(tr("%1: no object is there to be seen; --depth gives a depth to every pixel, from %2 on the near "
                     "plane to %3 on the far plane",
-                    opened.name, shortestText(picture.depthRange.atNear), shortestText(picture.depthRange.atFar)));
+                    opened.name, shortestText(setup.depthRange.atNear), shortestText(setup.depthRange.atFar)));
         return nullptr;
     }
     if (!areReachable(opened))
@@ -182,15 +185,15 @@ ExitCode runMap(const MapOptions &options)
     const std::optional<OpenedScene> opened = openScene(options.scene);
     if (!opened || !isOutputUsable(options, *opened))
         return ExitCode::UnusableInput;
-    const std::optional<Picture> picture = pictureOf(*opened, options.size);
-    if (!picture)
+    const std::optional<Setup> setup = setupOf(*opened, options.size);
+    if (!setup)
         return ExitCode::UnusableInput;
-    if (pixelsOf(*picture) > kMostPixels) {
+    if (pixelsOf(*setup) > kMostPixels) {
         complain(tr("a picture of %1x%2 is too large for a map; --size gives a smaller one, of at most %3 pixels",
-                    picture->surface.widthPixels, picture->surface.heightPixels, kMostPixels));
+                    setup->surface.widthPixels, setup->surface.heightPixels, kMostPixels));
         return ExitCode::UnusableInput;
     }
-    const Result<Unprojector> unprojector = Unprojector::of(*picture);
+    const Result<Unprojector> unprojector = Unprojector::of(*setup);
     if (!unprojector) {
         complain(opened->name + ": " + errorText(unprojector.error()));
         return ExitCode::UnusableInput;
@@ -198,14 +201,14 @@ ExitCode runMap(const MapOptions &options)
     ByteSink sink(options.output, opened->files); // what cannot be written is known before all is computed
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
-    ProgressBar bar(pixelsOf(*picture), ProgressBar::Unit::Points);
+    ProgressBar bar(pixelsOf(*setup), ProgressBar::Unit::Points);
     const std::unique_ptr<const Seen> seen = Seen::of(options, *opened, *unprojector);
     if (!seen)
         return ExitCode::UnusableInput;
     Question question{options.quantity, options.unit, OtherProgram::Paper};
     if (const NamedConvention *convention = conventionNamed(options.convention))
         question.other = convention->other;
-    auto map = pixelMap(question, *unprojector, seen->source(), opened->objects, partOf(bar, pixelsOf(*picture)));
+    auto map = pixelMap(question, *unprojector, seen->source(), opened->objects, partOf(bar, pixelsOf(*setup)));
     bar.finish();
     if (!map) {
         complain(opened->name + ": " + errorText(map.error()));
@@ -219,11 +222,11 @@ ExitCode runMap(const MapOptions &options)
     if (statistics.count == 0)
         complain(tr("%1: no pixel has a number; the map holds NaN only", opened->name));
     if (!options.isJson) {
-        complain(statisticsText(options, statistics, pixelsOf(*picture)));
+        complain(statisticsText(options, statistics, pixelsOf(*setup)));
         return ExitCode::Done;
     }
     ByteSink json("-", opened->files);
-    json.write(statisticsJson(options, statistics, picture->surface));
+    json.write(statisticsJson(options, statistics, setup->surface));
     return json.finish();
 }
 

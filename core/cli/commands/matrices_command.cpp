@@ -10,6 +10,9 @@
 #include <vector>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace matrices;
+using namespace scene_file;
 using namespace text;
 namespace {
 
@@ -19,7 +22,7 @@ struct NamedMatrix {
     glm::dmat4 matrix;
 };
 
-glm::dmat4 windowMatrix(const Picture &g)
+glm::dmat4 windowMatrix(const Setup &g)
 {
     glm::dmat4 m = windowFromNdc(g.viewport, g.depthRange);
     if (ndcDepthOf(g) == NdcDepth::ZeroToOne) {
@@ -203,21 +206,21 @@ Result<Written> writtenCamera(const MatricesOptions &options, const SceneFile &s
     const Api api = options.conventions.value_or(scene.conventions.value_or(Api::OpenGl));
     const ApiConventions &conventions = conventionsOf(api);
     const MatrixLayout usual = conventions.areVectorsRows ? MatrixLayout::Row : MatrixLayout::Column;
-    const Picture picture = pictureOf(scene);
+    const Setup setup = setupOf(scene);
     Written result{&conventions, options.layout.value_or(usual), {}};
     if (!options.conventions && api == Api::OpenGl) {
-        const Result<glm::dmat4> view = eyeFromWorld(picture), projection = clipFromEye(picture);
+        const Result<glm::dmat4> view = eyeFromWorld(setup), projection = clipFromEye(setup);
         if (!view || !projection)
             return view ? projection.error() : view.error();
         result.api = nullptr;
-        result.camera = {*view, *projection, windowMatrix(picture), {}};
+        result.camera = {*view, *projection, windowMatrix(setup), {}};
         return result;
     }
-    const Result<ApiCamera> camera = apiCamera(picture, api);
+    const Result<ApiCamera> camera = apiCamera(setup, api);
     if (!camera)
         return camera.error();
     result.camera = *camera;
-    result.apiFromWorld = apiSpaces(picture, api).world.matrix();
+    result.apiFromWorld = apiSpaces(setup, api).world.matrix();
     result.hasClip = api != Api::OpenCv;
     return result;
 }

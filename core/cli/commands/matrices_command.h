@@ -8,16 +8,14 @@
 #include <string>
 
 namespace unprojector::cli {
-using namespace matrices;
-using namespace geometry;
 
 enum class MatricesFormat { Text, Json, C, NumPy, Latex };
 
 /// `unproject matrices`: all matrices of a scene.
 struct MatricesOptions {
     std::string scene;
-    std::optional<Api> conventions;     ///< none: the scene's
-    std::optional<MatrixLayout> layout; ///< none: as the conventions have it
+    std::optional<geometry::Api> conventions;     ///< none: the scene's
+    std::optional<matrices::MatrixLayout> layout; ///< none: as the conventions have it
     MatricesFormat format = MatricesFormat::Text;
 };
 

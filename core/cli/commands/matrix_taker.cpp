@@ -9,6 +9,8 @@
 #include <vector>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace matrices;
 using text::tr;
 namespace {
 
@@ -122,7 +124,7 @@ glm::dmat4 MatrixTaker::matrix(const PastedMatrix &pasted, MatrixRole role) cons
 ViewportAndDepths MatrixTaker::viewport(const PastedMatrix &pasted) const
 {
     // The window's height is not known yet: 0.
-    const ApiSpaces spaces = apiSpaces(Picture(), api());
+    const ApiSpaces spaces = apiSpaces(Setup(), api());
     AxisChange window = spaces.window;
     window.scale.z = 1.0;
     window.shift.z = 0.0;

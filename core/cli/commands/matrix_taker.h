@@ -21,26 +21,26 @@ public:
 
     /// Sets the order of the matrices where no option says it and their numbers tell another one than their forms have, and says so.
     /// @return whether the order of all matrices of a scene is known. If not, a message asks for the option
-    bool tellOrders(PastedScene &pasted) const;
+    bool tellOrders(matrices::PastedScene &pasted) const;
 
     /// The matrix in the order that is asked for, or told, or in that of its form.
-    glm::dmat4 matrixAsGiven(const PastedMatrix &pasted) const { return meantMatrix(pasted, order(pasted)); }
+    glm::dmat4 matrixAsGiven(const matrices::PastedMatrix &pasted) const { return meantMatrix(pasted, order(pasted)); }
     /// The same in OpenGL's conventions, whosever it was.
-    glm::dmat4 matrix(const PastedMatrix &pasted, MatrixRole role) const;
+    glm::dmat4 matrix(const matrices::PastedMatrix &pasted, matrices::MatrixRole role) const;
     /// What a matrix from NDC to the window says of viewport and depth range. Where pixels count from the top, y is 0 there.
-    ViewportAndDepths viewport(const PastedMatrix &pasted) const;
+    matrices::ViewportAndDepths viewport(const matrices::PastedMatrix &pasted) const;
     /// NDC depths that are known.
-    std::optional<NdcDepth> depth() const;
+    std::optional<geometry::NdcDepth> depth() const;
 
-    void say(PastedPart part, const std::string &what) const;
+    void say(matrices::PastedPart part, const std::string &what) const;
     /// Says what is to be seen of a matrix, but for what an option has an answer to.
     /// @return whether depths are reversed by it
-    bool lookAt(const PastedMatrix &pasted, PastedPart part, MatrixRole role,
+    bool lookAt(const matrices::PastedMatrix &pasted, matrices::PastedPart part, matrices::MatrixRole role,
                 const std::optional<glm::dmat4> &clipFromEye = std::nullopt) const;
 
 private:
-    Api api() const { return m_options.conventions.value_or(Api::OpenGl); }
-    NumberOrder order(const PastedMatrix &pasted) const;
+    geometry::Api api() const { return m_options.conventions.value_or(geometry::Api::OpenGl); }
+    matrices::NumberOrder order(const matrices::PastedMatrix &pasted) const;
     /// What is to be seen is that of the matrix in OpenGL's conventions.
     std::string taken(const std::string &finding) const;
 

@@ -17,6 +17,11 @@
 #include <utility>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace mesh;
+using namespace scene;
+using namespace scene_file;
+using namespace unproject;
 using namespace files;
 using namespace text;
 namespace {
@@ -102,14 +107,14 @@ ray::SceneRays raysOf(const OpenedScene &opened, const Unprojector &unprojector)
     return {unprojector, opened.objects, casters, clipPlanes};
 }
 
-std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &size)
+std::optional<Setup> setupOf(const OpenedScene &opened, const std::string &size)
 {
     const std::optional<SizeGiven> given =
         size.empty() ? SizeGiven{kUsualWidth, kUsualHeight} : sizeGiven("--size", size);
     if (!given)
         return std::nullopt;
     if (opened.file && size.empty())
-        return scene_file::pictureOf(*opened.file);
+        return scene_file::setupOf(*opened.file);
 
     Surface surface{given->width, given->height, 1.0};
     if (const Check valid = check(surface); !valid) {
@@ -132,10 +137,10 @@ std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &s
         scene.camera = scene.home = openingCamera(opened.objects, surface);
         scene.projection = openingProjection();
     }
-    const Result<Picture> picture = scene::pictureOf(scene, surface, groundUnder(boundsOf(scene)).box);
-    if (picture)
-        return *picture;
-    complain(opened.name + ": " + errorText(picture.error()));
+    const Result<Setup> setup = scene::setupOf(scene, surface, groundUnder(boundsOf(scene)).box);
+    if (setup)
+        return *setup;
+    complain(opened.name + ": " + errorText(setup.error()));
     return std::nullopt;
 }
 

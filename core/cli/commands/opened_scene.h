@@ -11,18 +11,17 @@
 #include <vector>
 
 namespace unprojector::cli {
-using namespace scene_file;
 
 /// A scene, or a model as the window shows it at first, with all models read.
 struct OpenedScene {
-    std::vector<SceneObject> objects;
-    std::optional<SceneFile> file; ///< nothing where a model was opened
-    std::string name;              ///< what was opened, for messages
-    InputFiles files;              ///< all that was read: the scene, the models, and what these refer to
+    std::vector<scene::SceneObject> objects;
+    std::optional<scene_file::SceneFile> file; ///< nothing where a model was opened
+    std::string name;                          ///< what was opened, for messages
+    InputFiles files;                          ///< all that was read: the scene, the models, and what these refer to
 };
 
 /// A model's file and those that were read for it.
-InputFiles filesOf(const std::filesystem::path &file, const Model &model);
+InputFiles filesOf(const std::filesystem::path &file, const mesh::Model &model);
 
 /// As opening::isMeantAsScene.
 /// @param file  UTF-8; "-" is a scene
@@ -36,7 +35,7 @@ std::optional<OpenedScene> openScene(const std::string &file);
 bool areReachable(const OpenedScene &opened);
 
 /// What the clicks on a picture of the scene meet. Objects of one model share its ray caster.
-ray::SceneRays raysOf(const OpenedScene &opened, const Unprojector &unprojector);
+ray::SceneRays raysOf(const OpenedScene &opened, const unproject::Unprojector &unprojector);
 
 /// The size of a window whose size nobody has given.
 constexpr int kUsualWidth = 800, kUsualHeight = 600;
@@ -45,6 +44,6 @@ constexpr int kUsualWidth = 800, kUsualHeight = 600;
 /// a size, what the window shows in that size.
 /// @param size  device pixels; "800x600", or empty
 /// Errors are printed on stderr.
-std::optional<Picture> pictureOf(const OpenedScene &opened, const std::string &size);
+std::optional<geometry::Setup> setupOf(const OpenedScene &opened, const std::string &size);
 
 } // namespace unprojector::cli

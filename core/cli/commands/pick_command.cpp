@@ -16,6 +16,8 @@
 #include <utility>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace unproject;
 using namespace ray;
 using namespace text;
 namespace {
@@ -47,10 +49,10 @@ struct Task {
 };
 
 /// Where the viewport is, for those who look outside it.
-std::string viewportText(const Picture &picture)
+std::string viewportText(const Setup &setup)
 {
-    return tr("the viewport of the picture of %1x%2", shortestText(picture.surface.widthPixels),
-              shortestText(picture.surface.heightPixels));
+    return tr("the viewport of the picture of %1x%2", shortestText(setup.surface.widthPixels),
+              shortestText(setup.surface.heightPixels));
 }
 
 /// The scratch memory of a thread.
@@ -126,7 +128,7 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
         complain(source.name() + ": "
                  + tr(outside == 1 ? "%1 pixel lies outside %2, where nothing is met"
                                    : "%1 pixels lie outside %2, where nothing is met",
-                      outside.load(), viewportText(rays.rays().picture())));
+                      outside.load(), viewportText(rays.rays().setup())));
     return code;
 }
 
@@ -134,12 +136,12 @@ ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint
                        const SceneRays &rays, ByteSink &sink)
 {
     ExitCode code = ExitCode::Done;
-    const Picture &picture = rays.rays().picture();
+    const Setup &setup = rays.rays().setup();
     for (const DevicePoint &position : positions) {
         // Nothing is met there, for a reason that a wrong size gives away.
         if (!rays.rays().isInPicture(position)) {
             complain(tr("--at %1,%2: lies outside %3", shortestText(position.x), shortestText(position.y),
-                        viewportText(picture)));
+                        viewportText(setup)));
             code = ExitCode::SomeRowsBad;
         }
         const Result<std::optional<SceneHit>> hit = rays.at(position, options.snap);
@@ -186,10 +188,10 @@ ExitCode runPick(const PickOptions &options)
     ByteSink sink("-", inputs);
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
-    const std::optional<Picture> picture = pictureOf(*opened, options.size);
-    if (!picture)
+    const std::optional<Setup> setup = setupOf(*opened, options.size);
+    if (!setup)
         return ExitCode::UnusableInput;
-    const Result<Unprojector> unprojector = Unprojector::of(*picture);
+    const Result<Unprojector> unprojector = Unprojector::of(*setup);
     if (!unprojector) {
         complain(opened->name + ": " + errorText(unprojector.error()));
         return ExitCode::UnusableInput;

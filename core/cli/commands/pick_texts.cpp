@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 namespace unprojector::cli {
+using namespace mesh;
 using namespace geometry;
 using namespace ray;
 using namespace scene;

@@ -13,6 +13,8 @@
 #include <utility>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace scene_file;
 using namespace unproject;
 using namespace text;
 namespace {
@@ -231,13 +233,13 @@ ExitCode runPoints(const PointsOptions &options)
     const std::unique_ptr<RowStream> rows = openRows(options.rows, *given, {kClickColumns});
     if (!rows)
         return ExitCode::UnusableInput;
-    const Picture &geometry = rows->picture;
+    const Setup &setup = rows->picture;
     const std::vector<std::string> results = pointColumns(options.methods);
-    Task task{options, NumberReader(rows->source.name(), rows->columns),       geometry.depthRange,
+    Task task{options, NumberReader(rows->source.name(), rows->columns),       setup.depthRange,
               {},      RowLayout(rows->columns, results, options.rows.format), results.size()};
     bool isUsable = false;
     for (const Method method : options.methods) {
-        const Result<ClickBatch> batch = ClickBatch::of(method, geometry, rows->space);
+        const Result<ClickBatch> batch = ClickBatch::of(method, setup, rows->space);
         isUsable = isUsable || batch;
         // The cells of a method that does not hold for the scene stay empty.
         task.batches.push_back(batch ? std::optional(*batch) : std::nullopt);

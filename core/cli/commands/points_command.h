@@ -11,24 +11,23 @@
 #include <vector>
 
 namespace unprojector::cli {
-using namespace unproject;
 
 /// `unproject points`: device positions and depths in, points out.
 struct PointsOptions {
     RowOptions rows;
-    std::vector<Method> methods{Method::Formula, Method::Matrix};
+    std::vector<unproject::Method> methods{unproject::Method::Formula, unproject::Method::Matrix};
     bool isPixel = false; ///< px and py are indices of pixels: their centres are meant
 };
 
 /// What is given of a click.
 inline const ColumnNames kClickColumns{"px", "py", "depth"};
 /// The names of the columns that are computed: three for each method, and "difference" with both the formulas and the matrix.
-std::vector<std::string> pointColumns(const std::vector<Method> &methods);
+std::vector<std::string> pointColumns(const std::vector<unproject::Method> &methods);
 
 /// Writes the cells of a point by each of the methods, and of the difference; empty where there is no number.
 /// @param points  in the order of `methods`; nothing where a method has none
 /// @return whether all numbers of the points that are there, and their difference, are finite
-bool writePoints(RowWriter &writer, const std::vector<Method> &methods,
+bool writePoints(RowWriter &writer, const std::vector<unproject::Method> &methods,
                  const std::vector<std::optional<glm::dvec3>> &points);
 
 ExitCode runPoints(const PointsOptions &options);

@@ -14,6 +14,9 @@
 #include <span>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace scene_file;
+using namespace unproject;
 using namespace text;
 namespace {
 
@@ -26,7 +29,7 @@ struct Task {
     RowFormat format;
     NumberReader reader;
     RowLayout layout;
-    Picture geometry;
+    Setup geometry;
     WayForward way;
     BatchSpace space;
     glm::dmat4 clipFromEye;
@@ -93,7 +96,7 @@ glm::dvec4 rounded(const DoubleDouble4 &v)
 /// @return whether every stage has an answer
 bool project(const Task &task, const glm::dvec3 &point, Stages &stages)
 {
-    const Picture &g = task.geometry;
+    const Setup &g = task.geometry;
     const PreciseStages way = task.space.kind == BatchSpace::Kind::Eye
                                   ? task.way.fromEye(precise(point))
                                   : task.way.fromWorld(product(task.space.worldFromObject, precise(point)));
@@ -158,8 +161,8 @@ ExitCode runProject(const RowOptions &options)
     const std::unique_ptr<RowStream> rows = openRows(options, *given, {{"x", "y", "z"}, pointColumnsOf("formula")});
     if (!rows)
         return ExitCode::UnusableInput;
-    const Picture &geometry = rows->picture;
-    const Result<WayForward> way = WayForward::of(geometry);
+    const Setup &setup = rows->picture;
+    const Result<WayForward> way = WayForward::of(setup);
     if (!way) {
         complain(options.scene + ": " + errorText(way.error()));
         return ExitCode::UnusableInput;
@@ -168,12 +171,12 @@ ExitCode runProject(const RowOptions &options)
     const Task task{options.format,
                     NumberReader(rows->source.name(), rows->columns),
                     RowLayout(rows->columns, kResults, options.format),
-                    geometry,
+                    setup,
                     *way,
                     rows->space,
-                    clipFromEye(geometry).value(),
+                    clipFromEye(setup).value(),
                     isInEye ? glm::dmat4(1.0)
-                            : viewMagnitudes(eyeFromWorld(geometry).value()) * magnitudes(rows->space.worldFromObject)};
+                            : viewMagnitudes(eyeFromWorld(setup).value()) * magnitudes(rows->space.worldFromObject)};
     return runRows(*rows, options, task.layout.names(), [&] { return BlockWorker(Worker(task)); });
 }
 

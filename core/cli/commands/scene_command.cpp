@@ -4,8 +4,8 @@
 #include "core/cli/commands/size_text.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/files/path_text.h"
+#include "core/matrices/decomposition.h"
 #include "core/matrices/matrix_format.h"
-#include "core/matrices/taken_apart.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 #include "core/text/translation.h"
@@ -21,6 +21,8 @@
 #include <vector>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace matrices;
 using namespace scene_file;
 using namespace files;
 using text::tr;
@@ -208,7 +210,7 @@ std::string contradiction(const MatrixTaker &taker, const PastedScene &pasted)
 
 /// Says that a matrix beside a product counts for nothing, and whether it goes with it.
 void sayLeftOut(const MatrixTaker &taker, const PastedScene &pasted, PastedPart part,
-                const std::optional<TakenApart> &apart)
+                const std::optional<Decomposition> &apart)
 {
     const bool isProjection = part == PastedPart::Projection;
     const auto &given = isProjection ? pasted.projection : part == PastedPart::View ? pasted.view : pasted.modelView;
@@ -252,7 +254,7 @@ void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const Pa
             taker.say(PastedPart::ModelView, tr("left out, since the view is there"));
     } else {
         isReversed = taker.lookAt(lens, PastedPart::Product, MatrixRole::Product);
-        const auto apart = takenApart(clipFromEye);
+        const auto apart = decomposed(clipFromEye);
         for (const PastedPart part : {PastedPart::Projection, PastedPart::View, PastedPart::ModelView})
             sayLeftOut(taker, pasted, part, apart);
         scene.view = apart ? apart->eyeFromWorld : glm::dmat4(1.0);
@@ -261,7 +263,7 @@ void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const Pa
             PastedPart::Product,
             !apart ? tr("lens and eye cannot be taken apart: only the inverted matrix will answer, the formulas need "
                         "projection and view")
-                   : takenApartText(*apart));
+                   : decompositionText(*apart));
     }
     for (const PastedPart part : pasted.inversesLeft)
         taker.say(part, tr("its inverse is left out, since the matrices that are needed are there themselves"));

@@ -13,6 +13,7 @@
 #include <vector>
 
 namespace unprojector::cli {
+using namespace unproject;
 using text::tr;
 namespace {
 

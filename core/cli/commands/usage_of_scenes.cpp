@@ -16,6 +16,8 @@
 #include <string>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace matrices;
 using namespace unproject;
 using text::tr;
 namespace {

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 namespace unprojector::cli {
+using namespace geometry;
 using namespace doctor;
 using text::tr;
 namespace {
@@ -45,11 +46,11 @@ std::string tableErrorText(const PointTableError &error)
     return {};
 }
 
-std::string rowErrorText(const PointRow &row, std::size_t place)
+std::string rowErrorText(const PointRow &row, std::size_t index)
 {
-    if (place >= kPointColumns.size())
+    if (index >= kPointColumns.size())
         return tr("the row has more than six cells; give px,py,depth,x,y,z, with a point for the decimals");
-    return std::string(kPointColumns[place]) + ": " + tr("\"%1\" is no number", row.cells[place]);
+    return std::string(kPointColumns[index]) + ": " + tr("\"%1\" is no number", row.cells[index]);
 }
 
 } // namespace

@@ -7,11 +7,14 @@
 #include <limits>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace unproject;
+
 namespace {
 
 /// The pixels in between the window's corners and the ends of the depth range have numbers between theirs.
 template <class Scalar>
-bool someCornerIsHuge(const BatchUnprojection &unprojection, const Picture &g)
+bool someCornerIsHuge(const BatchUnprojection &unprojection, const Setup &g)
 {
     const double w = g.surface.widthPixels, h = g.surface.heightPixels, n = g.depthRange.atNear, f = g.depthRange.atFar;
     const std::array<double, 8> px{0, w, 0, w, 0, w, 0, w}, py{0, 0, h, h, 0, 0, h, h}, depth{n, n, n, n, f, f, f, f};
@@ -48,9 +51,9 @@ std::size_t Surfaces::countIn(std::span<const float> depths) const
 }
 
 template <class Scalar>
-DepthCloud<Scalar>::DepthCloud(const BatchUnprojection &unprojection, const Picture &picture, const DepthImage &image)
-    : m_unprojection(unprojection), m_image(image), m_surfaces(picture.depthRange),
-      m_canOverflow(someCornerIsHuge<Scalar>(unprojection, picture))
+DepthCloud<Scalar>::DepthCloud(const BatchUnprojection &unprojection, const Setup &setup, const DepthImage &image)
+    : m_unprojection(unprojection), m_image(image), m_surfaces(setup.depthRange),
+      m_canOverflow(someCornerIsHuge<Scalar>(unprojection, setup))
 {
 }
 

@@ -6,12 +6,11 @@
 #include <span>
 
 namespace unprojector::cli {
-using namespace unproject;
 
 /// Which depths are of a surface: inside the range, and not the one that the buffer was cleared to, the far end's.
 class Surfaces {
 public:
-    explicit Surfaces(const DepthRange &range);
+    explicit Surfaces(const geometry::DepthRange &range);
 
     float lowest() const { return m_low; }
     float highest() const { return m_high; }
@@ -27,7 +26,7 @@ template <class Scalar>
 class DepthCloud {
 public:
     /// @param image  kept by reference; as large as the picture's surface
-    DepthCloud(const BatchUnprojection &unprojection, const Picture &picture, const DepthImage &image);
+    DepthCloud(const unproject::BatchUnprojection &unprojection, const geometry::Setup &setup, const DepthImage &image);
 
     /// Whether the numbers of some pixel could leave the range of Scalar.
     bool canOverflow() const { return m_canOverflow; }
@@ -39,7 +38,7 @@ public:
     std::size_t row(std::size_t j, Scalar *points) const;
 
 private:
-    BatchUnprojection m_unprojection;
+    unproject::BatchUnprojection m_unprojection;
     const DepthImage &m_image;
     Surfaces m_surfaces;
     bool m_canOverflow;

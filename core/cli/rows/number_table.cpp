@@ -162,15 +162,15 @@ NumberReader::Cells NumberReader::cellsOf(std::string_view line, std::size_t &su
     Cells cells;
     surplus = 0;
     std::size_t start = 0;
-    for (std::size_t place = 0; start <= line.size(); ++place) {
+    for (std::size_t index = 0; start <= line.size(); ++index) {
         const std::size_t end = cellEnd(line, start);
         const std::string_view cell = line.substr(start, end - start);
         for (std::size_t k = 0; k < 3; ++k) {
-            if (m_columns.places[k] == place)
+            if (m_columns.places[k] == index)
                 cells[k] = cell;
         }
-        if (place >= m_columns.count() && !trimmed(cell).empty())
-            surplus = place + 1;
+        if (index >= m_columns.count() && !trimmed(cell).empty())
+            surplus = index + 1;
         start = end + 1;
     }
     return cells;

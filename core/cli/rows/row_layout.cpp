@@ -27,9 +27,9 @@ std::string freeKey(const std::string &key, const std::vector<std::string> &name
 
 RowLayout::RowLayout(const NumberColumns &columns, const std::vector<std::string> &results, RowFormat format)
 {
-    for (std::size_t place = 0; place < columns.count(); ++place) {
-        const std::string &head = columns.heads[place];
-        const auto wanted = std::find(columns.places.begin(), columns.places.end(), place);
+    for (std::size_t index = 0; index < columns.count(); ++index) {
+        const std::string &head = columns.heads[index];
+        const auto wanted = std::find(columns.places.begin(), columns.places.end(), index);
         if (wanted != columns.places.end()) {
             m_columns.push_back(static_cast<std::size_t>(wanted - columns.places.begin()));
             m_names.push_back(columns.names[m_columns.back()]);

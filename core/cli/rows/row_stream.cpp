@@ -5,10 +5,12 @@
 #include <optional>
 
 namespace unprojector::cli {
+using namespace scene_file;
+using namespace unproject;
 using text::tr;
 
 RowStream::RowStream(const SceneFile &scene, const BatchSpace &spaceInIt, const RowOptions &options)
-    : picture(pictureOf(scene)), space(spaceInIt), inputs(filesOf(scene, options.scene)), source(options.input)
+    : picture(setupOf(scene)), space(spaceInIt), inputs(filesOf(scene, options.scene)), source(options.input)
 {
     inputs.push_back(options.input);
 }

@@ -30,10 +30,10 @@ ColumnNames pointColumnsOf(const std::string &method);
 
 /// The picture of a scene, the space in it, and the rows behind a header that has the columns.
 struct RowStream {
-    RowStream(const SceneFile &scene, const BatchSpace &spaceInIt, const RowOptions &options);
+    RowStream(const scene_file::SceneFile &scene, const unproject::BatchSpace &spaceInIt, const RowOptions &options);
 
-    Picture picture;
-    BatchSpace space;
+    geometry::Setup setup;
+    unproject::BatchSpace space;
     InputFiles inputs; ///< the scene's files and that of the rows
     ByteSource source;
     LineBlocks blocks{source};
@@ -43,7 +43,7 @@ struct RowStream {
 /// Opens all of it; null, with the reason on stderr, where something is unusable.
 /// @param given    what options.scene holds
 /// @param columns  the names that they may have, see readHeader
-std::unique_ptr<RowStream> openRows(const RowOptions &options, const SceneOrClicks &given,
+std::unique_ptr<RowStream> openRows(const RowOptions &options, const scene_file::SceneOrClicks &given,
                                     const std::vector<ColumnNames> &columns);
 
 /// Takes all rows through workers to stdout.

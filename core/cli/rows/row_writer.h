@@ -10,7 +10,6 @@
 #include <vector>
 
 namespace unprojector::cli {
-using namespace text;
 
 enum class RowFormat {
     Csv,
@@ -21,7 +20,7 @@ enum class RowFormat {
 /// A cell as passedCell has it, behind an apostrophe where its text is a formula.
 inline std::string safeCell(std::string cell)
 {
-    if (isFormula(unquoted(cell)))
+    if (text::isFormula(unquoted(cell)))
         cell.insert(cell.find_first_not_of(" \t\""), 1, '\'');
     return cell;
 }
@@ -49,7 +48,7 @@ public:
     void number(double value)
     {
         startCell();
-        appendNumber(m_output, value);
+        text::appendNumber(m_output, value);
     }
 
     /// An empty cell for NaN and infinity.
@@ -76,7 +75,7 @@ public:
             m_output += jsonOfText(text);
             return;
         }
-        const std::string_view apostrophe = m_format == RowFormat::SafeCsv && isFormula(text) ? "'" : "";
+        const std::string_view apostrophe = m_format == RowFormat::SafeCsv && text::isFormula(text) ? "'" : "";
         if (text.find_first_of(",\"\r\n") == std::string_view::npos && trimmed(text).size() == text.size()) {
             m_output.append(apostrophe).append(text);
             return;

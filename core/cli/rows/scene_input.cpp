@@ -14,6 +14,8 @@
 #include <vector>
 
 namespace unprojector::cli {
+using namespace geometry;
+using namespace unproject;
 using namespace scene_file;
 using namespace files;
 using namespace mesh;
@@ -125,17 +127,17 @@ namespace {
 /// The object of a name; where there is none, stderr says which there are, and where there are several, which those are.
 const SceneFileObject *objectNamed(const SceneFile &scene, const std::string &name)
 {
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         if (scene.objects[i].name == name)
-            places.push_back(i);
+            indices.push_back(i);
     }
-    if (places.size() == 1)
-        return &scene.objects[places[0]];
-    if (!places.empty()) {
+    if (indices.size() == 1)
+        return &scene.objects[indices[0]];
+    if (!indices.empty()) {
         std::string alike;
-        for (const std::size_t place : places)
-            alike += (alike.empty() ? "objects[" : ", objects[") + std::to_string(place) + ']';
+        for (const std::size_t index : indices)
+            alike += (alike.empty() ? "objects[" : ", objects[") + std::to_string(index) + ']';
         complain(tr("the scene has several objects called \"%1\": %2; give each a name of its own", name, alike));
         return nullptr;
     }

@@ -10,6 +10,7 @@
 #include <optional>
 
 namespace unprojector::mesh::reader {
+using namespace geometry;
 using text::tr;
 
 namespace {

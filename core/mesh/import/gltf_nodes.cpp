@@ -11,6 +11,7 @@
 #include <string>
 
 namespace unprojector::mesh::reader {
+using namespace geometry;
 using text::tr;
 
 namespace {
@@ -102,7 +103,7 @@ glm::dmat4 withLastRow(glm::dmat4 matrix)
 PreciseMatrix GltfNodes::parentFromNode(std::size_t number) const
 {
     const Json &node = m_file.array("nodes")[number];
-    const auto at = [](const Json *list, std::size_t place) { return GltfFile::real((*list)[place]); };
+    const auto at = [](const Json *list, std::size_t index) { return GltfFile::real((*list)[index]); };
     const auto vector = [&at](const Json *list) { return glm::dvec3(at(list, 0), at(list, 1), at(list, 2)); };
     glm::dmat4 matrix(1.0);
     if (const Json *given = numbers(node, "matrix", 16)) {

@@ -24,20 +24,21 @@ public:
     /// Calls `visit` with every node and its worldFromNode, parents first, in the file's order; not with nodes that the
     /// file hides (KHR_node_visibility), nor with those below them.
     /// @return how many nodes with meshes are hidden
-    std::size_t visit(const std::function<void(const Json &node, const PreciseMatrix &worldFromNode)> &visit) const;
+    std::size_t
+    visit(const std::function<void(const Json &node, const geometry::PreciseMatrix &worldFromNode)> &visit) const;
 
     /// How many meshes no node of the scene has, shown or hidden.
     std::size_t meshesElsewhere() const;
 
     /// Of any node, shown or not.
-    PreciseMatrix worldFromNode(std::size_t node) const;
+    geometry::PreciseMatrix worldFromNode(std::size_t node) const;
     /// The nodes that an object's array refers to.
     std::vector<std::size_t> nodeList(const Json &object, const char *key) const;
 
 private:
     static constexpr std::size_t kNone = ~std::size_t{0};
 
-    PreciseMatrix parentFromNode(std::size_t node) const;
+    geometry::PreciseMatrix parentFromNode(std::size_t node) const;
     /// @param listed  the nodes that the scene lists; some programs list nodes below others too
     void setRoots(const std::vector<std::size_t> &listed, std::vector<ModelNote> &notes);
     /// The node above all that a node is below; kNone where there is a circle instead.
@@ -59,7 +60,7 @@ struct Placement {
     /// The glTF key of the first part that is not neutral; null where the placement is the identity.
     const char *firstThatMoves() const;
     /// translation * rotation * scale, of the rotation made a unit.
-    PreciseMatrix matrix() const;
+    geometry::PreciseMatrix matrix() const;
 };
 
 /// The last row of a matrix that is not affine, as text; empty where it is 0 0 0 1, but for rounding.

@@ -11,6 +11,7 @@
 #include <string>
 
 namespace unprojector::mesh::reader {
+using namespace geometry;
 using text::tr;
 
 namespace {

@@ -34,7 +34,7 @@ private:
 /// Where a primitive's vertices go: all by one matrix, or each by the joints that hold it.
 class GltfPose {
 public:
-    explicit GltfPose(const PreciseMatrix &worldFromMesh);
+    explicit GltfPose(const geometry::PreciseMatrix &worldFromMesh);
     /// A vertex becomes the sum of weight * worldFromMesh of a joint * vertex, divided by the sum of the weights. The
     /// transform of the node that holds the mesh has no part in it (glTF 2.0, section 3.7.3, Skins).
     /// @param worldFromMeshByJoint  must outlive the pose
@@ -58,7 +58,7 @@ private:
 
     std::span<const glm::dmat4> m_byJoint; ///< empty without a skin
     std::vector<GltfValues> m_joints, m_weights;
-    PreciseMatrix m_precise{glm::dmat4(1.0)};
+    geometry::PreciseMatrix m_precise{glm::dmat4(1.0)};
     glm::dmat4 m_worldFromMesh{1.0};
     glm::dmat3 m_normalMatrix{1.0};
     bool m_isIdentity = false;

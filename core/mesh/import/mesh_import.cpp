@@ -28,6 +28,7 @@
 #include <system_error>
 
 namespace unprojector::mesh {
+using namespace files;
 using namespace threads;
 using namespace geometry;
 using text::tr;

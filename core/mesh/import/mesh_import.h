@@ -8,7 +8,6 @@
 #include <string>
 
 namespace unprojector::mesh {
-using namespace geometry;
 
 /// Why a model file could not be opened.
 enum class ImportErrorCode {
@@ -44,7 +43,7 @@ using ImportProgress = std::function<bool(double share)>;
 /// Safe to call from any thread; several imports may run at once.
 /// @param progress  may be empty
 /// @return its textures are still encoded
-Result<std::shared_ptr<Model>, ImportError> importModel(const std::filesystem::path &file,
-                                                        const ImportProgress &progress);
+geometry::Result<std::shared_ptr<Model>, ImportError> importModel(const std::filesystem::path &file,
+                                                                  const ImportProgress &progress);
 
 } // namespace unprojector::mesh

@@ -15,6 +15,7 @@
 #include <utility>
 
 namespace unprojector::mesh {
+using namespace geometry;
 using namespace threads;
 
 namespace {

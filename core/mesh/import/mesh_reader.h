@@ -15,7 +15,6 @@
 
 /// What the format readers behind importModel share. Not for use elsewhere.
 namespace unprojector::mesh::reader {
-using namespace files;
 
 /// Thrown inside the import only; importModel turns it into an ImportError.
 struct Failure : std::exception {

@@ -13,6 +13,7 @@
 #include <utility>
 
 namespace unprojector::mesh {
+using namespace files;
 using text::TextScanner;
 namespace reader {
 namespace {

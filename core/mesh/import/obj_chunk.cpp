@@ -12,6 +12,7 @@
 #include <limits>
 
 namespace unprojector::mesh::reader {
+using namespace geometry;
 using text::marked;
 using text::quoted;
 using text::tr;

@@ -17,7 +17,6 @@
 #include <vector>
 
 namespace unprojector::mesh::reader {
-using namespace geometry;
 
 class ObjCursor;
 
@@ -64,7 +63,7 @@ public:
     ObjCounts counts() const;
 
     std::vector<glm::dvec3> positions;
-    Box box;
+    geometry::Box box;
     std::vector<glm::u8vec4> colors; ///< one a position, or empty
     std::vector<glm::vec2> texcoords;
     std::vector<glm::vec3> normals;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 namespace unprojector::mesh::reader {
+using namespace files;
 using text::doubleFromWord;
 using text::floatFromWord;
 using text::TextScanner;

@@ -31,6 +31,7 @@
 #include <vector>
 
 namespace unprojector::mesh::reader {
+using namespace geometry;
 using namespace threads;
 using text::tr;
 

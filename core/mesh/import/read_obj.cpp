@@ -18,6 +18,7 @@
 #include <utility>
 
 namespace unprojector::mesh::reader {
+using namespace geometry;
 using namespace threads;
 using text::tr;
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace unprojector::mesh::reader {
+using namespace files;
 
 namespace {
 

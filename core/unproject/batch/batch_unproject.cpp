@@ -71,11 +71,11 @@ Result<Axes> axesOf(const glm::dmat4 &eyeFromWorld)
     return Axes{origin->coordinates(), x->coordinates(), y->coordinates(), z->coordinates()};
 }
 
-Result<Axes> axesIn(const BatchSpace &space, const Picture &geometry)
+Result<Axes> axesIn(const BatchSpace &space, const Setup &setup)
 {
     if (space.kind == BatchSpace::Kind::Eye)
         return Axes{};
-    const Result<Axes> axes = std::visit([](const auto &view) { return axesOf(view); }, geometry.pose);
+    const Result<Axes> axes = std::visit([](const auto &view) { return axesOf(view); }, setup.pose);
     if (!axes || space.kind == BatchSpace::Kind::World)
         return axes;
     const glm::dmat4 objectFromWorld = glm::inverse(space.worldFromObject);
@@ -93,7 +93,7 @@ struct Constants {
 
 /// Puts the view axis where it is, counted from the top left corner.
 /// @param fromLeft, fromBottom  of the viewport, pixels
-void setAxis(batch::ClosedFormConstants &c, const Picture &g, const DoubleDouble &fromLeft,
+void setAxis(batch::ClosedFormConstants &c, const Setup &g, const DoubleDouble &fromLeft,
              const DoubleDouble &fromBottom)
 {
     const DoubleDouble axisX = g.viewport.x + fromLeft;
@@ -104,7 +104,7 @@ void setAxis(batch::ClosedFormConstants &c, const Picture &g, const DoubleDouble
     c.axisYRest = axisY.rest;
 }
 
-Result<Constants> constantsOf(const Projection &projection, const Picture &g, const Axes &axes)
+Result<Constants> constantsOf(const Projection &projection, const Setup &g, const Axes &axes)
 {
     if (const Check valid = check(projection); !valid)
         return valid.error();
@@ -140,7 +140,7 @@ Result<Constants> constantsOf(const Projection &projection, const Picture &g, co
 ///   z = zOffset / (w z_n + zScale), with w z_n + zScale = P share from near + Q share from far
 ///   P = w + zScale, Q = -w + zScale (or zScale where NDC depths go from 0 to 1)
 ///
-Result<Constants> constantsOf(const MatrixProjection &projection, const Picture &g, const Axes &axes)
+Result<Constants> constantsOf(const MatrixProjection &projection, const Setup &g, const Axes &axes)
 {
     const Result<RecognisedProjection> form = recognised(projection);
     if (!form)
@@ -180,9 +180,9 @@ Result<Constants> constantsOf(const MatrixProjection &projection, const Picture 
 }
 
 /// The first error of what both methods need of a picture.
-Check checkTarget(const Picture &geometry)
+Check checkTarget(const Setup &setup)
 {
-    for (const Check &valid : {check(geometry.surface), check(geometry.viewport), check(geometry.depthRange)}) {
+    for (const Check &valid : {check(setup.surface), check(setup.viewport), check(setup.depthRange)}) {
         if (!valid)
             return valid;
     }
@@ -191,14 +191,14 @@ Check checkTarget(const Picture &geometry)
 
 } // namespace
 
-Result<BatchUnprojection> BatchUnprojection::byFormula(const Picture &geometry, const BatchSpace &space)
+Result<BatchUnprojection> BatchUnprojection::byFormula(const Setup &setup, const BatchSpace &space)
 {
-    if (const Check valid = checkTarget(geometry); !valid)
+    if (const Check valid = checkTarget(setup); !valid)
         return valid.error();
-    const Result<Axes> axes = axesIn(space, geometry);
+    const Result<Axes> axes = axesIn(space, setup);
     if (!axes)
         return axes.error();
-    const auto constants = std::visit([&](const auto &p) { return constantsOf(p, geometry, *axes); }, geometry.lens);
+    const auto constants = std::visit([&](const auto &p) { return constantsOf(p, setup, *axes); }, setup.lens);
     if (!constants)
         return constants.error();
     batch::ClosedFormConstants c = constants->numbers;
@@ -211,16 +211,16 @@ Result<BatchUnprojection> BatchUnprojection::byFormula(const Picture &geometry, 
     return BatchUnprojection(Kind(Box{c}));
 }
 
-Result<BatchUnprojection> BatchUnprojection::byMatrix(const Picture &geometry, const BatchSpace &space)
+Result<BatchUnprojection> BatchUnprojection::byMatrix(const Setup &setup, const BatchSpace &space)
 {
-    if (const Check valid = checkTarget(geometry); !valid)
+    if (const Check valid = checkTarget(setup); !valid)
         return valid.error();
-    const Result<glm::dmat4> projection = clipFromEye(geometry);
+    const Result<glm::dmat4> projection = clipFromEye(setup);
     if (!projection)
         return projection.error();
     glm::dmat4 clipFromSpace = *projection;
     if (space.kind != BatchSpace::Kind::Eye) {
-        const Result<glm::dmat4> view = eyeFromWorld(geometry);
+        const Result<glm::dmat4> view = eyeFromWorld(setup);
         if (!view)
             return view.error();
         clipFromSpace = clipFromSpace * *view;
@@ -229,13 +229,13 @@ Result<BatchUnprojection> BatchUnprojection::byMatrix(const Picture &geometry, c
         clipFromSpace = clipFromSpace * space.worldFromObject;
 
     // NDC of a device position: the viewport's inverse, exact where the window's numbers are whole.
-    const Viewport &v = geometry.viewport;
+    const Viewport &v = setup.viewport;
     const double centreX = v.x + v.width / 2.0;
-    const double centreY = flippedY(geometry.surface, v.y + v.height / 2.0);
-    const double thickness = geometry.depthRange.atFar - geometry.depthRange.atNear;
-    const bool zeroToOne = ndcDepthOf(geometry) == NdcDepth::ZeroToOne;
+    const double centreY = flippedY(setup.surface, v.y + v.height / 2.0);
+    const double thickness = setup.depthRange.atFar - setup.depthRange.atNear;
+    const bool zeroToOne = ndcDepthOf(setup) == NdcDepth::ZeroToOne;
     const glm::dvec3 scale(2.0 / v.width, -2.0 / v.height, (zeroToOne ? 1.0 : 2.0) / thickness);
-    const double atNear = geometry.depthRange.atNear, atFar = geometry.depthRange.atFar;
+    const double atNear = setup.depthRange.atNear, atFar = setup.depthRange.atFar;
     const double offsetZ = -(zeroToOne ? atNear : atFar + atNear) / thickness;
     glm::dmat4 ndcFromDevice(1.0);
     for (int k = 0; k < 3; ++k)

@@ -55,12 +55,12 @@ public:
     /// A projection given as a matrix is taken by its coefficients, see `recognised`; a view, by its axes.
     /// @return the errors of check(Picture), recognised and axesOff; NotFinite where a constant leaves the range of
     ///         doubles; SingularMatrix
-    static Result<BatchUnprojection> byFormula(const Picture &geometry, const BatchSpace &space);
+    static geometry::Result<BatchUnprojection> byFormula(const geometry::Setup &setup, const BatchSpace &space);
 
     /// p = M^-1 (px, py, depth, 1) divided by its w, with M from the space to device positions; inverted once, by
     /// glm::inverse.
     /// @return the errors of check(Picture); NotFinite; SingularMatrix also where the inverse overflows
-    static Result<BatchUnprojection> byMatrix(const Picture &geometry, const BatchSpace &space);
+    static geometry::Result<BatchUnprojection> byMatrix(const geometry::Setup &setup, const BatchSpace &space);
 
     /// Where the results fill megabytes they are written past the caches, which takes half to two thirds of the time.
     /// @pre the depths lie in the depth range and everything is finite; a point that is not is worthless, and so is one

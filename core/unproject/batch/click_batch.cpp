@@ -12,6 +12,8 @@
 #include <utility>
 
 namespace unprojector::unproject {
+using namespace geometry;
+
 namespace {
 
 using batch::Twofold;
@@ -68,7 +70,7 @@ struct PixelLens {
     DoubleDouble nearTerm, farTerm;
 };
 
-PixelLens pixelLens(const Projection &projection, const Picture &g)
+PixelLens pixelLens(const Projection &projection, const Setup &g)
 {
     const ProjectionWindow w = projectionWindow(projection);
     const auto &[left, right, bottom, top] = preciseEdges(projection);
@@ -93,7 +95,7 @@ PixelLens pixelLens(const Projection &projection, const Picture &g)
 }
 
 /// By the matrix's own numbers, see BatchUnprojection.
-PixelLens pixelLens(const MatrixProjection &projection, const Picture &g)
+PixelLens pixelLens(const MatrixProjection &projection, const Setup &g)
 {
     const RecognisedProjection form = recognised(projection).value(); // the batch has checked it
     const ProjectionCoefficients &c = form.coefficients;
@@ -124,7 +126,7 @@ PixelLens pixelLens(const MatrixProjection &projection, const Picture &g)
     return lens;
 }
 
-batch::PreciseConstants constantsOf(const PixelLens &lens, const PreciseAxes &axes, const Picture &g)
+batch::PreciseConstants constantsOf(const PixelLens &lens, const PreciseAxes &axes, const Setup &g)
 {
     const DoubleDouble3 across = scaled(axes.x, lens.acrossX), up = scaled(axes.y, lens.upY);
     const DoubleDouble3 ahead =
@@ -179,42 +181,41 @@ void put(const glm::dvec3 &point, const BatchOutput<double> &output, std::size_t
 
 WindowPoint windowOf(const Unprojector &unprojector, const BatchInput<double> &input, std::size_t i)
 {
-    return windowFromDevice(unprojector.picture().surface, DevicePoint(input.px[i], input.py[i]), input.depth[i]);
+    return windowFromDevice(unprojector.setup().surface, DevicePoint(input.px[i], input.py[i]), input.depth[i]);
 }
 
 } // namespace
 
 Result<ClickBatch> ClickBatch::byFormula(const Unprojector &unprojector, BatchSpace::Kind space)
 {
-    const Picture &geometry = unprojector.picture();
-    if (const Result<BatchUnprojection> plain = BatchUnprojection::byFormula(geometry, {space, {}}); !plain)
+    const Setup &setup = unprojector.setup();
+    if (const Result<BatchUnprojection> plain = BatchUnprojection::byFormula(setup, {space, {}}); !plain)
         return plain.error();
     PreciseAxes axes{{}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     if (space != BatchSpace::Kind::Eye)
-        axes = std::visit([](const auto &view) { return axesOf(view); }, geometry.pose);
-    const PixelLens lens =
-        std::visit([&](const auto &projection) { return pixelLens(projection, geometry); }, geometry.lens);
-    return ClickBatch(Formula{unprojector, space, lens.isPerspective, constantsOf(lens, axes, geometry)});
+        axes = std::visit([](const auto &view) { return axesOf(view); }, setup.pose);
+    const PixelLens lens = std::visit([&](const auto &projection) { return pixelLens(projection, setup); }, setup.lens);
+    return ClickBatch(Formula{unprojector, space, lens.isPerspective, constantsOf(lens, axes, setup)});
 }
 
-Result<ClickBatch> ClickBatch::byMatrix(const Picture &geometry, BatchSpace::Kind space)
+Result<ClickBatch> ClickBatch::byMatrix(const Setup &setup, BatchSpace::Kind space)
 {
-    if (const Result<BatchUnprojection> plain = BatchUnprojection::byMatrix(geometry, {space, {}}); !plain)
+    if (const Result<BatchUnprojection> plain = BatchUnprojection::byMatrix(setup, {space, {}}); !plain)
         return plain.error();
-    glm::dmat4 clipFromSpace = clipFromEye(geometry).value();
+    glm::dmat4 clipFromSpace = clipFromEye(setup).value();
     if (space != BatchSpace::Kind::Eye)
-        clipFromSpace = clipFromSpace * eyeFromWorld(geometry).value();
+        clipFromSpace = clipFromSpace * eyeFromWorld(setup).value();
     if (isSingular(clipFromSpace))
         return Error{ErrorCode::SingularMatrix};
-    const bool zeroToOne = ndcDepthOf(geometry) == NdcDepth::ZeroToOne;
-    const Viewport &v = geometry.viewport;
-    batch::ClickMatrixConstants c{double(geometry.surface.heightPixels),
+    const bool zeroToOne = ndcDepthOf(setup) == NdcDepth::ZeroToOne;
+    const Viewport &v = setup.viewport;
+    batch::ClickMatrixConstants c{double(setup.surface.heightPixels),
                                   v.x,
                                   v.y,
                                   v.width,
                                   v.height,
-                                  geometry.depthRange.atNear,
-                                  geometry.depthRange.atFar - geometry.depthRange.atNear,
+                                  setup.depthRange.atNear,
+                                  setup.depthRange.atFar - setup.depthRange.atNear,
                                   zeroToOne ? 1.0 : 2.0,
                                   zeroToOne ? 0.0 : 1.0,
                                   {}};
@@ -226,9 +227,9 @@ Result<ClickBatch> ClickBatch::byMatrix(const Picture &geometry, BatchSpace::Kin
     return ClickBatch(c);
 }
 
-Result<ClickBatch> ClickBatch::of(Method method, const Picture &geometry, const BatchSpace &space)
+Result<ClickBatch> ClickBatch::of(Method method, const Setup &setup, const BatchSpace &space)
 {
-    const Result<Unprojector> unprojector = Unprojector::of(geometry);
+    const Result<Unprojector> unprojector = Unprojector::of(setup);
     if (!unprojector)
         return unprojector.error();
     const bool isOfObject = space.kind == BatchSpace::Kind::Object;
@@ -236,10 +237,10 @@ Result<ClickBatch> ClickBatch::of(Method method, const Picture &geometry, const 
     const auto batchBy = [&]() -> Result<ClickBatch> {
         switch (method) {
         case Method::Formula: return byFormula(*unprojector, kind);
-        case Method::Matrix: return byMatrix(geometry, kind);
+        case Method::Matrix: return byMatrix(setup, kind);
         case Method::MatrixInFloat: break;
         }
-        if (const Result<ClickBatch> inDouble = byMatrix(geometry, kind); !inDouble)
+        if (const Result<ClickBatch> inDouble = byMatrix(setup, kind); !inDouble)
             return inDouble.error();
         return ClickBatch(OneByOne{*unprojector, kind, method});
     };

@@ -20,7 +20,7 @@ class ClickBatch {
 public:
     /// @return the errors of check(Picture), of ObjectFromWorld::of, and those of BatchUnprojection::byFormula or, for the
     ///         matrix, byMatrix
-    static Result<ClickBatch> of(Method method, const Picture &geometry, const BatchSpace &space);
+    static geometry::Result<ClickBatch> of(Method method, const geometry::Setup &setup, const BatchSpace &space);
 
     /// A point that a click could not compute is not finite.
     void operator()(const BatchInput<double> &input, const BatchOutput<double> &output, std::size_t count,
@@ -43,8 +43,8 @@ private:
 
     explicit ClickBatch(const Loop &loop) : m_loop(loop) {}
 
-    static Result<ClickBatch> byFormula(const Unprojector &unprojector, BatchSpace::Kind space);
-    static Result<ClickBatch> byMatrix(const Picture &geometry, BatchSpace::Kind space);
+    static geometry::Result<ClickBatch> byFormula(const Unprojector &unprojector, BatchSpace::Kind space);
+    static geometry::Result<ClickBatch> byMatrix(const geometry::Setup &setup, BatchSpace::Kind space);
 
     void run(const Formula &formula, const BatchInput<double> &input, const BatchOutput<double> &output,
              std::size_t count, InstructionSet set) const;

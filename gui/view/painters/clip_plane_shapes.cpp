@@ -5,6 +5,8 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 constexpr glm::vec4 kFaceColor{0.45f, 0.30f, 0.70f, 0.09f};

@@ -7,7 +7,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace geometry;
 
 /// How a user clip plane is shown: a faint square with a border. World space.
 struct ClipPlaneShape {
@@ -19,6 +18,7 @@ struct ClipPlaneShape {
 /// @param plane   (A, B, C, D) with a normal
 /// @param box     of the scene; without any there is nothing to show
 /// @param bounds  planes that the shape ends at: what lies on the negative side of one is left out
-ClipPlaneShape clipPlaneShape(const glm::dvec4 &plane, const Box &box, const std::vector<glm::dvec4> &bounds = {});
+ClipPlaneShape clipPlaneShape(const glm::dvec4 &plane, const geometry::Box &box,
+                              const std::vector<glm::dvec4> &bounds = {});
 
 } // namespace unprojector::gui

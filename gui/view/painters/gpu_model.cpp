@@ -9,6 +9,8 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace mesh;
+
 namespace {
 
 /// Copied in a few milliseconds.

@@ -16,7 +16,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace mesh;
 
 /// Gives a buffer object that is bound to a target its size, and its bytes where there are any.
 /// @return false when the graphics memory does not hold so much
@@ -24,7 +23,7 @@ bool fillBuffer(QOpenGLExtraFunctions &gl, unsigned target, std::size_t bytes, c
 
 /// A mesh in the graphics memory.
 struct GpuMesh {
-    const Mesh *source = nullptr; ///< of the model that was uploaded
+    const mesh::Mesh *source = nullptr; ///< of the model that was uploaded
     QOpenGLVertexArrayObject vertexArray;
     std::vector<std::unique_ptr<QOpenGLBuffer>> buffers;
     GLenum primitives = GL_TRIANGLES;
@@ -45,7 +44,8 @@ class GpuModel : protected QOpenGLExtraFunctions {
 public:
     /// @param mostTexturePixels  how wide and how high a texture may be; a larger one is scaled down, and so is one that is
     ///                           too large for the driver
-    explicit GpuModel(std::shared_ptr<const Model> source, int mostTexturePixels = std::numeric_limits<int>::max());
+    explicit GpuModel(std::shared_ptr<const mesh::Model> source,
+                      int mostTexturePixels = std::numeric_limits<int>::max());
     ~GpuModel();
 
     /// Goes on until all is there or the time is over.
@@ -73,12 +73,12 @@ private:
 
     void uploadTextures();
     /// @return whether the graphics memory holds it
-    bool begin(const Mesh &mesh);
+    bool begin(const mesh::Mesh &mesh);
     /// Some drivers give a buffer its memory only now.
     /// @return false when the graphics memory does not hold it
     bool copyOn(Copy &copy);
 
-    std::shared_ptr<const Model> m_source;
+    std::shared_ptr<const mesh::Model> m_source;
     int m_mostTexturePixels;
     std::vector<std::unique_ptr<GpuMesh>> m_meshes;
     std::vector<std::unique_ptr<QOpenGLTexture>> m_textures; ///< null where there is no image

@@ -20,6 +20,10 @@
 #include <utility>
 
 namespace unprojector::gui {
+using namespace geometry;
+using namespace mesh;
+using namespace scene;
+
 namespace {
 
 // OpenGL's name; QOpenGL's headers stop at those of OpenGL ES.
@@ -253,7 +257,7 @@ bool MeshPainter::drawObject(const FrameContents &contents, const SceneObject &o
         const auto location = [this](const char *name) { return m_program->uniformLocation(name); };
         glUniform1ui(location("object"), static_cast<GLuint>(place.object + 1));
         if (isPoints)
-            glUniform1f(location("pointPixels"), static_cast<float>(pointPixels(contents.drawn.picture.surface)));
+            glUniform1f(location("pointPixels"), static_cast<float>(pointPixels(contents.drawn.setup.surface)));
         else if (mesh.isFlat) {
             const double size = largestEntry(eyeFromObject) * std::max({reach.x, reach.y, reach.z});
             // Neither the matrix nor what it makes of the positions leaves the range of singles.

@@ -19,12 +19,11 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace scene;
 
 /// What is to be drawn into a Frame.
 struct FrameContents {
-    Drawable drawn;
-    std::vector<SceneObject> objects;
+    geometry::Drawable drawn;
+    std::vector<scene::SceneObject> objects;
     glm::dmat4 clipFromWorld{1.0};
     glm::dmat4 eyeFromWorld{1.0};
     std::vector<glm::dvec4> clipPlanes; ///< world space; what lies on the negative side of one is not drawn. At most 8
@@ -61,7 +60,7 @@ public:
     double shareDone(const FrameContents &contents, const Place &place) const;
 
     /// Drops every model that is not among these.
-    void keepOnly(const std::set<const Model *> &models);
+    void keepOnly(const std::set<const mesh::Model *> &models);
 
     /// What could not be uploaded since the last call, in sentences for the user.
     QStringList takeFailures();
@@ -73,12 +72,13 @@ private:
 
     /// Binds the program that draws such meshes.
     void bindProgram(unsigned traits);
-    GpuModel &modelOf(const std::shared_ptr<const Model> &model);
-    bool drawObject(const FrameContents &contents, const SceneObject &object, Place &place, const Deadline &deadline);
-    bool drawMesh(const GpuMesh &mesh, const CoveringTriangles *covering, Place &place, const Deadline &deadline);
-    void drawCovering(const CoveringTriangles &covering, std::size_t begin, std::size_t end);
+    GpuModel &modelOf(const std::shared_ptr<const mesh::Model> &model);
+    bool drawObject(const FrameContents &contents, const scene::SceneObject &object, Place &place,
+                    const Deadline &deadline);
+    bool drawMesh(const GpuMesh &mesh, const mesh::CoveringTriangles *covering, Place &place, const Deadline &deadline);
+    void drawCovering(const mesh::CoveringTriangles &covering, std::size_t begin, std::size_t end);
     /// Whether no back side of a closed mesh can be seen: the whole model lies in front of the near plane, and is not cut.
-    bool hidesBackSides(const FrameContents &contents, const SceneObject &object) const;
+    bool hidesBackSides(const FrameContents &contents, const scene::SceneObject &object) const;
     void setClipPlanes(const std::vector<glm::dvec4> &planes, const glm::dmat4 &worldFromUploaded);
 
     bool m_isSoftware = false;
@@ -86,7 +86,7 @@ private:
     std::map<unsigned, std::unique_ptr<QOpenGLShaderProgram>> m_programs; ///< by traits; made when first needed
     QOpenGLShaderProgram *m_program = nullptr;                            ///< the one of these that is bound
     QOpenGLBuffer m_coveringBuffer{QOpenGLBuffer::IndexBuffer};
-    std::map<const Model *, std::unique_ptr<Entry>> m_models;
+    std::map<const mesh::Model *, std::unique_ptr<Entry>> m_models;
     QStringList m_failures;
 };
 

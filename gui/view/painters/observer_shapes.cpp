@@ -3,6 +3,8 @@
 #include <glm/geometric.hpp>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 constexpr std::array<glm::vec3, 3> kAxisColors{{{0.80f, 0.20f, 0.22f}, {0.20f, 0.58f, 0.24f}, {0.18f, 0.38f, 0.78f}}};

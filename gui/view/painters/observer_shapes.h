@@ -9,7 +9,6 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace geometry;
 
 // What the second view draws besides the scene: the first view's camera and its view volume.
 
@@ -34,12 +33,12 @@ std::vector<LineSegment> letteredAxes(const glm::dvec3 &origin, const std::array
                                       float opacity);
 
 /// The four edges from the near to the far plane.
-std::vector<LineSegment> sideEdges(const std::array<EyePoint, 8> &corners);
+std::vector<LineSegment> sideEdges(const std::array<geometry::EyePoint, 8> &corners);
 /// From the eye to the corners of the projection window.
-std::vector<LineSegment> edgesFromEye(const std::array<EyePoint, 8> &corners, float opacity);
+std::vector<LineSegment> edgesFromEye(const std::array<geometry::EyePoint, 8> &corners, float opacity);
 
 /// The corners of the near (0) or far (4) plane in order around it.
-std::array<glm::dvec3, 4> planeCorners(const std::array<EyePoint, 8> &corners, std::size_t first);
+std::array<glm::dvec3, 4> planeCorners(const std::array<geometry::EyePoint, 8> &corners, std::size_t first);
 std::vector<LineSegment> outline(const std::array<glm::dvec3, 4> &corners, const glm::vec4 &color);
 
 /// The parts of the lines that the planes hold.

@@ -3,6 +3,7 @@
 #include "gui/view/painters/shader.h"
 
 namespace unprojector::gui {
+using namespace geometry;
 
 void PickPainter::initialize()
 {

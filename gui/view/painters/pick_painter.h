@@ -12,7 +12,6 @@
 #include <memory>
 
 namespace unprojector::gui {
-using namespace geometry;
 
 /// The marks of points, of constant size: of the picked one a ring with a dot at the point itself, of a click on the background
 /// the ring alone, of the given one a square on its corner, of a wrong one a cross, of the right one to that a square.
@@ -23,7 +22,7 @@ public:
     void initialize();
     void release();
     /// @param pixelRatio  device pixels per logical pixel: the ring keeps its logical size
-    void draw(const WorldPoint &point, const glm::dmat4 &clipFromWorld, const glm::vec2 &viewportPixels,
+    void draw(const geometry::WorldPoint &point, const glm::dmat4 &clipFromWorld, const glm::vec2 &viewportPixels,
               float pixelRatio, Mark mark = Mark::Picked);
 
 private:

@@ -7,6 +7,8 @@
 #include <cmath>
 
 namespace unprojector::gui {
+using namespace geometry;
+
 namespace {
 
 constexpr std::array<glm::vec4, 3> kAxisColors{

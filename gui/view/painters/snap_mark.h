@@ -5,13 +5,12 @@
 #include <array>
 
 namespace unprojector::gui {
-using namespace geometry;
 
 /// What a click would take, to be marked.
 struct SnapMark {
     ray::Snap snap = ray::Snap::Surface;
     ray::SceneHit hit;
-    std::array<WorldPoint, 3> corners; ///< of its triangle; of a point of a cloud they mean nothing
+    std::array<geometry::WorldPoint, 3> corners; ///< of its triangle; of a point of a cloud they mean nothing
 };
 
 } // namespace unprojector::gui

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace unprojector::gui {
+using namespace geometry;
 using namespace ray;
 
 const glm::vec4 kSnapColor{1.0f, 0.75f, 0.10f, 1.0f};

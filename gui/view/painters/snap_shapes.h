@@ -8,13 +8,12 @@
 #include <vector>
 
 namespace unprojector::gui {
-using namespace geometry;
 
 /// How a mark is drawn, world space: a face with its rim, an edge, a point.
 struct SnapShape {
     std::vector<Face> faces;
     std::vector<LineSegment> lines;
-    std::optional<WorldPoint> point;
+    std::optional<geometry::WorldPoint> point;
 };
 SnapShape snapShape(const SnapMark &mark);
 

@@ -1,0 +1,150 @@
+#include "core/matrices/decomposition.h"
+
+#include "core/geometry/matrix_projection.h"
+#include "core/matrices/matrix_format.h"
+#include "core/matrices/printed_digits.h"
+#include "core/text/translation.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::matrices {
+namespace {
+
+using glm::dmat4;
+using glm::dvec3;
+using glm::dvec4;
+
+/// Relative: what single precision and six printed digits leave of a right angle.
+constexpr double kPrinted = 1e-5;
+
+double largestEntry(const dmat4 &m)
+{
+    double largest = 0.0;
+    for (int i = 0; i < 16; ++i)
+        largest = std::max(largest, std::abs(m[i / 4][i % 4]));
+    return largest;
+}
+
+dvec3 axesOfRow(const dmat4 &m, int row)
+{
+    return {m[0][row], m[1][row], m[2][row]};
+}
+
+/// @param sign  of w in front of the eye
+std::optional<Decomposition> decomposed(const dmat4 &clipFromWorld, double sign)
+{
+    Decomposition result;
+    const double length = glm::length(axesOfRow(clipFromWorld, 3));
+    if (!(length > kPrinted * kPrinted * largestEntry(clipFromWorld)))
+        return std::nullopt;
+    result.w = sign * length;
+    // What a last decimal leaves of a right angle and of a length, with some room: all four rows are rounded.
+    const double rounding = 4.0 * printedUnit(clipFromWorld) / length, tolerance = std::max(kPrinted, rounding);
+    const dmat4 m = clipFromWorld / result.w;
+    const dvec3 x = axesOfRow(m, 0), y = axesOfRow(m, 1), z = axesOfRow(m, 2), f = axesOfRow(m, 3);
+    const double zScale = glm::dot(z, f), xOffset = glm::dot(x, f), yOffset = glm::dot(y, f);
+    const dvec3 side = x - xOffset * f, upward = y - yOffset * f;
+    const double xScale = glm::length(side), height = glm::length(upward);
+    const double skew = std::max(10.0 * kPrinted * xScale * height, rounding * (xScale + height));
+    if (!(xScale > 0.0 && height > 0.0) || std::abs(glm::dot(side, upward)) > skew
+        || glm::length(z - zScale * f) > tolerance * std::max(glm::length(z), 1.0))
+        return std::nullopt;
+
+    const dvec3 s = side / xScale, u = glm::cross(s, f);
+    const double yScale = glm::dot(u, upward);
+    result.isMirrored = yScale < 0.0;
+    const double forward = m[3][3];
+    dmat4 &p = result.clipFromEye;
+    p[0][0] = xScale;
+    p[1][1] = yScale;
+    p[2] = dvec4(-xOffset, -yOffset, -zScale, -1.0);
+    p[3][2] = m[3][2] - zScale * forward;
+    dmat4 &v = result.eyeFromWorld;
+    for (int column = 0; column < 3; ++column)
+        v[column] = dvec4(s[column], u[column], -f[column], 0.0);
+    v[3] = dvec4((m[3][0] - xOffset * forward) / xScale, (m[3][1] - yOffset * forward) / yScale, -forward, 1.0);
+    result.residual = largestEntry(p * v * result.w - clipFromWorld) / largestEntry(clipFromWorld);
+    if (!(result.residual <= std::max(10.0 * kPrinted, rounding)))
+        return std::nullopt;
+    return result;
+}
+
+/// Of a matrix whose last row is 0 0 0 w.
+std::optional<Decomposition> boxTakenApart(const dmat4 &clipFromWorld)
+{
+    Decomposition result;
+    result.isBox = true;
+    result.w = clipFromWorld[3][3];
+    if (!(std::abs(result.w) > 0.0)
+        || glm::length(axesOfRow(clipFromWorld, 3)) > kPrinted * kPrinted * std::abs(result.w))
+        return std::nullopt;
+    const dmat4 m = clipFromWorld / result.w;
+    const dvec3 x = axesOfRow(m, 0), y = axesOfRow(m, 1), z = axesOfRow(m, 2);
+    const double xScale = glm::length(x), height = glm::length(y), depth = glm::length(z);
+    const double rounding = 4.0 * printedUnit(clipFromWorld) / std::abs(result.w);
+    const auto arePerpendicular = [rounding](const dvec3 &a, double lengthOfA, const dvec3 &b, double lengthOfB) {
+        return std::abs(glm::dot(a, b))
+               <= std::max(10.0 * kPrinted * lengthOfA * lengthOfB, rounding * (lengthOfA + lengthOfB));
+    };
+    if (!(xScale > 0.0 && height > 0.0 && depth > 0.0) || !arePerpendicular(x, xScale, y, height)
+        || !arePerpendicular(x, xScale, z, depth) || !arePerpendicular(y, height, z, depth))
+        return std::nullopt;
+    const dvec3 s = x / xScale, b = -glm::normalize(z - glm::dot(z, s) * s), u = glm::cross(b, s);
+    const double yScale = glm::dot(u, y);
+    result.isMirrored = yScale < 0.0;
+    dmat4 &p = result.clipFromEye;
+    p = dmat4(1.0);
+    p[0][0] = xScale;
+    p[1][1] = yScale;
+    p[2][2] = -depth;
+    p[3][2] = -1.0;
+    dmat4 &v = result.eyeFromWorld;
+    for (int column = 0; column < 3; ++column)
+        v[column] = dvec4(s[column], u[column], b[column], 0.0);
+    v[3] = dvec4(m[3][0] / xScale, m[3][1] / yScale, -(m[3][2] + 1.0) / depth, 1.0);
+    result.residual = largestEntry(p * v * result.w - clipFromWorld) / largestEntry(clipFromWorld);
+    if (!(result.residual <= std::max(10.0 * kPrinted, rounding)))
+        return std::nullopt;
+    return result;
+}
+
+Decomposition withoutNegativeZeros(Decomposition apart)
+{
+    for (dmat4 *m : {&apart.clipFromEye, &apart.eyeFromWorld}) {
+        for (int i = 0; i < 16; ++i)
+            (*m)[i / 4][i % 4] += 0.0;
+    }
+    return apart;
+}
+
+} // namespace
+
+std::optional<Decomposition> decomposed(const dmat4 &clipFromWorld)
+{
+    if (const auto box = boxTakenApart(clipFromWorld))
+        return withoutNegativeZeros(*box);
+    const auto apart = decomposed(clipFromWorld, 1.0);
+    if (!apart)
+        return std::nullopt;
+    if (geometry::recognised({apart->clipFromEye, std::nullopt}))
+        return withoutNegativeZeros(*apart);
+    const auto negated = decomposed(clipFromWorld, -1.0);
+    return withoutNegativeZeros(negated && geometry::recognised({negated->clipFromEye, std::nullopt}) ? *negated
+                                                                                                      : *apart);
+}
+
+std::string decompositionText(const Decomposition &apart)
+{
+    return text::tr(
+        apart.isBox ? "taken apart into projection and view, which make it again up to %1 of its largest entry; of a "
+                      "box the eye may be anywhere along the view: it is put on the near plane"
+                    : "taken apart into projection and view, which make it again up to %1 of its largest entry",
+        numberText(apart.residual, Digits::Double, 1));
+}
+
+} // namespace unprojector::matrices

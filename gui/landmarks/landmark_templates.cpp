@@ -1,0 +1,81 @@
+#include "gui/landmarks/landmark_templates.h"
+
+#include "core/files/path_text.h"
+#include "core/landmark_files/landmark_file.h"
+#include "core/landmarks/point_template.h"
+#include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
+
+#include <QCoreApplication>
+#include <QFile>
+
+#include <algorithm>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+struct Templates {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::LandmarkTemplates)
+};
+
+/// Of the file in the program's language, else of the English one.
+std::vector<landmarks::Landmark> pointsOf(const QString &file)
+{
+    QFile resource(QStringLiteral(":/templates/%1.csv").arg(file));
+    if (!resource.open(QIODevice::ReadOnly))
+        return {};
+    const QByteArray text = resource.readAll();
+    auto read = landmark_files::parseLandmarks({text.constData(), static_cast<std::size_t>(text.size())},
+                                               landmark_files::Format::Csv, file.toStdString());
+    Q_ASSERT(read && read->sets.size() == 1);
+    return read ? std::move(read).value().sets.front().landmarks : std::vector<landmarks::Landmark>();
+}
+
+} // namespace
+
+LandmarkTemplates::LandmarkTemplates()
+{
+    const QString source =
+        Templates::tr("Definitions in our own words, after Martin and Saller, Lehrbuch der Anthropologie (1957)");
+    const QString faceSource =
+        Templates::tr("Definitions in our own words, after Farkas, Anthropometry of the Head and Face (1994)");
+    m_bundled = {{Templates::tr("Skull (craniometric points)"), source,
+                  //: The file of resources/templates with the hints in this language
+                  pointsOf(Templates::tr("craniometric"))},
+                 {Templates::tr("Face (soft tissue)"), faceSource,
+                  //: The file of resources/templates with the hints in this language
+                  pointsOf(Templates::tr("facial"))}};
+}
+
+bool LandmarkTemplates::isChosen(const QString &name) const
+{
+    const std::string wanted = landmarks::nameKey(name.toStdString());
+    return std::any_of(m_chosen.begin(), m_chosen.end(),
+                       [&](const landmarks::Landmark &each) { return landmarks::nameKey(each.name) == wanted; });
+}
+
+QString LandmarkTemplates::hintFor(const QString &name) const
+{
+    const std::string wanted = name.toStdString();
+    std::string_view hint = landmarks::hintFor(wanted, m_chosen);
+    for (auto known = m_bundled.begin(); hint.empty() && known != m_bundled.end(); ++known)
+        hint = landmarks::hintFor(wanted, known->points);
+    return QString::fromUtf8(hint.data(), static_cast<qsizetype>(hint.size()));
+}
+
+std::filesystem::path LandmarkTemplates::pictureFor(const QString &name) const
+{
+    const std::string wanted = name.toStdString();
+    const std::string_view picture = landmarks::pictureFor(wanted, m_chosen);
+    return picture.empty() ? std::filesystem::path() : m_folder / files::pathFromUtf8(picture);
+}
+
+void fillFromTemplate(SceneDocument &document, const std::vector<landmarks::Landmark> &landmarks, const QString &name)
+{
+    static_cast<void>(editLandmarks(document, landmarks::inTemplateOrder(document.landmarks(), landmarks),
+                                    {Templates::tr("Template %1").arg(name)}));
+    document.sceneLandmarks().waitForNext(std::nullopt);
+}
+
+} // namespace unprojector::gui

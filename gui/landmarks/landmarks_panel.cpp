@@ -1,0 +1,361 @@
+#include "gui/landmarks/landmarks_panel.h"
+
+#include "core/files/path_text.h"
+#include "core/landmark_files/landmark_file.h"
+#include "core/landmarks/point_template.h"
+#include "gui/document/scene_document.h"
+#include "gui/landmarks/curves_view.h"
+#include "gui/landmarks/landmark_templates.h"
+#include "gui/landmarks/landmarks_model.h"
+#include "gui/landmarks/landmarks_table.h"
+#include "gui/landmarks/measures_view.h"
+#include "gui/landmarks/next_landmark_bar.h"
+#include "gui/text/error_text.h"
+#include "gui/text/note_text.h"
+#include "gui/widgets/copy_menu.h"
+#include "gui/widgets/save_name.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QColorDialog>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QPixmap>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <system_error>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+using landmarks::Landmark;
+
+/// Told apart by the colour-blind too. Source: Okabe and Ito, Color Universal Design (2008).
+constexpr std::array<glm::u8vec3, 7> kColors{
+    {{230, 159, 0}, {86, 180, 233}, {0, 158, 115}, {240, 228, 66}, {0, 114, 178}, {213, 94, 0}, {204, 121, 167}}};
+
+QIcon swatch(const glm::u8vec3 &color, int size)
+{
+    QPixmap pixmap(size, size);
+    pixmap.fill(QColor(color.r, color.g, color.b));
+    return pixmap;
+}
+
+} // namespace
+
+LandmarksPanel::LandmarksPanel(SceneDocument &document, LandmarkTemplates &templates, QWidget *parent)
+    : QWidget(parent), m_document(document), m_templates(templates), m_model(new LandmarksModel(document, this)),
+      m_table(new LandmarksTable(document, m_model)),
+      m_next(new NextLandmarkBar(
+          document, [this](const QString &name) { return m_templates.hintFor(name); },
+          [this](const QString &name) { return m_templates.pictureFor(name); },
+          [this](const QString &name) { return m_templates.isChosen(name); })),
+      m_empty(new QLabel), m_reason(new QLabel), m_template(new QToolButton), m_up(new QToolButton),
+      m_down(new QToolButton), m_remove(new QToolButton), m_curves(new CurvesView(document)),
+      m_parts(new QSplitter(Qt::Vertical))
+{
+    setPlacing(false);
+    m_empty->setWordWrap(true);
+    m_reason->setWordWrap(true);
+    m_reason->setTextFormat(Qt::PlainText);
+    m_reason->setAccessibleName(tr("Why the number was refused"));
+    m_reason->hide();
+    connect(m_model, &LandmarksModel::refused, m_reason, [this](const QString &reason) {
+        m_reason->setText(reason);
+        m_reason->show();
+    });
+    connect(m_model, &LandmarksModel::accepted, m_reason, &QWidget::hide);
+    connect(m_table, &QWidget::customContextMenuRequested, this, &LandmarksPanel::showMenu);
+    connect(m_table, &LandmarksTable::removeRequested, this, &LandmarksPanel::removeSelected);
+    connect(m_table, &LandmarksTable::copyRequested, this, &LandmarksPanel::copySelected);
+
+    const auto set = [](QToolButton *button, const QString &text, const QString &tip) {
+        button->setText(text);
+        button->setToolTip(tip);
+        button->setFocusPolicy(Qt::StrongFocus);
+    };
+    set(m_template, tr("Template"), tr("Names to place one after the other"));
+    set(m_up, tr("Up"), tr("Put the selected point before the one above it"));
+    set(m_down, tr("Down"), tr("Put the selected point behind the one below it"));
+    set(m_remove, tr("Remove"), tr("Remove the selected points (Del)"));
+    m_template->setPopupMode(QToolButton::InstantPopup);
+    fillTemplateMenu();
+    connect(m_up, &QToolButton::clicked, this, [this] { moveSelected(-1); });
+    connect(m_down, &QToolButton::clicked, this, [this] { moveSelected(1); });
+    connect(m_remove, &QToolButton::clicked, this, &LandmarksPanel::removeSelected);
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & (Change::Landmarks | Change::LandmarkSelection)) {
+            m_reason->hide();
+            updateButtons();
+        }
+    });
+
+    auto *buttons = new QHBoxLayout;
+    for (QToolButton *button : {m_template, m_up, m_down, m_remove})
+        buttons->addWidget(button);
+    buttons->addWidget(m_curves->joinButton());
+    buttons->addStretch();
+    auto *layout = new QVBoxLayout(this);
+    layout->addWidget(m_next);
+    layout->addWidget(m_empty);
+    auto *list = new QWidget;
+    auto *listLayout = new QVBoxLayout(list);
+    listLayout->setContentsMargins(0, 0, 0, 0);
+    listLayout->addWidget(m_table, 1);
+    listLayout->addWidget(m_reason);
+    listLayout->addLayout(buttons);
+    m_parts->setChildrenCollapsible(false);
+    m_parts->addWidget(list);
+    m_parts->addWidget(m_curves);
+    m_parts->addWidget(new MeasuresView(document));
+    layout->addWidget(m_parts, 1);
+    connect(m_parts, &QSplitter::splitterMoved, this, [this] { m_isPartedByUser = true; });
+    connect(m_curves, &CurvesView::shownOrHidden, this, &LandmarksPanel::partHeight,
+            Qt::QueuedConnection); // the splitter takes notice first
+    updateButtons();
+}
+
+void LandmarksPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    partHeight();
+}
+
+void LandmarksPanel::partHeight()
+{
+    if (!m_isPartedByUser)
+        m_parts->setSizes({2 * height(), height(), height()}); // what is hidden counts for nothing
+}
+
+QSize LandmarksPanel::minimumSizeHint() const
+{
+    constexpr int kDigits = 24, kLines = 10;
+    return {kDigits * fontMetrics().horizontalAdvance(u'0'), kLines * fontMetrics().lineSpacing()};
+}
+
+void LandmarksPanel::setPlacing(bool isPlacing)
+{
+    m_next->setPlacing(isPlacing);
+    m_empty->setText(isPlacing
+                         ? tr("No points yet. Click where one is to be; or choose a template, and its points are "
+                              "placed one after the other.")
+                         : tr("No points yet. Press P, then click where one is to be; or choose a template, and its "
+                              "points are placed one after the other."));
+}
+
+void LandmarksPanel::join(landmarks::CurveKind kind)
+{
+    m_curves->join(kind);
+}
+
+void LandmarksPanel::applyTyped()
+{
+    m_table->applyTyped();
+    m_curves->applyTyped();
+}
+
+void LandmarksPanel::updateButtons()
+{
+    const std::vector<std::size_t> &selected = m_document.sceneLandmarks().selection();
+    const std::size_t count = m_document.landmarks().size();
+    m_up->setEnabled(selected.size() == 1 && selected.front() > 0);
+    m_down->setEnabled(selected.size() == 1 && selected.front() + 1 < count);
+    m_remove->setEnabled(!selected.empty());
+    m_empty->setVisible(count == 0);
+}
+
+// ---- templates ---------------------------------------------------------------------------------------------------
+
+void LandmarksPanel::fillTemplateMenu()
+{
+    auto *menu = new QMenu(m_template);
+    menu->setToolTipsVisible(true);
+    for (const LandmarkTemplates::Bundled &bundled : m_templates.bundled()) {
+        QAction *action = menu->addAction(bundled.name, this, [this, &bundled] {
+            m_templates.choose(bundled.points);
+            fillFromTemplate(m_document, bundled.points, bundled.name);
+            m_next->refresh();
+            beginPlacing();
+        });
+        action->setToolTip(bundled.source);
+    }
+    menu->addAction(tr("&None"), this,
+                    [this] {
+                        std::vector<std::size_t> missing;
+                        for (std::size_t i = 0; i < m_document.landmarks().size(); ++i) {
+                            if (m_document.landmarks()[i].isMissing())
+                                missing.push_back(i);
+                        }
+                        static_cast<void>(m_document.sceneLandmarks().remove(missing));
+                    })
+        ->setToolTip(tr("Take away the names that are not placed: points are placed freely"));
+    menu->addSeparator();
+    menu->addAction(tr("&Load Template…"), this, &LandmarksPanel::loadTemplate);
+    menu->addAction(tr("&Save Names as Template…"), this, &LandmarksPanel::saveTemplate);
+    menu->addSeparator();
+    QAction *again = menu->addAction(tr("&Place All Again"), this, [this] {
+        std::vector<std::size_t> all(m_document.landmarks().size());
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i] = i;
+        static_cast<void>(m_document.sceneLandmarks().setMissing(all));
+        m_document.sceneLandmarks().waitForNext(std::nullopt);
+        beginPlacing();
+    });
+    again->setToolTip(tr("The names stay, and every point is placed anew"));
+    m_template->setMenu(menu);
+}
+
+void LandmarksPanel::loadTemplate()
+{
+    const QString name = QFileDialog::getOpenFileName(
+        this, tr("Load Template"), {},
+        tr("Templates and points (%1)").arg(QStringLiteral("*.pptpl *.csv *.pp *.mrk.json *.fcsv *.pts *.tps")));
+    if (name.isEmpty())
+        return;
+    takeTemplate(std::filesystem::path(name.toStdU16String()));
+}
+
+void LandmarksPanel::takeTemplate(const std::filesystem::path &file)
+{
+    auto read = landmark_files::readLandmarkFile(file);
+    if (!read) {
+        emit warned(QString::fromStdString(landmark_files::errorText(read.error())));
+        return;
+    }
+    std::vector<Landmark> landmarks = std::move(read).value().sets.front().landmarks;
+    m_templates.choose(landmarks, file.parent_path());
+    fillFromTemplate(m_document, landmarks, pathText(file.stem()));
+    m_next->refresh();
+    beginPlacing();
+}
+
+void LandmarksPanel::beginPlacing()
+{
+    if (m_document.sceneLandmarks().nextUnplaced())
+        emit placingRequested();
+}
+
+void LandmarksPanel::saveTemplate()
+{
+    const std::filesystem::path file = askSaveName(*this, tr("Save Names as Template"),
+                                                   {tr("MeshLab's template (%1)").arg(QStringLiteral("*.pptpl")),
+                                                    tr("Table with hints (%1)").arg(QStringLiteral("*.csv"))})
+                                           .file;
+    if (file.empty())
+        return;
+    landmarks::LandmarkSet set;
+    for (const Landmark &landmark : m_document.landmarks()) {
+        Landmark named;
+        named.name = landmark.name;
+        const QString called = QString::fromStdString(landmark.name);
+        named.note = m_templates.hintFor(called).toStdString();
+        if (const std::filesystem::path picture = m_templates.pictureFor(called); !picture.empty()) {
+            std::error_code error; // an absolute path does as well
+            const std::filesystem::path relative = std::filesystem::proximate(picture, file.parent_path(), error);
+            named.extra.edit() = {{landmarks::kPictureColumn, files::utf8FromPath(error ? picture : relative)}};
+        }
+        set.landmarks.push_back(std::move(named));
+    }
+    const auto written = landmark_files::writeLandmarkFile(file, {&set, 1});
+    if (!written) {
+        emit warned(QString::fromStdString(landmark_files::errorText(written.error())));
+        return;
+    }
+    if (!written->empty())
+        emit warned(landmarkNotesText(pathText(file.filename()), *written));
+}
+
+// ---- what is done to the selected points -------------------------------------------------------------------------
+
+void LandmarksPanel::removeSelected()
+{
+    static_cast<void>(m_document.sceneLandmarks().remove(m_document.sceneLandmarks().selection()));
+}
+
+void LandmarksPanel::moveSelected(int by)
+{
+    const std::vector<std::size_t> selected = m_document.sceneLandmarks().selection();
+    if (selected.size() != 1)
+        return;
+    const std::size_t from = selected.front(), to = by < 0 ? from - 1 : from + 1;
+    if (to < m_document.landmarks().size()) // before the first is far behind the last
+        static_cast<void>(m_document.sceneLandmarks().reorder(from, to));
+}
+
+void LandmarksPanel::copySelected()
+{
+    landmarks::LandmarkSet set;
+    for (const std::size_t index : m_table->selectedIndices())
+        set.landmarks.push_back(m_document.landmarks()[index]);
+    if (set.landmarks.empty())
+        set = m_document.scene().landmarks;
+    const auto text = landmark_files::landmarksText({&set, 1}, landmark_files::Format::Csv);
+    if (text)
+        copyToClipboard(QString::fromStdString(text->text));
+}
+
+void LandmarksPanel::chooseColor()
+{
+    const QColor color = QColorDialog::getColor(Qt::white, this, tr("Colour of Points"));
+    // Of what is selected then: the list may have changed below the dialog, and the selection goes with it.
+    if (color.isValid())
+        static_cast<void>(m_document.sceneLandmarks().setColor(m_document.sceneLandmarks().selection(),
+                                                               glm::u8vec3(color.red(), color.green(), color.blue())));
+}
+
+void LandmarksPanel::addColorMenu(QMenu &menu)
+{
+    QMenu *colors = menu.addMenu(tr("&Colour"));
+    const auto set = [this](const std::optional<glm::u8vec3> &color) {
+        static_cast<void>(m_document.sceneLandmarks().setColor(m_document.sceneLandmarks().selection(), color));
+    };
+    colors->addAction(tr("&Usual"), this, [set] { set(std::nullopt); });
+    const std::array names{tr("Orange"), tr("Sky Blue"),  tr("Green"), tr("Yellow"),
+                           tr("Blue"),   tr("Vermilion"), tr("Purple")};
+    for (std::size_t i = 0; i < kColors.size(); ++i)
+        colors->addAction(swatch(kColors[i], fontMetrics().height()), names[i], this, [set, i] { set(kColors[i]); });
+    colors->addAction(tr("&Other…"), this, &LandmarksPanel::chooseColor);
+}
+
+void LandmarksPanel::showMenu(const QPoint &place)
+{
+    SceneLandmarks &landmarks = m_document.sceneLandmarks();
+    const std::vector<std::size_t> selected = landmarks.selection();
+    if (selected.empty())
+        return;
+    const std::vector<Landmark> &all = m_document.landmarks();
+    const bool areHidden =
+        std::all_of(selected.begin(), selected.end(), [&](std::size_t i) { return all[i].isHidden; });
+    const bool areMissing =
+        std::all_of(selected.begin(), selected.end(), [&](std::size_t i) { return all[i].isMissing(); });
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("&Rename"), m_table, &LandmarksTable::renameCurrent);
+    // Each for what is selected when it is chosen: the selection goes with the points, their places do not.
+    menu->addAction(areHidden ? tr("&Show") : tr("&Hide"), this, [this, areHidden] {
+        static_cast<void>(m_document.sceneLandmarks().setHidden(m_document.sceneLandmarks().selection(), !areHidden));
+    });
+    addColorMenu(*menu);
+    menu->addSeparator();
+    if (areMissing)
+        menu->addAction(tr("&Place This One Next"), this,
+                        [this] { m_document.sceneLandmarks().setNextUnplaced(m_document.sceneLandmarks().current()); });
+    else
+        menu->addAction(tr("Mark as &Missing"), this, [this] {
+            static_cast<void>(m_document.sceneLandmarks().setMissing(m_document.sceneLandmarks().selection()));
+        });
+    menu->addAction(tr("Copy as C&SV"), this, &LandmarksPanel::copySelected);
+    menu->addSeparator();
+    menu->addAction(tr("Re&move"), this, &LandmarksPanel::removeSelected);
+    connect(m_model, &QAbstractItemModel::modelReset, menu, &QWidget::close);
+    menu->popup(m_table->viewport()->mapToGlobal(place));
+}
+
+} // namespace unprojector::gui

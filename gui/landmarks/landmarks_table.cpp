@@ -1,0 +1,273 @@
+#include "gui/landmarks/landmarks_table.h"
+
+#include "gui/document/landmark_views.h"
+#include "gui/document/scene_document.h"
+#include "gui/landmarks/landmarks_model.h"
+#include "gui/text/short_name.h"
+#include "gui/widgets/certain_digits_delegate.h"
+#include "gui/widgets/digits_font.h"
+#include "gui/widgets/quiet_selection.h"
+
+#include <QAbstractItemDelegate>
+#include <QApplication>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QScopedValueRollback>
+#include <QScrollBar>
+#include <QSortFilterProxyModel>
+#include <QStyle>
+#include <QStyledItemDelegate>
+
+#include <algorithm>
+
+namespace unprojector::gui {
+namespace {
+
+// Characters of a name to be seen: names give way to the digits and their ±.
+constexpr int kLeastNameRoom = 12;
+constexpr int kMostNameRoom = 19;
+
+/// Where a name has no room, its words lose their ends: those of a template differ in any of them.
+class NameDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        QStyleOptionViewItem item = option;
+        initStyleOption(&item, index);
+        const QStyle *style = item.widget ? item.widget->style() : QApplication::style();
+        const QRect text = style->subElementRect(QStyle::SE_ItemViewItemText, &item, item.widget);
+        const int margin = style->pixelMetric(QStyle::PM_FocusFrameHMargin, &item, item.widget) + 1;
+        const int width = item.rect.right() + 1 - text.left() - 2 * margin;
+        item.text = shortName(item.text, item.fontMetrics, width).value_or(item.text); // else it is elided
+        style->drawControl(QStyle::CE_ItemViewItem, &item, painter, item.widget);
+    }
+};
+
+} // namespace
+
+LandmarksTable::LandmarksTable(SceneDocument &document, LandmarksModel *model, QWidget *parent)
+    : QTreeView(parent), m_document(document), m_rows(new QSortFilterProxyModel(this))
+{
+    m_rows->setSourceModel(model);
+    m_rows->setSortRole(LandmarksModel::kSortRole);
+    m_rows->setSortCaseSensitivity(Qt::CaseInsensitive);
+    m_rows->setSortLocaleAware(true);
+    setModel(m_rows);
+    useQuietSelection(*this);
+    setItemDelegateForColumn(LandmarksModel::Name, new NameDelegate(this));
+    auto *digits = new CertainDigitsDelegate(this);
+    for (const int column : {LandmarksModel::X, LandmarksModel::Y, LandmarksModel::Z})
+        setItemDelegateForColumn(column, digits);
+    setAccessibleName(tr("Placed points"));
+    setRootIsDecorated(false);
+    setUniformRowHeights(true);
+    setAllColumnsShowFocus(true);
+    setTextElideMode(Qt::ElideMiddle); // notes and single words too may differ at their ends
+    setSelectionMode(ExtendedSelection);
+    setEditTriggers(DoubleClicked | EditKeyPressed);
+    setDragDropMode(InternalMove);
+    setDragDropOverwriteMode(false);
+    setContextMenuPolicy(Qt::CustomContextMenu);
+    header()->setStretchLastSection(true);
+    header()->setSectionsMovable(false);
+    header()->setSortIndicatorClearable(true);
+    header()->setSortIndicator(-1, Qt::AscendingOrder);
+    setSortingEnabled(true);
+    connect(header(), &QHeaderView::sortIndicatorChanged, this, [this](int column, Qt::SortOrder order) {
+        setDragEnabled(column < 0 || (column == LandmarksModel::Number && order == Qt::AscendingOrder));
+    });
+    useFonts();
+
+    connect(this, &QTreeView::doubleClicked, this, [this](const QModelIndex &index) {
+        if (!(index.flags() & Qt::ItemIsEditable)) // what can be written is written
+            goToLandmark(m_document, static_cast<std::size_t>(m_rows->mapToSource(index).row()));
+    });
+    connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &LandmarksTable::tellSelection);
+    connect(selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex &current) {
+        if (selectionModel()->isSelected(current)) // else what is selected changes next
+            tellSelection();
+    });
+    connect(m_rows, &QAbstractItemModel::modelReset, this, &LandmarksTable::showSelection);
+    connect(header(), &QHeaderView::sectionResized, this, [this](int column) {
+        if (!m_isFitting)
+            m_ownWidths.insert(column);
+    });
+    connect(model, &QAbstractItemModel::modelReset, this,
+            [this, model] { widenCoordinates(0, model->rowCount() - 1); });
+    connect(model, &QAbstractItemModel::dataChanged, this,
+            [this](const QModelIndex &from, const QModelIndex &to) { widenCoordinates(from.row(), to.row()); });
+    connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & (Change::LandmarkSelection | Change::Landmarks))
+            showSelection();
+    });
+    showSelection();
+}
+
+void LandmarksTable::widenCoordinates(int first, int last)
+{
+    const QScopedValueRollback<bool> fitting(m_isFitting, true);
+    const QFontMetrics metrics(font());
+    const int margin = metrics.horizontalAdvance(u'0');
+    for (const int column : {LandmarksModel::X, LandmarksModel::Y, LandmarksModel::Z}) {
+        if (m_ownWidths.contains(column))
+            continue;
+        int width = header()->sectionSize(column);
+        for (int row = first; row <= last; ++row)
+            width = std::max(
+                width, metrics.horizontalAdvance(m_rows->sourceModel()->index(row, column).data().toString()) + margin);
+        if (width > header()->sectionSize(column))
+            header()->resizeSection(column, width);
+    }
+    fitName();
+}
+
+void LandmarksTable::fitName()
+{
+    if (m_ownWidths.contains(LandmarksModel::Name))
+        return;
+    const QScopedValueRollback<bool> fitting(m_isFitting, true);
+    const int digit = QFontMetrics(font()).horizontalAdvance(u'0');
+    int others = 0;
+    for (int column = 0; column <= LandmarksModel::PlusMinus; ++column)
+        others += column == LandmarksModel::Name ? 0 : header()->sectionSize(column);
+    header()->resizeSection(LandmarksModel::Name,
+                            std::clamp(viewport()->width() - others, kLeastNameRoom * digit, kMostNameRoom * digit));
+}
+
+void LandmarksTable::resizeEvent(QResizeEvent *event)
+{
+    QTreeView::resizeEvent(event);
+    fitName();
+}
+
+void LandmarksTable::useFonts()
+{
+    header()->setFont(headsFont(QApplication::font(this)));
+    fitColumns();
+}
+
+void LandmarksTable::fitColumns()
+{
+    const QFontMetrics metrics(font());
+    const int digit = metrics.horizontalAdvance(u'0');
+    const auto fit = [&](int column, int characters) {
+        const int head =
+            header()->fontMetrics().horizontalAdvance(model()->headerData(column, Qt::Horizontal).toString());
+        header()->resizeSection(column, std::max(characters * digit, head) + digit);
+    };
+    const QScopedValueRollback<bool> fitting(m_isFitting, true);
+    m_ownWidths.clear();
+    // As far as ± without scrolling in a panel of the usual width.
+    fit(LandmarksModel::Number, 3);
+    fit(LandmarksModel::Name, kMostNameRoom - 1);
+    for (const int column : {LandmarksModel::X, LandmarksModel::Y, LandmarksModel::Z})
+        fit(column, LandmarksModel::kCoordinateRoom);
+    fit(LandmarksModel::PlusMinus, 8);
+    fit(LandmarksModel::Object, 10);
+    fit(LandmarksModel::HeldBy, 13);
+    fit(LandmarksModel::Note, 16);
+    widenCoordinates(0, m_rows->sourceModel()->rowCount() - 1); // where more digits are certain than that
+}
+
+QSize LandmarksTable::sizeHint() const
+{
+    int width = 2 * frameWidth() + verticalScrollBar()->sizeHint().width() // which comes with many points
+                + kLeastNameRoom * QFontMetrics(font()).horizontalAdvance(u'0');
+    for (int column = 0; column <= LandmarksModel::PlusMinus; ++column)
+        width += column == LandmarksModel::Name ? 0 : header()->sectionSize(column);
+    return {width, QTreeView::sizeHint().height()};
+}
+
+void LandmarksTable::changeEvent(QEvent *event)
+{
+    QTreeView::changeEvent(event);
+    if (event->type() == QEvent::ApplicationFontChange || event->type() == QEvent::FontChange)
+        useFonts();
+}
+
+std::vector<std::size_t> LandmarksTable::selectedIndices() const
+{
+    QModelIndexList rows = selectionModel()->selectedRows();
+    std::sort(rows.begin(), rows.end());
+    std::vector<std::size_t> indices;
+    for (const QModelIndex &row : rows)
+        indices.push_back(static_cast<std::size_t>(m_rows->mapToSource(row).row()));
+    return indices;
+}
+
+void LandmarksTable::showSelection()
+{
+    const QScopedValueRollback<bool> showing(m_isShowing, true);
+    const SceneLandmarks &landmarks = m_document.sceneLandmarks();
+    const int count = m_rows->sourceModel()->rowCount();
+    const auto rowOf = [this](std::size_t index) {
+        return m_rows->mapFromSource(m_rows->sourceModel()->index(static_cast<int>(index), LandmarksModel::Name));
+    };
+    QItemSelection selection;
+    for (const std::size_t index : landmarks.selection()) {
+        if (static_cast<int>(index) < count)
+            selection.select(rowOf(index), rowOf(index));
+    }
+    selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    const bool isNew = !currentIndex().isValid();
+    if (landmarks.current() && static_cast<int>(*landmarks.current()) < count) {
+        const QModelIndex current = rowOf(*landmarks.current());
+        if (currentIndex().row() != current.row() || isNew) {
+            selectionModel()->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
+            scrollTo(current);
+        }
+    }
+    // The one that is placed next stays in sight, unless another one was gone to since.
+    const std::optional<std::size_t> waiting = landmarks.nextUnplaced();
+    if (waiting && static_cast<int>(*waiting) < count && (isNew || waiting != m_shownWaiting))
+        scrollTo(rowOf(*waiting));
+    m_shownWaiting = waiting;
+}
+
+void LandmarksTable::tellSelection()
+{
+    if (m_isShowing)
+        return;
+    std::optional<std::size_t> current;
+    if (currentIndex().isValid())
+        current = static_cast<std::size_t>(m_rows->mapToSource(currentIndex()).row());
+    m_document.sceneLandmarks().select(selectedIndices(), current);
+}
+
+void LandmarksTable::renameCurrent()
+{
+    if (currentIndex().isValid())
+        edit(currentIndex().siblingAtColumn(LandmarksModel::Name));
+}
+
+void LandmarksTable::applyTyped()
+{
+    for (QLineEdit *editor : viewport()->findChildren<QLineEdit *>()) {
+        if (editor->isHidden()) // closed, it awaits its end
+            continue;
+        commitData(editor);
+        closeEditor(editor, QAbstractItemDelegate::NoHint);
+    }
+}
+
+void LandmarksTable::keyPressEvent(QKeyEvent *event)
+{
+    if (event->matches(QKeySequence::Copy)) {
+        emit copyRequested();
+        return;
+    }
+    switch (event->key()) {
+    case Qt::Key_Delete: emit removeRequested(); return;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (state() != EditingState) // Enter that ends editing comes by as well
+            renameCurrent();
+        return;
+    default: QTreeView::keyPressEvent(event);
+    }
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,143 @@
+#include "gui/text/landmark_text.h"
+
+#include "core/geometry/angle.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <variant>
+
+namespace unprojector::gui {
+using namespace geometry;
+
+namespace {
+
+struct Points {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::Points)
+};
+
+template <class... Fs>
+struct Cases : Fs... {
+    using Fs::operator()...;
+};
+template <class... Fs>
+Cases(Fs...) -> Cases<Fs...>;
+
+/// A value to the last digit of its error: what a length is off by hardly ever is all of its last certain digit.
+QString toLastDigitOf(const QString &error, double value, double exactError)
+{
+    if (error.contains(u'×')) // a power of ten
+        return certainText(value, exactError);
+    const qsizetype point = error.indexOf(u'.');
+    return fixedText(value, point < 0 ? 0 : static_cast<int>(error.size() - point - 1));
+}
+
+/// A value and how far it may be off.
+QString measureText(double value, const std::optional<double> &error, const QString &unit)
+{
+    constexpr int kDigits = 7; // of what is off by nobody knows how much
+    const QString behind = unit.isEmpty() || unit == QStringLiteral("°") ? unit : QChar(QChar::Nbsp) + unit;
+    const QString inner = unit == QStringLiteral("°") ? unit : QString();
+    if (!error)
+        return writtenText(value, kDigits) + inner + QStringLiteral(" ± ?") + (inner.isEmpty() ? behind : QString());
+    if (!(*error > 0.0))
+        return writtenText(value) + behind;
+    const QString bound = boundText(*error);
+    return QStringLiteral("%1 ± %2").arg(toLastDigitOf(bound, value, *error) + inner, bound + behind);
+}
+
+} // namespace
+
+QString heldByText(const landmarks::Landmark &landmark)
+{
+    if (landmark.isMissing())
+        return Points::tr("missing");
+    return std::visit(
+        Cases{[](const landmarks::Free &) { return Points::tr("free"); },
+              [](const landmarks::OnTriangle &held) { return Points::tr("triangle %1").arg(held.triangle); },
+              [](const landmarks::AtVertex &held) { return Points::tr("vertex %1").arg(held.vertex); },
+              [](const landmarks::OnEdge &held) {
+                  return Points::tr("edge %1–%2").arg(held.vertices[0]).arg(held.vertices[1]);
+              }},
+        landmark.anchor);
+}
+
+QString heldByExplanation(const landmarks::Landmark &landmark)
+{
+    if (landmark.isMissing())
+        return Points::tr("It has no place: not placed yet, or not there on this object.");
+    return std::visit(
+        Cases{[](const landmarks::Free &) { return Points::tr("Held by nothing: its coordinates say where it is."); },
+              [](const landmarks::OnTriangle &held) {
+                  return Points::tr("On triangle %1 of the mesh, by barycentric coordinates %2, %3, %4.")
+                      .arg(QString::number(held.triangle), writtenText(held.barycentric.x, 6),
+                           writtenText(held.barycentric.y, 6), writtenText(held.barycentric.z, 6));
+              },
+              [](const landmarks::AtVertex &held) {
+                  return Points::tr("At vertex %1 of the mesh, its very coordinate.").arg(held.vertex);
+              },
+              [](const landmarks::OnEdge &held) {
+                  return Points::tr("On the edge from vertex %1 to vertex %2 of the mesh, %3 of the way.")
+                      .arg(QString::number(held.vertices[0]), QString::number(held.vertices[1]),
+                           writtenText(held.share, 6));
+              }},
+        landmark.anchor);
+}
+
+QString plusMinusText(const landmarks::Landmark &landmark)
+{
+    if (!landmark.world)
+        return {};
+    if (!landmark.uncertainty)
+        return QStringLiteral("?");
+    const double off = length(*landmark.uncertainty);
+    return off > 0.0 ? boundText(off) : QStringLiteral("0");
+}
+
+Notation landmarkNotation(const landmarks::Landmark &landmark, int axis, int characters, int most)
+{
+    constexpr int kDigits = 15, kBeyondCertain = 2;
+    if (!landmark.world)
+        return {};
+    Notation notation = notationOf(*landmark.world, (*landmark.world)[axis], kDigits, characters);
+    if (landmark.uncertainty && !notation.isScientific) {
+        const int certain = certainPlace((*landmark.uncertainty)[axis]);
+        notation.decimals = std::min(notation.decimals, std::max(0, kBeyondCertain - certain));
+        if ((*landmark.uncertainty)[axis] > 0.0) {
+            const Notation wide = notationOf(*landmark.world, (*landmark.world)[axis], kDigits, most);
+            notation.decimals = std::max(notation.decimals, std::min(wide.decimals, -certain));
+        }
+    } else if (!notation.isScientific) {
+        constexpr int kThousandths = 3;
+        const Notation wide = notationOf(*landmark.world, (*landmark.world)[axis], kDigits, most);
+        notation.decimals = std::max(notation.decimals, std::min(wide.decimals, kThousandths));
+    }
+    return notation;
+}
+
+QString lengthText(const landmarks::Measure &measure, const QString &unit)
+{
+    return measureText(measure.value, measure.error, unit);
+}
+
+QString angleText(const landmarks::Measure &measure)
+{
+    return measureText(degreesFromRadians(measure.value),
+                       measure.error ? std::optional(degreesFromRadians(*measure.error)) : std::nullopt,
+                       QStringLiteral("°"));
+}
+
+QString measureErrorText(const landmarks::MeasureError &error)
+{
+    using Code = landmarks::MeasureError::Code;
+    switch (error.code) {
+    case Code::Missing: return Points::tr("a point is missing");
+    case Code::TooFew: return Points::tr("there are fewer than two points");
+    case Code::SamePoint: return Points::tr("two points are at one place, so there is no direction");
+    case Code::NoPlane:
+        return Points::tr("as far as they are certain, the three points lie on one line, so there is no plane");
+    }
+    return {};
+}
+
+} // namespace unprojector::gui
