@@ -178,11 +178,11 @@ QString certaintyText(const Pick &pick)
     if (pick.hit()) {
         const Certainty &c = pick.certainty;
         if (pick.sample.dotPixels > 1.0)
-            return Formulas::tr("The buffers leave ± %1 along the view and ± %2 × %3 across it "
+            return Formulas::tr("The buffers leave ± %1 along the view and ± %2 × %3 across it "
                                 "(half of the %4 pixels that a point is drawn wide).")
                 .arg(boundText(c.distance), boundText(c.footprintWidth / 2.0), boundText(c.footprintHeight / 2.0),
                      significantText(pick.sample.dotPixels, 3));
-        return Formulas::tr("Accuracy ± %1 along the view (depth buffer alone ± %2). A pixel covers %3 × %4 here.")
+        return Formulas::tr("Accuracy ± %1 along the view (depth buffer alone ± %2). A pixel covers %3 × %4 here.")
             .arg(boundText(c.distance), readableText(c.halfDepthStep), readableText(c.footprintWidth),
                  readableText(c.footprintHeight));
     }

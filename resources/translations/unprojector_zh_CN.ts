@@ -202,22 +202,6 @@
 <context>
     <name>Formulas</name>
     <message>
-        <source>The two agree to the last places: the matrix rounds at every step, the formula once at the end.</source>
-        <translation>两者直到最末几位都一致：矩阵每一步都舍入，公式只在最后舍入一次。</translation>
-    </message>
-    <message>
-        <source>Cause: rounding in the inverted matrix, magnified %1 times where the eye&apos;s coordinates cancel. The formula inverts nothing.</source>
-        <translation>原因：求逆矩阵时的舍入，在视点坐标相消之处被放大 %1 倍。公式不求任何逆。</translation>
-    </message>
-    <message>
-        <source>Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 times where the eye&apos;s coordinates cancel. The formula inverts nothing.</source>
-        <translation>原因：求逆矩阵时的舍入，被透视放大 %1 倍 (z (f − n) / (f n))，又在视点坐标相消之处被放大 %2 倍。公式不求任何逆。</translation>
-    </message>
-    <message>
-        <source>At the pixel&apos;s centre the surface is within ±&#xa0;%1 along the view (half a depth step is %2). A pixel is %3&#xa0;×&#xa0;%4 here.</source>
-        <translation>在像素中心处，表面沿视线方向位于 ±&#xa0;%1 之内（半个深度级为 %2）。此处一个像素的大小为 %3&#xa0;×&#xa0;%4。</translation>
-    </message>
-    <message>
         <source>The pixel&apos;s centre from the window&apos;s left edge, device pixels</source>
         <translation>像素中心到窗口左边的距离，设备像素</translation>
     </message>
@@ -336,6 +320,10 @@
     <message>
         <source>The buffers leave ±&#xa0;%1 along the view and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half of the %4 pixels that a point is drawn wide).</source>
         <translation>缓冲所允许的误差：沿视线方向 ±&#xa0;%1（半个深度级），垂直于视线方向 ±&#xa0;%2&#xa0;×&#xa0;%3（点画成 %4 像素宽，此为其一半）。</translation>
+    </message>
+    <message>
+        <source>Accuracy ±&#xa0;%1 along the view (depth buffer alone ±&#xa0;%2). A pixel covers %3&#xa0;×&#xa0;%4 here.</source>
+        <translation>沿视线方向的精度为 ±&#xa0;%1（仅深度缓冲为 ±&#xa0;%2）。此处一个像素覆盖 %3&#xa0;×&#xa0;%4。</translation>
     </message>
 </context>
 <context>
@@ -614,14 +602,45 @@
     </message>
 </context>
 <context>
+    <name>unprojector::gui::AnswerView</name>
+    <message>
+        <source>What was clicked</source>
+        <translation>点击的物体</translation>
+    </message>
+    <message>
+        <source>World coordinate</source>
+        <translation>世界坐标</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy the coordinate with all its digits; in other forms by the arrow</source>
+        <translation>复制坐标的全部位数；其他形式见箭头</translation>
+    </message>
+    <message>
+        <source>World units. Grey digits are below the last certain place.</source>
+        <translation>世界单位。灰色数字在最后一个可靠位之后。</translation>
+    </message>
+    <message>
+        <source>Copy to the last certain digit</source>
+        <translation>复制到最后一个可靠位</translation>
+    </message>
+    <message>
+        <source>Copy with ±</source>
+        <translation>连同 ± 复制</translation>
+    </message>
+    <message>
+        <source>Copy everything about this click</source>
+        <translation>复制这次点击的全部内容</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ApiClicksView</name>
     <message>
         <source>In other APIs</source>
         <translation>其他 API 中的表示</translation>
-    </message>
-    <message>
-        <source>The same click as Vulkan, Direct3D, Unity, OpenCV and others count it</source>
-        <translation>同一次点击在 Vulkan、Direct3D、Unity、OpenCV 等中的坐标</translation>
     </message>
     <message>
         <source>Pixel</source>
@@ -905,18 +924,6 @@
 <context>
     <name>unprojector::gui::ComparisonModel</name>
     <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>World</source>
-        <translation>世界</translation>
-    </message>
-    <message>
-        <source>Eye</source>
-        <translation>观察</translation>
-    </message>
-    <message>
         <source>Near</source>
         <translation>近</translation>
     </message>
@@ -935,10 +942,6 @@
     <message>
         <source>Difference</source>
         <translation>差</translation>
-    </message>
-    <message>
-        <source>ulp</source>
-        <translation>ulp</translation>
     </message>
     <message>
         <source>By the closed-form formulas (9) to (12), in double; world units</source>
@@ -965,50 +968,46 @@
         <translation>公式减单精度结果；世界单位</translation>
     </message>
     <message>
-        <source>%1 ± %2
-Rounded to what is certain of this coordinate of the point at the pixel&apos;s centre</source>
-        <translation>%1 ± %2
-舍入到像素中心处的点的该坐标所能确定的位数</translation>
-    </message>
-    <message>
-        <source>Certain</source>
-        <translation>确定值</translation>
-    </message>
-    <message>
         <source>Matrix</source>
         <translation>矩阵</translation>
     </message>
     <message>
-        <source>What is certain of the point at the pixel&apos;s centre, each coordinate by itself; world units</source>
-        <translation>像素中心处的点所能确定的位数，各坐标分别计；世界单位</translation>
+        <source>%1 ± %2
+Grey digits are below the last certain place.</source>
+        <translation>%1 ± %2
+灰色数字在最后一个可靠位之后。</translation>
     </message>
     <message>
-        <source>%1
-Grey digits are below the last certain place, where the depth buffer and the drawing tell nothing. Rounded to that place, the number is the one under Certain.</source>
-        <translation>%1
-灰色数字位于最后一个确定数位之下，深度缓冲区和绘制过程对其一无所知。舍入到该位即为“确定”一栏的数。</translation>
+        <source>in ulp</source>
+        <translation>ulp 数</translation>
     </message>
     <message>
-        <source>In float</source>
+        <source>Float</source>
         <translation>单精度</translation>
     </message>
     <message>
-        <source>Off by</source>
-        <translation>偏差</translation>
+        <source>Formula − float</source>
+        <translation>公式 − 单精度</translation>
     </message>
     <message>
-        <source>%1
-… stands for the first digits, which are those under Certain; the window is too narrow for all.</source>
-        <translation>%1
-“…”代表开头的数位，与“确定值”一栏相同；窗口太窄，放不下全部数位。</translation>
+        <source>Exact ray</source>
+        <translation>精确射线</translation>
+    </message>
+    <message>
+        <source>Formula − ray</source>
+        <translation>公式 − 射线</translation>
+    </message>
+    <message>
+        <source>Where the ray through the pixel&apos;s centre meets the mesh itself, in double, without the depth buffer; world units</source>
+        <translation>经过像素中心的射线与网格本身的交点，双精度，不经过深度缓冲；世界单位</translation>
+    </message>
+    <message>
+        <source>Formula minus ray; world units</source>
+        <translation>公式减射线；世界单位</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::ComparisonPanel</name>
-    <message>
-        <source>What was clicked</source>
-        <translation>点击的物体</translation>
-    </message>
     <message>
         <source>Widget position</source>
         <translation>控件位置</translation>
@@ -1038,36 +1037,8 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <translation>深度</translation>
     </message>
     <message>
-        <source>Widget position:</source>
-        <translation>控件位置：</translation>
-    </message>
-    <message>
-        <source>Device pixel:</source>
-        <translation>设备像素：</translation>
-    </message>
-    <message>
-        <source>Window position:</source>
-        <translation>窗口位置：</translation>
-    </message>
-    <message>
         <source>Coordinates by both methods</source>
         <translation>两种方法求出的坐标</translation>
-    </message>
-    <message>
-        <source>&amp;Copy all</source>
-        <translation>全部复制(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Copy the chain, the table with all digits and the formula</source>
-        <translation>复制坐标链、带全部数位的表格和公式</translation>
-    </message>
-    <message>
-        <source>Certainty</source>
-        <translation>可靠程度</translation>
-    </message>
-    <message>
-        <source>Cause of the difference</source>
-        <translation>差异的原因</translation>
     </message>
     <message>
         <source>Formula with its numbers</source>
@@ -1076,14 +1047,6 @@ Grey digits are below the last certain place, where the depth buffer and the dra
     <message>
         <source>The formula with its numbers:</source>
         <translation>代入数值的公式：</translation>
-    </message>
-    <message>
-        <source>Press the left button on the model</source>
-        <translation>请在模型上按下左键</translation>
-    </message>
-    <message>
-        <source>The formulas appear here with the numbers of the click.</source>
-        <translation>点击后，代入数值的公式显示在这里。</translation>
     </message>
     <message>
         <source>Background: no surface here</source>
@@ -1118,32 +1081,8 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <translation>来自深度缓冲，在深度范围内：默认 0 为近平面，1 为远平面</translation>
     </message>
     <message>
-        <source>Depth:</source>
-        <translation>深度：</translation>
-    </message>
-    <message>
-        <source>A point on %1</source>
-        <translation>“%1”上的一点</translation>
-    </message>
-    <message>
-        <source>No point yet</source>
-        <translation>还没有点</translation>
-    </message>
-    <message>
-        <source>Pick this pixel a&amp;gain</source>
-        <translation>重新拾取此像素(&amp;G)</translation>
-    </message>
-    <message>
         <source>Pick what is now under the pixel of this click</source>
         <translation>拾取这次点击的像素下现在的内容</translation>
-    </message>
-    <message>
-        <source>The matrix inverse done in single precision, as most programs do it, in the place of the difference between the two methods in double</source>
-        <translation>以单精度求逆矩阵，如多数程序所做；代替两种双精度方法之差显示</translation>
-    </message>
-    <message>
-        <source>What the ray meets on the mesh</source>
-        <translation>射线与网格的交点</translation>
     </message>
     <message>
         <source>Ray on mesh</source>
@@ -1166,16 +1105,115 @@ Grey digits are below the last certain place, where the depth buffer and the dra
         <translation>表面</translation>
     </message>
     <message>
-        <source>Show what float woul&amp;d give</source>
-        <translation>显示单精度的结果(&amp;D)</translation>
-    </message>
-    <message>
         <source>Formula</source>
         <translation>公式</translation>
     </message>
     <message>
         <source>Matrix</source>
         <translation>矩阵</translation>
+    </message>
+    <message>
+        <source>Click the model. Its world coordinate appears here, computed in two ways: by the formulas and by the inverted matrix.</source>
+        <translation>点击模型。其世界坐标显示在这里，以两种方式计算：用公式，以及用逆矩阵。</translation>
+    </message>
+    <message>
+        <source>Pick a&amp;gain</source>
+        <translation>重新拾取(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>空间</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>世界</translation>
+    </message>
+    <message>
+        <source>The coordinate in world space</source>
+        <translation>世界空间中的坐标</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>视点</translation>
+    </message>
+    <message>
+        <source>The coordinate in eye space: the eye is the origin, and it looks along −z</source>
+        <translation>眼空间中的坐标：视点为原点，朝 −z 方向看</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>The coordinate in the space of the clicked object</source>
+        <translation>被点击物体空间中的坐标</translation>
+    </message>
+    <message>
+        <source>Floa&amp;t</source>
+        <translation>单精度(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Add the matrix inverse in single precision, as most programs compute it</source>
+        <translation>加上单精度的矩阵求逆，多数程序如此计算</translation>
+    </message>
+    <message>
+        <source>Exact &amp;ray</source>
+        <translation>精确射线(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Add the point where the ray through the pixel&apos;s centre meets the mesh itself</source>
+        <translation>加上过像素中心的射线与网格本身的交点</translation>
+    </message>
+    <message>
+        <source>From the pixel to the window point</source>
+        <translation>从像素到窗口点</translation>
+    </message>
+    <message>
+        <source>The way of the click from the mouse to window coordinates</source>
+        <translation>点击从鼠标到窗口坐标的过程</translation>
+    </message>
+    <message>
+        <source>Exact hit on the mesh</source>
+        <translation>网格上的精确交点</translation>
+    </message>
+    <message>
+        <source>What the ray through the pixel&apos;s centre meets on the mesh itself, without the depth buffer</source>
+        <translation>过像素中心的射线在网格本身上的交点，不用深度缓冲</translation>
+    </message>
+    <message>
+        <source>What other programs would give</source>
+        <translation>其他程序会给出什么</translation>
+    </message>
+    <message>
+        <source>For the same click: how far their points are from the formula&apos;s, and why</source>
+        <translation>对同一次点击：它们的点与公式的点相距多远，以及原因</translation>
+    </message>
+    <message>
+        <source>In other APIs</source>
+        <translation>其他 API 中的表示</translation>
+    </message>
+    <message>
+        <source>The same click as Vulkan, Direct3D, Unity, OpenCV and others count it</source>
+        <translation>同一次点击在 Vulkan、Direct3D、Unity、OpenCV 等中的坐标</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1：</translation>
+    </message>
+    <message>
+        <source>The hit, its normal and the nearest vertex</source>
+        <translation>交点、其法线与最近的顶点</translation>
+    </message>
+    <message>
+        <source>The pixel of this click is outside the view now.</source>
+        <translation>这次点击的像素现在在视图之外。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::CoordinatesTable</name>
+    <message>
+        <source>Near</source>
+        <translation>近</translation>
     </message>
 </context>
 <context>
@@ -3696,6 +3734,26 @@ Both are as large as fits.</source>
         <source>How far the surface may be from the point of a click: the length of its ± in the comparison. A placed point&apos;s ± has half a pixel to the side besides</source>
         <translation>表面离点击所得的点可能有多远：即“比较”中 ± 的长度。放置的点的 ± 还另含侧向半个像素</translation>
     </message>
+    <message>
+        <source>takes the pixel&apos;s upper left corner</source>
+        <translation>取像素的左上角</translation>
+    </message>
+    <message>
+        <source>flips y by the viewport&apos;s height</source>
+        <translation>按视口的高翻转 y</translation>
+    </message>
+    <message>
+        <source>forgets the 1 in height − 1 − y</source>
+        <translation>漏掉 高 − 1 − y 中的 1</translation>
+    </message>
+    <message>
+        <source>takes the pixel&apos;s lower left corner</source>
+        <translation>取像素的左下角</translation>
+    </message>
+    <message>
+        <source>divides by the size less one</source>
+        <translation>除以尺寸减一</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MatrixModel</name>
@@ -4628,33 +4686,44 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
 <context>
     <name>unprojector::gui::OtherProgramsView</name>
     <message>
-        <source>What other programs would give</source>
-        <translation>其他程序会给出什么</translation>
+        <source>Other programs</source>
+        <translation>其他程序</translation>
     </message>
     <message>
-        <source>For the same click: how far their points are from the formula&apos;s, and why</source>
-        <translation>对同一次点击：它们的点与公式的点相距多远，以及原因</translation>
+        <source>Off by</source>
+        <translation>偏差</translation>
     </message>
     <message>
-        <source>A click on a surface has them, as soon as its ray is known.</source>
-        <translation>点击表面后，一旦射线已知即可显示。</translation>
+        <source>Because it</source>
+        <translation>因为它</translation>
     </message>
     <message>
-        <source>no answer: the depth that it reads is not known</source>
-        <translation>无结果：它读取的深度未知</translation>
+        <source>Distance from the formula&apos;s point; world units</source>
+        <translation>与公式所得点的距离；世界单位</translation>
     </message>
     <message>
-        <source>%1 off, at %2</source>
-        <translation>偏差 %1，位于 %2</translation>
+        <source>The reason in full</source>
+        <translation>完整的原因</translation>
     </message>
     <message>
-        <source>Measured from the formula&apos;s point, whatever vertex, edge or place of the mesh the click takes.</source>
-        <translation>均从公式所得的点量起，无论点击取的是网格的哪个顶点、边或位置。</translation>
+        <source>Click a surface to see them.</source>
+        <translation>点击曲面即可看到。</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1&lt;/b&gt;: %2</source>
-        <comment>a program: how far its point is off</comment>
-        <translation>&lt;b&gt;%1&lt;/b&gt;：%2</translation>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>The depth that it reads is not known.</source>
+        <translation>它读取的深度未知。</translation>
+    </message>
+    <message>
+        <source>At %1</source>
+        <translation>位于 %1</translation>
+    </message>
+    <message>
+        <source>Select a row to read its reason in full.</source>
+        <translation>选中一行可读其完整的原因。</translation>
     </message>
 </context>
 <context>
@@ -5522,18 +5591,6 @@ of a point that needs no division</source>
 <context>
     <name>unprojector::gui::RayModel</name>
     <message>
-        <source>World x</source>
-        <translation>世界 x</translation>
-    </message>
-    <message>
-        <source>World y</source>
-        <translation>世界 y</translation>
-    </message>
-    <message>
-        <source>World z</source>
-        <translation>世界 z</translation>
-    </message>
-    <message>
         <source>Vertex</source>
         <translation>顶点</translation>
     </message>
@@ -5552,10 +5609,6 @@ of a point that needs no division</source>
     <message>
         <source>Where the ray through the pixel&apos;s centre meets the mesh itself, in double, without the depth buffer; world units</source>
         <translation>经过像素中心的射线与网格本身的交点，双精度，不经过深度缓冲；世界单位</translation>
-    </message>
-    <message>
-        <source>Formula minus ray; world units</source>
-        <translation>公式减射线；世界单位</translation>
     </message>
     <message>
         <source>The normal of the triangle, of length 1, world space</source>
@@ -5578,16 +5631,12 @@ of a point that needs no division</source>
         <translation>点击所取的面上的点；世界单位</translation>
     </message>
     <message>
-        <source>Ray on mesh</source>
-        <translation>网格上的射线</translation>
-    </message>
-    <message>
-        <source>Off by</source>
-        <translation>偏差</translation>
-    </message>
-    <message>
         <source>Normal</source>
         <translation>法线</translation>
+    </message>
+    <message>
+        <source>Exact hit</source>
+        <translation>精确交点</translation>
     </message>
 </context>
 <context>
@@ -6510,6 +6559,29 @@ of a point that needs no division</source>
     <message>
         <source>Copy the &amp;words</source>
         <translation>复制文字(&amp;W)</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::VerdictView</name>
+    <message>
+        <source>Do the methods agree?</source>
+        <translation>两种方法是否一致</translation>
+    </message>
+    <message>
+        <source>&amp;Why?</source>
+        <translation>为什么(&amp;W)？</translation>
+    </message>
+    <message>
+        <source>What the difference comes from, and how far the coordinate can be off</source>
+        <translation>差从何而来，坐标可能偏差多少</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>精度</translation>
+    </message>
+    <message>
+        <source>Cause of the difference</source>
+        <translation>差异的原因</translation>
     </message>
 </context>
 <context>

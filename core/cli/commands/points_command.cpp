@@ -233,7 +233,7 @@ ExitCode runPoints(const PointsOptions &options)
     const std::unique_ptr<RowStream> rows = openRows(options.rows, *given, {kClickColumns});
     if (!rows)
         return ExitCode::UnusableInput;
-    const Setup &setup = rows->picture;
+    const Setup &setup = rows->setup;
     const std::vector<std::string> results = pointColumns(options.methods);
     Task task{options, NumberReader(rows->source.name(), rows->columns),       setup.depthRange,
               {},      RowLayout(rows->columns, results, options.rows.format), results.size()};

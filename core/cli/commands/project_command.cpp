@@ -161,7 +161,7 @@ ExitCode runProject(const RowOptions &options)
     const std::unique_ptr<RowStream> rows = openRows(options, *given, {{"x", "y", "z"}, pointColumnsOf("formula")});
     if (!rows)
         return ExitCode::UnusableInput;
-    const Setup &setup = rows->picture;
+    const Setup &setup = rows->setup;
     const Result<WayForward> way = WayForward::of(setup);
     if (!way) {
         complain(options.scene + ": " + errorText(way.error()));

@@ -10,7 +10,7 @@ using namespace unproject;
 using text::tr;
 
 RowStream::RowStream(const SceneFile &scene, const BatchSpace &spaceInIt, const RowOptions &options)
-    : picture(setupOf(scene)), space(spaceInIt), inputs(filesOf(scene, options.scene)), source(options.input)
+    : setup(setupOf(scene)), space(spaceInIt), inputs(filesOf(scene, options.scene)), source(options.input)
 {
     inputs.push_back(options.input);
 }

@@ -28,7 +28,7 @@ struct RowOptions {
 /// The columns of a point, as a command writes them and another reads them: "formula_x" to "formula_z", in whatever space.
 ColumnNames pointColumnsOf(const std::string &method);
 
-/// The picture of a scene, the space in it, and the rows behind a header that has the columns.
+/// The setup of a scene, the space in it, and the rows behind a header that has the columns.
 struct RowStream {
     RowStream(const scene_file::SceneFile &scene, const unproject::BatchSpace &spaceInIt, const RowOptions &options);
 
