@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 namespace unprojector::lessons {
+using namespace scene_file;
 using namespace geometry;
 using namespace scene;
 

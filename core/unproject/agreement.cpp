@@ -35,9 +35,11 @@ std::optional<Agreement> agreementOf(const Pick &pick)
     const WorldVector difference = world.difference();
     Agreement result;
     result.difference = largest(difference);
-    result.ulps = result.difference / ulpOfLargest(point);
     // Near the world's origin the eye and the way from it cancel, and what rounding did to either stands out.
-    result.byCancelling = std::max(1.0, std::max(largest(pick.setup.camera().eye), largest(*eye)) / largest(point));
+    const double before = std::max(largest(pick.setup.camera().eye), largest(*eye));
+    const double unitBefore = ulpOfLargest(WorldPoint(before, 0.0, 0.0));
+    result.ulps = result.difference / (largest(point) > 0.0 ? ulpOfLargest(point) : unitBefore);
+    result.byCancelling = std::max(1.0, before / std::max(largest(point), unitBefore));
     if (isPerspective(pick.setup.projection())) {
         // z_ndc changes by n f / (f - n) / z^2 a unit of z: what rounding does to the one shows in the other that much larger.
         const ProjectionWindow window = projectionWindow(pick.setup.projection());
@@ -60,7 +62,8 @@ std::string verdictText(const Pick &pick)
     if (!agreement) {
         if (!world[Method::Matrix] && world[Method::Formula])
             return tr("Only the formula has an answer; the matrix: %1", text::errorText(world[Method::Matrix].error()));
-        return world[Method::Formula] ? std::string() : text::errorText(world[Method::Formula].error());
+        const Result<EyePoint> &eye = (pick.hit() ? pick.point.eye : pick.rayFar.eye)[Method::Formula];
+        return text::errorText(world[Method::Formula] ? eye.error() : world[Method::Formula].error());
     }
     if (agreement->ulps == 0.0)
         return tr("Formula and matrix agree to the last digit");

@@ -23,7 +23,7 @@ struct Agreement {
     bool isToTheLastPlaces() const { return ulps <= 4.0; }
 };
 
-/// @pre the pick's picture is by parameters
+/// @pre the pick's setup is by parameters
 /// @return nothing where a method has no answer
 std::optional<Agreement> agreementOf(const Pick &pick);
 

@@ -32,7 +32,8 @@ QString allDigits(const Components<3> &point)
 
 } // namespace
 
-AnswerView::AnswerView(QWidget *parent) : QWidget(parent), m_heading(new ElidedLabel), m_point(new QLabel)
+AnswerView::AnswerView(QWidget *parent)
+    : QWidget(parent), m_heading(new ElidedLabel), m_point(new QLabel), m_copy(new QToolButton)
 {
     QFont bold = m_heading->font();
     bold.setBold(true);
@@ -44,13 +45,11 @@ AnswerView::AnswerView(QWidget *parent) : QWidget(parent), m_heading(new ElidedL
     m_point->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
 
     auto *menu = new QMenu(this);
-    auto *copy = new QToolButton;
-    copy->setText(tr("&Copy"));
-    copy->setToolTip(tr("Copy the coordinate with all its digits; in other forms by the arrow"));
-    copy->setAutoRaise(true);
-    copy->setPopupMode(QToolButton::MenuButtonPopup);
-    copy->setMenu(menu);
-    connect(copy, &QToolButton::clicked, this, [this] {
+    m_copy->setText(tr("&Copy"));
+    m_copy->setAutoRaise(true);
+    m_copy->setPopupMode(QToolButton::MenuButtonPopup);
+    m_copy->setMenu(menu);
+    connect(m_copy, &QToolButton::clicked, this, [this] {
         if (m_at)
             copyToClipboard(allDigits(*m_at));
         else
@@ -60,7 +59,7 @@ AnswerView::AnswerView(QWidget *parent) : QWidget(parent), m_heading(new ElidedL
 
     auto *line = new QHBoxLayout;
     line->addWidget(m_heading, 1);
-    line->addWidget(copy);
+    line->addWidget(m_copy);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
@@ -87,6 +86,8 @@ void AnswerView::showPoint()
 {
     m_plain.clear();
     m_point->setVisible(m_at.has_value());
+    m_copy->setToolTip(m_at ? tr("Copy the coordinate with all its digits; in other forms by the arrow")
+                            : tr("Copy everything about this click"));
     if (!m_at) {
         m_point->clear();
         return;
@@ -113,7 +114,7 @@ void AnswerView::showPoint()
     }
     const QString bound = boundText(std::max({m_uncertainty.x, m_uncertainty.y, m_uncertainty.z}));
     const QString format = QStringLiteral("(%1) ±%2%3");
-    m_plain = format.arg(plain.join(QStringLiteral(", ")), QString(QChar::Nbsp), bound);
+    m_plain = format.arg(plain.join(QStringLiteral(", ")), QStringLiteral(" "), bound);
     m_point->setText(format.arg(marked.join(QStringLiteral(", ")), QString(QChar::Nbsp), bound));
     m_point->setToolTip(each.join(u'\n') + u'\n' + tr("World units. Grey digits are below the last certain place."));
     m_point->setAccessibleDescription(m_plain);

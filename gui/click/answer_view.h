@@ -8,6 +8,7 @@
 
 class QLabel;
 class QMenu;
+class QToolButton;
 
 namespace unprojector::gui {
 
@@ -43,6 +44,7 @@ private:
 
     ElidedLabel *m_heading;
     QLabel *m_point;
+    QToolButton *m_copy;
     std::optional<geometry::Components<3>> m_at;
     geometry::Components<3> m_uncertainty;
     QString m_plain;

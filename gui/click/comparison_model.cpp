@@ -174,7 +174,10 @@ std::optional<double> ComparisonModel::value(const Row &row, int column) const
 
 double ComparisonModel::uncertainty(const Row &row, int column) const
 {
-    return column == Ray ? row.rayUncertainty : row.uncertainty;
+    if (column == Ray)
+        return row.rayUncertainty;
+    const std::optional<double> formula = value(row, Formula), own = value(row, column);
+    return isCoordinate(column) && formula && own ? row.uncertainty + std::abs(*formula - *own) : row.uncertainty;
 }
 
 QVariant ComparisonModel::data(const QModelIndex &index, int role) const
@@ -184,7 +187,10 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
     const Row &row = m_rows[static_cast<std::size_t>(index.row())];
     const int column = index.column();
     const std::optional<double> v = value(row, column);
-    const auto notation = [&] { return notationWithin(row.point, *v, uncertainty(row, column)); };
+    // All columns have the same digits; each has its own that are certain.
+    const auto notation = [&] {
+        return notationWithin(row.point, *v, column == Ray ? row.rayUncertainty : row.uncertainty);
+    };
     switch (role) {
     case Qt::DisplayRole:
         if (!v)
@@ -260,16 +266,16 @@ QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, i
     }
     if (role == Qt::ToolTipRole) {
         switch (section) {
-        case Formula: return tr("By the closed-form formulas (9) to (12), in double; world units");
-        case Matrix: return tr("By the inverse of projection × view, in double, as gluUnProject does; world units");
-        case Difference: return tr("Formula minus matrix inverse; world units");
+        case Formula: return tr("By the closed-form formulas (9) to (12), in double");
+        case Matrix: return tr("By the inverse of projection × view, in double, as gluUnProject does");
+        case Difference: return tr("Formula minus matrix inverse");
         case Ulps: return tr("The difference in units in the last place of the point's largest component");
         case MatrixInFloat: return tr("The matrix inverse done in single precision, as many programs do");
-        case FloatDifference: return tr("Formula minus the single-precision result; world units");
+        case FloatDifference: return tr("Formula minus the single-precision result");
         case Ray:
             return tr("Where the ray through the pixel's centre meets the mesh itself, in double, without the depth "
-                      "buffer; world units");
-        case RayDifference: return tr("Formula minus ray; world units");
+                      "buffer");
+        case RayDifference: return tr("Formula minus ray");
         default: return {};
         }
     }

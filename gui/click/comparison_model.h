@@ -57,6 +57,7 @@ private:
     void addObjectRows(const unproject::Pick &pick, const std::optional<MeshPoint> &onMesh);
 
     std::optional<double> value(const Row &row, int column) const;
+    /// What a coordinate may be off: a method's answer besides by what it differs from the formula's.
     double uncertainty(const Row &row, int column) const;
 
     KeptPick m_kept;

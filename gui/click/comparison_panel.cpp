@@ -276,17 +276,17 @@ void ComparisonPanel::showRay()
     m_ray->setValue({});
     m_rayDetail->clear();
     const Result<WorldPoint> *formula = pick ? &pick->point.world[Method::Formula] : nullptr;
+    QString notAnswered;
+    if (ray && ray->state == PickedRay::State::Preparing)
+        notAnswered = rayPreparingText();
+    else if (ray && ray->state == PickedRay::State::Impossible)
+        notAnswered = rayImpossibleText(ray->failure ? failureText(*ray->failure) : QString());
     m_others->setAnswers(ray ? ray->others : std::nullopt,
                          formula && *formula ? std::optional(**formula) : std::nullopt,
-                         pick ? WorldVector(pick->uncertainty.world) : WorldVector());
-    if (!ray)
+                         pick ? WorldVector(pick->uncertainty.world) : WorldVector(), notAnswered);
+    if (!ray || ray->state != PickedRay::State::Answered) {
+        m_ray->setText(notAnswered);
         return;
-    switch (ray->state) {
-    case PickedRay::State::Preparing: m_ray->setText(rayPreparingText()); return;
-    case PickedRay::State::Impossible:
-        m_ray->setText(rayImpossibleText(ray->failure ? failureText(*ray->failure) : QString()));
-        return;
-    case PickedRay::State::Answered: break;
     }
     const auto hitOf = [](const std::optional<MetPlace> &place) {
         return place ? std::optional(place->hit) : std::nullopt;
@@ -334,10 +334,17 @@ void ComparisonPanel::showPick()
     showRay();
     showSinceClick();
     if (!pick) {
+        m_answer->setAnswer({}, std::nullopt, {});
         m_formula->setFormulas({});
         return;
     }
     showAnswer(*pick);
+    // The background has no object.
+    constexpr int kWorld = static_cast<int>(ComparisonModel::Space::World);
+    constexpr int kObject = static_cast<int>(ComparisonModel::Space::Object);
+    m_space->setChoiceEnabled(kObject, pick->hit());
+    if (!pick->hit() && m_space->choice() == kObject)
+        m_space->setChoice(kWorld);
     const auto show = [this](ChainLink link, const QString &text, Copyable value) {
         m_chain[link]->setText(text);
         m_chain[link]->setValue(std::move(value));

@@ -2,10 +2,13 @@
 
 #include "core/unproject/pick.h"
 
+#include <QString>
+#include <QStringList>
 #include <QWidget>
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class QCheckBox;

@@ -43,13 +43,13 @@ OtherProgramsView::OtherProgramsView(QWidget *parent)
 }
 
 void OtherProgramsView::setAnswers(const std::optional<OtherAnswers> &answers, const std::optional<WorldPoint> &formula,
-                                   const WorldVector &uncertainty)
+                                   const WorldVector &uncertainty, const QString &notAnswered)
 {
     m_plain.clear();
     const bool isThere = answers && formula;
     m_table->setVisible(isThere);
     if (!isThere) {
-        m_reason->setText(tr("Click a surface to see them."));
+        m_reason->setText(notAnswered.isEmpty() ? tr("Click a surface to see them.") : notAnswered);
         return;
     }
     int row = 0;

@@ -21,8 +21,10 @@ public:
 
     /// @param formula      the formulas' point; nothing: there is no hit, or it is not known yet
     /// @param uncertainty  of its coordinates, by which the others are written
+    /// @param notAnswered  says why the answers are not known yet; empty: no surface was clicked
     void setAnswers(const std::optional<unproject::OtherAnswers> &answers,
-                    const std::optional<geometry::WorldPoint> &formula, const geometry::WorldVector &uncertainty);
+                    const std::optional<geometry::WorldPoint> &formula, const geometry::WorldVector &uncertainty,
+                    const QString &notAnswered = {});
     /// All of it with all digits, a program a line, tab-separated.
     QString text() const { return m_plain; }
 

@@ -4,9 +4,11 @@
 #include "gui/widgets/help_link.h"
 #include "gui/widgets/steady_label.h"
 
+#include <QColor>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPalette>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -43,13 +45,16 @@ VerdictView::VerdictView(QWidget *parent)
     reasonLines->setContentsMargins(0, 0, 0, 0);
     reasonLines->setSpacing(2);
     const auto add = [reasonLines](QWidget *label, const QString &anchor) {
-        auto *row = new QHBoxLayout;
+        auto *reason = new QWidget;
+        auto *row = new QHBoxLayout(reason);
+        row->setContentsMargins(0, 0, 0, 0);
         row->setSpacing(2);
         row->addWidget(label, 1, Qt::AlignTop);
         row->addWidget(new HelpLink(anchor), 0, Qt::AlignTop);
-        reasonLines->addLayout(row);
+        reasonLines->addWidget(reason);
+        return reason;
     };
-    add(m_cause, QStringLiteral("matrix"));
+    m_causeLine = add(m_cause, QStringLiteral("matrix"));
     add(m_accuracy, QStringLiteral("certainty"));
     reasons->hide();
     auto *layout = new QVBoxLayout(this);
@@ -70,6 +75,7 @@ void VerdictView::setPick(const unproject::Pick &pick, const QString &accuracy, 
                                                        : Sign::Differ;
     m_verdict->setText(QString::fromStdString(unproject::verdictText(pick)));
     m_cause->setText(QString::fromStdString(unproject::differenceCauseText(pick)));
+    m_causeLine->setVisible(agreement.has_value());
     m_accuracy->setText(accuracy);
     m_accuracy->setValue({name, uncertainty});
     showSign();
@@ -95,6 +101,7 @@ void VerdictView::showSign()
         color = colorOf(isDark, QColor(0xcf, 0x22, 0x2e), QColor(0xff, 0x7b, 0x72));
         break;
     }
+    m_mark->setFixedWidth(m_mark->fontMetrics().height()); // whatever the sign, the text stands still
     colors.setColor(QPalette::WindowText, color);
     m_mark->setPalette(colors);
 }

@@ -2,7 +2,10 @@
 
 #include "core/unproject/pick.h"
 
+#include <QString>
 #include <QWidget>
+
+#include <vector>
 
 class QLabel;
 class QToolButton;
@@ -37,6 +40,7 @@ private:
     QToolButton *m_why;
     SteadyLabel *m_accuracy;
     SteadyLabel *m_cause;
+    QWidget *m_causeLine; ///< the cause with its link; hidden where there is none
 };
 
 } // namespace unprojector::gui

@@ -66,11 +66,11 @@ public:
     };
     Progress progress() const;
     /// Works all of them out before it returns, also those for which there was no thread or no memory before.
-    /// @return false where the waiting, see setNextUnplaced, was given up; what is under way goes on
+    /// @return false where the waiting, see setWaiting, was given up; what is under way goes on
     bool complete();
     /// Who shows that curves are waited for, and waits until none is computing, with the events of the program going on.
     /// @param waiting  returns false where somebody gives up. Empty: the thread that asks is blocked until all are there
-    void setNextUnplaced(std::function<bool()> waiting) { m_waiting = std::move(waiting); }
+    void setWaiting(std::function<bool()> waiting) { m_waiting = std::move(waiting); }
     /// The points and the curves with their semilandmarks, for a file. Waits for what is not known yet.
     /// @return or why a curve is not known, a clause: the waiting was given up, or there was no thread or no memory
     geometry::Result<landmarks::LandmarkSet, QString> withSemilandmarks();

@@ -164,7 +164,8 @@ void SceneOpener::load(Opening asked)
             result.errors << tr("The files cannot be opened: %1. Close other programs, then try again.")
                                  .arg(failureText(loaded.error()));
         emit opened(result);
-        emit ended();
+        if (!isLoading()) // who heard of it may have asked for the next
+            emit ended();
     };
     m_background.start(work, done, [this, names, count](double share) {
         const auto index = std::min(static_cast<qsizetype>(share * count), names.size() - 1);

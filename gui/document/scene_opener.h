@@ -79,8 +79,8 @@ signals:
 
 private:
     opening::ModelFiles m_modelFiles;
-    Background m_background{2}; ///< the next need not wait for the cancelled one
     Opening m_opening;          ///< while it loads
+    Background m_background{2}; ///< the next need not wait for the cancelled one
 };
 
 } // namespace unprojector::gui

@@ -34,7 +34,7 @@ class LandmarksFeature : public Feature {
     Q_OBJECT
 public:
     explicit LandmarksFeature(Window &window);
-    ~LandmarksFeature() override { m_document.curves().setNextUnplaced({}); }
+    ~LandmarksFeature() override { m_document.curves().setWaiting({}); }
 
     std::vector<PanelSpec> panels() override;
     std::optional<WorkspaceSpec> workspace() override
@@ -98,7 +98,7 @@ LandmarksFeature::LandmarksFeature(Window &window)
     connect(m_files, &LandmarkFiles::warned, &window, &Window::showMessage);
     connect(m_files, &LandmarkFiles::noticed, &session, &Session::noticed);
     if (window.remembers()) // a user looks at the window and can wait
-        m_document.curves().setNextUnplaced([this] { return waitForCurves(m_window, m_document); });
+        m_document.curves().setWaiting([this] { return waitForCurves(m_window, m_document); });
 }
 
 std::vector<PanelSpec> LandmarksFeature::panels()

@@ -13,6 +13,7 @@
 #include <QMessageBox>
 #include <QSettings>
 
+#include <cstdio>
 #include <cstdlib>
 #include <utility>
 

@@ -77,4 +77,9 @@ void SegmentedSwitch::setChoice(int index)
         button->setChecked(true);
 }
 
+void SegmentedSwitch::setChoiceEnabled(int index, bool isEnabled)
+{
+    m_group->button(index)->setEnabled(isEnabled);
+}
+
 } // namespace unprojector::gui

@@ -19,6 +19,7 @@ public:
 
     int choice() const;
     void setChoice(int index);
+    void setChoiceEnabled(int index, bool isEnabled);
 
 signals:
     /// By the user or by setChoice.

@@ -34,7 +34,7 @@ constexpr int kBottomLines = 16;
 /// What the panels of both sides, or those above and below, may take of the
 /// window together, and one side at first.
 constexpr double kMostOfTheWindow = 0.62;
-constexpr double kMostOfOneSide = 0.40;
+constexpr double kMostOfOneSide = 0.38;
 constexpr double kMostOfANarrowWindow = 0.48;
 
 struct AreaName {
@@ -474,6 +474,8 @@ bool Workspaces::restore(const QSettings &settings)
     m_isArranged = m_window.restoreState(layout, kLayoutVersion);
     if (m_isArranged) {
         m_wanted[name()] = sizes;
+        if (sizes.contains(Qt::RightDockWidgetArea))
+            want(Qt::RightDockWidgetArea, sizes[Qt::RightDockWidgetArea]);
         emit laidOut();
         settle();
     }

@@ -66,7 +66,8 @@ public:
     /// Gives a panel the larger part of the side that it shares with another one, if it is smaller.
     void giveRoom(Panel panel, Panel other);
 
-    /// The current workspace as it is at first, in the size that the window has now.
+    /// The current workspace as it is at first, in the size that the window has now; the panels on the right get their first
+    /// width in every workspace.
     void reset();
     bool arePanelsHidden() const { return m_arePanelsHidden; }
     /// Gives the view the whole window, or the panels back.
@@ -126,8 +127,8 @@ private:
     void leave();
     Sizes firstSizes(bool isWide) const;
     int rightWidth() const;
-    /// The user has made an area this large. That on the right is as wide in every workspace, so that the view keeps its size
-    /// from one to the other, and its click with it.
+    /// Sets the size of an area in the current workspace; on the right in all of them, so that the view keeps its size from one
+    /// to the other, and its click with it.
     void want(Qt::DockWidgetArea area, int size);
     /// Of the areas where a panel is seen, as they are now.
     Sizes sizesNow() const;

@@ -944,16 +944,16 @@
         <translation>差</translation>
     </message>
     <message>
-        <source>By the closed-form formulas (9) to (12), in double; world units</source>
-        <translation>用解析公式 (9) 至 (12) 计算，double；世界单位</translation>
+        <source>By the closed-form formulas (9) to (12), in double</source>
+        <translation>用解析公式 (9) 至 (12) 计算，double</translation>
     </message>
     <message>
-        <source>By the inverse of projection × view, in double, as gluUnProject does; world units</source>
-        <translation>用“投影矩阵 × 观察矩阵”的逆矩阵计算，double，与 gluUnProject 相同；世界单位</translation>
+        <source>By the inverse of projection × view, in double, as gluUnProject does</source>
+        <translation>用“投影矩阵 × 观察矩阵”的逆矩阵计算，double，与 gluUnProject 相同</translation>
     </message>
     <message>
-        <source>Formula minus matrix inverse; world units</source>
-        <translation>公式减逆矩阵；世界单位</translation>
+        <source>Formula minus matrix inverse</source>
+        <translation>公式减逆矩阵</translation>
     </message>
     <message>
         <source>The difference in units in the last place of the point&apos;s largest component</source>
@@ -964,8 +964,8 @@
         <translation>用单精度求逆矩阵，许多程序都是这样做的</translation>
     </message>
     <message>
-        <source>Formula minus the single-precision result; world units</source>
-        <translation>公式减单精度结果；世界单位</translation>
+        <source>Formula minus the single-precision result</source>
+        <translation>公式减单精度结果</translation>
     </message>
     <message>
         <source>Matrix</source>
@@ -998,12 +998,12 @@ Grey digits are below the last certain place.</source>
         <translation>公式 − 射线</translation>
     </message>
     <message>
-        <source>Where the ray through the pixel&apos;s centre meets the mesh itself, in double, without the depth buffer; world units</source>
-        <translation>经过像素中心的射线与网格本身的交点，双精度，不经过深度缓冲；世界单位</translation>
+        <source>Where the ray through the pixel&apos;s centre meets the mesh itself, in double, without the depth buffer</source>
+        <translation>经过像素中心的射线与网格本身的交点，双精度，不经过深度缓冲</translation>
     </message>
     <message>
-        <source>Formula minus ray; world units</source>
-        <translation>公式减射线；世界单位</translation>
+        <source>Formula minus ray</source>
+        <translation>公式减射线</translation>
     </message>
 </context>
 <context>

@@ -65,6 +65,9 @@ void TestAgreement::differencesAreCountedInUlps()
     // z (f − n) / (f n) = (10 / 3) 8 / 20; the eye at 5 against the point's 4.
     QVERIFY(std::abs(agreement.byPerspective - 4.0 / 3.0) < 1e-12);
     QVERIFY(std::abs(agreement.byCancelling - 1.25) < 1e-12);
+    // At the origin the unit is that of the eye's coordinates, which cancel there: 5 has 2^-50.
+    const Agreement atOrigin = agreementOf(pickOf(kFrustum, {}, {0.0, 0.0, std::ldexp(3.0, -50)}, 1.0)).value();
+    QVERIFY(atOrigin.ulps == 3.0 && std::isfinite(atOrigin.byCancelling));
     QVERIFY(agreementOf(pickOf(kBox, kPoint, offBy(37.0), 1.0))->byPerspective == 1.0);
     QVERIFY(agreementOf(pickOf(kFrustum, kPoint, offBy(37.0), 1e-15))->isWithinUncertainty == false);
     QVERIFY(!agreementOf(pickOf(kFrustum, kPoint, kPoint, 1.0, false))->isWithinUncertainty); // of a ray there is none

@@ -18,6 +18,7 @@ using namespace unprojector::scene;
 using namespace unprojector::scene_file;
 using namespace unprojector::unproject;
 using namespace scene_texts;
+using namespace unprojector::landmarks;
 
 class TestSceneFile : public QObject {
     Q_OBJECT

@@ -23,6 +23,7 @@ class TestComparisonDigits : public QObject {
 private slots:
     void certainDigitsAreBlackAndTwoMoreGrey_data();
     void certainDigitsAreBlackAndTwoMoreGrey();
+    void digitsThatAreOffAreNotBlack();
     void theAnswerHasTheDigitsOfTheTable();
     void whatIsCopiedHasAllDigits();
     void eachAxisHasItsOwnUncertainty();
@@ -81,6 +82,30 @@ void TestComparisonDigits::certainDigitsAreBlackAndTwoMoreGrey()
     }
     // A difference has no certain part.
     QVERIFY(!cell(model, 0, ComparisonModel::Difference, ComparisonModel::kCertainLengthRole).isValid());
+}
+
+/// What single precision gives is as uncertain as it is off, also on the background, where the methods' answers are exact.
+void TestComparisonDigits::digitsThatAreOffAreNotBlack()
+{
+    ComparisonModel model;
+    model.setPick(kept(pickWith({1.25, 0.0, 0.0}, {1.25, 0.0, 0.0}, {1.31, 0.0, 0.0}, 0.0004)));
+    const auto black = [&model](int row, int column) {
+        return cell(model, row, column)
+            .toString()
+            .left(cell(model, row, column, ComparisonModel::kCertainLengthRole).toInt());
+    };
+    QCOMPARE(black(0, ComparisonModel::Formula), QStringLiteral("1.250"));
+    QCOMPARE(black(0, ComparisonModel::Matrix), QStringLiteral("1.250"));
+    QCOMPARE(cell(model, 0, ComparisonModel::MatrixInFloat).toString(), QStringLiteral("1.31000"));
+    QCOMPARE(black(0, ComparisonModel::MatrixInFloat), QStringLiteral("1.3"));
+    QVERIFY(cell(model, 0, ComparisonModel::MatrixInFloat, Qt::ToolTipRole)
+                .toString()
+                .startsWith(QStringLiteral("1.31 ± 0.0")));
+
+    model.setPick(kept(picked(frustumGeometry(), 3.0, 2.0, 1.0, false)));
+    const QString whole = cell(model, 0, ComparisonModel::MatrixInFloat).toString();
+    QVERIFY(black(0, ComparisonModel::Formula) == cell(model, 0, ComparisonModel::Formula).toString());
+    QVERIFY2(black(0, ComparisonModel::MatrixInFloat).size() < whole.size(), qPrintable(whole));
 }
 
 void TestComparisonDigits::theAnswerHasTheDigitsOfTheTable()

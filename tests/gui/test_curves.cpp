@@ -239,7 +239,7 @@ void TestCurves::whoWaitsForCurvesMayGiveUp()
     QVERIFY(editLandmarks(document, {heldAt(ball, {1, 0, 0}, "a"), heldAt(ball, {0, 1, 0}, "b")}, {"put"}));
     QCOMPARE(document.curves().join({0, 1}, CurveKind::Geodesic), QString());
     int asked = 0;
-    document.curves().setNextUnplaced([&] {
+    document.curves().setWaiting([&] {
         ++asked;
         const SceneCurves::Progress progress = document.curves().progress();
         return progress.count != 1 || progress.done > 1; // given up
@@ -249,8 +249,8 @@ void TestCurves::whoWaitsForCurvesMayGiveUp()
     LandmarkFiles files(document, nullptr);
     QVERIFY(!files.exportTo(name.toStdU16String()));
     QCOMPARE(asked, 1);
-    QVERIFY(!QFile::exists(name));          // not without them in silence
-    document.curves().setNextUnplaced([&] { // who asks meanwhile blocks: there is no second question
+    QVERIFY(!QFile::exists(name));     // not without them in silence
+    document.curves().setWaiting([&] { // who asks meanwhile blocks: there is no second question
         return document.curves().complete();
     });
     QVERIFY(files.exportTo(name.toStdU16String()));

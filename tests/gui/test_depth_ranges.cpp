@@ -83,10 +83,10 @@ void TestDepthRanges::thePictureIsTheSame()
             click(view, marked);
             return view.grabFramebuffer();
         };
-        const QImage whole = setup();
+        const QImage whole = picture();
         QVERIFY(window->document().picks().pick()->hit());
         setDepthRange(window->document(), range);
-        const int different = differentPixels(setup(), whole);
+        const int different = differentPixels(picture(), whole);
         QVERIFY2(different < 40, qPrintable(QString::number(different)));
     }
 }

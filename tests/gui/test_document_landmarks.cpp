@@ -23,6 +23,11 @@
 using namespace unprojector;
 using namespace unprojector::gui;
 using namespace documenttest;
+using namespace unprojector::geometry;
+using namespace unprojector::landmarks;
+using namespace unprojector::mesh;
+using namespace unprojector::scene;
+using namespace unprojector::unproject;
 using landmarks::Landmark;
 
 namespace {
