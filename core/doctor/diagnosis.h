@@ -167,7 +167,7 @@ struct Diagnosis {
 /// Digits beyond what double precision leaves of a click's answer count for nothing; where no verdict is found, those beyond single
 /// precision do neither. No digit counts for more than the distance from the eye, as the 1 of 1e9 would.
 /// @param given  at least one, of one program; one that is given several times counts once
-/// @return the errors of check(picture), check(otherSize) and clipFromWorld; DepthOutsideRange; NotFinite (pixel, point);
+/// @return the errors of check(setup), check(otherSize) and clipFromWorld; DepthOutsideRange; NotFinite (pixel, point);
 ///         SingularMatrix
 geometry::Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given);
 

@@ -27,7 +27,7 @@ struct Given {
     glm::dmat4 eyeFromWorld{1.0};
     glm::dvec3 eyePosition{0.0}; ///< world space
 
-    /// @return the errors of check(picture), clipFromEye and eyeFromWorld; SingularMatrix
+    /// @return the errors of check(setup), clipFromEye and eyeFromWorld; SingularMatrix
     static geometry::Result<Given> of(const geometry::Setup &setup);
 };
 

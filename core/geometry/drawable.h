@@ -10,7 +10,7 @@ namespace unprojector::geometry {
 constexpr int kMostDrawnPixels = 16384;
 
 /// The very integers and floats that OpenGL takes of a picture's viewport and depth range. Views draw from nothing else, and
-/// clicks on them are unprojected with `picture`, which says the same in doubles: nothing is rounded between the two. The
+/// clicks on them are unprojected with `setup`, which says the same in doubles: nothing is rounded between the two. The
 /// matrix, which shaders take in single precision, is rounded once for each object.
 struct Drawable {
     Setup setup;                                      ///< its depth range is the one that OpenGL has
@@ -21,7 +21,7 @@ struct Drawable {
 
 /// What OpenGL will draw of a picture. A depth range is rounded to single precision, which is all that OpenGL takes; what
 /// it would change by more, or cut without a word, is refused.
-/// @return the errors of check(picture); FramebufferTooLarge; ViewportNotWhole; ViewportTooLarge; DepthRangeNotDrawable (an
+/// @return the errors of check(setup); FramebufferTooLarge; ViewportNotWhole; ViewportTooLarge; DepthRangeNotDrawable (an
 ///         end below 0 or above 1); EmptyDepthRange (two ends that are one in single precision)
 Result<Drawable> drawable(const Setup &setup);
 

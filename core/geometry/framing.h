@@ -19,7 +19,7 @@ public:
     /// How much of the viewport is filled: of its width or of its height.
     static constexpr double kFilled = 0.9;
 
-    /// @pre the picture is valid and by parameters
+    /// @pre the setup is valid and by parameters
     explicit Framing(const Setup &setup);
 
     void add(const WorldPoint &point);

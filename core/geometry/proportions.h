@@ -34,7 +34,7 @@ double circleAspect(const Setup &setup);
 /// (t-b) / height in a box.
 /// @param distance  z > 0 in front of the eye (any z for a box), eye units
 /// @return world units
-/// @pre the picture is valid and by parameters
+/// @pre the setup is valid and by parameters
 glm::dvec2 pixelFootprint(const Setup &setup, double distance);
 
 } // namespace unprojector::geometry

@@ -85,7 +85,7 @@ struct PixelMap {
 /// @param objects   of the scene whose surfaces they are; empty where only a depth was given
 /// @param progress  with the share done, on the calling thread; may be empty
 /// @return nothing when progress says stop; the errors of ClickBatch::of, doctor::Given::of and, for the uncertainty,
-///         byParameters(Picture). Throws std::bad_alloc.
+///         byParameters(Setup). Throws std::bad_alloc.
 /// @pre surfaces.isMet() where needsRays
 geometry::Result<std::optional<PixelMap>> pixelMap(const Question &question, const unproject::Unprojector &unprojector,
                                                    const SurfaceImage &surfaces,

@@ -38,7 +38,7 @@ public:
     std::size_t size() const;
     /// Whether it is an array of exactly so many elements.
     bool hasSize(std::size_t count, JsonKind expected) const;
-    /// @pre place < size()
+    /// @pre index < size()
     JsonNode element(std::size_t index) const { return {(*m_json)[index], *this, nullptr, index}; }
 
     bool isObject() const { return is(JsonKind::Object, JsonKind::Object); }

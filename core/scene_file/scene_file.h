@@ -126,7 +126,7 @@ std::filesystem::path objectFile(const SceneFileObject &object, const std::files
 /// Why a window cannot draw what a file says, with the first key to change. The command computes with all of it.
 /// @param name  of the file, for the error
 /// @return InvalidValue: the errors of checkViewportNumber and checkDepthRangeEnd; EmptyDepthRange of two ends that are one
-///         in single precision; those of byParameters(Picture), of matrices that no camera of the window's makes
+///         in single precision; those of byParameters(Setup), of matrices that no camera of the window's makes
 std::optional<SceneFileError> whyNotShown(const SceneFile &scene, const std::string &name);
 
 /// The scene to show for a file.

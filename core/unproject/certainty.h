@@ -33,7 +33,7 @@ struct Certainty {
 /// and no more than there is to the near or far plane, since what was drawn lies between them. The depth step to first
 /// order. A pixel is (r-l) z / (n width) by (t-b) z / (n height), in a box (r-l) / width by (t-b) / height.
 /// @param distance  z > 0 in front of the eye (any z for a box), eye units
-/// @pre the picture is valid and by parameters
+/// @pre the setup is valid and by parameters
 Certainty certaintyAt(const geometry::Setup &setup, double distance, const DepthError &error);
 
 /// How far each coordinate of a point can be off, at most.
@@ -47,14 +47,14 @@ struct Uncertainty {
 /// @param eye        the point
 /// @param world      the same
 /// @param certainty  at its distance
-/// @pre the picture is valid and by parameters; a perspective sees the point (z_eye is not 0)
+/// @pre the setup is valid and by parameters; a perspective sees the point (z_eye is not 0)
 Uncertainty uncertaintyOf(const geometry::Setup &setup, const geometry::EyePoint &eye,
                           const geometry::WorldPoint &world, const Certainty &certainty);
 
 /// certaintyAt and uncertaintyOf for many pixels of a picture: what hangs on the picture alone is computed once.
 class Certainties {
 public:
-    /// @pre the picture is valid and by parameters
+    /// @pre the setup is valid and by parameters
     explicit Certainties(const geometry::Setup &setup);
 
     Certainty at(double distance, const DepthError &error) const;

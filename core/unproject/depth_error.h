@@ -53,14 +53,14 @@ struct DepthError {
 /// all were half as large. Single precision as in OpenGL's own pipeline, about the mesh's origin, is assumed.
 /// @param window   the pixel's centre with the depth that was read; device pixels, origin bottom-left
 /// @param world    the same point in the world
-/// @pre the picture is valid and by parameters
+/// @pre the setup is valid and by parameters
 DepthError depthErrorAt(const geometry::Setup &setup, const geometry::WindowPoint &window,
                         const geometry::WorldPoint &world, const DepthSample &sample, const DrawnSurface &surface);
 
 /// The same for many pixels of one mesh: what hangs on the mesh alone is computed once.
 class DepthErrors {
 public:
-    /// @pre the picture is valid and by parameters
+    /// @pre the setup is valid and by parameters
     DepthErrors(const geometry::Setup &setup, const glm::dmat4 &worldFromVertices, bool areVerticesRounded);
 
     /// @param triangle, isPoint  see DrawnSurface

@@ -19,7 +19,7 @@ struct DepthScale {
     friend bool operator==(const DepthScale &, const DepthScale &) = default;
 };
 
-/// @pre the picture is valid and by parameters
+/// @pre the setup is valid and by parameters
 DepthScale depthScaleOf(const geometry::Setup &setup);
 
 /// The share of the way from the near plane's depth to the far plane's, in [0, 1]:
@@ -42,13 +42,13 @@ double halfDepthStepAt(const DepthScale &scale, const DepthFormat &format, doubl
 /// How close to the eye the nearest of some boxes comes, along the view.
 /// @param boxes  world space; empty ones and those that lie wholly behind the eye do not count
 /// @return eye units; nothing where there is none, or one reaches behind the eye
-/// @pre the picture is valid and by parameters
+/// @pre the setup is valid and by parameters
 std::optional<double> nearestDistance(const geometry::Setup &setup, std::span<const geometry::Box> boxes);
 
 /// A near plane of one digit that lies farther away than the one of a perspective and cuts none of some boxes, by a hundredth
 /// and more.
 /// @return eye units; nothing where none would make depths at least half as good again, and in a box, where it does nothing
-/// @pre the picture is valid and by parameters
+/// @pre the setup is valid and by parameters
 std::optional<double> betterNear(const geometry::Setup &setup, std::span<const geometry::Box> boxes);
 
 } // namespace unprojector::unproject

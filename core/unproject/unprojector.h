@@ -19,7 +19,7 @@ namespace unprojector::unproject {
 /// inverse of clipFromWorld.
 class Unprojector {
 public:
-    /// @return the errors of check(picture). What only one method cannot do (a matrix without an inverse, a matrix that
+    /// @return the errors of check(setup). What only one method cannot do (a matrix without an inverse, a matrix that
     ///         is no known projection) that method says for each point
     static geometry::Result<Unprojector> of(const geometry::Setup &setup);
 

@@ -39,10 +39,10 @@ constexpr Changes kVisibleChanges{Change::Objects, Change::Placement, Change::Vi
 /// Whether it is the same object, wherever it stands and whether or not it is hidden.
 bool isSameObject(const scene::SceneObject &a, const scene::SceneObject &b);
 /// Where an object of one list is in another one, by all that is known of it, or by its place where only its name is new.
-/// @pre place < before.size()
+/// @pre index < before.size()
 std::optional<std::size_t> indexAfter(const std::vector<scene::SceneObject> &before, std::size_t index,
                                       const std::vector<scene::SceneObject> &after);
-/// Picture, ClipPlanes, GivenPoint and Conventions, or nothing where both settings are the same.
+/// Setup, ClipPlanes, GivenPoint and Conventions, or nothing where both settings are the same.
 Changes changesBetween(const scene::SceneSettings &a, const scene::SceneSettings &b);
 /// Of two lists of objects: Objects with what follows from that; or Placement, Visibility and Names, or nothing where both
 /// are the same.

@@ -38,7 +38,7 @@ struct SinceClick {
 /// worldFromObject of the object of a pick, the identity where it has none.
 glm::dmat4 placementOf(const unproject::Pick &pick, const std::vector<scene::SceneObject> &objects);
 
-/// @param scene, picture  as they are now
+/// @param scene, setup  as they are now
 SinceClick sinceClick(const KeptPick &kept, const scene::Scene &scene, const geometry::Setup &setup);
 
 /// The one point that a pick stands for: the snapped point on the mesh, else the surface by the formula. Nothing where there

@@ -121,7 +121,7 @@ public:
     void offerRecovery();
     /// Those that were found, the last one first.
     std::vector<RecoveryInfo> offered() const;
-    // With the place of one of those. @pre place < offered().size()
+    // With the index of one of those. @pre index < offered().size()
     void recover(std::size_t index);
     void discardOffered(std::size_t index);
     /// They stay for the next start.

@@ -67,7 +67,7 @@ public:
     /// The names of all points of all scans, in the order in which they first appear.
     QStringList landmarkNames() const;
 
-    /// Keeps the points of the scan that is shown and shows another one. @pre place < scans().size()
+    /// Keeps the points of the scan that is shown and shows another one. @pre index < scans().size()
     void show(std::size_t index);
     void next() { step(1); }
     void previous() { step(-1); }

@@ -19,7 +19,7 @@ class LessonPlayer;
 /// the answer to a question are closed until it is given. After the lesson all is as it was before.
 class LessonLayout : public QObject {
 public:
-    /// @param player  owns the stage
+    /// @param player  owns the layout
     LessonLayout(Window &window, LessonPlayer &player);
 
     ViewResizer &viewSize() { return m_viewSize; }

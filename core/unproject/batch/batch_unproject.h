@@ -53,13 +53,13 @@ public:
     /// Counted from the axis nothing cancels that (9) and (10) would let cancel. Within 8 units in the last place of the
     /// largest world component for 99.99 of 100 points; the last digits may differ from a click's.
     /// A projection given as a matrix is taken by its coefficients, see `recognised`; a view, by its axes.
-    /// @return the errors of check(Picture), recognised and axesOff; NotFinite where a constant leaves the range of
+    /// @return the errors of check(setup), recognised and axesOff; NotFinite where a constant leaves the range of
     ///         doubles; SingularMatrix
     static geometry::Result<BatchUnprojection> byFormula(const geometry::Setup &setup, const BatchSpace &space);
 
     /// p = M^-1 (px, py, depth, 1) divided by its w, with M from the space to device positions; inverted once, by
     /// glm::inverse.
-    /// @return the errors of check(Picture); NotFinite; SingularMatrix also where the inverse overflows
+    /// @return the errors of check(setup); NotFinite; SingularMatrix also where the inverse overflows
     static geometry::Result<BatchUnprojection> byMatrix(const geometry::Setup &setup, const BatchSpace &space);
 
     /// Where the results fill megabytes they are written past the caches, which takes half to two thirds of the time.

@@ -18,7 +18,7 @@ namespace unprojector::unproject {
 /// the world into an object's space, are computed as a click does it, one point after the other.
 class ClickBatch {
 public:
-    /// @return the errors of check(Picture), of ObjectFromWorld::of, and those of BatchUnprojection::byFormula or, for the
+    /// @return the errors of check(setup), of ObjectFromWorld::of, and those of BatchUnprojection::byFormula or, for the
     ///         matrix, byMatrix
     static geometry::Result<ClickBatch> of(Method method, const geometry::Setup &setup, const BatchSpace &space);
 
