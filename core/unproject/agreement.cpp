@@ -18,6 +18,14 @@ double largest(const Components<3> &v)
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
+/// Two digits without a power of ten: "8900".
+/// @param value  above 0
+std::string twoDigits(double value)
+{
+    const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+    return text::shortestText(std::round(value / unit) * unit, 0.5 * unit);
+}
+
 const Answers<WorldSpace> &worldOf(const Pick &pick)
 {
     return pick.hit() ? pick.point.world : pick.rayFar.world;
@@ -68,20 +76,19 @@ std::string verdictText(const Pick &pick)
     if (agreement->ulps == 0.0)
         return tr("Formula and matrix agree to the last digit");
     if (agreement->isToTheLastPlaces())
-        return tr("Formula and matrix agree to %1 ulp", significantText(std::ceil(agreement->ulps), 1));
+        return tr("Formula and matrix agree to within %1 ulp", significantText(std::ceil(agreement->ulps), 1));
     constexpr double kMuch = 2.0; // less magnifies nothing worth a word
     const bool isByPerspective = agreement->byPerspective >= agreement->byCancelling;
     const std::string cause = std::max(agreement->byPerspective, agreement->byCancelling) < kMuch
                                   ? tr("rounding of the inverse")
                               : isByPerspective ? tr("rounding of the inverse, magnified by near : far")
                                                 : tr("rounding of the inverse, magnified where coordinates cancel");
-    const double unit = std::pow(10.0, std::floor(std::log10(agreement->ulps)) - 1.0); // of two digits
-    const std::string ulps = text::shortestText(std::round(agreement->ulps / unit) * unit, 0.5 * unit);
+    const std::string ulps = twoDigits(agreement->ulps);
     if (!agreement->isWithinUncertainty)
         return tr("Formula and matrix differ by %1 ulp: %2", ulps, cause);
     return *agreement->isWithinUncertainty
-               ? tr("Formula and matrix differ by %1 ulp, less than the uncertainty: %2", ulps, cause)
-               : tr("Formula and matrix differ by %1 ulp, more than the uncertainty: %2", ulps, cause);
+               ? tr("Formula and matrix differ by %1 ulp: %2. The uncertainty is larger.", ulps, cause)
+               : tr("Formula and matrix differ by %1 ulp: %2. The uncertainty is smaller.", ulps, cause);
 }
 
 std::string differenceCauseText(const Pick &pick)
@@ -91,7 +98,7 @@ std::string differenceCauseText(const Pick &pick)
         return {};
     if (agreement->isToTheLastPlaces())
         return tr("The two agree to the last places: the matrix rounds at every step, the formula once at the end.");
-    const std::string byCancelling = significantText(agreement->byCancelling, 2);
+    const std::string byCancelling = twoDigits(agreement->byCancelling);
     if (!isPerspective(pick.setup.projection()))
         return tr("Cause: rounding in the inverted matrix, magnified %1 times where the eye's coordinates cancel. The "
                   "formula inverts nothing.",
@@ -99,7 +106,7 @@ std::string differenceCauseText(const Pick &pick)
     return tr(
         "Cause: rounding in the inverted matrix, magnified %1 times by the perspective (z (f − n) / (f n)) and %2 "
         "times where the eye's coordinates cancel. The formula inverts nothing.",
-        significantText(agreement->byPerspective, 2), byCancelling);
+        twoDigits(agreement->byPerspective), byCancelling);
 }
 
 } // namespace unprojector::unproject

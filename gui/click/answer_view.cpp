@@ -115,9 +115,18 @@ void AnswerView::showPoint()
     const QString bound = boundText(std::max({m_uncertainty.x, m_uncertainty.y, m_uncertainty.z}));
     const QString format = QStringLiteral("(%1) ±%2%3");
     m_plain = format.arg(plain.join(QStringLiteral(", ")), QStringLiteral(" "), bound);
-    m_point->setText(format.arg(marked.join(QStringLiteral(", ")), QString(QChar::Nbsp), bound));
+    // A line that is too long ends behind a comma, never within a number.
+    const bool fits = m_point->fontMetrics().horizontalAdvance(m_plain) <= width();
+    m_point->setText(format.arg(marked.join(fits ? QStringLiteral(", ") : QStringLiteral(",<br>&nbsp;")),
+                                QString(QChar::Nbsp), bound));
     m_point->setToolTip(each.join(u'\n') + u'\n' + tr("World units. Grey digits are below the last certain place."));
     m_point->setAccessibleDescription(m_plain);
+}
+
+void AnswerView::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    showPoint();
 }
 
 void AnswerView::fillMenu(QMenu &menu)

@@ -5,6 +5,7 @@
 #include "gui/widgets/copy_menu.h"
 #include "gui/widgets/whole_table.h"
 
+#include <QLabel>
 #include <QVBoxLayout>
 
 #include <array>
@@ -56,7 +57,8 @@ std::array<Cell, ColumnCount> cellsOf(const Pick &pick, Api api, const ApiClick 
 } // namespace
 
 ApiClicksView::ApiClicksView(QWidget *parent)
-    : QWidget(parent), m_table(new WholeTable(static_cast<int>(kApis.size()), ColumnCount))
+    : QWidget(parent), m_table(new WholeTable(static_cast<int>(kApis.size()), ColumnCount)),
+      m_none(new QLabel(tr("Click a surface to see them.")))
 {
     m_table->setAccessibleName(tr("In other APIs"));
     m_table->setHorizontalHeaderLabels({tr("Pixel"), tr("Depth"), tr("NDC"), tr("Eye"), tr("World")});
@@ -72,6 +74,7 @@ ApiClicksView::ApiClicksView(QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_table);
+    layout->addWidget(m_none);
     connect(m_table, &QTableWidget::customContextMenuRequested, this, &ApiClicksView::showMenu);
     setPick(std::nullopt);
 }
@@ -80,6 +83,8 @@ void ApiClicksView::setPick(const std::optional<Pick> &pick)
 {
     m_plain.clear();
     const bool hasPoint = pick && pick->hit() && pick->point.eye[Method::Formula] && pick->point.world[Method::Formula];
+    m_table->setVisible(hasPoint);
+    m_none->setVisible(!hasPoint);
     for (const Api api : kApis) {
         const auto click = hasPoint ? apiClick(pick->setup, api, pick->window, *pick->point.eye[Method::Formula],
                                                *pick->point.world[Method::Formula])

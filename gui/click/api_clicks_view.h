@@ -7,6 +7,8 @@
 
 #include <optional>
 
+class QLabel;
+
 namespace unprojector::gui {
 
 class WholeTable;
@@ -29,6 +31,7 @@ private:
     void showMenu(const QPoint &position);
 
     WholeTable *m_table;
+    QLabel *m_none; ///< shown in the table's place
     QString m_plain;
 };
 

@@ -14,13 +14,13 @@ using namespace unproject;
 
 namespace {
 
-/// Tenths while they tell something, whole numbers after that, powers of ten where digits would be noise.
+/// Tenths while they tell something, whole numbers after that, two digits where more would be noise.
 QString ulpsText(double ulps)
 {
     const double size = std::abs(ulps);
     constexpr double kFiveDigits = 99999.5;
     if (size >= kFiveDigits)
-        return significantText(ulps, 1);
+        return writtenText(ulps, 2);
     return significantText(size < 10.0 ? std::round(ulps * 10.0) / 10.0 : std::round(ulps), 6);
 }
 

@@ -10,6 +10,8 @@
 #include <QContextMenuEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QScrollBar>
+#include <QStyle>
 
 #include <algorithm>
 #include <cmath>
@@ -64,6 +66,8 @@ void CoordinatesTable::setColumnShown(int column, bool isShown)
 {
     setColumnHidden(column, !isShown);
     fit();
+    // Columns that come are seen; where none is left to look for, the first are.
+    horizontalScrollBar()->setValue(isShown ? horizontalScrollBar()->maximum() : 0);
 }
 
 void CoordinatesTable::measure()

@@ -2,6 +2,7 @@
 
 #include "gui/text/map_text.h"
 #include "gui/text/number_text.h"
+#include "gui/widgets/copy_menu.h"
 #include "gui/widgets/whole_table.h"
 
 #include <QHeaderView>
@@ -9,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include <tuple>
+#include <vector>
 
 namespace unprojector::gui {
 using namespace geometry;
@@ -17,6 +19,7 @@ using namespace unproject;
 namespace {
 
 enum Column { OffBy, Reason, ColumnCount };
+constexpr int kReasonRole = Qt::UserRole, kNumbersRole = Qt::UserRole + 1;
 
 } // namespace
 
@@ -33,12 +36,14 @@ OtherProgramsView::OtherProgramsView(QWidget *parent)
     m_reason->setWordWrap(true);
     m_reason->setTextFormat(Qt::PlainText);
     m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_reason->setAccessibleName(tr("The reason in full"));
+    m_reason->setAccessibleName(tr("Its point and its reason"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_table);
     layout->addWidget(m_reason);
     connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) { showReason(row); });
+    m_table->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_table, &QTableWidget::customContextMenuRequested, this, &OtherProgramsView::showMenu);
     setAnswers(std::nullopt, std::nullopt, {});
 }
 
@@ -56,11 +61,13 @@ void OtherProgramsView::setAnswers(const std::optional<OtherAnswers> &answers, c
     for (const OtherAnswer &answer : *answers) {
         const QString name = programName(answer.program), reason = programReason(answer.program);
         QString off = tr("not known"), toolTip = tr("The depth that it reads is not known.");
+        QList<double> numbers;
         m_plain += name;
         if (answer.point) {
             const double distanceToFormula = distance(*answer.point, *formula);
             off = significantText(distanceToFormula, 3);
-            toolTip = tr("At %1").arg(pointText(*answer.point, uncertainty));
+            toolTip = tr("It gets %1.").arg(pointText(*answer.point, uncertainty));
+            numbers = {answer.point->x, answer.point->y, answer.point->z};
             for (const double number : {distanceToFormula, answer.point->x, answer.point->y, answer.point->z})
                 m_plain += QLatin1Char('\t') + shortestText(number);
         }
@@ -71,7 +78,8 @@ void OtherProgramsView::setAnswers(const std::optional<OtherAnswers> &answers, c
         m_table->item(row, OffBy)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         m_table->item(row, Reason)->setText(programReasonInShort(answer.program));
         m_table->item(row, Reason)->setToolTip(reason);
-        m_table->item(row, Reason)->setData(Qt::UserRole, reason);
+        m_table->item(row, Reason)->setData(kReasonRole, QStringLiteral("%1: %2\n%3.").arg(name, toolTip, reason));
+        m_table->item(row, Reason)->setData(kNumbersRole, QVariant::fromValue(numbers));
         ++row;
     }
     m_table->fit();
@@ -81,7 +89,17 @@ void OtherProgramsView::setAnswers(const std::optional<OtherAnswers> &answers, c
 void OtherProgramsView::showReason(int row)
 {
     const QTableWidgetItem *item = row < 0 ? nullptr : m_table->item(row, Reason);
-    m_reason->setText(item ? item->data(Qt::UserRole).toString() : tr("Select a row to read its reason in full."));
+    m_reason->setText(item ? item->data(kReasonRole).toString() : tr("Select a row to read its point and its reason."));
+}
+
+void OtherProgramsView::showMenu(const QPoint &position)
+{
+    const QTableWidgetItem *item = m_table->itemAt(position);
+    if (!item)
+        return;
+    const QList<double> numbers = m_table->item(item->row(), Reason)->data(kNumbersRole).value<QList<double>>();
+    showCopyMenu(*m_table, m_table->viewport()->mapToGlobal(position), {},
+                 {QStringLiteral("world"), std::vector<double>(numbers.begin(), numbers.end())});
 }
 
 } // namespace unprojector::gui

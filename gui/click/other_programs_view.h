@@ -12,8 +12,8 @@ namespace unprojector::gui {
 
 class WholeTable;
 
-/// What other programs give for a click, a row each: how far their point is from the formulas', and why. The reason of the
-/// current row stands below in full.
+/// What other programs give for a click, a row each: how far their point is from the formulas', and why. The point and the
+/// reason of the current row stand below in full; a menu copies the point.
 class OtherProgramsView : public QWidget {
     Q_OBJECT
 public:
@@ -30,6 +30,7 @@ public:
 
 private:
     void showReason(int row);
+    void showMenu(const QPoint &position);
 
     WholeTable *m_table;
     QLabel *m_reason;

@@ -35,6 +35,7 @@ struct Loaded {
 std::vector<SceneObject> objectsOf(const std::vector<LoadedModel> &models)
 {
     std::vector<SceneObject> objects;
+    objects.reserve(models.size());
     for (const LoadedModel &loaded : models)
         objects.push_back({freeName(pathText(loaded.file.filename()).toStdString(), objects),
                            absolutePath(loaded.file),

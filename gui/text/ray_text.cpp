@@ -176,16 +176,16 @@ QString takenCertaintyText(Snap snap, const SceneHit &taken)
     const WorldVector &u = taken.uncertainty;
     const QString most = boundText(std::max({u.x, u.y, u.z}));
     if (snap == Snap::Vertex || !taken.triangle)
-        return RayTexts::tr("The vertex taken is certain to ± %1: it is the file's. The table above is of the pixel "
+        return RayTexts::tr("The vertex taken is certain to ± %1: it is the file's. The table is of the pixel "
                             "that was clicked.")
             .arg(most);
     if (snap == Snap::Edge)
         return RayTexts::tr(
                    "The point taken on the edge is certain to ± %1: it does not go through the depth buffer. The "
-                   "table above is of the pixel that was clicked.")
+                   "table is of the pixel that was clicked.")
             .arg(most);
     return RayTexts::tr("The point taken on the face is certain to ± %1: it does not go through the depth buffer. The "
-                        "table above is of the pixel that was clicked.")
+                        "table is of the pixel that was clicked.")
         .arg(most);
 }
 

@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QResizeEvent>
 #include <QScrollBar>
 
 namespace unprojector::gui {
@@ -24,8 +25,10 @@ void WholeTable::fit()
         return;
     resizeColumnsToContents();
     resizeRowsToContents();
+    const bool scrolls = !horizontalHeader()->stretchLastSection()
+                         && horizontalHeader()->length() > width() - verticalHeader()->width() - 2 * frameWidth();
     setFixedHeight(verticalHeader()->length() + horizontalHeader()->sizeHint().height()
-                   + horizontalScrollBar()->sizeHint().height() + 2 * frameWidth());
+                   + (scrolls ? horizontalScrollBar()->sizeHint().height() : 0) + 2 * frameWidth());
 }
 
 void WholeTable::changeEvent(QEvent *event)
@@ -39,6 +42,13 @@ void WholeTable::showEvent(QShowEvent *event)
 {
     QTableWidget::showEvent(event);
     fit();
+}
+
+void WholeTable::resizeEvent(QResizeEvent *event)
+{
+    QTableWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        fit();
 }
 
 } // namespace unprojector::gui

@@ -290,11 +290,12 @@ Workspaces::Sizes Workspaces::firstSizes(bool isWide) const
     const QList<Panel> &shown = entered(m_current).spec.panels;
     bool hasLeft = false;
     int right = kRightDigits * digit;
-    for (const auto &[panel, dock] : m_panels) {
+    for (const Docked &docked : m_panels) {
+        const PanelSpec &panel = docked.spec;
         hasLeft = hasLeft || (panel.area == Qt::LeftDockWidgetArea && shown.contains(panel.id));
         // What is on the right shows numbers, and says what room they need. Every workspace leaves as much to the view.
         const bool isInAny = std::any_of(m_workspaces.begin(), m_workspaces.end(),
-                                         [&](const Entered &one) { return one.spec.panels.contains(panel.id); });
+                                         [&panel](const Entered &one) { return one.spec.panels.contains(panel.id); });
         if (panel.area == Qt::RightDockWidgetArea && isInAny)
             right = std::max(right, panel.widget->sizeHint().width());
     }

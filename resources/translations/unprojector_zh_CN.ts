@@ -463,16 +463,16 @@
         <translation>“%2”的面 %1 上的点</translation>
     </message>
     <message>
-        <source>The vertex taken is certain to ± %1: it is the file&apos;s. The table above is of the pixel that was clicked.</source>
-        <translation>所取顶点的可靠程度为 ± %1：它是文件中的顶点。上表是所点击像素的数值。</translation>
+        <source>The vertex taken is certain to ± %1: it is the file&apos;s. The table is of the pixel that was clicked.</source>
+        <translation>所取顶点的可靠程度为 ± %1：它是文件中的顶点。表格是所点击像素的数值。</translation>
     </message>
     <message>
-        <source>The point taken on the edge is certain to ± %1: it does not go through the depth buffer. The table above is of the pixel that was clicked.</source>
-        <translation>边上所取的点的可靠程度为 ± %1：它不经过深度缓冲。上表是所点击像素的数值。</translation>
+        <source>The point taken on the edge is certain to ± %1: it does not go through the depth buffer. The table is of the pixel that was clicked.</source>
+        <translation>边上所取的点的可靠程度为 ± %1：它不经过深度缓冲。表格是所点击像素的数值。</translation>
     </message>
     <message>
-        <source>The point taken on the face is certain to ± %1: it does not go through the depth buffer. The table above is of the pixel that was clicked.</source>
-        <translation>面上所取的点的可靠程度为 ± %1：它不经过深度缓冲。上表是所点击像素的数值。</translation>
+        <source>The point taken on the face is certain to ± %1: it does not go through the depth buffer. The table is of the pixel that was clicked.</source>
+        <translation>面上所取的点的可靠程度为 ± %1：它不经过深度缓冲。表格是所点击像素的数值。</translation>
     </message>
 </context>
 <context>
@@ -661,6 +661,10 @@
     <message>
         <source>World</source>
         <translation>世界</translation>
+    </message>
+    <message>
+        <source>Click a surface to see them.</source>
+        <translation>点击曲面即可看到。</translation>
     </message>
 </context>
 <context>
@@ -4702,10 +4706,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>与公式所得点的距离；世界单位</translation>
     </message>
     <message>
-        <source>The reason in full</source>
-        <translation>完整的原因</translation>
-    </message>
-    <message>
         <source>Click a surface to see them.</source>
         <translation>点击曲面即可看到。</translation>
     </message>
@@ -4718,12 +4718,16 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>它读取的深度未知。</translation>
     </message>
     <message>
-        <source>At %1</source>
-        <translation>位于 %1</translation>
+        <source>Its point and its reason</source>
+        <translation>它的点和原因</translation>
     </message>
     <message>
-        <source>Select a row to read its reason in full.</source>
-        <translation>选中一行可读其完整的原因。</translation>
+        <source>It gets %1.</source>
+        <translation>它得到 %1。</translation>
+    </message>
+    <message>
+        <source>Select a row to read its point and its reason.</source>
+        <translation>选中一行可读它的点和原因。</translation>
     </message>
 </context>
 <context>

@@ -262,7 +262,9 @@ void TestRayPanel::otherProgramsAnswerTheSameClick()
     QCOMPARE(table->item(2, 0)->text(), QStringLiteral("0.0141"));
     QCOMPARE(table->item(2, 1)->text(), QStringLiteral("forgets the 1 in height − 1 − y"));
     panel.findChild<OtherProgramsView *>()->findChild<WholeTable *>()->setCurrentCell(2, 0);
-    QVERIFY(said(panel, "The reason in full").startsWith("Height − y without the 1"));
+    const QString reason = said(panel, "Its point and its reason");
+    QVERIFY2(reason.startsWith("MeshLab: It gets (") && reason.contains("Height − y without the 1"),
+             qPrintable(reason));
 
     pickOf({220, 100}, at(1.0, 0));
     const OtherAnswer &meshLab = (*document.picks().pickedRay()->others)[2];
