@@ -92,8 +92,8 @@ void TestAgreement::theVerdictNamesTheCause_data()
     row("more than is uncertain", 40.0, 2.0, kPoint, 1e-15,
         "Formula and matrix differ by 40 ulp: rounding of the inverse. The uncertainty is smaller.");
     row("near : far", 8900.0, 0.001, kPoint, 1.0,
-        "Formula and matrix differ by 8900 ulp, less than the uncertainty: rounding of the inverse, magnified by near "
-        ": far");
+        "Formula and matrix differ by 8900 ulp: rounding of the inverse, magnified by near : far. The uncertainty is "
+        "larger.");
     row("by the origin", 60.0, 2.0, {0.001, 0.0, 0.0}, 1.0,
         "Formula and matrix differ by 60 ulp: rounding of the inverse, magnified where coordinates cancel. "
         "The uncertainty is larger.");
