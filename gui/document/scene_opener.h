@@ -42,7 +42,7 @@ struct Opened {
     std::vector<scene::SceneObject> objects = {}; ///< of the models that could be read, unless they are a scene file's
     std::optional<scene::Scene> scene = {};       ///< of a scene file; nothing where a part of it could not be read
     QStringList errors = {};                      ///< why parts could not be read
-    QStringList notes = {};                       ///< what is not as in its file
+    QStringList notes = {};                       ///< import notes
 };
 
 /// From now on the working folder does not matter.

@@ -175,7 +175,7 @@ void Session::show(Opened opened)
         addModels(std::move(opened.objects));
     else
         isShown = showModels(std::move(opened.objects));
-    // What is not as in a file stays to be read until it is closed, as errors do.
+    // Import notes stay in sight until the user closes them, as errors do.
     const QStringList reasons = opened.errors + opened.notes;
     if (!opened.errors.isEmpty())
         emit failed(reasons.join(u'\n'));

@@ -169,7 +169,7 @@ private:
         std::unique_ptr<RecoveryFile> recovery; ///< where its changes are kept
     };
 
-    /// Shows what was opened, and says what of it is not shown or not as in its file.
+    /// Shows what was opened, and reports its errors and import notes.
     void show(Opened opened);
     bool showModels(std::vector<scene::SceneObject> objects);
     void addModels(std::vector<scene::SceneObject> objects);

@@ -34,7 +34,7 @@ bool hasHanzi()
 }
 
 /// While it lives, Qt's abort where it cannot open a window, as on a display that does not answer, is a sentence and an exit
-/// code. What else Qt says is said when it ends.
+/// code. Qt's other messages are printed when it ends.
 class WindowsOrReason {
 public:
     /// @param sentence  with %1 for Qt's reason
@@ -142,7 +142,7 @@ void Program::createApplication()
         const WindowsOrReason windows(m_noWindow);
         m_application.emplace(m_argc, m_argv);
     }
-    // What a script gets does not depend on what somebody has chosen in a menu.
+    // A script gets the same picture whatever language the user has chosen in the menu.
     const Language unlessSaid = m_options.isScreenshotRun() ? Language::System : keptLanguage();
     m_translation.emplace(languagesOf(m_options.language.value_or(unlessSaid)), hasHanzi());
     preferHanziOfChina();
@@ -158,7 +158,7 @@ int Program::runForUser()
     MainWindow window(options);
     if (const QString mistake = startWindow(window, m_options); !mistake.isEmpty())
         return failed(mistake);
-    m_console.reset(); // whoever started the program goes on with it
+    m_console.reset(); // the shell that started the program has it back
     return QApplication::exec();
 }
 

@@ -60,7 +60,7 @@ void ScreenshotRun::start()
     connect(m_window.get(), &MainWindow::openFailed, this, &ScreenshotRun::fail);
     const auto finish = [this] { QTimer::singleShot(0, this, &ScreenshotRun::pressAndSave); };
     connect(&m_window->session(), &Session::loadingEnded, this, finish);
-    // The window is laid out and drawn into the picture alone: nobody waits for a screen, and no window flashes up on it.
+    // The window is laid out and drawn into the picture alone: the run waits for no screen, and no window flashes up.
     m_window->setAttribute(Qt::WA_DontShowOnScreen);
     if (const QString mistake = startWindow(*m_window, m_options); !mistake.isEmpty())
         fail(mistake);
