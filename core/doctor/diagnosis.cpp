@@ -48,7 +48,7 @@ Check checkPoint(const Case &scene, const WrongPoint &point)
 
 /// A point prepared, with how its depth was known.
 struct Prepared {
-    Target sought;
+    Target target;
     Target right; ///< what the right program may answer: of an unknown depth, anything between near and far
     Click click;
     DepthKnown depthKnown = DepthKnown::Given;
@@ -129,9 +129,9 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
         step = kDepthBufferStep;
         result.depthKnown = DepthKnown::FromMesh;
     }
-    result.sought.got = point.got;
-    result.sought.lastDigit = point.lastDigit;
-    result.sought.writtenDigit = point.lastDigit;
+    result.target.got = point.got;
+    result.target.lastDigit = point.lastDigit;
+    result.target.writtenDigit = point.lastDigit;
     std::vector<double> depths;
     if (depth && step > 0.0) {
         depths = {std::max(low, *depth - step / 2.0), std::min(high, *depth + step / 2.0)};
@@ -139,7 +139,7 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
         depths = {*depth};
     } else {
         result.depthKnown = DepthKnown::ByRay;
-        result.sought.isLine = true;
+        result.target.isLine = true;
         // Two depths about that of the point, where digits suffice to make a line of them.
         Click anywhere = clickOf(scene, given, point, low);
         const std::optional<glm::dvec3> there = projected(given, anywhere, point.got);
@@ -148,11 +148,11 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
         depths = {at, at > (low + high) / 2.0 ? (low + at) / 2.0 : (at + high) / 2.0};
     }
     for (const double each : depths)
-        result.sought.clicks.push_back(clickOf(scene, given, point, each));
+        result.target.clicks.push_back(clickOf(scene, given, point, each));
     result.click = clickOf(scene, given, point, *depth);
-    result.sought.lastDigit = countedDigit(given, result.click, point.lastDigit, epsilon);
-    result.right = result.sought;
-    if (result.sought.isLine) {
+    result.target.lastDigit = countedDigit(given, result.click, point.lastDigit, epsilon);
+    result.right = result.target;
+    if (result.target.isLine) {
         result.right.isLine = false;
         result.right.clicks = betweenPlanes(scene, given, point);
     }
@@ -197,8 +197,8 @@ std::optional<glm::dvec3> unsureOf(const Given &given, const Prepared &point)
 {
     glm::dvec3 sum(0.0);
     for (int axis = 0; axis < 3; ++axis) {
-        glm::dvec3 moved = point.sought.got;
-        moved[axis] += kCutOff * point.sought.lastDigit[axis];
+        glm::dvec3 moved = point.target.got;
+        moved[axis] += kCutOff * point.target.lastDigit[axis];
         const std::optional<glm::dvec3> there = projected(given, point.click, moved);
         if (!there)
             return std::nullopt;
@@ -207,7 +207,7 @@ std::optional<glm::dvec3> unsureOf(const Given &given, const Prepared &point)
     return sum;
 }
 
-ErrorKind landingOf(const Given &given, const Prepared &point)
+ErrorKind wrongOf(const Given &given, const Prepared &point)
 {
     const std::optional<glm::dvec3> unsure = point.projected ? unsureOf(given, point) : std::nullopt;
     if (!unsure)
@@ -217,22 +217,22 @@ ErrorKind landingOf(const Given &given, const Prepared &point)
     const bool isPixelRight = off.x <= unsure->x + 1e-6 && off.y <= unsure->y + 1e-6;
     // Of a depth that is not known, `click` has that of the point, unless it is none of the picture's.
     double depthUnsure = unsure->z + 1e-9;
-    if (point.sought.clicks.size() > 1 && !point.sought.isLine)
-        depthUnsure += std::abs(point.sought.clicks[1].depth - point.sought.clicks[0].depth);
+    if (point.target.clicks.size() > 1 && !point.target.isLine)
+        depthUnsure += std::abs(point.target.clicks[1].depth - point.target.clicks[0].depth);
     const bool isDepthRight = off.z <= depthUnsure;
     if (isPixelRight)
         return isDepthRight ? ErrorKind::Right : ErrorKind::Depth;
-    return isDepthRight && !point.sought.isLine ? ErrorKind::Pixel : ErrorKind::Matrix;
+    return isDepthRight && !point.target.isLine ? ErrorKind::Pixel : ErrorKind::Matrix;
 }
 
 /// How many numbers had to agree for an explanation, see chanceOf.
-int agreeing(std::span<const Prepared> points, std::span<const ErrorKind> landings)
+int agreeing(std::span<const Prepared> points, std::span<const ErrorKind> wrongs)
 {
     int sum = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const int all = points[i].sought.isLine ? 2 : 3;
-        const bool isOnRay = landings[i] == ErrorKind::Right || landings[i] == ErrorKind::Depth;
-        sum += isOnRay ? 1 : landings[i] == ErrorKind::Pixel ? 2 : all;
+        const int all = points[i].target.isLine ? 2 : 3;
+        const bool isOnRay = wrongs[i] == ErrorKind::Right || wrongs[i] == ErrorKind::Depth;
+        sum += isOnRay ? 1 : wrongs[i] == ErrorKind::Pixel ? 2 : all;
     }
     return sum;
 }
@@ -247,11 +247,11 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
     candidate.explains = hypothesis.worst <= kCutOff;
     candidate.isCutOff = candidate.explains && hypothesis.worst > kRounded;
     for (const Prepared &point : points) {
-        const Target &sought = hypothesis.count == 0 ? point.right : point.sought;
-        const std::optional<Nearest> found = hypothesis.nearest(given, sought);
+        const Target &target = hypothesis.count == 0 ? point.right : point.target;
+        const std::optional<Nearest> found = hypothesis.nearest(given, target);
         for (int axis = 0; found && axis < 3; ++axis) {
             const int digits =
-                digitsExplained(sought.got[axis], sought.lastDigit[axis], unitsOff(sought, axis, found->point));
+                digitsExplained(target.got[axis], target.lastDigit[axis], unitsOff(target, axis, found->point));
             candidate.digits += digits;
             if (&point == &points.front())
                 candidate.digitsOfFirst[static_cast<std::size_t>(axis)] = digits;
@@ -263,15 +263,15 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
 /// Whether a hypothesis says at which depth the point lies, though the depth is not known.
 bool saysDepth(const Hypothesis &hypothesis, const Given &given, const Prepared &point)
 {
-    const auto a = hypothesis.answerTo(given, point.sought.clicks[0]);
-    const auto b = hypothesis.answerTo(given, point.sought.clicks[1]);
+    const auto a = hypothesis.answerTo(given, point.target.clicks[0]);
+    const auto b = hypothesis.answerTo(given, point.target.clicks[1]);
     return a && b && glm::distance(*a, *b) <= 1e-9 * (1.0 + glm::length(*a));
 }
 
 /// By the ray alone all mistakes of the depth explain a point on it; one that says where on the ray, and is right, goes first.
 void putDepthFirst(std::vector<Hypothesis> &best, const Given &given, std::span<const Prepared> points)
 {
-    const bool isByRay = std::all_of(points.begin(), points.end(), [](const Prepared &p) { return p.sought.isLine; });
+    const bool isByRay = std::all_of(points.begin(), points.end(), [](const Prepared &p) { return p.target.isLine; });
     if (!isByRay || best.front().count != 1)
         return;
     const auto found = std::find_if(best.begin(), best.end(), [&](const Hypothesis &hypothesis) {
@@ -282,7 +282,7 @@ void putDepthFirst(std::vector<Hypothesis> &best, const Given &given, std::span<
 }
 
 std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, double chance, const Given &given,
-                      std::span<const Prepared> points, std::span<const Target> sought)
+                      std::span<const Prepared> points, std::span<const Target> targets)
 {
     if (best.worst > kCutOff)
         return "unknown";
@@ -291,9 +291,9 @@ std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, 
     if (chance > (best.count == 1 ? kChanceOfOne : kChanceOfTwo))
         return "unknown";
     // By the ray alone the mistakes of the depth are all alike.
-    const bool isByRay = std::any_of(points.begin(), points.end(), [](const Prepared &p) { return p.sought.isLine; });
+    const bool isByRay = std::any_of(points.begin(), points.end(), [](const Prepared &p) { return p.target.isLine; });
     const auto next = std::find_if(list.begin() + 1, list.end(), [&](const Hypothesis &other) {
-        return other.worst > kCutOff || !isSameHere(given, sought, best, other);
+        return other.worst > kCutOff || !isSameHere(given, targets, best, other);
     });
     if (isByRay && next != list.end() && next->worst <= kCutOff && !saysDepth(best, given, points.front()))
         return "unknown";
@@ -308,15 +308,15 @@ bool explainsAsWell(const Hypothesis &best, const Diagnosis &diagnosis)
 
 /// Sets the known points that the points are, and the verdict where nothing explains them as well.
 void lookAtKnown(Diagnosis &diagnosis, const Hypothesis &best, const Given &given, const Case &scene,
-                 std::span<const Target> sought)
+                 std::span<const Target> targets)
 {
     if (diagnosis.verdict == "right")
         return;
-    diagnosis.known = knownPoints(given, scene, sought);
+    diagnosis.known = knownPoints(given, scene, targets);
     if (explainsAsWell(best, diagnosis))
         return;
     if (diagnosis.known.empty())
-        diagnosis.known = knownVertices(given, scene, sought);
+        diagnosis.known = knownVertices(given, scene, targets);
     if (!diagnosis.known.empty())
         diagnosis.verdict = "known-point";
 }
@@ -327,67 +327,67 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
         if (const Check valid = check(*scene.otherSize); !valid)
             return valid.error();
     }
-    const Result<Given> picture = Given::of(scene.setup);
-    if (!picture)
-        return picture.error();
+    const Result<Given> input = Given::of(scene.setup);
+    if (!input)
+        return input.error();
     std::vector<Prepared> points;
-    std::vector<Target> sought;
-    std::vector<ErrorKind> landings;
+    std::vector<Target> targets;
+    std::vector<ErrorKind> wrongs;
     for (const WrongPoint &point : given) {
         if (const Check valid = checkPoint(scene, point); !valid)
             return valid.error();
-        points.push_back(prepared(scene, *picture, point, epsilon));
-        sought.push_back(points.back().sought);
-        landings.push_back(landingOf(*picture, points.back()));
+        points.push_back(prepared(scene, *input, point, epsilon));
+        targets.push_back(points.back().target);
+        wrongs.push_back(wrongOf(*input, points.back()));
     }
-    const std::vector<Variant> list = variants(*picture, scene);
-    std::vector<Hypothesis> all = hypotheses(*picture, sought, list);
-    all.push_back(rightHypothesis(*picture, points));
+    const std::vector<Variant> list = variants(*input, scene);
+    std::vector<Hypothesis> all = hypotheses(*input, targets, list);
+    all.push_back(rightHypothesis(*input, points));
     std::vector<Hypothesis> best = ranked(all);
-    putDepthFirst(best, *picture, points);
+    putDepthFirst(best, *input, points);
     std::erase_if(best, [&, first = best.front()](const Hypothesis &other) {
-        return other.worst <= kCutOff && isRestated(*picture, sought, first, other);
+        return other.worst <= kCutOff && isRestated(*input, targets, first, other);
     });
 
     Diagnosis diagnosis;
     diagnosis.projected = points.front().projected;
-    if (const auto unsure = diagnosis.projected ? unsureOf(*picture, points.front()) : std::nullopt)
+    if (const auto unsure = diagnosis.projected ? unsureOf(*input, points.front()) : std::nullopt)
         diagnosis.depthUnsure = unsure->z;
-    if (const auto right = Hypothesis().nearest(*picture, points.front().right)) {
+    if (const auto right = Hypothesis().nearest(*input, points.front().right)) {
         diagnosis.right = right->point;
-        diagnosis.rightLastDigit = rightLastDigit(*picture, points.front(), right->point, given.front().lastDigit);
+        diagnosis.rightLastDigit = rightLastDigit(*input, points.front(), right->point, given.front().lastDigit);
     }
-    diagnosis.landing = landings.front();
+    diagnosis.wrong = wrongs.front();
     diagnosis.tried = all.size();
     for (const Prepared &point : points) {
         diagnosis.depthKnown = std::max(diagnosis.depthKnown, point.depthKnown);
         for (int axis = 0; axis < 3; ++axis)
-            diagnosis.digitsGiven += digitsOf(point.sought.got[axis], point.sought.lastDigit[axis]);
+            diagnosis.digitsGiven += digitsOf(point.target.got[axis], point.target.lastDigit[axis]);
     }
     for (const WrongPoint &point : given) {
         for (int axis = 0; axis < 3; ++axis)
             diagnosis.digitsWritten += digitsOf(point.got[axis], point.lastDigit[axis]);
     }
     // Of those that say where on the ray, when the best one does; the others go through every point of it.
-    if (points.front().sought.isLine && best.front().count > 0 && saysDepth(best.front(), *picture, points.front()))
-        std::erase_if(all, [&](const Hypothesis &each) { return !saysDepth(each, *picture, points.front()); });
+    if (points.front().target.isLine && best.front().count > 0 && saysDepth(best.front(), *input, points.front()))
+        std::erase_if(all, [&](const Hypothesis &each) { return !saysDepth(each, *input, points.front()); });
     diagnosis.chance =
-        chanceOf(all, best.front(), best.front().worst <= kRounded ? kRounded : kCutOff, agreeing(points, landings));
-    diagnosis.verdict = verdictOf(best.front(), best, diagnosis.chance, *picture, points, sought);
+        chanceOf(all, best.front(), best.front().worst <= kRounded ? kRounded : kCutOff, agreeing(points, wrongs));
+    diagnosis.verdict = verdictOf(best.front(), best, diagnosis.chance, *input, points, targets);
     const bool hasTies = diagnosis.namesMistake();
-    lookAtKnown(diagnosis, best.front(), *picture, scene, sought);
+    lookAtKnown(diagnosis, best.front(), *input, scene, targets);
     std::vector<Hypothesis> told, others;
     for (const Hypothesis &hypothesis : best) {
         const bool explains = hypothesis.worst <= kCutOff;
         const bool isFirst = diagnosis.candidates.empty();
         Alike alike = Alike::No;
         if (diagnosis.candidates.size() < (explains ? kMostCandidates : kFewestCandidates)) {
-            diagnosis.candidates.push_back(candidateOf(hypothesis, *picture, points));
+            diagnosis.candidates.push_back(candidateOf(hypothesis, *input, points));
             Candidate &candidate = diagnosis.candidates.back();
-            if (!isFirst && (hasTies ? explains : isSameHere(*picture, sought, best.front(), hypothesis)))
-                candidate.alike = alike = alikeOf(*picture, sought, best.front(), hypothesis);
+            if (!isFirst && (hasTies ? explains : isSameHere(*input, targets, best.front(), hypothesis)))
+                candidate.alike = alike = alikeOf(*input, targets, best.front(), hypothesis);
             if (alike == Alike::Here || alike == Alike::Always)
-                candidate.shared = sharedOf(*picture, sought.front().clicks.front(), best.front(), hypothesis);
+                candidate.shared = sharedOf(*input, targets.front().clicks.front(), best.front(), hypothesis);
         }
         // What another click can tell from the first goes before what is told from it already.
         if (isFirst || alike == Alike::Here || alike == Alike::InDigits)
@@ -401,13 +401,13 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
             told.push_back(each);
     }
     told.resize(std::min(told.size(), kMostToldApart));
-    const glm::dvec3 &lastDigit = points.front().sought.lastDigit;
+    const glm::dvec3 &lastDigit = points.front().target.lastDigit;
     const double tellable = std::max({lastDigit.x, lastDigit.y, lastDigit.z});
-    auto next = nextClick(*picture, points.front().click, told, scene.depthOnMesh, tellable);
+    auto next = nextClick(*input, points.front().click, told, scene.depthOnMesh, tellable);
     // Where those are one answer everywhere, the first that is another one.
     for (std::size_t i = 1; !next && i < std::min(best.size(), kMostTried); ++i) {
         const Hypothesis two[] = {best.front(), best[i]};
-        next = nextClick(*picture, points.front().click, two, scene.depthOnMesh, tellable);
+        next = nextClick(*input, points.front().click, two, scene.depthOnMesh, tellable);
     }
     if (next) {
         diagnosis.next = next->pixel;

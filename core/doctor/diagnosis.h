@@ -133,7 +133,7 @@ struct Diagnosis {
     /// the plane of the eye.
     std::optional<glm::dvec3> projected;
     double depthUnsure = 0.0; ///< how far that depth moves when the point does, within its last digits; 0: not known
-    ErrorKind landing = ErrorKind::Right;
+    ErrorKind wrong = ErrorKind::Right;
     DepthKnown depthKnown = DepthKnown::Given;
     std::optional<glm::dvec3> right; ///< what the first click gives, in its space; of an unknown depth, the nearest
     /// The unit of the last digit that `right` has, a power of ten: what rounding and the depth's last digit leave to the click,
@@ -150,12 +150,9 @@ struct Diagnosis {
 
     /// Whether the verdict is a mistake, or two of them.
     bool namesMistake() const { return verdict != "right" && verdict != "unknown" && verdict != "known-point"; }
-    /// Whether `landing` tells what is wrong. A point of the scene is not computed from the click; and a mistake whose digits are too
+    /// Whether `wrong` tells what is wrong. A point of the scene is not computed from the click; and a mistake whose digits are too
     /// few to tell the answer from the right one lands where that does.
-    bool hasTellingLanding() const
-    {
-        return verdict != "known-point" && !(namesMistake() && landing == ErrorKind::Right);
-    }
+    bool tellsWrong() const { return verdict != "known-point" && !(namesMistake() && wrong == ErrorKind::Right); }
     /// The candidates that cannot be told from the first one, at most three; none where the verdict is no mistake.
     std::vector<Candidate> alike() const;
     /// The best of those that can be; null where there is none.

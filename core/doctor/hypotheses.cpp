@@ -37,10 +37,10 @@ std::optional<Hypothesis> tried(const Given &given, std::span<const Target> poin
 bool isWithoutEffect(const Given &given, std::span<const Target> points, const Variant &variant)
 {
     const Variant *const parts[] = {&variant};
-    for (const Target &sought : points) {
-        for (const Click &click : sought.clicks) {
+    for (const Target &target : points) {
+        for (const Click &click : target.clicks) {
             const std::optional<glm::dvec3> right = answer(given, click, {}), wrong = answer(given, click, parts);
-            if (!right || !wrong || largest((*wrong - *right) / sought.lastDigit) > kSameAnswer)
+            if (!right || !wrong || largest((*wrong - *right) / target.lastDigit) > kSameAnswer)
                 return false;
         }
     }
@@ -65,11 +65,11 @@ bool hasOtherWay(const Variant &a, const Variant &b)
 
 } // namespace
 
-double unitsOff(const Target &sought, int axis, const glm::dvec3 &answer)
+double unitsOff(const Target &target, int axis, const glm::dvec3 &answer)
 {
-    const double got = sought.got[axis], off = (answer[axis] - got) / sought.lastDigit[axis];
+    const double got = target.got[axis], off = (answer[axis] - got) / target.lastDigit[axis];
     // Where fewer digits count than were given, the last that counts is not where the number was cut off.
-    const bool isAllThatWasGiven = sought.lastDigit[axis] == sought.writtenDigit[axis];
+    const bool isAllThatWasGiven = target.lastDigit[axis] == target.writtenDigit[axis];
     const bool isNearerToZero = (got > 0.0 && off < -kRounded) || (got < 0.0 && off > kRounded);
     return isAllThatWasGiven && isNearerToZero ? std::max(2.0, std::abs(off)) : std::abs(off);
 }
@@ -94,27 +94,27 @@ bool isSameAnswer(const glm::dvec3 &a, const glm::dvec3 &b)
     return glm::length(a - b) <= 1e-9 * (1.0 + glm::length(b));
 }
 
-std::optional<Nearest> Hypothesis::nearest(const Given &given, const Target &sought) const
+std::optional<Nearest> Hypothesis::nearest(const Given &given, const Target &target) const
 {
-    const std::optional<glm::dvec3> first = answerTo(given, sought.clicks[0]);
+    const std::optional<glm::dvec3> first = answerTo(given, target.clicks[0]);
     if (!first)
         return std::nullopt;
     glm::dvec3 closest = *first;
-    if (sought.clicks.size() > 1) {
-        const std::optional<glm::dvec3> second = answerTo(given, sought.clicks[1]);
+    if (target.clicks.size() > 1) {
+        const std::optional<glm::dvec3> second = answerTo(given, target.clicks[1]);
         if (!second)
             return std::nullopt;
         // In units of the last digits, so that a coordinate counts by how well it is known.
-        const glm::dvec3 way = (*second - *first) / sought.lastDigit;
-        const glm::dvec3 toGot = (sought.got - *first) / sought.lastDigit;
+        const glm::dvec3 way = (*second - *first) / target.lastDigit;
+        const glm::dvec3 toGot = (target.got - *first) / target.lastDigit;
         const double length = glm::dot(way, way);
         double share = length > 0.0 ? glm::dot(toGot, way) / length : 0.0;
-        if (!sought.isLine)
+        if (!target.isLine)
             share = std::clamp(share, 0.0, 1.0);
         closest = *first + share * (*second - *first);
     }
     return Nearest{
-        closest, std::max({unitsOff(sought, 0, closest), unitsOff(sought, 1, closest), unitsOff(sought, 2, closest)})};
+        closest, std::max({unitsOff(target, 0, closest), unitsOff(target, 1, closest), unitsOff(target, 2, closest)})};
 }
 
 std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Target> points, std::span<const Variant> list)

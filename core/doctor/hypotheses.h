@@ -28,7 +28,7 @@ constexpr double kCutOff = 1.1;
 
 /// By how many units of its last digit a coordinate is off an answer. Digits are cut off towards zero: more than rounding
 /// explains, and on the other side, is never less than two units.
-double unitsOff(const Target &sought, int axis, const glm::dvec3 &answer);
+double unitsOff(const Target &target, int axis, const glm::dvec3 &answer);
 
 /// The answer closest to what was got.
 struct Nearest {
@@ -52,7 +52,7 @@ struct Hypothesis {
     /// What the program answers; nothing where it has no answer.
     std::optional<glm::dvec3> answerTo(const Given &given, const Click &click) const;
     /// The answer closest to what was got.
-    std::optional<Nearest> nearest(const Given &given, const Target &sought) const;
+    std::optional<Nearest> nearest(const Given &given, const Target &target) const;
 };
 
 /// Whether two answers differ by no more than computing leaves.

@@ -25,25 +25,25 @@ glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)
     return glm::dvec3(result) / result.w;
 }
 
-bool isPoint(const Target &sought, const glm::dvec3 &known)
+bool isPoint(const Target &target, const glm::dvec3 &known)
 {
     for (int axis = 0; axis < 3; ++axis) {
-        if (!(unitsOff(sought, axis, known) <= kCutOff))
+        if (!(unitsOff(target, axis, known) <= kCutOff))
             return false;
     }
     return true;
 }
 
-bool isWithin(const Target &sought, const glm::dvec3 &known, double units)
+bool isWithin(const Target &target, const glm::dvec3 &known, double units)
 {
-    const glm::dvec3 off = glm::abs(known - sought.got) / sought.lastDigit;
+    const glm::dvec3 off = glm::abs(known - target.got) / target.lastDigit;
     return off.x <= units && off.y <= units && off.z <= units;
 }
 
-bool isFineEnough(const Target &sought)
+bool isFineEnough(const Target &target)
 {
-    const double distance = glm::length(sought.clicks.front().eye);
-    const glm::dvec3 &digit = sought.lastDigit;
+    const double distance = glm::length(target.clicks.front().eye);
+    const glm::dvec3 &digit = target.lastDigit;
     return std::max({digit.x, digit.y, digit.z}) <= kCoarsestDigit * distance;
 }
 
@@ -66,24 +66,24 @@ std::vector<KnownPoint> fixedPoints(const Given &given, const Case &scene, const
 }
 
 /// The one vertex that a point is, in the point's space.
-std::optional<KnownPoint> vertexOf(const Given &given, const Case &scene, const Target &sought)
+std::optional<KnownPoint> vertexOf(const Given &given, const Case &scene, const Target &target)
 {
-    const glm::dmat4 worldFromPoint = worldFromSpace(given, sought.clicks.front());
+    const glm::dmat4 worldFromPoint = worldFromSpace(given, target.clicks.front());
     Box box;
-    box.add(sought.got - kAlone * sought.lastDigit);
-    box.add(sought.got + kAlone * sought.lastDigit);
+    box.add(target.got - kAlone * target.lastDigit);
+    box.add(target.got + kAlone * target.lastDigit);
     const glm::dmat4 spaceFromWorld = glm::inverse(worldFromPoint);
     std::optional<KnownPoint> found;
     for (KnownPoint vertex : scene.verticesIn(box.transformed(worldFromPoint))) {
         vertex.point = transformed(spaceFromWorld, vertex.point);
-        if (!isWithin(sought, vertex.point, kAlone))
+        if (!isWithin(target, vertex.point, kAlone))
             continue;
         if (found && !isSameAnswer(found->point, vertex.point))
             return std::nullopt;
         if (!found)
             found = std::move(vertex);
     }
-    return found && isPoint(sought, found->point) ? found : std::nullopt;
+    return found && isPoint(target, found->point) ? found : std::nullopt;
 }
 
 } // namespace
@@ -104,8 +104,8 @@ std::vector<KnownPoint> knownVertices(const Given &given, const Case &scene, std
     if (!scene.verticesIn || !std::all_of(points.begin(), points.end(), isFineEnough))
         return {};
     std::vector<KnownPoint> vertices;
-    for (const Target &sought : points) {
-        std::optional<KnownPoint> vertex = vertexOf(given, scene, sought);
+    for (const Target &target : points) {
+        std::optional<KnownPoint> vertex = vertexOf(given, scene, target);
         if (!vertex)
             return {};
         vertices.push_back(std::move(*vertex));

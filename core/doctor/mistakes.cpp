@@ -84,18 +84,18 @@ std::span<const Mistake> mistakes()
     return kMistakes;
 }
 
-void VariantList::add(std::string_view id, Stage stage, Apply apply, double parameter, VariantName way)
+void VariantList::add(std::string_view id, Stage stage, Apply apply, double parameter, VariantName name)
 {
     const auto *place = std::find_if(std::begin(kMistakes), std::end(kMistakes),
                                      [&](const Mistake &mistake) { return mistake.id == id; });
     assert(place != std::end(kMistakes));
     m_variants.push_back(
-        {std::size_t(place - kMistakes), stage, apply, parameter, 0.0, glm::dmat4(1.0), std::move(way)});
+        {std::size_t(place - kMistakes), stage, apply, parameter, 0.0, glm::dmat4(1.0), std::move(name)});
 }
 
-void VariantList::add(std::string_view id, Stage stage, Apply apply, const Surface &size, VariantName way)
+void VariantList::add(std::string_view id, Stage stage, Apply apply, const Surface &size, VariantName name)
 {
-    add(id, stage, apply, double(size.widthPixels), std::move(way));
+    add(id, stage, apply, double(size.widthPixels), std::move(name));
     m_variants.back().second = size.heightPixels;
 }
 

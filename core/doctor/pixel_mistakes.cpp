@@ -25,20 +25,20 @@ void scaleViewport(Run &run, double factor)
 void addRatio(VariantList &list, double ratio)
 {
     const std::string value = text::shortestText(ratio);
-    const VariantName way(marked("ratio %1"), value);
+    const VariantName name(marked("ratio %1"), value);
     list.add(
         "ratio-logical-in-device", Stage::Pixel, [](Run &run, const Variant &v) { run.position /= v.parameter; }, ratio,
-        way);
+        name);
     list.add(
         "ratio-logical-both", Stage::Pixel,
         [](Run &run, const Variant &v) {
             run.position /= v.parameter;
             run.flipHeight /= v.parameter;
         },
-        ratio, way);
+        ratio, name);
     list.add(
         "ratio-device-in-logical", Stage::Pixel,
-        [](Run &run, const Variant &v) { scaleViewport(run, 1.0 / v.parameter); }, ratio, way);
+        [](Run &run, const Variant &v) { scaleViewport(run, 1.0 / v.parameter); }, ratio, name);
     // A ratio that is applied twice gives the same.
     list.add("ratio-device-in-logical", Stage::Pixel,
              [](Run &run, const Variant &v) {

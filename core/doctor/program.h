@@ -101,7 +101,7 @@ struct Variant {
     void (*apply)(Run &, const Variant &) = nullptr;
     double parameter = 0.0, second = 0.0;
     glm::dmat4 matrix{1.0}; ///< of a model
-    VariantName way;        ///< empty where the mistake has one
+    VariantName name;       ///< empty where the mistake has one
 };
 
 /// A program with these mistakes at its end, with what each stage left; nothing where it has no finite answer.

@@ -65,8 +65,8 @@ std::vector<VariantName> waysOf(const Hypothesis &hypothesis)
 {
     std::vector<VariantName> ways;
     for (std::size_t i = 0; i < hypothesis.count; ++i) {
-        if (const VariantName &way = hypothesis.parts[i]->way; !way.isEmpty())
-            ways.push_back(way);
+        if (const VariantName &name = hypothesis.parts[i]->name; !name.isEmpty())
+            ways.push_back(name);
     }
     return ways;
 }

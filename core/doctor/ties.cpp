@@ -55,8 +55,8 @@ bool isSameEverywhere(const Given &given, const Click &like, const Hypothesis &a
 
 bool isSameHere(const Given &given, std::span<const Target> points, const Hypothesis &a, const Hypothesis &b)
 {
-    return std::all_of(points.begin(), points.end(), [&](const Target &sought) {
-        return std::all_of(sought.clicks.begin(), sought.clicks.end(), [&](const Click &click) {
+    return std::all_of(points.begin(), points.end(), [&](const Target &target) {
+        return std::all_of(target.clicks.begin(), target.clicks.end(), [&](const Click &click) {
             const auto first = a.answerTo(given, click), second = b.answerTo(given, click);
             return first && second && isSameAnswer(*first, *second);
         });
@@ -68,7 +68,7 @@ Alike alikeOf(const Given &given, std::span<const Target> points, const Hypothes
     if (isSameHere(given, points, best, other))
         return isSameEverywhere(given, points.front().clicks.front(), best, other) ? Alike::Always : Alike::Here;
     // By the ray alone all mistakes of the depth explain a point on it.
-    if (std::any_of(points.begin(), points.end(), [](const Target &sought) { return sought.isLine; }))
+    if (std::any_of(points.begin(), points.end(), [](const Target &target) { return target.isLine; }))
         return Alike::No;
     const double allowed = best.worst <= kRounded ? kRounded : kCutOff;
     return other.count == best.count && other.worst <= allowed ? Alike::InDigits : Alike::No;

@@ -15,10 +15,10 @@ class VariantList {
 public:
     using Apply = void (*)(Run &, const Variant &);
 
-    /// @param way  where there are several
-    void add(std::string_view id, Stage stage, Apply apply, double parameter = 0.0, VariantName way = {});
+    /// @param name  where there are several
+    void add(std::string_view id, Stage stage, Apply apply, double parameter = 0.0, VariantName name = {});
     /// One of another size of the window; its parameters are width and height.
-    void add(std::string_view id, Stage stage, Apply apply, const geometry::Surface &size, VariantName way = {});
+    void add(std::string_view id, Stage stage, Apply apply, const geometry::Surface &size, VariantName name = {});
     /// One of a model's matrix.
     void add(std::string_view id, Apply apply, const PlacedModel &model);
 

@@ -11,7 +11,7 @@ namespace {
 std::string rightnessText(const Diagnosis &diagnosis)
 {
     const bool isByRay = diagnosis.depthKnown == DepthKnown::ByRay;
-    switch (diagnosis.landing) {
+    switch (diagnosis.wrong) {
     case ErrorKind::Right:
         return tr(isByRay ? "as far as the digits given tell, the pixel is right"
                           : "as far as the digits given tell, pixel and depth are right");
@@ -52,7 +52,7 @@ std::string verdictSentence(const Diagnosis &diagnosis)
                           : "The point is right to the digits given.");
     if (!first.explains)
         return tr("Nothing that is known explains this point: none of %1 mistakes and pairs of them.", diagnosis.tried);
-    if (isByRay && diagnosis.landing == ErrorKind::Depth)
+    if (isByRay && diagnosis.wrong == ErrorKind::Depth)
         return tr("The pixel is right, and the depth is not; by the ray alone the mistakes of the depth cannot be told "
                   "from each other: give the depth.");
     return tr("\"%1\" would explain the point, but that may be chance: give more digits, or another click.",
@@ -73,7 +73,7 @@ std::string digitsText(const Candidate &candidate, const Diagnosis &diagnosis)
     return candidate.isCutOff ? tr("%1, the last not rounded but cut off", text) : text;
 }
 
-std::string landingText(const Diagnosis &diagnosis)
+std::string projectedText(const Diagnosis &diagnosis)
 {
     if (!diagnosis.projected)
         return tr("in the plane of the eye, by the right matrices");
@@ -82,7 +82,7 @@ std::string landingText(const Diagnosis &diagnosis)
     constexpr double kShare = 0.1; // what a depth is short of may not show in the point's last digit
     const std::string x = significantText(at.x, kPixelDigits), y = significantText(at.y, kPixelDigits),
                       depth = shortestText(at.z, kShare * diagnosis.depthUnsure);
-    return diagnosis.hasTellingLanding()
+    return diagnosis.tellsWrong()
                ? tr("on pixel %1 %2, depth %3, by the right matrices: %4", x, y, depth, rightnessText(diagnosis))
                : tr("on pixel %1 %2, depth %3, by the right matrices", x, y, depth);
 }

@@ -19,7 +19,7 @@ std::string verdictSentence(const Diagnosis &diagnosis);
 /// "all 11 digits given", "all 9 digits that count of the 12 given, the last not rounded but cut off".
 std::string digitsText(const Candidate &candidate, const Diagnosis &diagnosis);
 /// Where the first point lies in the picture, by the right matrices, and what of that is wrong.
-std::string landingText(const Diagnosis &diagnosis);
+std::string projectedText(const Diagnosis &diagnosis);
 /// "less than 0.0001 % that a point of other making is explained as well".
 std::string chanceText(double chance);
 /// That digits were given which single precision does not hold.

@@ -23,6 +23,14 @@ double largestRowSum(const glm::dmat4 &m)
 
 } // namespace
 
+double largestEntry(const glm::dmat4 &matrix)
+{
+    double largest = 0.0;
+    for (int i = 0; i < 16; ++i)
+        largest = std::max(largest, std::abs(matrix[i / 4][i % 4]));
+    return largest;
+}
+
 /// Row echelon by the largest pivot tells a singular matrix apart from one whose determinant is merely small:
 /// a determinant scales with the fourth power of the units.
 bool isSingular(const glm::dmat4 &matrix)

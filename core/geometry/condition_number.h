@@ -4,6 +4,9 @@
 
 namespace unprojector::geometry {
 
+/// The greatest absolute value of an entry.
+double largestEntry(const glm::dmat4 &matrix);
+
 /// Whether a matrix has no inverse, told by its pivots.
 bool isSingular(const glm::dmat4 &matrix);
 

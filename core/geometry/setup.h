@@ -16,8 +16,8 @@ using Lens = std::variant<Projection, MatrixProjection>;
 /// Where the eye is: the arguments of gluLookAt, or eyeFromWorld as another program has it.
 using Pose = std::variant<LookAt, glm::dmat4>;
 
-/// How a picture of the world is taken, and all that is needed to compute a click on it again. The one shape of it: the
-/// window, the command and the tests all have this. What the window draws is given by parameters (see byParameters).
+/// How the world is projected to the window, and all that a click needs to be computed again. The window, the command and
+/// the tests all use this type. What the window draws is given by parameters (see byParameters).
 struct Setup {
     Surface surface;
     Viewport viewport;
@@ -55,9 +55,9 @@ Result<glm::dmat4> clipFromWorld(const Setup &setup);
 /// @return PointAtInfinity where the point lies in the plane of the eye (w = 0); the errors of WayForward::of
 Result<WindowPoint> windowFromWorld(const Setup &setup, const WorldPoint &point);
 
-/// The same picture by parameters, for the window: a reversed matrix is one with its depth range turned round, and [0, 1]
+/// The same setup by parameters, for the window: a reversed matrix is one with its depth range turned round, and [0, 1]
 /// one with its near plane where it is. A far plane at infinity is put at a million times near, where a depth differs by
-/// less than a millionth. A picture that is by parameters already stays as it is.
+/// less than a millionth. A setup that is by parameters already stays as it is.
 /// @return the errors of check, recognised and lookAtFrom; MatrixNotAProjection for an eye space that looks along +z
 Result<Setup> byParameters(const Setup &setup);
 

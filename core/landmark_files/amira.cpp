@@ -71,8 +71,8 @@ ReadLandmarks readAmira(std::string_view text)
         if (words.size() == 3 && words[0] == "define" && words[1] == "Markers") {
             count = countOf(words[2], lines.number(), marked("the number of points"));
         } else if (const auto declaration = declarationOf(lines.text())) {
-            const bool isPlace = declaration->type == "float[3]" || declaration->type == "double[3]";
-            if (isPlace && declaration->name.starts_with("Coordinates"))
+            const bool isPosition = declaration->type == "float[3]" || declaration->type == "double[3]";
+            if (isPosition && declaration->name.starts_with("Coordinates"))
                 sections.emplace(declaration->section, declaration->name);
             else
                 notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, declaration->name);

@@ -148,7 +148,7 @@ void forEachRow(std::span<const LandmarkSet> sets, Notes &notes, const Take &tak
 std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, Notes &notes)
 {
     FormatCapabilities all;
-    all.names = all.objects = all.holds = all.uncertainties = all.notes = all.colors = all.hidden = all.keys = true;
+    all.names = all.objects = all.anchors = all.uncertainties = all.notes = all.colors = all.hidden = all.keys = true;
     all.specimenName = all.mesh = all.unit = true;
     addLosses(notes, sets, all);
 

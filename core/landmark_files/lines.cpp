@@ -149,7 +149,8 @@ void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const FormatCapa
     count(format.names, Kind::NamesLeftOut, [](const Landmark &l) { return !l.name.empty(); });
     count(format.positions, Kind::PositionsLeftOut, [](const Landmark &l) { return !l.isMissing(); });
     count(format.objects, Kind::ObjectsLeftOut, [](const Landmark &l) { return !l.object.empty(); });
-    count(format.holds, Kind::HoldsLeftOut, [](const Landmark &l) { return !std::holds_alternative<Free>(l.anchor); });
+    count(format.anchors, Kind::HoldsLeftOut,
+          [](const Landmark &l) { return !std::holds_alternative<Free>(l.anchor); });
     count(format.uncertainties, Kind::UncertaintiesLeftOut,
           [](const Landmark &l) { return l.uncertainty.has_value(); });
     count(format.notes, Kind::NotesLeftOut, [](const Landmark &l) { return !l.note.empty(); });

@@ -75,7 +75,7 @@ private:
 
 /// What a format has a place for.
 struct FormatCapabilities {
-    bool names = false, positions = true, objects = false, holds = false, uncertainties = false, notes = false,
+    bool names = false, positions = true, objects = false, anchors = false, uncertainties = false, notes = false,
          colors = false, hidden = false, keys = false;
     bool specimenKeys = false, specimenName = false, mesh = false, unit = false;
 };

@@ -88,7 +88,7 @@ Json treeOf(const Pipeline &pipeline, const PipelinePoints &points)
     put(tree, "widget", points.widget);
     if (points.device)
         tree["pixel"] = {std::floor(points.device->x), std::floor(points.device->y)};
-    const Result<unproject::Unprojector> unprojector = unproject::Unprojector::of(pipeline.geometry);
+    const Result<unproject::Unprojector> unprojector = unproject::Unprojector::of(pipeline.setup);
     if (points.window && unprojector) {
         const unproject::Unprojected back = unprojector->at(*points.window);
         put(tree, "formula", back.world[Method::Formula]);
@@ -169,9 +169,9 @@ const Json *follow(const Json *node, std::string_view &path)
             return nullptr;
         std::size_t index = 0;
         const auto read = std::from_chars(path.data() + 1, path.data() + close, index);
-        const bool isPlace = read.ec == std::errc() && read.ptr == path.data() + close;
+        const bool isIndex = read.ec == std::errc() && read.ptr == path.data() + close;
         path.remove_prefix(close + 1);
-        return isPlace && node->is_array() && index < node->size() ? &(*node)[index] : nullptr;
+        return isIndex && node->is_array() && index < node->size() ? &(*node)[index] : nullptr;
     }
     if (path.front() == '.')
         path.remove_prefix(1);

@@ -1,5 +1,6 @@
 #include "core/matrices/decomposition.h"
 
+#include "core/geometry/condition_number.h"
 #include "core/geometry/matrix_projection.h"
 #include "core/matrices/matrix_format.h"
 #include "core/matrices/printed_digits.h"
@@ -15,20 +16,13 @@
 namespace unprojector::matrices {
 namespace {
 
+using geometry::largestEntry;
 using glm::dmat4;
 using glm::dvec3;
 using glm::dvec4;
 
 /// Relative: what single precision and six printed digits leave of a right angle.
 constexpr double kPrinted = 1e-5;
-
-double largestEntry(const dmat4 &m)
-{
-    double largest = 0.0;
-    for (int i = 0; i < 16; ++i)
-        largest = std::max(largest, std::abs(m[i / 4][i % 4]));
-    return largest;
-}
 
 dvec3 axesOfRow(const dmat4 &m, int row)
 {

@@ -29,14 +29,6 @@ using glm::dvec4;
 /// Of the largest entry: what printed digits and single precision leave where a zero was.
 constexpr double kZero = 1e-6;
 
-double largestEntry(const dmat4 &m)
-{
-    double largest = 0.0;
-    for (int i = 0; i < 16; ++i)
-        largest = std::max(largest, std::abs(m[i / 4][i % 4]));
-    return largest;
-}
-
 dvec4 row(const dmat4 &m, int i)
 {
     return {m[0][i], m[1][i], m[2][i], m[3][i]};

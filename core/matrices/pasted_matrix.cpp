@@ -87,8 +87,8 @@ PastedMatrix assembled(Numbers numbers)
     for (const PastedNumber &n : numbers) {
         const int first = n.subscripts[0] - least;
         const int index = n.subscripts.size() == 1 ? first : 4 * first + n.subscripts[1] - least;
-        const bool isPlace = index >= 0 && index < int(kEntries) && (n.subscripts.size() == 1 || first < 4);
-        if (!isPlace || isTaken[std::size_t(index)])
+        const bool isEntry = index >= 0 && index < int(kEntries) && (n.subscripts.size() == 1 || first < 4);
+        if (!isEntry || isTaken[std::size_t(index)])
             return matrix;
         isTaken[std::size_t(index)] = true;
         placed.numbers[std::size_t(index)] = n.value;

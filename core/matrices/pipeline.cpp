@@ -43,7 +43,7 @@ Result<Point<Target>> affine(const glm::dmat4 &targetFromSource, const Result<Po
 /// From the window on.
 PipelinePoints withWidget(const Pipeline &pipeline, PipelinePoints points)
 {
-    const Surface &surface = pipeline.geometry.surface;
+    const Surface &surface = pipeline.setup.surface;
     points.device =
         next<DeviceSpace>(points.window, [&](const WindowPoint &p) { return finite(deviceFromWindow(surface, p)); });
     points.widget =
@@ -54,7 +54,7 @@ PipelinePoints withWidget(const Pipeline &pipeline, PipelinePoints points)
 /// From NDC on.
 PipelinePoints withWindow(const Pipeline &pipeline, PipelinePoints points)
 {
-    const Setup &setup = pipeline.geometry;
+    const Setup &setup = pipeline.setup;
     points.window = next<WindowSpace>(
         points.ndc, [&](const NdcPoint &p) { return finite(windowFromNdc(setup.viewport, setup.depthRange, p)); });
     return withWidget(pipeline, points);

@@ -28,7 +28,7 @@ enum class PipelineDirection { Forward, Backward };
 
 /// How one object of a picture gets to the window, and back.
 struct Pipeline {
-    geometry::Setup geometry;
+    geometry::Setup setup;
     std::array<glm::dmat4, kPipelineStages.size()> forward;
     /// objectFromWorld, worldFromEye, eyeFromClip, ndcFromWindow, objectFromEye, objectFromWindow
     std::array<glm::dmat4, kPipelineStages.size()> backward;
@@ -40,9 +40,9 @@ struct Pipeline {
 /// rounding noise; model and projection are inverted by glm::inverse; the products by those.
 ///
 /// @param worldFromObject  of the object looked at, affine; the identity where there is none
-/// @return the errors of check(geometry); NotFinite (the value of the entry); SingularMatrix, also where the inverse
+/// @return the errors of check(setup); NotFinite (the value of the entry); SingularMatrix, also where the inverse
 ///         overflows
-geometry::Result<Pipeline> pipeline(const geometry::Setup &geometry, const glm::dmat4 &worldFromObject);
+geometry::Result<Pipeline> pipeline(const geometry::Setup &setup, const glm::dmat4 &worldFromObject);
 
 /// The same matrices as an API has them, from its own spaces to its own. The points of a pipeline stay those of this program:
 /// ApiSpaces takes them there.

@@ -9,7 +9,6 @@
 #include <QVBoxLayout>
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace unprojector::gui {
@@ -25,14 +24,6 @@ constexpr std::array kVariables{"position", "depth", "ndc", "eye", "world"};
 QString bracketed(const QStringList &numbers)
 {
     return QStringLiteral("(%1)").arg(numbers.join(QStringLiteral(", ")));
-}
-
-/// To a hundredth of a pixel at the most.
-QString pixelText(double value)
-{
-    constexpr double kHundredths = 100.0;
-    constexpr int kDigits = 9;
-    return writtenText(std::round(value * kHundredths) / kHundredths, kDigits);
 }
 
 struct Cell {

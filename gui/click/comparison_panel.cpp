@@ -29,7 +29,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace unprojector::gui {
 using namespace geometry;
@@ -54,11 +53,9 @@ QVBoxLayout *columnOf(QWidget &widget)
     return layout;
 }
 
-/// "(412.5, 299.5)": a position in pixels to a hundredth at the most.
 QString positionText(double x, double y)
 {
-    return QStringLiteral("(%1, %2)")
-        .arg(writtenText(std::round(x * 100.0) / 100.0, 9), writtenText(std::round(y * 100.0) / 100.0, 9));
+    return QStringLiteral("(%1, %2)").arg(pixelText(x), pixelText(y));
 }
 
 QString clickedDepthText(const QString &text, bool isRead)

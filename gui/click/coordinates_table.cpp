@@ -164,18 +164,10 @@ void CoordinatesTable::contextMenuEvent(QContextMenuEvent *event)
 
 QString CoordinatesTable::selectedText() const
 {
-    QModelIndexList selected = selectionModel()->selectedIndexes();
-    std::sort(selected.begin(), selected.end());
-    QString text;
-    int row = -1;
-    for (const QModelIndex &index : selected) {
-        if (!text.isEmpty())
-            text += index.row() == row ? u'\t' : u'\n';
-        row = index.row();
+    return selectedCells(*selectionModel(), [this](const QModelIndex &index) {
         const QString copied = m_model->copied(index);
-        text += copied.isEmpty() ? index.data().toString() : copied;
-    }
-    return text;
+        return copied.isEmpty() ? index.data().toString() : copied;
+    });
 }
 
 } // namespace unprojector::gui

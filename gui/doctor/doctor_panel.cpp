@@ -75,7 +75,7 @@ QLineEdit *sizeField(const QString &name, const QString &help)
 
 DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
     : QWidget(parent), m_document(document), m_diagnoser(new Diagnoser(this)), m_form(new WrongPointsForm),
-      m_space(new QComboBox), m_pictureText(new QLabel), m_pictureNow(new QPushButton(tr("As it is &now"))),
+      m_space(new QComboBox), m_setupText(new QLabel), m_currentSetup(new QPushButton(tr("As it is &now"))),
       m_answer(new DiagnosisView), m_code(new CodeChangesView), m_candidates(new CandidatesTable)
 {
     auto *spaceLine = new QHBoxLayout;
@@ -88,17 +88,17 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
     spaceLine->addWidget(spaceLabel);
     spaceLine->addWidget(m_space, 1);
 
-    m_pictureText->setWordWrap(true);
-    m_pictureText->setTextFormat(Qt::PlainText); // it repeats what was typed
-    m_pictureText->setAccessibleName(tr("The picture of the pixels"));
-    m_pictureNow->setToolTip(tr("Take the pixels for those of the view as it is now"));
+    m_setupText->setWordWrap(true);
+    m_setupText->setTextFormat(Qt::PlainText); // it repeats what was typed
+    m_setupText->setAccessibleName(tr("The picture of the pixels"));
+    m_currentSetup->setToolTip(tr("Take the pixels for those of the view as it is now"));
     // What is below stays where it is when this comes.
-    QSizePolicy policy = m_pictureNow->sizePolicy();
+    QSizePolicy policy = m_currentSetup->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
-    m_pictureNow->setSizePolicy(policy);
-    auto *pictureLine = new QHBoxLayout;
-    pictureLine->addWidget(m_pictureText, 1);
-    pictureLine->addWidget(m_pictureNow);
+    m_currentSetup->setSizePolicy(policy);
+    auto *setupLine = new QHBoxLayout;
+    setupLine->addWidget(m_setupText, 1);
+    setupLine->addWidget(m_currentSetup);
 
     // Counted in digits, as the comparison's.
     constexpr int kLeastDigits = 48;
@@ -108,7 +108,7 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
     layout->setContentsMargins(8, 6, 8, 6);
     layout->addWidget(m_form);
     layout->addLayout(spaceLine);
-    layout->addLayout(pictureLine);
+    layout->addLayout(setupLine);
     layout->addWidget(createProgram());
     auto *line = new QFrame;
     line->setFrameShape(QFrame::HLine);
@@ -122,7 +122,7 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
 
     connect(m_form, &WrongPointsForm::changed, this, &DoctorPanel::refresh);
     connect(m_space, &QComboBox::activated, this, &DoctorPanel::ask);
-    connect(m_pictureNow, &QPushButton::clicked, this, [this] {
+    connect(m_currentSetup, &QPushButton::clicked, this, [this] {
         m_setup = setupNow();
         refresh();
     });
@@ -155,7 +155,7 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
             return;
         // Points with a picture of their own are not asked for again while the view turns: a chosen candidate stays.
         if (m_setup && !(changes & ((kVisibleChanges & ~Changes(Change::Setup)) | Change::Names)))
-            showPicture();
+            showSetup();
         else
             refresh();
     });
@@ -164,7 +164,7 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
             ask();
     });
     showSpaces();
-    showPicture();
+    showSetup();
     ask();
 }
 
@@ -277,7 +277,7 @@ void DoctorPanel::takePick()
         const std::optional<Setup> since = std::exchange(m_setup, m_setupBefore);
         if (!m_form->takeBackClick())
             m_setup = since;
-        showPicture();
+        showSetup();
         return;
     }
     if (!taken)
@@ -288,7 +288,7 @@ void DoctorPanel::takePick()
     const bool isOfView = !sizeOf(m_window->text());
     const std::optional<Setup> own = !m_form->points().empty() ? setup() : isOfView ? pick->setup : setupNow();
     if (!own)
-        return; // showPicture says why
+        return; // showSetup says why
     if (*own == pick->setup) {
         m_setup = own;
         m_form->addClick(pixelCenter(pick->devicePixel), pick->window.z);
@@ -297,12 +297,12 @@ void DoctorPanel::takePick()
     // Where the clicked point is in the program's own picture.
     const std::optional<WorldPoint> world = m_document.picks().pickedPoint();
     if (!world) {
-        m_pictureText->setText(tr("Not taken: the background is at no pixel of another picture."));
+        m_setupText->setText(tr("Not taken: the background is at no pixel of another picture."));
         return;
     }
     const Result<WindowPoint> window = windowFromWorld(*own, *world);
     if (!window) {
-        m_pictureText->setText(tr("Not taken: %1").arg(errorText(window.error())));
+        m_setupText->setText(tr("Not taken: %1").arg(errorText(window.error())));
         return;
     }
     m_setup = own;
@@ -342,27 +342,27 @@ void DoctorPanel::refresh()
     else if (!m_setup)
         m_setup = setupNow();
     if (const std::optional<Setup> own = setup())
-        m_form->setPicture(*own);
+        m_form->setSetup(*own);
     showSpaces();
-    showPicture();
+    showSetup();
     ask();
 }
 
-void DoctorPanel::showPicture()
+void DoctorPanel::showSetup()
 {
     m_window->setPlaceholderText(tr("as the view, %1").arg(sizeText(m_document.setup().surface)));
     const std::optional<Setup> own = setup(), now = setupNow();
     if (!own) {
-        m_pictureText->setText(tr("The scene has no picture in a window of %1.").arg(m_window->text()));
-        m_pictureNow->hide();
+        m_setupText->setText(tr("The scene has no picture in a window of %1.").arg(m_window->text()));
+        m_currentSetup->hide();
         return;
     }
     const QString size = sizeText(own->surface);
     const bool isPast = now && *own != *now;
-    m_pictureText->setText(isPast ? tr("Pixels of %1, of the view as it was when they were given").arg(size)
-                           : sizeOf(m_window->text()) ? tr("Pixels of your program's window, %1").arg(size)
-                                                      : tr("Pixels of the view, %1").arg(size));
-    m_pictureNow->setVisible(isPast);
+    m_setupText->setText(isPast ? tr("Pixels of %1, of the view as it was when they were given").arg(size)
+                         : sizeOf(m_window->text()) ? tr("Pixels of your program's window, %1").arg(size)
+                                                    : tr("Pixels of the view, %1").arg(size));
+    m_currentSetup->setVisible(isPast);
 }
 
 void DoctorPanel::showSpaces()

@@ -58,7 +58,7 @@ private:
     void takePick();
     void goToPixel(const geometry::DevicePoint &pixel);
     void refresh();
-    void showPicture();
+    void showSetup();
     void showSpaces();
     /// Asks what the points that are there tell.
     void ask();
@@ -83,8 +83,8 @@ private:
 
     WrongPointsForm *m_form;
     QComboBox *m_space;
-    QLabel *m_pictureText;
-    QPushButton *m_pictureNow;
+    QLabel *m_setupText;
+    QPushButton *m_currentSetup;
     QToolButton *m_fold;
     QWidget *m_program;
     QLineEdit *m_window;

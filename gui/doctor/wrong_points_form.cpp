@@ -414,7 +414,7 @@ QString WrongPointsForm::fault() const
     return m_fault->text();
 }
 
-void WrongPointsForm::setPicture(const Setup &setup)
+void WrongPointsForm::setSetup(const Setup &setup)
 {
     if (m_setup == setup)
         return;

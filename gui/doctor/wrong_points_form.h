@@ -30,7 +30,7 @@ public:
     /// What cannot be taken, in words, with what to do about it; empty where nothing is wrong.
     QString fault() const;
     /// Which depths and pixels there are.
-    void setPicture(const geometry::Setup &setup);
+    void setSetup(const geometry::Setup &setup);
 
     /// Puts a click into the row that still waits for what the program got, or else into a new one.
     /// @param depth  nothing: not known. It is shown with few digits and used whole

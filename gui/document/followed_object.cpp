@@ -9,7 +9,7 @@ FollowedObject::FollowedObject(const SceneDocument &document, QObject *parent) :
 {
     connect(&document, &SceneDocument::opened, this, [this] {
         choose(std::nullopt);
-        m_lastPlace = 0;
+        m_lastIndex = 0;
     });
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
         // Step by step: of an object that is moved and then renamed only the first step tells where it came from.
@@ -21,7 +21,7 @@ FollowedObject::FollowedObject(const SceneDocument &document, QObject *parent) :
 void FollowedObject::choose(std::optional<std::size_t> index)
 {
     m_index = index;
-    m_lastPlace = index.value_or(m_lastPlace);
+    m_lastIndex = index.value_or(m_lastIndex);
     m_listed = index ? m_document.objects() : std::vector<SceneObject>();
 }
 

@@ -24,13 +24,13 @@ public:
     /// Where it is in the list as it is now; nothing where none was chosen, or it was removed.
     std::optional<std::size_t> index();
     /// Where it was before it was removed; 0 where none was chosen in this scene.
-    std::size_t lastPlace() const { return m_lastPlace; }
+    std::size_t lastIndex() const { return m_lastIndex; }
 
 private:
     const SceneDocument &m_document;
     std::vector<scene::SceneObject> m_listed; ///< when it was last looked for
     std::optional<std::size_t> m_index;
-    std::size_t m_lastPlace = 0;
+    std::size_t m_lastIndex = 0;
 };
 
 } // namespace unprojector::gui

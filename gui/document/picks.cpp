@@ -135,12 +135,12 @@ bool Picks::askRay()
     ray.state = PickedRay::State::Impossible;
     // The view's own Unprojector and rays answer, as long as it shows what was clicked.
     const Setup &clicked = m_picked.pick->setup;
-    const bool isPictureShown = clicked == m_document.setup();
+    const bool isSetupCurrent = clicked == m_document.setup();
     const bool isSceneShown = objects == m_objects && clipPlanes == m_document.scene().clipPlanes;
-    const ray::SceneRays *shown = isPictureShown && isSceneShown ? rays() : nullptr;
+    const ray::SceneRays *shown = isSetupCurrent && isSceneShown ? rays() : nullptr;
     if (shown)
         answerRay(m_picked, m_document.unprojector(), *shown, *m_objects);
-    else if (const Result<Unprojector> former = isPictureShown ? m_document.unprojector() : Unprojector::of(clicked))
+    else if (const Result<Unprojector> former = isSetupCurrent ? m_document.unprojector() : Unprojector::of(clicked))
         answerRay(m_picked, *former, {*former, *objects, *casters, clipPlanes}, *m_objects);
     m_picked.rayScene.reset();
     return true;

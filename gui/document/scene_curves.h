@@ -29,16 +29,16 @@ struct ShownMeasure {
         Surface,  ///< along the surface: SceneCurves::throughSelected
     };
     Shape shape = Shape::Polyline;
-    std::vector<std::size_t> points; ///< places in SceneDocument::landmarks()
+    std::vector<std::size_t> points; ///< indices into SceneDocument::landmarks()
     QString text;                    ///< "12.3 ± 0.1 mm"
     friend bool operator==(const ShownMeasure &, const ShownMeasure &) = default;
 };
 
-/// The curves between the placed points of a document's scene: how they go on the surface now, and what is done to single ones. Each
-/// edit is one step of undo, by the name of the curve. Places are places in SceneDocument::scene().landmarks.curves.
+/// The curves between the landmarks of a document's scene: their lines on the surface, and edits of single curves. Each edit
+/// is one step of undo, named after the curve. An index is one into SceneDocument::scene().landmarks.curves.
 ///
-/// How a curve goes follows from where its points are; it is worked out anew whenever they move, of small models at once, of others
-/// on a thread of its own. Until then the line before is shown as what it is. Change::Curves tells of what has come.
+/// The landmarks determine a curve's line. It is computed again whenever they move: on small models at once, on others on a
+/// thread of its own. Until then the former line is shown and marked as such. Change::Curves reports the new one.
 class SceneCurves : public QObject {
     Q_OBJECT
 public:

@@ -112,7 +112,7 @@ bool SceneLandmarks::isSelected(std::size_t index) const
 }
 
 bool SceneLandmarks::take(std::vector<std::size_t> indices, std::optional<std::size_t> current,
-                          std::optional<std::size_t> waiting)
+                          std::optional<std::size_t> nextUnplaced)
 {
     std::sort(indices.begin(), indices.end());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
@@ -120,10 +120,10 @@ bool SceneLandmarks::take(std::vector<std::size_t> indices, std::optional<std::s
         current = std::nullopt;
     else if (!current || !std::binary_search(indices.begin(), indices.end(), *current))
         current = indices.front();
-    const bool isOther = indices != m_selection || current != m_current || waiting != m_nextUnplaced;
+    const bool isOther = indices != m_selection || current != m_current || nextUnplaced != m_nextUnplaced;
     m_selection = std::move(indices);
     m_current = current;
-    m_nextUnplaced = waiting;
+    m_nextUnplaced = nextUnplaced;
     return isOther;
 }
 
@@ -176,13 +176,13 @@ Changes SceneLandmarks::follow(const std::vector<Landmark> &before, const std::v
         if (index == m_current)
             current = now;
     }
-    std::optional<std::size_t> waiting =
+    std::optional<std::size_t> nextUnplaced =
         m_nextUnplaced ? IndicesAfter(before, after).of(*m_nextUnplaced) : std::nullopt;
-    if (waiting && !after[*waiting].isMissing())
-        waiting = std::nullopt;
+    if (nextUnplaced && !after[*nextUnplaced].isMissing())
+        nextUnplaced = std::nullopt;
     if (const std::optional<std::size_t> again = unplaced(before, after))
-        waiting = again;
-    return take(std::move(selection), current, waiting) ? Change::LandmarkSelection : Changes();
+        nextUnplaced = again;
+    return take(std::move(selection), current, nextUnplaced) ? Change::LandmarkSelection : Changes();
 }
 
 // ---- edits -------------------------------------------------------------------------------------------------------
@@ -298,11 +298,11 @@ Check SceneLandmarks::setHidden(const std::vector<std::size_t> &indices, bool is
 Check SceneLandmarks::setMissing(const std::vector<std::size_t> &indices)
 {
     const ChangeNotifier::Batch batch(m_changes);
-    const std::optional<std::size_t> waiting = m_nextUnplaced; // what is not there is not what is placed next
+    const std::optional<std::size_t> nextUnplaced = m_nextUnplaced; // what is not there is not what is placed next
     const Check done =
         edit(indices, tr("%1 missing"), tr("%n points missing", nullptr, static_cast<int>(indices.size())),
              [](Landmark &landmark) { takePlace(landmark, {}); });
-    setNextUnplaced(waiting);
+    setNextUnplaced(nextUnplaced);
     return done;
 }
 

@@ -14,11 +14,11 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// The points that are placed in a document's scene: which of them are selected, and what is done to single ones. Each edit is
-/// one step of undo, by the name of the point. Places are places in SceneDocument::landmarks().
+/// The landmarks of a document's scene: the selection, and edits of single landmarks. Each edit is one step of undo, named
+/// after the landmark. An index is one into SceneDocument::landmarks().
 ///
-/// Points go with the object that they name, in the same step in which it is moved, renamed or removed: see withObjects. Where
-/// they are in the world is therefore always what `world` says.
+/// A landmark goes with the object that it names, in the same step in which that is moved, renamed or removed: see
+/// withObjects. Its `world` is therefore always right.
 class SceneLandmarks : public QObject {
     Q_OBJECT
 public:
@@ -95,7 +95,8 @@ private:
     geometry::Check edit(const std::vector<std::size_t> &indices, const QString &one, const QString &several,
                          const Change &change, const QString &mergeKey = {});
     /// @return whether it is another selection
-    bool take(std::vector<std::size_t> indices, std::optional<std::size_t> current, std::optional<std::size_t> waiting);
+    bool take(std::vector<std::size_t> indices, std::optional<std::size_t> current,
+              std::optional<std::size_t> nextUnplaced);
     std::string freeName() const;
 
     SceneDocument &m_document;

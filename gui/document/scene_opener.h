@@ -33,7 +33,8 @@ struct Opening {
     const RecoveryFile *recovered = nullptr;        ///< what the scene is recovered from
     std::vector<std::filesystem::path> models = {}; ///< those of a scene file follow from its contents
     QStringList notes = {};                         ///< what of the scene file is not kept
-    std::vector<std::filesystem::path> points = {}; ///< files of them and templates, for who has shown the models
+    std::vector<std::filesystem::path> landmarkFiles =
+        {}; ///< files of them and templates, for who has shown the models
 };
 
 /// What was opened, to be shown.

@@ -69,7 +69,7 @@ void Session::openFiles(std::vector<std::filesystem::path> files)
     emit progressed();
     Opening opening;
     opening.models = std::move(files);
-    opening.points = std::move(landmarkFiles);
+    opening.landmarkFiles = std::move(landmarkFiles);
     m_opener.load(std::move(opening));
 }
 
@@ -81,7 +81,7 @@ void Session::addFiles(std::vector<std::filesystem::path> files)
     m_opener.load(std::move(opening));
 }
 
-void Session::openScene(const std::filesystem::path &file, std::vector<std::filesystem::path> points)
+void Session::openScene(const std::filesystem::path &file, std::vector<std::filesystem::path> landmarkFiles)
 {
     m_opener.cancel(); // it would replace the scene later, whatever becomes of this one
     emit progressed();
@@ -93,7 +93,7 @@ void Session::openScene(const std::filesystem::path &file, std::vector<std::file
     if (!mayLeave())
         return;
     Opening opening = std::move(scene).value();
-    opening.points = std::move(points);
+    opening.landmarkFiles = std::move(landmarkFiles);
     m_opener.load(std::move(opening));
 }
 
@@ -181,8 +181,8 @@ void Session::show(Opened opened)
         emit failed(reasons.join(u'\n'));
     else if (!reasons.isEmpty())
         emit warned(reasons.join(u'\n'));
-    if (isShown && !opened.opening.points.empty()) // to nothing else they belong
-        emit landmarkFilesOpened(opened.opening.points);
+    if (isShown && !opened.opening.landmarkFiles.empty()) // to nothing else they belong
+        emit landmarkFilesOpened(opened.opening.landmarkFiles);
 }
 
 bool Session::showModels(std::vector<SceneObject> objects)

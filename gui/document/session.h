@@ -73,7 +73,7 @@ public:
     /// Opens model files and puts them beside the objects that are there, as one undoable step.
     void addFiles(std::vector<std::filesystem::path> files);
     /// Opens a scene file. Its models are loaded first; each file once, however many objects show it.
-    void openScene(const std::filesystem::path &file, std::vector<std::filesystem::path> points = {});
+    void openScene(const std::filesystem::path &file, std::vector<std::filesystem::path> landmarkFiles = {});
     void openBundledScene();
     /// Shows the scene of a lesson's step, whose name it has. What was shown is left without a question: see mayLeaveStep. The
     /// scene that was shown before the lesson stands aside with its unsaved changes.

@@ -122,16 +122,15 @@ std::vector<LandmarkMark> landmarkMarks(const SceneDocument &document)
     std::vector<LandmarkMark> marks;
     const std::vector<Landmark> &landmarks = document.landmarks();
     const Setup &g = document.setup();
-    const Result<glm::dmat4> clipFromPicture =
-        landmarks.empty() ? Result<glm::dmat4>(glm::dmat4(1.0)) : clipFromWorld(g);
-    if (landmarks.empty() || !clipFromPicture)
+    const Result<glm::dmat4> matrix = landmarks.empty() ? Result<glm::dmat4>(glm::dmat4(1.0)) : clipFromWorld(g);
+    if (landmarks.empty() || !matrix)
         return marks;
     const SceneLandmarks &list = document.sceneLandmarks();
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
         const Landmark &landmark = landmarks[i];
         if (landmark.isHidden || landmark.isMissing())
             continue;
-        const glm::dvec4 clip = *clipFromPicture * glm::dvec4(landmark.world->coordinates(), 1.0);
+        const glm::dvec4 clip = *matrix * glm::dvec4(landmark.world->coordinates(), 1.0);
         if (!(clip.w > 0.0) || !(std::abs(clip.x) <= clip.w) || !(std::abs(clip.y) <= clip.w))
             continue;
         const NdcPoint ndc(clip.x / clip.w, clip.y / clip.w, clip.z / clip.w);

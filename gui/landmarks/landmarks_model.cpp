@@ -6,11 +6,11 @@
 #include "gui/text/error_text.h"
 #include "gui/text/landmark_text.h"
 #include "gui/text/typed_numbers.h"
+#include "gui/widgets/row_drag.h"
 
 #include <QFont>
 #include <QGuiApplication>
 #include <QIODevice>
-#include <QMimeData>
 #include <QPalette>
 
 #include <algorithm>
@@ -269,27 +269,13 @@ QStringList LandmarksModel::mimeTypes() const
 
 QMimeData *LandmarksModel::mimeData(const QModelIndexList &indexes) const
 {
-    if (indexes.isEmpty())
-        return nullptr;
-    auto *data = new QMimeData;
-    data->setData(kRowType, QByteArray::number(indexes.first().row()));
-    return data;
+    return draggedRow(indexes, kRowType);
 }
 
 bool LandmarksModel::dropMimeData(const QMimeData *data, Qt::DropAction action, int row, int, const QModelIndex &parent)
 {
-    if (action != Qt::MoveAction || !data->hasFormat(kRowType))
-        return false;
-    const int from = data->data(kRowType).toInt();
-    // Before that row as they stand now; onto a row means before it, onto nothing behind the last.
-    int before = row >= 0 ? row : parent.isValid() ? parent.row() : rowCount();
-    if (before > from)
-        --before; // the row itself is gone from there
-    if (from < 0 || from >= rowCount() || before < 0 || before >= rowCount())
-        return false;
-    return m_document.sceneLandmarks()
-        .reorder(static_cast<std::size_t>(from), static_cast<std::size_t>(before))
-        .hasValue();
+    const std::optional<RowMove> move = droppedRow(*data, action, row, parent, rowCount(), kRowType);
+    return move && m_document.sceneLandmarks().reorder(move->from, move->to).hasValue();
 }
 
 } // namespace unprojector::gui

@@ -221,10 +221,10 @@ void LandmarksTable::showSelection()
         }
     }
     // The one that is placed next stays in sight, unless another one was gone to since.
-    const std::optional<std::size_t> waiting = landmarks.nextUnplaced();
-    if (waiting && static_cast<int>(*waiting) < count && (isNew || waiting != m_shownWaiting))
-        scrollTo(rowOf(*waiting));
-    m_shownWaiting = waiting;
+    const std::optional<std::size_t> unplaced = landmarks.nextUnplaced();
+    if (unplaced && static_cast<int>(*unplaced) < count && (isNew || unplaced != m_shownUnplaced))
+        scrollTo(rowOf(*unplaced));
+    m_shownUnplaced = unplaced;
 }
 
 void LandmarksTable::tellSelection()

@@ -52,10 +52,10 @@ private:
 
     SceneDocument &m_document;
     QSortFilterProxyModel *m_rows;
-    QSet<int> m_ownWidths;                     ///< columns whose width somebody has chosen
-    bool m_isFitting = false;                  ///< columns get the width that they need
-    bool m_isShowing = false;                  ///< the document's selection, which it need not be told of
-    std::optional<std::size_t> m_shownWaiting; ///< the point that waited when the rows were shown last
+    QSet<int> m_ownWidths;                      ///< columns whose width somebody has chosen
+    bool m_isFitting = false;                   ///< columns get the width that they need
+    bool m_isShowing = false;                   ///< the document's selection, which it need not be told of
+    std::optional<std::size_t> m_shownUnplaced; ///< the point that waited when the rows were shown last
 };
 
 } // namespace unprojector::gui

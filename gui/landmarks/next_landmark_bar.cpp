@@ -110,23 +110,23 @@ void NextLandmarkBar::showPicture(const std::filesystem::path &file)
 void NextLandmarkBar::refresh()
 {
     const std::vector<landmarks::Landmark> &landmarks = m_document.landmarks();
-    const std::optional<std::size_t> waiting = m_document.sceneLandmarks().nextUnplaced();
+    const std::optional<std::size_t> unplaced = m_document.sceneLandmarks().nextUnplaced();
     // Before it stands anywhere it would be a window of its own; what is not hidden comes with its parent.
-    if (!waiting || parentWidget())
-        setVisible(waiting.has_value());
-    if (!waiting)
+    if (!unplaced || parentWidget())
+        setVisible(unplaced.has_value());
+    if (!unplaced)
         return;
-    const QString name = SceneLandmarks::shownNameOf(landmarks, *waiting);
+    const QString name = SceneLandmarks::shownNameOf(landmarks, *unplaced);
     m_name->setText(tr("Next: %1").arg(name));
-    showPicture(m_picture(QString::fromStdString(landmarks[*waiting].name)));
-    const QString hint = m_hint(QString::fromStdString(landmarks[*waiting].name));
+    showPicture(m_picture(QString::fromStdString(landmarks[*unplaced].name)));
+    const QString hint = m_hint(QString::fromStdString(landmarks[*unplaced].name));
     m_where->setText(hint);
     m_where->setVisible(!hint.isEmpty());
     // Points of other names are none of the template's; where the one that waits is such, all of them count.
     const auto isOfTemplate = [&](const landmarks::Landmark &landmark) {
         return m_isOfTemplate(QString::fromStdString(landmark.name));
     };
-    const bool countsAll = !isOfTemplate(landmarks[*waiting]);
+    const bool countsAll = !isOfTemplate(landmarks[*unplaced]);
     std::size_t all = 0, placed = 0;
     for (const landmarks::Landmark &landmark : landmarks) {
         const bool counts = countsAll || isOfTemplate(landmark);

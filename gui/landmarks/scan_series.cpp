@@ -94,7 +94,7 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
     // Told before the points of the other scene are, which are not this scan's.
     connect(&m_document, &SceneDocument::opened, this, [this] {
         if (m_inView)
-            m_aside = SuspendedScene{*m_inView, m_shown.has_value(), m_placing};
+            m_aside = SuspendedScan{*m_inView, m_shown.has_value(), m_placing};
         m_inView = m_shown = std::nullopt;
     });
     connect(&m_session, &Session::opened, this, [this](const QString &lesson, bool isBack) {
@@ -164,7 +164,7 @@ bool ScanSeries::open(const std::filesystem::path &folder)
         return false;
     }
     std::sort(scans.begin(), scans.end(), [](const Scan &a, const Scan &b) { return a.file < b.file; });
-    PreviousScan former{m_folder, m_scans, m_names, m_curves, m_inView, m_shown, m_aside, m_placing};
+    PreviousSeries former{m_folder, m_scans, m_names, m_curves, m_inView, m_shown, m_aside, m_placing};
     m_aside.reset();
     m_folder = folder;
     m_scans = std::move(scans);
@@ -321,7 +321,7 @@ void ScanSeries::takeShown()
 
 void ScanSeries::comeBack()
 {
-    const SuspendedScene aside = *std::exchange(m_aside, std::nullopt);
+    const SuspendedScan aside = *std::exchange(m_aside, std::nullopt);
     if (aside.placing != m_placing) {
         m_placing = aside.placing;
         for (Scan &scan : m_scans)

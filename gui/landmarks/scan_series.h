@@ -92,7 +92,7 @@ signals:
 
 private:
     /// A scan that is shown, and was before a lesson.
-    struct SuspendedScene {
+    struct SuspendedScan {
         std::size_t inView = 0;
         bool isShown = false; ///< its points are kept
         int placing = 1;
@@ -117,13 +117,13 @@ private:
     bool isScanAlone() const;
 
     /// What was open before a series whose first scan is being loaded.
-    struct PreviousScan {
+    struct PreviousSeries {
         std::filesystem::path folder;
         std::vector<Scan> scans;
         std::vector<landmarks::Landmark> names;
         std::vector<landmarks::Curve> curves;
         std::optional<std::size_t> inView, shown;
-        std::optional<SuspendedScene> aside;
+        std::optional<SuspendedScan> aside;
         int placing = 1;
     };
 
@@ -137,12 +137,12 @@ private:
     bool m_isOpening = false;                 ///< the current scan is being loaded
     std::optional<std::size_t> m_inView;      ///< the scan in the view
     std::optional<std::size_t> m_shown;       ///< the same where its points are kept: not where their file is damaged
-    std::optional<SuspendedScene> m_aside;    ///< the scan in the view, while a lesson is there instead
+    std::optional<SuspendedScan> m_aside;     ///< the scan in the view, while a lesson is there instead
     scene::SceneObject m_object;              ///< it, as it was last in the scene
     landmarks::LandmarkSet m_kept;            ///< its points as they were read or last written
     files::FileStamp m_stamp;                 ///< of their file then
     int m_placing = 1;
-    std::optional<PreviousScan> m_former;
+    std::optional<PreviousSeries> m_former;
     bool m_wasAsked = false; ///< whether the scene before may be left, since the current scan is being loaded
 };
 

@@ -14,7 +14,7 @@
 namespace unprojector::gui {
 
 LessonLayout::LessonLayout(Window &window, LessonPlayer &player)
-    : QObject(&player), m_window(window), m_player(player), m_viewSize(window, this)
+    : QObject(&player), m_window(window), m_player(player), m_viewResizer(window, this)
 {
 }
 
@@ -22,8 +22,8 @@ void LessonLayout::end()
 {
     m_lesson.clear();
     m_window.showStep(nullptr);
-    m_viewSize.want({}, false);
-    m_viewSize.shrinkBack();
+    m_viewResizer.want({}, false);
+    m_viewResizer.shrinkBack();
     m_closed.clear();
     m_workspace.reset();
     m_withRoom.clear();
@@ -59,7 +59,7 @@ void LessonLayout::showStep()
     m_window.showStep(&step);
     workspaces.show(Panel::Lesson);
     giveRoom(false);
-    m_viewSize.want(step.view ? QSize(step.view->x, step.view->y) : QSize(), false);
+    m_viewResizer.want(step.view ? QSize(step.view->x, step.view->y) : QSize(), false);
 }
 
 void LessonLayout::enter(Workspace workspace)

@@ -22,7 +22,7 @@ public:
     /// @param player  owns the layout
     LessonLayout(Window &window, LessonPlayer &player);
 
-    ViewResizer &viewSize() { return m_viewSize; }
+    ViewResizer &viewResizer() { return m_viewResizer; }
     /// Remembers what is around the view, to give it back after the lesson that is about to begin.
     void remember() { m_before = m_window.state(); }
     /// Shows the workspace, the panels and the view size of the player's step.
@@ -48,7 +48,7 @@ private:
 
     Window &m_window;
     LessonPlayer &m_player;
-    ViewResizer m_viewSize;
+    ViewResizer m_viewResizer;
     std::string m_lesson;                              ///< the name of the one that is shown; empty: none
     std::optional<Window::State> m_before;             ///< around the view, before the lesson
     std::optional<Workspace> m_workspace;              ///< where the lesson wants to be

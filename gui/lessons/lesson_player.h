@@ -27,7 +27,7 @@ public:
 
     /// Null while there is none.
     const Lesson *lesson() const { return m_lesson; }
-    /// The place of the step in the lesson.
+    /// Of the step in the lesson.
     std::size_t index() const { return m_index; }
     /// @pre lesson()
     const lessons::Step &step() const { return m_lesson->steps[m_index]; }

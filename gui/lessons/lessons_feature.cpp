@@ -112,7 +112,7 @@ void LessonsFeature::connectWorkspaces()
     });
     connect(&workspaces, &Workspaces::laidOut, m_stage, &LessonLayout::arrange);
     connect(&workspaces, &Workspaces::laidOut, this, &LessonsFeature::placeFirstSteps);
-    connect(&workspaces, &Workspaces::panelsHidden, &m_stage->viewSize(), &ViewResizer::wantAgain);
+    connect(&workspaces, &Workspaces::panelsHidden, &m_stage->viewResizer(), &ViewResizer::wantAgain);
     connect(&workspaces, &Workspaces::closed, this, [this](Panel panel) {
         if (panel == Panel::Lesson)
             leaveOrStay();
@@ -168,7 +168,7 @@ bool LessonsFeature::follow(const lessons::Link &link)
     else if (const auto *action = std::get_if<lessons::ActionLink>(&link))
         trigger(*action);
     else if (const auto *size = std::get_if<lessons::ViewSizeLink>(&link))
-        m_stage->viewSize().want({size->size.x, size->size.y}, true);
+        m_stage->viewResizer().want({size->size.x, size->size.y}, true);
     // The others are another feature's, or the lesson's panel's.
     return true;
 }

@@ -4,13 +4,13 @@
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
 #include "gui/text/bundled_names.h"
+#include "gui/widgets/row_drag.h"
 
 #include <QDir>
 #include <QFont>
 #include <QGuiApplication>
 #include <QIODevice>
 #include <QLocale>
-#include <QMimeData>
 #include <QPalette>
 
 #include <algorithm>
@@ -145,25 +145,13 @@ QStringList ObjectsModel::mimeTypes() const
 
 QMimeData *ObjectsModel::mimeData(const QModelIndexList &indexes) const
 {
-    if (indexes.isEmpty())
-        return nullptr;
-    auto *data = new QMimeData;
-    data->setData(kRowType, QByteArray::number(indexes.first().row()));
-    return data;
+    return draggedRow(indexes, kRowType);
 }
 
 bool ObjectsModel::dropMimeData(const QMimeData *data, Qt::DropAction action, int row, int, const QModelIndex &parent)
 {
-    if (action != Qt::MoveAction || !data->hasFormat(kRowType))
-        return false;
-    const int from = data->data(kRowType).toInt();
-    // Before that row as they stand now; onto a row means before it, onto nothing behind the last.
-    int before = row >= 0 ? row : parent.isValid() ? parent.row() : rowCount();
-    if (before > from)
-        --before; // the row itself is gone from there
-    if (from < 0 || from >= rowCount() || before < 0 || before >= rowCount())
-        return false;
-    return moveObject(m_document, static_cast<std::size_t>(from), static_cast<std::size_t>(before)).hasValue();
+    const std::optional<RowMove> move = droppedRow(*data, action, row, parent, rowCount(), kRowType);
+    return move && moveObject(m_document, move->from, move->to).hasValue();
 }
 
 } // namespace unprojector::gui

@@ -78,8 +78,8 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     m_slider->setRange(0, kSteps);
     m_slider->setSingleStep(kSteps / 100);
     m_slider->setPageStep(kSteps / 10);
-    constexpr int kLeastDigits = 9; // in a corner too it is more than its handle
-    m_slider->setMinimumWidth(kLeastDigits * fontMetrics().horizontalAdvance(u'0'));
+    constexpr int kLeastHeights = 3; // a corner also leaves its handle a way to go
+    m_slider->setMinimumWidth(kLeastHeights * m_slider->sizeHint().height());
     m_slider->setAccessibleName(tr("From eye space to the canonical view volume"));
     m_slider->setToolTip(
         tr("Morph the picture from eye space (left, 0 %) into the canonical view volume (right, 100 %).\n"

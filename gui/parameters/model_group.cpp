@@ -183,7 +183,7 @@ void ModelGroup::showObjects()
         // What was typed for the one that went is not meant for the one that takes its place.
         m_rowsOf.reset();
         if (!objects.empty())
-            m_shown->choose(std::min(m_shown->lastPlace(), objects.size() - 1));
+            m_shown->choose(std::min(m_shown->lastIndex(), objects.size() - 1));
     }
     const int shown = objects.empty() ? -1 : static_cast<int>(*m_shown->index());
     QStringList names;

@@ -16,11 +16,6 @@ using namespace geometry;
 namespace {
 
 /// To a hundredth at the most.
-QString pixelText(double value)
-{
-    return writtenText(std::round(value * 100.0) / 100.0, 9);
-}
-
 QString pairText(const QString &x, const QString &y)
 {
     return QStringLiteral("(%1, %2)").arg(x, y);
@@ -41,7 +36,7 @@ CornersModel::Position CornersModel::position(const WidgetPoint &widget, const D
     return {widget, pixel, window, ndcFromWindow(m_geometry.viewport, m_geometry.depthRange, window)};
 }
 
-void CornersModel::setPicture(const Setup &setup)
+void CornersModel::setSetup(const Setup &setup)
 {
     m_geometry = setup;
     const Surface &surface = setup.surface;

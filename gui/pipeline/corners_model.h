@@ -23,7 +23,7 @@ public:
     explicit CornersModel(QObject *parent = nullptr);
 
     /// @pre the geometry is valid
-    void setPicture(const geometry::Setup &setup);
+    void setSetup(const geometry::Setup &setup);
     /// Nothing, or a position outside the window: the row is empty.
     void setPointer(const std::optional<geometry::WidgetPoint> &position);
     /// The centre of the pointer's pixel, with the depth of the near plane.

@@ -87,7 +87,7 @@ ViewportDrawing::ViewportDrawing(QWidget *parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void ViewportDrawing::setPicture(const Setup &setup)
+void ViewportDrawing::setSetup(const Setup &setup)
 {
     m_geometry = setup;
     m_still = {};

@@ -18,7 +18,7 @@ public:
     explicit ViewportDrawing(QWidget *parent = nullptr);
 
     /// @pre the geometry is valid
-    void setPicture(const geometry::Setup &setup);
+    void setSetup(const geometry::Setup &setup);
     /// Window position; nothing: no pointer.
     void setPointer(const std::optional<geometry::WindowPoint> &pointer);
 

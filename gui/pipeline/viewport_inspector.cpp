@@ -90,7 +90,7 @@ ViewportInspector::ViewportInspector(SceneDocument &document, QWidget *parent)
         if (changes & Change::Setup)
             refresh();
     });
-    showPicture();
+    showSetup();
     arrange();
 }
 
@@ -277,14 +277,14 @@ void ViewportInspector::refresh()
 {
     if (!isVisible() || (m_shown && isSameWindow(*m_shown, m_document.setup())))
         return;
-    showPicture();
+    showSetup();
 }
 
-void ViewportInspector::showPicture()
+void ViewportInspector::showSetup()
 {
     m_shown = m_document.setup();
-    m_corners->setPicture(*m_shown);
-    m_drawing->setPicture(*m_shown);
+    m_corners->setSetup(*m_shown);
+    m_drawing->setSetup(*m_shown);
     const Viewport &v = m_shown->viewport;
     m_window->setText(windowText(m_shown->surface));
     m_viewport->setText(viewportText(v));

@@ -51,7 +51,7 @@ private:
     int leastWidth() const;
     void arrange();
     void refresh();
-    void showPicture();
+    void showSetup();
     void showPointer();
 
     const SceneDocument &m_document;

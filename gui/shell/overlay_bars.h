@@ -45,7 +45,7 @@ public:
     void offer(const std::vector<RecoveryInfo> &kept);
 
 signals:
-    // With the place of the chosen one among those offered.
+    // The index of the chosen one among those offered.
     void recoverRequested(int index);
     void discardRequested(int index);
     void laterRequested();

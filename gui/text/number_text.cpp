@@ -71,6 +71,13 @@ QString depthText(double depth)
     return writtenText(depth, kDigits);
 }
 
+QString pixelText(double pixels)
+{
+    constexpr double kHundredths = 100.0;
+    constexpr int kDigits = 9;
+    return writtenText(std::round(pixels * kHundredths) / kHundredths, kDigits);
+}
+
 QString significantText(double value, int digits)
 {
     return QString::number(value == 0.0 ? 0.0 : value, 'g', digits);

@@ -19,6 +19,8 @@ QString writtenText(double value);
 /// The same with so many significant digits, trailing zeros dropped; those before the decimal point all count: 12345.6
 /// with four of them is "12346".
 QString writtenText(double value, int digits);
+/// A coordinate in pixels, to a hundredth at most: "412.5".
+QString pixelText(double pixels);
 /// How large something is: so many significant digits, trailing zeros dropped: "0.83", "5.2", "3.1e-15", "1.2e+06".
 QString significantText(double value, int digits);
 

@@ -6,7 +6,10 @@
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QGuiApplication>
+#include <QItemSelectionModel>
 #include <QMenu>
+
+#include <algorithm>
 
 namespace unprojector::gui {
 using namespace matrices;
@@ -18,6 +21,23 @@ struct CopyMenu {
 };
 
 } // namespace
+
+QString selectedCells(const QItemSelectionModel &selection, const std::function<QString(const QModelIndex &)> &textOf)
+{
+    QModelIndexList selected = selection.selectedIndexes();
+    std::sort(selected.begin(), selected.end());
+    QString text;
+    int row = -1;
+    for (const QModelIndex &index : selected) {
+        if (!index.data().isValid())
+            continue;
+        if (!text.isEmpty())
+            text += index.row() == row ? u'\t' : u'\n';
+        row = index.row();
+        text += textOf(index);
+    }
+    return text;
+}
 
 void copyToClipboard(const QString &text)
 {

@@ -2,9 +2,12 @@
 
 #include <QString>
 
+#include <functional>
 #include <vector>
 
+class QItemSelectionModel;
 class QMenu;
+class QModelIndex;
 class QPoint;
 class QWidget;
 
@@ -23,6 +26,10 @@ void addCopyActions(QMenu &menu, const Copyable &number, const Copyable &whole);
 
 /// Shows such a menu there. It is gone when it closes.
 void showCopyMenu(QWidget &parent, const QPoint &globalPosition, const Copyable &number, const Copyable &whole);
+
+/// The selected cells, a row a line, tab-separated; those without data are left out.
+/// @param textOf  a cell with all its digits
+QString selectedCells(const QItemSelectionModel &selection, const std::function<QString(const QModelIndex &)> &textOf);
 
 /// Puts a text on the clipboard.
 void copyToClipboard(const QString &text);

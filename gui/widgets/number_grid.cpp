@@ -273,19 +273,8 @@ void NumberGrid::focusOutEvent(QFocusEvent *event)
 
 QString NumberGrid::selectedText() const
 {
-    QModelIndexList selected = selectionModel()->selectedIndexes();
-    std::sort(selected.begin(), selected.end());
-    QString text;
-    int row = -1;
-    for (const QModelIndex &index : selected) {
-        if (!index.data().isValid())
-            continue;
-        if (!text.isEmpty())
-            text += index.row() == row ? u'\t' : u'\n';
-        row = index.row();
-        text += m_model->fullText(index.row(), index.column());
-    }
-    return text;
+    return selectedCells(*selectionModel(),
+                         [this](const QModelIndex &index) { return m_model->fullText(index.row(), index.column()); });
 }
 
 } // namespace unprojector::gui

@@ -18,8 +18,7 @@
 namespace unprojector::gui {
 namespace {
 
-/// Raised when docks or tool bars change, so that an old layout is not put onto
-/// a new window.
+/// Raised when docks or tool bars change, so that an old layout is not put onto a new window.
 constexpr int kLayoutVersion = 4;
 
 // Sizes in digits and lines of the window's font.
@@ -31,8 +30,7 @@ constexpr int kRightDigits = 54;
 /// Of a panel, pixels: more comes of a damaged file.
 constexpr int kMostKeptSize = 1 << 14;
 constexpr int kBottomLines = 16;
-/// What the panels of both sides, or those above and below, may take of the
-/// window together, and one side at first.
+/// What the panels of both sides, or those above and below, may take of the window together, and one side at first.
 constexpr double kMostOfTheWindow = 0.62;
 constexpr double kMostOfOneSide = 0.38;
 constexpr double kMostOfANarrowWindow = 0.48;

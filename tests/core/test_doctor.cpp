@@ -84,7 +84,7 @@ private slots:
     void aRightPointIsRight();
     void nothingExplainsRandomPoints();
     void fewDigitsAreNoVerdict();
-    void theLandingSortsMistakes();
+    void theProjectedPointSortsMistakes();
     void theNextClickTellsCandidatesApart();
     void severalPointsSettleIt();
     void aPointThatIsRepeatedCountsOnce();
@@ -242,14 +242,14 @@ void TestDoctor::fewDigitsAreNoVerdict()
     QVERIFY(diagnosis.chance > 0.2);
 }
 
-void TestDoctor::theLandingSortsMistakes()
+void TestDoctor::theProjectedPointSortsMistakes()
 {
     const Case of = scene();
     const auto landing = [&](const glm::dvec3 &got) { return diagnosed(of, pointAt(of, WorldPoint(kTruth), got)); };
-    QCOMPARE(landing(kTruth).landing, ErrorKind::Right);
-    QCOMPARE(landing({0.7051, -0.4122, 0.0918}).landing, ErrorKind::Pixel);
-    QCOMPARE(landing({2.4939, 1.7469, 3.9371}).landing, ErrorKind::Depth);
-    QCOMPARE(landing({-0.1383, -0.0869, 0.1686}).landing, ErrorKind::Matrix);
+    QCOMPARE(landing(kTruth).wrong, ErrorKind::Right);
+    QCOMPARE(landing({0.7051, -0.4122, 0.0918}).wrong, ErrorKind::Pixel);
+    QCOMPARE(landing({2.4939, 1.7469, 3.9371}).wrong, ErrorKind::Depth);
+    QCOMPARE(landing({-0.1383, -0.0869, 0.1686}).wrong, ErrorKind::Matrix);
     // y' = H - y
     const Diagnosis flipped = landing({0.7051, -0.4122, 0.0918});
     QVERIFY(std::abs(flipped.projected->x - 568.647) < 0.02);
@@ -324,7 +324,7 @@ void TestDoctor::withoutADepthTheRayJudges()
     // The eye's side of the near plane is no depth at all.
     const Diagnosis beyond = byRay({3.0882, 2.0441, 5.1852});
     QVERIFY(beyond.verdict != "right");
-    QCOMPARE(beyond.landing, ErrorKind::Depth);
+    QCOMPARE(beyond.wrong, ErrorKind::Depth);
 }
 
 void TestDoctor::theMeshKnowsTheDepth()
@@ -506,8 +506,8 @@ void TestDoctor::everyMistakeAndWayIsWordedInBothLanguages()
         if (!isPerspective)
             of.setup.lens = Projection(Ortho{});
         for (const Variant &variant : variants(Given::of(of.setup).value(), of)) {
-            if (!variant.way.isEmpty())
-                ways.push_back(variant.way);
+            if (!variant.name.isEmpty())
+                ways.push_back(variant.name);
         }
     }
     QVERIFY(ways.size() > 50);

@@ -159,12 +159,12 @@ void TestDoctorVerdicts::whereItLandsTellsNothing()
     Case scene = testScene();
     scene.setup.pose = LookAt{WorldPoint(3.12349, 2.98768, 5.55558), WorldPoint(0, 0, 0), {0, 1, 0}};
     const Diagnosis eye = diagnosed(scene, wrongPoint({3.1235, 2.9877, 5.5556}));
-    QVERIFY(eye.projected && !eye.hasTellingLanding());
+    QVERIFY(eye.projected && !eye.tellsWrong());
     const Diagnosis flipped = diagnosed(testScene(), wrongPoint({0.7051, -0.4122, 0.0918}));
-    QVERIFY(flipped.hasTellingLanding());
+    QVERIFY(flipped.tellsWrong());
     const Diagnosis right = diagnosed(testScene(), wrongPoint({0.5, 0.75, -0.25}));
     QCOMPARE(right.verdict, std::string("right"));
-    QVERIFY(right.hasTellingLanding());
+    QVERIFY(right.tellsWrong());
 }
 
 void TestDoctorVerdicts::aPointBesideItIsNot()

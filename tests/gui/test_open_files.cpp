@@ -76,7 +76,7 @@ struct State {
     {
     }
     std::vector<SceneObject> objects;
-    Setup geometry;
+    Setup setup;
     std::optional<Pick> pick;
     QString title;
 
@@ -88,7 +88,7 @@ struct State {
                    && a.up == b.up;
         };
         if (objects.size() != now.objects.size() || title != now.title
-            || !(geometry.projection() == now.geometry.projection()) || !same(geometry.camera(), now.geometry.camera())
+            || !(setup.projection() == now.setup.projection()) || !same(setup.camera(), now.setup.camera())
             || pick.has_value() != now.pick.has_value())
             return false;
         for (std::size_t i = 0; i < objects.size(); ++i) {

@@ -30,9 +30,9 @@ Json jsonOf(const glm::dvec3 &v)
     return Json::array({jsonNumber(v.x), jsonNumber(v.y), jsonNumber(v.z)});
 }
 
-std::string_view landingName(ErrorKind landing)
+std::string_view errorKindName(ErrorKind kind)
 {
-    switch (landing) {
+    switch (kind) {
     case ErrorKind::Right: return "right";
     case ErrorKind::Pixel: return "pixel";
     case ErrorKind::Depth: return "depth";
@@ -208,7 +208,7 @@ std::string doctorJson(const Diagnosis &diagnosis)
     json["right"] = diagnosis.right ? jsonOf(*diagnosis.right) : Json();
     json["digitsGiven"] = diagnosis.digitsGiven;
     json["digitsWritten"] = diagnosis.digitsWritten;
-    json["wrong"] = diagnosis.hasTellingLanding() ? Json(landingName(diagnosis.landing)) : Json();
+    json["wrong"] = diagnosis.tellsWrong() ? Json(errorKindName(diagnosis.wrong)) : Json();
     json["depth"] = depthName(diagnosis.depthKnown);
     json["tried"] = diagnosis.tried;
     json["singlePrecision"] = diagnosis.isSinglePrecision;
@@ -242,7 +242,7 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
         text += line(tr("is also|row"), knownPointName(diagnosis.known));
     if (diagnosis.next && diagnosis.verdict != "right" && !isKnown)
         text += line(tr("tell apart"), nextClickText(diagnosis));
-    text += line(tr("lands|row"), landingText(diagnosis));
+    text += line(tr("lands|row"), projectedText(diagnosis));
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
         text += line(tr("right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)

@@ -29,7 +29,7 @@ struct Task {
     RowFormat format;
     NumberReader reader;
     RowLayout layout;
-    Setup geometry;
+    Setup setup;
     WayForward way;
     BatchSpace space;
     glm::dmat4 clipFromEye;
@@ -62,7 +62,7 @@ double depthUncertainty(const Task &task, const glm::dvec4 &point, const glm::dv
     if (!(1000.0 * ofClip.w <= std::abs(clip.w)))
         return 0.0;
     const double ofNdc = (ofClip.z + std::abs(clip.z / clip.w) * ofClip.w) / std::abs(clip.w);
-    const auto &[atNear, atFar] = task.geometry.depthRange;
+    const auto &[atNear, atFar] = task.setup.depthRange;
     return ofNdc * std::abs(atFar - atNear) + kRounding * std::max(std::abs(atNear), std::abs(atFar));
 }
 
@@ -96,7 +96,7 @@ glm::dvec4 rounded(const DoubleDouble4 &v)
 /// @return whether every stage has an answer
 bool project(const Task &task, const glm::dvec3 &point, Stages &stages)
 {
-    const Setup &g = task.geometry;
+    const Setup &g = task.setup;
     const PreciseStages way = task.space.kind == BatchSpace::Kind::Eye
                                   ? task.way.fromEye(precise(point))
                                   : task.way.fromWorld(product(task.space.worldFromObject, precise(point)));

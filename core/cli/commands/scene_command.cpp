@@ -4,6 +4,7 @@
 #include "core/cli/commands/size_text.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/files/path_text.h"
+#include "core/geometry/condition_number.h"
 #include "core/matrices/decomposition.h"
 #include "core/matrices/matrix_format.h"
 #include "core/scene_file/scene_error_text.h"
@@ -152,14 +153,6 @@ bool setViewport(const SceneOptions &options, const MatrixTaker &taker, const Pa
     scene.depthRange = depthRange;
     scene.viewport = setWindow(options, viewport, isOriginTop(options), scene);
     return scene.viewport.has_value();
-}
-
-double largestEntry(const glm::dmat4 &m)
-{
-    double largest = 0.0;
-    for (int i = 0; i < 16; ++i)
-        largest = std::max(largest, std::abs(m[i / 4][i % 4]));
-    return largest;
 }
 
 /// How far a matrix is from another one times any number, over its largest entry; 1 where either is 0 or beyond doubles.
