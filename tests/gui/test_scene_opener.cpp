@@ -44,6 +44,7 @@ private slots:
     void theGoodFilesComeInOrderAndTheOthersSayWhy();
     void nothingComesAfterACancel();
     void aSecondLoadingTakesTheFirstOnesPlace();
+    void anOpeningThatStartsTheNextHasNotEnded();
     void anOpenerMayGoWhileItLoads();
 
 private:
@@ -120,6 +121,23 @@ void TestSceneOpener::aSecondLoadingTakesTheFirstOnesPlace()
     const auto result = opened[0][0].value<Opened>();
     QCOMPARE(result.objects.size(), std::size_t(1));
     QVERIFY(result.objects[0].file == m_small);
+}
+
+/// Who waits for the end waits for the last one's.
+void TestSceneOpener::anOpeningThatStartsTheNextHasNotEnded()
+{
+    SceneOpener opener;
+    QSignalSpy ended(&opener, &SceneOpener::ended);
+    int opened = 0;
+    connect(&opener, &SceneOpener::opened, this, [&] {
+        if (++opened == 1)
+            opener.load(asked({m_small}));
+    });
+    opener.load(asked({m_small}));
+    QTRY_COMPARE_WITH_TIMEOUT(opened, 1, kPatienceMilliseconds);
+    QCOMPARE(ended.size(), 0);
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, kPatienceMilliseconds);
+    QCOMPARE(opened, 2);
 }
 
 void TestSceneOpener::anOpenerMayGoWhileItLoads()

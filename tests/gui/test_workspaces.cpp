@@ -66,6 +66,7 @@ private slots:
     void theOldSizesComeBackAfterARestart();
     void theViewKeepsItsSizeAndItsClick_data();
     void theViewKeepsItsSizeAndItsClick();
+    void settingsWithSeveralWidthsBecomeOne();
 
     void theViewFromOutsideComesBackAsItWasLeft_data();
     void theViewFromOutsideComesBackAsItWasLeft();
@@ -215,6 +216,34 @@ void TestWorkspaces::theViewKeepsItsSizeAndItsClick()
         enter(*window, workspace);
         settle(20);
         QCOMPARE(window->view().size(), narrower);
+    }
+}
+
+/// An earlier version kept a width for each workspace.
+void TestWorkspaces::settingsWithSeveralWidthsBecomeOne()
+{
+    const auto widen = [](const QString &workspace, int width) {
+        QSettings settings;
+        const QString key = QStringLiteral("window/sizes/") + workspace;
+        QVariantMap sizes = settings.value(key).toMap();
+        QVERIFY2(sizes.contains(QStringLiteral("right")), qPrintable(workspace));
+        sizes[QStringLiteral("right")] = width;
+        settings.setValue(key, sizes);
+    };
+    {
+        const auto window = windowOfSize(kWide, true);
+        for (const char *workspace : {"points", "doctor", "click"})
+            enter(*window, workspace);
+        window->close();
+    }
+    widen(QStringLiteral("points"), 380);
+    widen(QStringLiteral("doctor"), 470);
+    const auto window = windowOfSize(kWide, true);
+    const QSize first = window->view().size();
+    for (const char *workspace : {"points", "doctor", "click"}) {
+        enter(*window, workspace);
+        settle(20);
+        QCOMPARE(window->view().size(), first);
     }
 }
 
