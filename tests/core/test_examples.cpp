@@ -247,7 +247,7 @@ void TestExamples::threeProjectionsAreNotEqual()
     // The sixteen numbers themselves, as the program has them, and not what they are read as.
     const SceneProjection given = example("derivation-matrix").scene.projection;
     QVERIFY(given.matrix());
-    const glm::dmat4 &handMade = given.matrix()->clipFromEye, theirs = *clipFromEye(frustum.geometry);
+    const glm::dmat4 &handMade = given.matrix()->clipFromEye, theirs = *clipFromEye(frustum.setup);
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row)
             QVERIFY2(std::abs(handMade[column][row] - theirs[column][row])
@@ -282,7 +282,7 @@ void TestExamples::aCircleIsDrawnWiderByTwoOfThem()
                                  top = pointsForward(*made, ObjectPoint(0, 5, 0));
             const double width = right.window->x - middle.window->x, height = top.window->y - middle.window->y;
             // The viewport is 4:3 but for its rounding to whole pixels.
-            const double pixel = 2.0 / std::min(made->geometry.viewport.width, made->geometry.viewport.height);
+            const double pixel = 2.0 / std::min(made->setup.viewport.width, made->setup.viewport.height);
             QVERIFY2(std::abs(width / height - widthToHeight) <= widthToHeight * pixel, id);
         }
     }

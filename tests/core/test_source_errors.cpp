@@ -161,7 +161,7 @@ void errorsOfZhangci(Errata &errors)
                element(forward(modelView, PipelineStage::ModelviewMatrix), 14));
 
     const Pipeline box = pipelineOf("zhangci-ortho");
-    const auto corners = viewVolumeCorners(box.geometry.projection());
+    const auto corners = viewVolumeCorners(box.setup.projection());
     errors.add("error-zhangci-cube", "side of glOrtho(-10 .. 10)", 10, 20, distance(corners[0], corners[1]));
     errors.add("error-zhangci-cube", "side when normalised", 1, 2,
                distance(pointsFrom(box, {corners[0]}).ndc.value(), pointsFrom(box, {corners[1]}).ndc.value()));
@@ -178,7 +178,7 @@ void errorsOfZhangci(Errata &errors)
                windowFromNdc(Viewport{0, 0, 50, 50}, DepthRange{}, NdcPoint(0, 0, 0.5)).z);
 
     // Figure 2.13's own viewport, 400 x 300 at (400, 0) of 800 x 600, clicked at its middle: from the top, row 450.
-    const Setup quarter = pipelineOf("zhangci-viewport-quarter").geometry;
+    const Setup quarter = pipelineOf("zhangci-viewport-quarter").setup;
     const DevicePixel pixel{600, 450};
     const OtherClick click = clickOf(OtherProgram::Screen2World, quarter, pixel);
     errors.add("error-zhangci-height", "winY", windowFromDevice(quarter.surface, click.position, 0.0).y, 150,
@@ -192,7 +192,7 @@ void errorsOfZhangci(Errata &errors)
     const glm::dmat4 clipFromObject =
         forward(modelView, PipelineStage::ProjectionMatrix) * forward(modelView, PipelineStage::ModelviewMatrix);
     errors.add("error-zhangci-object", "z by gluUnProject with GL_MODELVIEW",
-               unprojectByInverse<ObjectSpace>(clipFromObject, modelView.geometry.viewport, DepthRange{}, *back.window)
+               unprojectByInverse<ObjectSpace>(clipFromObject, modelView.setup.viewport, DepthRange{}, *back.window)
                    .value()
                    .z,
                -3, back.world->z);
@@ -207,7 +207,7 @@ void errorsOfProjectionDerivation(Errata &errors)
                m0("derivation-perspective"));
     // The circle of radius 5 around (-8, 0, -20).
     const auto widthOverHeight = [](const char *id) {
-        const Setup setup = pipelineOf(id).geometry;
+        const Setup setup = pipelineOf(id).setup;
         const auto at = [&setup](double x, double y) { return windowFromWorld(setup, WorldPoint(x, y, -20)).value(); };
         return (at(-3, 0).x - at(-13, 0).x) / (at(-8, 5).y - at(-8, -5).y);
     };
@@ -271,7 +271,7 @@ void errorsOfParallelProjection(Errata &errors)
 {
     const Pipeline square = pipelineOf("parallel-orthographic");
     const glm::dmat4 ortho = forward(square, PipelineStage::ProjectionMatrix);
-    const auto corners = viewVolumeCorners(square.geometry.projection());
+    const auto corners = viewVolumeCorners(square.setup.projection());
     errors.add("error-parallel-range", "z of the box's middle", (2.0 + 9.0) / 2.0, -5.5,
                (corners[0].z + corners[4].z) / 2.0);
     glm::dmat4 flip(1.0);

@@ -150,7 +150,7 @@ void zhangciInSpace()
     const glm::dmat4 viewport = forward(pipelineOf("zhangci-viewport-50"), PipelineStage::ViewportMatrix);
     rows("zhangci 2.3 M_viewport, row 3", {"0", "0", "0.5", "0.5"}, glm::row(viewport, 2));
     rows("zhangci 2.3 M_viewport, row 4", {"0", "0", "0", "1"}, glm::row(viewport, 3));
-    const Viewport quarter = pipelineOf("zhangci-viewport-quarter").geometry.viewport;
+    const Viewport quarter = pipelineOf("zhangci-viewport-quarter").setup.viewport;
     rows("zhangci fig 2.13 glViewport(width/2, 0, width/2, height/2) of 800 x 600", {"400", "0", "400", "300"},
          {quarter.x, quarter.y, quarter.width, quarter.height});
 }
@@ -175,10 +175,10 @@ void projectionDerivation()
         rows(std::string(id) + " translated by", {"0", "0", "10"}, forward(program, PipelineStage::ModelMatrix)[3]);
         vertices(std::string(id) + " fan", id, {{"0", "0", "-20"}, {"30", "20", "-40"}, {"40", "10", "-30"}},
                  {0, 1, 2});
-        const ProjectionWindow window = projectionWindow(program.geometry.projection());
+        const ProjectionWindow window = projectionWindow(program.setup.projection());
         row(std::string(id) + " nearz", "5.0", window.nearDistance);
         row(std::string(id) + " farz", "80000", window.farDistance);
-        const Projection symmetric = converted(program.geometry.projection(), ProjectionKind::Perspective, 5);
+        const Projection symmetric = converted(program.setup.projection(), ProjectionKind::Perspective, 5);
         row(std::string(id) + " angle", "90.0",
             degreesFromRadians(std::get<Perspective>(symmetric).verticalFovRadians));
     }
@@ -248,11 +248,11 @@ void parallelProjection()
     row("parallel side of the CVV", "2",
         pointsFrom(square, {EyePoint(9, 0, -2)}).ndc.value().x
             - pointsFrom(square, {EyePoint(-9, 0, -2)}).ndc.value().x);
-    row("parallel the near plane, z", "-2", viewVolumeCorners(square.geometry.projection())[0].z);
-    row("parallel the far plane, z", "-9", viewVolumeCorners(square.geometry.projection())[4].z);
+    row("parallel the near plane, z", "-2", viewVolumeCorners(square.setup.projection())[0].z);
+    row("parallel the far plane, z", "-9", viewVolumeCorners(square.setup.projection())[4].z);
     const glm::dmat4 ortho = forward(square, PipelineStage::ProjectionMatrix);
     // Of its T and S, by hand: (near + far)/2, 2/18 and 2/7.
-    for (const MatrixFactor &factor : factors(square.geometry.projection()).value()) {
+    for (const MatrixFactor &factor : factors(square.setup.projection()).value()) {
         if (factor.step == MatrixStep::MoveBox)
             rows("parallel program 1, T", {"0", "0", "5.5"}, factor.matrix[3]);
         else if (factor.step == MatrixStep::ScaleBox)

@@ -71,7 +71,7 @@ bool openAndWait(MainWindow &window, const QStringList &files)
 /// What must stay when an opening fails.
 struct State {
     explicit State(MainWindow &window)
-        : objects(window.document().objects()), geometry(window.document().setup()),
+        : objects(window.document().objects()), setup(window.document().setup()),
           pick(window.document().picks().pick()), title(window.windowTitle())
     {
     }
