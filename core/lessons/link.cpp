@@ -31,6 +31,14 @@ std::optional<Link> viewSizeOf(std::string_view text)
     return width && height ? std::optional<Link>(ViewSizeLink{{*width, *height}}) : std::nullopt;
 }
 
+std::optional<Link> matrixOf(std::string_view text)
+{
+    static_assert(static_cast<int>(matrices::PipelineStage::ViewportMatrix) == 3);
+    constexpr std::array kNames{"model", "view", "projection", "viewport"};
+    const auto stage = named<matrices::PipelineStage>(kNames, text);
+    return stage ? std::optional<Link>(MatrixLink{*stage}) : std::nullopt;
+}
+
 std::optional<Link> actionOf(std::string_view text)
 {
     const std::size_t colon = text.find(':');
@@ -84,6 +92,8 @@ std::optional<Link> parseLink(std::string_view text)
         return FactorsLink{FactorsLink::Matrix::View};
     if (scheme == "apart" && target == "projection")
         return FactorsLink{FactorsLink::Matrix::Projection};
+    if (scheme == "matrix")
+        return matrixOf(target);
     if (scheme == "action")
         return actionOf(target);
     if (scheme == "view")

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/matrices/pipeline.h"
+
 #include <glm/vec2.hpp>
 
 #include <array>
@@ -82,6 +84,10 @@ struct FactorsLink {
     enum class Matrix { View, Projection };
     Matrix matrix;
 };
+/// "matrix:projection": shows the matrix, in the pipeline's panel. Also "model", "view" and "viewport".
+struct MatrixLink {
+    matrices::PipelineStage stage; ///< one of these four
+};
 /// "action:perspective": triggers the action of a menu or of a panel that has the name, and switches on one that can be off;
 /// "action:perspective:off" switches it off.
 struct ActionLink {
@@ -96,7 +102,7 @@ struct ViewSizeLink {
 struct GivenPointLink {};
 
 using Link = std::variant<FormulasLink, ClickLink, SetLink, PanelLink, WorkspaceLink, StepLink, RestartLink,
-                          FactorsLink, ActionLink, ViewSizeLink, GivenPointLink>;
+                          FactorsLink, MatrixLink, ActionLink, ViewSizeLink, GivenPointLink>;
 
 /// @return nothing where the text is no link of a lesson
 std::optional<Link> parseLink(std::string_view text);

@@ -1,6 +1,7 @@
 #include "gui/click/click_feature.h"
 
 #include "gui/click/comparison_panel.h"
+#include "gui/click/pick_strip.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/view/scene_view.h"
@@ -11,20 +12,18 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QLayout>
 #include <QMenu>
 #include <QSettings>
 #include <QToolBar>
+#include <QToolButton>
 
 namespace unprojector::gui {
 
 class ClickFeature : public Feature {
     Q_OBJECT
 public:
-    explicit ClickFeature(Window &window)
-        : Feature(&window), m_document(window.document()), m_comparison(new ComparisonPanel(m_document))
-    {
-        connect(m_comparison, &ComparisonPanel::pickRequested, &window.view(), &SceneView::onLButtonDown);
-    }
+    explicit ClickFeature(Window &window);
 
     std::vector<PanelSpec> panels() override
     {
@@ -33,11 +32,8 @@ public:
     }
     std::optional<WorkspaceSpec> workspace() override
     {
-        return WorkspaceSpec{Workspace::Click,
-                             tr("Click"),
-                             tr("The view and what a click gives"),
-                             Qt::Key_F5,
-                             {Panel::Comparison, Panel::Objects}};
+        return WorkspaceSpec{Workspace::Click, tr("Click"), tr("The view and what a click gives"),
+                             Drawing::Click,   Qt::Key_F5,  {Panel::Comparison, Panel::Objects}};
     }
     void addActions(MenuKind kind, QMenu &menu, QToolBar &bar) override;
 
@@ -51,33 +47,88 @@ public:
     }
     void keep(QSettings &settings) const override
     {
+        settings.setValue(kShowsStrip, m_isStripWanted);
         settings.setValue(kShowsFloat, m_comparison->showsFloat());
         settings.setValue(kShowsRay, m_comparison->showsRay());
         settings.setValue(kOpenFolds, m_comparison->openFolds());
     }
     void restore(const QSettings &settings) override
     {
+        m_isStripWanted = settings.value(kShowsStrip, true).toBool();
+        placeStrip();
         m_comparison->setShowsFloat(settings.value(kShowsFloat, false).toBool());
         m_comparison->setShowsRay(settings.value(kShowsRay, false).toBool());
         m_comparison->setOpenFolds(settings.value(kOpenFolds).toStringList());
     }
 
 private:
-    static inline const QString kSnap = QStringLiteral("snap"), kShowsFloat = QStringLiteral("comparison/showsFloat"),
+    static inline const QString kSnap = QStringLiteral("snap"), kShowsStrip = QStringLiteral("window/showsStrip"),
+                                kShowsFloat = QStringLiteral("comparison/showsFloat"),
                                 kShowsRay = QStringLiteral("comparison/showsRay"),
                                 kOpenFolds = QStringLiteral("comparison/openFolds");
 
+    void placeStrip();
+    void addSnaps(QMenu &menu);
+    void addSnapButton(QToolBar &bar);
+
+    Window &m_window;
     SceneDocument &m_document;
     ComparisonPanel *m_comparison;
+    PickStrip *m_strip;
+    QToolBar *m_bar; ///< of the strip
+    bool m_isStripWanted = true;
+    bool m_isInLesson = false;
     QActionGroup *m_snaps = nullptr;
 };
 
+ClickFeature::ClickFeature(Window &window)
+    : Feature(&window), m_window(window), m_document(window.document()), m_comparison(new ComparisonPanel(m_document)),
+      m_strip(new PickStrip), m_bar(new QToolBar(tr("Pick in Every Space"), &window))
+{
+    connect(m_comparison, &ComparisonPanel::pickRequested, &window.view(), &SceneView::onLButtonDown);
+    connect(m_strip, &PickStrip::stageRequested, &window, [this](matrices::PipelineStage stage) {
+        m_window.workspaces().enter(Workspace::Pipeline);
+        m_window.follow(lessons::MatrixLink{stage});
+    });
+    connect(&m_document, &SceneDocument::changed, m_strip, [this](Changes changes) {
+        if (changes & (Change::Pick | Change::Ray | Change::Objects))
+            m_strip->setPick(m_document.picks().keptPick(), m_document.picks().pickedPoint());
+    });
+    m_bar->setObjectName(QStringLiteral("strip"));
+    m_bar->setMovable(false);
+    m_bar->layout()->setContentsMargins(0, 0, 0, 0);
+    m_bar->addWidget(m_strip);
+    connect(m_bar->toggleViewAction(), &QAction::triggered, this, [this](bool isShown) { m_isStripWanted = isShown; });
+    connect(&window, &Window::stepShown, this, [this](const lessons::Step *step) {
+        m_isInLesson = step != nullptr;
+        placeStrip();
+    });
+}
+
+/// Under the view and its panels, as wide as the window, in every workspace. A lesson asks for such numbers: there it is hidden.
+void ClickFeature::placeStrip()
+{
+    if (m_window.toolBarArea(m_bar) != Qt::BottomToolBarArea) // a layout may have been kept before there was a strip
+        m_window.addToolBar(Qt::BottomToolBarArea, m_bar);
+    m_bar->setVisible(m_isStripWanted && !m_isInLesson && !m_window.workspaces().arePanelsHidden());
+}
+
 void ClickFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
 {
+    if (kind == MenuKind::Help)
+        addSnapButton(bar);
     if (kind != MenuKind::Edit)
         return;
+    addSnaps(menu);
+    m_window.addToolBar(Qt::BottomToolBarArea, m_bar);
+    connect(&m_window.workspaces(), &Workspaces::laidOut, this, &ClickFeature::placeStrip);
+    connect(&m_window.workspaces(), &Workspaces::panelsHidden, this, &ClickFeature::placeStrip);
+}
+
+void ClickFeature::addSnaps(QMenu &menu)
+{
     menu.addSeparator();
-    menu.addSection(tr("A Click Takes"));
+    menu.addSection(tr("Snap To"));
     m_snaps = new QActionGroup(&menu);
     const auto add = [&](const char *name, ray::Snap snap, const QString &text, const QKeySequence &key,
                          const QString &tip, Drawing drawing) {
@@ -87,7 +138,7 @@ void ClickFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
         action->setActionGroup(m_snaps);
         action->setData(static_cast<int>(snap));
         action->setObjectName(QLatin1String(name)); // by which lessons link to it
-        putOnBar(bar, *action, drawing);
+        action->setIcon(drawnIcon(drawing));
     };
     add("surface", ray::Snap::Surface, tr("&Surface"), Qt::Key_S, tr("A click takes the surface under it"),
         Drawing::Surface);
@@ -97,7 +148,24 @@ void ClickFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
         tr("A click takes the nearest point of an edge in sight within 8 pixels"), Drawing::Edge);
     add("face", ray::Snap::Face, tr("&Face"), Qt::SHIFT | Qt::Key_F,
         tr("A click takes the face under it, with its plane"), Drawing::Face);
-    bar.addSeparator();
+}
+
+/// Behind the others of the bar: its text changes its width.
+void ClickFeature::addSnapButton(QToolBar &bar)
+{
+    auto *button = new QToolButton;
+    button->setMenu(new QMenu(button));
+    button->menu()->addActions(m_snaps->actions());
+    button->setPopupMode(QToolButton::InstantPopup);
+    button->setToolTip(tr("What a click takes of a mesh"));
+    button->setObjectName(QStringLiteral("snap"));
+    const auto show = [this, button](const QAction *action) {
+        button->setText(tr("Snap: %1").arg(action->iconText()));
+        button->setIcon(action->icon());
+    };
+    show(m_snaps->checkedAction());
+    connect(m_snaps, &QActionGroup::triggered, button, show);
+    bar.addWidget(button);
 }
 
 Feature *makeClickFeature(Window &window)

@@ -22,11 +22,9 @@ public:
     }
     std::optional<WorkspaceSpec> workspace() override
     {
-        return WorkspaceSpec{Workspace::Doctor,
-                             tr("Doctor"),
-                             tr("Find the mistake by which your program gets a wrong coordinate"),
-                             Qt::Key_F8,
-                             {Panel::Doctor, Panel::Objects}};
+        return WorkspaceSpec{
+            Workspace::Doctor, tr("Doctor"), tr("Find the mistake by which your program gets a wrong coordinate"),
+            Drawing::Doctor,   Qt::Key_F8,   {Panel::Doctor, Panel::Objects}};
     }
 
 private:

@@ -42,6 +42,7 @@ public:
         return WorkspaceSpec{Workspace::Landmarks,
                              tr("Points"),
                              tr("Place points on the surface, name them, move them, measure between them"),
+                             Drawing::Points,
                              Qt::Key_F7,
                              {Panel::Landmarks, Panel::Objects}};
     }

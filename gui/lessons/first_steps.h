@@ -3,18 +3,32 @@
 #include <QFrame>
 #include <QString>
 
+#include <array>
+
+class QLabel;
+
 namespace unprojector::gui {
 
-/// A quiet note in the view of somebody who is new: three things to try.
+/// Three things to try, for a user who is new, in a corner of the view. Each is ticked once it is done.
 class FirstSteps : public QFrame {
     Q_OBJECT
 public:
+    enum Step { Click, Drag, Lesson, StepCount };
+
     /// @param lesson  the title of the one that is offered
     explicit FirstSteps(const QString &lesson, QWidget *parent = nullptr);
+
+    void setDone(Step step, bool isDone);
+    bool isDone(Step step) const { return m_isDone[step]; }
+    bool isAllDone() const;
 
 signals:
     void lessonRequested();
     void closeRequested();
+
+private:
+    std::array<QLabel *, StepCount> m_ticks;
+    std::array<bool, StepCount> m_isDone{};
 };
 
 } // namespace unprojector::gui

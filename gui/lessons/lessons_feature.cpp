@@ -11,7 +11,9 @@
 #include "gui/lessons/lesson_player.h"
 #include "gui/lessons/lesson_text.h"
 #include "gui/view/scene_view.h"
+#include "gui/view/view_keys.h"
 #include "gui/widgets/help_link.h"
+#include "gui/widgets/icons.h"
 #include "gui/window/actions.h"
 #include "gui/window/feature.h"
 #include "gui/window/view_frame.h"
@@ -20,10 +22,15 @@
 #include <nlohmann/json.hpp>
 
 #include <QAction>
+#include <QApplication>
 #include <QDockWidget>
+#include <QKeyEvent>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QSettings>
 #include <QTimer>
+#include <QToolBar>
+#include <QToolButton>
 
 namespace unprojector::gui {
 
@@ -41,8 +48,12 @@ public:
     void restore(const QSettings &settings) override;
     using Feature::restore;
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     void addLessonActions(QMenu &menu);
+    void addToBar(QToolBar &bar);
     void connectWorkspaces();
     void leaveOrStay();
     void click(const std::string &point);
@@ -52,14 +63,21 @@ private:
     void showFirstSteps(bool isShown);
     /// They speak of the workspace Click, and are seen there.
     void placeFirstSteps();
+    void tick(FirstSteps::Step step);
+    void keepFirstSteps() const;
+
+    static inline const QString kStepsDone = QStringLiteral("firstSteps/done"),
+                                kAreStepsClosed = QStringLiteral("firstSteps/areDone");
 
     Window &m_window;
     LessonPlayer *m_player;
     LessonPanel *m_panel;
     LessonLayout *m_stage;
+    QMenu *m_menu = nullptr;              ///< of the lessons
     FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
     FirstSteps *m_firstSteps = nullptr;   ///< the same
     bool m_areFirstStepsShown = false;    ///< where they are seen
+    QPointF m_pressed;                    ///< where the left button went down in the view
 };
 
 LessonsFeature::LessonsFeature(Window &window)
@@ -67,6 +85,7 @@ LessonsFeature::LessonsFeature(Window &window)
       m_panel(new LessonPanel(*m_player, window.document())), m_stage(new LessonLayout(window, *m_player))
 {
     connect(m_player, &LessonPlayer::aboutToBegin, m_stage, &LessonLayout::remember);
+    connect(m_player, &LessonPlayer::aboutToBegin, this, [this] { tick(FirstSteps::Lesson); });
     connect(m_player, &LessonPlayer::changed, m_stage, &LessonLayout::showStep);
     connect(m_player, &LessonPlayer::changed, this, &LessonsFeature::placeFirstSteps);
     connect(m_player, &LessonPlayer::revealed, m_stage, [this] {
@@ -78,20 +97,64 @@ LessonsFeature::LessonsFeature(Window &window)
     connect(m_panel, &LessonPanel::closeRequested, m_player, &LessonPlayer::leave);
     connect(m_panel, &LessonPanel::linkFollowed, &window, &Window::follow);
     connect(&window, &Window::closing, m_player, &LessonPlayer::end); // the next start has the layout before the lesson
-    connect(&window.document(), &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & Change::Pick && m_window.document().picks().pick())
-            showFirstSteps(false);
-    });
+    window.view().installEventFilter(this);
 }
 
-void LessonsFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
+/// What the user does in the view, but not the pick that the program starts with, ticks the first steps.
+bool LessonsFeature::eventFilter(QObject *watched, QEvent *event)
+{
+    if (m_player->lesson())
+        return Feature::eventFilter(watched, event);
+    const auto *mouse = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonRelease
+                            ? static_cast<const QMouseEvent *>(event)
+                            : nullptr;
+    if (event->type() == QEvent::KeyPress) {
+        const auto key = viewKeyOf(*static_cast<const QKeyEvent *>(event));
+        if (key && key->kind == ViewKey::Kind::Pick)
+            tick(FirstSteps::Click);
+        else if (key && key->kind == ViewKey::Kind::Turn)
+            tick(FirstSteps::Drag);
+    } else if (mouse && mouse->button() == Qt::LeftButton && event->type() == QEvent::MouseButtonPress) {
+        m_pressed = mouse->position();
+    } else if (mouse && mouse->button() == Qt::LeftButton) {
+        const bool isDrag = (mouse->position() - m_pressed).manhattanLength() >= QApplication::startDragDistance();
+        tick(isDrag ? FirstSteps::Drag : FirstSteps::Click);
+    }
+    return Feature::eventFilter(watched, event);
+}
+
+void LessonsFeature::tick(FirstSteps::Step step)
+{
+    if (!m_areFirstStepsShown)
+        return;
+    m_firstSteps->setDone(step, true);
+    if (m_firstSteps->isAllDone())
+        showFirstSteps(false);
+    else
+        keepFirstSteps();
+}
+
+void LessonsFeature::keepFirstSteps() const
+{
+    if (!m_window.remembers())
+        return;
+    QVariantList done;
+    for (int step = 0; step < FirstSteps::StepCount; ++step)
+        done << m_firstSteps->isDone(static_cast<FirstSteps::Step>(step));
+    QSettings settings;
+    settings.setValue(kStepsDone, done);
+    settings.setValue(kAreStepsClosed, !m_areFirstStepsShown);
+}
+
+void LessonsFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
 {
     if (kind == MenuKind::File) {
         connectWorkspaces();
         menu.addSeparator();
         addAction(menu, tr("&Bundled Scene"), {}, tr("Show the scene that comes with the program"),
                   [this] { m_window.session().openBundledScene(); });
-        addLessonActions(*menu.addMenu(tr("&Lessons")));
+        m_menu = menu.addMenu(tr("&Lessons"));
+        addLessonActions(*m_menu);
     } else if (kind == MenuKind::Help) {
         new HelpOpener([this](const QString &anchor) { showFormulas(anchor); }, this);
         addAction(menu, tr("&Formulas"), QKeySequence::HelpContents,
@@ -99,8 +162,26 @@ void LessonsFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
         addAction(menu, tr("First &Steps"), {}, tr("Three things to try"), [this] {
             m_window.workspaces().enter(Workspace::Click);
             showFirstSteps(true);
+            for (int step = 0; m_firstSteps && step < FirstSteps::StepCount; ++step)
+                m_firstSteps->setDone(static_cast<FirstSteps::Step>(step), false);
         });
+        addToBar(bar);
     }
+}
+
+/// At the right of the bar.
+void LessonsFeature::addToBar(QToolBar &bar)
+{
+    auto *space = new QWidget;
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    bar.addWidget(space);
+    auto *button = new QToolButton;
+    button->setText(tr("Lessons"));
+    button->setIcon(drawnIcon(Drawing::Lessons));
+    button->setToolTip(tr("Lessons of a few minutes, with questions"));
+    button->setMenu(m_menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    bar.addWidget(button);
 }
 
 void LessonsFeature::connectWorkspaces()
@@ -217,8 +298,14 @@ void LessonsFeature::showFormulas(const QString &anchor)
 
 void LessonsFeature::restore(const QSettings &settings)
 {
-    if (!settings.value(QStringLiteral("firstSteps/areDone"), false).toBool())
-        showFirstSteps(true);
+    if (settings.value(kAreStepsClosed, false).toBool())
+        return;
+    const QVariantList done = settings.value(kStepsDone).toList();
+    showFirstSteps(true);
+    for (int step = 0; m_firstSteps && step < std::min<int>(done.size(), FirstSteps::StepCount); ++step)
+        m_firstSteps->setDone(static_cast<FirstSteps::Step>(step), done[step].toBool());
+    if (m_firstSteps)
+        keepFirstSteps();
 }
 
 void LessonsFeature::showFirstSteps(bool isShown)
@@ -228,17 +315,14 @@ void LessonsFeature::showFirstSteps(bool isShown)
         m_firstSteps = new FirstSteps(lessonTitle(lessons.front().title));
         m_window.frame().addNote(*m_firstSteps);
         connect(m_firstSteps, &FirstSteps::closeRequested, this, [this] { showFirstSteps(false); });
-        connect(m_firstSteps, &FirstSteps::lessonRequested, this, [this] {
-            showFirstSteps(false);
-            m_player->start(m_player->lessons().front().name);
-        });
+        connect(m_firstSteps, &FirstSteps::lessonRequested, this,
+                [this] { m_player->start(m_player->lessons().front().name); });
     }
     if (!m_firstSteps)
         return;
     m_areFirstStepsShown = isShown;
     placeFirstSteps();
-    if (!isShown && m_window.remembers())
-        QSettings().setValue(QStringLiteral("firstSteps/areDone"), true);
+    keepFirstSteps();
 }
 
 void LessonsFeature::placeFirstSteps()

@@ -10,7 +10,7 @@
 namespace unprojector::gui {
 namespace {
 
-constexpr QSizeF kFirstShare(0.4, 0.5);
+constexpr QSizeF kFirstShare(0.38, 0.45);
 constexpr double kLeastShare = 0.05;
 constexpr double kMostShare = 0.9;
 constexpr int kMargin = 8; ///< from the area's corner

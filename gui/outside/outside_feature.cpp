@@ -84,6 +84,7 @@ void OutsideFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
         return;
     m_action = addSwitch(menu, tr("&View from Outside"), Qt::Key_0,
                          tr("Show the camera and its view volume from outside, in a corner of the view or in a panel"));
+    m_action->setObjectName(QStringLiteral("outside"));
     connect(m_action, &QAction::toggled, this, &OutsideFeature::show);
     putOnBar(bar, *m_action, Drawing::FromOutside);
     Workspaces &workspaces = m_window.workspaces();

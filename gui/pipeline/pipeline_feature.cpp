@@ -33,6 +33,7 @@ public:
         return WorkspaceSpec{Workspace::Pipeline,
                              tr("Pipeline"),
                              tr("Every number and every matrix between an object and its pixel"),
+                             Drawing::Pipeline,
                              Qt::Key_F6,
                              {Panel::Pipeline, Panel::Parameters, Panel::Inspector, Panel::Lifecycle}};
     }
@@ -98,6 +99,11 @@ bool PipelineFeature::follow(const lessons::Link &link)
 {
     if (std::holds_alternative<lessons::GivenPointLink>(link)) {
         m_pipeline->followGiven();
+        return true;
+    }
+    if (const auto *matrix = std::get_if<lessons::MatrixLink>(&link)) {
+        m_window.workspaces().show(Panel::Pipeline);
+        m_pipeline->openMatrix(matrix->stage);
         return true;
     }
     const auto *factors = std::get_if<lessons::FactorsLink>(&link);

@@ -43,6 +43,8 @@ public:
     void scrollToTop();
     /// Shows the factors of the view's or the projection's matrix, forward, and what there is to try with them.
     void takeApart(matrices::PipelineStage stage);
+    /// Opens a matrix and scrolls to it.
+    void openMatrix(matrices::PipelineStage stage);
 
     /// What is being typed counts now.
     void applyTyped();
@@ -61,8 +63,6 @@ protected:
 private:
     /// What lessons link to, by name: each matrix opened, the shares of the projection's factors.
     void createActions();
-    /// Opens a matrix and scrolls to it.
-    void openMatrix(matrices::PipelineStage stage);
     /// @param tried  what below the row is to be in sight as well, or null
     void scrollTo(const QWidget &row, const QWidget *tried);
     void createStages();

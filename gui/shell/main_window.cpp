@@ -218,6 +218,7 @@ void MainWindow::follow(const lessons::Link &link)
 void MainWindow::showStep(const lessons::Step *step)
 {
     m_view->setHighlights(step ? step->highlights : std::set<lessons::Highlight>());
+    m_view->setHasDropLabels(!step); // a lesson may ask for such a coordinate
     emit stepShown(step);
 }
 
@@ -242,7 +243,8 @@ QMenu *MainWindow::createPopupMenu()
     for (QDockWidget *dock : m_workspaces->sharedDocks())
         menu->addAction(dock->toggleViewAction());
     menu->addSeparator();
-    menu->addAction(findChild<QToolBar *>()->toggleViewAction());
+    for (QToolBar *bar : findChildren<QToolBar *>(QString(), Qt::FindDirectChildrenOnly))
+        menu->addAction(bar->toggleViewAction());
     return menu;
 }
 

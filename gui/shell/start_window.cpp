@@ -1,10 +1,67 @@
 #include "gui/shell/start_window.h"
 
+#include "gui/document/picks.h"
+#include "gui/document/scene_document.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/shell/main_window.h"
 #include "gui/shell/start_options.h"
+#include "gui/view/scene_view.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QEvent>
+#include <QSettings>
 
 namespace unprojector::gui {
+namespace {
+
+/// Picks a pixel of the bundled scene, so that the window shows what a click gives: on the teapot, in any window. Picks it
+/// again in a view of another size, until the user does something in the window.
+class ExamplePick : public QObject {
+public:
+    explicit ExamplePick(MainWindow &window) : QObject(&window), m_window(window)
+    {
+        connect(&window.view(), &QOpenGLWidget::frameSwapped, this, &ExamplePick::pick);
+        qApp->installEventFilter(this);
+    }
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        switch (event->type()) {
+        case QEvent::MouseButtonPress:
+        case QEvent::KeyPress:
+        case QEvent::Wheel:
+        case QEvent::Drop: m_isOver = true; break;
+        default: break;
+        }
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    void pick()
+    {
+        SceneView &view = m_window.view();
+        if (m_isOver || m_window.session().isLoading() || view.isCoarse() || view.size() == m_picked)
+            return;
+        m_picked = view.size();
+        constexpr double kAcross = 0.47, kDown = 0.53;
+        view.onLButtonDown(geometry::WidgetPoint(kAcross * view.width(), kDown * view.height()));
+    }
+
+    MainWindow &m_window;
+    QSize m_picked; ///< the view's size at the pick
+    bool m_isOver = false;
+};
+
+/// At the very first start the view from outside shows the ray of the pick.
+void showFromOutside(MainWindow &window)
+{
+    if (!QSettings().contains(QStringLiteral("observer/isShown")))
+        window.findChild<QAction *>(QStringLiteral("outside"))->setChecked(true);
+}
+
+} // namespace
 
 QString startWindow(MainWindow &window, const StartOptions &options)
 {
@@ -26,6 +83,10 @@ QString startWindow(MainWindow &window, const StartOptions &options)
     }
     if (options.viewSize)
         window.setViewSize(*options.viewSize);
+    if (!options.isScreenshotRun() && options.files.empty() && !options.lesson) {
+        new ExamplePick(window);
+        showFromOutside(window);
+    }
     return {};
 }
 

@@ -19,10 +19,12 @@
 #include <QActionGroup>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QLayout>
 #include <QMenu>
 #include <QMenuBar>
 #include <QSettings>
 #include <QToolBar>
+#include <QToolButton>
 
 #include <algorithm>
 #include <utility>
@@ -64,6 +66,25 @@ void WindowMenus::fitToolBar()
     const QFontMetrics metrics = m_window.fontMetrics();
     const int icon = std::min(metrics.height() * 3 / 2, std::max(m_window.width() / kShareOfWidth, metrics.ascent()));
     m_bar->setIconSize({icon, icon});
+    // Words beside the icons of workspaces and menus, as far as there is room for them.
+    const auto setStyle = [this](bool areMenus, Qt::ToolButtonStyle style) {
+        const QList<QAction *> workspaces = m_window.workspaces().actions();
+        for (QAction *action : m_bar->actions()) {
+            auto *button = qobject_cast<QToolButton *>(m_bar->widgetForAction(action));
+            if (button && (areMenus ? button->menu() != nullptr : workspaces.contains(action)))
+                button->setToolButtonStyle(style);
+        }
+    };
+    const auto fits = [this] {
+        m_bar->layout()->invalidate();
+        return m_bar->layout()->sizeHint().width() <= m_window.width();
+    };
+    setStyle(false, Qt::ToolButtonTextBesideIcon);
+    setStyle(true, Qt::ToolButtonTextBesideIcon);
+    if (!fits())
+        setStyle(false, Qt::ToolButtonTextOnly);
+    if (!fits())
+        setStyle(true, Qt::ToolButtonIconOnly);
 }
 
 QMenu *WindowMenus::addMenu(const QString &title)
@@ -250,6 +271,14 @@ void WindowMenus::addHelpMenu()
     addFeatureActions(MenuKind::Help, menu);
     menu.addSeparator();
     addAction(menu, tr("&About Unprojector"), {}, tr("What this program is"), [this] { showAbout(); });
+    auto *button = new QToolButton;
+    button->setText(tr("Help"));
+    button->setIcon(drawnIcon(Drawing::Help));
+    button->setToolTip(tr("Formulas, keys and what this program is"));
+    button->setMenu(&menu);
+    button->setPopupMode(QToolButton::InstantPopup);
+    m_bar->addWidget(button);
+    fitToolBar();
 }
 
 void WindowMenus::showCode()

@@ -3,6 +3,7 @@
 #include "core/scene/point_size.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
+#include "gui/view/drop_labels.h"
 #include "gui/view/highlight_marks.h"
 #include "gui/view/lifecycle_timer.h"
 #include "gui/view/scene_overlay.h"
@@ -99,6 +100,12 @@ void SceneView::setMap(const QImage &map)
 void SceneView::setHighlights(const std::set<lessons::Highlight> &highlights)
 {
     m_highlights = highlights;
+    update();
+}
+
+void SceneView::setHasDropLabels(bool hasThem)
+{
+    m_hasDropLabels = hasThem;
     update();
 }
 
@@ -229,12 +236,19 @@ std::vector<QRectF> SceneView::takenCorners() const
 void SceneView::drawTexts()
 {
     const HighlightMarks highlights = highlightsInView(m_document, m_highlights);
-    const bool hasTool = m_tool && m_tool->prepareToDraw();
-    if (!hasTool && highlights.isEmpty())
+    const bool hasTool = m_tool && m_tool->prepareToDraw(),
+               hasPick = m_hasDropLabels && m_document.picks().pickedPoint().has_value();
+    if (!hasTool && !hasPick && highlights.isEmpty())
         return;
     paintOver(currentSurface().devicePixelRatio, [&](QPainter &painter) {
-        const std::vector<QRectF> boxes = boxesOf(highlights, painter.font(), QRectF(rect()), takenCorners());
+        std::vector<QRectF> boxes = boxesOf(highlights, painter.font(), QRectF(rect()), takenCorners());
         drawHighlights(painter, highlights, boxes);
+        if (m_hasDropLabels) {
+            const std::vector<DropLabel> labels = dropLabels(m_document, painter.font(), boxes);
+            drawDropLabels(painter, labels);
+            for (const DropLabel &label : labels)
+                boxes.push_back(label.box);
+        }
         if (hasTool)
             m_tool->draw(painter, boxes);
     });

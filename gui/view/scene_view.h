@@ -56,6 +56,9 @@ public:
     /// What a lesson letters in the picture.
     void setHighlights(const std::set<lessons::Highlight> &highlights);
 
+    /// Whether the coordinates of the picked point stand beside its lines along the axes.
+    void setHasDropLabels(bool hasThem);
+
     /// What a hand does besides navigating and picking. It lives as long as the view.
     void setTool(ViewTool &tool) { m_tool = &tool; }
 
@@ -132,6 +135,7 @@ private:
 
     QImage m_map;
     std::set<lessons::Highlight> m_highlights;
+    bool m_hasDropLabels = true;
     QPointer<QWidget> m_corner;
     std::optional<SnapMark> m_mark;
     HoverReader m_hover;

@@ -54,6 +54,49 @@ struct Sheet {
 Sheet sheetOf(Drawing drawing)
 {
     switch (drawing) {
+    case Drawing::Click: {
+        // A pointer over its pixel.
+        QPainterPath pixel;
+        pixel.addRect(3, 3, 9, 9);
+        QPainterPath pointer =
+            polyline({{8, 8}, {20, 13}, {15, 15}, {19.5, 19.5}, {17.5, 21.5}, {13, 17}, {11, 21.5}}, true);
+        return {pixel.united(pointer), pointer};
+    }
+    case Drawing::Pipeline: {
+        QPainterPath boxes;
+        for (const double x : {2.0, 9.5, 17.0})
+            boxes.addRect(x, 9, 5, 6);
+        QPainterPath lines = boxes;
+        lines.addPath(polyline({{7, 12}, {9.5, 12}}));
+        lines.addPath(polyline({{14.5, 12}, {17, 12}}));
+        return {lines, boxes};
+    }
+    case Drawing::Doctor: {
+        // A magnifying glass over a cross.
+        QPainterPath glass;
+        glass.addEllipse(QPointF(10, 10), 7, 7);
+        QPainterPath lines = glass;
+        lines.addPath(polyline({{15.2, 15.2}, {21, 21}}));
+        lines.addPath(polyline({{7, 7}, {13, 13}}));
+        lines.addPath(polyline({{13, 7}, {7, 13}}));
+        return {lines};
+    }
+    case Drawing::Lessons: {
+        QPainterPath book = polyline({{12, 6}, {12, 20}, {3, 18}, {3, 4}, {12, 6}, {21, 4}, {21, 18}, {12, 20}});
+        book.addPath(polyline({{5.5, 9}, {9.5, 10}}));
+        book.addPath(polyline({{5.5, 13}, {9.5, 14}}));
+        return {book};
+    }
+    case Drawing::Help: {
+        QPainterPath mark;
+        mark.addEllipse(QPointF(12, 12), 9, 9);
+        mark.moveTo(9, 9.5);
+        mark.cubicTo(9, 5.5, 15, 5.5, 15, 9.5);
+        mark.cubicTo(15, 12, 12, 11.5, 12, 14.5);
+        QPainterPath dot;
+        dot.addEllipse(QPointF(12, 17.5), 1.1, 1.1);
+        return {mark, dot, true};
+    }
     case Drawing::Open: {
         QPainterPath folder = polyline({{3, 19}, {3, 6}, {9, 6}, {11, 8}, {19, 8}, {19, 11}});
         folder.addPath(polyline({{3, 19}, {6.5, 11}, {22, 11}, {18.5, 19}}, true));

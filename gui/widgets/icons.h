@@ -7,6 +7,11 @@ namespace unprojector::gui {
 /// The drawings on the tool bar, in the colour of the text beside them: sharp at every size and pixel ratio, light on a dark
 /// desktop.
 enum class Drawing {
+    Click,
+    Pipeline,
+    Doctor,
+    Lessons,
+    Help,
     Open,
     Save,
     Undo,

@@ -81,6 +81,8 @@ Workspaces::Workspaces(QMainWindow &window, std::vector<PanelSpec> panels, std::
     for (WorkspaceSpec &workspace : workspaces) {
         auto *action = new QAction(workspace.title, group);
         action->setCheckable(true);
+        action->setIcon(drawnIcon(workspace.drawing));
+        action->setIconVisibleInMenu(false);
         action->setShortcut(workspace.key);
         action->setToolTip(
             QStringLiteral("%1 (%2)").arg(workspace.tip, workspace.key.toString(QKeySequence::NativeText)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/lessons/link.h"
+#include "gui/widgets/icons.h"
 
 #include <QKeySequence>
 #include <QList>
@@ -36,6 +37,7 @@ struct WorkspaceSpec {
     Workspace id;
     QString title;
     QString tip;
+    Drawing drawing;
     QKeySequence key;
     QList<Panel> panels; ///< shown at first, those in front first
 };

@@ -350,6 +350,11 @@ QString writtenAgain(const Link &link)
         {
             return one.matrix == FactorsLink::Matrix::View ? "apart:view" : "apart:projection";
         }
+        QString operator()(const MatrixLink &one) const
+        {
+            constexpr std::array kNames{"model", "view", "projection", "viewport"};
+            return QString("matrix:") + kNames[static_cast<std::size_t>(one.stage)];
+        }
         QString operator()(const ActionLink &one) const
         {
             return "action:" + QString::fromStdString(one.name) + (one.isOn ? "" : ":off");
@@ -365,13 +370,15 @@ QString writtenAgain(const Link &link)
 void TestLessonReading::linksAreRead_data()
 {
     QTest::addColumn<bool>("isLink");
-    for (const char *link : {"formulas:w9", "click:corner", "set:other", "panel:observer", "panel:points",
-                             "place:doctor", "step:ortho", "restart:", "point:", "apart:view", "apart:projection",
-                             "action:rows", "action:perspective:off", "view:300x200"})
+    for (const char *link :
+         {"formulas:w9", "click:corner", "set:other", "panel:observer", "panel:points", "place:doctor", "step:ortho",
+          "restart:", "point:", "apart:view", "apart:projection", "matrix:model", "matrix:viewport", "action:rows",
+          "action:perspective:off", "view:300x200"})
         QTest::newRow(link) << true;
-    for (const char *link : {"", "formulas", "formulas:", "panel:kitchen", "place:comparison", "apart:model", "action:",
-                             "action::off", "action:rows:on", "view:300", "view:300x", "view:0x200", "view:-300x200",
-                             "view:300x200x", "view:3e2x200", "restart:1", "http://example.org", "Panel:observer"})
+    for (const char *link :
+         {"", "formulas", "formulas:", "panel:kitchen", "place:comparison", "apart:model", "matrix:whole",
+          "action:", "action::off", "action:rows:on", "view:300", "view:300x", "view:0x200", "view:-300x200",
+          "view:300x200x", "view:3e2x200", "restart:1", "http://example.org", "Panel:observer"})
         QTest::newRow(link) << false;
 }
 

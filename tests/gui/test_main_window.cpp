@@ -7,6 +7,7 @@
 #include "gui/document/picks.h"
 #include "gui/lessons/first_steps.h"
 #include "gui/lessons/formulas_window.h"
+#include "gui/lessons/lesson_player.h"
 #include "gui/outside/observer_panel.h"
 #include "gui/outside/observer_view.h"
 #include "gui/shell/appearance.h"
@@ -25,6 +26,8 @@
 #include <QTest>
 #include <QTextBrowser>
 #include <QTextTable>
+#include <QToolBar>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -66,7 +69,8 @@ private slots:
     void helpStandsInTheReadmesOrder();
     void theKeySheetNamesEveryKey();
     void aPanelLeadsToItsFormulas();
-    void newcomersSeeThreeStepsUntilTheyClick();
+    void newcomersSeeThreeStepsUntilTheyAreDone();
+    void theToolBarHasWordsWhereThereIsRoom();
     void anotherKindOfEdgesKeepsTheScene();
     void aChangeIsUndoneFromTheMenu();
 };
@@ -442,21 +446,56 @@ void TestMainWindow::aPanelLeadsToItsFormulas()
     QCOMPARE(formulas->page().verticalScrollBar()->value(), there);
 }
 
-void TestMainWindow::newcomersSeeThreeStepsUntilTheyClick()
+void TestMainWindow::newcomersSeeThreeStepsUntilTheyAreDone()
 {
     QSettings().clear(); // they start at the first place
     {
         const auto window = windowOfSize({1000, 700}, true);
         auto *steps = window->findChild<FirstSteps *>();
         QVERIFY(steps && steps->isVisible());
-        const SceneView &view = window->view();
-        click(window->view(), QPointF(view.width() / 2.0, view.height() / 2.0));
+        SceneView &view = window->view();
+        const QPointF middle(view.width() / 2.0, view.height() / 2.0);
+        view.onLButtonDown(geometry::WidgetPoint(middle.x(), middle.y())); // not by the user
+        QVERIFY(!steps->isDone(FirstSteps::Click));
+        click(view, middle);
+        QVERIFY(steps->isDone(FirstSteps::Click) && !steps->isDone(FirstSteps::Drag) && steps->isVisible());
+        window->close();
+    }
+    {
+        const auto window = windowOfSize({1000, 700}, true);
+        auto *steps = window->findChild<FirstSteps *>();
+        QVERIFY(steps->isVisible() && steps->isDone(FirstSteps::Click) && !steps->isDone(FirstSteps::Drag));
+        QTest::keyClick(&window->view(), Qt::Key_Left);
+        QVERIFY(steps->isDone(FirstSteps::Drag) && steps->isVisible());
+        QVERIFY(part<LessonPlayer>(*window).start("rows"));
+        QVERIFY(part<LessonPlayer>(*window).leave());
         QVERIFY(!steps->isVisible());
+        window->close();
     }
     const auto window = windowOfSize({1000, 700}, true);
     QVERIFY(!window->findChild<FirstSteps *>());
     actionOf(*window, QStringLiteral("First Steps"))->trigger();
     QVERIFY(window->findChild<FirstSteps *>()->isVisible());
+    QVERIFY(!window->findChild<FirstSteps *>()->isDone(FirstSteps::Click));
+}
+
+void TestMainWindow::theToolBarHasWordsWhereThereIsRoom()
+{
+    const auto window = windowOfSize({1280, 800});
+    auto *bar = window->findChild<QToolBar *>(QStringLiteral("tools"));
+    const QList<QAction *> workspaces = window->workspaces().actions();
+    const auto styleOf = [&](QAction *action) {
+        return qobject_cast<QToolButton *>(bar->widgetForAction(action))->toolButtonStyle();
+    };
+    for (QAction *action : workspaces) {
+        QVERIFY(!action->icon().isNull());
+        QCOMPARE(styleOf(action), Qt::ToolButtonTextBesideIcon);
+    }
+    const QWidget *help = bar->widgetForAction(bar->actions().last());
+    QVERIFY(help->geometry().right() > bar->width() - 2 * help->width());
+    QVERIFY(resized(*window, {600, 500}));
+    for (QAction *action : workspaces)
+        QCOMPARE(styleOf(action), Qt::ToolButtonTextOnly);
 }
 
 void TestMainWindow::anotherKindOfEdgesKeepsTheScene()

@@ -7,7 +7,7 @@
 #include "tests/support/patience.h"
 
 #include <QAction>
-#include <QToolBar>
+#include <QMenu>
 #include <QToolButton>
 
 #include <glm/geometric.hpp>
@@ -92,12 +92,13 @@ void TestSnapModes::keysAndButtonsChoose()
     QCOMPARE(int(window->document().picks().snap()), int(Snap::Surface));
     QTest::keyClick(&window->view(), Qt::Key(key), Qt::KeyboardModifiers(modifiers));
     QCOMPARE(int(window->document().picks().snap()), snap);
+    const auto *button = window->findChild<QToolButton *>(QStringLiteral("snap"));
     int checked = 0;
-    for (QToolButton *button : window->findChild<QToolBar *>()->findChildren<QToolButton *>()) {
-        const QAction *action = button->defaultAction();
-        if (action && action->isChecked() && action->shortcut() == QKeySequence(modifiers | key)) {
+    for (const QAction *action : button->menu()->actions()) {
+        if (action->isChecked() && action->shortcut() == QKeySequence(modifiers | key)) {
             ++checked;
             QVERIFY(!button->icon().isNull());
+            QVERIFY2(button->text().endsWith(action->iconText()), qPrintable(button->text()));
         }
     }
     QCOMPARE(checked, 1);

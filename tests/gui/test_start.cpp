@@ -1,6 +1,8 @@
 // How the program starts: what the command line says, and the window that a user and a screenshot run get by it.
 
+#include "gui/document/picks.h"
 #include "gui/lessons/lesson_player.h"
+#include "gui/outside/observer_panel.h"
 #include "gui/shell/screenshot_run.h"
 #include "gui/shell/start_window.h"
 #include "tests/support/patience.h"
@@ -49,6 +51,7 @@ private slots:
     void theWordsBecomeOptions();
     void bothRunsStartTheSameWay_data();
     void bothRunsStartTheSameWay();
+    void theFirstScreenHasAPick();
 };
 
 void TestStart::theWordsBecomeOptions()
@@ -103,6 +106,7 @@ void TestStart::bothRunsStartTheSameWay()
         ofWindow.recoveryFolder = folder.filePath("recovery");
         MainWindow window(ofWindow);
         QCOMPARE(startWindow(window, options), QString());
+        guitest::settle(100);
         users = stateOf(window);
     }
     ScreenshotRun run(optionsOf(words + QStringList{"--screenshot", folder.filePath("never.png")}));
@@ -111,8 +115,39 @@ void TestStart::bothRunsStartTheSameWay()
     for (QWidget *window : QApplication::topLevelWidgets())
         pictures = pictures ? pictures : qobject_cast<MainWindow *>(window);
     QVERIFY(pictures);
+    guitest::settle(100);
     QCOMPARE(stateOf(*pictures), users);
     QCOMPARE(users.mid(0, state.size()), state);
+}
+
+void TestStart::theFirstScreenHasAPick()
+{
+    QSettings().clear();
+    const QTemporaryDir folder;
+    MainWindow::Options options;
+    options.recoveryFolder = folder.filePath("recovery");
+    MainWindow window(options);
+    QCOMPARE(startWindow(window, optionsOf({"--size", "1000x700"})), QString());
+    const Picks &picks = window.document().picks();
+    QTRY_VERIFY_WITH_TIMEOUT(picks.pick() && picks.pick()->hit(), kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(window.findChild<ObserverPanel *>() && window.findChild<ObserverPanel *>()->isVisible(),
+                             kPatienceMilliseconds);
+    QVERIFY(!window.session().hasUnsavedChanges());
+    // In a view of another size too, until the user does something.
+    window.resize(1100, 760);
+    QTRY_VERIFY_WITH_TIMEOUT(picks.pick()->setup.surface.widthPixels == window.view().width()
+                                 && !picks.sinceClick().isAnything(),
+                             kPatienceMilliseconds);
+    QTest::keyClick(&window.view(), Qt::Key_Left);
+    const geometry::Setup before = picks.pick()->setup;
+    window.resize(1000, 700);
+    guitest::settle(100);
+    QVERIFY(picks.pick()->setup == before);
+    // A file or a lesson has none.
+    MainWindow other(options);
+    QCOMPARE(startWindow(other, optionsOf({"--lesson", "rows"})), QString());
+    guitest::settle(100);
+    QVERIFY(other.findChild<LessonPlayer *>()->lesson() && !other.document().picks().pick());
 }
 
 QTEST_MAIN(TestStart)

@@ -1,0 +1,179 @@
+#include "gui/click/pick_strip.h"
+
+#include "gui/text/number_text.h"
+#include "gui/widgets/digits_font.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStackedLayout>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+namespace unprojector::gui {
+using namespace geometry;
+using namespace matrices;
+using namespace unproject;
+
+namespace {
+
+constexpr int kMostDigits = 5, kFewestDigits = 2;
+
+QString bracketed(const QStringList &numbers)
+{
+    return QStringLiteral("(%1)").arg(numbers.join(QStringLiteral(", ")));
+}
+
+/// To so many significant digits of the largest coordinate, and to none that is not certain.
+QString roundedText(const Components<3> &point, const Components<3> &uncertainty, int digits)
+{
+    const double unit = std::pow(10.0, -decimalsFor(point, digits));
+    return pointText(point,
+                     {std::max(unit, uncertainty.x), std::max(unit, uncertainty.y), std::max(unit, uncertainty.z)});
+}
+
+QString roundedText(const ClipPoint &point, int digits)
+{
+    const int decimals = decimalsFor({point.x, point.y, std::max(std::abs(point.z), std::abs(point.w))}, digits);
+    return bracketed({fixedText(point.x, decimals), fixedText(point.y, decimals), fixedText(point.z, decimals),
+                      fixedText(point.w, decimals)});
+}
+
+QString noText()
+{
+    return QStringLiteral("–");
+}
+
+} // namespace
+
+PickStrip::PickStrip(QWidget *parent)
+    : QWidget(parent), m_pages(new QStackedLayout(this)),
+      m_spaces(new QWidget), m_names{tr("pixel"), tr("window"), tr("NDC"),   tr("clip"),
+                                     tr("eye"),   tr("world"),  tr("object")}
+{
+    auto *before =
+        new QLabel(tr("Click the view: this line then shows the point in every space, from the pixel to the object."));
+    before->setAlignment(Qt::AlignCenter);
+    before->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_pages->addWidget(before);
+    m_pages->addWidget(m_spaces);
+    setAccessibleName(tr("The pick in every space"));
+
+    struct Meaning {
+        PipelineStage stage;
+        QString tip;
+    };
+    const std::array<Meaning, SpaceCount> meanings{{
+        {PipelineStage::ViewportMatrix, tr("Device pixel: column and row, counted from the upper left corner")},
+        {PipelineStage::ViewportMatrix, tr("Window point: the pixel's centre, y upwards, and the depth")},
+        {PipelineStage::ViewportMatrix, tr("Normalized device coordinates, each from −1 to 1 in the view volume")},
+        {PipelineStage::ProjectionMatrix, tr("Clip coordinates x, y, z, w: divided by w they are NDC")},
+        {PipelineStage::ProjectionMatrix, tr("Eye coordinates: seen from the camera, which looks along −z")},
+        {PipelineStage::ViewMatrix, tr("World coordinates: the answer of the click")},
+        {PipelineStage::ModelMatrix, tr("Coordinates of the object that was clicked, as its file has them")},
+    }};
+    auto *line = new QHBoxLayout(m_spaces);
+    line->setContentsMargins(0, 0, 0, 0);
+    line->setSpacing(0);
+    for (int space = 0; space < SpaceCount; ++space) {
+        auto *button = new QToolButton;
+        button->setAutoRaise(true);
+        button->setFont(digitsFont(font()));
+        button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        button->setToolTip(meanings[space].tip + u'\n' + tr("A click shows its matrix."));
+        connect(button, &QToolButton::clicked, this,
+                [this, stage = meanings[space].stage] { emit stageRequested(stage); });
+        if (space > 0) {
+            auto *arrow = new QLabel(QStringLiteral("›"));
+            arrow->setAlignment(Qt::AlignCenter);
+            line->addWidget(arrow);
+        }
+        line->addWidget(button, 1);
+        m_buttons[space] = button;
+    }
+    showTexts(); // the line has its height before the first pick
+}
+
+void PickStrip::setPick(const KeptPick &kept, const std::optional<WorldPoint> &point)
+{
+    m_pages->setCurrentIndex(kept.pick ? 1 : 0);
+    m_texts = {};
+    if (!kept.pick)
+        return;
+    const Pick &pick = *kept.pick;
+    m_texts[Pixel] = [pixel = pick.devicePixel](int) {
+        return bracketed({QString::number(pixel.i), QString::number(pixel.j)});
+    };
+    const Result<Pipeline> matrices = pipeline(pick.setup, kept.placement);
+    if (!matrices) {
+        showTexts();
+        return;
+    }
+    const bool isSnapped = point
+                           && (!pick.point.world[Method::Formula]
+                               || point->coordinates() != pick.point.world[Method::Formula]->coordinates());
+    const PipelinePoints points = point ? pointsForward(*matrices, *point) : pointsBackward(*matrices, pick.window);
+    const WindowPoint window = isSnapped && points.window ? *points.window : pick.window;
+    m_texts[Window] = [window](int digits) {
+        return bracketed({pixelText(window.x), pixelText(window.y), writtenText(window.z, digits + 1)});
+    };
+    if (points.ndc)
+        m_texts[Ndc] = [ndc = *points.ndc](int digits) {
+            return bracketed(
+                {fixedText(ndc.x, digits - 1), fixedText(ndc.y, digits - 1), fixedText(ndc.z, digits - 1)});
+        };
+    if (points.clip)
+        m_texts[Clip] = [clip = *points.clip](int digits) { return roundedText(clip, std::max(digits - 1, 3)); };
+    if (point) {
+        if (points.eye)
+            m_texts[Eye] = [eye = *points.eye, open = pick.uncertainty.eye](int digits) {
+                return roundedText(eye, open, digits);
+            };
+        m_texts[World] = [world = *point, open = pick.uncertainty.world](int digits) {
+            return roundedText(world, open, digits);
+        };
+        if (points.object)
+            m_texts[Object] = [object = *points.object](int digits) { return roundedText(object, {}, digits); };
+    }
+    showTexts();
+}
+
+void PickStrip::showTexts()
+{
+    constexpr int kPadding = 10;
+    const auto textOf = [this](int space, int digits) { return m_texts[space] ? m_texts[space](digits) : noText(); };
+    const QFontMetrics metrics(m_buttons[Pixel]->font());
+    const int arrows = (SpaceCount - 1) * metrics.horizontalAdvance(u'›');
+    std::array<int, SpaceCount> widths{};
+    int digits = kMostDigits;
+    for (;; --digits) {
+        int sum = arrows;
+        for (int space = 0; space < SpaceCount; ++space) {
+            widths[space] =
+                std::max(metrics.horizontalAdvance(textOf(space, digits)), metrics.horizontalAdvance(m_names[space]))
+                + kPadding;
+            sum += widths[space];
+        }
+        if (sum <= width() || digits == kFewestDigits)
+            break;
+    }
+    auto *line = static_cast<QHBoxLayout *>(m_spaces->layout());
+    for (int space = 0; space < SpaceCount; ++space) {
+        QToolButton &button = *m_buttons[space];
+        const QString text = textOf(space, digits);
+        button.setText(m_names[space] + u'\n' + text);
+        button.setAccessibleName(m_names[space] + u' ' + text);
+        button.setEnabled(static_cast<bool>(m_texts[space]));
+        line->setStretch(2 * space, widths[space]); // an arrow stands between two
+    }
+}
+
+void PickStrip::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    if (m_pages->currentIndex() == 1)
+        showTexts();
+}
+
+} // namespace unprojector::gui

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/matrices/pipeline.h"
+#include "gui/document/kept_pick.h"
+
+#include <QString>
+#include <QWidget>
+
+#include <array>
+#include <functional>
+#include <optional>
+
+class QLabel;
+class QStackedLayout;
+class QToolButton;
+
+namespace unprojector::gui {
+
+/// A pick in every space, in one line: pixel › window › NDC › clip › eye › world › object. A click on a space asks for the
+/// matrix that leads there.
+class PickStrip : public QWidget {
+    Q_OBJECT
+public:
+    explicit PickStrip(QWidget *parent = nullptr);
+
+    /// @param point  that the pick stands for; nothing on the background, whose pixel has no point
+    void setPick(const KeptPick &kept, const std::optional<geometry::WorldPoint> &point);
+
+    QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
+
+signals:
+    void stageRequested(unprojector::matrices::PipelineStage stage);
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    enum Space { Pixel, Window, Ndc, Clip, Eye, World, Object, SpaceCount };
+
+    void showTexts();
+
+    QStackedLayout *m_pages;
+    QWidget *m_spaces;
+    QString m_names[SpaceCount];
+    std::array<QToolButton *, SpaceCount> m_buttons;
+    /// A coordinate with so many significant digits at most; empty before the first pick.
+    std::array<std::function<QString(int digits)>, SpaceCount> m_texts;
+};
+
+} // namespace unprojector::gui

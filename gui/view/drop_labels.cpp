@@ -1,0 +1,92 @@
+#include "gui/view/drop_labels.h"
+
+#include "gui/document/picks.h"
+#include "gui/document/scene_document.h"
+#include "gui/text/number_text.h"
+#include "gui/view/painters/scene_lines.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace unprojector::gui {
+using namespace geometry;
+using namespace unproject;
+
+namespace {
+
+std::optional<QPointF> widgetOf(const Setup &setup, const glm::dvec3 &point)
+{
+    const Result<WindowPoint> window = windowFromWorld(setup, WorldPoint(point));
+    if (!window || !(window->z >= std::min(setup.depthRange.atNear, setup.depthRange.atFar)))
+        return std::nullopt;
+    const WidgetPoint widget = widgetFromDevice(setup.surface, deviceFromWindow(setup.surface, *window));
+    return QPointF(widget.x, widget.y);
+}
+
+/// The uncertainty of the picked point: that of the snapped place, else that of the surface.
+WorldVector uncertaintyOf(const Picks &picks)
+{
+    const PickedRay *ray = picks.pickedRay();
+    return ray && ray->snap != ray::Snap::Surface && ray->taken ? ray->taken->hit.uncertainty
+                                                                : picks.pick()->uncertainty.world;
+}
+
+} // namespace
+
+std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &font, const std::vector<QRectF> &taken)
+{
+    const Picks &picks = document.picks();
+    const std::optional<WorldPoint> point = picks.pick() && picks.pick()->hit() ? picks.pickedPoint() : std::nullopt;
+    const std::optional<QPointF> start = point ? widgetOf(document.setup(), point->coordinates()) : std::nullopt;
+    std::vector<DropLabel> labels;
+    if (!start)
+        return labels;
+    constexpr int kDigits = 4;
+    const WorldVector uncertainty = uncertaintyOf(picks);
+    const double unit = std::pow(10.0, -decimalsFor(*point, kDigits));
+    const QFontMetricsF metrics(font);
+    const std::vector<LineSegment> lines = dropLines(*point, document.ground().box);
+    std::vector<QRectF> boxes = taken;
+    for (int axis = 0; axis < 3; ++axis) {
+        const LineSegment &line = lines[static_cast<std::size_t>(axis)];
+        const std::optional<QPointF> foot = widgetOf(document.setup(), line.to);
+        if (!foot)
+            continue;
+        const QPointF way = *foot - *start;
+        const QString text = QStringLiteral("%1 %2")
+                                 .arg(QStringLiteral("xyz")[axis])
+                                 .arg(certainText((*point)[axis], std::max(unit, uncertainty[axis])));
+        const QSizeF size(metrics.horizontalAdvance(text) + metrics.height() / 2.0, metrics.height());
+        if (std::hypot(way.x(), way.y()) < size.height())
+            continue; // the line is hardly to be seen
+        // At the middle of the line, else further along, where nothing else stands.
+        for (const double share : {0.5, 0.75, 1.0}) {
+            QRectF box(QPointF(), size);
+            box.moveCenter(*start + way * share);
+            if (std::any_of(boxes.begin(), boxes.end(), [&box](const QRectF &other) { return other.intersects(box); }))
+                continue;
+            boxes.push_back(box);
+            labels.push_back({text, QColor::fromRgbF(line.color.r, line.color.g, line.color.b), box});
+            break;
+        }
+    }
+    return labels;
+}
+
+void drawDropLabels(QPainter &painter, const std::vector<DropLabel> &labels)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const DropLabel &label : labels) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(255, 255, 255, 225)); // axis colours are read on white, by day and by night
+        painter.drawRoundedRect(label.box, 3.0, 3.0);
+        painter.setPen(label.color.darker(115));
+        painter.drawText(label.box, Qt::AlignCenter | Qt::TextSingleLine | Qt::TextDontClip, label.text);
+    }
+}
+
+} // namespace unprojector::gui

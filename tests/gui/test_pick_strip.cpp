@@ -1,0 +1,202 @@
+// The pick in every space, under the view, and its coordinates beside the lines along the axes.
+
+#include "window_user.h"
+
+#include "core/matrices/pipeline.h"
+#include "gui/click/pick_strip.h"
+#include "gui/document/picks.h"
+#include "gui/lessons/lesson_player.h"
+#include "gui/text/number_text.h"
+#include "gui/view/drop_labels.h"
+#include "tests/support/patience.h"
+
+#include <QSettings>
+#include <QSignalSpy>
+#include <QToolBar>
+#include <QToolButton>
+
+using namespace unprojector;
+using namespace unprojector::gui;
+using namespace guitest;
+using namespace unprojector::geometry;
+
+namespace {
+
+QList<QToolButton *> spacesOf(const PickStrip &strip)
+{
+    return strip.findChildren<QToolButton *>();
+}
+
+QStringList textsOf(const PickStrip &strip)
+{
+    QStringList texts;
+    for (const QToolButton *space : spacesOf(strip))
+        texts << space->text();
+    return texts;
+}
+
+/// The numbers of a text like "world\n(1.2, -3, 4)".
+std::vector<double> numbersOf(const QString &text)
+{
+    std::vector<double> numbers;
+    for (const QString &number : text.section(u'(', 1).chopped(1).split(QStringLiteral(", ")))
+        numbers.push_back(number.toDouble());
+    return numbers;
+}
+
+void clickMiddle(MainWindow &window)
+{
+    window.view().onLButtonDown(WidgetPoint(window.view().width() / 2.0, window.view().height() / 2.0));
+}
+
+} // namespace
+
+class TestPickStrip : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { redirectSettings(); }
+    void init() { QSettings().clear(); }
+
+    void everySpaceHasItsCoordinate();
+    void theBackgroundHasNoPoint();
+    void aNarrowStripRounds();
+    void theViewKeepsItsSizeAtTheFirstPick();
+    void aSpaceOpensItsMatrix();
+    void itIsHiddenWhereItWouldTellOrTakeRoom();
+    void itStaysHiddenAfterARestart();
+    void theLinesAlongTheAxesHaveTheirCoordinates();
+};
+
+void TestPickStrip::everySpaceHasItsCoordinate()
+{
+    const auto window = windowOfSize({1280, 800});
+    clickMiddle(*window);
+    const unproject::Pick &pick = *window->document().picks().pick();
+    QVERIFY(pick.hit());
+    const QStringList texts = textsOf(part<PickStrip>(*window));
+    QCOMPARE(texts.size(), 7);
+    const WorldPoint world = *pick.point.world[unproject::Method::Formula];
+    const glm::dvec3 eye = pick.point.eye[unproject::Method::Formula]->coordinates();
+    const auto isAt = [&](int space, const std::vector<double> &expected, double step) {
+        const std::vector<double> shown = numbersOf(texts[space]);
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            if (shown.size() != expected.size() || std::abs(shown[i] - expected[i]) > step)
+                return false;
+        }
+        return true;
+    };
+    QVERIFY(isAt(0, {double(pick.devicePixel.i), double(pick.devicePixel.j)}, 0.0));
+    QVERIFY2(isAt(1, {pick.window.x, pick.window.y, pick.window.z}, 1e-5),
+             qPrintable(texts.join(u' ').replace(u'\n', u' ')));
+    const glm::dvec4 clip = *clipFromEye(pick.setup) * glm::dvec4(eye, 1.0);
+    QVERIFY(isAt(2, {clip.x / clip.w, clip.y / clip.w, clip.z / clip.w}, 1e-3));
+    QVERIFY(isAt(3, {clip.x, clip.y, clip.z, clip.w}, 1e-2));
+    QVERIFY(isAt(4, {eye.x, eye.y, eye.z}, 1e-2));
+    QVERIFY(isAt(5, {world.x, world.y, world.z}, 1e-3));
+    const glm::dmat4 placement = window->document().picks().keptPick().placement;
+    const glm::dvec3 object = glm::dvec3(glm::inverse(placement) * glm::dvec4(world.coordinates(), 1.0));
+    QVERIFY(isAt(6, {object.x, object.y, object.z}, 1e-3));
+}
+
+void TestPickStrip::theBackgroundHasNoPoint()
+{
+    const auto window = windowOfSize({1280, 800});
+    window->view().onLButtonDown(WidgetPoint(2, 2));
+    QVERIFY(!window->document().picks().pick()->hit());
+    const QList<QToolButton *> spaces = spacesOf(part<PickStrip>(*window));
+    for (int space = 0; space < 7; ++space)
+        QCOMPARE(spaces[space]->isEnabled(), space < 4);
+    QVERIFY(spaces[5]->text().endsWith(u'–'));
+}
+
+void TestPickStrip::aNarrowStripRounds()
+{
+    const auto window = windowOfSize({1280, 800});
+    clickMiddle(*window);
+    const PickStrip &strip = part<PickStrip>(*window);
+    const qsizetype wide = textsOf(strip)[5].size();
+    QVERIFY(resized(*window, {800, 700}));
+    clickMiddle(*window);
+    QVERIFY(textsOf(strip)[5].size() < wide);
+    for (const QToolButton *space : spacesOf(strip))
+        QVERIFY2(space->fontMetrics().horizontalAdvance(space->text().section(u'\n', 1)) <= space->width(),
+                 qPrintable(space->text()));
+}
+
+void TestPickStrip::theViewKeepsItsSizeAtTheFirstPick()
+{
+    const auto window = windowOfSize({1280, 800});
+    const QSize before = window->view().size();
+    clickMiddle(*window);
+    settle(20);
+    QCOMPARE(window->view().size(), before);
+    QVERIFY(!window->document().picks().sinceClick().isAnything());
+}
+
+void TestPickStrip::aSpaceOpensItsMatrix()
+{
+    const auto window = windowOfSize({1280, 800});
+    clickMiddle(*window);
+    const QList<QToolButton *> spaces = spacesOf(part<PickStrip>(*window));
+    QSignalSpy asked(&part<PickStrip>(*window), &PickStrip::stageRequested);
+    spaces[4]->click();
+    QVERIFY(window->workspaces().current() == Workspace::Pipeline);
+    QCOMPARE(asked[0][0].value<matrices::PipelineStage>(), matrices::PipelineStage::ProjectionMatrix);
+    QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "pipeline"), kPatienceMilliseconds);
+}
+
+void TestPickStrip::itIsHiddenWhereItWouldTellOrTakeRoom()
+{
+    const auto window = windowOfSize({1280, 800});
+    const PickStrip &strip = part<PickStrip>(*window);
+    QVERIFY(strip.isVisible());
+    window->workspaces().hidePanels(true);
+    QVERIFY(!strip.isVisible());
+    window->workspaces().hidePanels(false);
+    QVERIFY(strip.isVisible());
+    QVERIFY(part<LessonPlayer>(*window).start("rows"));
+    QVERIFY(!strip.isVisible());
+    window->workspaces().enter(Workspace::Pipeline); // whose kept layout has it
+    QVERIFY(!strip.isVisible());
+    QVERIFY(part<LessonPlayer>(*window).leave());
+    QVERIFY(strip.isVisible());
+}
+
+void TestPickStrip::itStaysHiddenAfterARestart()
+{
+    {
+        const auto window = windowOfSize({1280, 800}, true);
+        window->findChild<QToolBar *>(QStringLiteral("strip"))->toggleViewAction()->trigger();
+        QVERIFY(!part<PickStrip>(*window).isVisible());
+        window->workspaces().enter(Workspace::Doctor);
+        QVERIFY(!part<PickStrip>(*window).isVisible());
+        window->close();
+    }
+    const auto window = windowOfSize({1280, 800}, true);
+    QVERIFY(!part<PickStrip>(*window).isVisible());
+}
+
+void TestPickStrip::theLinesAlongTheAxesHaveTheirCoordinates()
+{
+    const auto window = windowOfSize({1280, 800});
+    clickMiddle(*window);
+    const Picks &picks = window->document().picks();
+    QVERIFY(picks.pick()->hit());
+    const WorldPoint point = *picks.pickedPoint();
+    const std::vector<DropLabel> labels = dropLabels(window->document(), window->view().font(), {});
+    QVERIFY(!labels.empty());
+    for (const DropLabel &label : labels) {
+        const int axis = int(QStringLiteral("xyz").indexOf(label.text[0]));
+        QVERIFY(axis >= 0);
+        QVERIFY2(std::abs(label.text.mid(2).toDouble() - point[axis]) <= 1e-3, qPrintable(label.text));
+        QVERIFY(QRectF(window->view().rect()).intersects(label.box));
+        for (const DropLabel &other : labels)
+            QVERIFY(&other == &label || !other.box.intersects(label.box));
+    }
+    window->view().onLButtonDown(WidgetPoint(2, 2));
+    QVERIFY(dropLabels(window->document(), window->view().font(), {}).empty());
+}
+
+QTEST_MAIN(TestPickStrip)
+#include "test_pick_strip.moc"
