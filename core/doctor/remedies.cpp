@@ -14,7 +14,7 @@ namespace {
 
 constexpr Remedy kRemedies[] = {
     {"y-not-flipped", marked("y not flipped"),
-     marked("y is not turned over: rows of a window count from the top, OpenGL's from the bottom."), kYNotFlipped},
+     marked("y is not flipped: rows of a window count from the top, OpenGL's from the bottom."), kYNotFlipped},
     {"row-above", marked("row above"), marked("The row is one too high: H - y is taken for H - 1 - y."), kRowAbove},
     {"row-below", marked("row below"),
      marked("The row is one too low: H - 1 - y is taken for H - y, though y has its half already."), kRowBelow},
@@ -35,7 +35,7 @@ constexpr Remedy kRemedies[] = {
      marked("The viewport's y is counted from the top of the window; OpenGL counts it from the bottom."),
      kViewportYFromTop},
     {"flipped-with-viewport-height", marked("flipped with the viewport's height"),
-     marked("y is turned over with the viewport's height instead of the framebuffer's."), kFlippedWithViewportHeight},
+     marked("y is flipped with the viewport's height instead of the framebuffer's."), kFlippedWithViewportHeight},
     {"viewport-is-window", marked("window taken for viewport"), marked("The whole window is taken for the viewport."),
      kViewportIsWindow},
     {"xy-swapped", marked("x and y swapped"), marked("x and y are swapped."), kXySwapped},

@@ -90,7 +90,7 @@ std::string projectedText(const Diagnosis &diagnosis)
 std::string chanceText(double chance)
 {
     constexpr double kLeast = 1e-6;
-    return tr("%1 that a point of other making is explained as well",
+    return tr("%1 that an unrelated point is explained as well",
               chance < kLeast ? tr("less than 0.0001 %")
                               : significantText(100.0 * chance, chance < 0.1 ? 2 : 3) + " %");
 }

@@ -20,7 +20,7 @@ std::string verdictSentence(const Diagnosis &diagnosis);
 std::string digitsText(const Candidate &candidate, const Diagnosis &diagnosis);
 /// Where the first point lies in the picture, by the right matrices, and what of that is wrong.
 std::string projectedText(const Diagnosis &diagnosis);
-/// "less than 0.0001 % that a point of other making is explained as well".
+/// "less than 0.0001 % that an unrelated point is explained as well".
 std::string chanceText(double chance);
 /// That digits were given which single precision does not hold.
 std::string precisionSentence();

@@ -125,7 +125,7 @@ void DiagnosisView::showAnswer(const Shown &shown)
         addPlain(tr("Is also"), QString::fromStdString(knownPointName(diagnosis.known)));
     if (best.explains && best.id != "right" && !isKnown)
         addPlain(tr("Chance"), QString::fromStdString(chanceText(diagnosis.chance)));
-    addPlain(tr("Lands"), QString::fromStdString(projectedText(diagnosis)));
+    addPlain(tr("Projects to"), QString::fromStdString(projectedText(diagnosis)));
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
         addPlain(tr("Right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
@@ -136,7 +136,7 @@ void DiagnosisView::showAnswer(const Shown &shown)
     if (asks) {
         const QString pixel =
             QStringLiteral("%1, %2").arg(writtenText(diagnosis.next->x, 9), writtenText(diagnosis.next->y, 9));
-        addPlain(tr("Tell apart"), QString::fromStdString(nextClickText(diagnosis)));
+        addPlain(tr("To be sure"), QString::fromStdString(nextClickText(diagnosis)));
         m_click->setText(tr("Click &there: %1").arg(pixel));
     }
     m_click->setVisible(asks);

@@ -54,7 +54,7 @@ void MapFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
 {
     if (kind != MenuKind::View)
         return;
-    m_action = addSwitch(menu, tr("&Map of Differences"), Qt::Key_M,
+    m_action = addSwitch(menu, tr("&Error Map"), Qt::Key_M,
                          tr("Show over the view, for every pixel, how far the methods differ, how sure a click is, or "
                             "what another program is off"));
     connect(m_action, &QAction::toggled, m_map, &MapOverlay::setShown);

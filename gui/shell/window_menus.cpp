@@ -252,14 +252,14 @@ void WindowMenus::addAppearanceMenu(QMenu &menu)
 void WindowMenus::addWorkspaceActions(QMenu &menu)
 {
     Workspaces &workspaces = m_window.workspaces();
-    menu.addMenu(tr("&Work Place"))->addActions(workspaces.actions()); // two panels have the names of workspaces
+    menu.addMenu(tr("&Workspace"))->addActions(workspaces.actions()); // two panels have the names of workspaces
     menu.addSeparator();
     for (QDockWidget *dock : workspaces.sharedDocks())
         menu.addAction(dock->toggleViewAction());
     QAction *hides = addSwitch(menu, tr("H&ide All Panels"), Qt::Key_F9, tr("Give the view the whole window"));
     connect(hides, &QAction::toggled, &workspaces, &Workspaces::hidePanels);
     connect(&workspaces, &Workspaces::panelsHidden, hides, &QAction::setChecked);
-    addAction(menu, tr("R&eset Layout"), {}, tr("Put all panels of this work place back to where they were at first"),
+    addAction(menu, tr("R&eset Layout"), {}, tr("Put all panels of this workspace back to where they were at first"),
               [&workspaces] { workspaces.reset(); });
 }
 

@@ -121,7 +121,7 @@ void TestDoctorCommand::theAnswerInWords()
 {
     const Run run = doctor(kClick + QStringList{"--got", "0.7051,-0.4122,0.0918"});
     VERIFY_SUCCEEDED(run);
-    QVERIFY(run.output.startsWith("y-not-flipped\n  y is not turned over"));
+    QVERIFY(run.output.startsWith("y-not-flipped\n  y is not flipped"));
     QVERIFY(run.output.contains("all 11 digits given, off by"));
     // The last digits are cut off, and not said to be explained as they stand.
     const Run cutOff = doctor(kClick + QStringList{"--got", "0.7051,-0.4121,0.0918"});

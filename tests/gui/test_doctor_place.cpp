@@ -1,4 +1,4 @@
-// The work place Doctor as a hand has it: a click, what another program got for it, and the answer.
+// The workspace Doctor as a hand has it: a click, what another program got for it, and the answer.
 
 #include "job_faults.h"
 #include "window_user.h"
@@ -180,7 +180,7 @@ void TestDoctorPlace::theMistakeIsNamed()
     QVERIFY2(text.contains(QStringLiteral("y not flipped: all ")), qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("Next best")), qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("the depth is right, the pixel is not")), qPrintable(text));
-    QVERIFY2(text.contains(QStringLiteral("Tell apart")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("To be sure")), qPrintable(text));
     QCOMPARE(panelOf(*window).code().text(),
              QStringLiteral("- gluUnProject(x, y, d, modelview, projection, viewport, &X, &Y, &Z);\n"
                             "+ gluUnProject(x, H - y, d, modelview, projection, viewport, &X, &Y, &Z);\n"));
@@ -263,7 +263,7 @@ void TestDoctorPlace::garbageIsUnknown()
     QTRY_VERIFY_WITH_TIMEOUT(
         verdictOf(*window).startsWith(QStringLiteral("Unknown. Nothing that is known explains this point")),
         kPatienceMilliseconds);
-    QVERIFY(panelOf(*window).answer().text().contains(QStringLiteral("Lands on pixel ")));
+    QVERIFY(panelOf(*window).answer().text().contains(QStringLiteral("Projects to pixel ")));
     QVERIFY(!panelOf(*window).code().isVisible());
     // The digits that the closest one explains are black: those that are counted.
     QString markup, black;
@@ -337,7 +337,7 @@ void TestDoctorPlace::pointsAsProgramsPrintThem()
     for (int axis = 0; axis < 3; ++axis)
         text = text.arg(QString::number(got[axis], 'f', 4).replace(u'-', QChar(0x2212)));
     type(gotOf(*window), text);
-    QTRY_VERIFY2_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")),
+    QTRY_VERIFY2_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("y is not flipped")),
                               qPrintable(verdictOf(*window)), kPatienceMilliseconds);
 }
 
@@ -375,7 +375,7 @@ void TestDoctorPlace::aSecondClickMakesASecondRow()
     QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).size(), 2);
     type(gotOf(*window, 1), pointText(second));
     QTRY_COMPARE_WITH_TIMEOUT(window->document().picks().wrongPoints().size(), std::size_t(2), kPatienceMilliseconds);
-    QVERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
+    QVERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not flipped")));
     for (QToolButton *button : panelOf(*window).findChildren<QToolButton *>()) {
         if (button->accessibleName() == QStringLiteral("Remove this point")) {
             QTest::mouseClick(button, Qt::LeftButton);
@@ -536,7 +536,7 @@ void TestDoctorPlace::thePictureStaysThatOfTheClick()
 {
     const auto window = doctorWindow();
     type(gotOf(*window), pointText(clickedAndWrong(*window)));
-    QTRY_VERIFY_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")),
+    QTRY_VERIFY_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("y is not flipped")),
                              kPatienceMilliseconds);
     QPushButton *now = nullptr;
     for (QPushButton *button : panelOf(*window).findChildren<QPushButton *>()) {
@@ -546,10 +546,10 @@ void TestDoctorPlace::thePictureStaysThatOfTheClick()
     QVERIFY(now && !now->isVisible());
     setCamera(window->document(), {WorldPoint(20, 3, 4), WorldPoint(kCubeCenter), {0, 1, 0}});
     settle(100);
-    QVERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not turned over")));
+    QVERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not flipped")));
     QVERIFY(now->isVisible());
     QTest::mouseClick(now, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(!verdictOf(*window).startsWith(QStringLiteral("y is not turned over")),
+    QTRY_VERIFY_WITH_TIMEOUT(!verdictOf(*window).startsWith(QStringLiteral("y is not flipped")),
                              kPatienceMilliseconds);
     QVERIFY(!now->isVisible());
 }

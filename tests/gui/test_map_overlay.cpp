@@ -118,7 +118,7 @@ void TestMapOverlay::itComesAndGoes()
     const auto window = windowOfSize({900, 600});
     QVERIFY(part<MapOverlay>(*window).panel().isHidden()); // off at first
     QVERIFY(part<MapOverlay>(*window).map() == nullptr);
-    QAction *action = actionOf(*window, "Map of Differences");
+    QAction *action = actionOf(*window, "Error Map");
     QCOMPARE(action->shortcut(), QKeySequence(Qt::Key_M));
     action->trigger();
     QVERIFY(!part<MapOverlay>(*window).panel().isHidden());

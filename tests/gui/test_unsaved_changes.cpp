@@ -189,7 +189,7 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout()
         const MessageBoxAnswers answers(QMessageBox::Cancel);
         QCOMPARE(untitled->close(), !isWork);
         QCOMPARE(answers.questions(), isWork ? QStringList(QStringLiteral(
-                                          "Save what was made of Bundled scene as a scene? Models stay as they are."))
+                                          "Save the changes to Bundled scene as a scene file? Model files are not changed."))
                                              : QStringList());
     }
     // Of a scene that has a file, the view is a part.

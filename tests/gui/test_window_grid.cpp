@@ -4,6 +4,7 @@
 #include "cut_texts.h"
 #include "gui_scene.h"
 
+#include "gui/click/pick_strip.h"
 #include "gui/text/translation.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/workspaces.h"
