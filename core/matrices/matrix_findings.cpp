@@ -353,7 +353,10 @@ std::string findingText(const MatrixFinding &finding, MatrixRole role)
     case MatrixFault::Exchanged:
         return tr(isView ? "has a projection's form: view and projection seem to be exchanged"
                          : "has a view's form: view and projection seem to be exchanged");
-    case MatrixFault::UnknownForm: return tr("has no form that formulas are known for");
+    case MatrixFault::UnknownForm:
+        return isView                           ? tr("is not rotation + translation")
+               : role == MatrixRole::Projection ? tr("is neither a perspective nor an orthographic projection")
+                                                : tr("is not a perspective or orthographic projection times a view");
     case MatrixFault::DepthZeroToOne:
         return std::isnan(finding.other)
                    ? tr("goes by NDC depths from 0 to 1 (Direct3D, Vulkan), and is read so: near is %1",

@@ -1,5 +1,8 @@
 #include "core/matrices/matrix_paste.h"
 
+#include "core/matrices/pasted_calls.h"
+#include "core/matrices/pasted_numbers.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +11,7 @@ using namespace geometry;
 
 namespace {
 
+constexpr std::size_t kEntries = 16;
 constexpr std::array kRoles{MatrixRole::View, MatrixRole::Projection, MatrixRole::Product};
 
 const std::optional<PastedMatrix> &partOf(const PastedScene &parts, MatrixRole role)
@@ -35,7 +39,7 @@ void MatrixPaste::tellOrders()
     for (const MatrixRole role : kRoles) {
         place(role).told = ToldOrder::Usual;
         const PastedMatrix *matrix = pasted(role);
-        if (!matrix)
+        if (!matrix || matrix->form == MatrixForm::Call) // which has no numbers to be in an order
             continue;
         const NumberOrder usual = orderOf(matrix->form);
         roles.push_back(role);
@@ -58,7 +62,7 @@ void MatrixPaste::take(MatrixRole role, std::string_view text)
             place(other) = {};
     }
     here.isBlank = text.find_first_not_of(" \t\r\n") == text.npos;
-    if (here.isBlank)
+    if (here.isBlank || takeCalls(role, text))
         return;
     if (const auto one = pastedMatrix(text)) {
         here.own = *one;
@@ -92,10 +96,42 @@ void MatrixPaste::take(MatrixRole role, std::string_view text)
     }
 }
 
+bool MatrixPaste::takeCalls(MatrixRole role, std::string_view text)
+{
+    const Result<PastedCalls, PasteError> calls = pastedCalls(text);
+    Place &here = place(role);
+    if (!calls) {
+        here.error = calls.error();
+        return true;
+    }
+    if (!calls->hasAny)
+        return false;
+    here.parts = calls->parts;
+    here.hasCalls = true;
+    // Matrices may stand beside them; fewer numbers are those of other lines.
+    if (const auto numbers = pastedNumbers(calls->rest); numbers && numbers->size() >= kEntries) {
+        const auto beside = pastedParts(calls->rest);
+        if (!beside) {
+            here.error = beside.error();
+            return true;
+        }
+        PastedScene parts = *beside;
+        if (here.parts.view)
+            parts.view = here.parts.view;
+        if (here.parts.projection)
+            parts.projection = here.parts.projection;
+        if (here.parts.viewport)
+            parts.viewport = here.parts.viewport;
+        here.parts = parts;
+    }
+    here.own = partOf(here.parts, role);
+    return true;
+}
+
 const PastedMatrix *MatrixPaste::pasted(MatrixRole role) const
 {
     const Place &here = place(role);
-    if (!here.isBlank)
+    if (!here.isBlank && (here.own || !here.hasCalls))
         return here.own ? &*here.own : nullptr;
     for (const MatrixRole other : kRoles) {
         // A product is looked for only where it is asked for.
@@ -224,6 +260,12 @@ MatrixPaste::Camera MatrixPaste::camera() const
         camera.projection = MatrixProjection{*projection, ndcDepth(MatrixRole::Projection)};
     camera.eyeFromWorld = matrix(MatrixRole::View);
     return camera;
+}
+
+std::optional<NdcDepth> MatrixPaste::ndcDepth(MatrixRole role) const
+{
+    const PastedMatrix *matrix = pasted(role);
+    return place(role).ndcDepth || !matrix ? place(role).ndcDepth : matrix->ndcDepth;
 }
 
 std::optional<Decomposition> MatrixPaste::apart() const

@@ -45,8 +45,8 @@ public:
     std::optional<glm::dmat4> matrix(MatrixRole role) const;
     /// Of the matrix as it is now.
     std::vector<MatrixFinding> findings(MatrixRole role) const;
-    /// Of the NDC of the projection or the product; none: as its numbers tell.
-    std::optional<geometry::NdcDepth> ndcDepth(MatrixRole role) const { return place(role).ndcDepth; }
+    /// Of the NDC of the projection or the product: as chosen, else those of the API whose call it is; none: as its numbers tell.
+    std::optional<geometry::NdcDepth> ndcDepth(MatrixRole role) const;
 
     /// What a scene is to take.
     struct Camera {
@@ -62,6 +62,7 @@ public:
 private:
     struct Place {
         bool isBlank = true;
+        bool hasCalls = false; ///< in the text
         std::optional<PasteError> error;
         PastedScene parts;
         std::optional<PastedMatrix> own;
@@ -73,6 +74,8 @@ private:
     Place &place(MatrixRole role) { return m_places[std::size_t(role)]; }
     const Place &place(MatrixRole role) const { return m_places[std::size_t(role)]; }
     void take(MatrixRole role, std::string_view text);
+    /// @return whether the text has calls
+    bool takeCalls(MatrixRole role, std::string_view text);
     void tellOrders();
     bool hasRepair(MatrixRole role, MatrixRepair repair) const;
     /// Without turning the eye, which takes projection and view together.

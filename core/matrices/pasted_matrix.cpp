@@ -2,6 +2,7 @@
 
 #include "core/geometry/condition_number.h"
 #include "core/matrices/pasted_numbers.h"
+#include "core/text/error_text.h"
 #include "core/text/translation.h"
 
 #include <glm/matrix.hpp>
@@ -201,7 +202,8 @@ NumberOrder orderOf(MatrixForm form)
     switch (form) {
     case MatrixForm::Flat:
     case MatrixForm::Indexed:
-    case MatrixForm::GlmColumns: return NumberOrder::ByColumns;
+    case MatrixForm::GlmColumns:
+    case MatrixForm::Call: return NumberOrder::ByColumns;
     case MatrixForm::IndexPairs:
     case MatrixForm::RowLines:
     case MatrixForm::NestedRows: break;
@@ -271,8 +273,32 @@ const char *nameOf(PastedPart part)
     return "viewport";
 }
 
+namespace {
+
+std::string callText(const PasteError &error)
+{
+    switch (error.fault) {
+    case CallFault::NoNumber:
+        return text::tr("%1: the argument '%2' is no number. Put its value there", error.call, error.argument);
+    case CallFault::NoVector:
+        return text::tr("%1: the argument '%2' is no vector of numbers. Put three numbers there", error.call,
+                        error.argument);
+    case CallFault::Count:
+        return text::tr("%1: %2 arguments found, %3 are needed", error.call, error.found, error.wanted);
+    case CallFault::Radians:
+        return text::tr("%1: the angle is in radians and must be smaller than pi. You entered %2", error.call,
+                        error.argument);
+    case CallFault::Parameters: break;
+    }
+    return error.call + ": " + text::errorText(error.parameters);
+}
+
+} // namespace
+
 std::string reasonText(const PasteError &error)
 {
+    if (!error.call.empty())
+        return callText(error);
     if (!error.word.empty())
         return text::tr("\"%1\" is not a finite number", error.word);
     return text::tr(error.found == 1 ? "%1 number found, %2 are needed" : "%1 numbers found, %2 are needed",

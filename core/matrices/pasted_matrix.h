@@ -24,15 +24,18 @@ enum class MatrixForm {
     GlmColumns, ///< glm::to_string, GLM's and GLSL's constructors: by columns
     IndexPairs, ///< m(0,1) as Eigen counts, m01 as Unity does: row, column
     RowLines,   ///< four lines of four, or semicolons between the rows: Eigen, OpenCV, QMatrix4x4
-    NestedRows  ///< four brackets of four: NumPy, JSON, C arrays of arrays
+    NestedRows, ///< four brackets of four: NumPy, JSON, C arrays of arrays
+    Call        ///< no numbers of a matrix, but a call that makes one, see pastedCalls: by columns
 };
 
 /// A matrix as it was pasted.
 struct PastedMatrix {
     std::array<double, 16> numbers{}; ///< as they stand in the text; those with indices, by these
     MatrixForm form = MatrixForm::Flat;
-    bool isInverse = false;             ///< it has the name of an inverse, as projectionMatrixInverse
-    std::optional<NumberOrder> order{}; ///< where its numbers tell another than the usual one, see toldOrders
+    bool isInverse = false;                       ///< it has the name of an inverse, as projectionMatrixInverse
+    std::optional<NumberOrder> order{};           ///< where its numbers tell another than the usual one, see toldOrders
+    std::optional<geometry::NdcDepth> ndcDepth{}; ///< of a projection, where the text tells
+    std::string call{}; ///< how the call was read that made it, in the language of text::tr(), without a full stop
     friend bool operator==(const PastedMatrix &, const PastedMatrix &) = default;
 };
 
@@ -79,12 +82,25 @@ struct PastedScene {
     std::vector<PastedPart> inversesLeft; ///< whose inverse stands beside them, and is left out
 };
 
+/// What is wrong with a call, see pastedCalls.
+enum class CallFault {
+    NoNumber,  ///< an argument
+    NoVector,  ///< an argument
+    Count,     ///< found, wanted: arguments
+    Radians,   ///< argument: an angle that can only be in degrees
+    Parameters ///< parameters: no projection or view has them
+};
+
 struct PasteError {
     std::string word;                 ///< the number that is not finite; empty where their count is wrong
     std::size_t line = 0, column = 0; ///< of the word, from 1
     PastedPart part = PastedPart::ModelView;
     std::size_t found = 0, wanted = 16;
     std::size_t all = 0; ///< numbers in the text
+    std::string call{};  ///< that cannot be read, "glm::perspective"; empty where it is about no call
+    CallFault fault = CallFault::NoNumber;
+    std::string argument{}; ///< of the call, as written
+    geometry::Error parameters{geometry::ErrorCode::NotFinite};
 };
 /// What is wrong, in the language of text::tr(), without the place and the part.
 std::string reasonText(const PasteError &error);

@@ -95,7 +95,7 @@ std::string errorText(const Error &error)
         return tr("an object reaches to %1, farther than can be computed; look at its scales and translations", value);
     case ErrorCode::ObjectTooSmall:
         return tr("an object measures %1, less than can be computed; look at its scales", value);
-    case ErrorCode::ViewNotRigid: return tr("the view matrix does more than turn and move: %1", viewFault(error));
+    case ErrorCode::ViewNotRigid: return tr("the view matrix is not rotation + translation: %1", viewFault(error));
     case ErrorCode::ViewMirrored:
         return tr("the view matrix is mirrored: its axes are left-handed; negate one of its first three rows");
     }

@@ -79,6 +79,7 @@ QString formName(MatrixForm form)
     case MatrixForm::GlmColumns: return MatrixText::tr("GLM's or GLSL's columns");
     case MatrixForm::IndexPairs: return MatrixText::tr("numbers with row and column, m(0,1)");
     case MatrixForm::RowLines: return MatrixText::tr("four lines");
+    case MatrixForm::Call: return MatrixText::tr("a call");
     case MatrixForm::NestedRows: break;
     }
     return MatrixText::tr("four brackets");
@@ -115,6 +116,8 @@ QString repairName(const MatrixFinding &finding, NumberOrder order)
 QString errorText(const PasteError &error, MatrixRole role)
 {
     const std::string reason = reasonText(error);
+    if (!error.call.empty())
+        return ended(reason);
     if (!error.word.empty())
         return MatrixText::tr("In line %1, column %2: %3").arg(error.line).arg(error.column).arg(ended(reason));
     if (error.all > error.wanted && error.found == 0)

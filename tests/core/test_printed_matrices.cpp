@@ -217,7 +217,7 @@ void TestPrintedMatrices::whatDoesMoreThanTurnAndMoveIsNamed()
     QVERIFY(!off);
     QVERIFY(off.error().code == ErrorCode::ViewNotRigid);
     QCOMPARE(QByteArray::fromStdString(text::errorText(off.error())),
-             "the view matrix does more than turn and move: " + text);
+             "the view matrix is not rotation + translation: " + text);
     QVERIFY(!worldFromEye(view, EyePoint(1, 2, -3)));
 }
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/geometry/viewport.h"
+#include "core/matrices/call_text.h"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace unprojector::matrices {
+
+/// What the arguments of a call are.
+enum class CallShape {
+    FieldOfView,       ///< fovy, aspect, near, far
+    FieldOfViewOfSize, ///< fovy, width, height, near, far
+    Size,              ///< width, height, near, far
+    Edges,             ///< left, right, bottom, top, near, far
+    EdgesTopFirst,     ///< left, right, top, bottom, near, far
+    EdgesOnly,         ///< left, right, bottom, top
+    LookAtNumbers,     ///< eye, center and up, nine numbers
+    LookAtPoints,      ///< eye, center and up, three vectors
+    LookTo,            ///< eye, direction and up, three vectors
+    Viewport           ///< x, y, width, height
+};
+
+/// How an API means a call.
+struct CallSignature {
+    CallShape shape = CallShape::FieldOfView;
+    bool isPerspective = true;
+    bool isLeftHanded = false;
+    geometry::NdcDepth ndcDepth = geometry::NdcDepth::MinusOneToOne;
+    bool areDegrees = false;
+    bool dropsRest = true;         ///< whole numbers are divided without their rest, as in C and C#
+    std::size_t firstArgument = 0; ///< gl-matrix has the result before it
+};
+
+bool isProjection(CallShape shape);
+std::size_t argumentCount(CallShape shape);
+
+/// Of the calls that make a projection, a view or a viewport; nothing of others.
+/// @param program  the whole text, comments and all: it may name the library, and set GLM's defaults
+std::optional<CallSignature> signatureOf(const CallText &call, std::string_view program);
+
+} // namespace unprojector::matrices

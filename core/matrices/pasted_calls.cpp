@@ -1,0 +1,489 @@
+#include "core/matrices/pasted_calls.h"
+
+#include "core/geometry/angle.h"
+#include "core/geometry/camera.h"
+#include "core/geometry/projection.h"
+#include "core/matrices/argument_reader.h"
+#include "core/matrices/call_signature.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+namespace unprojector::matrices {
+using namespace geometry;
+using text::tr;
+
+namespace {
+
+constexpr int kDigits = 5;
+
+std::string numberText(double value)
+{
+    return text::significantText(value, kDigits);
+}
+
+std::string vectorText(const glm::dvec3 &v)
+{
+    return '(' + numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z) + ')';
+}
+
+/// The window on the plane of near, and which way it is seen.
+struct Volume {
+    double left = -1.0, right = 1.0, bottom = -1.0, top = 1.0, nearDistance = -1.0, farDistance = 1.0;
+};
+
+/// As far as a matrix can be made of it: near may be behind far, as reversed depths have it.
+Check check(const Volume &v, bool isPerspective)
+{
+    if (isPerspective && std::min(v.nearDistance, v.farDistance) <= 0.0)
+        return Error{ErrorCode::NearNotPositive, std::min(v.nearDistance, v.farDistance)};
+    if (v.left == v.right)
+        return Error{ErrorCode::LeftEqualsRight, v.left};
+    if (v.bottom == v.top)
+        return Error{ErrorCode::BottomEqualsTop, v.bottom};
+    if (v.nearDistance == v.farDistance)
+        return Error{ErrorCode::NearNotBeforeFar, v.nearDistance, v.farDistance};
+    return std::monostate{};
+}
+
+/// glFrustum's or glOrtho's matrix; with depths in [0, 1], and looking along +z, where the API has these.
+glm::dmat4 clipFromEye(const Volume &v, const CallSignature &signature)
+{
+    const double n = v.nearDistance, f = v.farDistance, width = v.right - v.left, height = v.top - v.bottom;
+    const bool isZeroToOne = signature.ndcDepth == NdcDepth::ZeroToOne;
+    glm::dmat4 m(0.0);
+    if (signature.isPerspective) {
+        m[0][0] = 2.0 * n / width;
+        m[1][1] = 2.0 * n / height;
+        m[2] = {(v.right + v.left) / width, (v.top + v.bottom) / height, -(isZeroToOne ? f : f + n) / (f - n), -1.0};
+        m[3][2] = -(isZeroToOne ? 1.0 : 2.0) * f * n / (f - n);
+    } else {
+        m[0][0] = 2.0 / width;
+        m[1][1] = 2.0 / height;
+        m[2][2] = -(isZeroToOne ? 1.0 : 2.0) / (f - n);
+        m[3] = {-(v.right + v.left) / width, -(v.top + v.bottom) / height, -(isZeroToOne ? n : f + n) / (f - n), 1.0};
+    }
+    if (signature.isLeftHanded)
+        m[2] = -m[2];
+    return m;
+}
+
+/// gluLookAt's matrix. A left-handed eye looks along +z: it is turned half round about its y axis.
+Result<glm::dmat4> eyeFromWorld(const LookAt &camera, bool isLeftHanded)
+{
+    const Result<EyeFrame> frame = eyeFrame(camera);
+    if (!frame)
+        return frame.error();
+    glm::dmat4 m = geometry::eyeFromWorld(*frame);
+    if (isLeftHanded) {
+        for (int column = 0; column < 4; ++column) {
+            m[column][0] = -m[column][0];
+            m[column][2] = -m[column][2];
+        }
+    }
+    return m;
+}
+
+PastedMatrix pastedOf(const glm::dmat4 &matrix, const CallSignature &signature, std::string said)
+{
+    PastedMatrix pasted;
+    pasted.form = MatrixForm::Call;
+    for (int i = 0; i < 16; ++i)
+        pasted.numbers[std::size_t(i)] = matrix[i / 4][i % 4] + 0.0;
+    if (isProjection(signature.shape))
+        pasted.ndcDepth = signature.ndcDepth;
+    pasted.call = std::move(said);
+    return pasted;
+}
+
+class Reader {
+public:
+    explicit Reader(std::string_view text)
+        : m_program(text), m_text(withoutComments(text)), m_arguments(m_text), m_assignments(assignmentTexts(m_text)),
+          m_rest(m_text)
+    {
+    }
+
+    Result<PastedCalls, PasteError> read()
+    {
+        for (const CallText &call : callTexts(m_text)) {
+            readAssignments(call.at);
+            const std::optional<CallSignature> signature = signatureOf(call, m_program);
+            if (signature)
+                readCall(call, *signature);
+            else
+                readThree(call);
+            if (m_error)
+                return *m_error;
+        }
+        if (m_read.hasAny)
+            readAssignments(m_text.size());
+        if (!m_error && !m_three.name.empty())
+            setThreeView();
+        if (m_error)
+            return *m_error;
+        for (const AssignmentText &one : m_assignments) { // width = 800 is no number of a matrix
+            if (m_arguments.number(one.value))
+                blank(one.at, one.end);
+        }
+        m_read.rest = m_rest;
+        return m_read;
+    }
+
+private:
+    void blank(std::size_t at, std::size_t end)
+    {
+        std::fill(m_rest.begin() + std::ptrdiff_t(at), m_rest.begin() + std::ptrdiff_t(end), ' ');
+    }
+    void blank(const CallText &call)
+    {
+        m_read.hasAny = true;
+        blank(call.at, call.end);
+    }
+
+    void fail(const CallText &call, CallFault fault, const std::string &argument = {})
+    {
+        m_error = PasteError();
+        m_error->call = call.written;
+        m_error->fault = fault;
+        m_error->argument = argument;
+    }
+    void fail(const CallText &call, const Error &wrong)
+    {
+        fail(call, CallFault::Parameters);
+        m_error->parameters = wrong;
+    }
+
+    /// The numbers of a call from an argument on.
+    std::vector<double> numbers(const CallText &call, std::size_t first, std::size_t count)
+    {
+        std::vector<double> values;
+        for (std::size_t i = first; i < first + count; ++i) {
+            const auto number = m_arguments.number(call.arguments[i]);
+            if (!number) {
+                fail(call, CallFault::NoNumber, call.arguments[i]);
+                return {};
+            }
+            values.push_back(number->value);
+            if (!number->wholeQuotient.empty())
+                m_wholeQuotient = *number;
+        }
+        return values;
+    }
+
+    std::optional<glm::dvec3> vector(const CallText &call, std::size_t index)
+    {
+        const auto value = m_arguments.vector(call.arguments[index]);
+        if (!value)
+            fail(call, CallFault::NoVector, call.arguments[index]);
+        return value;
+    }
+
+    void readCall(CallText call, const CallSignature &signature)
+    {
+        blank(call);
+        m_wholeQuotient = {};
+        if (call.arguments.size() >= signature.firstArgument)
+            call.arguments.erase(call.arguments.begin(),
+                                 call.arguments.begin() + std::ptrdiff_t(signature.firstArgument));
+        const bool isCamera = call.name.ends_with("Camera");
+        if (isCamera) {
+            addDefaults(call, signature);
+            m_camera = call.variable;
+        }
+        const std::size_t wanted = argumentCount(signature.shape);
+        if (call.arguments.size() != wanted) {
+            fail(call, CallFault::Count);
+            m_error->found = call.arguments.size();
+            m_error->wanted = wanted;
+        } else if (signature.shape == CallShape::Viewport) {
+            readViewport(call);
+        } else if (isProjection(signature.shape)) {
+            readProjection(call, signature);
+        } else {
+            readView(call, signature);
+        }
+    }
+
+    /// Those of three.js.
+    static void addDefaults(CallText &call, const CallSignature &signature)
+    {
+        const std::vector<std::string> defaults = signature.isPerspective
+                                                      ? std::vector<std::string>{"50", "1", "0.1", "2000"}
+                                                      : std::vector<std::string>{"-1", "1", "1", "-1", "0.1", "2000"};
+        for (std::size_t i = call.arguments.size(); i < defaults.size(); ++i)
+            call.arguments.push_back(defaults[i]);
+    }
+
+    void readViewport(const CallText &call)
+    {
+        const std::vector<double> v = numbers(call, 0, 4);
+        if (m_error || m_read.parts.viewport)
+            return;
+        const Viewport viewport{v[0], v[1], v[2], v[3]};
+        if (const Check valid = geometry::check(viewport); !valid)
+            fail(call, valid.error());
+        else
+            m_read.parts.viewport = viewport;
+    }
+
+    void readProjection(const CallText &call, const CallSignature &signature)
+    {
+        std::string said;
+        const Volume volume = volumeOf(call, signature, said);
+        if (m_error)
+            return;
+        if (const Check valid = check(volume, signature.isPerspective); !valid) {
+            fail(call, valid.error());
+            return;
+        }
+        if (m_read.parts.projection) {
+            m_read.parts.projection->call +=
+                tr(". %1 stands behind it and is left out: one projection is read", call.written);
+            return;
+        }
+        if (signature.isLeftHanded || signature.ndcDepth == NdcDepth::ZeroToOne)
+            said += handText(signature);
+        if (signature.dropsRest && !m_wholeQuotient.wholeQuotient.empty()) {
+            const double value = m_wholeQuotient.value;
+            said += tr(". %1 is read as %2; in C, C++ and C# it is %3, as long as no number of it has a point",
+                       m_wholeQuotient.wholeQuotient, numberText(value), numberText(std::trunc(value)));
+        }
+        m_read.parts.projection = pastedOf(clipFromEye(volume, signature), signature, said);
+    }
+
+    static std::string handText(const CallSignature &signature)
+    {
+        const bool isZeroToOne = signature.ndcDepth == NdcDepth::ZeroToOne;
+        if (signature.isLeftHanded)
+            return isZeroToOne ? tr("; left-handed, NDC depths from 0 to 1")
+                               : tr("; left-handed, NDC depths from -1 to 1");
+        return tr("; right-handed, NDC depths from 0 to 1");
+    }
+
+    Volume volumeOf(const CallText &call, const CallSignature &signature, std::string &said)
+    {
+        const std::vector<double> v = numbers(call, 0, call.arguments.size());
+        Volume volume;
+        if (m_error)
+            return volume;
+        switch (signature.shape) {
+        case CallShape::FieldOfView: return volumeOf(call, signature, v[0], v[1], v[2], v[3], said);
+        case CallShape::FieldOfViewOfSize: return volumeOf(call, signature, v[0], v[1] / v[2], v[3], v[4], said);
+        case CallShape::Size: volume = {-v[0] / 2.0, v[0] / 2.0, -v[1] / 2.0, v[1] / 2.0, v[2], v[3]}; break;
+        case CallShape::EdgesTopFirst: volume = {v[0], v[1], v[3], v[2], v[4], v[5]}; break;
+        case CallShape::EdgesOnly: volume = {v[0], v[1], v[2], v[3]}; break;
+        default: volume = {v[0], v[1], v[2], v[3], v[4], v[5]}; break;
+        }
+        said = tr("%1: left %2, right %3, bottom %4, top %5, near %6, far %7", call.written, numberText(volume.left),
+                  numberText(volume.right), numberText(volume.bottom), numberText(volume.top),
+                  numberText(volume.nearDistance), numberText(volume.farDistance));
+        return volume;
+    }
+
+    Volume volumeOf(const CallText &call, const CallSignature &signature, double angle, double aspect,
+                    double nearDistance, double farDistance, std::string &said)
+    {
+        Perspective lens;
+        lens.verticalFovRadians = signature.areDegrees ? radiansFromDegrees(angle) : angle;
+        lens.aspect = aspect;
+        lens.nearDistance = nearDistance;
+        lens.farDistance = farDistance;
+        if (!signature.areDegrees && angle >= kPi) {
+            fail(call, CallFault::Radians, numberText(angle));
+            return {};
+        }
+        if (!(lens.verticalFovRadians > 0.0 && lens.verticalFovRadians < kPi))
+            fail(call, Error{ErrorCode::FieldOfViewOutOfRange, lens.verticalFovRadians});
+        else if (!(std::abs(aspect) > 0.0) || !std::isfinite(aspect))
+            fail(call, Error{ErrorCode::AspectNotPositive, aspect});
+        if (m_error)
+            return {};
+        said = tr("%1: fovy %2°, aspect %3, near %4, far %5", call.written,
+                  numberText(degreesFromRadians(lens.verticalFovRadians)), numberText(aspect), numberText(nearDistance),
+                  numberText(farDistance));
+        if (signature.areDegrees && angle < kPi)
+            said += tr(". The angle is in degrees: %1 would be %2° if it were in radians", numberText(angle),
+                       numberText(degreesFromRadians(angle)));
+        const Frustum f = frustumFromPerspective(lens);
+        return {f.left, f.right, f.bottom, f.top, f.nearDistance, f.farDistance};
+    }
+
+    void readView(const CallText &call, const CallSignature &signature)
+    {
+        glm::dvec3 eye(0.0), center(0.0), up(0.0);
+        if (signature.shape == CallShape::LookAtNumbers) {
+            const std::vector<double> v = numbers(call, 0, 9);
+            if (m_error)
+                return;
+            eye = {v[0], v[1], v[2]};
+            center = {v[3], v[4], v[5]};
+            up = {v[6], v[7], v[8]};
+        } else {
+            const auto first = vector(call, 0);
+            const auto second = first ? vector(call, 1) : std::nullopt;
+            const auto third = second ? vector(call, 2) : std::nullopt;
+            if (!third)
+                return;
+            eye = *first;
+            center = signature.shape == CallShape::LookTo ? eye + *second : *second;
+            up = *third;
+        }
+        setView(call, signature, {WorldPoint(eye), WorldPoint(center), WorldVector(up)});
+    }
+
+    void setView(const CallText &call, const CallSignature &signature, const LookAt &camera)
+    {
+        const Result<glm::dmat4> matrix = eyeFromWorld(camera, signature.isLeftHanded);
+        if (!matrix) {
+            fail(call, matrix.error());
+            return;
+        }
+        if (m_read.parts.view) {
+            m_read.parts.view->call += tr(". %1 stands behind it and is left out: one view is read", call.written);
+            return;
+        }
+        std::string said = tr("%1: eye %2, center %3, up %4", call.written, vectorText(camera.eye.coordinates()),
+                              vectorText(camera.center.coordinates()), vectorText(camera.up.coordinates()));
+        if (signature.isLeftHanded)
+            said += tr("; left-handed");
+        m_read.parts.view = pastedOf(*matrix, signature, std::move(said));
+    }
+
+    void setThreeView()
+    {
+        CallText camera;
+        camera.written = m_three.name;
+        CallSignature signature;
+        signature.shape = CallShape::LookAtPoints;
+        setView(camera, signature,
+                {WorldPoint(m_three.position), WorldPoint(m_three.position + m_three.direction),
+                 WorldVector(m_three.upThen)});
+    }
+
+    /// camera.position.set, camera.up.set and camera.lookAt of three.js, of the camera that the text makes, or of what has its name.
+    void readThree(const CallText &call)
+    {
+        std::string object = call.object;
+        const bool isSet = call.name == "set";
+        const auto takeEnd = [&object](std::string_view end) {
+            const bool isThere = object.ends_with(end);
+            if (isThere)
+                object.resize(object.size() - end.size());
+            return isThere;
+        };
+        const bool isPosition = isSet && takeEnd(".position"), isUp = isSet && !isPosition && takeEnd(".up");
+        const bool isLookAt = call.name == "lookAt";
+        if ((!isPosition && !isUp && !isLookAt) || !isCamera(object))
+            return;
+        blank(call);
+        std::optional<glm::dvec3> point;
+        if (call.arguments.size() == 1) {
+            point = vector(call, 0);
+        } else if (call.arguments.size() == 3) {
+            const std::vector<double> v = numbers(call, 0, 3);
+            if (!m_error)
+                point = glm::dvec3(v[0], v[1], v[2]);
+        } else {
+            fail(call, CallFault::Count);
+            m_error->found = call.arguments.size();
+            m_error->wanted = 3;
+        }
+        if (!point)
+            return;
+        if (isUp) {
+            m_three.up = *point;
+            return;
+        }
+        m_three.name = object;
+        if (isPosition) {
+            m_three.position = *point;
+        } else {
+            m_three.direction = *point - m_three.position;
+            m_three.upThen = m_three.up;
+        }
+    }
+
+    bool isCamera(const std::string &object) const
+    {
+        if (!m_camera.empty())
+            return object == m_camera;
+        std::string small = object;
+        std::transform(small.begin(), small.end(), small.begin(),
+                       [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+        return small.find("cam") != small.npos;
+    }
+
+    /// What the text gives single members of the camera before a place: camera.position.z = 5.
+    void readAssignments(std::size_t end)
+    {
+        for (; m_nextAssignment < m_assignments.size() && m_assignments[m_nextAssignment].at < end && !m_error;
+             ++m_nextAssignment) {
+            const AssignmentText &one = m_assignments[m_nextAssignment];
+            const std::size_t dot = one.name.rfind('.');
+            if (dot == one.name.npos)
+                continue;
+            std::string object = one.name.substr(0, dot);
+            const std::string member = one.name.substr(dot + 1);
+            constexpr std::string_view kPosition = ".position", kAxes = "xyz";
+            if (object.ends_with(kPosition) && member.size() == 1 && kAxes.find(member) != kAxes.npos) {
+                object.resize(object.size() - kPosition.size());
+                if (isCamera(object))
+                    move(one, object, int(kAxes.find(member)));
+            } else if (isCamera(object) && m_read.parts.projection && isOfLens(member)) {
+                m_read.parts.projection->call += tr(". %1 is left out: put its value into the call", one.name);
+            }
+        }
+    }
+
+    static bool isOfLens(const std::string &member)
+    {
+        return member == "fov" || member == "aspect" || member == "near" || member == "far" || member == "zoom";
+    }
+
+    void move(const AssignmentText &to, const std::string &object, int axis)
+    {
+        const auto value = m_arguments.number(to.value);
+        if (!value) {
+            CallText written;
+            written.written = to.name;
+            fail(written, CallFault::NoNumber, to.value);
+            return;
+        }
+        m_three.name = object;
+        m_three.position[axis] = value->value;
+    }
+
+    std::string_view m_program;
+    std::string m_text;
+    ArgumentReader m_arguments;
+    std::vector<AssignmentText> m_assignments;
+    std::size_t m_nextAssignment = 0;
+    std::string m_rest;
+    PastedCalls m_read;
+    std::optional<PasteError> m_error;
+    ArgumentNumber m_wholeQuotient; ///< of the call that is read
+    std::string m_camera;           ///< the variable that the text makes one of three.js
+
+    /// Of three.js: lookAt turns it where it stands then; moved later, it keeps its direction.
+    struct ThreeCamera {
+        std::string name; ///< empty as long as nothing moved it
+        glm::dvec3 position{0.0}, up{0.0, 1.0, 0.0};
+        glm::dvec3 direction{0.0, 0.0, -1.0}, upThen{0.0, 1.0, 0.0};
+    };
+    ThreeCamera m_three;
+};
+
+} // namespace
+
+Result<PastedCalls, PasteError> pastedCalls(std::string_view text)
+{
+    constexpr std::size_t kLongest = 100'000; // that is no text of a few calls
+    return text.size() > kLongest ? PastedCalls() : Reader(text).read();
+}
+
+} // namespace unprojector::matrices
