@@ -24,6 +24,17 @@ const std::optional<PastedMatrix> &partOf(const PastedScene &parts, MatrixRole r
     return parts.product;
 }
 
+/// The place that has the parts of a text, where that of `role` has none of them.
+std::optional<MatrixRole> roleElsewhere(const PastedScene &parts, MatrixRole role)
+{
+    const bool hasProjection = bool(parts.projection), hasView = bool(partOf(parts, MatrixRole::View));
+    if (role != MatrixRole::Product)
+        return parts.product && !hasProjection && !hasView ? std::optional(MatrixRole::Product) : std::nullopt;
+    if (parts.product || (!hasProjection && !hasView))
+        return std::nullopt;
+    return hasProjection ? MatrixRole::Projection : MatrixRole::View;
+}
+
 } // namespace
 
 void MatrixPaste::setText(MatrixRole role, std::string_view text)
@@ -62,10 +73,23 @@ void MatrixPaste::take(MatrixRole role, std::string_view text)
             place(other) = {};
     }
     here.isBlank = text.find_first_not_of(" \t\r\n") == text.npos;
-    if (here.isBlank || takeCalls(role, text))
+    if (here.isBlank)
         return;
+    if (!takeCalls(role, text))
+        takeNumbers(role, text);
+    if (!here.named)
+        here.named = roleElsewhere(here.parts, role);
+}
+
+void MatrixPaste::takeNumbers(MatrixRole role, std::string_view text)
+{
+    Place &here = place(role);
     if (const auto one = pastedMatrix(text)) {
         here.own = *one;
+        const auto numbers = pastedNumbers(text);
+        const bool isProduct = numbers && numbers->front().part == PastedPart::Product;
+        if (isProduct && role != MatrixRole::Product)
+            here.named = MatrixRole::Product;
         return;
     }
     const PasteError error = pastedMatrix(text).error();
@@ -259,6 +283,10 @@ MatrixPaste::Camera MatrixPaste::camera() const
     if (const auto projection = matrix(MatrixRole::Projection))
         camera.projection = MatrixProjection{*projection, ndcDepth(MatrixRole::Projection)};
     camera.eyeFromWorld = matrix(MatrixRole::View);
+    for (const MatrixRole role : {MatrixRole::Projection, MatrixRole::View}) {
+        if (place(role).hasCalls && place(role).parts.viewport && !camera.viewport)
+            camera.viewport = place(role).parts.viewport;
+    }
     return camera;
 }
 

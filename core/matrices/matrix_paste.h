@@ -22,11 +22,13 @@ public:
 
     /// Why the text of a role gives no matrix of it; nothing where it is blank.
     const std::optional<PasteError> &error(MatrixRole role) const { return place(role).error; }
+    /// Where a text belongs by its names, if that is elsewhere: a product among projection and view, or the reverse.
+    std::optional<MatrixRole> namedRole(MatrixRole role) const { return place(role).named; }
     /// As it was pasted, in its own text or in another one's.
     const PastedMatrix *pasted(MatrixRole role) const;
     /// Whether the inverse stands beside it, and is left out.
     bool leavesInverseOut(MatrixRole role) const;
-    /// A viewport that stands beside the matrices: nothing is done with it.
+    /// A viewport that stands beside the matrices. Only that of a call is taken, see camera().
     std::optional<geometry::Viewport> viewport() const;
 
     /// The order that is set, else told by the numbers, else that of the form.
@@ -52,7 +54,8 @@ public:
     struct Camera {
         std::optional<geometry::MatrixProjection> projection;
         std::optional<glm::dmat4> eyeFromWorld;
-        bool isAnything() const { return projection || eyeFromWorld; }
+        std::optional<geometry::Viewport> viewport; ///< of a call
+        bool isAnything() const { return projection || eyeFromWorld || viewport; }
     };
     /// Projection and view, what there is of them.
     Camera camera() const;
@@ -62,7 +65,8 @@ public:
 private:
     struct Place {
         bool isBlank = true;
-        bool hasCalls = false; ///< in the text
+        bool hasCalls = false;           ///< in the text
+        std::optional<MatrixRole> named; ///< see namedRole
         std::optional<PasteError> error;
         PastedScene parts;
         std::optional<PastedMatrix> own;
@@ -74,6 +78,7 @@ private:
     Place &place(MatrixRole role) { return m_places[std::size_t(role)]; }
     const Place &place(MatrixRole role) const { return m_places[std::size_t(role)]; }
     void take(MatrixRole role, std::string_view text);
+    void takeNumbers(MatrixRole role, std::string_view text);
     /// @return whether the text has calls
     bool takeCalls(MatrixRole role, std::string_view text);
     void tellOrders();

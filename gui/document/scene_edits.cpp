@@ -141,7 +141,8 @@ Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const
 }
 
 Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection> &projection,
-                   const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label)
+                   const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label,
+                   const std::optional<Viewport> &viewport)
 {
     Setup given = document.setup();
     if (projection)
@@ -151,7 +152,13 @@ Check editMatrices(SceneDocument &document, const std::optional<MatrixProjection
     const Result<SceneSettings> settings = withSetup(document.scene(), given);
     if (!settings)
         return settings.error();
-    return document.edit(label, [&](Scene &scene) { static_cast<SceneSettings &>(scene) = *settings; });
+    return document.edit(label, [&](Scene &scene) {
+        static_cast<SceneSettings &>(scene) = *settings;
+        if (viewport) {
+            scene.viewport.kind = ViewportRule::Kind::Fixed;
+            scene.viewport.fixed = *viewport;
+        }
+    });
 }
 
 } // namespace unprojector::gui

@@ -32,9 +32,10 @@ geometry::Check editLandmarks(SceneDocument &document, std::vector<landmarks::La
                               const EditLabel &label);
 geometry::Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const EditLabel &label);
 
-/// Takes a projection, a view or both from matrices, see withSetup.
+/// Takes a projection, a view or both from matrices, see withSetup, and a viewport.
 /// @return the errors of byParameters and setupOf
 geometry::Check editMatrices(SceneDocument &document, const std::optional<geometry::MatrixProjection> &projection,
-                             const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label);
+                             const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label,
+                             const std::optional<geometry::Viewport> &viewport = std::nullopt);
 
 } // namespace unprojector::gui

@@ -51,7 +51,8 @@ QString adviceFor(const MatrixFinding &finding)
     switch (finding.fault) {
     case MatrixFault::DepthReversed: return MatrixText::tr("The depth range is turned round for it.");
     case MatrixFault::FarAtInfinity: return MatrixText::tr("It is drawn up to a million times near.");
-    case MatrixFault::UnknownForm: return MatrixText::tr("No camera of this window has it.");
+    case MatrixFault::UnknownForm:
+        return MatrixText::tr("The window cannot show it; only the inverted matrix can answer.");
     case MatrixFault::OrderOpen: return MatrixText::tr("Choose the order in which your program prints it.");
     case MatrixFault::Scaled:
         return finding.repair == MatrixRepair::None ? MatrixText::tr("Paste the view alone.") : QString();
@@ -124,10 +125,15 @@ QString errorText(const PasteError &error, MatrixRole role)
         return MatrixText::tr("There is no matrix of this kind among these %1 numbers: %2.")
             .arg(error.all)
             .arg(roleName(role));
-    const bool isOneOfSeveral = error.part == PastedPart::Viewport || error.all > error.found;
-    return isOneOfSeveral ? MatrixText::tr("%1: %2", "a part of the text: what is wrong with it")
-                                .arg(partName(error.part), ended(reason))
-                          : sentence(reason);
+    if (error.part != PastedPart::Viewport && error.all > error.found)
+        return MatrixText::tr("%1: %2 of the %3 numbers in the text belong to it; a matrix has %4.")
+            .arg(partName(error.part))
+            .arg(error.found)
+            .arg(error.all)
+            .arg(error.wanted);
+    return error.part == PastedPart::Viewport ? MatrixText::tr("%1: %2", "a part of the text: what is wrong with it")
+                                                    .arg(partName(error.part), ended(reason))
+                                              : sentence(reason);
 }
 
 QString cameraText(const Setup &setup, const std::optional<MatrixProjection> &lens)

@@ -1,11 +1,11 @@
 #include "gui/pipeline/paste_matrices_dialog.h"
 
 #include "core/matrices/matrix_format.h"
+#include "core/text/error_text.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
 #include "gui/pipeline/matrix_text.h"
 #include "gui/pipeline/pasted_matrix_box.h"
-#include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
 #include "gui/widgets/segmented_switch.h"
@@ -14,9 +14,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace unprojector::gui {
@@ -27,6 +29,11 @@ namespace {
 
 constexpr std::array kRoles{MatrixRole::Projection, MatrixRole::View, MatrixRole::Product};
 
+QString notACamera(const Error &error)
+{
+    return PasteMatricesDialog::tr("Not a camera: %1").arg(ended(text::errorText(error)));
+}
+
 } // namespace
 
 PasteMatricesDialog::PasteMatricesDialog(SceneDocument &document, QWidget *parent)
@@ -35,7 +42,7 @@ PasteMatricesDialog::PasteMatricesDialog(SceneDocument &document, QWidget *paren
     setWindowTitle(tr("Paste Matrices"));
     m_kind = new SegmentedSwitch(
         tr("What is pasted"),
-        {{tr("Projection and view"), tr("The two matrices, or one of them; the other stays that of the scene")},
+        {{tr("Projection and view"), tr("The two matrices, or one of them; the scene keeps the other")},
          {tr("Product"), tr("Projection times view, or times modelview (MVP), taken apart into the two")}});
     auto *boxes = new QWidget;
     auto *columns = new QHBoxLayout(boxes);
@@ -61,14 +68,15 @@ PasteMatricesDialog::PasteMatricesDialog(SceneDocument &document, QWidget *paren
             m_paste.takeBack(role);
             refresh();
         });
+        connect(one, &PastedMatrixBox::moveWanted, this, [this, role] { moveText(role); });
         connect(one, &PastedMatrixBox::repairWanted, this,
                 [this, role](const MatrixFinding &finding) { repair(role, finding); });
     }
-    auto *scrolled = new QScrollArea;
-    scrolled->setWidgetResizable(true);
-    scrolled->setFrameShape(QFrame::NoFrame);
-    scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scrolled->setWidget(boxes);
+    m_scrolled = new QScrollArea;
+    m_scrolled->setWidgetResizable(true);
+    m_scrolled->setFrameShape(QFrame::NoFrame);
+    m_scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scrolled->setWidget(boxes);
 
     m_meaning = new QLabel;
     m_meaning->setWordWrap(true);
@@ -76,7 +84,7 @@ PasteMatricesDialog::PasteMatricesDialog(SceneDocument &document, QWidget *paren
     m_meaning->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_meaning->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_meaning->setAccessibleName(tr("What the matrices mean"));
-    constexpr int kLines = 4;
+    constexpr int kLines = 3;
     m_meaning->setMinimumHeight(kLines * fontMetrics().lineSpacing());
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     m_ok = buttons->button(QDialogButtonBox::Ok);
@@ -86,12 +94,13 @@ PasteMatricesDialog::PasteMatricesDialog(SceneDocument &document, QWidget *paren
 
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(m_kind, 0, Qt::AlignLeft);
-    layout->addWidget(scrolled, 1);
+    layout->addWidget(m_scrolled, 1);
     layout->addWidget(m_meaning);
     layout->addWidget(buttons);
     connect(m_kind, &SegmentedSwitch::chosen, this, &PasteMatricesDialog::refresh);
     constexpr int kDigits = 110, kHeight = 34;
-    resize(kDigits * fontMetrics().horizontalAdvance(u'0'), kHeight * fontMetrics().lineSpacing());
+    const QSize wanted(kDigits * fontMetrics().horizontalAdvance(u'0'), kHeight * fontMetrics().lineSpacing());
+    resize(wanted.boundedTo(screen()->availableSize()));
     refresh();
 }
 
@@ -134,6 +143,17 @@ void PasteMatricesDialog::repair(MatrixRole role, const MatrixFinding &finding)
     box(MatrixRole::View)->setText(projection);
 }
 
+void PasteMatricesDialog::moveText(MatrixRole role)
+{
+    const std::optional<MatrixRole> named = m_paste.namedRole(role);
+    if (!named)
+        return;
+    const QString text = box(role)->text();
+    box(role)->setText({});
+    setText(*named, text);
+    refresh();
+}
+
 MatrixPaste::Camera PasteMatricesDialog::camera() const
 {
     if (!isProduct())
@@ -150,7 +170,7 @@ QString PasteMatricesDialog::meaning(const MatrixPaste::Camera &camera, bool &is
 {
     isUsable = false;
     if (isProduct() && m_paste.pasted(MatrixRole::Product) && !camera.isAnything())
-        return tr("The product cannot be taken apart into lens and eye: it is neither a perspective's nor a box's. "
+        return tr("The product cannot be taken apart: it is not a perspective or orthographic projection times a view. "
                   "Paste projection and view.");
     if (!camera.isAnything())
         return {};
@@ -161,12 +181,16 @@ QString PasteMatricesDialog::meaning(const MatrixPaste::Camera &camera, bool &is
         setup.pose = *camera.eyeFromWorld;
     const Result<Setup> shown = byParameters(setup);
     if (!shown)
-        return tr("No picture can be made of it: %1").arg(errorText(shown.error()));
+        return notACamera(shown.error());
     isUsable = true;
     QStringList said{cameraText(*shown, camera.projection)};
     if (isProduct())
         said << sentence(decompositionText(*m_paste.apart()));
-    if (const auto viewport = m_paste.viewport())
+    if (camera.viewport)
+        said << tr("The viewport becomes that of glViewport: %1 × %2 at (%3, %4).")
+                    .arg(writtenText(camera.viewport->width, 6), writtenText(camera.viewport->height, 6),
+                         writtenText(camera.viewport->x, 6), writtenText(camera.viewport->y, 6));
+    else if (const auto viewport = m_paste.viewport())
         said << tr("The viewport, %1 × %2, is left out: that of the view stays (Parameters, Viewport).")
                     .arg(writtenText(viewport->width, 6), writtenText(viewport->height, 6));
     return joinSentences(said);
@@ -187,6 +211,25 @@ void PasteMatricesDialog::refresh()
             isUsable = false;
     }
     m_ok->setEnabled(isUsable);
+    growToContent();
+}
+
+void PasteMatricesDialog::growToContent()
+{
+    if (!isVisible())
+        return;
+    const QWidget *boxes = m_scrolled->widget();
+    const QSize room = m_scrolled->viewport()->size();
+    const int missing = boxes->layout()->totalHeightForWidth(room.width()) - room.height()
+                        + m_meaning->heightForWidth(m_meaning->width()) - m_meaning->height();
+    if (missing > 0)
+        resize(width(), std::min(height() + missing, screen()->availableSize().height()));
+}
+
+void PasteMatricesDialog::showEvent(QShowEvent *event)
+{
+    QDialog::showEvent(event);
+    growToContent();
 }
 
 void PasteMatricesDialog::accept()
@@ -194,9 +237,10 @@ void PasteMatricesDialog::accept()
     if (!m_ok->isEnabled())
         return;
     const MatrixPaste::Camera taken = camera();
-    const Check done = editMatrices(m_document, taken.projection, taken.eyeFromWorld, {tr("Paste Matrices")});
+    const Check done =
+        editMatrices(m_document, taken.projection, taken.eyeFromWorld, {tr("Paste Matrices")}, taken.viewport);
     if (!done) {
-        m_meaning->setText(tr("No picture can be made of it: %1").arg(errorText(done.error())));
+        m_meaning->setText(notACamera(done.error()));
         return;
     }
     QDialog::accept();

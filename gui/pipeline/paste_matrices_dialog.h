@@ -8,6 +8,7 @@
 
 class QLabel;
 class QPushButton;
+class QScrollArea;
 
 namespace unprojector::gui {
 
@@ -31,12 +32,19 @@ public:
 
     void accept() override;
 
+protected:
+    void showEvent(QShowEvent *event) override;
+
 private:
     PastedMatrixBox *box(matrices::MatrixRole role) const { return m_boxes[std::size_t(role)]; }
     bool isProduct() const;
     void repair(matrices::MatrixRole role, const matrices::MatrixFinding &finding);
+    /// Puts a text where it belongs by its names, see MatrixPaste::namedRole.
+    void moveText(matrices::MatrixRole role);
     /// Shows everything as it is now.
     void refresh();
+    /// As high as shows all of it, as far as the screen allows.
+    void growToContent();
     /// What OK would take.
     matrices::MatrixPaste::Camera camera() const;
     /// What the camera means, or why it cannot be taken.
@@ -46,6 +54,7 @@ private:
     matrices::MatrixPaste m_paste;
     SegmentedSwitch *m_kind;
     std::array<PastedMatrixBox *, 3> m_boxes{};
+    QScrollArea *m_scrolled;
     QLabel *m_meaning;
     QPushButton *m_ok;
 };

@@ -11,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -52,10 +53,13 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
     m_text->setFont(digitsFont(font()));
     m_text->setTabChangesFocus(true);
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
-    m_text->setPlaceholderText(tr("Paste 16 numbers here, as a program prints them:\nglm::to_string, NumPy, Eigen, "
-                                  "QMatrix4x4,\nm[0] … m[15], JSON, C, three.js"));
+    m_text->setPlaceholderText(
+        tr("Paste 16 numbers, as a program prints them\n(glm::to_string, NumPy, Eigen, JSON, C …), or its "
+           "calls:\ngluPerspective(45, 1.5, 0.1, 100)"));
     m_text->setAccessibleName(tr("Text of the matrix: %1").arg(roleName(role)));
-    m_text->setToolTip(tr("Sixteen numbers in a row are read column after column, four lines or brackets as rows"));
+    m_text->setToolTip(tr(
+        "Sixteen numbers in a row are read column after column, four lines or brackets as rows. Calls of OpenGL, GLM, "
+        "three.js, System.Numerics and DirectXMath are read with the numbers in them."));
     const int line = QFontMetrics(m_text->font()).lineSpacing();
     m_text->setFixedHeight(kTextLines * line + 3 * m_text->frameWidth() + line);
     title->setBuddy(m_text);
@@ -64,6 +68,9 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
     m_said = new QLabel;
     m_said->setWordWrap(true);
     m_said->setTextFormat(Qt::PlainText);
+    m_move = new QPushButton;
+    m_move->setAutoDefault(false);
+    m_move->hide();
     m_order = new SegmentedSwitch(tr("Order of the numbers"),
                                   {{tr("By columns"), tr("Column-major: the first four numbers are the first column")},
                                    {tr("By rows"), tr("Row-major: the first four numbers are the first row")}});
@@ -105,6 +112,7 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
     layout->addWidget(title);
     layout->addWidget(m_text);
     layout->addWidget(m_said);
+    layout->addWidget(m_move, 0, Qt::AlignLeft);
     layout->addLayout(how);
     layout->addWidget(depths);
     layout->addWidget(m_grid);
@@ -116,6 +124,7 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
             [this](int index) { emit orderChosen(index == 0 ? NumberOrder::ByColumns : NumberOrder::ByRows); });
     connect(m_ndcDepth, &SegmentedSwitch::chosen, this,
             [this](int index) { emit ndcDepthChosen(kNdcDepths.at(std::size_t(index))); });
+    connect(m_move, &QPushButton::clicked, this, &PastedMatrixBox::moveWanted);
     connect(m_asPasted, &QToolButton::clicked, this, &PastedMatrixBox::asPastedWanted);
     connect(m_findings, &MatrixFindingsView::repairWanted, this, &PastedMatrixBox::repairWanted);
 }
@@ -130,6 +139,30 @@ void PastedMatrixBox::setText(const QString &text)
     m_text->setPlainText(text);
 }
 
+QStringList PastedMatrixBox::saidOf(const MatrixPaste &paste) const
+{
+    if (const auto &error = paste.error(m_role))
+        return {errorText(*error, m_role)};
+    const bool isBlank = text().trimmed().isEmpty();
+    const PastedMatrix *pasted = paste.pasted(m_role);
+    if (!pasted) {
+        switch (m_role) {
+        case MatrixRole::Projection:
+            return {isBlank ? tr("Empty: the scene's projection is kept.")
+                            : tr("The text has no projection: the scene's projection is kept.")};
+        case MatrixRole::View:
+            return {isBlank ? tr("Empty: the scene's view is kept.")
+                            : tr("The text has no view: the scene's view is kept.")};
+        case MatrixRole::Product: break;
+        }
+        return {isBlank ? tr("Empty.") : tr("The text has no product.")};
+    }
+    if (pasted->form == MatrixForm::Call)
+        return {isBlank ? tr("From the other text: %1").arg(ended(pasted->call)) : ended(pasted->call)};
+    return {isBlank ? tr("From the other text: %1.").arg(formName(pasted->form))
+                    : tr("Read as %1.").arg(formName(pasted->form))};
+}
+
 void PastedMatrixBox::showPaste(const MatrixPaste &paste)
 {
     const PastedMatrix *pasted = paste.pasted(m_role);
@@ -138,23 +171,14 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
         const QSignalBlocker blocker(m_order);
         m_order->setChoice(paste.order(m_role) == NumberOrder::ByColumns ? 0 : 1);
     }
-    m_order->setEnabled(pasted != nullptr);
+    m_order->setEnabled(pasted && pasted->form != MatrixForm::Call);
     {
         const QSignalBlocker blocker(m_ndcDepth);
         const auto chosen = std::find(kNdcDepths.cbegin(), kNdcDepths.cend(), paste.ndcDepth(m_role));
         m_ndcDepth->setChoice(static_cast<int>(chosen - kNdcDepths.cbegin()));
     }
     m_ndcDepth->setEnabled(pasted != nullptr);
-    QStringList said;
-    if (const auto &error = paste.error(m_role))
-        said << errorText(*error, m_role);
-    else if (!pasted)
-        said << (m_role == MatrixRole::Product ? tr("Nothing yet.")
-                                               : tr("Nothing yet: without it, that of the scene stays."));
-    else if (text().trimmed().isEmpty())
-        said << tr("From the other text: %1.").arg(formName(pasted->form));
-    else
-        said << tr("Read as %1.").arg(formName(pasted->form));
+    QStringList said = saidOf(paste);
     if (pasted && pasted->isInverse)
         said << sentence(inverseText(*pasted));
     if (paste.leavesInverseOut(m_role))
@@ -166,6 +190,13 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
     if (!done.isEmpty())
         said << tr("Done: %1.").arg(done.join(QStringLiteral(", ")));
     m_said->setText(joinSentences(said));
+    if (const auto named = paste.namedRole(m_role)) {
+        const bool isProduct = *named == MatrixRole::Product;
+        m_move->setText(isProduct ? tr("Read as product") : tr("Read as projection and view"));
+        m_move->setToolTip(isProduct ? tr("The text names a product (MVP): take it apart into projection and view")
+                                     : tr("The text has a projection or a view: read it as these"));
+    }
+    m_move->setVisible(paste.namedRole(m_role).has_value());
     m_asPasted->setVisible(!done.isEmpty());
     m_grid->setVisible(matrix.has_value());
     if (matrix)

@@ -8,6 +8,7 @@
 
 class QLabel;
 class QPlainTextEdit;
+class QPushButton;
 class QToolButton;
 
 namespace unprojector::gui {
@@ -33,13 +34,19 @@ signals:
     void orderChosen(unprojector::matrices::NumberOrder order);
     void ndcDepthChosen(const std::optional<unprojector::geometry::NdcDepth> &depth);
     void repairWanted(const unprojector::matrices::MatrixFinding &finding);
+    /// The text is to stand where it belongs by its names.
+    void moveWanted();
     /// All repairs are to be forgotten.
     void asPastedWanted();
 
 private:
+    /// What the text was read as.
+    QStringList saidOf(const matrices::MatrixPaste &paste) const;
+
     matrices::MatrixRole m_role;
     QPlainTextEdit *m_text;
     QLabel *m_said;
+    QPushButton *m_move;
     SegmentedSwitch *m_order;
     SegmentedSwitch *m_ndcDepth;
     QToolButton *m_asPasted;

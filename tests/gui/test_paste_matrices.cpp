@@ -1,6 +1,7 @@
 // Matrices of other programs, pasted into the real dialog: read in every usual form, what is to be seen of them mended by
 // its button, the scene changed in one step, kept in its file as they were given.
 
+#include "cut_texts.h"
 #include "document_edits.h"
 #include "gui_scene.h"
 
@@ -10,6 +11,7 @@
 #include "gui/pipeline/paste_matrices_dialog.h"
 #include "gui/pipeline/pasted_matrix_box.h"
 #include "gui/pipeline/pipeline_panel.h"
+#include "gui/text/translation.h"
 #include "gui/widgets/number_grid.h"
 #include "tests/support/patience.h"
 
@@ -19,6 +21,9 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScopeGuard>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QToolButton>
 
@@ -176,6 +181,12 @@ private slots:
     void theScenesOwnStaysWithoutOne();
     void whatIsNoMatrixIsSaid_data();
     void whatIsNoMatrixIsSaid();
+    void callsAreTaken();
+    void aCallThatCannotBeReadIsNamed();
+    void aNamedProductIsMovedToItsPlace();
+    void theCountIsThatOfTheMatrix();
+    void noFindingIsCut_data();
+    void noFindingIsCut();
     void oneStepIsUndone();
     void theSameTextGivesTheSameDepths();
     void theFileKeepsThemAsGiven();
@@ -414,7 +425,7 @@ void TestPasteMatrices::whatIsNoMatrixIsSaid_data()
                          << "In line 2, column 3: \"nan\" is not a finite number.";
     QTest::newRow("no projection among them")
         << Projection << "view " + zeros + " model " + zeros << "no matrix of this kind";
-    QTest::newRow("no inverse") << View << zeros << "No picture can be made of it";
+    QTest::newRow("no inverse") << View << zeros << "Not a camera: the view matrix is not rotation + translation";
     QTest::newRow("an inverse without one") << View << "viewInverse " + zeros << "but it has none itself";
     QTest::newRow("a sheared box's product")
         << Product << printed(glm::ortho(-3.0, 3.0, -2.0, 2.0, 1.0, 9.0) * shear * view(), "JSON")
@@ -433,6 +444,99 @@ void TestPasteMatrices::whatIsNoMatrixIsSaid()
     pasting.dialog.accept();
     QVERIFY(pasting.dialog.isVisible());
     QCOMPARE(pasting.document.undoStack().count(), 0);
+}
+
+void TestPasteMatrices::callsAreTaken()
+{
+    Pasting pasting;
+    pasting.paste(MatrixRole::Projection, "glViewport(10, 20, 300, 200);\nglFrustum(-1, 1, -0.75, 0.75, 2, 50);\n"
+                                          "gluLookAt(3, 2, 5, 0, 0, 0, 0, 1, 0);");
+    QVERIFY(pasting.says("glFrustum: left -1, right 1, bottom -0.75, top 0.75, near 2, far 50."));
+    QVERIFY(pasting.says("From the other text: gluLookAt: eye (3, 2, 5), center (0, 0, 0), up (0, 1, 0)."));
+    QVERIFY(pasting.says("The viewport becomes that of glViewport: 300 × 200 at (10, 20)."));
+    pasting.ok()->click();
+    QVERIFY(difference(pasting.shownProduct(), lens() * view()) <= 1e-13);
+    QCOMPARE(pasting.document.setup().viewport, (Viewport{10.0, 20.0, 300.0, 200.0}));
+    QCOMPARE(pasting.document.undoStack().count(), 1);
+}
+
+void TestPasteMatrices::aCallThatCannotBeReadIsNamed()
+{
+    Pasting pasting;
+    pasting.paste(MatrixRole::Projection, "gluPerspective(45, aspect, 0.1, 100)");
+    QVERIFY(pasting.says("gluPerspective: the argument 'aspect' is no number. Put its value there."));
+    QVERIFY(!pasting.ok()->isEnabled());
+    pasting.paste(MatrixRole::Projection, "gluPerspective(45, 1.5, 0.1, 100)");
+    QVERIFY(pasting.says("Empty: the scene's view is kept."));
+    QVERIFY(pasting.ok()->isEnabled());
+}
+
+void TestPasteMatrices::aNamedProductIsMovedToItsPlace()
+{
+    Pasting pasting;
+    const QString text = "mvp = " + printed(lens() * view(), "NumPy");
+    pasting.paste(MatrixRole::Projection, text);
+    QVERIFY(pasting.button("Read as product"));
+    pasting.button("Read as product")->click();
+    QVERIFY(!pasting.button("Read as product"));
+    QCOMPARE(pasting.box(MatrixRole::Product)->text(), text);
+    QVERIFY(pasting.box(MatrixRole::Projection)->text().isEmpty());
+    QVERIFY(pasting.says("Taken apart into projection and view"));
+    // And back, where the text has these.
+    pasting.paste(MatrixRole::Product, "gluLookAt(3, 2, 5, 0, 0, 0, 0, 1, 0)\nglFrustum(-1, 1, -0.75, 0.75, 2, 50)");
+    QVERIFY(pasting.says("The text has no product."));
+    pasting.button("Read as projection and view")->click();
+    pasting.ok()->click();
+    QVERIFY(difference(pasting.shownProduct(), lens() * view()) <= 1e-13);
+}
+
+void TestPasteMatrices::theCountIsThatOfTheMatrix()
+{
+    Pasting pasting;
+    pasting.paste(MatrixRole::Projection, "view: " + printed(view(), "NumPy") + "\nprojection: 1.5 2");
+    QVERIFY(pasting.says("Projection: 2 of the 18 numbers in the text belong to it; a matrix has 16."));
+}
+
+void TestPasteMatrices::noFindingIsCut_data()
+{
+    QTest::addColumn<double>("points");
+    QTest::addColumn<bool>("isChinese");
+    for (const double points : {9.0, 13.0}) {
+        for (const bool isChinese : {false, true})
+            QTest::addRow("%g pt, %s", points, isChinese ? "Chinese" : "English") << points << isChinese;
+    }
+}
+
+/// For Vulkan there are two, and the view has one.
+void TestPasteMatrices::noFindingIsCut()
+{
+    QFETCH(double, points);
+    QFETCH(bool, isChinese);
+    const QFont before = QApplication::font();
+    QFont font = before;
+    font.setPointSizeF(points);
+    QApplication::setFont(font);
+    const Translation translation(isChinese ? QStringList{QStringLiteral("zh-CN")} : QStringList());
+    const auto back = qScopeGuard([&before] { QApplication::setFont(before); });
+    glm::dmat4 vulkan = lens();
+    vulkan[1][1] = -vulkan[1][1];
+    vulkan[2][2] = -50.0 / 48.0;
+    vulkan[3][2] = -100.0 / 48.0;
+    Pasting pasting;
+    constexpr QSize kScreen(1280, 800);
+    pasting.dialog.resize(pasting.dialog.size().boundedTo(kScreen - QSize(0, 340))); // it grows
+    const auto paste = [&pasting](MatrixRole role, const glm::dmat4 &matrix) {
+        pasting.box(role)->setText(printed(matrix, "NumPy"));
+    };
+    paste(MatrixRole::Projection, vulkan);
+    paste(MatrixRole::View, view() * glm::scale(glm::dmat4(1.0), glm::dvec3(2.0)));
+    for (int level = 0; level < 6; ++level) // a layout that grows asks the one around it, level by level
+        QCoreApplication::sendPostedEvents();
+    QCoreApplication::processEvents();
+    const QStringList cut = cutTexts(pasting.dialog);
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+    QCOMPARE(pasting.dialog.findChild<QScrollArea *>()->verticalScrollBar()->maximum(), 0);
+    QVERIFY(pasting.dialog.height() <= kScreen.height());
 }
 
 void TestPasteMatrices::oneStepIsUndone()
