@@ -10,37 +10,38 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QScrollBar>
-#include <QTableView>
 #include <QTimer>
 #include <QToolButton>
+#include <QTreeView>
 
 #include <algorithm>
+#include <utility>
 
 namespace unprojector::gui {
 namespace {
 
 constexpr int kPadding = 8; ///< of a cell, both sides
-constexpr int kRowMargin = 4;
-constexpr int kMargin = 6; ///< of the panel
+constexpr int kMargin = 6;  ///< of the panel
 
 } // namespace
 
 LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(parent), m_log(log)
 {
-    m_table = new QTableView;
+    m_table = new QTreeView;
     m_table->setModel(&m_log);
     m_table->setAccessibleName(tr("Steps of the view's life"));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setTabKeyNavigation(false);
-    m_table->setWordWrap(true); // a call is shown whole
-    m_table->setShowGrid(false);
+    m_table->setToolTip(tr("A row that stands for several steps can be opened: click its arrow, or press Right"));
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_table->setUniformRowHeights(true); // a call has one line; the panel scrolls sideways to its end
+    m_table->setAllColumnsShowFocus(true);
     m_table->setAlternatingRowColors(true);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    QHeaderView *header = m_table->horizontalHeader();
-    header->setHighlightSections(false);
-    header->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->setTreePosition(LifecycleLog::Step);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    QHeaderView *header = m_table->header();
+    header->setHighlightSections(false);
+    header->setSectionsMovable(false);
+    header->setStretchLastSection(false);
+    header->setSectionResizeMode(QHeaderView::Fixed);
     // What is short stands before what may be long.
     header->moveSection(LifecycleLog::Took, LifecycleLog::Step);
     m_table->viewport()->installEventFilter(this);
@@ -78,60 +79,58 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     });
     connect(m_table->verticalScrollBar(), &QScrollBar::valueChanged, this,
             [this](int value) { m_follows = value == m_table->verticalScrollBar()->maximum(); });
-    connect(&m_log, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex &, int first) {
+    connect(&m_log, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex &folded, int first, int last) {
         enableButtons();
-        fitRow(first);
+        for (int row = first; row <= last; ++row)
+            widenCalls(m_log.index(row, LifecycleLog::StandsFor, folded));
         follow();
     });
-    // Pictures in a row are one step, whose text changes with each.
-    connect(&m_log, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex &first) { fitRow(first.row()); });
-    connect(&m_log, &QAbstractItemModel::modelReset, this, &LifecyclePanel::enableButtons);
+    // A folded row changes with each of its steps.
+    connect(&m_log, &QAbstractItemModel::dataChanged, this,
+            [this](const QModelIndex &first) { widenCalls(first.siblingAtColumn(LifecycleLog::StandsFor)); });
+    connect(&m_log, &QAbstractItemModel::modelReset, this, [this] {
+        enableButtons();
+        fitColumns();
+    });
     enableButtons();
     useFont();
 }
 
 void LifecyclePanel::useFont()
 {
-    m_table->horizontalHeader()->setFont(headsFont(font()));
+    m_table->header()->setFont(headsFont(font()));
+    m_table->setFont(digitsFont(font()));
     fitColumns();
     placeButtons();
 }
 
-/// The type gets smaller where that shows all columns side by side: in some fonts, letters are wide beside the digits that the
-/// panel's width is counted in.
+/// The widths are those of the longest texts to expect, so that the columns stand still; the calls have the rest, and more where
+/// one is longer: then the panel scrolls.
 void LifecyclePanel::fitColumns()
 {
-    constexpr int kLeastPercent = 70, kStep = 5;
-    // With the scroll bar, there or not: whether it is depends on the type.
-    const int room = m_table->width() - 2 * m_table->frameWidth() - m_table->verticalScrollBar()->sizeHint().width();
-    m_wholeWidth = reserveColumns(1.0);
-    int needed = m_wholeWidth;
-    for (int percent = 100 - kStep; needed > room && percent >= kLeastPercent; percent -= kStep)
-        needed = reserveColumns(percent / 100.0);
-    fitCalls();
-}
-
-/// @return what all columns need, the calls as little as can be read
-int LifecyclePanel::reserveColumns(double scale)
-{
-    QFont digits = digitsFont(font());
-    digits.setPointSizeF(scale * digits.pointSizeF());
-    if (m_table->font() != digits)
-        m_table->setFont(digits);
-    const QFontMetrics metrics(digits);
-    m_table->verticalHeader()->setDefaultSectionSize(metrics.height() + kRowMargin);
-    // The widths are those of the longest texts to expect, so that the columns stand still; the calls have the rest.
-    const auto reserve = [&](int column, const QString &widest) {
-        const int head = m_table->horizontalHeader()->fontMetrics().horizontalAdvance(
-            m_log.headerData(column, Qt::Horizontal).toString());
-        m_table->setColumnWidth(column, std::max(metrics.horizontalAdvance(widest), head) + kPadding);
+    const QFontMetrics metrics(m_table->font());
+    const auto reserve = [&](int column, const QString &widest, int besides) {
+        const int head =
+            m_table->header()->fontMetrics().horizontalAdvance(m_log.headerData(column, Qt::Horizontal).toString());
+        m_table->setColumnWidth(column, std::max(metrics.horizontalAdvance(widest) + besides, head) + kPadding);
         return m_table->columnWidth(column);
     };
-    m_leastCallsWidth = metrics.horizontalAdvance(QStringLiteral("GL_DEPTH_COMPONENT,")) + kPadding;
-    return reserve(LifecycleLog::Time, QStringLiteral("8888.888 s"))
-           + reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888.8,"))
-           + reserve(LifecycleLog::Took, QStringLiteral("888.88 ms,")) // and the mean in a second line
-           + m_leastCallsWidth;
+    const int others =
+        reserve(LifecycleLog::Time, QStringLiteral("8888.888 s"), 0)
+        + reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(888.8, 888.8)"), 2 * m_table->indentation())
+        + reserve(LifecycleLog::Took, QStringLiteral("8888.88 ms"), 0);
+    const int least = metrics.horizontalAdvance(QStringLiteral("glViewport(0, 0, 8888, 8888)")) + kPadding;
+    m_wholeWidth = others + least;
+    m_table->setColumnWidth(LifecycleLog::StandsFor, std::max(least, m_table->viewport()->width() - others));
+    for (int row = 0; row < m_log.rowCount(); ++row)
+        widenCalls(m_log.index(row, LifecycleLog::StandsFor));
+}
+
+void LifecyclePanel::widenCalls(const QModelIndex &calls)
+{
+    const int needed = QFontMetrics(m_table->font()).horizontalAdvance(calls.data().toString()) + 2 * kPadding;
+    if (needed > m_table->columnWidth(LifecycleLog::StandsFor))
+        m_table->setColumnWidth(LifecycleLog::StandsFor, needed);
 }
 
 /// Beside the steps; below them, which then have the whole width, where that would leave too little room for the calls.
@@ -166,32 +165,6 @@ bool LifecyclePanel::eventFilter(QObject *watched, QEvent *event)
     if (event->type() == QEvent::Resize)
         fitColumns();
     return QWidget::eventFilter(watched, event);
-}
-
-/// The calls have the room that the other columns leave, and in a narrow panel enough to be read: then it scrolls.
-void LifecyclePanel::fitCalls()
-{
-    int others = 0;
-    for (const int column : {LifecycleLog::Time, LifecycleLog::Step, LifecycleLog::Took})
-        others += m_table->columnWidth(column);
-    m_table->setColumnWidth(LifecycleLog::StandsFor,
-                            std::max(m_leastCallsWidth, m_table->viewport()->width() - others));
-    for (int row = 0; row < m_log.rowCount(); ++row)
-        fitRow(row);
-}
-
-/// As many lines as its longest text needs.
-void LifecyclePanel::fitRow(int row)
-{
-    const QFontMetrics metrics(m_table->font());
-    int height = 0;
-    for (const int column : {LifecycleLog::Step, LifecycleLog::StandsFor, LifecycleLog::Took}) {
-        const QRect room(0, 0, m_table->columnWidth(column) - kPadding, 1 << 16);
-        height = std::max(
-            height, metrics.boundingRect(room, Qt::TextWordWrap, m_log.index(row, column).data().toString()).height());
-    }
-    if (m_table->rowHeight(row) != height + kRowMargin)
-        m_table->setRowHeight(row, height + kRowMargin);
 }
 
 QSize LifecyclePanel::sizeHint() const
@@ -235,10 +208,15 @@ void LifecyclePanel::enableButtons()
 void LifecyclePanel::copy() const
 {
     QModelIndexList selected = m_table->selectionModel()->selectedRows();
-    std::sort(selected.begin(), selected.end());
+    // As they stand: a folded row before its steps.
+    const auto place = [](const QModelIndex &index) {
+        return index.parent().isValid() ? std::pair(index.parent().row(), index.row()) : std::pair(index.row(), -1);
+    };
+    std::sort(selected.begin(), selected.end(),
+              [&place](const QModelIndex &a, const QModelIndex &b) { return place(a) < place(b); });
     QString text;
     for (const QModelIndex &index : selected)
-        text += m_log.text(index.row(), index.row());
+        text += m_log.text(index);
     copyToClipboard(selected.isEmpty() ? m_log.text(0, m_log.rowCount() - 1) : text);
 }
 

@@ -3,14 +3,15 @@
 #include <QWidget>
 
 class QBoxLayout;
-class QTableView;
+class QModelIndex;
 class QToolButton;
+class QTreeView;
 
 namespace unprojector::gui {
 
 class LifecycleLog;
 
-/// The log as a table. It follows the newest row unless the user has scrolled up.
+/// The log as a table, whose folded rows can be opened. It follows the newest row unless the user has scrolled up.
 class LifecyclePanel : public QWidget {
     Q_OBJECT
 public:
@@ -28,21 +29,19 @@ protected:
 private:
     void useFont();
     void fitColumns();
-    int reserveColumns(double scale);
+    /// Gives the column of the calls the width of one of them, if it has less.
+    void widenCalls(const QModelIndex &calls);
     void placeButtons();
-    void fitCalls();
-    void fitRow(int row);
     void follow();
     void copy() const;
     void enableButtons();
 
     LifecycleLog &m_log;
-    QTableView *m_table = nullptr;
+    QTreeView *m_table = nullptr;
     QToolButton *m_copy;
     QToolButton *m_clear;
     QBoxLayout *m_layout, *m_buttons;
-    int m_leastCallsWidth = 0;
-    int m_wholeWidth = 0; ///< of all columns in type of the window's size
+    int m_wholeWidth = 0; ///< of all columns, the calls as little as can be read
     bool m_follows = true;
     bool m_willFollow = false; ///< the scroll to the end is under way
 };

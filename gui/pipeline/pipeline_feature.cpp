@@ -8,6 +8,7 @@
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/pipeline/viewport_inspector.h"
 #include "gui/view/lifecycle_log.h"
+#include "gui/view/lifecycle_recorder.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/actions.h"
 #include "gui/window/feature.h"
@@ -60,7 +61,8 @@ PipelineFeature::PipelineFeature(Window &window)
     m_pipeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // up and down it scrolls by itself
     connect(&window.session(), &Session::commitPendingEdits, m_pipeline, &PipelinePanel::applyTyped);
     connect(m_pipeline, &PipelinePanel::aboutToPaste, &window.session(), &Session::commitTyped);
-    connect(&window.view(), &SceneView::happened, m_log, &LifecycleLog::append);
+    auto *recorder = new LifecycleRecorder(window.document(), *m_log, this);
+    connect(&window.view(), &SceneView::happened, recorder, &LifecycleRecorder::record);
     connect(&window, &Window::pointed, m_inspector, [this](const std::optional<PixelClick> &click) {
         if (click)
             m_inspector->setPointer(click->position);

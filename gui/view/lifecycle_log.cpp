@@ -9,7 +9,7 @@ namespace {
 
 using Kind = LifecycleEvent::Kind;
 
-/// The names of the paper's MFC view: they are not translated.
+/// The names of the paper's MFC view, which are not translated, and the parameters.
 QString nameOf(Kind kind)
 {
     switch (kind) {
@@ -19,8 +19,11 @@ QString nameOf(Kind kind)
     case Kind::OnDraw: return QStringLiteral("OnDraw");
     case Kind::OnLButtonDown: return QStringLiteral("OnLButtonDown");
     case Kind::OnDestroy: return QStringLiteral("OnDestroy");
+    case Kind::Viewport: return LifecycleLog::tr("Viewport");
+    case Kind::Projection: return LifecycleLog::tr("Projection");
+    case Kind::Camera: break;
     }
-    return {};
+    return LifecycleLog::tr("Camera");
 }
 
 QString millisecondsText(double milliseconds)
@@ -41,38 +44,73 @@ QVariant alignment(int column)
 
 } // namespace
 
-LifecycleLog::LifecycleLog(QObject *parent) : QAbstractTableModel(parent) {}
+LifecycleLog::LifecycleLog(QObject *parent) : QAbstractItemModel(parent) {}
 
 void LifecycleLog::append(const LifecycleEvent &event)
 {
     if (!m_clock.isValid())
         m_clock.start();
     const double now = static_cast<double>(m_clock.nsecsElapsed()) * 1e-9;
-
-    if (event.kind == Kind::OnDraw && !m_rows.empty() && m_rows.back().event.kind == Kind::OnDraw) {
-        Row &row = m_rows.back();
-        row.event = event;
-        row.lastSeconds = now;
-        ++row.count;
-        row.standIns += event.hasStandIns ? 1 : 0;
-        row.totalMilliseconds += event.milliseconds;
-        const int last = rowCount() - 1;
-        emit dataChanged(index(last, 0), index(last, ColumnCount - 1));
-        return;
-    }
     if (rowCount() == kMostRows) {
         beginRemoveRows({}, 0, 0);
         m_rows.pop_front();
+        ++m_gone;
         endRemoveRows();
     }
     beginInsertRows({}, rowCount(), rowCount());
-    m_rows.push_back({event, now, now, 1, event.hasStandIns ? 1 : 0, event.milliseconds});
+    m_rows.push_back({{{event, now}}, now, 1, event.hasStandIns ? 1 : 0, event.milliseconds});
     endInsertRows();
+    if (event.kind == Kind::OnDraw)
+        fold();
+}
+
+void LifecycleLog::fold()
+{
+    const int end = rowCount();
+    int first = end - 1; // of this picture
+    while (first > 0 && m_rows[std::size_t(first - 1)].event().isParameter())
+        --first;
+    const int steps = end - first;
+    if (first < steps)
+        return;
+    for (int i = first; i < end; ++i) {
+        if (m_rows[std::size_t(i)].event().kind != m_rows[std::size_t(i - steps)].event().kind)
+            return;
+    }
+    std::deque<Happened> repeated;
+    for (int i = first; i < end; ++i)
+        repeated.push_back(m_rows[std::size_t(i)].steps.back());
+    beginRemoveRows({}, first, end - 1);
+    m_rows.resize(std::size_t(first));
+    endRemoveRows();
+    for (int i = 0; i < steps; ++i)
+        foldInto(first - steps + i, repeated[std::size_t(i)]);
+}
+
+void LifecycleLog::foldInto(int row, const Happened &step)
+{
+    Row &into = m_rows[std::size_t(row)];
+    const QModelIndex folded = index(row, 0);
+    const int kept = int(into.steps.size());
+    if (kept == kMostRepeats) {
+        beginRemoveRows(folded, 0, 0);
+        into.steps.pop_front();
+        endRemoveRows();
+    }
+    const int behind = int(into.steps.size());
+    beginInsertRows(folded, kept == 1 ? 0 : behind, behind); // the first becomes a child with the second
+    into.steps.push_back(step);
+    endInsertRows();
+    ++into.count;
+    into.standIns += step.event.hasStandIns ? 1 : 0;
+    into.totalMilliseconds += step.event.milliseconds;
+    emit dataChanged(folded, index(row, ColumnCount - 1));
 }
 
 void LifecycleLog::clear()
 {
     beginResetModel();
+    m_gone += m_rows.size();
     m_rows.clear();
     endResetModel();
 }
@@ -80,69 +118,125 @@ void LifecycleLog::clear()
 QString LifecycleLog::text(int first, int last) const
 {
     QString text;
-    for (int row = first; row <= last; ++row) {
-        QStringList cells;
-        for (int column = 0; column < ColumnCount; ++column)
-            cells << index(row, column).data().toString();
-        text += cells.join(u'\t') + u'\n';
-    }
+    for (int row = first; row <= last; ++row)
+        text += this->text(index(row, 0));
     return text;
+}
+
+QString LifecycleLog::text(const QModelIndex &index) const
+{
+    QStringList cells;
+    for (int column = 0; column < ColumnCount; ++column)
+        cells << index.siblingAtColumn(column).data().toString();
+    return cells.join(u'\t') + u'\n';
+}
+
+QModelIndex LifecycleLog::index(int row, int column, const QModelIndex &parent) const
+{
+    if (!hasIndex(row, column, parent))
+        return {};
+    return createIndex(row, column, parent.isValid() ? m_gone + quintptr(parent.row()) + 1 : quintptr(0));
+}
+
+QModelIndex LifecycleLog::parent(const QModelIndex &index) const
+{
+    if (!index.isValid() || index.internalId() <= m_gone)
+        return {};
+    return createIndex(int(index.internalId() - m_gone - 1), 0, quintptr(0));
 }
 
 int LifecycleLog::rowCount(const QModelIndex &parent) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+    if (!parent.isValid())
+        return int(m_rows.size());
+    const bool isRow = parent.internalId() == 0 && parent.column() == 0 && parent.row() < int(m_rows.size());
+    const std::size_t steps = isRow ? m_rows[std::size_t(parent.row())].steps.size() : 0;
+    return steps > 1 ? int(steps) : 0;
 }
 
-int LifecycleLog::columnCount(const QModelIndex &parent) const
+int LifecycleLog::columnCount(const QModelIndex &) const
 {
-    return parent.isValid() ? 0 : ColumnCount;
+    return ColumnCount;
+}
+
+const LifecycleLog::Row &LifecycleLog::rowOf(const QModelIndex &index) const
+{
+    const QModelIndex folded = parent(index);
+    return m_rows[std::size_t(folded.isValid() ? folded.row() : index.row())];
 }
 
 QVariant LifecycleLog::data(const QModelIndex &index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
         return {};
-    const Row &row = m_rows[static_cast<std::size_t>(index.row())];
     if (role == Qt::TextAlignmentRole)
         return alignment(index.column());
-    if (role == Qt::ToolTipRole && index.column() == Time && row.count > 1)
-        return tr("From %1 s to %2 s").arg(secondsText(row.firstSeconds), secondsText(row.lastSeconds));
-    if (role == Qt::ToolTipRole && index.column() == Step)
-        return index.data().toString() + u'\n' + headerData(index.column(), Qt::Horizontal, Qt::ToolTipRole).toString();
-    if (role == Qt::ToolTipRole && index.column() == StandsFor && row.standIns > 0)
-        return index.data().toString() + u'\n'
-               + tr("While the view moves, large models are shown by coarse ones that stand in for them. Clicks always "
-                    "read the full model.");
-    if (role == Qt::ToolTipRole && index.column() == StandsFor)
-        return row.event.calls;
+    if (role == Qt::ToolTipRole)
+        return toolTip(index);
     if (role != Qt::DisplayRole)
         return {};
+    const Row &row = rowOf(index);
+    const bool isStep = parent(index).isValid();
+    const Happened &step = isStep ? row.steps[std::size_t(index.row())] : row.steps.back();
     switch (index.column()) {
-    case Time: return tr("%1 s").arg(secondsText(row.firstSeconds));
-    case Step:
-        if (row.event.kind == Kind::OnDraw)
-            return row.count > 1 ? QStringLiteral("OnDraw × %1").arg(row.count) : nameOf(row.event.kind);
-        return QStringLiteral("%1(%2)").arg(nameOf(row.event.kind), row.event.arguments);
-    case StandsFor:
-        if (row.standIns > 0)
-            return row.count > 1 ? tr("%1; in %2 of %3 pictures large models were drawn coarse")
-                                       .arg(row.event.calls)
-                                       .arg(row.standIns)
-                                       .arg(row.count)
-                                 : tr("%1; large models were drawn coarse").arg(row.event.calls);
-        return row.event.calls;
-    case Took:
-        // The surface format is set before there is anything to time.
-        if (row.event.kind == Kind::PreCreateWindow)
-            return QStringLiteral("–");
-        if (row.count > 1) {
-            return tr("%1 ms, mean %2 ms")
-                .arg(millisecondsText(row.event.milliseconds), millisecondsText(row.totalMilliseconds / row.count));
-        }
-        return tr("%1 ms").arg(millisecondsText(row.event.milliseconds));
+    case Time: return tr("%1 s").arg(secondsText(isStep ? step.seconds : row.firstSeconds));
+    case Step: return stepText(index);
+    case StandsFor: return callsText(index);
+    default: break;
     }
-    return {};
+    // The surface format is set before there is anything to time.
+    if (step.event.kind == Kind::PreCreateWindow || step.event.isParameter())
+        return QStringLiteral("–");
+    return tr("%1 ms").arg(millisecondsText(step.event.milliseconds));
+}
+
+QString LifecycleLog::stepText(const QModelIndex &index) const
+{
+    const Row &row = rowOf(index);
+    const bool isFolded = row.count > 1 && !parent(index).isValid();
+    const LifecycleEvent &event = row.event();
+    if (event.kind == Kind::OnDraw || event.isParameter())
+        return isFolded ? QStringLiteral("%1 × %2").arg(nameOf(event.kind)).arg(row.count) : nameOf(event.kind);
+    return QStringLiteral("%1(%2)").arg(nameOf(event.kind), event.arguments);
+}
+
+QString LifecycleLog::callsText(const QModelIndex &index) const
+{
+    const Row &row = rowOf(index);
+    const bool isStep = parent(index).isValid();
+    const LifecycleEvent &event = isStep ? row.steps[std::size_t(index.row())].event : row.event();
+    if (isStep ? event.hasStandIns : row.count == 1 && row.standIns > 0)
+        return tr("%1; large models were drawn coarse").arg(event.calls);
+    if (!isStep && row.standIns > 0)
+        return tr("%1; in %2 of %3 pictures large models were drawn coarse")
+            .arg(event.calls)
+            .arg(row.standIns)
+            .arg(row.count);
+    return event.calls;
+}
+
+QString LifecycleLog::toolTip(const QModelIndex &index) const
+{
+    const Row &row = rowOf(index);
+    const bool isFolded = row.count > 1 && !parent(index).isValid();
+    const QString text = index.data().toString();
+    switch (index.column()) {
+    case Time:
+        return isFolded
+                   ? tr("From %1 s to %2 s").arg(secondsText(row.firstSeconds), secondsText(row.steps.back().seconds))
+                   : text;
+    case Step: return text + u'\n' + headerData(index.column(), Qt::Horizontal, Qt::ToolTipRole).toString();
+    case StandsFor:
+        return row.standIns == 0 ? text
+                                 : text + u'\n'
+                                       + tr("While the view moves, large models are shown by coarse ones that stand in "
+                                            "for them. Clicks always read the full model.");
+    default: break;
+    }
+    return isFolded && !row.event().isParameter() ? tr("The last of %1. Mean: %2 ms")
+                                                        .arg(row.count)
+                                                        .arg(millisecondsText(row.totalMilliseconds / row.count))
+                                                  : text;
 }
 
 QVariant LifecycleLog::headerData(int section, Qt::Orientation orientation, int role) const
@@ -161,12 +255,12 @@ QVariant LifecycleLog::headerData(int section, Qt::Orientation orientation, int 
     }
     if (role == Qt::ToolTipRole) {
         switch (section) {
-        case Time: return tr("Seconds since the view's first step; of pictures in a row, when the first was drawn");
+        case Time: return tr("Seconds since the view's first step; of a folded row, those of its first");
         case Step:
-            return tr("The step under its name in Weng et al. 2008, with its arguments: sizes in device pixels, "
-                      "positions in logical pixels from the top-left corner");
-        case StandsFor: return tr("The OpenGL calls that the step makes");
-        case Took: return tr("Milliseconds of the step; of pictures in a row, the last and the mean");
+            return tr("The step under its name in Weng et al. 2008, with its arguments (sizes in device pixels, "
+                      "positions in logical pixels from the top-left corner), or the parameter that changed");
+        case StandsFor: return tr("The OpenGL calls that the step makes, or the call that has the parameter");
+        case Took: return tr("Milliseconds of the step; of a folded row, those of its last");
         }
     }
     return {};

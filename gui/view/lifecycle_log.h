@@ -2,20 +2,23 @@
 
 #include "gui/view/lifecycle_event.h"
 
-#include <QAbstractTableModel>
+#include <QAbstractItemModel>
 #include <QElapsedTimer>
 
 #include <deque>
 
 namespace unprojector::gui {
 
-/// The steps of a view's life in the order they happened. Steps of OnDraw, one right after the other, are one row.
-class LifecycleLog : public QAbstractTableModel {
+/// The steps of a view's life in the order they happened. A picture that repeats the steps of the one before it (OnDraw alone, or
+/// OnDraw behind the same parameters) is folded into these rows; a folded row has the single steps as its children.
+class LifecycleLog : public QAbstractItemModel {
     Q_OBJECT
 public:
     enum Column { Time, Step, StandsFor, Took, ColumnCount };
     /// Where there are more rows, the oldest go.
     static constexpr int kMostRows = 2000;
+    /// Of the steps in a folded row, so many of the newest are kept.
+    static constexpr int kMostRepeats = 200;
 
     explicit LifecycleLog(QObject *parent = nullptr);
 
@@ -25,24 +28,43 @@ public:
 
     /// The rows from `first` to `last`, one a line, tab-separated.
     QString text(int first, int last) const;
+    /// A row, or a step of a folded one.
+    QString text(const QModelIndex &index) const;
 
+    QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
+    QModelIndex parent(const QModelIndex &index) const override;
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
 private:
+    struct Happened {
+        LifecycleEvent event;
+        double seconds = 0.0;
+    };
     struct Row {
-        LifecycleEvent event; ///< the last of those that it stands for
+        const LifecycleEvent &event() const { return steps.back().event; }
+
+        std::deque<Happened> steps; ///< at least one; the newest last
         double firstSeconds = 0.0;
-        double lastSeconds = 0.0;
         int count = 1;
         int standIns = 0; ///< of these pictures, those with coarse models
         double totalMilliseconds = 0.0;
     };
+    /// Of the row that an index stands for, or in which its step is folded.
+    const Row &rowOf(const QModelIndex &index) const;
+    QString stepText(const QModelIndex &index) const;
+    QString callsText(const QModelIndex &index) const;
+    QString toolTip(const QModelIndex &index) const;
+    /// Folds the last picture into the one before it, if it repeats that one's steps.
+    void fold();
+    void foldInto(int row, const Happened &step);
 
     QElapsedTimer m_clock; ///< since the first step
     std::deque<Row> m_rows;
+    quintptr m_gone =
+        0; ///< rows that went: indexes of steps have the number of their row counted from the first one ever
 };
 
 } // namespace unprojector::gui

@@ -4,23 +4,27 @@
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
+#include "gui/document/scene_edits.h"
 #include "gui/pipeline/lifecycle_panel.h"
 #include "gui/view/lifecycle_log.h"
+#include "gui/view/lifecycle_recorder.h"
 #include "gui/view/scene_view.h"
 #include "gui/widgets/digits_font.h"
 #include "tests/support/patience.h"
 
+#include <QAbstractItemModelTester>
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
 #include <QScrollBar>
-#include <QTableView>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeView>
 
 #include <memory>
 
 using namespace unprojector;
+using namespace unprojector::geometry;
 using namespace unprojector::gui;
 using namespace unprojector::scene;
 using Kind = LifecycleEvent::Kind;
@@ -65,6 +69,9 @@ class TestLifecycleLog : public QObject {
 private slots:
     void aStepIsShownAsACallWithWhatItStandsFor();
     void picturesInARowAreOneRow();
+    void picturesBehindTheSameParametersAreFolded();
+    void theOldestStepsOfAFoldedRowGo();
+    void aFoldedRowOpensByTheKeyboard();
     void coarsePicturesAreTold();
     void anotherStepEndsTheRow();
     void theOldestRowsGo();
@@ -73,6 +80,7 @@ private slots:
     void thePanelFollowsAFont();
     void theLifeOfAViewIsLogged_data();
     void theLifeOfAViewIsLogged();
+    void aParameterIsLoggedWithItsCall();
 };
 
 void TestLifecycleLog::aStepIsShownAsACallWithWhatItStandsFor()
@@ -107,7 +115,76 @@ void TestLifecycleLog::picturesInARowAreOneRow()
     log.append(draw(0.5));
     QCOMPARE(log.rowCount(), 2);
     QCOMPARE(cell(log, 1, LifecycleLog::Step), QStringLiteral("OnDraw × 3"));
-    QCOMPARE(cell(log, 1, LifecycleLog::Took), QStringLiteral("0.50 ms, mean 1.50 ms"));
+    QCOMPARE(cell(log, 1, LifecycleLog::Took), QStringLiteral("0.50 ms"));
+    QCOMPARE(log.index(1, LifecycleLog::Took).data(Qt::ToolTipRole).toString(),
+             QStringLiteral("The last of 3. Mean: 1.50 ms"));
+    // The row can be opened.
+    const QModelIndex folded = log.index(1, 0);
+    QCOMPARE(log.rowCount(folded), 3);
+    QStringList each;
+    for (int row = 0; row < 3; ++row) {
+        const QModelIndex took = log.index(row, LifecycleLog::Took, folded);
+        QVERIFY(took.parent() == folded);
+        each << took.siblingAtColumn(LifecycleLog::Step).data().toString() + u' ' + took.data().toString();
+    }
+    QCOMPARE(each, QStringList({"OnDraw 3.00 ms", "OnDraw 1.00 ms", "OnDraw 0.50 ms"}));
+    QCOMPARE(log.rowCount(log.index(0, 0)), 0); // it happened once
+}
+
+void TestLifecycleLog::picturesBehindTheSameParametersAreFolded()
+{
+    LifecycleLog log;
+    const QAbstractItemModelTester tester(&log, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    const auto camera = [](int x) {
+        return LifecycleEvent{Kind::Camera, {}, QStringLiteral("gluLookAt(%1, 0, 5, …)").arg(x)};
+    };
+    log.append(draw(1.0));
+    for (int x = 0; x < 3; ++x) { // a drag
+        log.append(camera(x));
+        log.append(draw(1.0));
+    }
+    log.append({Kind::Projection, {}, QStringLiteral("glOrtho(…)")});
+    log.append(draw(1.0));
+    log.append(draw(1.0));
+    QCOMPARE(column(log, LifecycleLog::Step),
+             QStringList({"OnDraw", "Camera × 3", "OnDraw × 3", "Projection", "OnDraw × 2"}));
+    QCOMPARE(cell(log, 1, LifecycleLog::StandsFor), QStringLiteral("gluLookAt(2, 0, 5, …)")); // as it is now
+    QCOMPARE(log.index(0, LifecycleLog::StandsFor, log.index(1, 0)).data().toString(),
+             QStringLiteral("gluLookAt(0, 0, 5, …)"));
+    QCOMPARE(cell(log, 1, LifecycleLog::Took), QStringLiteral("–"));
+}
+
+void TestLifecycleLog::theOldestStepsOfAFoldedRowGo()
+{
+    LifecycleLog log;
+    const QAbstractItemModelTester tester(&log, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    for (int i = 1; i <= LifecycleLog::kMostRepeats + 3; ++i)
+        log.append(draw(i));
+    QCOMPARE(cell(log, 0, LifecycleLog::Step), QStringLiteral("OnDraw × 203"));
+    QCOMPARE(log.rowCount(log.index(0, 0)), 200);
+    QCOMPARE(log.index(0, LifecycleLog::Took, log.index(0, 0)).data().toString(), QStringLiteral("4.00 ms"));
+}
+
+void TestLifecycleLog::aFoldedRowOpensByTheKeyboard()
+{
+    LifecycleLog log;
+    LifecyclePanel panel(log);
+    panel.resize(900, 300);
+    panel.show();
+    for (int i = 0; i < 46; ++i)
+        log.append(draw(1.0));
+    auto *tree = panel.findChild<QTreeView *>();
+    QTRY_VERIFY_WITH_TIMEOUT(tree->isVisible(), kPatienceMilliseconds);
+    tree->setCurrentIndex(log.index(0, 0));
+    QTest::keyClick(tree, Qt::Key_Right);
+    QVERIFY(tree->isExpanded(log.index(0, 0)));
+    // Every row has one line, and the calls are shown whole.
+    const QString call = QStringLiteral("glReadPixels(…) ").repeated(20);
+    log.append({Kind::OnLButtonDown, QStringLiteral("1, 2"), call, 1.0});
+    const int line = QFontMetrics(tree->font()).height();
+    QVERIFY(tree->visualRect(log.index(0, 0)).height() < 2 * line);
+    QCOMPARE(tree->visualRect(log.index(1, 0)).height(), tree->visualRect(log.index(0, 0)).height());
+    QVERIFY(tree->columnWidth(LifecycleLog::StandsFor) >= QFontMetrics(tree->font()).horizontalAdvance(call));
 }
 
 void TestLifecycleLog::coarsePicturesAreTold()
@@ -159,18 +236,18 @@ void TestLifecycleLog::thePanelFollowsUnlessScrolledUp()
     LifecyclePanel panel(log);
     panel.resize(900, 190);
     panel.show();
-    const QScrollBar *bar = panel.findChild<QTableView *>()->verticalScrollBar();
+    const QScrollBar *bar = panel.findChild<QTreeView *>()->verticalScrollBar();
     for (int width = 0; width < 100; ++width)
         log.append(size(width));
     QTRY_VERIFY_WITH_TIMEOUT(bar->maximum() > 50, kPatienceMilliseconds);
     QTRY_COMPARE_WITH_TIMEOUT(bar->value(), bar->maximum(), kPatienceMilliseconds);
 
-    panel.findChild<QTableView *>()->verticalScrollBar()->setValue(20);
+    panel.findChild<QTreeView *>()->verticalScrollBar()->setValue(20);
     log.append(size(100));
     QTest::qWait(20);
     QCOMPARE(bar->value(), 20);
 
-    panel.findChild<QTableView *>()->scrollToBottom();
+    panel.findChild<QTreeView *>()->scrollToBottom();
     log.append(size(101));
     log.append(size(102));
     QTest::qWait(20);
@@ -194,7 +271,8 @@ void TestLifecycleLog::thePanelCopiesAndClears()
     button("Copy")->click();
     QCOMPARE(QApplication::clipboard()->text().section(u'\t', 1, 3),
              QStringLiteral("OnSize(640, 768)\tglViewport(0, 0, 640, 768)\t0.25 ms\n0.000 s"));
-    panel.findChild<QTableView *>()->selectRow(1);
+    panel.findChild<QTreeView *>()->selectionModel()->select(log.index(1, 0), QItemSelectionModel::ClearAndSelect
+                                                                                  | QItemSelectionModel::Rows);
     button("Copy")->click();
     QCOMPARE(QApplication::clipboard()->text().section(u'\t', 1),
              QStringLiteral("OnSize(641, 768)\tglViewport(0, 0, 641, 768)\t0.25 ms\n"));
@@ -211,17 +289,18 @@ void TestLifecycleLog::thePanelFollowsAFont()
     LifecyclePanel panel(log);
     panel.resize(900, 300);
     panel.show();
-    const auto *table = panel.findChild<QTableView *>();
+    const auto *table = panel.findChild<QTreeView *>();
     QCOMPARE(table->font().pointSizeF(), digitsFont(panel.font()).pointSizeF());
-    const int column = table->columnWidth(LifecycleLog::Step), row = table->rowHeight(0);
+    const int column = table->columnWidth(LifecycleLog::Step), row = table->visualRect(log.index(0, 0)).height();
     QFont larger = panel.font();
     larger.setPointSizeF(larger.pointSizeF() * 2.0);
     panel.setFont(larger);
     QCOMPARE(table->font().pointSizeF(), digitsFont(larger).pointSizeF());
     QVERIFY(table->columnWidth(LifecycleLog::Step) > column * 3 / 2);
     // Some styles have rows with more room than the text needs.
-    QVERIFY(table->rowHeight(0) > row && table->rowHeight(0) >= QFontMetrics(table->font()).height());
-    QCOMPARE(table->horizontalHeader()->font().pointSizeF(), larger.pointSizeF());
+    const int grown = table->visualRect(log.index(0, 0)).height();
+    QVERIFY(grown > row && grown >= QFontMetrics(table->font()).height());
+    QCOMPARE(table->header()->font().pointSizeF(), larger.pointSizeF());
 }
 
 void TestLifecycleLog::theLifeOfAViewIsLogged_data()
@@ -248,7 +327,8 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
 
     LifecycleLog log;
     auto view = std::make_unique<SceneView>(document);
-    connect(view.get(), &SceneView::happened, &log, &LifecycleLog::append);
+    LifecycleRecorder recorder(document, log);
+    connect(view.get(), &SceneView::happened, &recorder, &LifecycleRecorder::record);
     view->resize(800, 600);
     view->show();
     QVERIFY(QTest::qWaitForWindowExposed(view.get(), kPatienceMilliseconds));
@@ -266,7 +346,8 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
     const QStringList steps = column(log, LifecycleLog::Step);
     QStringList names;
     for (const QString &step : steps) {
-        if (names.isEmpty() || names.last() != nameOf(step))
+        const bool isParameter = step.startsWith(u"Projection") || step.startsWith(u"Camera");
+        if (!isParameter && (names.isEmpty() || names.last() != nameOf(step)))
             names << nameOf(step);
     }
     QCOMPARE(names, QStringList({"PreCreateWindow", "OnCreate", "OnSize", "OnDraw", "OnSize", "OnDraw", "OnLButtonDown",
@@ -286,6 +367,49 @@ void TestLifecycleLog::theLifeOfAViewIsLogged()
     // Row 300 - 1 - 40 from the bottom.
     const QString read = cell(log, rowOf("OnLButtonDown(100, 40)"), LifecycleLog::StandsFor);
     QVERIFY2(read.startsWith(QStringLiteral("glReadPixels(100, 259, 1, 1, GL_DEPTH_COMPONENT")), qPrintable(read));
+}
+
+void TestLifecycleLog::aParameterIsLoggedWithItsCall()
+{
+    SceneDocument document;
+    openObjects(document, examples::bundledScene());
+    document.setSurface({400, 300, 1.0});
+    LifecycleLog log;
+    LifecycleRecorder recorder(document, log);
+    recorder.record(size(400));
+    recorder.record(draw(1.0));
+    QCOMPARE(column(log, LifecycleLog::Step), QStringList({"OnSize(400, 768)", "Projection", "Camera", "OnDraw"}));
+    const auto changed = [&] {
+        const int before = log.rowCount();
+        recorder.record(draw(1.0));
+        return log.rowCount() == before + 2
+                   ? cell(log, before, LifecycleLog::Step) + u' ' + cell(log, before, LifecycleLog::StandsFor)
+                   : QStringLiteral("%1 rows").arg(log.rowCount() - before);
+    };
+    ViewportRule rule;
+    rule.kind = ViewportRule::Kind::Fixed;
+    rule.fixed = {10.0, 20.0, 200.0, 150.0};
+    QVERIFY(editViewport(document, rule, document.scene().depthRange, {QStringLiteral("Viewport")}));
+    QCOMPARE(changed(), QStringLiteral("Viewport glViewport(10, 20, 200, 150)"));
+    QVERIFY(editProjection(document, {Frustum{-1.0, 1.0, -0.75, 0.75, 2.0, 50.0}, false, false}, {"Projection"}));
+    QCOMPARE(changed(), QStringLiteral("Projection glFrustum(-1, 1, -0.75, 0.75, 2, 50)"));
+    QVERIFY(editProjection(document, {Ortho{-1.0, 1.0, -0.75, 0.75, 2.0, 50.0}, false, false}, {"Projection"}));
+    recorder.record(draw(1.0)); // folded: the same two steps
+    QCOMPARE(cell(log, log.rowCount() - 2, LifecycleLog::Step), QStringLiteral("Projection × 2"));
+    QCOMPARE(cell(log, log.rowCount() - 2, LifecycleLog::StandsFor),
+             QStringLiteral("glOrtho(-1, 1, -0.75, 0.75, 2, 50)"));
+    setCamera(document, {WorldPoint(3.0, 2.0, 5.0), WorldPoint(0.0, 0.5, 0.0), WorldVector(0.0, 1.0, 0.0)});
+    QCOMPARE(changed(), QStringLiteral("Camera gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0)"));
+    glm::dmat4 lens(0.0); // of another program
+    lens[0][0] = lens[1][1] = 2.0;
+    lens[2][2] = -1.5;
+    lens[2][3] = -1.0;
+    lens[3][2] = -2.5;
+    QVERIFY(editMatrices(document, MatrixProjection{lens, std::nullopt}, std::nullopt, {"Paste"}));
+    QCOMPARE(changed(),
+             QStringLiteral("Projection glLoadMatrixd({2, 0, 0, 0, 0, 2, 0, 0, 0, 0, -1.5, -1, 0, 0, -2.5, 0})"));
+    recorder.record(draw(1.0)); // nothing changed
+    QCOMPARE(cell(log, log.rowCount() - 1, LifecycleLog::Step), QStringLiteral("OnDraw × 2"));
 }
 
 QTEST_MAIN(TestLifecycleLog)
