@@ -1,9 +1,9 @@
 #include "core/matrices/pasted_calls.h"
 
 #include "core/geometry/angle.h"
-#include "core/geometry/camera.h"
 #include "core/geometry/projection.h"
 #include "core/matrices/argument_reader.h"
+#include "core/matrices/call_matrices.h"
 #include "core/matrices/call_signature.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
@@ -29,63 +29,6 @@ std::string numberText(double value)
 std::string vectorText(const glm::dvec3 &v)
 {
     return '(' + numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z) + ')';
-}
-
-/// The window on the plane of near, and which way it is seen.
-struct Volume {
-    double left = -1.0, right = 1.0, bottom = -1.0, top = 1.0, nearDistance = -1.0, farDistance = 1.0;
-};
-
-/// As far as a matrix can be made of it: near may be behind far, as reversed depths have it.
-Check check(const Volume &v, bool isPerspective)
-{
-    if (isPerspective && std::min(v.nearDistance, v.farDistance) <= 0.0)
-        return Error{ErrorCode::NearNotPositive, std::min(v.nearDistance, v.farDistance)};
-    if (v.left == v.right)
-        return Error{ErrorCode::LeftEqualsRight, v.left};
-    if (v.bottom == v.top)
-        return Error{ErrorCode::BottomEqualsTop, v.bottom};
-    if (v.nearDistance == v.farDistance)
-        return Error{ErrorCode::NearNotBeforeFar, v.nearDistance, v.farDistance};
-    return std::monostate{};
-}
-
-/// glFrustum's or glOrtho's matrix; with depths in [0, 1], and looking along +z, where the API has these.
-glm::dmat4 clipFromEye(const Volume &v, const CallSignature &signature)
-{
-    const double n = v.nearDistance, f = v.farDistance, width = v.right - v.left, height = v.top - v.bottom;
-    const bool isZeroToOne = signature.ndcDepth == NdcDepth::ZeroToOne;
-    glm::dmat4 m(0.0);
-    if (signature.isPerspective) {
-        m[0][0] = 2.0 * n / width;
-        m[1][1] = 2.0 * n / height;
-        m[2] = {(v.right + v.left) / width, (v.top + v.bottom) / height, -(isZeroToOne ? f : f + n) / (f - n), -1.0};
-        m[3][2] = -(isZeroToOne ? 1.0 : 2.0) * f * n / (f - n);
-    } else {
-        m[0][0] = 2.0 / width;
-        m[1][1] = 2.0 / height;
-        m[2][2] = -(isZeroToOne ? 1.0 : 2.0) / (f - n);
-        m[3] = {-(v.right + v.left) / width, -(v.top + v.bottom) / height, -(isZeroToOne ? n : f + n) / (f - n), 1.0};
-    }
-    if (signature.isLeftHanded)
-        m[2] = -m[2];
-    return m;
-}
-
-/// gluLookAt's matrix. A left-handed eye looks along +z: it is turned half round about its y axis.
-Result<glm::dmat4> eyeFromWorld(const LookAt &camera, bool isLeftHanded)
-{
-    const Result<EyeFrame> frame = eyeFrame(camera);
-    if (!frame)
-        return frame.error();
-    glm::dmat4 m = geometry::eyeFromWorld(*frame);
-    if (isLeftHanded) {
-        for (int column = 0; column < 4; ++column) {
-            m[column][0] = -m[column][0];
-            m[column][2] = -m[column][2];
-        }
-    }
-    return m;
 }
 
 PastedMatrix pastedOf(const glm::dmat4 &matrix, const CallSignature &signature, std::string said)
@@ -119,6 +62,8 @@ public:
                 readThree(call);
             if (m_error)
                 return *m_error;
+            if (isLeftOut(call) && std::find(m_leftOut.begin(), m_leftOut.end(), call.written) == m_leftOut.end())
+                m_leftOut.push_back(call.written);
         }
         if (m_read.hasAny)
             readAssignments(m_text.size());
@@ -126,6 +71,10 @@ public:
             setThreeView();
         if (m_error)
             return *m_error;
+        if (std::optional<PastedMatrix> &view = m_read.parts.view) {
+            for (const std::string &one : m_leftOut)
+                view->call += tr(". %1 is left out: the view is read without it", one);
+        }
         for (const AssignmentText &one : m_assignments) { // width = 800 is no number of a matrix
             if (m_arguments.number(one.value))
                 blank(one.at, one.end);
@@ -234,7 +183,7 @@ private:
     void readProjection(const CallText &call, const CallSignature &signature)
     {
         std::string said;
-        const Volume volume = volumeOf(call, signature, said);
+        const CallVolume volume = volumeOf(call, signature, said);
         if (m_error)
             return;
         if (const Check valid = check(volume, signature.isPerspective); !valid) {
@@ -253,7 +202,7 @@ private:
             said += tr(". %1 is read as %2; in C, C++ and C# it is %3, as long as no number of it has a point",
                        m_wholeQuotient.wholeQuotient, numberText(value), numberText(std::trunc(value)));
         }
-        m_read.parts.projection = pastedOf(clipFromEye(volume, signature), signature, said);
+        m_read.parts.projection = pastedOf(matrices::clipFromEye(volume, signature), signature, said);
     }
 
     static std::string handText(const CallSignature &signature)
@@ -265,10 +214,10 @@ private:
         return tr("; right-handed, NDC depths from 0 to 1");
     }
 
-    Volume volumeOf(const CallText &call, const CallSignature &signature, std::string &said)
+    CallVolume volumeOf(const CallText &call, const CallSignature &signature, std::string &said)
     {
         const std::vector<double> v = numbers(call, 0, call.arguments.size());
-        Volume volume;
+        CallVolume volume;
         if (m_error)
             return volume;
         switch (signature.shape) {
@@ -285,8 +234,8 @@ private:
         return volume;
     }
 
-    Volume volumeOf(const CallText &call, const CallSignature &signature, double angle, double aspect,
-                    double nearDistance, double farDistance, std::string &said)
+    CallVolume volumeOf(const CallText &call, const CallSignature &signature, double angle, double aspect,
+                        double nearDistance, double farDistance, std::string &said)
     {
         Perspective lens;
         lens.verticalFovRadians = signature.areDegrees ? radiansFromDegrees(angle) : angle;
@@ -338,7 +287,7 @@ private:
 
     void setView(const CallText &call, const CallSignature &signature, const LookAt &camera)
     {
-        const Result<glm::dmat4> matrix = eyeFromWorld(camera, signature.isLeftHanded);
+        const Result<glm::dmat4> matrix = matrices::eyeFromWorld(camera, signature.isLeftHanded);
         if (!matrix) {
             fail(call, matrix.error());
             return;
@@ -408,6 +357,21 @@ private:
         }
     }
 
+    /// What else turns or moves the view, or an object in it.
+    bool isLeftOut(const CallText &call) const
+    {
+        for (const std::string_view name : {"glTranslate", "glRotate", "glScale", "glMultMatrix"}) {
+            if (call.name.starts_with(name))
+                return true;
+        }
+        for (const std::string_view member : {".rotation", ".quaternion"}) {
+            if (call.object.ends_with(member))
+                return isCamera(call.object.substr(0, call.object.size() - member.size()));
+        }
+        const bool isTurn = call.name.starts_with("rotate") || call.name.starts_with("translate");
+        return isTurn && !call.object.empty() && isCamera(call.object);
+    }
+
     bool isCamera(const std::string &object) const
     {
         if (!m_camera.empty())
@@ -466,8 +430,9 @@ private:
     std::string m_rest;
     PastedCalls m_read;
     std::optional<PasteError> m_error;
-    ArgumentNumber m_wholeQuotient; ///< of the call that is read
-    std::string m_camera;           ///< the variable that the text makes one of three.js
+    ArgumentNumber m_wholeQuotient;     ///< of the call that is read
+    std::vector<std::string> m_leftOut; ///< calls that change the view, by their names
+    std::string m_camera;               ///< the variable that the text makes one of three.js
 
     /// Of three.js: lookAt turns it where it stands then; moved later, it keeps its direction.
     struct ThreeCamera {

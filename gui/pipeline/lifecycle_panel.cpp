@@ -82,12 +82,11 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     connect(&m_log, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex &folded, int first, int last) {
         enableButtons();
         for (int row = first; row <= last; ++row)
-            widenCalls(m_log.index(row, LifecycleLog::StandsFor, folded));
+            widen(m_log.index(row, 0, folded));
         follow();
     });
     // A folded row changes with each of its steps.
-    connect(&m_log, &QAbstractItemModel::dataChanged, this,
-            [this](const QModelIndex &first) { widenCalls(first.siblingAtColumn(LifecycleLog::StandsFor)); });
+    connect(&m_log, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex &first) { widen(first); });
     connect(&m_log, &QAbstractItemModel::modelReset, this, [this] {
         enableButtons();
         fitColumns();
@@ -109,6 +108,7 @@ void LifecyclePanel::useFont()
 void LifecyclePanel::fitColumns()
 {
     const QFontMetrics metrics(m_table->font());
+    m_table->setIndentation(2 * metrics.horizontalAdvance(u'0'));
     const auto reserve = [&](int column, const QString &widest, int besides) {
         const int head =
             m_table->header()->fontMetrics().horizontalAdvance(m_log.headerData(column, Qt::Horizontal).toString());
@@ -116,21 +116,25 @@ void LifecyclePanel::fitColumns()
         return m_table->columnWidth(column);
     };
     const int others =
-        reserve(LifecycleLog::Time, QStringLiteral("8888.888 s"), 0)
-        + reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(888.8, 888.8)"), 2 * m_table->indentation())
-        + reserve(LifecycleLog::Took, QStringLiteral("8888.88 ms"), 0);
+        reserve(LifecycleLog::Time, QStringLiteral("888.888 s"), 0)
+        + reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888, 888)"), 2 * m_table->indentation())
+        + reserve(LifecycleLog::Took, QStringLiteral("888.88 ms"), 0);
     const int least = metrics.horizontalAdvance(QStringLiteral("glViewport(0, 0, 8888, 8888)")) + kPadding;
     m_wholeWidth = others + least;
     m_table->setColumnWidth(LifecycleLog::StandsFor, std::max(least, m_table->viewport()->width() - others));
     for (int row = 0; row < m_log.rowCount(); ++row)
-        widenCalls(m_log.index(row, LifecycleLog::StandsFor));
+        widen(m_log.index(row, 0));
 }
 
-void LifecyclePanel::widenCalls(const QModelIndex &calls)
+void LifecyclePanel::widen(const QModelIndex &row)
 {
-    const int needed = QFontMetrics(m_table->font()).horizontalAdvance(calls.data().toString()) + 2 * kPadding;
-    if (needed > m_table->columnWidth(LifecycleLog::StandsFor))
-        m_table->setColumnWidth(LifecycleLog::StandsFor, needed);
+    const QFontMetrics metrics(m_table->font());
+    for (const int column : {LifecycleLog::Step, LifecycleLog::StandsFor}) {
+        const int arrows = column == LifecycleLog::Step ? 2 * m_table->indentation() : kPadding;
+        const int needed = metrics.horizontalAdvance(row.siblingAtColumn(column).data().toString()) + arrows + kPadding;
+        if (needed > m_table->columnWidth(column))
+            m_table->setColumnWidth(column, needed);
+    }
 }
 
 /// Beside the steps; below them, which then have the whole width, where that would leave too little room for the calls.

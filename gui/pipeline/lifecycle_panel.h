@@ -29,8 +29,8 @@ protected:
 private:
     void useFont();
     void fitColumns();
-    /// Gives the column of the calls the width of one of them, if it has less.
-    void widenCalls(const QModelIndex &calls);
+    /// Gives the columns the width of a row's texts, where they have less.
+    void widen(const QModelIndex &row);
     void placeButtons();
     void follow();
     void copy() const;

@@ -4,6 +4,8 @@
 
 #include <QStringList>
 
+#include <utility>
+
 namespace unprojector::gui {
 namespace {
 
@@ -57,8 +59,13 @@ void LifecycleLog::append(const LifecycleEvent &event)
         ++m_gone;
         endRemoveRows();
     }
+    Row row;
+    row.steps.push_back({event, now});
+    row.firstSeconds = now;
+    row.standIns = event.hasStandIns ? 1 : 0;
+    row.totalMilliseconds = event.milliseconds;
     beginInsertRows({}, rowCount(), rowCount());
-    m_rows.push_back({{{event, now}}, now, 1, event.hasStandIns ? 1 : 0, event.milliseconds});
+    m_rows.push_back(std::move(row));
     endInsertRows();
     if (event.kind == Kind::OnDraw)
         fold();

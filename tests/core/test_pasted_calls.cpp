@@ -299,6 +299,15 @@ void TestPastedCalls::whatIsAssumedIsReported_data()
         << "const camera = new THREE.PerspectiveCamera(45, 1, 1, 9);\ncamera.aspect = 2;"
         << "THREE.PerspectiveCamera: fovy 45°, aspect 1, near 1, far 9. camera.aspect is left out: put its value into "
            "the call";
+    QTest::newRow("moved by other calls")
+        << "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0); glTranslatef(0, 0, 1); glRotated(a, 0, 1, 0); glTranslatef(1, 0, "
+           "0);"
+        << "gluLookAt: eye (3, 2, 5), center (0, 0.5, 0), up (0, 1, 0). glTranslatef is left out: the view is read "
+           "without it. glRotated is left out: the view is read without it";
+    QTest::newRow("turned otherwise")
+        << "camera.position.set(0, 0, 5); camera.rotation.set(0, 1, 0); mesh.rotateX(1);"
+        << "camera: eye (0, 0, 5), center (0, 0, 4), up (0, 1, 0). camera.rotation.set is left out: the view is read "
+           "without it";
     QTest::newRow("a view") << "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0)"
                             << "gluLookAt: eye (3, 2, 5), center (0, 0.5, 0), up (0, 1, 0)";
 }
