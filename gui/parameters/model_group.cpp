@@ -294,7 +294,7 @@ ModelGroup::Row ModelGroup::makeRow(std::size_t step)
                              : isScale ? tr("Factor along %1, not 0 (glScale: %1)").arg(axis)
                                        : tr("Way along %1, world units (glTranslate: %1)").arg(axis);
         const std::size_t object = m_shown->index().value();
-        const QString unit = isAngle ? degrees() : isRotation ? ofAnyLength() : isScale ? factor() : worldUnits();
+        const QString unit = isAngle ? degrees() : isRotation ? ofAnyLength() : isScale ? QString() : worldUnits();
         NumberField *field =
             addField(isAngle ? angle : vector, isAngle ? QString() : axis, unit,
                      {name, help,

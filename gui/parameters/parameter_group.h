@@ -102,7 +102,6 @@ protected:
     static QString devicePixels() { return tr("device px"); }
     static QString ratio() { return tr("w : h"); }
     static QString ofAnyLength() { return tr("direction"); }
-    static QString factor() { return tr("factor"); }
     static QString depth() { return QStringLiteral("0 … 1"); }
 
     void showEvent(QShowEvent *event) override;
