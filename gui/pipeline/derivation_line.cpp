@@ -18,7 +18,7 @@ DerivationLine::DerivationLine(const SceneDocument &document, PipelineModel &mod
     : QWidget(parent), m_document(document), m_model(model), m_label(new SteadyLabel), m_help(new HelpLink({}))
 {
     m_label->setObjectName(QStringLiteral("derivation"));
-    m_label->setAccessibleName(tr("How the chosen number comes about"));
+    m_label->setAccessibleName(tr("How the chosen number is computed"));
     auto *line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(2);
@@ -28,8 +28,23 @@ DerivationLine::DerivationLine(const SceneDocument &document, PipelineModel &mod
 
 void DerivationLine::choose(PointModel::Space space, int coordinate)
 {
+    const bool isSameSpace = chosenSpace() == space;
     m_chosen = {space, coordinate};
-    refresh();
+    if (isSameSpace)
+        refresh();
+    else
+        startOver();
+}
+
+void DerivationLine::clear()
+{
+    m_chosen.reset();
+    startOver();
+}
+
+std::optional<Space> DerivationLine::chosenSpace() const
+{
+    return m_chosen ? std::optional(m_chosen->space) : std::nullopt;
 }
 
 void DerivationLine::startOver()

@@ -13,7 +13,7 @@ class SceneDocument;
 class SteadyLabel;
 struct EntryDerivation;
 
-/// How the chosen coordinate comes about, with a link to Help. The numbers that it comes from are marked in the model.
+/// How the chosen coordinate is computed, with a link to Help. The numbers that it is computed from are marked in the model.
 class DerivationLine : public QWidget {
     Q_OBJECT
 public:
@@ -21,6 +21,10 @@ public:
 
     /// @param coordinate  of the space, as it is shown: 0 for x, 3 for w
     void choose(PointModel::Space space, int coordinate);
+    /// No coordinate any more.
+    void clear();
+    /// The space of the chosen coordinate.
+    std::optional<PointModel::Space> chosenSpace() const;
     void refresh();
     /// Refreshes, and forgets how much room the texts so far have needed.
     void startOver();

@@ -1,5 +1,7 @@
 #include "gui/pipeline/entry_derivation.h"
 
+#include "gui/pipeline/stage_text.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -89,17 +91,6 @@ std::optional<PipelineStage> stageAfter(Space space)
     return std::nullopt;
 }
 
-/// The stage that a space's point comes by.
-std::optional<PipelineStage> stageOf(Space space, PipelineDirection direction)
-{
-    if (direction == PipelineDirection::Forward)
-        return stageAfter(spaceBefore(space, direction));
-    // Before its division the way back's point stands in the place of the clip point: the projection leads there.
-    if (space == Space::Clip)
-        return PipelineStage::ProjectionMatrix;
-    return space == Space::Eye ? std::nullopt : stageAfter(space);
-}
-
 /// What follows the equals sign after the terms: the number that is shown, or what is to be said beside it.
 QString resultText(const Numbers &numbers, const Sum &sum, double shown)
 {
@@ -133,12 +124,12 @@ Sum productSum(const Numbers &numbers, const MatrixModel &matrix, const PointMod
     return sum;
 }
 
-/// "row 2 of clipFromEye · eye"
-QString productName(const MatrixModel &matrix, const PointModel &source, int row)
+/// "row 2 of Projection · eye"
+QString productName(const MatrixModel &matrix, const QString &name, const PointModel &source, int row)
 {
     return matrix.view().layout == MatrixLayout::Column
-               ? Texts::tr("row %1 of %2 · %3").arg(row + 1).arg(matrix.variableName(), source.name())
-               : Texts::tr("%3 · column %1 of %2").arg(row + 1).arg(matrix.variableName(), source.name());
+               ? Texts::tr("row %1 of %2 · %3").arg(row + 1).arg(name, source.name())
+               : Texts::tr("%3 · column %1 of %2").arg(row + 1).arg(name, source.name());
 }
 
 /// "(NDC x + 1) · w/2 + vx = (0.22 + 1) · 25 + 0"
@@ -214,16 +205,42 @@ EntryDerivation flipped(const Numbers &numbers, const Setup &setup, const Pipeli
 
 } // namespace
 
+std::optional<PipelineStage> stageOf(Space space, PipelineDirection direction)
+{
+    if (space == startOf(direction))
+        return std::nullopt;
+    if (direction == PipelineDirection::Forward)
+        return stageAfter(spaceBefore(space, direction));
+    // Before its division the way back's point stands in the place of the clip point: the projection leads there.
+    if (space == Space::Clip)
+        return PipelineStage::ProjectionMatrix;
+    return space == Space::Eye ? std::nullopt : stageAfter(space);
+}
+
+std::optional<PointModel::Space> spaceMadeBy(PipelineStage stage, PipelineDirection direction)
+{
+    for (int i = 0; i < PointModel::kSpaces; ++i) {
+        if (stageOf(static_cast<Space>(i), direction) == stage)
+            return static_cast<Space>(i);
+    }
+    return std::nullopt;
+}
+
+PointModel::Space startOf(PipelineDirection direction)
+{
+    return direction == PipelineDirection::Forward ? Space::Object : Space::Widget;
+}
+
 EntryDerivation entryDerivation(const PipelineModel &model, const Setup &setup, PointModel::Space space, int coordinate)
 {
     const PipelineDirection direction = model.direction();
     const PointModel &point = *model.point(space);
     const Numbers numbers(model.view());
-    if (space == (direction == PipelineDirection::Forward ? Space::Object : Space::Widget))
+    if (space == startOf(direction))
         return {direction == PipelineDirection::Forward
-                    ? Texts::tr("%1: this way begins here; Backward shows how it comes from world.")
+                    ? Texts::tr("%1: start of the forward path; switch to Backward to see it computed from world.")
                           .arg(entryName(point, coordinate))
-                    : Texts::tr("%1: this way begins here; Forward shows how it comes from window.")
+                    : Texts::tr("%1: start of the backward path; switch to Forward to see it computed from window.")
                           .arg(entryName(point, coordinate)),
                 {},
                 0,
@@ -231,8 +248,11 @@ EntryDerivation entryDerivation(const PipelineModel &model, const Setup &setup, 
                 {}};
     const PointModel &source = *model.point(spaceBefore(space, direction));
     if (std::isnan(valueAt(point.indexOf(coordinate))) || std::isnan(valueAt(source.indexOf(0))))
-        return {
-            Texts::tr("%1 has no number to show how it comes about.").arg(entryName(point, coordinate)), {}, 0, {}, {}};
+        return {Texts::tr("%1 has no number yet: click the model, or type a point.").arg(entryName(point, coordinate)),
+                {},
+                0,
+                {},
+                {}};
     const std::optional<PipelineStage> stage = stageOf(space, direction);
     if (!stage)
         return source.space() == Space::Clip ? divided(numbers, source, point, coordinate)
@@ -240,9 +260,10 @@ EntryDerivation entryDerivation(const PipelineModel &model, const Setup &setup, 
     const MatrixModel &matrix = *model.matrix(*stage);
     EntryDerivation result{{}, stage, coordinate, source.space(), {0, 1, 2, 3}};
     const Sum sum = productSum(numbers, matrix, source, coordinate);
-    result.text = QStringLiteral("%1 = %2\n= %3 = %4")
-                      .arg(entryName(point, coordinate), productName(matrix, source, coordinate), sum.text,
-                           resultText(numbers, sum, valueAt(point.indexOf(coordinate))));
+    result.text =
+        QStringLiteral("%1 = %2\n= %3 = %4")
+            .arg(entryName(point, coordinate), productName(matrix, stageName(*stage, direction), source, coordinate),
+                 sum.text, resultText(numbers, sum, valueAt(point.indexOf(coordinate))));
     if (space == Space::Window && coordinate < 3 && model.api() == Api::OpenGl)
         result.text += QStringLiteral("\n= ") + viewportText(numbers, setup, source, coordinate);
     return result;
@@ -250,9 +271,7 @@ EntryDerivation entryDerivation(const PipelineModel &model, const Setup &setup, 
 
 QString entryHint()
 {
-    return Texts::tr(
-        "Click a number of a vector, or go to it with Tab and the arrow keys: how it comes about then stands "
-        "here.");
+    return Texts::tr("Click a number to see how it is computed. Double-click a vector to type your own.");
 }
 
 QString unbrokenTerms(QString text)

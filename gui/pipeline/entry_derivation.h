@@ -18,6 +18,15 @@ struct EntryDerivation {
     std::vector<int> coordinates;            ///< of the source: 0 for x, 3 for w
 };
 
+/// The stage whose matrix makes a space's point; none where a division or the way to the widget does, and at the start.
+std::optional<matrices::PipelineStage> stageOf(PointModel::Space space, matrices::PipelineDirection direction);
+
+/// The space whose point a stage's matrix makes; none for a product.
+std::optional<PointModel::Space> spaceMadeBy(matrices::PipelineStage stage, matrices::PipelineDirection direction);
+
+/// Where a direction starts: no step leads there.
+PointModel::Space startOf(matrices::PipelineDirection direction);
+
 /// The numbers of one step:
 ///
 ///   a matrix      row of the matrix times the vector (rows: the vector times a column); of OpenGL's viewport also

@@ -62,7 +62,7 @@ FactorShares::FactorShares(QWidget *parent)
     connect(none, &QPushButton::clicked, this, [this] { setAll(0); });
     connect(all, &QPushButton::clicked, this, [this] { setAll(kAll); });
     auto *head = new QHBoxLayout;
-    auto *title = new QLabel(tr("How much of each acts:"));
+    auto *title = new QLabel(tr("Strength of each factor:"));
     title->setWordWrap(true);
     head->addWidget(title, 1);
     head->addWidget(none);
@@ -128,7 +128,7 @@ void FactorShares::setFactors(const std::vector<MatrixFactor> &factors, const st
         row.letter->setText(told[i].letter);
         row.letter->setToolTip(told[i].text);
         row.slider->setToolTip(told[i].text);
-        row.slider->setAccessibleName(tr("How much of %1, percent").arg(told[i].letter));
+        row.slider->setAccessibleName(tr("Strength of %1, percent").arg(told[i].letter));
         row.slider->setAccessibleDescription(told[i].text);
     }
     if (areOthers)

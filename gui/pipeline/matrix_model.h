@@ -27,6 +27,9 @@ public:
     /// Where the entry of a row and a column of the matrix for column vectors stands.
     QModelIndex indexOf(int mathRow, int mathColumn) const;
 
+    /// The row of the matrix for column vectors whose entry stands in a cell.
+    int mathRowOf(const QModelIndex &cell) const { return memoryIndex(cell.row(), cell.column()) % 4; }
+
     /// "eyeFromWorld", as the matrix is named in code.
     QString variableName() const;
     /// The matrix for the clipboard, in the layout and digits shown.

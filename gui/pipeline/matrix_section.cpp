@@ -17,11 +17,10 @@ using namespace matrices;
 
 MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(parent), m_model(model)
 {
-    m_heading = new QToolButton;
-    m_heading->setAutoRaise(true);
-    m_heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_heading->setFocusPolicy(Qt::StrongFocus);
-    m_heading->setToolTip(tr("Show or hide the matrix"));
+    m_heading = new QLabel;
+    QFont bold = font();
+    bold.setBold(true);
+    m_heading->setFont(bold);
 
     auto *menu = new QMenu(this);
     const auto add = [&](const QString &text, const QString &toolTip, MatrixSyntax syntax) {
@@ -52,15 +51,20 @@ MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(pare
     m_help->hide();
     line->addWidget(m_help);
 
-    auto *grid = new NumberGrid(model);
-    grid->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_grid = new NumberGrid(model);
+    m_heading->setBuddy(m_grid);
+    m_grid->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_grid, &NumberGrid::entered, this,
+            [this](const QModelIndex &cell) { emit rowChosen(m_model->mathRowOf(cell)); });
+    connect(m_grid, &NumberGrid::reached, this,
+            [this](const QModelIndex &cell) { emit rowChosen(m_model->mathRowOf(cell)); });
     // The number under the pointer first, then the whole matrix.
-    connect(grid, &QWidget::customContextMenuRequested, menu, [this, grid, menu](const QPoint &position) {
-        const QPoint place = grid->viewport()->mapToGlobal(position);
+    connect(m_grid, &QWidget::customContextMenuRequested, menu, [this, menu](const QPoint &position) {
+        const QPoint place = m_grid->viewport()->mapToGlobal(position);
         auto *shown = new QMenu(this);
         shown->setAttribute(Qt::WA_DeleteOnClose);
         shown->setToolTipsVisible(true);
-        addCopyActions(*shown, grid->numberAt(place), {});
+        addCopyActions(*shown, m_grid->numberAt(place), {});
         shown->addSeparator();
         shown->addActions(menu->actions());
         shown->popup(place);
@@ -68,23 +72,22 @@ MatrixSection::MatrixSection(MatrixModel *model, QWidget *parent) : QWidget(pare
     m_product = new QLabel;
     m_product->setIndent(4);
     m_product->setWordWrap(true);
-    m_body = new QWidget;
-    auto *body = new QVBoxLayout(m_body);
-    body->setContentsMargins(0, 0, 0, 0);
-    body->setSpacing(2);
-    body->addWidget(m_product);
-    body->addWidget(grid);
-    grid->setAccessibleDescription(
+    m_grid->setAccessibleDescription(
         tr("Rows and columns of the matrix; Copy takes the selected numbers with all digits"));
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(1);
+    layout->setSpacing(2);
     layout->addLayout(line);
-    layout->addWidget(m_body);
+    layout->addWidget(m_product);
+    layout->addWidget(m_grid);
+}
 
-    connect(m_heading, &QToolButton::clicked, this, [this] { setOpen(!m_isOpen); });
-    setOpen(true);
+void MatrixSection::putBelowNumbers(QWidget *widget)
+{
+    auto *rows = static_cast<QVBoxLayout *>(layout());
+    if (rows->indexOf(widget) < 0)
+        rows->insertWidget(rows->indexOf(m_grid) + 1, widget);
 }
 
 FactorsView *MatrixSection::addFactors()
@@ -98,15 +101,13 @@ FactorsView *MatrixSection::addFactors()
     m_takeApart->setFocusPolicy(Qt::StrongFocus);
     m_factors = new FactorsView;
     m_factors->hide();
-    m_body->layout()->addWidget(m_factors);
+    layout()->addWidget(m_factors);
     auto *line = static_cast<QHBoxLayout *>(layout()->itemAt(0)->layout());
     line->insertWidget(line->indexOf(m_copy), m_takeApart);
     connect(m_takeApart, &QToolButton::toggled, this, [this](bool isApart) {
-        if (isApart) {
-            setOpen(true);
-            emit factorsOpened();
-        }
         m_factors->setVisible(isApart);
+        if (isApart)
+            emit factorsOpened();
     });
     return m_factors;
 }
@@ -119,35 +120,23 @@ void MatrixSection::setHelp(const QString &anchor)
 
 void MatrixSection::takeApart()
 {
-    setOpen(true);
     m_takeApart->setChecked(true);
 }
 
 bool MatrixSection::showsFactors() const
 {
-    return m_isOpen && m_takeApart && m_takeApart->isChecked();
+    return !isHidden() && m_takeApart && m_takeApart->isChecked();
 }
 
-void MatrixSection::setTitle(const QString &name, const QString &variable, const QString &product)
+void MatrixSection::setTitle(const QString &title, const QString &name, const QString &product)
 {
-    m_heading->setText(QStringLiteral("%1   %2").arg(name, variable));
-    m_heading->setAccessibleName(tr("%1, %2").arg(name, variable));
-    m_copy->setAccessibleName(tr("Copy %1").arg(variable));
+    m_heading->setText(title);
+    m_copy->setAccessibleName(tr("Copy %1").arg(name));
     if (m_takeApart)
-        m_takeApart->setAccessibleName(tr("Take %1 apart").arg(variable));
-    m_body->findChild<NumberGrid *>()->setAccessibleName(variable);
+        m_takeApart->setAccessibleName(tr("Take %1 apart").arg(name));
+    m_grid->setAccessibleName(title);
     m_product->setText(product);
     m_product->setVisible(!product.isEmpty());
-}
-
-void MatrixSection::setOpen(bool isOpen)
-{
-    m_isOpen = isOpen;
-    m_heading->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
-    m_heading->setAccessibleDescription(isOpen ? tr("Open") : tr("Closed"));
-    m_body->setVisible(isOpen);
-    if (showsFactors())
-        emit factorsOpened();
 }
 
 } // namespace unprojector::gui

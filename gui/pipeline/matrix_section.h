@@ -10,40 +10,46 @@ namespace unprojector::gui {
 class FactorsView;
 class HelpLink;
 class MatrixModel;
+class NumberGrid;
 
-/// A matrix under a heading that opens and closes it, with a menu that copies it.
+/// A matrix under its name, with a menu that copies it.
 class MatrixSection : public QWidget {
     Q_OBJECT
 public:
     explicit MatrixSection(MatrixModel *model, QWidget *parent = nullptr);
 
-    /// "View", "eyeFromWorld", and for a product its factors.
-    void setTitle(const QString &name, const QString &variable, const QString &product);
-    bool isOpen() const { return m_isOpen; }
-    void setOpen(bool isOpen);
+    /// @param title    "View: world → eye"
+    /// @param name     the same in short: "View"
+    /// @param product  for a product its factors, else empty
+    void setTitle(const QString &title, const QString &name, const QString &product);
     /// Where Help has the matrix; without it the heading has no link.
     void setHelp(const QString &anchor);
+
+    /// Puts a widget directly below the numbers.
+    void putBelowNumbers(QWidget *widget);
 
     /// Adds a button that takes the matrix apart, and below the matrix its factors, folded at first.
     FactorsView *addFactors();
     /// Shows the factors. @pre addFactors()
     void takeApart();
-    /// Whether the factors are to be seen; only then they need be kept up to date.
+    /// Whether the factors are to be seen while the section is; only then they need be kept up to date.
     bool showsFactors() const;
 
 signals:
     void factorsOpened();
+    /// A number became the current one.
+    /// @param mathRow  its row in the matrix for column vectors
+    void rowChosen(int mathRow);
 
 private:
     MatrixModel *m_model;
-    QToolButton *m_heading;
+    QLabel *m_heading;
+    NumberGrid *m_grid;
     QToolButton *m_copy;
     HelpLink *m_help;
     QLabel *m_product;
-    QWidget *m_body;
     QToolButton *m_takeApart = nullptr;
     FactorsView *m_factors = nullptr;
-    bool m_isOpen = false;
 };
 
 } // namespace unprojector::gui

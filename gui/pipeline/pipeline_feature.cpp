@@ -132,7 +132,8 @@ QVariantMap PipelineFeature::state() const
             {QStringLiteral("layout"), static_cast<int>(view.layout)},
             {QStringLiteral("isMemoryOrder"), view.isMemoryOrder},
             {QStringLiteral("digits"), static_cast<int>(view.digits)},
-            {QStringLiteral("isWhole"), view.isWhole}};
+            {QStringLiteral("isWhole"), view.isWhole},
+            {QStringLiteral("areAllOpen"), m_pipeline->areAllOpen()}};
 }
 
 void PipelineFeature::restore(const QVariantMap &state)
@@ -145,6 +146,7 @@ void PipelineFeature::restore(const QVariantMap &state)
         {areSame ? static_cast<MatrixLayout>(state[QStringLiteral("layout")].toInt()) : m_pipeline->matrixView().layout,
          state[QStringLiteral("isMemoryOrder")].toBool(), static_cast<Digits>(state[QStringLiteral("digits")].toInt()),
          state[QStringLiteral("isWhole")].toBool()});
+    m_pipeline->setAllOpen(state[QStringLiteral("areAllOpen")].toBool());
 }
 
 Feature *makePipelineFeature(Window &window)

@@ -210,8 +210,7 @@ void PipelineModel::update()
         showGivenPoint(*pipeline);
     } else if (!pick) {
         clearPoints();
-        m_status =
-            tr("Press the left button on the model: its point appears at every stage. Or type one into any row.");
+        m_status = tr("Click the model, or type a point into any row.");
     } else if (!pick->hit()) {
         clearPoints();
         m_status = tr("Background: no surface here, so there is no point to follow.");
@@ -340,10 +339,10 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
         const Result<WindowPoint> start = isFresh ? Result<WindowPoint>(pick.window) : points.window;
         if (start)
             points = pointsBackward(pipeline, *start);
-        m_status = isFresh ? tr("Back from the clicked pixel's centre and the depth read there.")
-                           : tr("The view has changed since this click: back from where the point is now.");
+        m_status = isFresh ? tr("Backward from the clicked pixel's centre and its depth.")
+                           : tr("The view has changed since this click. Values below use the current view.");
     } else {
-        m_status = tr("The picked point on its way to the window.");
+        m_status = tr("Forward from the clicked point.");
     }
     // What has changed since the click is said in the words of the comparison; only that the numbers of the other view are
     // shown here, and not those of the click, is the pipeline's own.
@@ -352,7 +351,7 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
     if (since.isObjectMoved || since.isObjectHidden || since.isCutAway || isOutside)
         m_status = sinceClickText(m_document);
     else if (since.isOtherSetup && m_direction == PipelineDirection::Forward)
-        m_status = tr("The view has changed since this click: the point on its way through the view as it is now.");
+        m_status = tr("The view has changed since this click. Values below use the current view.");
     showAll(points);
 }
 
@@ -366,9 +365,9 @@ void PipelineModel::showGivenPoint(const Pipeline &pipeline)
         m_status = tr("Your point was given in the space of “%1”, which is not here: taken as a world point.")
                        .arg(shownObjectName(given.object, m_document.objects()));
     else if (const QString outside = points.clip ? clipTestText(*points.clip) : QString(); !outside.isEmpty())
-        m_status = tr("Your point, given in %1 coordinates, is outside the view volume: %2.").arg(space, outside);
+        m_status = tr("Your point in %1 coordinates is outside the view volume: %2.").arg(space, outside);
     else
-        m_status = tr("Your point, given in %1 coordinates, and both ways from there.").arg(space);
+        m_status = tr("Your point in %1 coordinates. Every other stage is computed from it.").arg(space);
     showAll(points);
 }
 

@@ -3,6 +3,7 @@
 #include "core/scene/given_matrices.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/derivation_line.h"
+#include "gui/pipeline/entry_derivation.h"
 #include "gui/pipeline/factor_shares.h"
 #include "gui/pipeline/factors_view.h"
 #include "gui/pipeline/followed_point_row.h"
@@ -12,11 +13,9 @@
 #include "gui/pipeline/pipeline_switches.h"
 #include "gui/pipeline/stage_text.h"
 #include "gui/widgets/help_link.h"
-#include "gui/widgets/number_grid.h"
 
 #include <QAction>
 #include <QClipboard>
-#include <QFrame>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -37,29 +36,34 @@ using Space = PointModel::Space;
 PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     : QWidget(parent), m_document(document), m_model(new PipelineModel(document, this)),
       m_switches(new PipelineSwitches(document, *m_model)), m_followed(new FollowedPointRow(document, *m_model)),
-      m_derivation(new DerivationLine(document, *m_model))
+      m_chain(new PipelineChain(*m_model)), m_derivation(new DerivationLine(document, *m_model))
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 6);
+    layout->setSpacing(4);
     layout->addWidget(m_switches);
     layout->addWidget(m_followed);
+    layout->addWidget(m_chain);
     createStages();
     layout->addWidget(m_scrollArea, 1);
-    auto *edge = new QFrame;
-    edge->setFrameShape(QFrame::HLine);
-    edge->setFrameShadow(QFrame::Sunken);
-    layout->addWidget(edge);
-    layout->addWidget(m_derivation);
 
+    connect(m_chain, &PipelineChain::partChosen, this, [this](const ChainPart &part) {
+        if (part != m_opened)
+            m_derivation->clear();
+        open(part);
+    });
+    connect(m_chain, &PipelineChain::numberChosen, this, &PipelinePanel::explain);
+    connect(m_chain, &PipelineChain::numberReached, this, [this](Space space, int coordinate) {
+        if (isOpen(space)) // else the Tab key could not leave the chain for the matrix that is open
+            explain(space, coordinate);
+    });
+    connect(m_chain, &PipelineChain::allOpenChanged, this, &PipelinePanel::showOpened);
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & (kVisibleChanges | Change::Names | Change::Pick | Change::GivenPoint | Change::Conventions))
             refresh();
     });
     connect(m_model, &PipelineModel::followedChanged, this, &PipelinePanel::refresh);
-    connect(m_switches, &PipelineSwitches::directionChanged, this, [this] {
-        arrange();
-        showStatus();
-    });
+    connect(m_switches, &PipelineSwitches::directionChanged, this, &PipelinePanel::followDirection);
     connect(m_switches, &PipelineSwitches::viewChanged, this, &PipelinePanel::showTitles);
     connect(m_switches, &PipelineSwitches::objectChanged, this, &PipelinePanel::showStatus);
     connect(m_switches, &PipelineSwitches::pasteWanted, this, [this] {
@@ -84,39 +88,13 @@ void PipelinePanel::createStages()
     m_rows->setContentsMargins(0, 0, 4, 0);
     m_rows->setSpacing(4);
 
-    QFont bold = font();
-    bold.setBold(true);
-    int nameWidth = 0;
-    for (const PipelineDirection direction : {PipelineDirection::Backward, PipelineDirection::Forward}) {
-        m_model->setDirection(direction);
-        for (int i = 0; i < PointModel::kSpaces; ++i)
-            nameWidth = std::max(nameWidth,
-                                 QFontMetrics(bold).horizontalAdvance(m_model->point(static_cast<Space>(i))->name()));
-    }
-    for (int i = 0; i < PointModel::kSpaces; ++i) {
-        PointModel *point = m_model->point(static_cast<Space>(i));
-        auto *name = new QLabel(point->name());
-        name->setFont(bold);
-        name->setFixedWidth(nameWidth + 8);
-        auto *grid = new NumberGrid(point);
-        grid->setAccessibleName(tr("Point in %1 coordinates").arg(point->name()));
-        name->setBuddy(grid);
-        auto *line = new QHBoxLayout(new QWidget);
-        line->setContentsMargins(0, 0, 0, 0);
-        line->setSpacing(0);
-        line->addWidget(name);
-        line->addWidget(grid, 1);
-        line->addStretch();
-        connect(grid, &NumberGrid::entered, this, [this, point](const QModelIndex &index) {
-            m_derivation->choose(point->space(), std::max(index.row(), index.column()));
-        });
-        m_pointGrids[static_cast<std::size_t>(i)] = grid;
-        m_pointNames[static_cast<std::size_t>(i)] = name;
-    }
     for (const PipelineStage stage : kPipelineStages) {
         auto *section = new MatrixSection(m_model->matrix(stage));
         m_sections[static_cast<std::size_t>(stage)] = section;
-        section->setOpen(stage != PipelineStage::ModelviewMatrix && stage != PipelineStage::WholeMatrix);
+        connect(section, &MatrixSection::rowChosen, this, [this, stage](int mathRow) {
+            if (const auto space = spaceMadeBy(stage, m_model->direction()))
+                explain(*space, mathRow);
+        });
     }
     const auto takeApart = [this](PipelineStage stage) {
         MatrixSection *section = m_sections[static_cast<std::size_t>(stage)];
@@ -134,6 +112,10 @@ void PipelinePanel::createStages()
     connect(m_givenViewFindings, &MatrixFindingsView::repairWanted, m_model,
             [this](const MatrixFinding &finding) { m_model->repair(MatrixRole::View, finding); });
     showGiven();
+    m_apiNote = new QLabel;
+    m_apiNote->setWordWrap(true);
+    m_apiNote->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_apiNote->setAccessibleName(tr("What is otherwise than in OpenGL"));
     m_division = new QLabel;
     m_flip = new QLabel;
     const auto addHelp = [](QLabel *step, const char *anchor) {
@@ -158,35 +140,31 @@ void PipelinePanel::createStages()
 
 void PipelinePanel::arrange()
 {
-    const auto point = [this](Space space) { return m_pointGrids[static_cast<std::size_t>(space)]->parentWidget(); };
     const auto section = [this](PipelineStage stage) -> QWidget * {
         return m_sections[static_cast<std::size_t>(stage)];
     };
     const bool isForward = m_model->direction() == PipelineDirection::Forward;
-    QList<QWidget *> rows{point(Space::Object), section(PipelineStage::ModelMatrix), point(Space::World)};
+    QList<QWidget *> rows{section(PipelineStage::ModelMatrix)};
     if (isForward)
         rows << m_givenView << m_givenViewFindings << section(PipelineStage::ViewMatrix);
     else
         rows << section(PipelineStage::ViewMatrix) << m_givenViewFindings << m_givenView;
-    rows << point(Space::Eye);
     // The division comes after the projection on the way there, and after its inverse on the way back.
     if (isForward)
-        rows << m_given << m_givenFindings << section(PipelineStage::ProjectionMatrix) << point(Space::Clip)
-             << m_division->parentWidget();
+        rows << m_given << m_givenFindings << section(PipelineStage::ProjectionMatrix) << m_division->parentWidget();
     else
-        rows << m_division->parentWidget() << point(Space::Clip) << section(PipelineStage::ProjectionMatrix)
-             << m_givenFindings << m_given;
-    rows << point(Space::Ndc) << section(PipelineStage::ViewportMatrix) << point(Space::Window)
-         << m_flip->parentWidget() << point(Space::Widget);
+        rows << m_division->parentWidget() << section(PipelineStage::ProjectionMatrix) << m_givenFindings << m_given;
+    rows << section(PipelineStage::ViewportMatrix) << m_flip->parentWidget();
     if (!isForward)
         std::reverse(rows.begin(), rows.end());
-    rows << section(PipelineStage::ModelviewMatrix) << section(PipelineStage::WholeMatrix);
+    rows << section(PipelineStage::ModelviewMatrix) << section(PipelineStage::WholeMatrix) << m_apiNote;
 
     while (QLayoutItem *item = m_rows->takeAt(0))
         delete item;
     for (QWidget *row : std::as_const(rows))
         m_rows->addWidget(row);
     m_rows->addStretch();
+    m_chain->arrange();
     // The Tab key follows the eye.
     QWidget *last = nullptr;
     for (QWidget *row : std::as_const(rows)) {
@@ -199,10 +177,97 @@ void PipelinePanel::arrange()
         }
     }
     m_division->setText(isForward ? tr("↓  divide by w") : tr("↓  divide by its own w′, as gluUnProject does"));
-    for (int i = 0; i < PointModel::kSpaces; ++i)
-        m_pointNames[static_cast<std::size_t>(i)]->setText(m_model->point(static_cast<Space>(i))->name());
     m_flip->setText(flipText(*m_model, m_document.setup().surface));
     showTitles();
+    showOpened();
+}
+
+void PipelinePanel::followDirection()
+{
+    const PipelineDirection direction = m_model->direction();
+    const PipelineDirection before =
+        direction == PipelineDirection::Forward ? PipelineDirection::Backward : PipelineDirection::Forward;
+    if (const auto *space = std::get_if<Space>(&m_opened); space && !m_derivation->chosenSpace()) {
+        // The same matrix leads to the other one of its two spaces now.
+        if (const std::optional<PipelineStage> stage = stageOf(*space, before))
+            m_opened = spaceMadeBy(*stage, direction).value_or(*space);
+    }
+    arrange();
+    showStatus();
+}
+
+void PipelinePanel::open(const ChainPart &part)
+{
+    const bool isOther = part != m_opened;
+    m_opened = part;
+    showOpened();
+    if (!isOther && !areAllOpen())
+        return;
+    const auto *space = std::get_if<Space>(&part);
+    const QWidget *step = space ? stepTo(*space) : m_sections[static_cast<std::size_t>(std::get<PipelineStage>(part))];
+    scrollTo(step ? *step : *m_derivation, space ? m_derivation : nullptr);
+}
+
+QWidget *PipelinePanel::stepTo(Space space) const
+{
+    const PipelineDirection direction = m_model->direction();
+    if (const std::optional<PipelineStage> stage = stageOf(space, direction))
+        return m_sections[static_cast<std::size_t>(*stage)];
+    if (space == startOf(direction))
+        return nullptr;
+    return (space == Space::Window || space == Space::Widget ? m_flip : m_division)->parentWidget();
+}
+
+void PipelinePanel::explain(Space space, int coordinate)
+{
+    const bool isSeen = m_derivation->chosenSpace() == space;
+    m_derivation->choose(space, coordinate);
+    if (isSeen) // walking through its numbers scrolls nothing
+        m_opened = space;
+    else
+        open(space);
+}
+
+bool PipelinePanel::isOpen(PipelineStage stage) const
+{
+    if (areAllOpen())
+        return true;
+    if (const auto *product = std::get_if<PipelineStage>(&m_opened))
+        return *product == stage;
+    return stageOf(std::get<Space>(m_opened), m_model->direction()) == stage;
+}
+
+bool PipelinePanel::isOpen(Space space) const
+{
+    return areAllOpen() || m_opened == ChainPart(space);
+}
+
+void PipelinePanel::showOpened()
+{
+    for (const PipelineStage stage : kPipelineStages)
+        m_sections[static_cast<std::size_t>(stage)]->setVisible(isOpen(stage));
+    for (int i = 0; i < PointModel::kSpaces; ++i) {
+        QWidget *step = stepTo(static_cast<Space>(i));
+        if (step && !stageOf(static_cast<Space>(i), m_model->direction()))
+            step->setVisible(isOpen(static_cast<Space>(i)));
+    }
+
+    // The explanation, or before any number is chosen the hint that one can be.
+    std::optional<Space> of = m_derivation->chosenSpace();
+    if (const auto *space = std::get_if<Space>(&m_opened); space && !of)
+        of = *space;
+    if (of) {
+        m_rows->removeWidget(m_derivation);
+        QWidget *step = stepTo(*of);
+        if (auto *section = qobject_cast<MatrixSection *>(step))
+            section->putBelowNumbers(m_derivation);
+        else
+            m_rows->insertWidget(step ? m_rows->indexOf(step) + 1 : 0, m_derivation); // where a path starts, on top
+    }
+    m_derivation->setVisible(of && isOpen(*of));
+    m_chain->setOpened(m_opened);
+    showGiven();
+    showFactors();
 }
 
 void PipelinePanel::setDirection(PipelineDirection direction)
@@ -246,7 +311,7 @@ void PipelinePanel::showTitles()
 {
     for (const PipelineStage stage : kPipelineStages)
         m_sections[static_cast<std::size_t>(stage)]->setTitle(
-            stageName(stage, m_model->direction()), m_model->matrix(stage)->variableName(),
+            stageTitle(stage, m_model->direction()), stageName(stage, m_model->direction()),
             productText(stage, m_model->direction(), m_model->view().layout));
     showHelp();
     showFactors();
@@ -277,16 +342,20 @@ void PipelinePanel::showStatus()
     showFactors();
     m_derivation->refresh();
     m_flip->setText(flipText(*m_model, m_document.setup().surface));
+    m_apiNote->setText(m_model->apiNote());
+    m_apiNote->setVisible(!m_model->apiNote().isEmpty());
 }
 
 void PipelinePanel::showGiven()
 {
-    m_given->setTitle(stageName(PipelineStage::ProjectionMatrix, PipelineDirection::Forward),
-                      m_model->given()->variableName(), m_model->givenNote());
-    m_given->setVisible(!m_model->givenNote().isEmpty());
-    m_givenView->setTitle(stageName(PipelineStage::ViewMatrix, PipelineDirection::Forward),
-                          m_model->givenView()->variableName(), tr("As it was given."));
-    m_givenView->setVisible(m_document.scene().camera.matrix() != nullptr);
+    const auto setTitle = [](MatrixSection *section, PipelineStage stage, const QString &note) {
+        const QString title = tr("%1 as given").arg(stageTitle(stage, PipelineDirection::Forward));
+        section->setTitle(title, title, note);
+    };
+    setTitle(m_given, PipelineStage::ProjectionMatrix, m_model->givenNote());
+    m_given->setVisible(!m_model->givenNote().isEmpty() && isOpen(PipelineStage::ProjectionMatrix));
+    setTitle(m_givenView, PipelineStage::ViewMatrix, {});
+    m_givenView->setVisible(m_document.scene().camera.matrix() && isOpen(PipelineStage::ViewMatrix));
     // Of what the scene keeps, the order is that of columns.
     m_givenFindings->setFindings(m_model->givenFindings(MatrixRole::Projection), MatrixRole::Projection,
                                  NumberOrder::ByColumns);
@@ -314,14 +383,23 @@ void PipelinePanel::createActions()
 
 void PipelinePanel::openMatrix(PipelineStage stage)
 {
-    MatrixSection &section = *m_sections[static_cast<std::size_t>(stage)];
-    section.setOpen(true);
-    scrollTo(section, nullptr);
+    openStep(stage);
+    scrollTo(*m_sections[static_cast<std::size_t>(stage)], nullptr);
+}
+
+void PipelinePanel::openStep(PipelineStage stage)
+{
+    const std::optional<Space> space = spaceMadeBy(stage, m_model->direction());
+    const ChainPart part = space ? ChainPart(*space) : ChainPart(stage);
+    if (part != m_opened)
+        m_derivation->clear();
+    open(part);
 }
 
 void PipelinePanel::takeApart(PipelineStage stage)
 {
     m_switches->setDirection(PipelineDirection::Forward);
+    openStep(stage);
     MatrixSection &section = *m_sections[static_cast<std::size_t>(stage)];
     section.takeApart();
     scrollTo(section, stage == PipelineStage::ProjectionMatrix ? &m_projectionFactors->shares() : nullptr);
@@ -349,8 +427,7 @@ void PipelinePanel::scrollToTop()
 
 void PipelinePanel::applyTyped()
 {
-    for (NumberGrid *grid : m_pointGrids)
-        grid->applyTyped();
+    m_chain->applyTyped();
 }
 
 void PipelinePanel::keyPressEvent(QKeyEvent *event)

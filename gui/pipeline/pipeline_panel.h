@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gui/pipeline/pipeline_model.h"
+#include "gui/pipeline/pipeline_chain.h"
 
 #include <QWidget>
 
@@ -15,12 +15,12 @@ class FactorsView;
 class FollowedPointRow;
 class MatrixFindingsView;
 class MatrixSection;
-class NumberGrid;
 class PipelineSwitches;
 class SceneDocument;
 
-/// The picked point in object, world, eye, clip, NDC and window coordinates and as widget position, with the matrix
-/// between two of them; forward or backward. In each of these spaces a point can be typed or pasted instead. Hidden, it does nothing; shown again, it catches up.
+/// The picked point in object, world, eye, clip, NDC and window coordinates and as widget position, forward or backward, as a
+/// chain that is always in sight. Below it stands the matrix of one step, or all of them, each with how a chosen number is
+/// computed. In each of these spaces a point can be typed or pasted instead. Hidden, it does nothing; shown again, it catches up.
 class PipelinePanel : public QWidget {
     Q_OBJECT
 public:
@@ -35,6 +35,12 @@ public:
     void setDirection(matrices::PipelineDirection direction);
     const MatrixView &matrixView() const { return m_model->view(); }
     void setMatrixView(const MatrixView &view);
+
+    const ChainPart &opened() const { return m_opened; }
+    /// Shows the step to a space, or a product, and no other step unless all are open.
+    void open(const ChainPart &part);
+    bool areAllOpen() const { return m_chain->areAllOpen(); }
+    void setAllOpen(bool areOpen) { m_chain->setAllOpen(areOpen); }
 
     /// Follows the point that is given, also where a click came after it.
     void followGiven() { m_model->followGiven(true); }
@@ -63,11 +69,23 @@ protected:
 private:
     /// What lessons link to, by name: each matrix opened, the shares of the projection's factors.
     void createActions();
+    /// Opens the step that a matrix makes.
+    void openStep(matrices::PipelineStage stage);
     /// @param tried  what below the row is to be in sight as well, or null
     void scrollTo(const QWidget &row, const QWidget *tried);
     void createStages();
     /// The rows in the order of the direction, and their headings.
     void arrange();
+    /// Keeps the matrix open that is, or the explanation of the chosen number.
+    void followDirection();
+    /// Opens the step to a space and explains the number below it.
+    void explain(PointModel::Space space, int coordinate);
+    /// Hides what is not open, and puts the explanation below the step that it is of.
+    void showOpened();
+    /// The row below the chain that leads to a space; null for the start.
+    QWidget *stepTo(PointModel::Space space) const;
+    bool isOpen(matrices::PipelineStage stage) const;
+    bool isOpen(PointModel::Space space) const;
     void showTitles();
     void refresh();
     void showStatus();
@@ -80,11 +98,11 @@ private:
     PipelineModel *m_model;
     PipelineSwitches *m_switches;
     FollowedPointRow *m_followed;
+    PipelineChain *m_chain;
     DerivationLine *m_derivation;
     QScrollArea *m_scrollArea;
     QVBoxLayout *m_rows;
-    std::array<NumberGrid *, PointModel::kSpaces> m_pointGrids{}; ///< each in a row with its name
-    std::array<QLabel *, PointModel::kSpaces> m_pointNames{};
+    QLabel *m_apiNote;
     std::array<MatrixSection *, matrices::kPipelineStages.size()> m_sections{};
     FactorsView *m_viewFactors = nullptr;
     FactorsView *m_projectionFactors = nullptr;
@@ -92,8 +110,9 @@ private:
     MatrixSection *m_givenView = nullptr; ///< the same of the view
     MatrixFindingsView *m_givenFindings = nullptr;
     MatrixFindingsView *m_givenViewFindings = nullptr;
-    QLabel *m_division; ///< in a row with its link to Help
-    QLabel *m_flip;     ///< the same
+    QLabel *m_division;                           ///< in a row with its link to Help
+    QLabel *m_flip;                               ///< the same
+    ChainPart m_opened = PointModel::Space::Clip; ///< forward and backward the projection leads there
 };
 
 } // namespace unprojector::gui

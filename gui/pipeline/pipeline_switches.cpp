@@ -8,14 +8,18 @@
 #include "gui/widgets/segmented_switch.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace unprojector::gui {
 using namespace geometry;
@@ -24,7 +28,7 @@ using namespace scene;
 
 namespace {
 
-// Of the switch of digits, whose first choice is the double as it fits.
+// Of the digits, whose first choice is the double as it fits.
 constexpr int kWholeChoice = 1;
 constexpr int kFloatChoice = 2;
 
@@ -41,90 +45,43 @@ PipelineSwitches::PipelineSwitches(SceneDocument &document, PipelineModel &model
     m_directionSwitch = new SegmentedSwitch(
         tr("Direction"), {{tr("Forward"), tr("From the object to the widget")},
                           {tr("Backward"), tr("From the window to the object, by the inverse of each matrix")}});
-    m_layoutSwitch = new SegmentedSwitch(
-        tr("Vectors"), {{tr("Columns"), tr("Column vectors, M · v, as OpenGL writes them")},
-                        {tr("Rows"), tr("Row vectors, v · M: every matrix transposed, products in reversed order")}});
-    m_memorySwitch = new SegmentedSwitch(
-        tr("Arrangement"),
-        {{tr("4 × 4"), tr("Rows and columns, as matrices are printed")},
-         {QStringLiteral("m[0..15]"),
-          tr("The memory order that glGetFloatv gives and a debugger shows, the same for column and row vectors")}});
-    m_digitsSwitch = new SegmentedSwitch(
-        tr("Digits"),
-        {{QStringLiteral("double"), tr("Nine digits of the double; all of them in the tooltip and when copied")},
-         {tr("All digits"), tr("The double with all its digits, up to 17; they need room")},
-         {QStringLiteral("float"), tr("Rounded to single precision, with all the digits that it has")}});
+    createFormatMenu();
 
     m_object = new QComboBox;
     m_object->setAccessibleName(tr("Object"));
-    m_object->setToolTip(tr("Whose object space: by itself that of the object that was drawn at the picked pixel"));
+    m_object->setToolTip(tr("The object whose space comes first in the chain"));
     m_object->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_object->setMinimumContentsLength(8);
     auto *objectLabel = new QLabel(tr("&Object:"));
     objectLabel->setBuddy(m_object);
-
-    m_conventions = new QComboBox;
-    m_conventions->setObjectName(QStringLiteral("conventions"));
-    m_conventions->setAccessibleName(tr("Conventions"));
-    for (const Api api : kApis) {
-        m_conventions->addItem(QString::fromUtf8(conventionsOf(api).name));
-        m_conventions->setItemData(static_cast<int>(api), apiText(api), Qt::ToolTipRole);
-    }
-    auto *conventionsLabel = new QLabel(tr("Conve&ntions:"));
-    conventionsLabel->setBuddy(m_conventions);
-    m_apiNote = new QLabel;
-    m_apiNote->setWordWrap(true);
-    m_apiNote->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_apiNote->setAccessibleName(tr("What is otherwise than in OpenGL"));
-    m_apiNote->hide();
-    connect(m_conventions, &QComboBox::activated, this,
-            [this](int item) { takeConventions(kApis[static_cast<std::size_t>(item)]); });
-
-    auto *lines = new QVBoxLayout(this);
-    lines->setContentsMargins(0, 0, 0, 0);
-    auto *first = new QHBoxLayout;
-    first->addWidget(m_directionSwitch);
-    first->addSpacing(6);
-    first->addWidget(objectLabel);
-    first->addWidget(m_object, 1);
-    auto *second = new QHBoxLayout;
-    second->addWidget(m_layoutSwitch);
-    second->addWidget(m_memorySwitch);
-    second->addStretch();
     auto *copy = new QPushButton(tr("&Copy all"));
     copy->setToolTip(tr("Copy all points and matrices with all digits"));
     connect(copy, &QPushButton::clicked, this, [this] { copyToClipboard(m_model.text()); });
-    auto *third = new QHBoxLayout;
     auto *paste = new QPushButton(tr("P&aste…"));
     paste->setToolTip(tr("Take the camera from matrices that another program prints (Ctrl+V here)"));
     paste->setAccessibleName(tr("Paste matrices"));
     connect(paste, &QPushButton::clicked, this, &PipelineSwitches::pasteWanted);
-    third->addWidget(m_digitsSwitch);
-    third->addStretch();
-    third->addWidget(paste);
-    third->addWidget(copy);
-    auto *fourth = new QHBoxLayout;
-    fourth->addWidget(conventionsLabel);
-    fourth->addWidget(m_conventions);
-    fourth->addStretch();
-    fourth->addWidget(new HelpLink(QStringLiteral("conventions")));
-    for (QHBoxLayout *line : {fourth, first, second, third})
-        lines->addLayout(line);
-    lines->addWidget(m_apiNote);
+
+    auto *lines = new QVBoxLayout(this);
+    lines->setContentsMargins(0, 0, 0, 0);
+    lines->setSpacing(4);
+    auto *first = new QHBoxLayout;
+    first->addWidget(m_directionSwitch);
+    first->addStretch();
+    first->addWidget(m_format);
+    first->addWidget(new HelpLink(QStringLiteral("conventions")));
+    auto *second = new QHBoxLayout;
+    second->addWidget(objectLabel);
+    second->addWidget(m_object, 1);
+    second->addWidget(paste);
+    second->addWidget(copy);
+    lines->addLayout(first);
+    lines->addLayout(second);
 
     connect(m_directionSwitch, &SegmentedSwitch::chosen, this, [this](int index) {
         m_model.setDirection(index == 0 ? PipelineDirection::Forward : PipelineDirection::Backward);
         emit directionChanged();
     });
-    const auto showView = [this] {
-        m_model.setView({m_layoutSwitch->choice() == 0 ? MatrixLayout::Column : MatrixLayout::Row,
-                         m_memorySwitch->choice() == 1,
-                         m_digitsSwitch->choice() == kFloatChoice ? Digits::Float : Digits::Double,
-                         m_digitsSwitch->choice() == kWholeChoice});
-        emit viewChanged();
-    };
-    for (SegmentedSwitch *one : {m_layoutSwitch, m_memorySwitch, m_digitsSwitch})
-        connect(one, &SegmentedSwitch::chosen, this, showView);
     connect(m_object, &QComboBox::activated, this, [this](int item) {
         m_model.setObject(item == kAutomaticItem ? PipelineModel::kAutomaticObject
                           : item == kNoneItem    ? PipelineModel::kNoObject
@@ -136,29 +93,90 @@ PipelineSwitches::PipelineSwitches(SceneDocument &document, PipelineModel &model
         if (changes & Change::Conventions)
             followConventions();
     });
-    createActions();
+    createDirectionActions();
     followConventions();
+    showFormat();
 }
 
-void PipelineSwitches::createActions()
+void PipelineSwitches::createFormatMenu()
 {
-    const auto add = [this](const QString &name, const auto &does) {
-        auto *action = new QAction(this);
-        action->setObjectName(name);
-        connect(action, &QAction::triggered, this, does);
-    };
-    const auto choices = [&add](SegmentedSwitch *among, const QStringList &names) {
-        for (int i = 0; i < names.size(); ++i)
-            add(names[i], [among, i] { among->setChoice(i); });
-    };
-    choices(m_directionSwitch, {QStringLiteral("forward"), QStringLiteral("backward")});
-    choices(m_layoutSwitch, {QStringLiteral("columns"), QStringLiteral("rows")});
-    choices(m_memorySwitch, {QStringLiteral("square"), QStringLiteral("memory_order")});
-    choices(m_digitsSwitch,
-            {QStringLiteral("double_digits"), QStringLiteral("all_digits"), QStringLiteral("float_digits")});
+    m_format = new QToolButton;
+    m_format->setObjectName(QStringLiteral("format"));
+    m_format->setPopupMode(QToolButton::InstantPopup);
+    m_format->setFocusPolicy(Qt::StrongFocus);
+    auto *menu = new QMenu(m_format);
+    menu->setToolTipsVisible(true);
+    m_format->setMenu(menu);
+    m_layouts =
+        addGroup(*menu, tr("Vectors"),
+                 {{QStringLiteral("columns"), tr("Columns"), tr("Column vectors, M · v, as OpenGL writes them")},
+                  {QStringLiteral("rows"), tr("Rows"),
+                   tr("Row vectors, v · M: every matrix transposed, products in reversed order")}});
+    m_arrangements = addGroup(
+        *menu, tr("Arrangement"),
+        {{QStringLiteral("square"), tr("4 × 4"), tr("Rows and columns, as matrices are printed")},
+         {QStringLiteral("memory_order"), QStringLiteral("m[0..15]"),
+          tr("The memory order that glGetFloatv gives and a debugger shows, the same for column and row vectors")}});
+    m_digits = addGroup(*menu, tr("Digits"),
+                        {{QStringLiteral("double_digits"), QStringLiteral("double"),
+                          tr("Nine digits of the double; all of them in the tooltip and when copied")},
+                         {QStringLiteral("all_digits"), tr("All digits"),
+                          tr("The double with all its digits, up to 17; they need room")},
+                         {QStringLiteral("float_digits"), QStringLiteral("float"),
+                          tr("Rounded to single precision, with all the digits that it has")}});
+    menu->addSeparator();
+    m_conventionsMenu = menu->addMenu(tr("Conventions"));
+    m_conventionsMenu->setToolTipsVisible(true);
+    QList<Choice> apis;
     for (const Api api : kApis)
-        add(QStringLiteral("conventions_") + QLatin1String(conventionsOf(api).key),
-            [this, api] { takeConventions(api); });
+        apis.push_back({QStringLiteral("conventions_") + QLatin1String(conventionsOf(api).key),
+                        QString::fromUtf8(conventionsOf(api).name), apiText(api)});
+    m_conventions = addGroup(*m_conventionsMenu, {}, apis);
+    for (QActionGroup *group : {m_layouts, m_arrangements, m_digits})
+        connect(group, &QActionGroup::triggered, this, &PipelineSwitches::takeView);
+    for (const Api api : kApis)
+        connect(m_conventions->actions()[static_cast<qsizetype>(api)], &QAction::triggered, this,
+                [this, api] { takeConventions(api); });
+}
+
+QActionGroup *PipelineSwitches::addGroup(QMenu &menu, const QString &title, const QList<Choice> &choices)
+{
+    auto *group = new QActionGroup(this);
+    if (!title.isEmpty()) {
+        // Not addSection: some styles draw no text for it.
+        if (!menu.isEmpty())
+            menu.addSeparator();
+        menu.addAction(title)->setEnabled(false);
+    }
+    for (const Choice &choice : choices) {
+        QAction *action = menu.addAction(choice.text);
+        action->setObjectName(choice.action);
+        action->setToolTip(choice.toolTip);
+        action->setCheckable(true);
+        action->setActionGroup(group);
+    }
+    group->actions().constFirst()->setChecked(true);
+    return group;
+}
+
+void PipelineSwitches::createDirectionActions()
+{
+    for (const auto &[name, index] : {std::pair("forward", 0), std::pair("backward", 1)}) {
+        auto *action = new QAction(this);
+        action->setObjectName(QLatin1String(name));
+        const int choice = index;
+        connect(action, &QAction::triggered, this, [this, choice] { m_directionSwitch->setChoice(choice); });
+    }
+}
+
+void PipelineSwitches::takeView()
+{
+    const auto chosen = [](const QActionGroup *group) { return group->actions().indexOf(group->checkedAction()); };
+    const qsizetype digits = chosen(m_digits);
+    m_model.setView({chosen(m_layouts) == 0 ? MatrixLayout::Column : MatrixLayout::Row, chosen(m_arrangements) == 1,
+                     digits == kFloatChoice ? Digits::Float : Digits::Double, digits == kWholeChoice});
+    showFormat();
+    emit viewChanged();
 }
 
 void PipelineSwitches::setDirection(PipelineDirection direction)
@@ -168,18 +186,34 @@ void PipelineSwitches::setDirection(PipelineDirection direction)
 
 void PipelineSwitches::setMatrixView(const MatrixView &view)
 {
-    m_layoutSwitch->setChoice(view.layout == MatrixLayout::Column ? 0 : 1);
-    m_memorySwitch->setChoice(view.isMemoryOrder ? 1 : 0);
-    m_digitsSwitch->setChoice(view.digits == Digits::Float ? kFloatChoice : view.isWhole ? kWholeChoice : 0);
+    m_layouts->actions()[view.layout == MatrixLayout::Column ? 0 : 1]->setChecked(true);
+    m_arrangements->actions()[view.isMemoryOrder ? 1 : 0]->setChecked(true);
+    m_digits->actions()[view.digits == Digits::Float ? kFloatChoice
+                        : view.isWhole               ? kWholeChoice
+                                                     : 0]
+        ->setChecked(true);
+    takeView();
 }
 
 void PipelineSwitches::refresh()
 {
     showObjects();
-    m_conventions->setToolTip(
-        tr("Whose axes, depths and pixels are shown, kept in the scene. %1").arg(apiText(m_model.api())));
-    m_apiNote->setText(m_model.apiNote());
-    m_apiNote->setVisible(!m_model.apiNote().isEmpty());
+    showFormat();
+}
+
+void PipelineSwitches::showFormat()
+{
+    const Api api = m_document.scene().conventions;
+    const QString name = QString::fromUtf8(conventionsOf(api).name);
+    m_format->setText(api == Api::OpenGl ? tr("Format") : tr("Format (%1)").arg(name));
+    QStringList chosen;
+    for (const QActionGroup *group : {m_layouts, m_arrangements, m_digits})
+        chosen << group->checkedAction()->text();
+    chosen << name;
+    m_format->setToolTip(tr("How vectors, matrices and digits are written, and in whose conventions. Now: %1")
+                             .arg(chosen.join(tr(", "))));
+    m_format->setAccessibleName(m_format->text());
+    m_format->setAccessibleDescription(m_format->toolTip());
 }
 
 void PipelineSwitches::showObjects()
@@ -203,9 +237,9 @@ void PipelineSwitches::showObjects()
     const std::optional<std::size_t> shown = m_model.shownObject();
     const bool isAutomatic = m_model.object() == PipelineModel::kAutomaticObject;
     const QString automatic = isAutomatic && shown
-                                  ? tr("Automatic: %1").arg(shownObjectName(objects[*shown].name, objects))
+                                  ? tr("Clicked object (%1)").arg(shownObjectName(objects[*shown].name, objects))
                               : isAutomatic ? tr("None (identity)")
-                                            : tr("Automatic");
+                                            : tr("Clicked object");
     if (m_object->itemText(kAutomaticItem) != automatic)
         m_object->setItemText(kAutomaticItem, automatic);
     const int item = isAutomatic || !shown ? (isAutomatic ? kAutomaticItem : kNoneItem)
@@ -222,16 +256,19 @@ void PipelineSwitches::takeConventions(Api api)
 
 void PipelineSwitches::followConventions()
 {
-    const int item = static_cast<int>(m_document.scene().conventions);
-    if (m_conventions->currentIndex() == item)
+    QAction *action = m_conventions->actions()[static_cast<qsizetype>(m_document.scene().conventions)];
+    if (action->isChecked())
         return;
-    m_conventions->setCurrentIndex(item);
+    action->setChecked(true);
     takeTheirLayout();
 }
 
 void PipelineSwitches::takeTheirLayout()
 {
-    m_layoutSwitch->setChoice(conventionsOf(m_document.scene().conventions).areVectorsRows ? 1 : 0);
+    MatrixView view = m_model.view();
+    view.layout =
+        conventionsOf(m_document.scene().conventions).areVectorsRows ? MatrixLayout::Row : MatrixLayout::Column;
+    setMatrixView(view);
 }
 
 } // namespace unprojector::gui

@@ -7,16 +7,19 @@
 #include <string>
 #include <vector>
 
+class QActionGroup;
 class QComboBox;
-class QLabel;
+class QMenu;
+class QToolButton;
 
 namespace unprojector::gui {
 
 class SceneDocument;
 class SegmentedSwitch;
 
-/// How the pipeline is shown: conventions, direction, object, layout, arrangement and digits, which go into the model at once;
-/// with the buttons that copy it and paste matrices. Lessons link to the choices, by the names of actions.
+/// How the pipeline is shown: direction and object, and a menu with layout, arrangement, digits and conventions. Each choice goes
+/// into the model at once. Beside them stand the buttons that copy the pipeline and paste matrices. Lessons link to the choices
+/// by the names of actions.
 class PipelineSwitches : public QWidget {
     Q_OBJECT
 public:
@@ -24,7 +27,7 @@ public:
 
     void setDirection(matrices::PipelineDirection direction);
     void setMatrixView(const MatrixView &view);
-    /// Shows the document's objects, and what its conventions change.
+    /// Shows the document's objects, and the names of its conventions.
     void refresh();
 
 signals:
@@ -34,8 +37,18 @@ signals:
     void pasteWanted();
 
 private:
-    void createActions();
+    struct Choice {
+        QString action;
+        QString text;
+        QString toolTip;
+    };
+    void createFormatMenu();
+    /// A group of the menu under its title: one choice of several.
+    QActionGroup *addGroup(QMenu &menu, const QString &title, const QList<Choice> &choices);
+    void createDirectionActions();
+    void takeView();
     void showObjects();
+    void showFormat();
     void takeConventions(geometry::Api api);
     /// Takes over the document's conventions, seen or not: what is chosen after that stays.
     void followConventions();
@@ -45,11 +58,12 @@ private:
     SceneDocument &m_document;
     PipelineModel &m_model;
     SegmentedSwitch *m_directionSwitch;
-    SegmentedSwitch *m_layoutSwitch;
-    SegmentedSwitch *m_memorySwitch;
-    SegmentedSwitch *m_digitsSwitch;
-    QComboBox *m_conventions;
-    QLabel *m_apiNote;
+    QToolButton *m_format;
+    QActionGroup *m_layouts;
+    QActionGroup *m_arrangements;
+    QActionGroup *m_digits;
+    QMenu *m_conventionsMenu;
+    QActionGroup *m_conventions; ///< in the order of kApis
     QComboBox *m_object;
     std::vector<std::string> m_objectNames; ///< as the combo box lists them
 };

@@ -67,9 +67,8 @@ void PointModel::setDirection(PipelineDirection direction)
 
 void PointModel::show()
 {
-    const bool isColumn = m_view.layout == MatrixLayout::Column;
-    setNumbers(isColumn ? m_shown : 1, isColumn ? 1 : m_shown,
-               Numbers(m_coordinates.begin(), m_coordinates.begin() + m_shown), m_view.digits, m_view.isWhole);
+    setNumbers(1, m_shown, Numbers(m_coordinates.begin(), m_coordinates.begin() + m_shown), m_view.digits,
+               m_view.isWhole);
 }
 
 bool PointModel::isUndivided() const
@@ -79,22 +78,27 @@ bool PointModel::isUndivided() const
 
 QModelIndex PointModel::indexOf(int coordinate) const
 {
-    return m_view.layout == MatrixLayout::Column ? index(coordinate, 0) : index(0, coordinate);
+    return index(0, coordinate);
 }
 
-QString PointModel::label(int row, int column) const
+QString PointModel::label(int, int column) const
 {
-    const QChar axis = QStringLiteral("xyzw")[std::max(row, column)];
+    const QChar axis = QStringLiteral("xyzw")[column];
     return isUndivided() ? axis + QStringLiteral("′") : QString(axis);
 }
 
 QString PointModel::name() const
 {
-    switch (m_space) {
+    return isUndivided() ? tr("eye · w′") : nameOf(m_space);
+}
+
+QString PointModel::nameOf(Space space)
+{
+    switch (space) {
     case Space::Object: return tr("object");
     case Space::World: return tr("world");
     case Space::Eye: return tr("eye");
-    case Space::Clip: return isUndivided() ? tr("eye · w′") : tr("clip");
+    case Space::Clip: return tr("clip");
     case Space::Ndc: return tr("NDC");
     case Space::Window: return tr("window");
     case Space::Widget: return tr("widget");
@@ -114,7 +118,7 @@ std::vector<double> PointModel::coordinates() const
 
 Qt::ItemFlags PointModel::flags(const QModelIndex &index) const
 {
-    const bool isOwn = std::max(index.row(), index.column()) < m_own;
+    const bool isOwn = index.column() < m_own;
     const Qt::ItemFlags flags = NumberGridModel::flags(index);
     return isOwn && isTypable() ? flags | Qt::ItemIsEditable : flags;
 }
@@ -126,7 +130,7 @@ bool PointModel::setData(const QModelIndex &index, const QVariant &value, int ro
     const QString text = value.toString().trimmed();
     if (text == data(index, Qt::EditRole).toString()) // nothing was typed
         return false;
-    emit typed(std::max(index.row(), index.column()), text);
+    emit typed(index.column(), text);
     return true;
 }
 
@@ -159,7 +163,6 @@ QString PointModel::toolTip(int row, int column) const
 {
     const QString number = NumberGridModel::fullText(row, column);
     const QString axis = label(row, column);
-    column = std::max(row, column); // of x, y, z, w
     if (isUndivided())
         return column == 3 ? tr("%1 = %2\nwhat x′, y′ and z′ are divided by").arg(axis, number)
                            : tr("%1 = %2\nof the eye point before the division by its own w′").arg(axis, number);

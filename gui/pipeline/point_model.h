@@ -13,7 +13,7 @@
 
 namespace unprojector::gui {
 
-/// One point of the pipeline: a column of x, y, z and w, or a row of them where vectors are rows. w is 1 in every space but
+/// One point of the pipeline: x, y, z and w in a line. w is 1 in every space but
 /// clip, and on the way back before the division; a widget position has no more than x and y.
 class PointModel : public NumberGridModel {
     Q_OBJECT
@@ -51,6 +51,8 @@ public:
     /// How many coordinates a point of the space has.
     std::size_t ownCount() const { return static_cast<std::size_t>(m_own); }
     /// "world"
+    static QString nameOf(Space space);
+    /// The same; of the numbers before the division on the way back "eye · w′".
     QString name() const;
     /// Where a coordinate stands: 0 for x, 3 for w.
     QModelIndex indexOf(int coordinate) const;

@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace unprojector::gui {
@@ -30,9 +31,34 @@ QString stageName(PipelineStage stage, PipelineDirection direction)
     case PipelineStage::ProjectionMatrix: name = Texts::tr("Projection"); break;
     case PipelineStage::ViewportMatrix: name = Texts::tr("Viewport"); break;
     case PipelineStage::ModelviewMatrix: name = Texts::tr("Modelview"); break;
-    case PipelineStage::WholeMatrix: name = QStringLiteral("MVPW"); break;
+    case PipelineStage::WholeMatrix: name = Texts::tr("All"); break;
     }
     return direction == PipelineDirection::Forward ? name : name + QStringLiteral("⁻¹");
+}
+
+QString stageSpaces(PipelineStage stage, PipelineDirection direction)
+{
+    using Space = PointModel::Space;
+    const auto ends = [stage] {
+        switch (stage) {
+        case PipelineStage::ModelMatrix: return std::pair(Space::Object, Space::World);
+        case PipelineStage::ViewMatrix: return std::pair(Space::World, Space::Eye);
+        case PipelineStage::ProjectionMatrix: return std::pair(Space::Eye, Space::Clip);
+        case PipelineStage::ViewportMatrix: return std::pair(Space::Ndc, Space::Window);
+        case PipelineStage::ModelviewMatrix: return std::pair(Space::Object, Space::Eye);
+        case PipelineStage::WholeMatrix: return std::pair(Space::Object, Space::Window);
+        }
+        Q_UNREACHABLE();
+    };
+    auto [from, to] = ends();
+    if (direction == PipelineDirection::Backward)
+        std::swap(from, to);
+    return QStringLiteral("%1 → %2").arg(PointModel::nameOf(from), PointModel::nameOf(to));
+}
+
+QString stageTitle(PipelineStage stage, PipelineDirection direction)
+{
+    return Texts::tr("%1: %2").arg(stageName(stage, direction), stageSpaces(stage, direction));
 }
 
 QString productText(PipelineStage stage, PipelineDirection direction, MatrixLayout layout)

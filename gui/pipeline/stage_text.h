@@ -8,6 +8,10 @@ namespace unprojector::gui {
 
 // What the pipeline's panel writes at its stages.
 
+/// "eye → clip", backward "clip → eye".
+QString stageSpaces(matrices::PipelineStage stage, matrices::PipelineDirection direction);
+/// "Projection: eye → clip"
+QString stageTitle(matrices::PipelineStage stage, matrices::PipelineDirection direction);
 /// "View", backward "View⁻¹".
 QString stageName(matrices::PipelineStage stage, matrices::PipelineDirection direction);
 /// The factors of a combined matrix in the order they are written in; empty for a single one.

@@ -13,6 +13,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPainter>
+#include <QScopedValueRollback>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -61,9 +62,17 @@ void NumberGrid::useFont()
     fit();
 }
 
+void NumberGrid::hideLabels()
+{
+    m_showsLabels = false;
+    fit();
+}
+
 /// Characters of the longest label and a blank.
 int NumberGrid::labelLength() const
 {
+    if (!m_showsLabels)
+        return 0;
     qsizetype longest = 0;
     for (int row = 0; row < m_model->rowCount(); ++row) {
         for (int column = 0; column < m_model->columnCount(); ++column)
@@ -130,7 +139,8 @@ void NumberGrid::paintEvent(QPaintEvent *)
                 painter.fillRect(cell, palette().brush(QPalette::Highlight));
             else if (index.data(NumberGridModel::kMarkedRole).toBool())
                 painter.fillRect(cell, marked);
-            if (const QString label = index.data(NumberGridModel::kLabelRole).toString(); !label.isEmpty()) {
+            if (const QString label = index.data(NumberGridModel::kLabelRole).toString();
+                m_showsLabels && !label.isEmpty()) {
                 painter.setPen(isSelected ? selectedText : labelText);
                 painter.drawText(QPointF(cell.x() + kCellMargin + kBracketWidth, cell.y() + ascent), label);
             }
@@ -251,15 +261,23 @@ void NumberGrid::contextMenuEvent(QContextMenuEvent *event)
 void NumberGrid::currentChanged(const QModelIndex &current, const QModelIndex &previous)
 {
     QTableView::currentChanged(current, previous);
-    if (current.isValid())
+    if (current.isValid() && !m_isReached)
         emit entered(current);
 }
 
 void NumberGrid::focusInEvent(QFocusEvent *event)
 {
-    QTableView::focusInEvent(event);
+    const bool isByTab = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+    {
+        const QScopedValueRollback reaching(m_isReached, isByTab); // a first focus makes the first number current
+        QTableView::focusInEvent(event);
+    }
     const bool isNew = event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason;
-    if (isNew && currentIndex().isValid())
+    if (!isNew || !currentIndex().isValid())
+        return;
+    if (isByTab)
+        emit reached(currentIndex());
+    else
         emit entered(currentIndex());
 }
 

@@ -23,14 +23,19 @@ public:
     /// The selected numbers with all digits, a row a line, tab-separated.
     QString selectedText() const;
 
+    /// Leaves the model's labels out: what stands above the columns names them.
+    void hideLabels();
+
     /// What is being typed counts now.
     void applyTyped();
 
     QSize minimumSizeHint() const override;
 
 signals:
-    /// A number became the current one, or came into the focus again.
+    /// A number became the current one, or came into the focus again; not by the Tab key.
     void entered(const QModelIndex &index);
+    /// The Tab key brought the focus to a number.
+    void reached(const QModelIndex &index);
 
 protected:
     void currentChanged(const QModelIndex &current, const QModelIndex &previous) override;
@@ -52,6 +57,8 @@ private:
     int widthOf(int characters) const;
 
     NumberGridModel *m_model;
+    bool m_showsLabels = true;
+    bool m_isReached = false; ///< while the Tab key brings the focus
 };
 
 } // namespace unprojector::gui

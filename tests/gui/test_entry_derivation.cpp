@@ -9,6 +9,7 @@
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/widgets/number_grid.h"
 #include "gui/widgets/steady_label.h"
+#include "tests/support/patience.h"
 
 #include <QRegularExpression>
 
@@ -45,6 +46,9 @@ private slots:
     void whatRoundingLeavesIsSaidToBeZero();
     void aGivenPointThatTheWayDoesNotMakeIsSaidToDiffer();
     void aClickOrAKeyShowsItAndMarksItsSource();
+    void itStandsBelowTheMatrixOfItsStep();
+    void aNumberOfAMatrixExplainsItsRow();
+    void theTabKeyOpensNothing();
     void nothingOfItIsCutOff_data();
     void nothingOfItIsCutOff();
 };
@@ -54,23 +58,23 @@ void TestEntryDerivation::aRowTimesTheVectorIsWrittenOut()
     SceneDocument document;
     openFigures(document);
     PipelineModel model(document);
-    QVERIFY(derivation(document, model, Space::Clip, 1).contains(QStringLiteral("no number")));
+    QVERIFY(derivation(document, model, Space::Clip, 1).contains(QStringLiteral("no number yet")));
     pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
     model.update();
     const auto shown = [&](Space space, int coordinate) { return derivation(document, model, space, coordinate); };
-    QCOMPARE(shown(Space::Clip, 1), QStringLiteral("clip y = row 2 of clipFromEye · eye\n"
+    QCOMPARE(shown(Space::Clip, 1), QStringLiteral("clip y = row 2 of Projection · eye\n"
                                                    "= 0 · 2.2 + 0.1 · (-4.2) + 0 · (-7) + 0 · 1 = -0.42"));
     QCOMPARE(shown(Space::Ndc, 0), QStringLiteral("NDC x = clip x / clip w\n= 0.22 / 1 = 0.22"));
-    QCOMPARE(shown(Space::Window, 0), QStringLiteral("window x = row 1 of windowFromNdc · NDC\n"
+    QCOMPARE(shown(Space::Window, 0), QStringLiteral("window x = row 1 of Viewport · NDC\n"
                                                      "= 25 · 0.22 + 0 · (-0.42) + 0 · 0.7 + 25 · 1 = 30.5\n"
                                                      "= (NDC x + 1) · w/2 + vx = (0.22 + 1) · 25 + 0"));
     QCOMPARE(shown(Space::Widget, 1), QStringLiteral("widget y = 50 - window y\n= 50 - 14.5 = 35.5"));
-    QVERIFY(shown(Space::Object, 0).contains(QStringLiteral("begins here")));
+    QVERIFY(shown(Space::Object, 0).contains(QStringLiteral("start of the forward path")));
     model.setView({MatrixLayout::Row, true, Digits::Double});
-    QCOMPARE(shown(Space::Clip, 1), QStringLiteral("clip y = eye · column 2 of clipFromEye\n"
+    QCOMPARE(shown(Space::Clip, 1), QStringLiteral("clip y = eye · column 2 of Projection\n"
                                                    "= 2.2 · 0 - 4.2 · 0.1 - 7 · 0 + 1 · 0 = -0.42"));
     model.setDirection(PipelineDirection::Backward);
-    QVERIFY(shown(Space::Clip, 3).startsWith(QStringLiteral("w′ = NDC · column 4 of eyeFromClip\n")));
+    QVERIFY(shown(Space::Clip, 3).startsWith(QStringLiteral("w′ = NDC · column 4 of Projection⁻¹\n")));
     QCOMPARE(shown(Space::Eye, 2), QStringLiteral("eye z = z′ / w′\n= -7 / 1 = -7"));
     QVERIFY(shown(Space::Window, 2).contains(QStringLiteral("read at the click")));
 }
@@ -183,7 +187,7 @@ void TestEntryDerivation::aClickOrAKeyShowsItAndMarksItsSource()
     }
     QVERIFY(isMarked(clip->indexOf(1)) && !isMarked(clip->indexOf(0)));
     const int height = label->height();
-    QTest::keyClick(grid, Qt::Key_Down);
+    QTest::keyClick(grid, Qt::Key_Right);
     QVERIFY(shown().startsWith(QStringLiteral("clip z = row 3")));
     QCOMPARE(label->height(), height);
     QVERIFY(isMarked(matrix->indexOf(2, 0)) && !isMarked(matrix->indexOf(1, 0)));
@@ -194,6 +198,111 @@ void TestEntryDerivation::aClickOrAKeyShowsItAndMarksItsSource()
     setCamera(document, {WorldPoint(0, 0, 8), WorldPoint(0, 0, 0), {0, 1, 0}});
     QVERIFY2(shown().contains(QStringLiteral("(-0.1)")) && shown().contains(QStringLiteral("- 10 ")),
              qPrintable(shown()));
+}
+
+namespace {
+
+/// A panel with a picked point, in sight.
+struct ShownPanel {
+    SceneDocument document;
+    std::unique_ptr<PipelinePanel> panel;
+
+    ShownPanel()
+    {
+        openFigures(document);
+        pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
+        panel = std::make_unique<PipelinePanel>(document);
+        panel->resize(460, 900);
+        panel->show();
+    }
+    /// Then clicks bring the focus.
+    bool becomesActive() const
+    {
+        panel->activateWindow();
+        return QTest::qWaitForWindowActive(panel.get(), kPatienceMilliseconds);
+    }
+    NumberGrid *gridOf(const QAbstractItemModel *model) const
+    {
+        for (NumberGrid *grid : panel->findChildren<NumberGrid *>()) {
+            if (grid->model() == model)
+                return grid;
+        }
+        return nullptr;
+    }
+    NumberGrid *gridOf(Space space) const { return gridOf(panel->model().point(space)); }
+    NumberGrid *gridOf(Stage stage) const { return gridOf(panel->model().matrix(stage)); }
+    const SteadyLabel *label() const { return panel->findChild<SteadyLabel *>(QStringLiteral("derivation")); }
+    int topOf(const QWidget *widget) const { return widget->mapTo(panel.get(), QPoint()).y(); }
+};
+
+void click(NumberGrid *grid, const QModelIndex &cell)
+{
+    QTest::mouseClick(grid->viewport(), Qt::LeftButton, {}, grid->visualRect(cell).center());
+}
+
+} // namespace
+
+void TestEntryDerivation::itStandsBelowTheMatrixOfItsStep()
+{
+    const ShownPanel shown;
+    QVERIFY(shown.becomesActive());
+    const PipelineModel &model = shown.panel->model();
+    for (const bool areAllOpen : {false, true}) {
+        shown.panel->setAllOpen(areAllOpen);
+        for (const auto &[space, stage] :
+             {std::pair(Space::World, Stage::ModelMatrix), std::pair(Space::Eye, Stage::ViewMatrix),
+              std::pair(Space::Clip, Stage::ProjectionMatrix), std::pair(Space::Window, Stage::ViewportMatrix)}) {
+            click(shown.gridOf(space), model.point(space)->indexOf(0));
+            const NumberGrid *matrix = shown.gridOf(stage);
+            QVERIFY(matrix->isVisible() && shown.label()->isVisible());
+            const auto below = [&shown, matrix] {
+                return shown.topOf(shown.label()) - shown.topOf(matrix) - matrix->height();
+            };
+            QTRY_VERIFY_WITH_TIMEOUT(below() >= 0 && below() < shown.label()->fontMetrics().height(),
+                                     kPatienceMilliseconds);
+        }
+        for (const Space space : {Space::Ndc, Space::Widget, Space::Object}) { // which no matrix leads to
+            click(shown.gridOf(space), model.point(space)->indexOf(0));
+            QVERIFY(shown.label()->isVisible());
+            QCOMPARE(shown.gridOf(Stage::ProjectionMatrix)->isVisible(), areAllOpen);
+        }
+        if (areAllOpen) // where the path starts
+            QTRY_VERIFY_WITH_TIMEOUT(shown.topOf(shown.label()) < shown.topOf(shown.gridOf(Stage::ModelMatrix)),
+                                     kPatienceMilliseconds);
+    }
+}
+
+void TestEntryDerivation::aNumberOfAMatrixExplainsItsRow()
+{
+    const ShownPanel shown;
+    const MatrixModel *matrix = shown.panel->model().matrix(Stage::ProjectionMatrix);
+    for (const MatrixView &view :
+         {MatrixView{}, MatrixView{MatrixLayout::Row}, MatrixView{MatrixLayout::Column, true}}) {
+        shown.panel->setMatrixView(view);
+        click(shown.gridOf(Stage::ProjectionMatrix), matrix->indexOf(2, 1));
+        QVERIFY2(shown.label()->text().startsWith(QStringLiteral("clip z")), qPrintable(shown.label()->text()));
+        QVERIFY(matrix->indexOf(2, 3).data(NumberGridModel::kMarkedRole).toBool());
+        click(shown.gridOf(Stage::ProjectionMatrix), matrix->indexOf(0, 0));
+        QVERIFY(shown.label()->text().startsWith(QStringLiteral("clip x")));
+    }
+}
+
+void TestEntryDerivation::theTabKeyOpensNothing()
+{
+    const ShownPanel shown;
+    QVERIFY(shown.becomesActive());
+    NumberGrid *window = shown.gridOf(Space::Window);
+    shown.gridOf(Space::Eye)->setFocus(Qt::TabFocusReason);
+    QVERIFY(shown.label()->text().startsWith(QStringLiteral("Click a number")));
+    window->setFocus(Qt::TabFocusReason);
+    QVERIFY(shown.gridOf(Stage::ProjectionMatrix)->isVisible() && !shown.gridOf(Stage::ViewportMatrix)->isVisible());
+    // Where its matrix is open, it is explained; and an arrow key opens it.
+    shown.gridOf(Space::Clip)->setFocus(Qt::TabFocusReason);
+    QVERIFY(shown.label()->text().startsWith(QStringLiteral("clip x")));
+    window->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(window, Qt::Key_Right);
+    QVERIFY(shown.gridOf(Stage::ViewportMatrix)->isVisible());
+    QVERIFY(shown.label()->text().startsWith(QStringLiteral("window y")));
 }
 
 void TestEntryDerivation::nothingOfItIsCutOff_data()
@@ -227,7 +336,7 @@ void TestEntryDerivation::nothingOfItIsCutOff()
         panel.setDirection(direction);
         for (NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
             const auto *point = qobject_cast<const PointModel *>(grid->model());
-            for (int which = 0; point && which < point->rowCount(); ++which) {
+            for (int which = 0; point && which < point->columnCount(); ++which) {
                 grid->setCurrentIndex(point->indexOf(which));
                 const QRect room(0, 0, label->width(), 1 << 16);
                 const int needed =

@@ -120,7 +120,7 @@ void TestGivenPoint::aTypedNumberIsAPointBothWays()
     QVERIFY(isPoint(shown.model().point(Space::Clip), {0, 0, 0.8, 1}));
     QVERIFY(isPoint(shown.model().point(Space::Window), {25, 25, 0.9}));
     QVERIFY(isPoint(shown.model().point(Space::Widget), {25, 25}));
-    QVERIFY(shown.tells(QStringLiteral("given in eye coordinates")));
+    QVERIFY(shown.tells(QStringLiteral("Your point in eye coordinates")));
     QVERIFY(shown.document.scene().givenPoint->point == GivenPoint{EyePoint(0, 0, -8)}.point);
     QVERIFY(givenWorld(shown.document.scene(), shown.document.setup()).value() == WorldPoint(0, 0, -3));
     QVERIFY(shown.document.isEdited());

@@ -227,6 +227,7 @@ void TestHelpLinks::theStepsOfAMatrixLeadToHelp()
         QVERIFY(editConventions(document, Api::Direct3d, {QStringLiteral("Conventions")}));
         PipelinePanel panel(document);
         panel.show();
+        panel.setAllOpen(true);
         for (QToolButton *button : panel.findChildren<QToolButton *>(QStringLiteral("takeApart")))
             button->click();
         links += linksOf(panel);

@@ -651,6 +651,7 @@ void TestPasteMatrices::pasteInThePipelineOpensTheDialog()
     panel.resize(460, 2000);
     panel.show();
     QVERIFY(QTest::qWaitForWindowExposed(&panel, kPatienceMilliseconds));
+    panel.open(PointModel::Space::Eye);
     QGuiApplication::clipboard()->setText(printed(view(), "Eigen"));
     const QSignalSpy typedCounts(&panel, &PipelinePanel::aboutToPaste);
     for (NumberGrid *grid : panel.findChildren<NumberGrid *>()) {

@@ -4,6 +4,7 @@
 #include "pipeline_figures.h"
 
 #include "gui/document/camera_looks.h"
+#include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 #include "gui/pipeline/factor_drawing.h"
 #include "gui/pipeline/factor_shares.h"
@@ -12,6 +13,7 @@
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/widgets/number_grid.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -38,7 +40,8 @@ private slots:
     void aTooltipNamesTheEntry();
     void hiddenItStandsStillAndCatchesUpWhenShown();
     void numbersThatAreTooLongLoseDigitsNotPlaces();
-    void theHeadingOpensAndCloses();
+    void aStageOpensItsMatrix();
+    void chainAndAMatrixFitASmallPanel();
     void aMatrixIsTakenApartAndItsFactorsFollow();
     void partsOfTheFactorsActAsTheSlidersSay();
     void theVolumeIsDrawnAsItIsCarried();
@@ -109,26 +112,86 @@ void TestPipelineWidgets::numbersThatAreTooLongLoseDigitsNotPlaces()
     QCOMPARE(view->index(2, 3).data().toString().size(), view->index(0, 3).data().toString().size());
 }
 
-void TestPipelineWidgets::theHeadingOpensAndCloses()
+namespace {
+
+QToolButton *opener(const PipelinePanel &panel, const QString &text)
+{
+    for (QToolButton *button : panel.findChild<PipelineChain *>()->findChildren<QToolButton *>()) {
+        if (button->text() == text)
+            return button;
+    }
+    return nullptr;
+}
+
+/// The titles of the matrices in sight.
+QStringList titles(const PipelinePanel &panel)
+{
+    QStringList shown;
+    for (const MatrixSection *section : panel.findChildren<MatrixSection *>()) {
+        if (section->isVisible())
+            shown << section->findChild<QLabel *>()->text();
+    }
+    return shown;
+}
+
+} // namespace
+
+void TestPipelineWidgets::aStageOpensItsMatrix()
 {
     SceneDocument document;
     openFigures(document);
     PipelinePanel panel(document);
     panel.resize(420, 1500);
     panel.show();
-    int open = 0;
-    const QList<MatrixSection *> sections = panel.findChildren<MatrixSection *>();
-    QCOMPARE(sections.size(), 8); // with those of a given projection and view
-    for (const MatrixSection *section : sections)
-        open += section->isOpen() ? 1 : 0;
-    QCOMPARE(open, 6);
-    MatrixSection *first = sections.front();
-    const bool wasOpen = first->isOpen();
-    auto *heading = first->findChild<QToolButton *>();
-    heading->setFocus();
-    QTest::keyClick(heading, Qt::Key_Space);
-    QCOMPARE(first->isOpen(), !wasOpen);
-    QCOMPARE(first->findChild<NumberGrid *>()->isVisible(), !wasOpen);
+    QCOMPARE(titles(panel), QStringList{QStringLiteral("Projection: eye → clip")});
+    const auto press = [&panel](const QString &name) { QTest::keyClick(opener(panel, name), Qt::Key_Space); };
+    for (const auto &[name, title] :
+         {std::pair("world", "Model: object → world"), std::pair("eye", "View: world → eye"),
+          std::pair("clip", "Projection: eye → clip"), std::pair("window", "Viewport: NDC → window"),
+          std::pair("Modelview", "Modelview: object → eye"),
+          std::pair("All: object → window", "All: object → window")}) {
+        press(QString::fromUtf8(name));
+        QCOMPARE(titles(panel), QStringList{QString::fromUtf8(title)});
+        QVERIFY(opener(panel, QString::fromUtf8(name))->isChecked());
+        press(QString::fromUtf8(name)); // again: it stays
+        QCOMPARE(titles(panel).size(), 1);
+        QVERIFY(opener(panel, QString::fromUtf8(name))->isChecked());
+    }
+    press(QStringLiteral("NDC")); // the division
+    QVERIFY(titles(panel).isEmpty());
+    panel.setDirection(PipelineDirection::Backward);
+    press(QStringLiteral("NDC"));
+    QCOMPARE(titles(panel), QStringList{QStringLiteral("Viewport⁻¹: window → NDC")});
+    press(QStringLiteral("Open all"));
+    QCOMPARE(titles(panel).size(), 6);
+    press(QStringLiteral("Open all"));
+    QCOMPARE(titles(panel).size(), 1);
+}
+
+void TestPipelineWidgets::chainAndAMatrixFitASmallPanel()
+{
+    SceneDocument document;
+    openFigures(document);
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
+    PipelinePanel panel(document);
+    const int line = panel.fontMetrics().lineSpacing();
+    panel.resize(420, 26 * line);
+    panel.show();
+    for (const PipelineDirection direction : {PipelineDirection::Forward, PipelineDirection::Backward}) {
+        panel.setDirection(direction);
+        for (const Space space : {Space::World, Space::Eye, Space::Clip}) {
+            panel.open(space);
+            QCoreApplication::processEvents();
+            int seen = 0;
+            for (const NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
+                if (!grid->isVisible())
+                    continue;
+                ++seen;
+                QVERIFY2(grid->visibleRegion().boundingRect() == grid->rect(), qPrintable(grid->accessibleName()));
+            }
+            QVERIFY(seen >= PointModel::kSpaces);
+        }
+    }
 }
 
 void TestPipelineWidgets::aMatrixIsTakenApartAndItsFactorsFollow()
@@ -140,9 +203,10 @@ void TestPipelineWidgets::aMatrixIsTakenApartAndItsFactorsFollow()
     panel.show();
     const QList<QToolButton *> buttons = panel.findChildren<QToolButton *>(QStringLiteral("takeApart"));
     QCOMPARE(buttons.size(), 2);
-    QCOMPARE(buttons.back()->accessibleName(), QStringLiteral("Take clipFromEye apart"));
+    QCOMPARE(buttons.back()->accessibleName(), QStringLiteral("Take Projection apart"));
     const FactorsView *view = panel.findChildren<FactorsView *>().back();
     QVERIFY(!view->isVisible());
+    panel.open(Space::Clip);
     QTest::keyClick(buttons.back(), Qt::Key_Space);
     QVERIFY(view->isVisible());
     const auto grids = [view] {
@@ -221,7 +285,7 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
     QVERIFY(has(QStringLiteral("This is the matrix of glOrtho, to ")));
     QVERIFY(std::abs(product()[3][2] + 11.0 / 7.0) < kRounding);
     QVERIFY(has(QStringLiteral("from −1 to 1 in x, from −1 to 1 in y, from −1 to 1 in z")));
-    QCOMPARE(sliders()[0]->accessibleName(), QStringLiteral("How much of T, percent"));
+    QCOMPARE(sliders()[0]->accessibleName(), QStringLiteral("Strength of T, percent"));
     const QPointF middle = QRectF(sliders()[0]->rect()).center();
     QWheelEvent past(middle, sliders()[0]->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
                      Qt::NoScrollPhase, false);
@@ -383,17 +447,18 @@ void TestPipelineWidgets::theConventionsAreChosenUndoably()
     openFigures(document);
     PipelinePanel panel(document);
     panel.show();
-    auto *choice = panel.findChild<QComboBox *>(QStringLiteral("conventions"));
-    QVERIFY(choice);
-    const auto choose = [choice](Api api) { emit choice->activated(static_cast<int>(api)); };
+    const auto action = [&panel](Api api) {
+        return panel.findChild<QAction *>(QStringLiteral("conventions_") + QLatin1String(conventionsOf(api).key));
+    };
+    const auto choose = [&action](Api api) { action(api)->trigger(); };
     choose(Api::OpenCascade);
     QVERIFY(document.scene().conventions == Api::OpenCascade);
-    QCOMPARE(choice->currentIndex(), static_cast<int>(Api::OpenCascade));
+    QVERIFY(action(Api::OpenCascade)->isChecked());
     QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
     QVERIFY(document.isModified());
     document.undoStack().undo();
     QVERIFY(document.scene().conventions == Api::OpenGl);
-    QCOMPARE(choice->currentIndex(), 0);
+    QVERIFY(action(Api::OpenGl)->isChecked());
     QVERIFY(panel.matrixView().layout == MatrixLayout::Column);
 }
 
@@ -410,7 +475,7 @@ void TestPipelineWidgets::theConventionsBringTheirLayoutOnce()
     QVERIFY(editConventions(document, Api::OpenGl, {QStringLiteral("Conventions")}));
     panel.setMatrixView({MatrixLayout::Row, true});
     panel.show();
-    QCOMPARE(panel.findChild<QComboBox *>(QStringLiteral("conventions"))->currentIndex(), 0);
+    QVERIFY(panel.findChild<QAction *>(QStringLiteral("conventions_opengl"))->isChecked());
     QVERIFY(panel.matrixView() == (MatrixView{MatrixLayout::Row, true}));
 }
 
@@ -426,8 +491,7 @@ void TestPipelineWidgets::aHiddenPanelTakesTheirLayoutToo()
     panel.setMatrixView({});
     QVERIFY(editGivenPoint(document, GivenPoint{ObjectPoint(1, 2, 3), {}}, {QStringLiteral("Point")}));
     panel.show();
-    QCOMPARE(panel.findChild<QComboBox *>(QStringLiteral("conventions"))->currentIndex(),
-             static_cast<int>(Api::Direct3d));
+    QVERIFY(panel.findChild<QAction *>(QStringLiteral("conventions_direct3d"))->isChecked());
     QVERIFY(panel.matrixView() == MatrixView());
 }
 
