@@ -118,9 +118,9 @@ void MatrixSection::setHelp(const QString &anchor)
     m_help->show();
 }
 
-void MatrixSection::takeApart()
+void MatrixSection::setApart(bool isApart)
 {
-    m_takeApart->setChecked(true);
+    m_takeApart->setChecked(isApart);
 }
 
 bool MatrixSection::showsFactors() const

@@ -30,8 +30,8 @@ public:
 
     /// Adds a button that takes the matrix apart, and below the matrix its factors, folded at first.
     FactorsView *addFactors();
-    /// Shows the factors. @pre addFactors()
-    void takeApart();
+    /// Shows the factors, or hides them. @pre addFactors()
+    void setApart(bool isApart);
     /// Whether the factors are to be seen while the section is; only then they need be kept up to date.
     bool showsFactors() const;
 

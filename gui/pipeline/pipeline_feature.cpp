@@ -120,8 +120,10 @@ bool PipelineFeature::follow(const lessons::Link &link)
 
 void PipelineFeature::showStep(const lessons::Step *step)
 {
-    if (!std::exchange(m_isInLesson, step != nullptr) && step)
-        m_pipeline->scrollToTop(); // a lesson begins as if none had been before it
+    const bool isInLesson = step != nullptr;
+    // A lesson begins as if none had been before it, and leaves nothing taken apart.
+    if (std::exchange(m_isInLesson, isInLesson) != isInLesson)
+        m_pipeline->startOver();
 }
 
 QVariantMap PipelineFeature::state() const
@@ -133,7 +135,8 @@ QVariantMap PipelineFeature::state() const
             {QStringLiteral("isMemoryOrder"), view.isMemoryOrder},
             {QStringLiteral("digits"), static_cast<int>(view.digits)},
             {QStringLiteral("isWhole"), view.isWhole},
-            {QStringLiteral("areAllOpen"), m_pipeline->areAllOpen()}};
+            {QStringLiteral("areAllOpen"), m_pipeline->areAllOpen()},
+            {QStringLiteral("opened"), QVariant::fromValue(m_pipeline->opened())}};
 }
 
 void PipelineFeature::restore(const QVariantMap &state)
@@ -147,6 +150,7 @@ void PipelineFeature::restore(const QVariantMap &state)
          state[QStringLiteral("isMemoryOrder")].toBool(), static_cast<Digits>(state[QStringLiteral("digits")].toInt()),
          state[QStringLiteral("isWhole")].toBool()});
     m_pipeline->setAllOpen(state[QStringLiteral("areAllOpen")].toBool());
+    m_pipeline->open(state[QStringLiteral("opened")].value<ChainPart>());
 }
 
 Feature *makePipelineFeature(Window &window)

@@ -47,11 +47,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     createStages();
     layout->addWidget(m_scrollArea, 1);
 
-    connect(m_chain, &PipelineChain::partChosen, this, [this](const ChainPart &part) {
-        if (part != m_opened)
-            m_derivation->clear();
-        open(part);
-    });
+    connect(m_chain, &PipelineChain::partChosen, this, &PipelinePanel::open);
     connect(m_chain, &PipelineChain::numberChosen, this, &PipelinePanel::explain);
     connect(m_chain, &PipelineChain::numberReached, this, [this](Space space, int coordinate) {
         if (isOpen(space)) // else the Tab key could not leave the chain for the matrix that is open
@@ -198,6 +194,13 @@ void PipelinePanel::followDirection()
 
 void PipelinePanel::open(const ChainPart &part)
 {
+    if (part != m_opened)
+        m_derivation->clear();
+    showPart(part);
+}
+
+void PipelinePanel::showPart(const ChainPart &part)
+{
     const bool isOther = part != m_opened;
     m_opened = part;
     showOpened();
@@ -225,7 +228,7 @@ void PipelinePanel::explain(Space space, int coordinate)
     if (isSeen) // walking through its numbers scrolls nothing
         m_opened = space;
     else
-        open(space);
+        showPart(space);
 }
 
 bool PipelinePanel::isOpen(PipelineStage stage) const
@@ -390,10 +393,7 @@ void PipelinePanel::openMatrix(PipelineStage stage)
 void PipelinePanel::openStep(PipelineStage stage)
 {
     const std::optional<Space> space = spaceMadeBy(stage, m_model->direction());
-    const ChainPart part = space ? ChainPart(*space) : ChainPart(stage);
-    if (part != m_opened)
-        m_derivation->clear();
-    open(part);
+    open(space ? ChainPart(*space) : ChainPart(stage));
 }
 
 void PipelinePanel::takeApart(PipelineStage stage)
@@ -401,7 +401,7 @@ void PipelinePanel::takeApart(PipelineStage stage)
     m_switches->setDirection(PipelineDirection::Forward);
     openStep(stage);
     MatrixSection &section = *m_sections[static_cast<std::size_t>(stage)];
-    section.takeApart();
+    section.setApart(true);
     scrollTo(section, stage == PipelineStage::ProjectionMatrix ? &m_projectionFactors->shares() : nullptr);
 }
 
@@ -420,8 +420,12 @@ void PipelinePanel::scrollTo(const QWidget &row, const QWidget *tried)
     });
 }
 
-void PipelinePanel::scrollToTop()
+void PipelinePanel::startOver()
 {
+    m_derivation->clear();
+    for (const PipelineStage stage : {PipelineStage::ViewMatrix, PipelineStage::ProjectionMatrix})
+        m_sections[static_cast<std::size_t>(stage)]->setApart(false);
+    showOpened();
     QTimer::singleShot(0, this, [this] { m_scrollArea->verticalScrollBar()->setValue(0); });
 }
 

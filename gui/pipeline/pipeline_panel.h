@@ -37,7 +37,8 @@ public:
     void setMatrixView(const MatrixView &view);
 
     const ChainPart &opened() const { return m_opened; }
-    /// Shows the step to a space, or a product, and no other step unless all are open.
+    /// Shows the step to a space, or a product, and no other step unless all are open. What was explained of another step no
+    /// longer is.
     void open(const ChainPart &part);
     bool areAllOpen() const { return m_chain->areAllOpen(); }
     void setAllOpen(bool areOpen) { m_chain->setAllOpen(areOpen); }
@@ -45,8 +46,8 @@ public:
     /// Follows the point that is given, also where a click came after it.
     void followGiven() { m_model->followGiven(true); }
 
-    /// Back to the first row.
-    void scrollToTop();
+    /// Back to the first row; no number is explained and no matrix taken apart any more.
+    void startOver();
     /// Shows the factors of the view's or the projection's matrix, forward, and what there is to try with them.
     void takeApart(matrices::PipelineStage stage);
     /// Opens a matrix and scrolls to it.
@@ -78,6 +79,7 @@ private:
     void arrange();
     /// Keeps the matrix open that is, or the explanation of the chosen number.
     void followDirection();
+    void showPart(const ChainPart &part);
     /// Opens the step to a space and explains the number below it.
     void explain(PointModel::Space space, int coordinate);
     /// Hides what is not open, and puts the explanation below the step that it is of.

@@ -15,6 +15,7 @@
 #include <QMap>
 #include <QTest>
 #include <QTextBrowser>
+#include <QToolButton>
 
 #include <cmath>
 
@@ -242,12 +243,19 @@ void TestAroundLessons::takingApartGoesBack()
     const auto window = windowOfSize(kWide);
     auto *pipeline = window->findChild<PipelinePanel *>();
     pipeline->setDirection(PipelineDirection::Backward);
+    pipeline->open(PointModel::Space::Window);
+    pipeline->setAllOpen(true);
+    const QList<QToolButton *> apart = pipeline->findChildren<QToolButton *>(QStringLiteral("takeApart"));
     QVERIFY(part<LessonPlayer>(*window).start("derivation"));
+    pipeline->setAllOpen(false);
     follow(*window, QStringLiteral("apart:projection"));
+    QVERIFY(apart.back()->isChecked() && pipeline->opened() == ChainPart(PointModel::Space::Clip));
     QCOMPARE(pipeline->direction(), PipelineDirection::Forward);
     follow(*window, QStringLiteral("action:rows"));
     QVERIFY(part<LessonPlayer>(*window).leave());
     QCOMPARE(pipeline->direction(), PipelineDirection::Backward);
+    QVERIFY(pipeline->opened() == ChainPart(PointModel::Space::Window) && pipeline->areAllOpen());
+    QVERIFY(!apart.front()->isChecked() && !apart.back()->isChecked());
 }
 
 void TestAroundLessons::aWindowThatGrewIsAsBefore()

@@ -18,6 +18,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -42,6 +43,8 @@ private slots:
     void numbersThatAreTooLongLoseDigitsNotPlaces();
     void aStageOpensItsMatrix();
     void chainAndAMatrixFitASmallPanel();
+    void theFormatMenuNamesItsGroups();
+    void anotherDirectionKeepsTheMatrix();
     void aMatrixIsTakenApartAndItsFactorsFollow();
     void partsOfTheFactorsActAsTheSlidersSay();
     void theVolumeIsDrawnAsItIsCarried();
@@ -191,6 +194,50 @@ void TestPipelineWidgets::chainAndAMatrixFitASmallPanel()
             }
             QVERIFY(seen >= PointModel::kSpaces);
         }
+    }
+}
+
+void TestPipelineWidgets::theFormatMenuNamesItsGroups()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    panel.show();
+    const auto *format = panel.findChild<QToolButton *>(QStringLiteral("format"));
+    QVERIFY(format);
+    QStringList titles;
+    for (const QAction *action : format->menu()->actions()) {
+        if (!action->isSeparator() && !action->isCheckable())
+            titles << action->text();
+    }
+    QCOMPARE(titles, (QStringList{QStringLiteral("Vectors"), QStringLiteral("Arrangement"), QStringLiteral("Digits"),
+                                  QStringLiteral("Conventions")}));
+    for (const char *name : {"rows", "memory_order", "float_digits"})
+        panel.findChild<QAction *>(QLatin1String(name))->trigger();
+    QVERIFY(panel.matrixView() == (MatrixView{MatrixLayout::Row, true, Digits::Float}));
+    for (const char *shown : {"Rows", "m[0..15]", "float", "OpenGL"})
+        QVERIFY2(format->toolTip().contains(QLatin1String(shown)), qPrintable(format->toolTip()));
+    // Other conventions are named without the menu open.
+    panel.findChild<QAction *>(QStringLiteral("conventions_vulkan"))->trigger();
+    QCOMPARE(format->text(), QStringLiteral("Format (Vulkan)"));
+}
+
+void TestPipelineWidgets::anotherDirectionKeepsTheMatrix()
+{
+    SceneDocument document;
+    openFigures(document);
+    PipelinePanel panel(document);
+    panel.resize(420, 900);
+    panel.show();
+    for (const auto &[space, title] :
+         {std::pair(Space::World, "Model⁻¹: world → object"), std::pair(Space::Eye, "View⁻¹: eye → world"),
+          std::pair(Space::Clip, "Projection⁻¹: clip → eye"), std::pair(Space::Window, "Viewport⁻¹: window → NDC")}) {
+        panel.setDirection(PipelineDirection::Forward);
+        panel.open(space);
+        panel.setDirection(PipelineDirection::Backward);
+        QCOMPARE(titles(panel), QStringList{QString::fromUtf8(title)});
+        panel.setDirection(PipelineDirection::Forward);
+        QVERIFY(panel.opened() == ChainPart(space));
     }
 }
 
