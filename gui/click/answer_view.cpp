@@ -49,12 +49,7 @@ AnswerView::AnswerView(QWidget *parent)
     m_copy->setAutoRaise(true);
     m_copy->setPopupMode(QToolButton::MenuButtonPopup);
     m_copy->setMenu(menu);
-    connect(m_copy, &QToolButton::clicked, this, [this] {
-        if (m_at)
-            copyToClipboard(allDigits(*m_at));
-        else
-            emit copyAllRequested();
-    });
+    connect(m_copy, &QToolButton::clicked, this, &AnswerView::copy);
     connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillMenu(*menu); });
 
     auto *line = new QHBoxLayout;
@@ -66,6 +61,14 @@ AnswerView::AnswerView(QWidget *parent)
     layout->addLayout(line);
     layout->addWidget(m_point);
     showPoint();
+}
+
+void AnswerView::copy()
+{
+    if (m_at)
+        copyToClipboard(allDigits(*m_at));
+    else
+        emit copyAllRequested();
 }
 
 const QString &AnswerView::heading() const

@@ -28,6 +28,8 @@ public:
                    const geometry::Components<3> &uncertainty);
 
     const QString &heading() const;
+    /// Copies the coordinate with all its digits; without a point everything about the click.
+    void copy();
     /// "(x, y, z) ± u" as it is shown; empty without a point.
     QString text() const { return m_plain; }
 

@@ -70,6 +70,7 @@ private:
     void placeStrip();
     void addSnaps(QMenu &menu);
     void addSnapButton(QToolBar &bar);
+    void addCopy(QMenu &menu);
 
     Window &m_window;
     SceneDocument &m_document;
@@ -128,6 +129,7 @@ void ClickFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
 void ClickFeature::addSnaps(QMenu &menu)
 {
     menu.addSeparator();
+    addCopy(menu);
     menu.addSection(tr("Snap To"));
     m_snaps = new QActionGroup(&menu);
     const auto add = [&](const char *name, ray::Snap snap, const QString &text, const QKeySequence &key,
@@ -166,6 +168,28 @@ void ClickFeature::addSnapButton(QToolBar &bar)
     show(m_snaps->checkedAction());
     connect(m_snaps, &QActionGroup::triggered, button, show);
     bar.addWidget(button);
+}
+
+void ClickFeature::addCopy(QMenu &menu)
+{
+    QAction *copy = addAction(menu, tr("&Copy"), QKeySequence::Copy, {}, [this] { m_comparison->copyAnswer(); });
+    copy->setObjectName(QStringLiteral("copyPick"));
+    // Texts and tables copy what is selected in them: the key is the view's alone.
+    copy->setShortcutContext(Qt::WidgetShortcut);
+    m_window.view().addAction(copy);
+    const auto show = [this, copy] {
+        const bool isThere = m_document.picks().pick().has_value();
+        const QString tip = isThere ? tr("Copy the coordinate of the pick with all its digits")
+                                    : tr("There is no pick to copy. Click the model first.");
+        copy->setEnabled(isThere);
+        copy->setToolTip(tip);
+        copy->setStatusTip(tip);
+    };
+    connect(&m_document, &SceneDocument::changed, copy, [show](Changes changes) {
+        if (changes & Change::Pick)
+            show();
+    });
+    show();
 }
 
 Feature *makeClickFeature(Window &window)

@@ -4,6 +4,7 @@
 #include "gui/click/api_clicks_view.h"
 #include "gui/click/comparison_model.h"
 #include "gui/click/coordinates_table.h"
+#include "gui/click/earlier_picks_view.h"
 #include "gui/click/other_programs_view.h"
 #include "gui/click/ray_model.h"
 #include "gui/click/verdict_view.h"
@@ -21,6 +22,7 @@
 #include "gui/widgets/help_link.h"
 #include "gui/widgets/segmented_switch.h"
 #include "gui/widgets/steady_label.h"
+#include "gui/widgets/whole_table.h"
 
 #include <QCheckBox>
 #include <QFormLayout>
@@ -84,6 +86,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(m_before);
     layout->addWidget(m_after);
+    layout->addWidget(earlierPart());
     layout->addStretch(1);
     // The panel has this width with and without a pick. It is counted in digits, because the average character of a font for
     // Chinese is as wide as an ideograph.
@@ -201,6 +204,17 @@ QWidget *ComparisonPanel::answerPart()
         m_table->setColumnShown(ComparisonModel::RayDifference, shows);
     });
     return part;
+}
+
+Fold *ComparisonPanel::earlierPart()
+{
+    auto *picks = new EarlierPicksView(m_document);
+    auto *fold =
+        new Fold(tr("Earlier picks"), tr("The last picks of this scene: to show them again and to compare two"), picks);
+    fold->setVisible(picks->table().rowCount() > 0);
+    connect(picks, &EarlierPicksView::filled, fold, &QWidget::setVisible);
+    m_folds.emplace_back(QStringLiteral("picks"), fold);
+    return fold;
 }
 
 QWidget *ComparisonPanel::pixelPart()
@@ -397,6 +411,11 @@ void ComparisonPanel::setOpenFolds(const QStringList &names)
 {
     for (const auto &[name, fold] : m_folds)
         fold->setOpen(names.contains(name));
+}
+
+void ComparisonPanel::copyAnswer()
+{
+    m_answer->copy();
 }
 
 QString ComparisonPanel::text() const

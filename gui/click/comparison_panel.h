@@ -33,7 +33,7 @@ struct MetPlace;
 
 /// The answer of a click, from what most users ask first to what few ask: the coordinate with its uncertainty, whether the two
 /// methods agree, both of them in a table, the formula with its numbers, and folded the way of the pixel, the exact hit on the mesh,
-/// other programs and other APIs. All of it is of the moment of the click; where the view has changed since, the panel says so and
+/// other programs, other APIs and the last picks of the scene. All of it is of the moment of the click; where the view has changed since, the panel says so and
 /// offers to pick the same pixel again.
 class ComparisonPanel : public QWidget {
     Q_OBJECT
@@ -44,10 +44,12 @@ public:
     void setShowsFloat(bool shows);
     bool showsRay() const;
     void setShowsRay(bool shows);
-    /// The names of the folds that are open: "pixel", "ray", "programs", "apis".
+    /// The names of the folds that are open: "pixel", "ray", "programs", "apis", "picks".
     QStringList openFolds() const;
     void setOpenFolds(const QStringList &names);
 
+    /// Copies the answer, as its button does. @pre there is a pick
+    void copyAnswer();
     /// Everything the panel shows, with all digits, in every space.
     QString text() const;
     const ComparisonModel &model() const { return *m_model; }
@@ -62,6 +64,8 @@ signals:
 
 private:
     QWidget *answerPart();
+    /// A fold with the last picks, there while there are any.
+    Fold *earlierPart();
     QWidget *pixelPart();
     QWidget *rayPart();
     void showPick();

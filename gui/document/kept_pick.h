@@ -2,6 +2,7 @@
 
 #include "gui/document/picked_ray.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,6 +24,7 @@ struct KeptPick {
     glm::dmat4 placement{1.0};             ///< worldFromObject of its object at the click
     PickedRay ray = {};                    ///< meaningful with a pick
     std::optional<RayScene> rayScene = {}; ///< at the click, until the ray has its answer
+    std::uint64_t click = 0;               ///< tells the clicks of a document apart
 };
 
 /// Changes of the scene and its view since the click.

@@ -46,10 +46,17 @@ void Picks::setPick(const Result<Pick> &pick)
     }
     KeptPick kept{*pick, placementOf(*pick, *m_objects), {}, RayScene{m_objects, m_document.scene().clipPlanes}};
     kept.ray.snap = m_snap;
-    putBack(std::move(kept));
+    kept.click = ++m_clicks;
+    show(std::move(kept));
 }
 
 void Picks::putBack(KeptPick kept)
+{
+    emit takenBack();
+    show(std::move(kept));
+}
+
+void Picks::show(KeptPick kept)
 {
     m_lost.reset();
     if (!m_picked.pick && !kept.pick)

@@ -6,6 +6,7 @@
 
 #include <QObject>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -41,16 +42,22 @@ public:
     /// Keeps a click as the pick. `failed` reports one that could not be unprojected, and the last pick stays.
     void setPick(const geometry::Result<unproject::Pick> &pick);
     const KeptPick &keptPick() const { return m_picked; }
-    /// Shows an earlier pick again, or none: as if nothing had been picked since.
+    /// Shows an earlier pick again, or none.
     /// @param kept  of this scene, with the objects that it has now
+    void show(KeptPick kept);
+    /// The same, as if the last click had not been: a drag has followed its press.
     void putBack(KeptPick kept);
-    void clearPick() { putBack({}); }
+    void clearPick() { show({}); }
+    /// The objects that the indices of the pick refer to.
+    const ObjectList &objectList() const { return m_objects; }
 
     /// What clicks take on the meshes. The pick stays as it was taken.
     ray::Snap snap() const { return m_snap; }
     void setSnap(ray::Snap snap);
     /// The rays of the picture as it is now; null while a model is not prepared for them. Valid until the next change.
     const ray::SceneRays *rays() const;
+    /// The setup is another one.
+    void forgetRays() { m_rays.reset(); }
     /// Prepares the models for rays.
     RayCasters &rayCasters() { return m_casters; }
 
@@ -67,6 +74,8 @@ public:
 signals:
     /// A click could not be unprojected; the last pick stays.
     void failed(const unprojector::geometry::Error &error);
+    /// The last click counts no more; an earlier pick, or none, is about to be shown.
+    void takenBack();
 
 private:
     /// A pick whose object was removed.
@@ -86,6 +95,7 @@ private:
     ObjectList m_objects;
     KeptPick m_picked;
     std::optional<Lost> m_lost;
+    std::uint64_t m_clicks = 0; ///< so many were kept
     RayCasters m_casters;
     mutable std::optional<ray::SceneRays> m_rays; ///< of the picture, once they were asked for
     ray::Snap m_snap = ray::Snap::Surface;

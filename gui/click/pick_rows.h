@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/geometry/components.h"
+#include "gui/document/pick_history.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace unprojector::gui {
+
+/// What a row of the list of picks shows.
+struct PickRow {
+    QString object;     ///< its display name; of the background "Background"
+    QString coordinate; ///< "(x, y, z)" to the last certain digit; empty without a point
+    QString pixel;      ///< "(i, j)", device pixels from the top-left corner
+};
+
+/// @param objects  as they are now
+PickRow pickRow(const EarlierPick &earlier, const std::vector<scene::SceneObject> &objects);
+
+/// How far each coordinate of pickedPoint may be off, world units.
+geometry::Components<3> pickedUncertainty(const KeptPick &kept);
+
+/// The differences of two picks, a line each: distance, coordinates, depth, pixel, object, setup.
+QString pickDifferenceText(const EarlierPick &from, const EarlierPick &to,
+                           const std::vector<scene::SceneObject> &objects);
+
+/// The rows as they are shown, with a heading, tab-separated.
+QString pickRowsText(const std::vector<EarlierPick> &picks, const std::vector<scene::SceneObject> &objects);
+/// The rows with all digits as a table for other programs: pick, object, x, y, z, the uncertainty of each, pixel and depth.
+QString pickRowsCsv(const std::vector<EarlierPick> &picks, const std::vector<scene::SceneObject> &objects);
+
+} // namespace unprojector::gui
