@@ -187,4 +187,20 @@ void SceneDocument::setSurface(const Surface &surface)
         m_surface = before;
 }
 
+Check SceneDocument::drawAt(const Surface &surface, const std::function<void()> &draw)
+{
+    const Result<Setup> setup = setupOf(m_scene, surface, m_ground.box);
+    if (!setup)
+        return setup.error();
+    const Result<Unprojector> other = Unprojector::of(*setup);
+    if (!other)
+        return other.error();
+    const Unprojector own = *std::exchange(m_unprojector, *other);
+    m_picks->forgetRays();
+    draw();
+    m_unprojector = own;
+    m_picks->forgetRays();
+    return std::monostate{};
+}
+
 } // namespace unprojector::gui

@@ -78,6 +78,9 @@ public:
     void look(const EditLabel &label, const std::function<void(scene::SceneSettings &)> &change);
     /// The view's size changed. Not undoable.
     void setSurface(const geometry::Surface &surface);
+    /// Has the setup of another size while `draw` runs, as for a picture that is exported. Reports nothing.
+    /// @return the errors of setupOf; then `draw` has not run
+    geometry::Check drawAt(const geometry::Surface &surface, const std::function<void()> &draw);
 
 signals:
     /// Another scene is shown. Emitted before `changed`.

@@ -94,14 +94,30 @@ bool LandmarkTool::prepareToDraw()
 
 void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
 {
-    const std::vector<LandmarkMark> &shown = marks();
-    const QRectF area(m_view.rect());
     const auto shownArrows = arrows();
     std::vector<QLineF> lines;
     for (const AxisArrow &arrow : shownArrows.value_or(std::array<AxisArrow, 3>())) {
         if (arrow.isUsable)
             lines.emplace_back(arrow.from, arrow.to);
     }
+    drawMarks(painter, QRectF(m_view.rect()), taken, marks(), std::move(lines));
+    if (shownArrows)
+        drawAxes(painter, *shownArrows, m_drag == Drag::Axis ? std::optional(m_axis) : std::nullopt);
+    if (m_loupeAt) {
+        const ray::SceneRays *rays = m_document.picks().rays();
+        drawLoupe(painter, loupeBox(m_document.setup().surface, *m_loupeAt, m_view.cornerWidth()), *m_loupeAt, m_loupe,
+                  rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>());
+    }
+}
+
+void LandmarkTool::drawPicture(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken)
+{
+    drawMarks(painter, area, taken, landmarkMarks(m_document), {});
+}
+
+void LandmarkTool::drawMarks(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken,
+                             const std::vector<LandmarkMark> &shown, std::vector<QLineF> lines) const
+{
     const std::optional<MeasureMark> measure = measureMark(m_document);
     std::vector<LandmarkMark> labelled = shown;
     if (measure) { // beside its line, and clear of the landmarks' own
@@ -119,13 +135,6 @@ void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
     if (measure)
         drawMeasure(painter, *measure, ofMeasure);
     drawLandmarks(painter, shown, labels);
-    if (shownArrows)
-        drawAxes(painter, *shownArrows, m_drag == Drag::Axis ? std::optional(m_axis) : std::nullopt);
-    if (m_loupeAt) {
-        const ray::SceneRays *rays = m_document.picks().rays();
-        drawLoupe(painter, loupeBox(m_document.setup().surface, *m_loupeAt, m_view.cornerWidth()), *m_loupeAt, m_loupe,
-                  rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>());
-    }
 }
 
 void LandmarkTool::aimLoupe(const std::optional<DevicePoint> &at)

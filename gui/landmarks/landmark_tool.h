@@ -41,6 +41,7 @@ public:
     bool showTip(const QHelpEvent &event) override;
     bool prepareToDraw() override;
     void draw(QPainter &painter, const std::vector<QRectF> &taken) override;
+    void drawPicture(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken) override;
 
 signals:
     void placingChanged(bool isPlacing);
@@ -48,6 +49,10 @@ signals:
 private:
     enum class Drag { None, Landmark, Axis };
 
+    /// Draws marks with their labels, and the chosen measure.
+    /// @param lines  that no label covers
+    void drawMarks(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken,
+                   const std::vector<LandmarkMark> &shown, std::vector<QLineF> lines) const;
     /// As they are seen now.
     const std::vector<LandmarkMark> &marks();
     /// Slides the landmark on the surface under the pointer, and those that are selected besides by as many pixels.

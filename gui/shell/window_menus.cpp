@@ -6,6 +6,7 @@
 #include "gui/document/session.h"
 #include "gui/shell/about_dialog.h"
 #include "gui/shell/appearance.h"
+#include "gui/shell/export_picture_dialog.h"
 #include "gui/shell/key_sheet.h"
 #include "gui/shell/language_menu.h"
 #include "gui/shell/plain_tool_tip.h"
@@ -132,6 +133,9 @@ void WindowMenus::addFileMenu()
         menu, tr("Sce&ne as Code…"), {},
         tr("The calls that make this picture, for GLU and MFC, GLM, Qt or three.js, with the way back from a pixel"),
         [this] { showCode(); });
+    addAction(menu, tr("&Export Picture…"), Qt::CTRL | Qt::Key_E,
+              tr("Write the view alone as a PNG file, at any size, with or without marks"),
+              [this] { exportPicture(m_window); });
     addFeatureActions(MenuKind::File, menu);
     menu.addSeparator();
     addAction(menu, tr("&Quit"), QKeySequence::Quit, tr("Close the window"), [this] { m_window.close(); });

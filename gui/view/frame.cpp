@@ -29,6 +29,12 @@ void Frame::initialize()
     glBindBuffer(GL_PIXEL_PACK_BUFFER, m_requestBuffer);
     glBufferData(GL_PIXEL_PACK_BUFFER, sizeof(Raw), nullptr, GL_STREAM_READ);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    std::array<GLint, 2> viewport{};
+    GLint texture = 0, buffer = 0;
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
+    m_largestSide = std::min({viewport[0], viewport[1], texture, buffer});
     // The smallest framebuffer tells what the driver has.
     m_ids = ObjectIds::Integers;
     if (qgetenv("UNPROJECTOR_OBJECT_IDS") == "colors" || !allocate(1, 1))
@@ -131,7 +137,7 @@ bool Frame::begin(const Drawable &drawable, const QColor &around)
     m_begun = drawable;
     m_isPaused = false;
     bind();
-    const std::array<GLfloat, 4> cleared{around.redF(), around.greenF(), around.blueF(), 1.0f};
+    const std::array<GLfloat, 4> cleared{around.redF(), around.greenF(), around.blueF(), around.alphaF()};
     glDrawBuffers(2, kColorsAndObjects.data());
     glClearBufferfv(GL_COLOR, 0, cleared.data());
     if (m_ids == ObjectIds::Integers)

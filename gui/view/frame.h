@@ -27,6 +27,9 @@ public:
     /// How objects are written into the frame: valid from initialize() on.
     ObjectIds ids() const { return m_ids; }
 
+    /// The longest side that OpenGL draws, pixels: valid from initialize() on.
+    int largestSide() const { return m_largestSide; }
+
     /// Makes the frame as large as the picture, clears it and binds it for drawing. Until beginObjects() only colours are
     /// written: what is drawn lies behind every object and is no surface to click. The depth is cleared to that of the far
     /// plane.
@@ -90,6 +93,7 @@ private:
     unsigned m_framebuffer = 0;
     unsigned m_colors = 0, m_objects = 0, m_depths = 0; ///< textures
     int m_widthPixels = 0, m_heightPixels = 0;
+    int m_largestSide = 0;
     unproject::DepthFormat m_depthFormat;
     std::optional<double> m_cornerShift; ///< measuredCornerShift, once pixels are read
     int m_boundBefore = 0;

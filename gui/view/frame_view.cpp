@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QFontInfo>
 #include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <QScopedValueRollback>
@@ -132,10 +133,20 @@ void FrameView::releaseFrame()
     disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &FrameView::releaseGL);
 }
 
+bool FrameView::beginFrame(Frame &frame, const FrameContents &contents, bool isTransparent)
+{
+    if (!frame.begin(contents.drawn, isTransparent ? QColor(Qt::transparent) : aroundOf(palette())))
+        return false;
+    if (!isTransparent)
+        m_background.draw(backgroundOf(palette()));
+    frame.beginObjects();
+    return true;
+}
+
 /// @return whether OpenGL gives such a frame
 bool FrameView::beginFrame(Frame &frame)
 {
-    if (!frame.begin(m_contents.drawn, aroundOf(palette()))) {
+    if (!beginFrame(frame, m_contents, false)) {
         const Surface &surface = m_contents.drawn.setup.surface;
         emit failed(tr("OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics "
                        "driver.")
@@ -143,9 +154,37 @@ bool FrameView::beginFrame(Frame &frame)
                         .arg(surface.heightPixels));
         return false;
     }
-    m_background.draw(backgroundOf(palette()));
-    frame.beginObjects();
     return true;
+}
+
+QImage FrameView::drawnPicture(const FrameContents &contents, bool isTransparent, const std::function<void()> &drawOver)
+{
+    const Surface &surface = contents.drawn.setup.surface;
+    QOpenGLFramebufferObject target(surface.widthPixels, surface.heightPixels,
+                                    QOpenGLFramebufferObject::CombinedDepthStencil);
+    Frame drawn;
+    drawn.initialize();
+    QImage picture;
+    if (target.isValid() && beginFrame(drawn, contents, isTransparent)) {
+        MeshPainter::Place place;
+        m_meshes.drawOn(contents, place, Deadline({}));
+        drawn.end();
+        target.bind();
+        m_painter.setStale();
+        m_painter.draw({drawn.framebuffer(), drawn.colors(), drawn.depths(), surface.widthPixels, surface.heightPixels},
+                       m_smoothEdges);
+        m_painter.setStale();
+        const QScopedValueRollback at(m_picture, std::optional(surface));
+        drawOver();
+        picture = target.toImage();
+        if (!isTransparent)
+            picture = picture.convertToFormat(QImage::Format_RGB32);
+    }
+    drawn.release();
+    target.release();
+    for (const QString &failure : m_meshes.takeFailures())
+        emit failed(failure);
+    return picture;
 }
 
 /// The graphics memory holds the models that are shown, and their stand-ins.
@@ -324,7 +363,14 @@ bool FrameView::showFrame()
 
 Surface FrameView::currentSurface() const
 {
-    return surfaceFromWidget(width(), height(), devicePixelRatio());
+    return m_picture ? *m_picture : surfaceFromWidget(width(), height(), devicePixelRatio());
+}
+
+QRectF FrameView::area() const
+{
+    return m_picture ? QRectF(QPointF(),
+                              QSizeF(m_picture->widthPixels, m_picture->heightPixels) / m_picture->devicePixelRatio)
+                     : QRectF(rect());
 }
 
 void FrameView::paintEvent(QPaintEvent *event)

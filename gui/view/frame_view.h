@@ -11,11 +11,13 @@
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLWidget>
 #include <QRect>
+#include <QRectF>
 #include <QTimer>
 
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 class QPainter;
 
@@ -59,6 +61,8 @@ public:
     /// there.
     /// @return whether there is one to be drawn on the screen
     bool awaitPicture();
+    /// The longest side of a picture that OpenGL draws here, pixels; 0 before the view is ready.
+    int largestPicture() const { return m_isCreated ? m_frames[0].largestSide() : 0; }
     /// How this driver tells the object under a pixel; valid once the view is ready.
     ObjectIds objectIds() const { return m_frames[0].ids(); }
 
@@ -104,6 +108,12 @@ protected:
     /// @return whether there is one
     bool showFrame();
 
+    /// Draws contents at their own size, whole, for a picture that is not the view's.
+    /// @param isTransparent  nothing is drawn behind the objects
+    /// @param drawOver       draws on over the objects; meanwhile currentSurface() is the picture's
+    /// @return without pixels where OpenGL gives no such framebuffer
+    QImage drawnPicture(const FrameContents &contents, bool isTransparent, const std::function<void()> &drawOver);
+
     /// Paints over what OpenGL has drawn, in the widget's font; then OpenGL tests and blends nothing.
     /// @param devicePixelRatio  device pixels to a unit of the painter: that of the surface for logical pixels
     void paintOver(double devicePixelRatio, const std::function<void(QPainter &)> &paint);
@@ -111,8 +121,12 @@ protected:
     /// Tells of a picture that is awaited or long in coming, see drawingProgressed.
     void tellDrawn(double share);
 
-    /// The widget's size in device pixels.
+    /// Whether a picture of another size is being drawn.
+    bool isDrawingPicture() const { return m_picture.has_value(); }
+    /// The widget's size in device pixels; that of a picture of another size while it is drawn.
     geometry::Surface currentSurface() const;
+    /// The same in logical pixels.
+    QRectF area() const;
     /// To release all that was made in the context, if anything was. It is called when the context goes, as it does when
     /// the widget moves to another window; a destructor has to call it itself.
     virtual void releaseGL() = 0;
@@ -125,6 +139,8 @@ protected:
 
 private:
     bool beginFrame(Frame &frame);
+    /// @return whether OpenGL gives such a frame; then objects can be drawn
+    bool beginFrame(Frame &frame, const FrameContents &contents, bool isTransparent);
     void keepModels();
     void refine(const Deadline &deadline);
     void takeRest();
@@ -147,6 +163,7 @@ private:
     MeshPainter m_meshes;
     FramePainter m_painter;
     QString m_openGLName;
+    std::optional<geometry::Surface> m_picture; ///< of another size than the view's, while it is drawn
     bool m_isCreated = false;
     bool m_smoothEdges = true;
     bool m_isResizing = false;

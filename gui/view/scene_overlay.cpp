@@ -45,8 +45,8 @@ void SceneOverlay::release()
     m_pick.release();
 }
 
-void SceneOverlay::draw(const SceneDocument &document, const std::optional<DevicePixel> &crosshair,
-                        const std::optional<SnapMark> &mark)
+void SceneOverlay::draw(const SceneDocument &document, const PictureMarks &marks,
+                        const std::optional<DevicePixel> &crosshair, const std::optional<SnapMark> &mark)
 {
     const Setup &g = document.setup();
     const Result<glm::dmat4> matrix = clipFromWorld(g);
@@ -59,17 +59,23 @@ void SceneOverlay::draw(const SceneDocument &document, const std::optional<Devic
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(drawn->depthAtNear < drawn->depthAtFar ? GL_LESS : GL_GREATER);
     glDepthMask(GL_FALSE);
-    m_lines.draw(groundLines(document.ground().box, document.ground().spacing), *matrix, viewportPixels(g),
-                 pixelRatio(g));
-    m_lines.draw(axisLines(document.ground().box), *matrix, viewportPixels(g), 2.0f * pixelRatio(g));
-    drawClipPlanes(document, *matrix);
-    drawCurves(document, *matrix);
+    if (marks.grid)
+        m_lines.draw(groundLines(document.ground().box, document.ground().spacing), *matrix, viewportPixels(g),
+                     pixelRatio(g));
+    if (marks.axes)
+        m_lines.draw(axisLines(document.ground().box), *matrix, viewportPixels(g), 2.0f * pixelRatio(g));
+    if (marks.grid)
+        drawClipPlanes(document, *matrix);
+    if (marks.curves)
+        drawCurves(document, *matrix);
     glEnable(GL_DEPTH_TEST);
-    drawPick(document, *matrix);
+    if (marks.pick)
+        drawPick(document, *matrix);
     glDisable(GL_DEPTH_TEST);
     if (mark)
         drawMark(*mark, g, *matrix);
-    drawAxes(*frame, *drawn);
+    if (marks.axes)
+        drawAxes(*frame, *drawn);
     if (crosshair)
         drawCrosshair(*crosshair, g.surface);
     glDepthMask(GL_TRUE);
@@ -208,6 +214,16 @@ void SceneOverlay::drawCrosshair(const DevicePixel &pixel, const Surface &surfac
     };
     draw(1.0, {0.0f, 0.0f, 0.0f, 0.75f}, 3.5);
     draw(0.0, {1.0f, 1.0f, 1.0f, 1.0f}, 1.5);
+}
+
+std::vector<QRectF> takenCorners(const SceneDocument &document, const QRectF &area, const QSize &widget)
+{
+    std::vector<QRectF> taken;
+    if (const Result<Drawable> drawn = drawable(document.setup()))
+        taken.push_back(SceneOverlay::axesBox(*drawn));
+    if (widget.isValid())
+        taken.emplace_back(area.topRight() - QPointF(widget.width(), 0.0), QSizeF(widget));
+    return taken;
 }
 
 std::optional<SnapMark> snapMarkAt(const SceneDocument &document, const WidgetPoint &position)

@@ -6,11 +6,14 @@
 #include "gui/view/painters/line_painter.h"
 #include "gui/view/painters/pick_painter.h"
 #include "gui/view/painters/snap_shapes.h"
+#include "gui/view/picture_options.h"
 
 #include <QOpenGLExtraFunctions>
 #include <QRectF>
+#include <QSize>
 
 #include <optional>
+#include <vector>
 
 namespace unprojector::gui {
 
@@ -25,10 +28,11 @@ public:
     void release();
 
     /// Onto a framebuffer that has the objects' colours and depths; it leaves the depths as they are.
+    /// @param marks      what of it is drawn
     /// @param crosshair  the pixel that keys pick at, where it is to be shown
     /// @param mark       what a click would take, where that is to be shown
-    void draw(const SceneDocument &document, const std::optional<geometry::DevicePixel> &crosshair,
-              const std::optional<SnapMark> &mark);
+    void draw(const SceneDocument &document, const PictureMarks &marks,
+              const std::optional<geometry::DevicePixel> &crosshair, const std::optional<SnapMark> &mark);
 
     /// The side of the square, in device pixels, that the directions of the axes take in the lower left corner of the viewport; 0
     /// where that is too small.
@@ -50,5 +54,10 @@ private:
     FacePainter m_faces;
     PickPainter m_pick;
 };
+
+/// What letters keep clear of: the axes in the corner, and a widget over the upper right corner. Logical pixels.
+/// @param area    of the view
+/// @param widget  not valid: there is none
+std::vector<QRectF> takenCorners(const SceneDocument &document, const QRectF &area, const QSize &widget);
 
 } // namespace unprojector::gui

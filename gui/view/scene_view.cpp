@@ -134,11 +134,8 @@ void SceneView::onDraw()
         return;
     const LifecycleTimer timer;
     const Drawn drawn = updateFrame();
-    if (showFrame()) {
-        drawMap();
-        m_overlay->draw(m_document, m_crosshair.shown(), m_mark);
-        drawTexts();
-    }
+    if (showFrame())
+        drawOver({});
     emit happened(timer.onDraw(drawn != Drawn::Nothing, drawn == Drawn::StandIns));
     m_hover.request();
 }
@@ -152,15 +149,10 @@ FrameView::Drawn SceneView::updateFrame()
         return Drawn::Nothing;
     m_isStale = false;
     m_hover.renew(m_drag == Drag::None);
-    const Setup &g = m_document.setup();
-    const Result<glm::dmat4> matrix = clipFromWorld(g);
-    const Result<EyeFrame> frame = eyeFrame(g.camera());
-    const Result<Drawable> drawn = drawable(g);
-    if (!matrix || !frame || !drawn) {
-        tellDrawn(1.0);
-        return Drawn::Nothing;
-    }
-    return drawFrame({*drawn, m_document.objects(), *matrix, eyeFromWorld(*frame), m_document.scene().clipPlanes});
+    if (std::optional<FrameContents> contents = frameContentsOf(m_document))
+        return drawFrame(std::move(*contents));
+    tellDrawn(1.0);
+    return Drawn::Nothing;
 }
 
 void SceneView::onDestroy()
@@ -217,39 +209,47 @@ int SceneView::cornerWidth() const
     return m_corner && m_corner->isVisible() ? m_corner->width() : 0;
 }
 
+void SceneView::drawOver(const PictureMarks &marks)
+{
+    const bool isOwn = !isDrawingPicture();
+    if (marks.map)
+        drawMap();
+    m_overlay->draw(m_document, marks, isOwn ? m_crosshair.shown() : std::nullopt, isOwn ? m_mark : std::nullopt);
+    drawTexts(marks);
+}
+
 void SceneView::drawMap()
 {
-    if (!m_map.isNull())
-        paintOver(1.0, [this](QPainter &painter) { painter.drawImage(0, 0, m_map); }); // pixel on pixel
+    const Surface surface = currentSurface();
+    const QSize size(surface.widthPixels, surface.heightPixels);
+    const QSize same =
+        m_map.size().scaled(size, Qt::KeepAspectRatio); // in another shape it would lie beside the objects
+    if (!m_map.isNull() && std::abs(size.width() - same.width()) + std::abs(size.height() - same.height()) <= 1)
+        paintOver(1.0, [&](QPainter &painter) { painter.drawImage(QRect(QPoint(), size), m_map); }); // pixel on pixel
 }
 
-std::vector<QRectF> SceneView::takenCorners() const
+void SceneView::drawTexts(const PictureMarks &marks)
 {
-    std::vector<QRectF> taken;
-    if (const Result<Drawable> drawn = drawable(m_document.setup()))
-        taken.push_back(SceneOverlay::axesBox(*drawn));
-    if (const int width = cornerWidth(); width > 0)
-        taken.emplace_back(QRectF(rect().topRight() - QPoint(width, 0), QSizeF(m_corner->size())));
-    return taken;
-}
-
-void SceneView::drawTexts()
-{
-    const HighlightMarks highlights = highlightsInView(m_document, m_highlights);
-    const bool hasTool = m_tool && m_tool->prepareToDraw(),
-               hasPick = m_hasDropLabels && m_document.picks().pickedPoint().has_value();
-    if (!hasTool && !hasPick && highlights.isEmpty())
+    const bool isPicture = isDrawingPicture();
+    const HighlightMarks highlights = marks.axes ? highlightsInView(m_document, m_highlights) : HighlightMarks();
+    const bool hasTool = m_tool && marks.landmarks && (isPicture || m_tool->prepareToDraw());
+    const bool hasLabels = m_hasDropLabels && marks.pick && m_document.picks().pickedPoint();
+    if (!hasTool && !hasLabels && highlights.isEmpty())
         return;
     paintOver(currentSurface().devicePixelRatio, [&](QPainter &painter) {
-        std::vector<QRectF> boxes = boxesOf(highlights, painter.font(), QRectF(rect()), takenCorners());
+        std::vector<QRectF> boxes =
+            boxesOf(highlights, painter.font(), area(),
+                    takenCorners(m_document, area(), isPicture || cornerWidth() == 0 ? QSize() : m_corner->size()));
         drawHighlights(painter, highlights, boxes);
-        if (m_hasDropLabels) {
+        if (hasLabels) {
             const std::vector<DropLabel> labels = dropLabels(m_document, painter.font(), boxes);
             drawDropLabels(painter, labels);
             for (const DropLabel &label : labels)
                 boxes.push_back(label.box);
         }
-        if (hasTool)
+        if (hasTool && isPicture)
+            m_tool->drawPicture(painter, area(), boxes);
+        else if (hasTool)
             m_tool->draw(painter, boxes);
     });
 }

@@ -9,6 +9,7 @@
 #include "gui/view/lifecycle_event.h"
 #include "gui/view/navigation.h"
 #include "gui/view/painters/snap_mark.h"
+#include "gui/view/picture_options.h"
 
 #include <QImage>
 #include <QPointer>
@@ -26,13 +27,21 @@ class QMouseEvent;
 namespace unprojector::gui {
 
 class SceneOverlay;
+class SceneView;
 class ViewTool;
+
+/// What a frame of the document's scene is drawn of; nothing where there is no valid setup.
+std::optional<FrameContents> frameContentsOf(const SceneDocument &document);
+/// See gui/view/scene_picture.h.
+geometry::Result<QImage> scenePicture(SceneView &view, const PictureOptions &options);
 
 /// The picture of a document's scene. Its life mirrors the paper's MFC view (Weng et al. 2008, section 4) by name:
 /// preCreateWindow, onCreate, onSize, onDraw, onLButtonDown, onDestroy, called from Qt's own hooks. It reads depths
 /// and asks the document what is there; it never unprojects. Clicks are read from its frame; what is drawn over that cannot be clicked.
 class SceneView : public FrameView {
     Q_OBJECT
+    friend geometry::Result<QImage> scenePicture(SceneView &view, const PictureOptions &options);
+
 public:
     explicit SceneView(SceneDocument &document, QWidget *parent = nullptr);
     ~SceneView() override;
@@ -48,6 +57,7 @@ public:
 
     /// Colours over the objects, below points, picks and crosshair; device pixels, null: none.
     void setMap(const QImage &map);
+    bool hasMap() const { return !m_map.isNull(); }
     /// How far this renderer moves corners, see DepthSample.
     double cornerShiftPixels();
     /// A widget over the upper right corner: while it is seen, the loupe stands beside it.
@@ -122,12 +132,11 @@ private:
     /// Shows a mark, or none.
     void setMark(const std::optional<SnapMark> &mark);
 
+    /// Draws what lies over the objects.
+    void drawOver(const PictureMarks &marks);
     void drawMap();
     /// The letters of a lesson, and what the tool draws.
-    void drawTexts();
-    /// What letters have to keep clear of: the axes in the corner and the widget over the other one.
-    std::vector<QRectF> takenCorners() const;
-
+    void drawTexts(const PictureMarks &marks);
     void setCrosshairShown(bool isShown);
 
     SceneDocument &m_document;

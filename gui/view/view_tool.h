@@ -52,6 +52,9 @@ public:
     virtual bool prepareToDraw() = 0;
     /// @param taken  where other texts stand, logical pixels
     virtual void draw(QPainter &painter, const std::vector<QRectF> &taken) = 0;
+    /// Draws what belongs to the scene, and nothing of the hand's, into a picture of another size.
+    /// @param area  of the picture, logical pixels
+    virtual void drawPicture(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken) = 0;
 };
 
 } // namespace unprojector::gui

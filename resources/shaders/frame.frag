@@ -7,6 +7,6 @@ out vec4 fragment;
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    fragment = vec4(texelFetch(colors, pixel, 0).rgb, 1.0);
+    fragment = texelFetch(colors, pixel, 0);
     gl_FragDepth = texelFetch(depths, pixel, 0).r;
 }

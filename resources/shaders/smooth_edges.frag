@@ -87,5 +87,5 @@ void main()
     if (contrast < max(kLeastContrast, highest * kLeastShareOfBrightest))
         discard;
     vec2 shift = shiftOnEdge(pixel, middle, up, down, left, right, contrast);
-    fragment = vec4(textureLod(colors, (vec2(pixel) + 0.5 + shift) / vec2(textureSize(colors, 0)), 0.0).rgb, 1.0);
+    fragment = textureLod(colors, (vec2(pixel) + 0.5 + shift) / vec2(textureSize(colors, 0)), 0.0);
 }
