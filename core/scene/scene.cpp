@@ -75,6 +75,10 @@ void add(Framing &framing, const SceneObject &object)
 
 Check check(const Scene &scene)
 {
+    if (scene.windowSize) {
+        if (const Check valid = check(*scene.windowSize); !valid)
+            return valid;
+    }
     if (const Result<EyeFrame> frame = eyeFrame(scene.camera); !frame)
         return frame.error();
     for (const Check &valid : {check(*scene.projection), check(scene.viewport), check(scene.depthRange)}) {

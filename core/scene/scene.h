@@ -105,8 +105,10 @@ struct FileKeys {
     text::JsonValue extra; ///< keys that are not ours, each where it stood: {"author": "A", "window": {"title": "T"}}
 };
 
-/// How the objects are shown: everything but the objects, the landmarks and the window's size.
+/// How the objects are shown: everything but the objects and the landmarks.
 struct SceneSettings {
+    /// The window's size, where the user has chosen it; none: as large as there is room for it.
+    std::optional<geometry::Surface> windowSize;
     SceneCamera camera;
     SceneCamera home; ///< the camera that the scene opened with
     SceneProjection projection;
@@ -126,7 +128,7 @@ struct SceneSettings {
     FileKeys fileKeys;
 };
 
-/// What is shown and how: everything but the window's size.
+/// What is shown and how.
 struct Scene : SceneSettings {
     std::vector<SceneObject> objects;
     landmarks::LandmarkSet landmarks; ///< world space
@@ -140,7 +142,7 @@ geometry::Box boundsOf(const Scene &scene);
 /// Adds what is seen of an object: the corners of its triangles.
 void add(geometry::Framing &framing, const SceneObject &object);
 
-/// @return the first error of the camera, projection, viewport rule, depth range, transforms (reachable too); NotFinite and
+/// @return the first error of the window's size, camera, projection, viewport rule, depth range, transforms (reachable too); NotFinite and
 ///         ClipPlaneHasNoNormal (A = B = C = 0) for clip planes; NotFinite for the given point
 geometry::Check check(const Scene &scene);
 

@@ -117,6 +117,8 @@ Result<Scene, SceneFileError> sceneFromFile(const SceneFile &file, const std::fi
     Scene scene;
     scene.depthRange = setup.depthRange;
     static_cast<SceneSettings &>(scene) = withSetup(scene, setup).value();
+    if (file.isWindowFixed)
+        scene.windowSize = setup.surface;
     scene.home = scene.camera;
     if (file.ui.home)
         scene.home = *file.ui.home;
@@ -148,6 +150,7 @@ SceneFile sceneFileFrom(const Scene &scene, const Setup &setup, const std::files
     file.windowWidth = logicalFromDevice(setup.surface, setup.surface.widthPixels);
     file.windowHeight = logicalFromDevice(setup.surface, setup.surface.heightPixels);
     file.devicePixelRatio = setup.surface.devicePixelRatio;
+    file.isWindowFixed = scene.windowSize.has_value();
     if (scene.viewport.kind != ViewportRule::Kind::WholeWindow || scene.fileKeys.hasViewport)
         file.viewport = setup.viewport;
     file.depthRange = scene.depthRange;

@@ -266,6 +266,8 @@ void describe(Fields &json, T &scene)
         window.required("height", scene.windowHeight, Count{1, kMostWindowPixels});
         window.optional("devicePixelRatio", scene.devicePixelRatio,
                         PixelRatio{scene.windowWidth, scene.windowHeight, kMostWindowPixels});
+        if (window.has("fixed", scene.isWindowFixed))
+            window.required("fixed", scene.isWindowFixed);
     });
     json.optional("viewport", scene.viewport);
     json.optional("depthRange", scene.depthRange);

@@ -38,7 +38,7 @@ struct SceneFileUi {
 ///
 /// JSON; angles in degrees as in gluPerspective and glRotate, `window` in logical pixels, `viewport` in device pixels
 /// from the bottom-left corner. "generator" says which program wrote it, and is ours as soon as we write it. "viewport", "depthRange", "objects", "clipPlanes", "landmarks", "point", "ui", the window's
-/// "devicePixelRatio" and a perspective's "aspect" may be left out. Keys that this version does not know are kept and
+/// "devicePixelRatio" and "fixed", and a perspective's "aspect" may be left out. Keys that this version does not know are kept and
 /// written again after those it knows, numbers with all their digits. Those of a transform's steps are not.
 /// "landmarks" are {"points": [{"name", "position": [x, y, z] or null where it is missing, "object", "held", …}], …}, in world
 /// space; what each of them lies on is said by the object's name.
@@ -54,6 +54,7 @@ struct SceneFile {
     int windowWidth = 800; ///< logical pixels
     int windowHeight = 600;
     double devicePixelRatio = 1.0;
+    bool isWindowFixed = false; ///< "fixed": the user has chosen the window's size. Written only where it is so
     std::optional<geometry::Viewport> viewport; ///< none: the whole window
     geometry::DepthRange depthRange;
     /// "conventions": whose matrices the file has; none: OpenGL's. Here they are OpenGL's always, see oursFromApi.

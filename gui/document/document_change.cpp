@@ -77,7 +77,7 @@ Changes changesBetween(const SceneSettings &a, const SceneSettings &b)
     Changes changes;
     if (a.clipPlanes != b.clipPlanes || a.clipPlanesOff != b.clipPlanesOff)
         changes |= Change::ClipPlanes;
-    if (a.camera != b.camera || a.home != b.home || a.projection != b.projection
+    if (a.windowSize != b.windowSize || a.camera != b.camera || a.home != b.home || a.projection != b.projection
         || a.projectionFollowsViewport != b.projectionFollowsViewport
         || a.clipDistancesFitObjects != b.clipDistancesFitObjects || a.viewport != b.viewport
         || a.depthRange != b.depthRange)

@@ -54,11 +54,12 @@ Result<Changes> SceneDocument::take(const SceneState &state)
     const Changes ofObjects = hasOtherObjects ? changesBetween(*m_state.objects, *state.objects) : Changes();
     Changes changes = ofObjects | changesBetween(m_state.settings, state.settings);
     const bool isFirst = !m_unprojector;
-    if (changes || isFirst || m_surface != setup().surface) {
+    const Surface surface = state.settings.windowSize.value_or(m_widgetSurface);
+    if (changes || isFirst || surface != setup().surface) {
         const bool hasOtherBounds = isFirst || ofObjects & (Change::Objects | Change::Placement | Change::Visibility);
         const Box bounds = hasOtherBounds ? boundsOf(m_scene) : m_bounds;
         const Ground ground = hasOtherBounds ? groundUnder(bounds) : m_ground;
-        const Result<Setup> next = setupOf(m_scene, m_surface, ground.box);
+        const Result<Setup> next = setupOf(m_scene, surface, ground.box);
         if (!next) {
             put(m_state);
             return next.error();
@@ -178,13 +179,13 @@ void SceneDocument::markUnsaved()
 
 void SceneDocument::setSurface(const Surface &surface)
 {
-    if (surface == m_surface)
+    if (surface == m_widgetSurface)
         return;
-    const Surface before = std::exchange(m_surface, surface);
+    const Surface before = std::exchange(m_widgetSurface, surface);
     if (const Result<Changes> taken = take(m_state))
         m_changes.notify(*taken);
     else
-        m_surface = before;
+        m_widgetSurface = before;
 }
 
 Check SceneDocument::drawAt(const Surface &surface, const std::function<void()> &draw)

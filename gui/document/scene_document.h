@@ -76,7 +76,7 @@ public:
     geometry::Check edit(const EditLabel &label, const std::function<void(scene::Scene &)> &change);
     /// Looking around: changes how the scene is shown. Ignored where it would leave no valid picture or changes nothing.
     void look(const EditLabel &label, const std::function<void(scene::SceneSettings &)> &change);
-    /// The view's size changed. Not undoable.
+    /// The view's size changed. Not undoable. It is the window's where the scene has no size of its own.
     void setSurface(const geometry::Surface &surface);
     /// Has the setup of another size while `draw` runs, as for a picture that is exported. Reports nothing.
     /// @return the errors of setupOf; then `draw` has not run
@@ -97,7 +97,7 @@ private:
 
     scene::Scene m_scene; ///< m_state in one piece
     SceneState m_state;
-    geometry::Surface m_surface{1, 1, 1.0};
+    geometry::Surface m_widgetSurface{1, 1, 1.0};        ///< what the view has room for
     std::optional<unproject::Unprojector> m_unprojector; ///< of the picture of the scene in the view's window
     geometry::Box m_bounds;
     scene::Ground m_ground;

@@ -100,7 +100,7 @@ void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
         if (arrow.isUsable)
             lines.emplace_back(arrow.from, arrow.to);
     }
-    drawMarks(painter, QRectF(m_view.rect()), taken, marks(), std::move(lines));
+    drawMarks(painter, m_view.surfaceRect(), taken, marks(), std::move(lines));
     if (shownArrows)
         drawAxes(painter, *shownArrows, m_drag == Drag::Axis ? std::optional(m_axis) : std::nullopt);
     if (m_loupeAt) {
@@ -370,7 +370,7 @@ void LandmarkTool::nudge(const QPointF &way)
         to.y += way.y();
         const std::optional<Landmark> there = mark.isBehind ? std::nullopt : landmarkOnSurface(m_document, to, pixels);
         if (mark.isBehind && (!left || mark.isCurrent))
-            left = mark.at;
+            left = m_view.localPosition(WidgetPoint(mark.at.x(), mark.at.y()));
         if (!there)
             continue;
         moves.push_back({mark.index, *there});

@@ -2,6 +2,8 @@
 
 #include "gui/document/session.h"
 #include "gui/parameters/parameters_panel.h"
+#include "gui/parameters/viewport_group.h"
+#include "gui/window/actions.h"
 #include "gui/window/feature.h"
 #include "gui/window/kept_bytes.h"
 #include "gui/window/window.h"
@@ -16,6 +18,8 @@ public:
     explicit ParametersFeature(Window &window) : Feature(&window), m_panel(new ParametersPanel(window.document()))
     {
         connect(&window.session(), &Session::commitPendingEdits, m_panel, &ParametersPanel::applyTyped);
+        connect(m_panel->findChild<ViewportGroup *>(), &ViewportGroup::sizeRequested, &window,
+                [&window] { trigger(window, kViewSizeAction); });
     }
 
     std::vector<PanelSpec> panels() override

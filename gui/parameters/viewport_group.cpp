@@ -84,6 +84,9 @@ ViewportGroup::ViewportGroup(SceneDocument &document, QWidget *parent)
     m_call->setToolTip(tr("The viewport in use: x, y, width, height in device pixels from the lower left corner"));
     m_window = selectable(tr("Size of the window"));
     m_window->setToolTip(tr("Size of the picture's window in device pixels"));
+    m_window->setTextFormat(Qt::RichText);
+    m_window->setTextInteractionFlags(Qt::TextBrowserInteraction | Qt::TextSelectableByKeyboard);
+    connect(m_window, &QLabel::linkActivated, this, &ViewportGroup::sizeRequested);
     content()->addWidget(m_call);
     content()->addWidget(m_window);
 
@@ -160,10 +163,14 @@ void ViewportGroup::setDefaults(Scene &scene) const
 void ViewportGroup::showScene()
 {
     const Setup &setup = document().setup();
-    if (setup.surface != m_shownSurface) {
+    const bool isFixed = document().scene().windowSize.has_value();
+    if (setup.surface != m_shownSurface || isFixed != m_isFixed) {
         m_shownSurface = setup.surface;
+        m_isFixed = isFixed;
+        const QString size = isFixed ? tr("Window: %1 × %2 pixels, fixed") : tr("Window: %1 × %2 pixels");
         m_window->setText(
-            tr("Window: %1 × %2 pixels").arg(m_shownSurface.widthPixels).arg(m_shownSurface.heightPixels));
+            QStringLiteral("%1 <a href=\"size\">%2</a>")
+                .arg(size.arg(m_shownSurface.widthPixels).arg(m_shownSurface.heightPixels), tr("Change…")));
     }
     if (setup.viewport != m_shownViewport) {
         m_shownViewport = setup.viewport;

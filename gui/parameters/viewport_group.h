@@ -13,6 +13,10 @@ class ViewportGroup : public ParameterGroup {
 public:
     explicit ViewportGroup(SceneDocument &document, QWidget *parent = nullptr);
 
+signals:
+    /// The user wants to give the window another size.
+    void sizeRequested();
+
 protected:
     void showScene() override;
     void setDefaults(scene::Scene &scene) const override;
@@ -30,6 +34,7 @@ private:
     QLabel *m_call;
     QLabel *m_depthCall;
     geometry::Surface m_shownSurface;
+    bool m_isFixed = false; ///< the window's size, as it is shown
     geometry::Viewport m_shownViewport;
     std::optional<scene::ViewportRule::Kind> m_shownKind;
 };

@@ -69,6 +69,7 @@ PipelineFeature::PipelineFeature(Window &window)
         else
             m_inspector->clearPointer();
     });
+    connect(m_inspector, &ViewportInspector::sizeRequested, &window, [&window] { trigger(window, kViewSizeAction); });
     connect(&window, &Window::stepShown, this, &PipelineFeature::showStep);
 }
 

@@ -104,6 +104,8 @@ QWidget *ViewportInspector::createProportions()
     };
     m_window =
         label(tr("Window"), tr("The view's framebuffer in device pixels, and how many of them make a logical pixel"));
+    m_window->setTextInteractionFlags(Qt::TextBrowserInteraction | Qt::TextSelectableByKeyboard);
+    connect(m_window, &QLabel::linkActivated, this, &ViewportInspector::sizeRequested);
     m_viewport = label(tr("Viewport"), tr("x, y, width, height in device pixels from the window's bottom-left corner"));
     const std::array names{std::pair(tr("Proportion (3)"), tr("Numbers of proportion (3)")),
                            std::pair(tr("Proportion (4)"), tr("Numbers of proportion (4)"))};
@@ -286,7 +288,9 @@ void ViewportInspector::showSetup()
     m_corners->setSetup(*m_shown);
     m_drawing->setSetup(*m_shown);
     const Viewport &v = m_shown->viewport;
-    m_window->setText(windowText(m_shown->surface));
+    const QString window = windowText(m_shown->surface);
+    m_window->setMarkup(QStringLiteral("%1 <a href=\"size\">%2</a>").arg(window.toHtmlEscaped(), tr("Change…")),
+                        window);
     m_viewport->setText(viewportText(v));
     m_viewport->setValue({QStringLiteral("viewport"), {v.x, v.y, v.width, v.height}});
     m_window->setValue(
@@ -320,7 +324,7 @@ void ViewportInspector::showPointer()
 
 QString ViewportInspector::text() const
 {
-    QStringList lines{m_window->text(), m_viewport->text()};
+    QStringList lines{windowText(m_shown->surface), m_viewport->text()};
     for (const Axis axis : kAxes) {
         const ProportionText text = proportionText(*m_shown, axis, m_corners->pointerWindow());
         lines << text.symbols << text.line();

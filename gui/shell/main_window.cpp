@@ -9,6 +9,7 @@
 #include "gui/shell/overlay_bars.h"
 #include "gui/shell/picture_note.h"
 #include "gui/shell/status_readout.h"
+#include "gui/shell/stretch_bar.h"
 #include "gui/shell/window_menus.h"
 #include "gui/shell/window_questions.h"
 #include "gui/text/error_text.h"
@@ -99,11 +100,13 @@ void MainWindow::createFeatures()
     auto *loading = new LoadingBar;
     m_frame->addBar(*recovery);
     m_frame->addBar(*m_message);
+    auto *stretch = new StretchBar(*m_document);
+    m_frame->addBar(*stretch);
+    connect(this, &Window::stepShown, stretch, [stretch](const lessons::Step *step) { stretch->setInLesson(step); });
     m_frame->add(*new PictureNote(*m_document, m_frame), Qt::AlignCenter);
     m_features = makeFeatures(*this);
     m_frame->add(*loading, Qt::AlignBottom | Qt::AlignHCenter);
-    for (QWidget *bar :
-         {static_cast<QWidget *>(recovery), static_cast<QWidget *>(m_message), static_cast<QWidget *>(loading)})
+    for (QWidget *bar : std::initializer_list<QWidget *>{stretch, recovery, m_message, loading})
         bar->raise();
     connectBars(*loading, *recovery);
 

@@ -20,18 +20,6 @@
 namespace unprojector::gui {
 namespace {
 
-void makeOverlay(QFrame *frame, const char *background, const char *border)
-{
-    frame->setObjectName(QStringLiteral("overlay"));
-    frame->setAttribute(Qt::WA_StyledBackground);
-    frame->setStyleSheet(
-        QStringLiteral("#overlay { background: %1; border: 1px solid %2; border-radius: 4px; } "
-                       "#overlay QLabel, #overlay QPlainTextEdit, #overlay QToolButton { color: #2b2b2b; } "
-                       "#overlay QPlainTextEdit { background: transparent; border: none; }")
-            .arg(QLatin1String(background), QLatin1String(border)));
-    frame->hide();
-}
-
 QString dateText(const QDateTime &time)
 {
     return QLocale().toString(time, QLocale::ShortFormat);
@@ -39,10 +27,22 @@ QString dateText(const QDateTime &time)
 
 } // namespace
 
+void makeOverlay(QFrame &frame, const char *background, const char *border)
+{
+    frame.setObjectName(QStringLiteral("overlay"));
+    frame.setAttribute(Qt::WA_StyledBackground);
+    frame.setStyleSheet(
+        QStringLiteral("#overlay { background: %1; border: 1px solid %2; border-radius: 4px; } "
+                       "#overlay QLabel, #overlay QPlainTextEdit, #overlay QToolButton { color: #2b2b2b; } "
+                       "#overlay QPlainTextEdit { background: transparent; border: none; }")
+            .arg(QLatin1String(background), QLatin1String(border)));
+    frame.hide();
+}
+
 MessageBar::MessageBar(QWidget *parent)
     : QFrame(parent), m_text(new QLabel), m_all(new QPlainTextEdit), m_more(new QToolButton), m_close(new QToolButton)
 {
-    makeOverlay(this, "#fdeeda", "#d9a35b");
+    makeOverlay(*this, "#fdeeda", "#d9a35b");
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -95,7 +95,7 @@ void MessageBar::unfold(bool isUnfolded)
 
 RecoveryBar::RecoveryBar(QWidget *parent) : QFrame(parent), m_text(new QLabel), m_choice(new QComboBox)
 {
-    makeOverlay(this, "#e9f1fa", "#7f9fc4");
+    makeOverlay(*this, "#e9f1fa", "#7f9fc4");
     setAccessibleName(tr("Unsaved changes of an earlier session"));
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
@@ -161,7 +161,7 @@ LoadingBar::LoadingBar(QWidget *parent)
     : QFrame(parent), m_text(new QLabel), m_progress(new QProgressBar), m_cancel(new QPushButton(tr("Cancel"))),
       m_delay(new QTimer(this)), m_emptyDelay(new QTimer(this))
 {
-    makeOverlay(this, "#f4f6f8", "#a9b3bd");
+    makeOverlay(*this, "#f4f6f8", "#a9b3bd");
     m_text->setTextFormat(Qt::PlainText);
     m_progress->setRange(0, 100);
     constexpr int kDigits = 26;

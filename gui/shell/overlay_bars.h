@@ -16,6 +16,10 @@ namespace unprojector::gui {
 
 struct RecoveryInfo;
 
+/// Makes a frame a bar over the view, hidden at first. Its ground is light whatever the window's colours are.
+/// @param background, border  as in style sheets: "#f4f6f8"
+void makeOverlay(QFrame &frame, const char *background, const char *border);
+
 /// A message over the top of the view that stays until it is closed: it tells what went wrong and stops nothing. Of many lines it
 /// shows the first, so that the view stays in sight, and the rest when it is asked for.
 class MessageBar : public QFrame {

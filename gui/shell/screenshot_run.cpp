@@ -136,8 +136,8 @@ void ScreenshotRun::pressAndSave()
             fail(tr("The click %1,%2 lies outside the view, which is %3 × %4 logical pixels.")
                      .arg(position.x)
                      .arg(position.y)
-                     .arg(view.width())
-                     .arg(view.height()));
+                     .arg(view.surfaceRect().width())
+                     .arg(view.surfaceRect().height()));
             return;
         }
         document.picks().clearPick();

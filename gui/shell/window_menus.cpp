@@ -11,6 +11,7 @@
 #include "gui/shell/language_menu.h"
 #include "gui/shell/plain_tool_tip.h"
 #include "gui/shell/scene_code_window.h"
+#include "gui/shell/view_size_dialog.h"
 #include "gui/text/error_text.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/actions.h"
@@ -223,6 +224,7 @@ void WindowMenus::addViewMenu()
     QMenu &menu = *addMenu(tr("&View"));
     addLooks(menu);
     addFeatureActions(MenuKind::View, menu);
+    addSizeActions(menu);
     QAction *smooth =
         addSwitch(menu, tr("&Smooth Edges"), {},
                   tr("Draw the edges of surfaces without steps. The depths that clicks read stay the same"));
@@ -233,6 +235,29 @@ void WindowMenus::addViewMenu()
         fillLanguageMenu(*menu.addMenu(tr("Lan&guage")), m_window, *m_translation, m_messages);
     menu.addSeparator();
     addWorkspaceActions(menu);
+}
+
+void WindowMenus::addSizeActions(QMenu &menu)
+{
+    SceneDocument &document = m_window.document();
+    QAction *size =
+        addAction(menu, tr("View Si&ze…"), {}, tr("Give the view a size in pixels, as a program or an article has it"),
+                  [this, &document] {
+                      m_window.session().commitTyped();
+                      auto *dialog = new ViewSizeDialog(document, m_window.view(), &m_window);
+                      dialog->setAttribute(Qt::WA_DeleteOnClose);
+                      dialog->open();
+                  });
+    size->setObjectName(kViewSizeAction);
+    QAction *fit =
+        addAction(menu, tr("Fit the Wi&ndow"), {}, tr("Let the view take all the room that the window has for it"),
+                  [&document] { fitWindow(document); });
+    const auto enable = [&document, fit] { fit->setEnabled(document.scene().windowSize.has_value()); };
+    connect(&document, &SceneDocument::changed, fit, [enable](Changes changes) {
+        if (changes & Change::Setup)
+            enable();
+    });
+    enable();
 }
 
 void WindowMenus::addAppearanceMenu(QMenu &menu)

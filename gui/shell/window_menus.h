@@ -38,6 +38,7 @@ private:
     void addEditMenu();
     void addViewMenu();
     void addLooks(QMenu &menu);
+    void addSizeActions(QMenu &menu);
     void addAppearanceMenu(QMenu &menu);
     void addWorkspaceActions(QMenu &menu);
     void addHelpMenu();

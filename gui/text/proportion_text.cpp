@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace unprojector::gui {
@@ -90,6 +91,29 @@ bool isDistorted(double circleAspect)
 {
     constexpr double kVisible = 0.005;
     return std::abs(std::log(circleAspect)) > kVisible;
+}
+
+std::pair<QString, QString> aspectTexts(double one, double other)
+{
+    const auto text = [](double aspect, int digits) {
+        constexpr std::array<std::pair<int, int>, 7> kNamed{
+            {{1, 1}, {4, 3}, {3, 2}, {16, 9}, {16, 10}, {5, 4}, {2, 1}}};
+        constexpr double kSame = 1e-4;
+        for (const auto &[more, less] : kNamed) {
+            const double named = static_cast<double>(more) / less;
+            if (std::abs(aspect / named - 1.0) < kSame)
+                return QStringLiteral("%1 : %2").arg(more).arg(less);
+            if (std::abs(aspect * named - 1.0) < kSame)
+                return QStringLiteral("%1 : %2").arg(less).arg(more);
+        }
+        return significantText(aspect, digits) + QStringLiteral(" : 1");
+    };
+    constexpr int kFewest = 3, kMost = 17;
+    for (int digits = kFewest; digits < kMost; ++digits) {
+        if (const std::pair texts(text(one, digits), text(other, digits)); texts.first != texts.second)
+            return texts;
+    }
+    return {text(one, kFewest), text(other, kFewest)};
 }
 
 QString circleText(double circleAspect)

@@ -5,6 +5,7 @@
 #include <QString>
 
 #include <optional>
+#include <utility>
 
 namespace unprojector::gui {
 
@@ -32,6 +33,9 @@ QString proportionMarkup(const QString &plain);
 
 /// A circle's shape is told apart from a circle's from about half a percent on.
 bool isDistorted(double circleAspect);
+
+/// Two aspects, width to height, as texts that differ where the aspects do: "4 : 3" and "1.11 : 1".
+std::pair<QString, QString> aspectTexts(double one, double other);
 
 /// "A circle would be drawn 1.33 : 1, wider than high." or "A circle is drawn as a circle."
 QString circleText(double circleAspect);

@@ -62,6 +62,9 @@ void Frame::releaseTextures()
 
 bool Frame::allocate(int widthPixels, int heightPixels)
 {
+    constexpr std::int64_t kMostPixels = std::int64_t{1} << 26; // more would take gigabytes
+    if (std::int64_t{widthPixels} * heightPixels > kMostPixels)
+        return false;
     if (m_framebuffer && m_widthPixels == widthPixels && m_heightPixels == heightPixels)
         return true;
     releaseTextures();

@@ -114,6 +114,7 @@ bool FrameView::createFrame()
     m_background.initialize();
     m_meshes.initialize(m_frames[0].ids(), isSoftwareRenderer(text(GL_RENDERER)));
     m_painter.initialize();
+    m_canvas.initialize();
     m_isCreated = true;
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &FrameView::releaseGL, Qt::UniqueConnection);
     return true;
@@ -129,6 +130,7 @@ void FrameView::releaseFrame()
     m_background.release();
     m_meshes.release();
     m_painter.release();
+    m_canvas.release();
     m_isCreated = false;
     disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &FrameView::releaseGL);
 }
@@ -351,6 +353,10 @@ bool FrameView::showFrame()
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); // why has been told
         return false;
     }
+    if (!place().isWidget() && !m_canvas.begin()) {
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        return false;
+    }
     const bool isInMotion = m_isOnScreen && m_painter.isSmoothingSlow() && !m_sinceDrawn.hasExpired(kRestMilliseconds);
     const Surface &surface = frame().setup()->surface;
     m_painter.draw(
@@ -361,16 +367,25 @@ bool FrameView::showFrame()
     return true;
 }
 
-Surface FrameView::currentSurface() const
+void FrameView::finishFrame()
+{
+    if (!place().isWidget())
+        m_canvas.show(defaultFramebufferObject(), widgetSurface(), place(), aroundOf(palette()));
+}
+
+Surface FrameView::widgetSurface() const
 {
     return m_picture ? *m_picture : surfaceFromWidget(width(), height(), devicePixelRatio());
 }
 
-QRectF FrameView::area() const
+Surface FrameView::currentSurface() const
 {
-    return m_picture ? QRectF(QPointF(),
-                              QSizeF(m_picture->widthPixels, m_picture->heightPixels) / m_picture->devicePixelRatio)
-                     : QRectF(rect());
+    return m_picture ? *m_picture : m_canvas.fixedSurface.value_or(widgetSurface());
+}
+
+SurfacePlace FrameView::place() const
+{
+    return {widgetSurface(), currentSurface()};
 }
 
 void FrameView::paintEvent(QPaintEvent *event)
@@ -404,7 +419,51 @@ void FrameView::resizeEvent(QResizeEvent *event)
 WidgetPoint FrameView::widgetPosition(const QPointF &local) const
 {
     const QPointF corner = mapTo(window(), QPointF(0.0, 0.0));
-    return widgetOnSurface(currentSurface(), WidgetPoint(local.x(), local.y()), WidgetPoint(corner.x(), corner.y()));
+    return place().onSurface(
+        widgetOnSurface(widgetSurface(), WidgetPoint(local.x(), local.y()), WidgetPoint(corner.x(), corner.y())));
+}
+
+QPointF FrameView::localPosition(const WidgetPoint &position) const
+{
+    const WidgetPoint local = place().onWidget(position);
+    return {local.x, local.y};
+}
+
+QRectF FrameView::surfaceBox(const QRect &local) const
+{
+    const auto corner = [this](int x, int y) {
+        const WidgetPoint position = place().onSurface(WidgetPoint(x, y));
+        return QPointF(position.x, position.y);
+    };
+    return QRectF(corner(local.x(), local.y()), corner(local.x() + local.width(), local.y() + local.height()))
+        .intersected(surfaceRect());
+}
+
+bool FrameView::isOnSurface(const QPointF &local) const
+{
+    const WidgetPoint position = widgetPosition(local);
+    return QRectF(rect()).contains(local) && surfaceRect().contains(position.x, position.y);
+}
+
+QPointF FrameView::surfaceWay(const QPointF &way) const
+{
+    const WidgetPoint from = place().onSurface({0.0, 0.0}), to = place().onSurface({way.x(), way.y()});
+    return {to.x - from.x, to.y - from.y};
+}
+
+QRectF FrameView::surfaceRect() const
+{
+    const Surface surface = currentSurface();
+    return {0.0, 0.0, surface.widthPixels / surface.devicePixelRatio, surface.heightPixels / surface.devicePixelRatio};
+}
+
+void FrameView::setFixedSurface(const std::optional<Surface> &surface)
+{
+    if (surface == m_canvas.fixedSurface)
+        return;
+    m_canvas.fixedSurface = surface;
+    m_isStale = true;
+    update();
 }
 
 QImage FrameView::pixelsIn(const QRect &wanted)

@@ -5,6 +5,7 @@
 #include "gui/view/painters/background_painter.h"
 #include "gui/view/painters/frame_painter.h"
 #include "gui/view/painters/mesh_painter.h"
+#include "gui/view/surface_canvas.h"
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -66,9 +67,26 @@ public:
     /// How this driver tells the object under a pixel; valid once the view is ready.
     ObjectIds objectIds() const { return m_frames[0].ids(); }
 
-    /// The widget position of a mouse event, corrected for fractional pixel ratios: Qt composes the view onto whole
+    /// Draws a surface of this size in the middle of the widget, whatever the widget's own size; a larger one is shown scaled
+    /// down. Nothing: the surface is the widget's.
+    void setFixedSurface(const std::optional<geometry::Surface> &surface);
+    /// The widget's size in device pixels.
+    geometry::Surface widgetSurface() const;
+    /// Where the surface is shown on the widget.
+    SurfacePlace place() const;
+    /// The surface, logical pixels.
+    QRectF surfaceRect() const;
+    /// The position on the surface of a mouse event, corrected for fractional pixel ratios: Qt composes the view onto whole
     /// device pixels, while the event's position is relative to the view's logical corner.
     geometry::WidgetPoint widgetPosition(const QPointF &local) const;
+    /// Where a position on the surface is shown on the widget.
+    QPointF localPosition(const geometry::WidgetPoint &position) const;
+    /// What a rectangle of the widget covers of the surface.
+    QRectF surfaceBox(const QRect &local) const;
+    /// Whether a position of a mouse event is one on the surface.
+    bool isOnSurface(const QPointF &local) const;
+    /// A way of the mouse as one on the surface.
+    QPointF surfaceWay(const QPointF &way) const;
     /// The pixels of what has been drawn, the top row first, black outside the view. While the view is painted.
     /// @param wanted  device pixels, origin top-left
     QImage pixelsIn(const QRect &wanted);
@@ -105,8 +123,10 @@ protected:
     void completeFrame();
     Frame &frame() { return m_frames[m_shown]; }
     /// Puts the frame onto the widget; where there is none, clears the widget.
-    /// @return whether there is one
+    /// @return whether there is one; then finishFrame() ends what is drawn over it
     bool showFrame();
+    /// Shows the surface on the widget where it is not the widget's own.
+    void finishFrame();
 
     /// Draws contents at their own size, whole, for a picture that is not the view's.
     /// @param isTransparent  nothing is drawn behind the objects
@@ -123,10 +143,8 @@ protected:
 
     /// Whether a picture of another size is being drawn.
     bool isDrawingPicture() const { return m_picture.has_value(); }
-    /// The widget's size in device pixels; that of a picture of another size while it is drawn.
+    /// The size of what is drawn: the widget's, the fixed one, or that of a picture of another size while it is drawn.
     geometry::Surface currentSurface() const;
-    /// The same in logical pixels.
-    QRectF area() const;
     /// To release all that was made in the context, if anything was. It is called when the context goes, as it does when
     /// the widget moves to another window; a destructor has to call it itself.
     virtual void releaseGL() = 0;
@@ -162,6 +180,7 @@ private:
     BackgroundPainter m_background;
     MeshPainter m_meshes;
     FramePainter m_painter;
+    SurfaceCanvas m_canvas;
     QString m_openGLName;
     std::optional<geometry::Surface> m_picture; ///< of another size than the view's, while it is drawn
     bool m_isCreated = false;

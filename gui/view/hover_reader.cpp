@@ -1,5 +1,6 @@
 #include "gui/view/hover_reader.h"
 
+#include "core/scene/point_size.h"
 #include "gui/document/scene_document.h"
 
 #include <QOpenGLWidget>
@@ -9,6 +10,14 @@
 namespace unprojector::gui {
 using namespace geometry;
 using namespace unproject;
+
+DepthSample withDot(const SceneDocument &document, DepthSample sample)
+{
+    const std::vector<scene::SceneObject> &objects = document.objects();
+    if (sample.object && *sample.object < objects.size() && objects[*sample.object].model->pointCount() > 0)
+        sample.dotPixels = scene::pointPixels(document.setup().surface);
+    return sample;
+}
 
 HoverReader::HoverReader(QOpenGLWidget &view, const SceneDocument &document, ReadableFrame frame)
     : m_view(view), m_document(document), m_frame(std::move(frame))
@@ -60,7 +69,7 @@ void HoverReader::takeAnswer()
     }
     PixelClick click = *std::exchange(m_requested, std::nullopt);
     if (sample) {
-        click.sample = *sample;
+        click.sample = withDot(m_document, *sample);
         emit answered(click);
     }
     request();

@@ -14,6 +14,9 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
+/// The sample with the size of the dot that a point is drawn as, where its object is a cloud.
+unproject::DepthSample withDot(const SceneDocument &document, unproject::DepthSample sample);
+
 /// Reads what is under the pointer without waiting for the GPU: asks it, and reports the sample when the GPU has it. A
 /// request under way is not overtaken, or a pointer that never rests would never be answered.
 class HoverReader : public QObject {

@@ -216,13 +216,13 @@ void SceneOverlay::drawCrosshair(const DevicePixel &pixel, const Surface &surfac
     draw(0.0, {1.0f, 1.0f, 1.0f, 1.0f}, 1.5);
 }
 
-std::vector<QRectF> takenCorners(const SceneDocument &document, const QRectF &area, const QSize &widget)
+std::vector<QRectF> takenCorners(const SceneDocument &document, const QRectF &corner)
 {
     std::vector<QRectF> taken;
     if (const Result<Drawable> drawn = drawable(document.setup()))
         taken.push_back(SceneOverlay::axesBox(*drawn));
-    if (widget.isValid())
-        taken.emplace_back(area.topRight() - QPointF(widget.width(), 0.0), QSizeF(widget));
+    if (!corner.isEmpty())
+        taken.push_back(corner);
     return taken;
 }
 

@@ -1,6 +1,5 @@
 #include "gui/view/scene_view.h"
 
-#include "core/scene/point_size.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
 #include "gui/view/drop_labels.h"
@@ -61,6 +60,8 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Objects) // the former pick may be on one that went
             m_formerPick.reset();
+        if (changes & Change::Setup)
+            setFixedSurface(m_document.scene().windowSize);
         if (changes & kVisibleChanges)
             redraw();
         else if (changes
@@ -70,10 +71,7 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
         if (changes & Change::Snap)
             setMark(std::nullopt);
     });
-    connect(&m_hover, &HoverReader::answered, this, [this](PixelClick click) {
-        click.sample = withDot(click.sample);
-        emit hovered(click);
-    });
+    connect(&m_hover, &HoverReader::answered, this, &SceneView::hovered);
 }
 
 SceneView::~SceneView()
@@ -123,7 +121,7 @@ void SceneView::onCreate()
 void SceneView::onSize()
 {
     const LifecycleTimer timer;
-    m_document.setSurface(currentSurface());
+    m_document.setSurface(widgetSurface());
     if (const Result<Drawable> drawn = drawable(m_document.setup()))
         emit happened(timer.onSize(*drawn));
 }
@@ -134,8 +132,10 @@ void SceneView::onDraw()
         return;
     const LifecycleTimer timer;
     const Drawn drawn = updateFrame();
-    if (showFrame())
+    if (showFrame()) {
         drawOver({});
+        finishFrame();
+    }
     emit happened(timer.onDraw(drawn != Drawn::Nothing, drawn == Drawn::StandIns));
     m_hover.request();
 }
@@ -143,8 +143,7 @@ void SceneView::onDraw()
 FrameView::Drawn SceneView::updateFrame()
 {
     // A pixel ratio can change without a change of size.
-    if (m_document.setup().surface != currentSurface())
-        m_document.setSurface(currentSurface());
+    m_document.setSurface(widgetSurface());
     if (!m_isStale)
         return Drawn::Nothing;
     m_isStale = false;
@@ -190,7 +189,7 @@ std::optional<PixelClick> SceneView::clickAt(const WidgetPoint &position)
     std::optional<PixelClick> click;
     if (const Result<DevicePixel> pixel = devicePixelFromWidget(m_document.setup().surface, position)) {
         if (const std::optional<DepthSample> sample = frame().sample(*pixel))
-            click = {position, *pixel, withDot(*sample)};
+            click = {position, *pixel, withDot(m_document, *sample)};
         else
             emit failed(tr("The depth of this pixel could not be read: OpenGL reported an error."));
     }
@@ -204,9 +203,11 @@ void SceneView::endToolDrag()
         m_drag = Drag::None;
 }
 
-int SceneView::cornerWidth() const
+QRectF SceneView::cornerBox() const
 {
-    return m_corner && m_corner->isVisible() ? m_corner->width() : 0;
+    if (!m_corner || !m_corner->isVisible())
+        return {};
+    return surfaceBox(QRect(rect().topRight() - QPoint(m_corner->width(), 0), m_corner->size()));
 }
 
 void SceneView::drawOver(const PictureMarks &marks)
@@ -237,9 +238,8 @@ void SceneView::drawTexts(const PictureMarks &marks)
     if (!hasTool && !hasLabels && highlights.isEmpty())
         return;
     paintOver(currentSurface().devicePixelRatio, [&](QPainter &painter) {
-        std::vector<QRectF> boxes =
-            boxesOf(highlights, painter.font(), area(),
-                    takenCorners(m_document, area(), isPicture || cornerWidth() == 0 ? QSize() : m_corner->size()));
+        std::vector<QRectF> boxes = boxesOf(highlights, painter.font(), surfaceRect(),
+                                            takenCorners(m_document, isPicture ? QRectF() : cornerBox()));
         drawHighlights(painter, highlights, boxes);
         if (hasLabels) {
             const std::vector<DropLabel> labels = dropLabels(m_document, painter.font(), boxes);
@@ -248,18 +248,10 @@ void SceneView::drawTexts(const PictureMarks &marks)
                 boxes.push_back(label.box);
         }
         if (hasTool && isPicture)
-            m_tool->drawPicture(painter, area(), boxes);
+            m_tool->drawPicture(painter, surfaceRect(), boxes);
         else if (hasTool)
             m_tool->draw(painter, boxes);
     });
-}
-
-DepthSample SceneView::withDot(DepthSample sample) const
-{
-    const std::vector<SceneObject> &objects = m_document.objects();
-    if (sample.object && *sample.object < objects.size() && objects[*sample.object].model->pointCount() > 0)
-        sample.dotPixels = pointPixels(m_document.setup().surface);
-    return sample;
 }
 
 void SceneView::onLButtonDown(const WidgetPoint &position)
@@ -318,13 +310,16 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     m_lastPosition = event->position();
     switch (m_drag) {
     case Drag::None:
-        if (event->buttons() == Qt::NoButton)
-            lookAt(widgetPosition(event->position()));
-        if (m_tool && event->buttons() == Qt::NoButton)
+        if (event->buttons() != Qt::NoButton)
+            return;
+        if (!isOnSurface(event->position()))
+            return leaveSurface();
+        lookAt(widgetPosition(event->position()));
+        if (m_tool)
             m_tool->hover(event->position());
         return;
-    case Drag::Orbit: m_navigation.orbit(delta, height()); return;
-    case Drag::Pan: m_navigation.pan(delta); return;
+    case Drag::Orbit: m_navigation.orbit(surfaceWay(delta), qRound(surfaceRect().height())); return;
+    case Drag::Pan: m_navigation.pan(surfaceWay(delta)); return;
     case Drag::Tool: m_tool->dragTo(event->position()); return;
     }
 }
@@ -344,7 +339,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
     if (std::exchange(m_toolTakesClick, false) && isClick)
         m_tool->click(event->position());
     m_formerPick.reset();
-    if (rect().contains(event->position().toPoint()))
+    if (isOnSurface(event->position()))
         lookAt(widgetPosition(event->position()));
 }
 
@@ -399,6 +394,11 @@ WorldPoint SceneView::pivotAt(const WidgetPoint &position)
 void SceneView::leaveEvent(QEvent *event)
 {
     FrameView::leaveEvent(event);
+    leaveSurface();
+}
+
+void SceneView::leaveSurface()
+{
     setMark(std::nullopt);
     if (m_tool && m_drag == Drag::None)
         m_tool->hover(std::nullopt);
@@ -425,7 +425,7 @@ void SceneView::contextMenuEvent(QContextMenuEvent *event)
         return; // at the release, where it was no drag
     setCrosshairShown(true);
     const WidgetPoint position = m_crosshair.position();
-    showViewMenu(*this, m_document, position, mapToGlobal(QPointF(position.x, position.y).toPoint()));
+    showViewMenu(*this, m_document, position, mapToGlobal(localPosition(position)).toPoint());
 }
 
 void SceneView::setCrosshairShown(bool isShown)
@@ -481,7 +481,7 @@ void SceneView::keyPressEvent(QKeyEvent *event)
     switch (key->kind) {
     case ViewKey::Kind::Turn:
     case ViewKey::Kind::Move:
-    case ViewKey::Kind::Zoom: m_navigation.press(*key, m_crosshair.position(), height()); return;
+    case ViewKey::Kind::Zoom: m_navigation.press(*key, m_crosshair.position(), qRound(surfaceRect().height())); return;
     case ViewKey::Kind::Aim:
         m_crosshair.move(key->way);
         lookAt(m_crosshair.position());

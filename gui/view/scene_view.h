@@ -80,8 +80,8 @@ public:
     void reportHover(const geometry::WidgetPoint &position) { m_hover.follow(position); }
     /// The drag of the tool is over, whatever buttons are down.
     void endToolDrag();
-    /// How much of the view's width the widget over the upper right corner takes, logical pixels.
-    int cornerWidth() const;
+    /// How much of the surface's width the widget over the upper right corner takes, logical pixels.
+    int cornerWidth() const { return qRound(cornerBox().width()); }
 
 signals:
     void hovered(const unprojector::unproject::PixelClick &click);
@@ -121,19 +121,21 @@ private:
     /// Draws the objects into the frame where it does not show the document as it is.
     /// @return what it drew
     Drawn updateFrame();
-    /// The sample with the size of the dot that a point is drawn as, where its object is a cloud.
-    unproject::DepthSample withDot(unproject::DepthSample sample) const;
     void redraw();
 
     /// The point to turn about, to move with and to zoom to at a position.
     geometry::WorldPoint pivotAt(const geometry::WidgetPoint &position);
     /// Marks what a click at a position would take of the meshes, and reports what is there.
     void lookAt(const geometry::WidgetPoint &position);
+    /// The pointer is over nothing any more.
+    void leaveSurface();
     /// Shows a mark, or none.
     void setMark(const std::optional<SnapMark> &mark);
 
     /// Draws what lies over the objects.
     void drawOver(const PictureMarks &marks);
+    /// What the widget over the upper right corner takes of the surface.
+    QRectF cornerBox() const;
     void drawMap();
     /// The letters of a lesson, and what the tool draws.
     void drawTexts(const PictureMarks &marks);

@@ -9,6 +9,12 @@
 
 namespace unprojector::gui {
 
+void trigger(const QObject &window, QLatin1String name)
+{
+    if (auto *action = window.findChild<QAction *>(name))
+        action->trigger();
+}
+
 QAction *addAction(QMenu &menu, const QString &text, const QKeySequence &key, const QString &tip,
                    std::function<void()> slot)
 {

@@ -3,15 +3,23 @@
 #include "gui/widgets/icons.h"
 
 #include <QKeySequence>
+#include <QLatin1String>
 #include <QString>
 
 #include <functional>
 
 class QAction;
 class QMenu;
+class QObject;
 class QToolBar;
 
 namespace unprojector::gui {
+
+/// The name of the action that asks for the view's size: panels that show the size lead to it.
+inline constexpr QLatin1String kViewSizeAction("viewSize");
+
+/// Triggers the action of this name, wherever it stands.
+void trigger(const QObject &window, QLatin1String name);
 
 /// An action at the end of a menu, with its tip and its key in the tool tip and its tip in the status bar.
 QAction *addAction(QMenu &menu, const QString &text, const QKeySequence &key, const QString &tip,
