@@ -92,7 +92,7 @@ std::vector<LetteredArrow> viewportArrows(const Viewport &viewport, const Surfac
     if (viewport.y != 0.0)
         arrows.push_back({Length, {"vy", ""}, WindowPoint(middleX, 0, 0), WindowPoint(middleX, viewport.y, 0)});
     const double beside = width - 16.0 * inset; // of the viewport's height
-    arrows.push_back({Length, {"rect.bottom", ""}, WindowPoint(beside, height, 0), WindowPoint(beside, 0, 0)});
+    arrows.push_back({Length, {"H", ""}, WindowPoint(beside, height, 0), WindowPoint(beside, 0, 0)});
     return arrows;
 }
 

@@ -64,7 +64,7 @@ struct LetteredArrow {
 };
 
 /// Highlight::Viewport: the axes x_v and y_v from the lower left corner of the view, vx and vy from there to the viewport, its width
-/// and height, and rect.bottom, the height of the view. Lengths of 0 are left out.
+/// and height, and H, the height of the view, which the paper calls rect.bottom. Lengths of 0 are left out.
 /// Source: Weng et al. 2008, figures 5 and 6, formulas (3), (4), (7), (8).
 /// @param inset  how far inside of an edge an arrow runs along it, device pixels
 /// @pre viewport and surface are valid

@@ -341,13 +341,15 @@ std::vector<Panel> panelsWithAnswer(std::string_view answer, const std::set<std:
 {
     constexpr std::array kSpaces{"object", "world",  "eye",    "clip",    "ndc",
                                  "window", "device", "widget", "formula", "inverse"};
-    constexpr std::array kMatrices{"model", "view", "projection", "viewport", "modelview", "whole"};
+    constexpr std::array kPixelSpaces{"window", "device", "widget"};
+    constexpr std::array kMatrices{"model",     "view",  "projection", "viewport",
+                                   "modelview", "whole", "viewSteps",  "projectionSteps"};
     const auto isOneOf = [](const auto &names, std::string_view name) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
     if (!answer.empty() && answer.front() == '-') // the distance is no secret beside the z
         answer.remove_prefix(1);
-    if (answer.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_.[]") != std::string_view::npos)
+    if (answer.find_first_not_of("abcdefghijklmnopqrstuvwxyzS0123456789_.[]") != std::string_view::npos)
         return {};
     std::string_view head = answer.substr(0, answer.find_first_of(".["));
     const bool isOfNamed = head.size() < answer.size() && !isOneOf(kSpaces, head) && !isOneOf(kMatrices, head);
@@ -357,6 +359,10 @@ std::vector<Panel> panelsWithAnswer(std::string_view answer, const std::set<std:
         answer.remove_prefix(head.size() + 1);
         head = answer.substr(0, answer.find_first_of(".["));
     }
+    if (isOneOf(kPixelSpaces, head) && answer.ends_with(".z"))
+        return {Panel::Pipeline, Panel::Comparison, Panel::Precision, Panel::Lifecycle};
+    if (isOneOf(kPixelSpaces, head))
+        return {Panel::Pipeline, Panel::Comparison, Panel::Inspector, Panel::Lifecycle};
     if (isOneOf(kSpaces, head))
         return {Panel::Pipeline, Panel::Comparison};
     if (isOneOf(kMatrices, head))

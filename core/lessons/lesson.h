@@ -78,7 +78,7 @@ struct Question {
     std::string answer;              ///< an expression of StepNumbers, or "quoted" and a number of the source
     double tolerance = 0.0;          ///< how far off an answer may be
     std::vector<std::string> reveal; ///< paragraphs: why it is so
-    std::vector<Panel> hides;        ///< panels that have the answer, closed until it is given
+    std::vector<Panel> hides;        ///< panels that show the answer, covered until it is given
 };
 
 struct Step {
@@ -115,8 +115,9 @@ geometry::Result<Lesson, LessonError> parseLesson(std::string_view name, std::st
 /// @return the errors of parseLesson
 geometry::Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson, std::string_view texts);
 
-/// The panels that show an answer: the pipeline's and the comparison of a point's coordinate, which is followed or can be
-/// clicked; the pipeline's of a matrix's entry. So nobody who writes a question can forget to close them.
+/// The panels that show an answer, so that nobody who writes a question can forget to cover them: Pipeline and Comparison the
+/// coordinate of a point that is followed or can be clicked, Pipeline the entry of a matrix or of its factors. Viewport and Life of
+/// the View show pixels as well, Depth Precision and Life of the View depths.
 /// @param answer   an expression of StepNumbers: one that is more than a path, or of another step, stands in no panel
 /// @param clicked  the step's points that a click can read
 std::vector<Panel> panelsWithAnswer(std::string_view answer, const std::set<std::string> &clicked);

@@ -1,5 +1,6 @@
 #include "gui/lessons/lesson_layout.h"
 
+#include "gui/lessons/answer_text.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/window/view_frame.h"
 
@@ -7,9 +8,7 @@
 #include <QStatusBar>
 #include <QTimer>
 
-#include <algorithm>
-#include <iterator>
-#include <utility>
+#include <map>
 
 namespace unprojector::gui {
 
@@ -18,17 +17,31 @@ LessonLayout::LessonLayout(Window &window, LessonPlayer &player)
 {
 }
 
+void LessonLayout::remember()
+{
+    m_before = m_window.state();
+    m_rooms.clear();
+    for (SteadyLabel *label : m_window.findChildren<SteadyLabel *>())
+        m_rooms.emplace_back(label, label->room());
+}
+
 void LessonLayout::end()
 {
     m_lesson.clear();
+    coverAnswers();
     m_window.showStep(nullptr);
     m_viewResizer.want({}, false);
     m_viewResizer.shrinkBack();
-    m_closed.clear();
+    m_covers.reset();
     m_workspace.reset();
     m_withRoom.clear();
     m_window.workspaces().dock(Panel::Lesson).hide();
     m_window.restore(*m_before);
+    // The lesson's texts took more room, perhaps.
+    for (const auto &[label, room] : m_rooms) {
+        if (label)
+            label->setRoom(room);
+    }
 }
 
 void LessonLayout::showStep()
@@ -55,6 +68,7 @@ void LessonLayout::showStep()
         if (m_workspace)
             enter(*m_workspace);
     }
+    coverAnswers();
     showPanels();
     m_window.showStep(&step);
     workspaces.show(Panel::Lesson);
@@ -71,49 +85,33 @@ void LessonLayout::enter(Workspace workspace)
 void LessonLayout::arrange()
 {
     m_window.workspaces().dock(Panel::Lesson).setVisible(!m_lesson.empty());
-    hideAnswers();
     giveRoom(false);
-}
-
-std::vector<Panel> LessonLayout::panelsWithAnswer() const
-{
-    if (m_lesson.empty() || m_player.isRevealed() || !m_player.step().question)
-        return {};
-    return m_player.step().question->hides;
 }
 
 void LessonLayout::showPanels()
 {
-    hideAnswers();
-    const std::vector<Panel> hidden = panelsWithAnswer();
-    for (const Panel panel : m_player.step().panels) { // in front of those that come back
-        if (std::count(hidden.begin(), hidden.end(), panel) == 0)
-            m_window.follow(lessons::PanelLink{panel});
-    }
+    for (const Panel panel : m_player.step().panels)
+        m_window.follow(lessons::PanelLink{panel});
 }
 
-void LessonLayout::hideAnswers()
+void LessonLayout::showAnswer()
 {
-    Workspaces &workspaces = m_window.workspaces();
-    const std::vector<Panel> hidden = panelsWithAnswer();
-    std::erase_if(m_closed, [&](const auto &one) {
-        const auto &[workspace, panel] = one;
-        const bool comesBack =
-            std::count(hidden.begin(), hidden.end(), panel) == 0 && workspace == workspaces.current();
-        if (comesBack)
-            workspaces.show(panel);
-        return comesBack;
-    });
-    std::vector<Panel> seen;
-    std::copy_if(hidden.begin(), hidden.end(), std::back_inserter(seen),
-                 [&](Panel panel) { return !workspaces.dock(panel).isHidden(); });
-    // One that is in front of others comes back last, and so in front again.
-    std::stable_partition(seen.begin(), seen.end(),
-                          [&](Panel panel) { return !workspaces.isFront(workspaces.dock(panel)); });
-    for (const Panel panel : seen) {
-        workspaces.dock(panel).hide();
-        m_closed.emplace_back(workspaces.current(), panel);
+    coverAnswers();
+    showPanels();
+    m_window.workspaces().show(Panel::Lesson); // which says why it is so, where they are tabs of one column
+}
+
+void LessonLayout::coverAnswers()
+{
+    std::map<Panel, QString> texts;
+    if (!m_lesson.empty()) {
+        for (const lessons::CoveredPanel &one : m_player.coveredPanels())
+            texts[one.panel] = coverText(one, m_player.index());
     }
+    if (!m_covers)
+        m_covers.emplace(m_window.workspaces());
+    m_covers->set(texts);
+    emit m_window.coordinatesHidden(texts.contains(Panel::Comparison));
 }
 
 void LessonLayout::showPanel(Panel panel)

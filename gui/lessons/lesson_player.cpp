@@ -78,7 +78,7 @@ bool LessonPlayer::start(const std::string &name)
 {
     const std::vector<Lesson> &all = lessons();
     const auto found = std::find_if(all.begin(), all.end(), [&name](const Lesson &one) { return one.name == name; });
-    return found != all.end() && show(*found, 0);
+    return found != all.end() && show(*found, 0, true);
 }
 
 QString LessonPlayer::startAt(const QString &nameAndStep)
@@ -103,10 +103,10 @@ QString LessonPlayer::startAt(const QString &nameAndStep)
 
 bool LessonPlayer::goTo(std::size_t index)
 {
-    return show(*m_lesson, index);
+    return show(*m_lesson, index, false);
 }
 
-bool LessonPlayer::show(const Lesson &lesson, std::size_t index)
+bool LessonPlayer::show(const Lesson &lesson, std::size_t index, bool isNew)
 {
     const lessons::Step &step = lesson.steps.at(index);
     // What is done in a scene that the next step goes on with stays.
@@ -119,7 +119,10 @@ bool LessonPlayer::show(const Lesson &lesson, std::size_t index)
         return false;
     m_lesson = &lesson;
     m_index = index;
-    m_isRevealed = false;
+    if (isNew) {
+        m_given.clear();
+        m_tried.clear();
+    }
     emit changed();
     return true;
 }
@@ -171,20 +174,68 @@ bool LessonPlayer::hasViewOfStep() const
     return !step().view || *step().view == glm::ivec2(surface.widthPixels, surface.heightPixels);
 }
 
-std::optional<double> LessonPlayer::answer() const
+std::optional<lessons::Asked> LessonPlayer::asked() const
 {
     // Of the step as it is written, whatever was done to its scene.
     const auto numbers = lessons::LessonNumbers::of(*m_lesson, m_document.setup().surface);
-    if (!numbers)
-        return std::nullopt;
-    const auto values = numbers->values(step().id, step().question->answer);
-    return values && values->size() == 1 ? std::optional(values->front()) : std::nullopt;
+    return numbers ? lessons::askedIn(*numbers, step()) : std::nullopt;
+}
+
+bool LessonPlayer::check(double given)
+{
+    const std::optional<lessons::Asked> question = asked();
+    if (!question)
+        return false;
+    if (!lessons::isRight(*question, given)) {
+        m_tried.insert(m_index);
+        return false;
+    }
+    give(m_tried.contains(m_index) ? Answered::Later : Answered::AtOnce);
+    return true;
 }
 
 void LessonPlayer::reveal()
 {
-    m_isRevealed = true;
+    give(Answered::Shown);
+}
+
+void LessonPlayer::give(Answered how)
+{
+    m_given.emplace(m_index, how); // what was found first counts
     emit revealed();
+}
+
+std::vector<lessons::CoveredPanel> LessonPlayer::coveredPanels() const
+{
+    std::set<std::size_t> given;
+    for (const auto &[index, how] : m_given)
+        given.insert(index);
+    return lessons::coveredPanels(*m_lesson, m_index, given);
+}
+
+LessonPlayer::Tally LessonPlayer::tally() const
+{
+    Tally tally;
+    for (std::size_t i = 0; i < m_lesson->steps.size(); ++i) {
+        if (!m_lesson->steps[i].question)
+            continue;
+        ++tally.questions;
+        const auto given = m_given.find(i);
+        if (given == m_given.end())
+            continue;
+        switch (given->second) {
+        case Answered::AtOnce: ++tally.atOnce; break;
+        case Answered::Later: ++tally.later; break;
+        case Answered::Shown: ++tally.shown; break;
+        }
+    }
+    return tally;
+}
+
+const Lesson *LessonPlayer::following() const
+{
+    const auto next = static_cast<std::size_t>(m_lesson - m_lessons.data()) + 1;
+    return next < m_lessons.size() ? &m_lessons[next] : nullptr;
 }
 
 std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const

@@ -1,20 +1,24 @@
 #pragma once
 
+#include "core/lessons/covered_panels.h"
 #include "core/lessons/lesson.h"
+#include "core/lessons/slips.h"
 #include "gui/document/session.h"
 
 #include <QObject>
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace unprojector::gui {
 using lessons::Lesson;
 
-/// Which step of which lesson is shown, without a widget: opens the steps' scenes, knows the answers to what they ask, and gives
-/// back at the end what was shown before.
+/// Which step of which lesson is shown, without a widget: opens the steps' scenes, checks and counts the answers to what they ask,
+/// and gives back at the end what was shown before.
 class LessonPlayer : public QObject {
     Q_OBJECT
 public:
@@ -36,7 +40,7 @@ public:
     // about the scene that was shown before, which comes back. Where the user stays, nothing has changed, and false is
     // returned.
 
-    /// Starts a lesson at its first step.
+    /// Starts a lesson at its first step, without any answers.
     bool start(const std::string &name);
     /// Starts a lesson by its name, and goes to a step behind a colon, from 1 on: "weng:3".
     /// @return an error of the option --lesson where there is no such step; else empty
@@ -61,13 +65,31 @@ public:
     /// Whether the numbers of the step hold in the view as large as it is.
     bool hasViewOfStep() const;
 
-    /// What the step asks for. @pre it asks
+    /// What the step asks for, and its answer. @pre it asks
     /// @return nothing where it cannot be computed, which is a mistake of ours
-    std::optional<double> answer() const;
-    /// Whether the answer was found or shown.
-    bool isRevealed() const { return m_isRevealed; }
-    /// @pre the step asks
+    std::optional<lessons::Asked> asked() const;
+    /// Checks an answer; the right one is found then. @pre the step asks
+    /// @return whether it is right
+    bool check(double given);
+    /// Whether the answer was found or shown, since the lesson began.
+    bool isRevealed() const { return m_given.contains(m_index); }
+    /// Shows the answer. @pre the step asks
     void reveal();
+    /// The panels that show an answer that is still to be given. @pre lesson()
+    std::vector<lessons::CoveredPanel> coveredPanels() const;
+
+    /// How many questions the lesson asks, and how they were answered.
+    struct Tally {
+        int questions = 0;
+        int atOnce = 0; ///< right with the first answer
+        int later = 0;  ///< right after a wrong answer
+        int shown = 0;
+    };
+    /// @pre lesson()
+    Tally tally() const;
+    /// The lesson after this one; null after the last. @pre lesson()
+    const Lesson *following() const;
+
     /// Where to click for a point that the step names; nothing where it is not in the picture as it is now.
     std::optional<geometry::DevicePixel> pixelOf(const std::string &point) const;
     /// The same for somebody who clicks there: the click comes back where the picture is put back.
@@ -88,7 +110,11 @@ signals:
     void failed(const QString &reason);
 
 private:
-    bool show(const Lesson &lesson, std::size_t index);
+    enum class Answered { AtOnce, Later, Shown };
+
+    /// @param isNew  the lesson begins, without any answers
+    bool show(const Lesson &lesson, std::size_t index, bool isNew);
+    void give(Answered how);
     bool open(const Lesson &lesson, const lessons::Step &step);
 
     SceneDocument &m_document;
@@ -97,9 +123,10 @@ private:
     bool m_areRead = false;
     const Lesson *m_lesson = nullptr; ///< one of m_lessons
     std::size_t m_index = 0;
-    bool m_isRevealed = false;
-    std::optional<scene::Scene> m_shown; ///< the step's, as it was opened
-    std::string m_clicked;               ///< by a link, in this scene, last; empty: nothing
+    std::map<std::size_t, Answered> m_given; ///< by the indexes of the steps
+    std::set<std::size_t> m_tried;           ///< the steps that were answered wrongly
+    std::optional<scene::Scene> m_shown;     ///< the step's, as it was opened
+    std::string m_clicked;                   ///< by a link, in this scene, last; empty: nothing
 };
 
 } // namespace unprojector::gui

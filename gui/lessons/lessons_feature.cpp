@@ -56,6 +56,8 @@ private:
     void addToBar(QToolBar &bar);
     void connectWorkspaces();
     void leaveOrStay();
+    /// Leaves a lesson after its end: not to an empty view.
+    void finish();
     void click(const std::string &point);
     void change(const std::string &name);
     void trigger(const lessons::ActionLink &link);
@@ -88,13 +90,12 @@ LessonsFeature::LessonsFeature(Window &window)
     connect(m_player, &LessonPlayer::aboutToBegin, this, [this] { tick(FirstSteps::Lesson); });
     connect(m_player, &LessonPlayer::changed, m_stage, &LessonLayout::showStep);
     connect(m_player, &LessonPlayer::changed, this, &LessonsFeature::placeFirstSteps);
-    connect(m_player, &LessonPlayer::revealed, m_stage, [this] {
-        m_stage->showPanels();
-        m_window.workspaces().show(Panel::Lesson); // which says why it is so, where they are tabs of one column
-    });
+    connect(m_player, &LessonPlayer::revealed, m_stage, &LessonLayout::showAnswer);
     connect(m_player, &LessonPlayer::clickWanted, this, &LessonsFeature::click);
     connect(m_player, &LessonPlayer::failed, &window, &Window::showFailure);
     connect(m_panel, &LessonPanel::closeRequested, m_player, &LessonPlayer::leave);
+    connect(m_panel, &LessonPanel::finished, this, &LessonsFeature::finish);
+    connect(m_panel, &LessonPanel::lessonRequested, m_player, &LessonPlayer::start);
     connect(m_panel, &LessonPanel::linkFollowed, &window, &Window::follow);
     connect(&window, &Window::closing, m_player, &LessonPlayer::end); // the next start has the layout before the lesson
     window.view().installEventFilter(this);
@@ -232,6 +233,12 @@ void LessonsFeature::leaveOrStay()
         if (m_player->lesson())
             m_window.workspaces().show(Panel::Lesson);
     });
+}
+
+void LessonsFeature::finish()
+{
+    if (m_player->leave() && m_window.document().objects().empty())
+        m_window.session().openBundledScene();
 }
 
 bool LessonsFeature::follow(const lessons::Link &link)

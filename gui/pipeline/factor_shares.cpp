@@ -146,6 +146,24 @@ void FactorShares::setAll(int percent)
     showProduct();
 }
 
+QList<int> FactorShares::percents() const
+{
+    QList<int> percents;
+    for (const Row &row : m_rows)
+        percents << row.slider->value();
+    return percents;
+}
+
+void FactorShares::setPercents(const QList<int> &percents)
+{
+    for (qsizetype i = 0; i < std::min<qsizetype>(percents.size(), std::ssize(m_rows)); ++i) {
+        QSlider *slider = m_rows[static_cast<std::size_t>(i)].slider;
+        const QSignalBlocker blocker(slider);
+        slider->setValue(percents[i]);
+    }
+    showProduct();
+}
+
 void FactorShares::showProduct()
 {
     if (m_factors.empty())

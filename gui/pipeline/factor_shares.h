@@ -3,6 +3,7 @@
 #include "core/matrices/matrix_factors.h"
 #include "gui/pipeline/matrix_view.h"
 
+#include <QList>
 #include <QWidget>
 
 #include <array>
@@ -36,6 +37,9 @@ public:
 
     /// How much of every factor acts, percent.
     void setAll(int percent);
+    /// The same of each, in the order of the factors.
+    QList<int> percents() const;
+    void setPercents(const QList<int> &percents);
 
 private:
     void showProduct();

@@ -38,6 +38,10 @@ StatusReadout::StatusReadout(Window &window)
     connect(&window, &Window::pointed, this, [this](const std::optional<PixelClick> &click) {
         m_pointed->setText(click ? pointedText(*click) : QString());
     });
+    connect(&window, &Window::coordinatesHidden, this, [this](bool areHidden) {
+        m_areHidden = areHidden;
+        m_pointed->clear(); // until the pointer moves
+    });
     connect(&document.picks().rayCasters(), &RayCasters::progressed, this, &StatusReadout::showPreparing);
     connect(&document.picks().rayCasters(), &RayCasters::finished, this, [this] {
         m_sincePreparing.invalidate();
@@ -67,6 +71,8 @@ QString StatusReadout::pointedText(const PixelClick &click) const
     const QString pixel = tr("pixel (%1, %2)").arg(click.pixel.i).arg(click.pixel.j);
     if (!pick->hit())
         return tr("background, %1").arg(pixel);
+    if (m_areHidden)
+        return pixel;
     // All to the same place, as far as the least certain of them is.
     const WorldVector &open = pick->withinPixel.world;
     const double most = std::max({open.x, open.y, open.z});

@@ -19,7 +19,7 @@ public:
     explicit StatusReadout(Window &window);
 
 private:
-    /// The world coordinate at a pixel; empty where there is none.
+    /// The world coordinate at a pixel; empty where there is none. While coordinates are hidden the pixel alone.
     QString pointedText(const unproject::PixelClick &click) const;
     void showPreparing(double share);
     void showProjection();
@@ -29,6 +29,7 @@ private:
     QLabel *m_preparing;
     QElapsedTimer m_sincePreparing; ///< invalid while nothing is prepared
     QLabel *m_projection;
+    bool m_areHidden = false; ///< coordinates, see Window::coordinatesHidden
 };
 
 } // namespace unprojector::gui

@@ -52,7 +52,13 @@ void SteadyLabel::setMarkup(const QString &markup, const QString &plain)
 
 void SteadyLabel::startOver()
 {
-    m_tallest.clear();
+    m_room.tallest.clear();
+    keepRoom();
+}
+
+void SteadyLabel::setRoom(const Room &room)
+{
+    m_room = room;
     keepRoom();
 }
 
@@ -68,10 +74,10 @@ QSize SteadyLabel::sizeHint() const
 
 void SteadyLabel::keepRoom()
 {
-    const int now = heightOf(text(), textFormat()), most = heightOf(m_tallest, m_tallestFormat);
+    const int now = heightOf(text(), textFormat()), most = heightOf(m_room.tallest, m_room.format);
     if (now > most) {
-        m_tallest = text();
-        m_tallestFormat = textFormat();
+        m_room.tallest = text();
+        m_room.format = textFormat();
     }
     setFixedHeight(std::max({now, most, fontMetrics().lineSpacing()}) + 2);
 }

@@ -22,6 +22,15 @@ public:
     /// Forgets the texts so far and keeps room for the one that is shown.
     void startOver();
 
+    /// The text that the label keeps room for.
+    struct Room {
+        QString tallest; ///< of the texts so far, the one that needs the most room
+        Qt::TextFormat format = Qt::PlainText;
+    };
+    const Room &room() const { return m_room; }
+    /// Keeps room for that text and the one that is shown, as if no other had been shown.
+    void setRoom(const Room &room);
+
     /// What its menu copies besides the text.
     void setValue(Copyable value) { m_value = std::move(value); }
 
@@ -40,8 +49,7 @@ private:
     void keepRoom();
     int heightOf(const QString &text, Qt::TextFormat format) const;
 
-    QString m_tallest; ///< of the texts so far, the one that needs the most room
-    Qt::TextFormat m_tallestFormat = Qt::PlainText;
+    Room m_room;
     QString m_plain; ///< of the markup
     Copyable m_value;
 };

@@ -65,6 +65,8 @@ signals:
     void smoothEdgesChanged(bool isSmooth);
     /// The window closes for good, and is about to keep its layout.
     void closing();
+    /// Whether the world coordinate under the pointer would give away the answer to a lesson's question.
+    void coordinatesHidden(bool areHidden);
     /// See showStep.
     void stepShown(const unprojector::lessons::Step *step);
 };

@@ -110,7 +110,7 @@ void TestHighlights::theViewportIsMeasured()
     };
     QCOMPARE(written({100, 40, 400, 300}),
              (QStringList{"xv 6,6 494,6", "yv 6,6 6,444", "width 100,334 500,334", "height 494,40 494,340",
-                          "vx 0,190 100,190", "vy 300,0 300,40", "rect.bottom 404,450 404,0"}));
+                          "vx 0,190 100,190", "vy 300,0 300,40", "H 404,450 404,0"}));
     const QStringList whole = written({0, 0, 500, 450});
     QCOMPARE(whole.filter(QStringLiteral("vx")) + whole.filter(QStringLiteral("vy")), QStringList());
 }

@@ -23,8 +23,8 @@ class TestLessonReading : public QObject {
     Q_OBJECT
 
 private slots:
-    void panelsThatShowTheAnswerAreClosed_data();
-    void panelsThatShowTheAnswerAreClosed();
+    void panelsThatShowTheAnswerAreKnown_data();
+    void panelsThatShowTheAnswerAreKnown();
     void aWrongNumberIsFound_data();
     void aWrongNumberIsFound();
     void statementsAreTakenApart_data();
@@ -40,7 +40,7 @@ private slots:
     void linksAreRead();
 };
 
-void TestLessonReading::panelsThatShowTheAnswerAreClosed_data()
+void TestLessonReading::panelsThatShowTheAnswerAreKnown_data()
 {
     QTest::addColumn<QByteArray>("answer");
     QTest::addColumn<QStringList>("hidden");
@@ -55,12 +55,17 @@ void TestLessonReading::panelsThatShowTheAnswerAreClosed_data()
     QTest::newRow("of one that only its own answer clicks") << QByteArray("own.ndc.y") << own;
     QTest::newRow("of one that nobody clicks") << QByteArray("other.ndc.y") << own;
     QTest::newRow("of a matrix") << QByteArray("projection[2][2]") << QStringList{"inspector", "pipeline"};
+    QTest::newRow("of its factors") << QByteArray("projectionSteps[0][2][3]") << QStringList{"inspector", "pipeline"};
+    QTest::newRow("in pixels") << QByteArray("clicked.window.y")
+                               << QStringList{"inspector", "pipeline", "comparison", "lifecycle"};
+    QTest::newRow("a depth") << QByteArray("window.z")
+                             << QStringList{"inspector", "pipeline", "comparison", "precision", "lifecycle"};
     QTest::newRow("of another step") << QByteArray("a:eye.z") << own;
     QTest::newRow("computed") << QByteArray("eye.z * 2") << own;
     QTest::newRow("of the scene") << QByteArray("scene.projection.near") << own;
 }
 
-void TestLessonReading::panelsThatShowTheAnswerAreClosed()
+void TestLessonReading::panelsThatShowTheAnswerAreKnown()
 {
     QFETCH(QByteArray, answer);
     QFETCH(QStringList, hidden);

@@ -8,11 +8,15 @@
 #include "gui/outside/observer_panel.h"
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/view/scene_view.h"
+#include "gui/widgets/number_grid.h"
 #include "tests/support/patience.h"
 #include "window_user.h"
 
 #include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMap>
+#include <QStatusBar>
 #include <QTest>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -48,12 +52,24 @@ bool grow(MainWindow &window)
     return hasGrown;
 }
 
-/// A window whose lesson is at a question that closes the panels Pipeline and Comparison.
+/// A window whose lesson is at a question that covers the panels Pipeline and Comparison.
 std::unique_ptr<MainWindow> windowWithQuestion()
 {
     auto window = windowOfSize(kWide);
     const bool isThere = part<LessonPlayer>(*window).start("weng") && part<LessonPlayer>(*window).goTo(1);
     return isThere && part<LessonPlayer>(*window).step().question ? std::move(window) : nullptr;
+}
+
+/// Where each panel stands, those behind others without a place.
+QMap<QString, QRect> layoutOf(MainWindow &window)
+{
+    QMap<QString, QRect> layout;
+    for (const QDockWidget *dock : window.findChildren<QDockWidget *>()) {
+        if (!dock->isHidden())
+            layout[dock->objectName()] = window.workspaces().isFront(*dock) ? dock->geometry() : QRect();
+    }
+    layout[QStringLiteral("the view")] = window.view().geometry();
+    return layout;
 }
 
 } // namespace
@@ -64,12 +80,15 @@ class TestAroundLessons : public QObject {
 private slots:
     void initTestCase() { redirectSettings(); }
     void init();
-    void anAnswerIsHiddenAtEveryPlace();
-    void answeredPanelsComeBackAtTheirPlace();
+    void anAnswerIsCoveredInEveryWorkspace();
+    void nothingMovesWithAnAnswer();
+    void theStatusBarKeepsTheAnswer();
     void hiddenPanelsAreHiddenAgain();
     void theFirstPanelIsInFrontAgain();
     void theLayoutIsExactlyAsBefore_data();
     void theLayoutIsExactlyAsBefore();
+    void theWindowIsPixelForPixelAsBefore_data();
+    void theWindowIsPixelForPixelAsBefore();
     void whatIsPutBackHasItsClick();
     void takingApartGoesBack();
     void aWindowThatGrewIsAsBefore();
@@ -88,34 +107,84 @@ void TestAroundLessons::init()
         QSKIP("the screen has no room for the window");
 }
 
-void TestAroundLessons::anAnswerIsHiddenAtEveryPlace()
+void TestAroundLessons::anAnswerIsCoveredInEveryWorkspace()
 {
     const auto window = windowWithQuestion();
     QVERIFY(window);
-    QVERIFY(dockOf(*window, "comparison")->isHidden());
     for (const char *place : {"pipeline", "points", "click"}) {
         enter(*window, place);
-        QVERIFY2(dockOf(*window, "comparison")->isHidden(), place);
-        QVERIFY2(dockOf(*window, "pipeline")->isHidden(), place);
+        QVERIFY2(isCovered(*window, "comparison") && isCovered(*window, "pipeline"), place);
+        QVERIFY2(!isCovered(*window, "objects"), place);
     }
     window->workspaces().reset();
-    QVERIFY(dockOf(*window, "comparison")->isHidden());
-    part<LessonPlayer>(*window).reveal();
-    QVERIFY(isSeen(*window, "comparison"));
+    QVERIFY(isCovered(*window, "comparison") && isSeen(*window, "comparison"));
+    // Answered one after the other: each of these steps asks for a coordinate of the same click.
+    LessonPlayer &player = part<LessonPlayer>(*window);
+    for (const char *id : {"look_at", "frustum", "viewport", "windows", "back", "world"}) {
+        QVERIFY(player.goTo(std::size_t(player.lesson()->step(id) - player.lesson()->steps.data())));
+        QVERIFY2(isCovered(*window, "comparison") && isCovered(*window, "pipeline"), id);
+        player.reveal();
+    }
+    QVERIFY(!isCovered(*window, "comparison") && !isCovered(*window, "pipeline") && isSeen(*window, "comparison"));
 }
 
-void TestAroundLessons::answeredPanelsComeBackAtTheirPlace()
+/// Nothing moves when a panel is covered, opened, or when a verdict is shown.
+void TestAroundLessons::nothingMovesWithAnAnswer()
 {
-    const auto window = windowWithQuestion();
-    QVERIFY(window);
-    QVERIFY(window->workspaces().current() == Workspace::Click);
-    window->workspaces().enter(Workspace::Landmarks);
-    part<LessonPlayer>(*window).reveal();
-    QVERIFY(dockOf(*window, "comparison")->isHidden()); // it is not of this place
-    window->workspaces().enter(Workspace::Click);
-    QVERIFY(isSeen(*window, "comparison"));
-    window->workspaces().enter(Workspace::Pipeline);
-    QVERIFY(isSeen(*window, "pipeline"));
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = part<LessonPlayer>(*window);
+    QVERIFY(player.start("pipeline"));
+    follow(*window, QStringLiteral("panel:pipeline"));
+    QVERIFY(player.goTo(std::size_t(player.lesson()->step("viewport_50") - player.lesson()->steps.data())));
+    settle(200);
+    QVERIFY(isCovered(*window, "pipeline") && isSeen(*window, "pipeline"));
+    auto *field = window->findChild<LessonPanel *>()->findChild<QLineEdit *>();
+    const auto placeOf = [&] { return QRect(field->mapTo(window.get(), QPoint()), field->size()); };
+    const QMap<QString, QRect> layout = layoutOf(*window);
+    const QRect place = placeOf();
+    for (const char *answer : {"0.5", "7", "2*", "(0.5 + 1) / 2"}) {
+        field->setText(QLatin1String(answer));
+        QTest::keyClick(field, Qt::Key_Return);
+        settle(100);
+        QCOMPARE(placeOf(), place);
+        QCOMPARE(layoutOf(*window), layout);
+    }
+    QVERIFY(!isCovered(*window, "pipeline") && isSeen(*window, "pipeline"));
+}
+
+/// The status bar says the world coordinate under the pointer: not while it is asked for.
+void TestAroundLessons::theStatusBarKeepsTheAnswer()
+{
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = part<LessonPlayer>(*window);
+    QVERIFY(player.start("first"));
+    const QPoint cube(112, 412);
+    const auto readout = [&] {
+        QString text;
+        for (const QLabel *label : window->statusBar()->findChildren<QLabel *>()) {
+            if (label->accessibleName() == QStringLiteral("World coordinate under the pointer"))
+                text = label->text();
+        }
+        return text;
+    };
+    const auto point = [&] {
+        QTest::mouseMove(&window->view(), cube + QPoint(3, 3));
+        QTest::mouseMove(&window->view(), cube);
+    };
+    follow(*window, QStringLiteral("view:500x500"));
+    QTRY_VERIFY_WITH_TIMEOUT(player.hasViewOfStep(), kPatienceMilliseconds);
+    settle(200);
+    point();
+    QTRY_VERIFY_WITH_TIMEOUT(readout().contains(QStringLiteral("pixel (112, 412)")), kPatienceMilliseconds);
+    QVERIFY2(!readout().contains(QStringLiteral("world")), qPrintable(readout()));
+    for (std::size_t i = 0; i < player.lesson()->steps.size(); ++i) {
+        QVERIFY(player.goTo(i));
+        if (player.step().question)
+            player.reveal();
+    }
+    settle(200);
+    point();
+    QTRY_VERIFY_WITH_TIMEOUT(readout().contains(QStringLiteral("world")), kPatienceMilliseconds);
 }
 
 void TestAroundLessons::hiddenPanelsAreHiddenAgain()
@@ -150,18 +219,6 @@ void TestAroundLessons::theFirstPanelIsInFrontAgain()
     follow(*window, QStringLiteral("panel:pipeline"));
     QVERIFY(lessons.leave());
     QVERIFY(isSeen(*window, "comparison"));
-}
-
-/// Where each panel stands, those behind others without a place.
-QMap<QString, QRect> layoutOf(MainWindow &window)
-{
-    QMap<QString, QRect> layout;
-    for (const QDockWidget *dock : window.findChildren<QDockWidget *>()) {
-        if (!dock->isHidden())
-            layout[dock->objectName()] = window.workspaces().isFront(*dock) ? dock->geometry() : QRect();
-    }
-    layout[QStringLiteral("the view")] = window.view().geometry();
-    return layout;
 }
 
 void TestAroundLessons::theLayoutIsExactlyAsBefore_data()
@@ -215,6 +272,68 @@ void TestAroundLessons::theLayoutIsExactlyAsBefore()
         settle(200); // what is done a little later changes nothing
         QCOMPARE(layoutOf(*window), before);
     }
+}
+
+void TestAroundLessons::theWindowIsPixelForPixelAsBefore_data()
+{
+    QTest::addColumn<QByteArray>("lesson");
+    const auto window = windowOfSize(kWide);
+    for (const Lesson &lesson : part<LessonPlayer>(*window).lessons())
+        QTest::newRow(lesson.name.c_str()) << QByteArray::fromStdString(lesson.name);
+}
+
+/// With a click, panels beside each other, a matrix opened and taken apart, and a number chosen before the lesson.
+void TestAroundLessons::theWindowIsPixelForPixelAsBefore()
+{
+    QFETCH(QByteArray, lesson);
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = part<LessonPlayer>(*window);
+    const QPoint middle = window->view().rect().center();
+    QTest::mouseClick(&window->view(), Qt::LeftButton, {}, middle);
+    QVERIFY(window->document().picks().pick());
+    window->workspaces().show(Panel::Pipeline);
+    window->workspaces().show(Panel::Inspector);
+    settle(200);
+    auto *pipeline = window->findChild<PipelinePanel *>();
+    window->findChild<QAction *>(QStringLiteral("open_modelview"))->trigger();
+    pipeline->takeApart(PipelineStage::ProjectionMatrix);
+    window->findChild<QAction *>(QStringLiteral("factors_0"))->trigger();
+    for (NumberGrid *grid : pipeline->findChildren<NumberGrid *>()) {
+        if (grid->accessibleName().contains(QStringLiteral("eye")))
+            grid->setCurrentIndex(grid->model()->index(grid->model()->rowCount() - 1, 0));
+    }
+    const auto picture = [&] {
+        window->view().setFocus();
+        QTest::mouseMove(window.get(), QPoint(5, 5));
+        settle(300);
+        return window->grab().toImage();
+    };
+    const QImage before = picture();
+    QCOMPARE(differentPixels(before, picture()), 0); // it is still
+    const PipelinePanel::Opened opened = pipeline->opened();
+    QVERIFY(player.start(lesson.toStdString()));
+    QVERIFY(pipeline->opened().chosen.first < 0 && pipeline->opened().apart == PipelinePanel::Opened().apart);
+    for (std::size_t i = 0; i < player.lesson()->steps.size(); ++i) {
+        QVERIFY(player.goTo(i));
+        follow(*window, QStringLiteral("click:clicked"));
+        if (player.step().question)
+            player.reveal();
+        settle(20);
+    }
+    for (const char *link : {"apart:view", "action:open_whole", "panel:lifecycle", "panel:observer"})
+        follow(*window, QLatin1String(link));
+    settle(100);
+    QVERIFY(player.leave());
+    settle(300);
+    const PipelinePanel::Opened after = pipeline->opened();
+    QVERIFY(after.open == opened.open && after.apart == opened.apart && after.percents == opened.percents);
+    QVERIFY(after.chosen == opened.chosen);
+    const QImage now = picture();
+    if (differentPixels(before, now) != 0) {
+        before.save(QStringLiteral("before_%1.png").arg(QLatin1String(lesson)));
+        now.save(QStringLiteral("after_%1.png").arg(QLatin1String(lesson)));
+    }
+    QCOMPARE(differentPixels(before, now), 0);
 }
 
 void TestAroundLessons::whatIsPutBackHasItsClick()

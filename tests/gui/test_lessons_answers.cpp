@@ -6,6 +6,7 @@
 #include "lessons_user.h"
 #include "tests/support/patience.h"
 
+#include <QRegularExpression>
 #include <QTest>
 
 using namespace unprojector;
@@ -22,6 +23,8 @@ private slots:
     void anAnswerIsShown();
     void whatHasTheAnswerWaitsForIt();
     void thePapersAnswersWait();
+    void theEndCountsTheAnswers();
+    void theLastLessonEndsBeforeAScene();
     void theReasonStaysInFront();
     void theViewIsCalledAsThePaperSays();
 };
@@ -32,17 +35,27 @@ void TestLessonsAnswers::anAnswerIsChecked()
     QVERIFY(part<LessonPlayer>(*window).start("first"));
     QVERIFY(part<LessonPlayer>(*window).goTo(1));
     const QString shown = panelOf(*window).text();
-    QVERIFY(!shown.contains(QStringLiteral("312.5")));
-    answer(*window, QStringLiteral("312"));
-    QCOMPARE(verdictOf(*window), QStringLiteral("312 is not it. Try again, or have it shown."));
-    answer(*window, QStringLiteral("-312.5"));
-    QCOMPARE(verdictOf(*window), QStringLiteral("−312.5 has the wrong sign. Try again, or have it shown."));
+    QVERIFY(!shown.contains(QStringLiteral("87.5")));
+    QCOMPARE(verdictOf(*window), QStringLiteral("The panel opens with the answer to step 7."));
+    answer(*window, QStringLiteral("17"));
+    QCOMPARE(verdictOf(*window), QStringLiteral("17 is not it. Try again, or have it shown."));
+    answer(*window, QStringLiteral("-87.5"));
+    QCOMPARE(verdictOf(*window), QStringLiteral("−87.5 has the wrong sign. Try again, or have it shown."));
+    answer(*window, QStringLiteral("500 - 412"));
+    QCOMPARE(verdictOf(*window),
+             QStringLiteral("88 = 500 − 412: the pixel’s upper edge. Its centre is half a pixel lower."));
+    answer(*window, QStringLiteral("87"));
+    QCOMPARE(verdictOf(*window),
+             QStringLiteral("87 = 500 − 413: the pixel’s lower edge. Its centre is half a pixel higher."));
+    answer(*window, QStringLiteral("412"));
+    QCOMPARE(verdictOf(*window), QStringLiteral("412 counts from the top. OpenGL counts from the bottom of the view, "
+                                                "which is 500 high."));
     QCOMPARE(panelOf(*window).text(), shown);
     answer(*window, QStringLiteral("2*"));
     QCOMPARE(verdictOf(*window), QStringLiteral("“2*” ends where a number is wanted."));
-    answer(*window, QStringLiteral("500 - 187.5"));
-    QCOMPARE(verdictOf(*window), QStringLiteral("Right: 312.5."));
-    QVERIFY(panelOf(*window).text().contains(QStringLiteral("500 − (187 + 0.5) = 312.5")));
+    answer(*window, QStringLiteral("500 - 412.5"));
+    QCOMPARE(verdictOf(*window), QStringLiteral("Right: 87.5."));
+    QVERIFY(panelOf(*window).text().contains(QStringLiteral("500 − (412 + 0.5) = 87.5")));
     QVERIFY(part<LessonPlayer>(*window).goTo(2));
     QVERIFY(verdictOf(*window).isEmpty());
 }
@@ -65,40 +78,42 @@ void TestLessonsAnswers::whatHasTheAnswerWaitsForIt()
     const auto goTo = [&](const char *id) {
         return player.goTo(std::size_t(player.lesson()->step(id) - player.lesson()->steps.data()));
     };
-    const auto isSaid = [&] { return panelOf(*window).text().contains(QStringLiteral("Panels that show the answer")); };
+    const auto isSaid = [&] { return verdictOf(*window) == QStringLiteral("Answer first; then the panel opens."); };
     QVERIFY(player.start("pipeline"));
-    QVERIFY(dockOf(*window, "pipeline")->isHidden() && isSaid());
+    QVERIFY(isCovered(*window, "pipeline") && isCovered(*window, "comparison"));
     QVERIFY(goTo("load_identity")); // what it asks is of another step
-    QVERIFY(isSeen(*window, "pipeline") && !isSaid());
+    QVERIFY(isSeen(*window, "pipeline") && !isCovered(*window, "pipeline") && !isSaid());
     QVERIFY(goTo("look_at"));
-    QVERIFY(dockOf(*window, "pipeline")->isHidden() && isSaid());
+    QVERIFY(isSeen(*window, "pipeline") && isCovered(*window, "pipeline") && isSaid());
     answer(*window, QStringLiteral("0.5")); // which is not it
-    QVERIFY(dockOf(*window, "pipeline")->isHidden());
+    QVERIFY(isCovered(*window, "pipeline"));
     answer(*window, QStringLiteral("0.75"));
-    QVERIFY(isSeen(*window, "pipeline") && !isSaid());
+    QVERIFY(isSeen(*window, "pipeline") && !isCovered(*window, "pipeline") && !isSaid());
     QVERIFY(goTo("model_view"));
-    QVERIFY(dockOf(*window, "pipeline")->isHidden());
+    QVERIFY(isCovered(*window, "pipeline"));
     QTest::mouseClick(buttonOf(*window, QStringLiteral("Show")), Qt::LeftButton);
-    QVERIFY(isSeen(*window, "pipeline"));
+    QVERIFY(isSeen(*window, "pipeline") && !isCovered(*window, "pipeline"));
+    QVERIFY(goTo("look_at")); // answered before
+    QVERIFY(!isCovered(*window, "pipeline") && !isSaid());
     QVERIFY(goTo("viewport_50"));
-    QVERIFY(dockOf(*window, "pipeline")->isHidden());
+    QVERIFY(isCovered(*window, "pipeline"));
     QVERIFY(goTo("ortho")); // never answered
-    QVERIFY(!dockOf(*window, "pipeline")->isHidden() && dockOf(*window, "comparison")->isHidden());
+    QVERIFY(!isCovered(*window, "pipeline") && isCovered(*window, "comparison"));
+    QVERIFY(player.start("pipeline")); // from the beginning, without any answers
+    QVERIFY(goTo("look_at"));
+    QVERIFY(isCovered(*window, "pipeline"));
     QVERIFY(player.leave());
-    QVERIFY(dockOf(*window, "pipeline")->isHidden());
+    QVERIFY(dockOf(*window, "pipeline")->isHidden() && !isCovered(*window, "pipeline"));
+    QVERIFY(!isCovered(*window, "comparison") && isSeen(*window, "comparison"));
+    // The first step asks nothing, but its click has the answers to those after it.
     QVERIFY(player.start("first"));
-    QVERIFY(!dockOf(*window, "comparison")->isHidden());
-    QVERIFY(player.next()); // asks for what it shows
-    QVERIFY(dockOf(*window, "comparison")->isHidden());
-    QVERIFY(player.next());
-    QVERIFY(isSeen(*window, "comparison"));
+    QVERIFY(isCovered(*window, "comparison"));
+    for (const QLabel *cover : dockOf(*window, "comparison")->findChildren<QLabel *>(QStringLiteral("cover")))
+        QCOMPARE(cover->text(), QStringLiteral("The panel opens with the answer to step 7."));
+    QVERIFY(goTo("world"));
+    answer(*window, QStringLiteral("5"));
+    QVERIFY(!isCovered(*window, "comparison"));
     QVERIFY(player.leave());
-    // The user's own stays the user's.
-    window->workspaces().show(Panel::Pipeline);
-    QVERIFY(player.start("pipeline"));
-    QVERIFY(dockOf(*window, "pipeline")->isHidden());
-    QVERIFY(player.leave());
-    QVERIFY(isSeen(*window, "pipeline"));
 }
 
 /// Whatever else was shown, what a step of the paper asks is not in sight before it is answered.
@@ -110,10 +125,72 @@ void TestLessonsAnswers::thePapersAnswersWait()
     for (const char *id : {"look_at", "viewport", "windows", "back", "world", "ortho", "oblique", "clip_plane"}) {
         follow(*window, QStringLiteral("step:") + QLatin1String(id));
         follow(*window, QStringLiteral("click:clicked"));
-        QVERIFY2(dockOf(*window, "comparison")->isHidden() && dockOf(*window, "pipeline")->isHidden(), id);
+        QVERIFY2(isCovered(*window, "comparison") && isCovered(*window, "pipeline"), id);
         buttonOf(*window, QStringLiteral("Show"))->click();
-        QVERIFY2(!dockOf(*window, "comparison")->isHidden() && isSeen(*window, "pipeline"), id); // as before in front
+        const bool opens = QByteArray(id) != "look_at" && QByteArray(id) != "viewport" && QByteArray(id) != "windows"
+                           && QByteArray(id) != "back"; // until all that is asked about the click is answered
+        QVERIFY2(isCovered(*window, "comparison") != opens && isCovered(*window, "pipeline") != opens, id);
+        QVERIFY2(isSeen(*window, "pipeline"), id); // in front, as before
     }
+}
+
+void TestLessonsAnswers::theEndCountsTheAnswers()
+{
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = part<LessonPlayer>(*window);
+    QVERIFY(player.start("first"));
+    QVERIFY(player.goTo(1));
+    answer(*window, QStringLiteral("87.5")); // at once
+    QVERIFY(player.goTo(3));
+    answer(*window, QStringLiteral("1"));
+    answer(*window, QStringLiteral("-0.55"));           // later
+    buttonOf(*window, QStringLiteral("Show"))->click(); // it was found before
+    QVERIFY(player.goTo(4));
+    buttonOf(*window, QStringLiteral("Show"))->click(); // shown
+    answer(*window, QStringLiteral("20"));
+    QVERIFY(player.goTo(6));
+    buttonOf(*window, QStringLiteral("Finish"))->click();
+    QVERIFY(player.lesson()); // its scene is still there
+    const QString text = panelOf(*window).text();
+    const auto says = [&](const char *name, int count) {
+        return text.contains(QRegularExpression(QStringLiteral("%1\\s+%2\\b").arg(QLatin1String(name)).arg(count)));
+    };
+    QVERIFY2(says("Questions", 5) && says("Right with the first answer", 1) && says("Right with a later answer", 1)
+                 && says("Shown", 1) && says("Not answered", 2),
+             qPrintable(text));
+    QVERIFY(!panelOf(*window).findChild<QLineEdit *>()->isVisible());
+    buttonOf(*window, QStringLiteral("‹ Back"))->click();
+    QCOMPARE(player.index(), std::size_t(6));
+    QVERIFY(panelOf(*window).findChild<QLineEdit *>()->isVisible());
+    buttonOf(*window, QStringLiteral("Finish"))->click();
+    buttonOf(*window, QStringLiteral("Next lesson ›"))->click();
+    QCOMPARE(player.lesson()->name, std::string("weng"));
+    QCOMPARE(player.index(), std::size_t(0));
+    QCOMPARE(player.tally().atOnce + player.tally().later + player.tally().shown, 0);
+}
+
+void TestLessonsAnswers::theLastLessonEndsBeforeAScene()
+{
+    const auto window = windowOfSize(kWide);
+    LessonPlayer &player = part<LessonPlayer>(*window);
+    const QString name = window->session().name();
+    QVERIFY(player.start(player.lessons().back().name));
+    QVERIFY(player.goTo(player.lesson()->steps.size() - 1));
+    buttonOf(*window, QStringLiteral("Finish"))->click();
+    QVERIFY(!buttonOf(*window, QStringLiteral("Next lesson ›"))->isVisible());
+    buttonOf(*window, QStringLiteral("Leave"))->click();
+    QVERIFY(!player.lesson());
+    QCOMPARE(window->session().name(), name);
+
+    MainWindow::Options options;
+    options.remembers = false;
+    MainWindow empty(options); // no scene was shown before the lesson
+    bringUp(empty);
+    QVERIFY(part<LessonPlayer>(empty).start("first"));
+    QVERIFY(part<LessonPlayer>(empty).goTo(6));
+    buttonOf(empty, QStringLiteral("Finish"))->click();
+    buttonOf(empty, QStringLiteral("Leave"))->click();
+    QVERIFY(!part<LessonPlayer>(empty).lesson() && !empty.document().objects().empty());
 }
 
 /// In a narrow window the lesson and the panel that has the answer are tabs of one column.
@@ -138,11 +215,11 @@ void TestLessonsAnswers::theViewIsCalledAsThePaperSays()
     const auto calls = [log](int first) { return log->text(first, log->rowCount() - 1); };
     QVERIFY(part<LessonPlayer>(*window).start("weng"));
     follow(*window, QStringLiteral("step:mfc"));
-    QVERIFY(dockOf(*window, "lifecycle")->isHidden());
+    QVERIFY(isCovered(*window, "lifecycle"));
     answer(*window, QStringLiteral("5"));
-    QVERIFY(dockOf(*window, "lifecycle")->isHidden());
+    QVERIFY(isCovered(*window, "lifecycle"));
     answer(*window, QStringLiteral("4"));
-    QVERIFY(isSeen(*window, "lifecycle"));
+    QVERIFY(isSeen(*window, "lifecycle") && !isCovered(*window, "lifecycle"));
 
     follow(*window, QStringLiteral("step:mfc_size"));
     follow(*window, QStringLiteral("view:500x500"));
@@ -162,7 +239,7 @@ void TestLessonsAnswers::theViewIsCalledAsThePaperSays()
         const ProjectionWindow w = projectionWindow(g.projection());
         return g.viewport.width / (w.right - w.left) / (g.viewport.height / (w.top - w.bottom));
     };
-    QCOMPARE(stretch(), *part<LessonPlayer>(*window).answer());
+    QCOMPARE(stretch(), part<LessonPlayer>(*window).asked()->answer);
     follow(*window, QStringLiteral("set:follows"));
     QCOMPARE(stretch(), 1.0);
     QVERIFY2(window->message().isEmpty(), qPrintable(window->message()));
@@ -171,11 +248,11 @@ void TestLessonsAnswers::theViewIsCalledAsThePaperSays()
     emit hintOf(*window)->linkActivated(QStringLiteral("restart:"));
     follow(*window, QStringLiteral("view:500x500"));
     QTRY_VERIFY_WITH_TIMEOUT(part<LessonPlayer>(*window).hasViewOfStep(), kPatienceMilliseconds);
-    QVERIFY(dockOf(*window, "lifecycle")->isHidden());
+    QVERIFY(isCovered(*window, "lifecycle"));
     follow(*window, QStringLiteral("click:clicked"));
-    QVERIFY2(
-        calls(0).contains(QStringLiteral("glReadPixels(230, %1, 1, 1,").arg(*part<LessonPlayer>(*window).answer())),
-        qPrintable(calls(0)));
+    QVERIFY2(calls(0).contains(
+                 QStringLiteral("glReadPixels(230, %1, 1, 1,").arg(part<LessonPlayer>(*window).asked()->answer)),
+             qPrintable(calls(0)));
 }
 
 QTEST_MAIN(TestLessonsAnswers)

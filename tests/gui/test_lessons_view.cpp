@@ -224,7 +224,7 @@ void TestLessonsView::aClickMeetsTheStepsPointInEveryView_data()
     QTest::newRow("a fixed viewport") << QByteArray("rows") << QByteArray("round_trip") << QByteArray("beside")
                                       << WorldPoint(0.5, -0.5, 0.0) << 1e-5;
     QTest::newRow("one that grows") << QByteArray("first") << QByteArray("pixel") << QByteArray("clicked")
-                                    << WorldPoint(-1.5, 3.5, 5.0) << 0.05;
+                                    << WorldPoint(3.0, -1.0, 5.0) << 0.1;
 }
 
 void TestLessonsView::aClickMeetsTheStepsPointInEveryView()

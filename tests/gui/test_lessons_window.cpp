@@ -176,6 +176,7 @@ void TestLessonsWindow::theKeysGoFromStepToStep()
     QVERIFY(part<LessonPlayer>(*window).start("derivation"));
     follow(*window, QStringLiteral("step:frustum"));
     buttonOf(*window, QStringLiteral("Finish"))->click();
+    buttonOf(*window, QStringLiteral("Leave"))->click();
     QVERIFY(!part<LessonPlayer>(*window).lesson());
 }
 

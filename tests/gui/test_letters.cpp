@@ -203,7 +203,7 @@ void TestLetters::aLengthLeavesTheMiddleFree()
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             if (!isLength(marks, i))
                 continue;
-            isThere |= nameOf(marks.texts[i]) == QStringLiteral("rect.bottom");
+            isThere |= nameOf(marks.texts[i]) == QStringLiteral("H");
             QVERIFY2(!boxes[i].isNull() && !boxes[i].intersects(middle), qPrintable(nameOf(marks.texts[i])));
         }
         QVERIFY2(isThere, qPrintable(QStringLiteral("%1 %2").arg(QLatin1String(lesson)).arg(QLatin1String(step))));

@@ -94,13 +94,13 @@ void TestScreenshot::theSameClicksMeanTheSamePixels()
 
 void TestScreenshot::aLessonHasItsOwnView()
 {
-    const Run result = run({"--screenshot", path("lesson.png"), "--lesson", "first:2", "--click", "162,187"});
+    const Run result = run({"--screenshot", path("lesson.png"), "--lesson", "first:2", "--click", "112,412"});
     QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
     const Json click = Json::parse(result.output.toStdString(), nullptr, false)[0];
     QCOMPARE(click["scene"]["window"]["width"].get<int>(), 500);
     QCOMPARE(click["scene"]["window"]["height"].get<int>(), 500);
     const Json point = click["world"]["formula"];
-    for (const auto &[place, wanted] : {std::pair(0, -1.5), std::pair(1, 3.5), std::pair(2, 5.0)})
+    for (const auto &[place, wanted] : {std::pair(0, 3.0), std::pair(1, -1.0), std::pair(2, 5.0)})
         QVERIFY(std::fabs(point[std::size_t(place)].get<double>() - wanted) < 1e-6);
 }
 

@@ -50,4 +50,10 @@ inline bool isSeen(unprojector::gui::MainWindow &window, const char *name)
     return window.workspaces().isFront(*dockOf(window, name));
 }
 
+/// Whether a text stands in the place of a panel, which would show the answer to a lesson's question.
+inline bool isCovered(const unprojector::gui::MainWindow &window, const char *name)
+{
+    return dockOf(window, name)->widget()->objectName() == QLatin1String("cover");
+}
+
 } // namespace guitest
