@@ -56,8 +56,7 @@ private:
 };
 
 /// What letters keep clear of: the axes in the corner, and a widget over the upper right corner. Logical pixels.
-/// @param area    of the view
-/// @param widget  not valid: there is none
+/// @param corner  that the widget takes; empty: there is none
 std::vector<QRectF> takenCorners(const SceneDocument &document, const QRectF &corner);
 
 } // namespace unprojector::gui
