@@ -2,6 +2,129 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>Answers</name>
+    <message>
+        <source>%1: the pixel’s left edge. Its centre is half a pixel to the right.</source>
+        <translation>%1：这是像素的左边缘。其中心还要向右半个像素。</translation>
+    </message>
+    <message>
+        <source>%1: the pixel’s right edge. Its centre is half a pixel to the left.</source>
+        <translation>%1：这是像素的右边缘。其中心还要向左半个像素。</translation>
+    </message>
+    <message>
+        <source>%1: the pixel’s upper edge. Its centre is half a pixel lower.</source>
+        <translation>%1：这是像素的上边缘。其中心还要低半个像素。</translation>
+    </message>
+    <message>
+        <source>%1: the pixel’s lower edge. Its centre is half a pixel higher.</source>
+        <translation>%1：这是像素的下边缘。其中心还要高半个像素。</translation>
+    </message>
+    <message>
+        <source>%1: the row above. Rows count from 0, so the last one is %2.</source>
+        <translation>%1：这是上面一行。行从 0 数起，所以最后一行是 %2。</translation>
+    </message>
+    <message>
+        <source>%1: the centre of the pixel. Its row is a whole number.</source>
+        <translation>%1：这是像素的中心。行号是整数。</translation>
+    </message>
+    <message>
+        <source>%1 counts from the top. OpenGL counts from the bottom of the view, which is %2 high.</source>
+        <translation>%1 是从上边数起的。OpenGL 从视图的下边数起，视图高 %2。</translation>
+    </message>
+    <message>
+        <source>%1 counts from the bottom. The mouse counts from the top of the view, which is %2 high.</source>
+        <translation>%1 是从下边数起的。鼠标从视图的上边数起，视图高 %2。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times too large. That is the pixel ratio: the pixels here are device pixels already.</source>
+        <translation>%1 大了 %2 倍。这正是像素比：这里已经是设备像素。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times too small. That is the pixel ratio: the pixels here are device pixels.</source>
+        <translation>%1 小了 %2 倍。这正是像素比：这里是设备像素。</translation>
+    </message>
+    <message>
+        <source>%1 has the wrong sign. The eye looks along −z: what lies in front of it has a negative z.</source>
+        <translation>%1 的符号不对。视点沿 −z 方向看：它前方的点 z 为负。</translation>
+    </message>
+    <message>
+        <source>%1 has the wrong sign. Try again, or have it shown.</source>
+        <translation>%1 的符号不对。请再试一次，或查看答案。</translation>
+    </message>
+    <message>
+        <source>%1 comes out with near and far swapped. Near is %2, far is %3.</source>
+        <translation>把近平面和远平面弄反了，才会得到 %1。近平面为 %2，远平面为 %3。</translation>
+    </message>
+    <message>
+        <source>%1 is z in NDC, from −1 to 1. The depth goes from %2 to %3.</source>
+        <translation>%1 是 NDC 的 z，范围为 −1 到 1。深度的范围为 %2 到 %3。</translation>
+    </message>
+    <message>
+        <source>%1 comes out when z in NDC, from −1 to 1, stands for the depth.</source>
+        <translation>把 NDC 的 z（−1 到 1）当作深度，才会得到 %1。</translation>
+    </message>
+    <message>
+        <source>%1 is the depth, from %2 to %3. In NDC z goes from −1 to 1.</source>
+        <translation>%1 是深度，范围为 %2 到 %3。NDC 的 z 范围为 −1 到 1。</translation>
+    </message>
+    <message>
+        <source>%1 comes out when the depth stands for z in NDC, from −1 to 1.</source>
+        <translation>把深度当作 NDC 的 z（−1 到 1），才会得到 %1。</translation>
+    </message>
+    <message>
+        <source>%1 comes out on an even scale. A perspective gives most depths to what is close.</source>
+        <translation>按均匀刻度才会得到 %1。透视投影把大部分深度值给了近处。</translation>
+    </message>
+    <message>
+        <source>%1 comes out when degrees are taken for radians.</source>
+        <translation>把度当作弧度，才会得到 %1。</translation>
+    </message>
+    <message>
+        <source>%1 comes out when radians are taken for degrees.</source>
+        <translation>把弧度当作度，才会得到 %1。</translation>
+    </message>
+    <message>
+        <source>%1 is not it. Try again, or have it shown.</source>
+        <translation>%1 不对。请再试一次，或查看答案。</translation>
+    </message>
+    <message>
+        <source>Answer first; then the panel opens.</source>
+        <translation>请先作答，面板随后打开。</translation>
+    </message>
+    <message>
+        <source>The panel opens with the answer to step %1.</source>
+        <translation>第 %1 步作答后，面板打开。</translation>
+    </message>
+    <message>
+        <source>The end of the lesson</source>
+        <translation>本课结束</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Right with the first answer</source>
+        <translation>第一次就答对</translation>
+    </message>
+    <message>
+        <source>Right with a later answer</source>
+        <translation>后来答对</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>查看了答案</translation>
+    </message>
+    <message>
+        <source>Not answered</source>
+        <translation>未作答</translation>
+    </message>
+    <message>
+        <source>Next lesson: &lt;b&gt;%1&lt;/b&gt;</source>
+        <translation>下一课：&lt;b&gt;%1&lt;/b&gt;</translation>
+    </message>
+</context>
+<context>
     <name>BundledNames</name>
     <message>
         <source>Teapot</source>
@@ -602,6 +725,49 @@
     </message>
 </context>
 <context>
+    <name>unprojector::gui::AnswerBlock</name>
+    <message>
+        <source>Chec&amp;k</source>
+        <translation>检查(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>显示(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Your answer</source>
+        <translation>您的答案</translation>
+    </message>
+    <message>
+        <source>A number or an expression such as 3/4 or 2*sqrt(2)</source>
+        <translation>一个数或表达式，例如 3/4 或 2*sqrt(2)</translation>
+    </message>
+    <message>
+        <source>Compare your answer with the program&apos;s</source>
+        <translation>将您的答案与程序的答案比较</translation>
+    </message>
+    <message>
+        <source>Show the answer, and why it is so</source>
+        <translation>显示答案及其原因</translation>
+    </message>
+    <message>
+        <source>Whether your answer is right</source>
+        <translation>您的答案是否正确</translation>
+    </message>
+    <message>
+        <source>Right: %1.</source>
+        <translation>正确：%1。</translation>
+    </message>
+    <message>
+        <source>It is %1.</source>
+        <translation>答案是 %1。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::AnswerView</name>
     <message>
         <source>What was clicked</source>
@@ -752,10 +918,6 @@
         <translation>视图，以及一次点击得到的结果</translation>
     </message>
     <message>
-        <source>A Click Takes</source>
-        <translation>点击选取</translation>
-    </message>
-    <message>
         <source>&amp;Surface</source>
         <translation>表面(&amp;S)</translation>
     </message>
@@ -786,6 +948,34 @@
     <message>
         <source>A click takes the face under it, with its plane</source>
         <translation>点击选取其下的面及其所在平面</translation>
+    </message>
+    <message>
+        <source>Pick in Every Space</source>
+        <translation>各空间中的拾取点</translation>
+    </message>
+    <message>
+        <source>Snap To</source>
+        <translation>捕捉到</translation>
+    </message>
+    <message>
+        <source>What a click takes of a mesh</source>
+        <translation>单击取网格上的什么</translation>
+    </message>
+    <message>
+        <source>Snap: %1</source>
+        <translation>捕捉：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy the coordinate of the pick with all its digits</source>
+        <translation>复制拾取的坐标，含全部数位</translation>
+    </message>
+    <message>
+        <source>There is no pick to copy. Click the model first.</source>
+        <translation>没有可复制的拾取。请先点击模型。</translation>
     </message>
 </context>
 <context>
@@ -1212,6 +1402,14 @@ Grey digits are below the last certain place.</source>
         <source>The pixel of this click is outside the view now.</source>
         <translation>这次点击的像素现在在视图之外。</translation>
     </message>
+    <message>
+        <source>Earlier picks</source>
+        <translation>先前的拾取</translation>
+    </message>
+    <message>
+        <source>The last picks of this scene: to show them again and to compare two</source>
+        <translation>此场景最近的拾取：可再次显示，也可比较其中两次</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::CoordinatesTable</name>
@@ -1499,7 +1697,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
 <context>
     <name>unprojector::gui::DerivationLine</name>
     <message>
-        <source>How the chosen number comes about</source>
+        <source>How the chosen number is computed</source>
         <translation>所选的数是怎样算出来的</translation>
     </message>
 </context>
@@ -1543,10 +1741,6 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>巧合</translation>
     </message>
     <message>
-        <source>Lands</source>
-        <translation>落点</translation>
-    </message>
-    <message>
         <source>Right is</source>
         <translation>正确的点</translation>
     </message>
@@ -1563,10 +1757,6 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>位数</translation>
     </message>
     <message>
-        <source>Tell apart</source>
-        <translation>如何区分</translation>
-    </message>
-    <message>
         <source>Click &amp;there: %1</source>
         <translation>点击那里(&amp;T)：%1</translation>
     </message>
@@ -1578,6 +1768,14 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Next best</source>
         <translation>其次</translation>
+    </message>
+    <message>
+        <source>Projects to</source>
+        <translation>投影到</translation>
+    </message>
+    <message>
+        <source>To be sure</source>
+        <translation>要确认</translation>
     </message>
 </context>
 <context>
@@ -1719,6 +1917,69 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     </message>
 </context>
 <context>
+    <name>unprojector::gui::EarlierPicksView</name>
+    <message>
+        <source>Picks of this scene</source>
+        <translation>此场景的拾取</translation>
+    </message>
+    <message>
+        <source>Click a row to show that pick again. Ctrl + click a second row to compare the two</source>
+        <translation>点击一行以再次显示该拾取。按住 Ctrl 点击另一行以比较两者</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>World coordinate</source>
+        <translation>世界坐标</translation>
+    </message>
+    <message>
+        <source>Pixel</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>To the last certain digit; world units</source>
+        <translation>到最后一位可靠数字；世界单位</translation>
+    </message>
+    <message>
+        <source>Column and row from the top-left corner of the framebuffer, in device pixels</source>
+        <translation>帧缓冲中从左上角算起的列和行，以设备像素计</translation>
+    </message>
+    <message>
+        <source>Differences of two picks</source>
+        <translation>两次拾取的差别</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;text</source>
+        <translation>复制为文本(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Copy as &amp;CSV</source>
+        <translation>复制为 CSV(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>全部复制</translation>
+    </message>
+    <message>
+        <source>Copy all picks: as text as they are shown, as CSV with all digits</source>
+        <translation>复制所有拾取：文本与显示相同，CSV 含全部数位</translation>
+    </message>
+    <message>
+        <source>This pick is shown above</source>
+        <translation>上方显示的是这次拾取</translation>
+    </message>
+    <message>
+        <source>Pick %1</source>
+        <translation>拾取 %1</translation>
+    </message>
+    <message>
+        <source>Select two rows to compare them (Ctrl + click, or Shift with the arrow keys).</source>
+        <translation>选择两行以比较（按住 Ctrl 点击，或按住 Shift 用方向键）。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::EntryDerivation</name>
     <message>
         <source>%1; the number shown, %2, was given, and what leads to it was computed back from there</source>
@@ -1745,24 +2006,175 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>%1 是算出来的：控件位置没有深度</translation>
     </message>
     <message>
-        <source>%1: this way begins here; Backward shows how it comes from world.</source>
-        <translation>%1：此方向从这里开始；选“逆向”可看它如何由世界坐标得出。</translation>
-    </message>
-    <message>
-        <source>%1: this way begins here; Forward shows how it comes from window.</source>
-        <translation>%1：此方向从这里开始；选“正向”可看它如何由窗口坐标得出。</translation>
-    </message>
-    <message>
-        <source>%1 has no number to show how it comes about.</source>
-        <translation>%1 还没有数，无从显示其由来。</translation>
-    </message>
-    <message>
-        <source>Click a number of a vector, or go to it with Tab and the arrow keys: how it comes about then stands here.</source>
-        <translation>点击向量中的一个数，或用 Tab 和方向键移到它上面：这里会写出它是怎样算出来的。</translation>
-    </message>
-    <message>
         <source>0: the %1 shown is no more than rounding leaves</source>
         <translation>0：显示的 %1 不超过舍入的残余</translation>
+    </message>
+    <message>
+        <source>%1: start of the forward path; switch to Backward to see it computed from world.</source>
+        <translation>%1：正向路径的起点；切换到“逆向”可看它如何由世界坐标算出。</translation>
+    </message>
+    <message>
+        <source>%1: start of the backward path; switch to Forward to see it computed from window.</source>
+        <translation>%1：逆向路径的起点；切换到“正向”可看它如何由窗口坐标算出。</translation>
+    </message>
+    <message>
+        <source>%1 has no number yet: click the model, or type a point.</source>
+        <translation>%1 还没有数：请点击模型，或输入一个点。</translation>
+    </message>
+    <message>
+        <source>Click a number to see how it is computed. Double-click a vector to type your own.</source>
+        <translation>点击一个数，可看它是怎样算出来的。双击向量，可输入您自己的数。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ExportPictureDialog</name>
+    <message>
+        <source>Export Picture</source>
+        <translation>导出图片</translation>
+    </message>
+    <message>
+        <source>Why there is no such picture</source>
+        <translation>为何无法导出这样的图片</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Choose a file and write the picture</source>
+        <translation>选择文件并写入图片</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Width of the picture in pixels</source>
+        <translation>图片的宽度，像素</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Height of the picture in pixels</source>
+        <translation>图片的高度，像素</translation>
+    </message>
+    <message>
+        <source>Pixel ratio</source>
+        <translation>像素比</translation>
+    </message>
+    <message>
+        <source>Pixels of the picture for a logical pixel: how large lines, marks and letters are</source>
+        <translation>一个逻辑像素对应的图片像素：决定线条、标记和文字的大小</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the view&apos;s proportions</source>
+        <translation>保持视图的比例(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Width, height and pixel ratio change together: the same picture, larger</source>
+        <translation>宽度、高度和像素比一同改变：同样的图片，更大</translation>
+    </message>
+    <message>
+        <source>&amp;Width:</source>
+        <translation>宽度(&amp;W)：</translation>
+    </message>
+    <message>
+        <source>&amp;Height:</source>
+        <translation>高度(&amp;H)：</translation>
+    </message>
+    <message>
+        <source>Pixel &amp;ratio:</source>
+        <translation>像素比(&amp;R)：</translation>
+    </message>
+    <message>
+        <source>Shown besides the objects</source>
+        <translation>除物体外还显示</translation>
+    </message>
+    <message>
+        <source>&amp;Pick</source>
+        <translation>拾取(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The picked point with its lines to the ground</source>
+        <translation>所拾取的点及其到地面的线</translation>
+    </message>
+    <message>
+        <source>&amp;Landmarks</source>
+        <translation>标志点(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The placed landmarks with their names</source>
+        <translation>已放置的标志点及其名称</translation>
+    </message>
+    <message>
+        <source>&amp;Curves</source>
+        <translation>曲线(&amp;C)</translation>
+    </message>
+    <message>
+        <source>The curves between landmarks</source>
+        <translation>标志点之间的曲线</translation>
+    </message>
+    <message>
+        <source>&amp;Ground and clip planes</source>
+        <translation>地面和裁剪平面(&amp;G)</translation>
+    </message>
+    <message>
+        <source>The grid on the ground, and the planes that cut the objects</source>
+        <translation>地面上的网格，以及切割物体的平面</translation>
+    </message>
+    <message>
+        <source>&amp;Axes</source>
+        <translation>坐标轴(&amp;A)</translation>
+    </message>
+    <message>
+        <source>The axes of the world, and their directions in the corner</source>
+        <translation>世界坐标轴，以及角落里它们的方向</translation>
+    </message>
+    <message>
+        <source>&amp;Map of differences</source>
+        <translation>差异映射图(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The colours of the map over the objects; only with the proportions of the view</source>
+        <translation>物体上方映射图的颜色；仅在保持视图比例时</translation>
+    </message>
+    <message>
+        <source>The view shows no map. View &gt; Map of Differences shows one.</source>
+        <translation>视图没有显示映射图。“视图 &gt; 差异映射图”可显示。</translation>
+    </message>
+    <message>
+        <source>&amp;Transparent background</source>
+        <translation>透明背景(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn behind the objects, so that what lies below the picture is seen</source>
+        <translation>物体后面不绘制任何内容，因此能看到图片下方的内容</translation>
+    </message>
+    <message>
+        <source>OpenGL has not started, so there is no picture to export.</source>
+        <translation>OpenGL 尚未启动，没有可导出的图片。</translation>
+    </message>
+    <message>
+        <source>The graphics driver draws at most %1 × %1 pixels. You entered %2 × %3.</source>
+        <translation>显卡驱动最多绘制 %1 × %1 像素。您输入的是 %2 × %3。</translation>
+    </message>
+    <message>
+        <source>A picture has at most %1 million pixels. %2 × %3 are %4 million.</source>
+        <translation>图片最多 %1 百万像素。%2 × %3 是 %4 百万。</translation>
+    </message>
+    <message>
+        <source>OpenGL has no memory for a picture of %1 × %2 pixels. Choose a smaller size.</source>
+        <translation>OpenGL 没有足够内存绘制 %1 × %2 像素的图片。请选择较小的尺寸。</translation>
+    </message>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>Picture written to %1</source>
+        <translation>图片已写入 %1</translation>
     </message>
 </context>
 <context>
@@ -1811,10 +2223,6 @@ Both are as large as fits.</source>
         <translation>使用所有因子</translation>
     </message>
     <message>
-        <source>How much of each acts:</source>
-        <translation>每个因子起多少作用：</translation>
-    </message>
-    <message>
         <source>The product of what acts</source>
         <translation>起作用的部分的乘积</translation>
     </message>
@@ -1831,10 +2239,6 @@ Both are as large as fits.</source>
         <translation>它们的乘积：</translation>
     </message>
     <message>
-        <source>How much of %1, percent</source>
-        <translation>%1 起多少作用，百分比</translation>
-    </message>
-    <message>
         <source>This is the matrix of %1, to the last digit.</source>
         <translation>这就是 %1 的矩阵，每一位都相同。</translation>
     </message>
@@ -1849,6 +2253,14 @@ Both are as large as fits.</source>
     <message>
         <source>The view volume reaches from %1 to %2 in x, from %3 to %4 in y, from %5 to %6 in z.</source>
         <translation>视景体的范围：x 从 %1 到 %2，y 从 %3 到 %4，z 从 %5 到 %6。</translation>
+    </message>
+    <message>
+        <source>Strength of each factor:</source>
+        <translation>每个因子的强度：</translation>
+    </message>
+    <message>
+        <source>Strength of %1, percent</source>
+        <translation>%1 的强度，百分比</translation>
     </message>
 </context>
 <context>
@@ -2007,8 +2419,28 @@ Both are as large as fits.</source>
         <translation>关闭</translation>
     </message>
     <message>
-        <source>&lt;p&gt;&lt;b&gt;Three things to try&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;Click&lt;/b&gt; a point of the model: its world coordinate stands beside, computed twice.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Drag&lt;/b&gt;: the view turns about the point under the pointer. The wheel zooms.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Take a lesson&lt;/b&gt; of five minutes: &lt;a href=&apos;lesson&apos;&gt;%1&lt;/a&gt;, more in File &amp;gt; Lessons.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;&lt;b&gt;可以试试这三件事&lt;/b&gt;&lt;/p&gt;&lt;p&gt;&lt;b&gt;点击&lt;/b&gt;模型上的一点：旁边会显示它的世界坐标，计算两遍。&lt;/p&gt;&lt;p&gt;&lt;b&gt;拖动&lt;/b&gt;：视图绕指针下的点转动；滚轮缩放。&lt;/p&gt;&lt;p&gt;&lt;b&gt;花五分钟上一课&lt;/b&gt;：&lt;a href=&apos;lesson&apos;&gt;%1&lt;/a&gt;，更多课程在“文件 &amp;gt; 课程”中。&lt;/p&gt;</translation>
+        <source>&lt;b&gt;Click&lt;/b&gt; a point of the model. Its world coordinate appears on the right, computed in two ways.</source>
+        <translation>&lt;b&gt;单击&lt;/b&gt;模型上的一点。它的世界坐标出现在右侧，用两种方法算出。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Drag&lt;/b&gt; the view: it turns about the point under the pointer. The wheel zooms.</source>
+        <translation>&lt;b&gt;拖动&lt;/b&gt;视图：它绕指针下的点旋转。滚轮缩放。</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Take a lesson&lt;/b&gt; of five minutes: &lt;a href=&apos;lesson&apos;&gt;%1&lt;/a&gt;.</source>
+        <translation>&lt;b&gt;上一课&lt;/b&gt;，只需五分钟：&lt;a href=&apos;lesson&apos;&gt;%1&lt;/a&gt;。</translation>
+    </message>
+    <message>
+        <source>Three things to try</source>
+        <translation>可以试试的三件事</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>To do</source>
+        <translation>待做</translation>
     </message>
 </context>
 <context>
@@ -3179,14 +3611,6 @@ Both are as large as fits.</source>
 <context>
     <name>unprojector::gui::LessonPanel</name>
     <message>
-        <source>Chec&amp;k</source>
-        <translation>检查(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Sho&amp;w</source>
-        <translation>显示(&amp;W)</translation>
-    </message>
-    <message>
         <source>‹ Back</source>
         <translation>‹ 上一步</translation>
     </message>
@@ -3219,36 +3643,12 @@ Both are as large as fits.</source>
         <translation>观察要点</translation>
     </message>
     <message>
-        <source>Your answer</source>
-        <translation>您的答案</translation>
-    </message>
-    <message>
-        <source>A number or an expression such as 3/4 or 2*sqrt(2)</source>
-        <translation>一个数或表达式，例如 3/4 或 2*sqrt(2)</translation>
-    </message>
-    <message>
-        <source>Compare your answer with the program&apos;s</source>
-        <translation>将您的答案与程序的答案比较</translation>
-    </message>
-    <message>
-        <source>Show the answer, and why it is so</source>
-        <translation>显示答案及其原因</translation>
-    </message>
-    <message>
-        <source>Whether your answer is right</source>
-        <translation>您的答案是否正确</translation>
-    </message>
-    <message>
         <source>The step before (Alt+Page Up)</source>
         <translation>上一步 (Alt+Page Up)</translation>
     </message>
     <message>
         <source>The next step (Alt+Page Down)</source>
         <translation>下一步 (Alt+Page Down)</translation>
-    </message>
-    <message>
-        <source>Source of the step</source>
-        <translation>本步的出处</translation>
     </message>
     <message>
         <source>%1 of %2: %3</source>
@@ -3263,32 +3663,24 @@ Both are as large as fits.</source>
         <translation>画面与本步不同。&lt;a href=&apos;restart:&apos;&gt;恢复原样&lt;/a&gt;</translation>
     </message>
     <message>
-        <source>Right: %1.</source>
-        <translation>正确：%1。</translation>
-    </message>
-    <message>
-        <source>%1 has the wrong sign. Try again, or have it shown.</source>
-        <translation>%1 的符号不对。请再试一次，或查看答案。</translation>
-    </message>
-    <message>
-        <source>%1 is not it. Try again, or have it shown.</source>
-        <translation>%1 不对。请再试一次，或查看答案。</translation>
-    </message>
-    <message>
-        <source>It is %1.</source>
-        <translation>答案是 %1。</translation>
-    </message>
-    <message>
         <source>The pixels that are spoken of are those of a view of &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt;. This one is %3 × %4.</source>
         <translation>所说的像素是 &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt; 的视图中的像素。现在的视图是 %3 × %4。</translation>
     </message>
     <message>
-        <source>Panels that show the answer are closed until then.</source>
-        <translation>显示答案的面板在作答之前关闭。</translation>
-    </message>
-    <message>
         <source>Finish</source>
         <translation>结束</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>离开</translation>
+    </message>
+    <message>
+        <source>How the questions were answered, and the next lesson</source>
+        <translation>答题情况和下一课</translation>
+    </message>
+    <message>
+        <source>Next lesson ›</source>
+        <translation>下一课 ›</translation>
     </message>
 </context>
 <context>
@@ -3374,6 +3766,14 @@ Both are as large as fits.</source>
         <source>The point is not in the picture as it is now. Put the picture back as the step has it.</source>
         <translation>该点不在现在的画面中。请恢复本步的画面。</translation>
     </message>
+    <message>
+        <source>Lessons</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>Lessons of a few minutes, with questions</source>
+        <translation>几分钟的课程，带有问题</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::LifecycleLog</name>
@@ -3384,10 +3784,6 @@ Both are as large as fits.</source>
     <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 ms, mean %2 ms</source>
-        <translation>%1 ms，平均 %2 ms</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -3410,22 +3806,6 @@ Both are as large as fits.</source>
         <translation>耗时</translation>
     </message>
     <message>
-        <source>Seconds since the view&apos;s first step; of pictures in a row, when the first was drawn</source>
-        <translation>从视图的第一步算起的秒数；对连续的画面，为第一幅的绘制时刻</translation>
-    </message>
-    <message>
-        <source>The step under its name in Weng et al. 2008, with its arguments: sizes in device pixels, positions in logical pixels from the top-left corner</source>
-        <translation>步骤及其参数，名称依 Weng 等 (2008)：大小以设备像素计，位置以逻辑像素计，原点在左上角</translation>
-    </message>
-    <message>
-        <source>The OpenGL calls that the step makes</source>
-        <translation>该步骤所做的 OpenGL 调用</translation>
-    </message>
-    <message>
-        <source>Milliseconds of the step; of pictures in a row, the last and the mean</source>
-        <translation>该步骤的毫秒数；对连续的画面，为最后一幅的值和平均值</translation>
-    </message>
-    <message>
         <source>While the view moves, large models are shown by coarse ones that stand in for them. Clicks always read the full model.</source>
         <translation>视图移动时，大模型由粗略的替身显示。点击读取的始终是完整的模型。</translation>
     </message>
@@ -3436,6 +3816,38 @@ Both are as large as fits.</source>
     <message>
         <source>%1; large models were drawn coarse</source>
         <translation>%1；对大模型作了粗略绘制</translation>
+    </message>
+    <message>
+        <source>Viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>The last of %1. Mean: %2 ms</source>
+        <translation>%1 次中的最后一次。平均：%2 ms</translation>
+    </message>
+    <message>
+        <source>Seconds since the view&apos;s first step; of a folded row, those of its first</source>
+        <translation>从视图的第一步算起的秒数；对折叠的行，为其中第一步的时刻</translation>
+    </message>
+    <message>
+        <source>The step under its name in Weng et al. 2008, with its arguments (sizes in device pixels, positions in logical pixels from the top-left corner), or the parameter that changed</source>
+        <translation>步骤及其参数，名称依 Weng 等 (2008)（大小以设备像素计，位置以逻辑像素计，原点在左上角），或改变了的参数</translation>
+    </message>
+    <message>
+        <source>The OpenGL calls that the step makes, or the call that has the parameter</source>
+        <translation>该步骤所做的 OpenGL 调用，或含有该参数的调用</translation>
+    </message>
+    <message>
+        <source>Milliseconds of the step; of a folded row, those of its last</source>
+        <translation>该步骤的毫秒数；对折叠的行，为其中最后一步的值</translation>
     </message>
 </context>
 <context>
@@ -3463,6 +3875,10 @@ Both are as large as fits.</source>
     <message>
         <source>Copy</source>
         <translation>复制</translation>
+    </message>
+    <message>
+        <source>A row that stands for several steps can be opened: click its arrow, or press Right</source>
+        <translation>代表多个步骤的行可以展开：点击其箭头，或按右方向键</translation>
     </message>
 </context>
 <context>
@@ -3510,10 +3926,6 @@ Both are as large as fits.</source>
 <context>
     <name>unprojector::gui::MapFeature</name>
     <message>
-        <source>&amp;Map of Differences</source>
-        <translation>差异映射图(&amp;M)</translation>
-    </message>
-    <message>
         <source>Show over the view, for every pixel, how far the methods differ, how sure a click is, or what another program is off</source>
         <translation>在视图上显示每个像素处两种方法相差多少、点击有多确定，或其他程序偏差多少</translation>
     </message>
@@ -3532,6 +3944,10 @@ Both are as large as fits.</source>
     <message>
         <source>Map written to %1</source>
         <translation>映射图已写入 %1</translation>
+    </message>
+    <message>
+        <source>&amp;Error Map</source>
+        <translation>误差图(&amp;M)</translation>
     </message>
 </context>
 <context>
@@ -3775,10 +4191,6 @@ Both are as large as fits.</source>
 <context>
     <name>unprojector::gui::MatrixSection</name>
     <message>
-        <source>Show or hide the matrix</source>
-        <translation>显示或隐藏该矩阵</translation>
-    </message>
-    <message>
         <source>&amp;Text</source>
         <translation>文本(&amp;T)</translation>
     </message>
@@ -3831,20 +4243,8 @@ Both are as large as fits.</source>
         <translation>矩阵的行和列；“复制”取所选数值的全部数位</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1，%2</translation>
-    </message>
-    <message>
         <source>Copy %1</source>
         <translation>复制%1</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>展开</translation>
-    </message>
-    <message>
-        <source>Closed</source>
-        <translation>折叠</translation>
     </message>
     <message>
         <source>C&amp;SV</source>
@@ -3998,10 +4398,6 @@ Both are as large as fits.</source>
         <translation>请选择您的程序输出它的次序。</translation>
     </message>
     <message>
-        <source>No camera of this window has it.</source>
-        <translation>本窗口的相机都不会有这种矩阵。</translation>
-    </message>
-    <message>
         <source>Paste the view alone.</source>
         <translation>请只粘贴观察矩阵。</translation>
     </message>
@@ -4022,6 +4418,18 @@ Both are as large as fits.</source>
         <source>%1: %2</source>
         <comment>a part of the text: what is wrong with it</comment>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>The window cannot show it; only the inverted matrix can answer.</source>
+        <translation>窗口无法显示它；只有逆矩阵能给出答案。</translation>
+    </message>
+    <message>
+        <source>a call</source>
+        <translation>一个调用</translation>
+    </message>
+    <message>
+        <source>%1: %2 of the %3 numbers in the text belong to it; a matrix has %4.</source>
+        <translation>%1：文本的 %3 个数中有 %2 个属于它；一个矩阵有 %4 个。</translation>
     </message>
 </context>
 <context>
@@ -4787,10 +5195,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <source>direction</source>
         <translation>方向</translation>
     </message>
-    <message>
-        <source>factor</source>
-        <translation>倍</translation>
-    </message>
 </context>
 <context>
     <name>unprojector::gui::ParameterRow</name>
@@ -4828,10 +5232,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>投影和观察</translation>
     </message>
     <message>
-        <source>The two matrices, or one of them; the other stays that of the scene</source>
-        <translation>两个矩阵，或其中之一；另一个保留场景原有的</translation>
-    </message>
-    <message>
         <source>Product</source>
         <translation>乘积</translation>
     </message>
@@ -4848,35 +5248,31 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>让场景的相机取自这些矩阵；可用 Ctrl+Z 撤销</translation>
     </message>
     <message>
-        <source>The product cannot be taken apart into lens and eye: it is neither a perspective&apos;s nor a box&apos;s. Paste projection and view.</source>
-        <translation>无法把乘积拆成投影矩阵和观察矩阵：它既不是透视投影的乘积，也不是正交投影的乘积。请分别粘贴这两个矩阵。</translation>
-    </message>
-    <message>
-        <source>No picture can be made of it: %1</source>
-        <translation>无法由此成像：%1</translation>
-    </message>
-    <message>
         <source>The viewport, %1 × %2, is left out: that of the view stays (Parameters, Viewport).</source>
         <translation>视口 %1 × %2 未采用：保留视图原有的视口（参数，视口）。</translation>
+    </message>
+    <message>
+        <source>Not a camera: %1</source>
+        <translation>不是相机：%1</translation>
+    </message>
+    <message>
+        <source>The two matrices, or one of them; the scene keeps the other</source>
+        <translation>两个矩阵，或其中之一；另一个保留场景原有的</translation>
+    </message>
+    <message>
+        <source>The product cannot be taken apart: it is not a perspective or orthographic projection times a view. Paste projection and view.</source>
+        <translation>无法拆开乘积：它不是透视投影或正交投影与观察矩阵的乘积。请分别粘贴投影矩阵和观察矩阵。</translation>
+    </message>
+    <message>
+        <source>The viewport becomes that of glViewport: %1 × %2 at (%3, %4).</source>
+        <translation>视口改为 glViewport 的视口：%1 × %2，位于 (%3, %4)。</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::PastedMatrixBox</name>
     <message>
-        <source>Paste 16 numbers here, as a program prints them:
-glm::to_string, NumPy, Eigen, QMatrix4x4,
-m[0] … m[15], JSON, C, three.js</source>
-        <translation>在此粘贴 16 个数，按程序打印的样子：
-glm::to_string、NumPy、Eigen、QMatrix4x4、
-m[0] … m[15]、JSON、C、three.js</translation>
-    </message>
-    <message>
         <source>Text of the matrix: %1</source>
         <translation>矩阵的文本：%1</translation>
-    </message>
-    <message>
-        <source>Sixteen numbers in a row are read column after column, four lines or brackets as rows</source>
-        <translation>连续十六个数按列依次读取，四行文本或四组括号则作为行</translation>
     </message>
     <message>
         <source>Order of the numbers</source>
@@ -4905,14 +5301,6 @@ m[0] … m[15]、JSON、C、three.js</translation>
     <message>
         <source>Take back what was done to the matrix</source>
         <translation>撤回对矩阵所做的改动</translation>
-    </message>
-    <message>
-        <source>Nothing yet.</source>
-        <translation>还没有内容。</translation>
-    </message>
-    <message>
-        <source>Nothing yet: without it, that of the scene stays.</source>
-        <translation>还没有内容：不填则保留场景原有的。</translation>
     </message>
     <message>
         <source>From the other text: %1.</source>
@@ -4962,6 +5350,216 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <source>Its inverse, beside it in the text, is left out.</source>
         <translation>文本中与它并列的逆矩阵未采用。</translation>
     </message>
+    <message>
+        <source>Paste 16 numbers, as a program prints them
+(glm::to_string, NumPy, Eigen, JSON, C …), or its calls:
+gluPerspective(45, 1.5, 0.1, 100)</source>
+        <translation>粘贴 16 个数，按程序打印的样子
+（glm::to_string、NumPy、Eigen、JSON、C …），或程序中的调用：
+gluPerspective(45, 1.5, 0.1, 100)</translation>
+    </message>
+    <message>
+        <source>Sixteen numbers in a row are read column after column, four lines or brackets as rows. Calls of OpenGL, GLM, three.js, System.Numerics and DirectXMath are read with the numbers in them.</source>
+        <translation>连续十六个数按列依次读取，四行文本或四组括号则作为行。OpenGL、GLM、three.js、System.Numerics 和 DirectXMath 的调用连同其中的数一起读取。</translation>
+    </message>
+    <message>
+        <source>Empty: the scene&apos;s projection is kept.</source>
+        <translation>空：保留场景的投影。</translation>
+    </message>
+    <message>
+        <source>The text has no projection: the scene&apos;s projection is kept.</source>
+        <translation>文本中没有投影：保留场景的投影。</translation>
+    </message>
+    <message>
+        <source>Empty: the scene&apos;s view is kept.</source>
+        <translation>空：保留场景的观察。</translation>
+    </message>
+    <message>
+        <source>The text has no view: the scene&apos;s view is kept.</source>
+        <translation>文本中没有观察：保留场景的观察。</translation>
+    </message>
+    <message>
+        <source>Empty.</source>
+        <translation>空。</translation>
+    </message>
+    <message>
+        <source>The text has no product.</source>
+        <translation>文本中没有乘积。</translation>
+    </message>
+    <message>
+        <source>From the other text: %1</source>
+        <translation>取自另一段文本：%1</translation>
+    </message>
+    <message>
+        <source>Read as product</source>
+        <translation>读作乘积</translation>
+    </message>
+    <message>
+        <source>Read as projection and view</source>
+        <translation>读作投影和观察</translation>
+    </message>
+    <message>
+        <source>The text names a product (MVP): take it apart into projection and view</source>
+        <translation>文本写明是乘积（MVP）：把它拆成投影矩阵和观察矩阵</translation>
+    </message>
+    <message>
+        <source>The text has a projection or a view: read it as these</source>
+        <translation>文本中有投影矩阵或观察矩阵：按它们读取</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PickRows</name>
+    <message>
+        <source>camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>projection</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>depth range</source>
+        <translation>深度范围</translation>
+    </message>
+    <message>
+        <source>window size</source>
+        <translation>窗口大小</translation>
+    </message>
+    <message>
+        <source>Setup: the same</source>
+        <translation>设置：相同</translation>
+    </message>
+    <message>
+        <source>Setup: other %1</source>
+        <translation>设置：不同的有：%1</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>From pick %1 to pick %2</source>
+        <translation>从拾取 %1 到拾取 %2</translation>
+    </message>
+    <message>
+        <source>Distance: %1 ± %2</source>
+        <translation>距离：%1 ± %2</translation>
+    </message>
+    <message>
+        <source>Δ (x, y, z): %1</source>
+        <translation>Δ (x, y, z)：%1</translation>
+    </message>
+    <message>
+        <source>Distance: none, the background has no point</source>
+        <translation>距离：无，背景没有点</translation>
+    </message>
+    <message>
+        <source>Depth: %1 (Δ %2)</source>
+        <translation>深度：%1（Δ %2）</translation>
+    </message>
+    <message>
+        <source>Pixel: %1 (Δ %2, %3)</source>
+        <translation>像素：%1（Δ %2, %3）</translation>
+    </message>
+    <message>
+        <source>Object: %1</source>
+        <translation>物体：%1</translation>
+    </message>
+    <message>
+        <source>The object was moved between the two clicks.</source>
+        <translation>两次点击之间物体被移动过。</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>拾取</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>World coordinate</source>
+        <translation>世界坐标</translation>
+    </message>
+    <message>
+        <source>Pixel</source>
+        <translation>像素</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PickStrip</name>
+    <message>
+        <source>pixel</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>NDC</source>
+        <translation>NDC</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>裁剪</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>眼</translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation>世界</translation>
+    </message>
+    <message>
+        <source>object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Click the view: this line then shows the point in every space, from the pixel to the object.</source>
+        <translation>单击视图：这一行随后显示该点在每个空间中的坐标，从像素到物体。</translation>
+    </message>
+    <message>
+        <source>The pick in every space</source>
+        <translation>拾取点在各空间中的坐标</translation>
+    </message>
+    <message>
+        <source>Device pixel: column and row, counted from the upper left corner</source>
+        <translation>设备像素：列和行，从左上角算起</translation>
+    </message>
+    <message>
+        <source>Window point: the pixel&apos;s centre, y upwards, and the depth</source>
+        <translation>窗口点：像素中心，y 向上，以及深度</translation>
+    </message>
+    <message>
+        <source>Normalized device coordinates, each from −1 to 1 in the view volume</source>
+        <translation>归一化设备坐标，在视景体内各为 −1 到 1</translation>
+    </message>
+    <message>
+        <source>Clip coordinates x, y, z, w: divided by w they are NDC</source>
+        <translation>裁剪坐标 x、y、z、w：除以 w 即为 NDC</translation>
+    </message>
+    <message>
+        <source>Eye coordinates: seen from the camera, which looks along −z</source>
+        <translation>眼坐标：从沿 −z 观察的相机看去</translation>
+    </message>
+    <message>
+        <source>World coordinates: the answer of the click</source>
+        <translation>世界坐标：单击的答案</translation>
+    </message>
+    <message>
+        <source>Coordinates of the object that was clicked, as its file has them</source>
+        <translation>被单击物体的坐标，与其文件中一致</translation>
+    </message>
+    <message>
+        <source>A click shows its matrix.</source>
+        <translation>单击可显示其矩阵。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PictureNote</name>
@@ -4984,6 +5582,49 @@ m[0] … m[15]、JSON、C、three.js</translation>
     <message>
         <source>The viewport (x %1, y %2, width %3, height %4) lies wholly outside the window, which is %5 × %6 pixels: nothing is drawn. Change x or y, or Reset it.</source>
         <translation>视口（x %1，y %2，宽 %3，高 %4）完全位于窗口之外，窗口为 %5 × %6 像素：什么也不会绘制。请修改 x 或 y，或将其重置。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PipelineChain</name>
+    <message>
+        <source>Open all</source>
+        <translation>全部展开</translation>
+    </message>
+    <message>
+        <source>Show all matrices one below the other</source>
+        <translation>依次向下显示全部矩阵</translation>
+    </message>
+    <message>
+        <source>Step to %1</source>
+        <translation>到%1的一步</translation>
+    </message>
+    <message>
+        <source>The path starts here</source>
+        <translation>路径从这里开始</translation>
+    </message>
+    <message>
+        <source>Show the matrix: %1</source>
+        <translation>显示矩阵：%1</translation>
+    </message>
+    <message>
+        <source>Show how %1 follows from the point above</source>
+        <translation>显示%1如何由上一行的点得出</translation>
+    </message>
+    <message>
+        <source>Point in %1 coordinates</source>
+        <translation>%1坐标中的点</translation>
+    </message>
+    <message>
+        <source>Product %1</source>
+        <translation>乘积 %1</translation>
+    </message>
+    <message>
+        <source>Shown below</source>
+        <translation>已在下方显示</translation>
+    </message>
+    <message>
+        <source>Not shown</source>
+        <translation>未显示</translation>
     </message>
 </context>
 <context>
@@ -5024,14 +5665,6 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <translation>背景：此处没有表面，没有可跟踪的点。</translation>
     </message>
     <message>
-        <source>Back from the clicked pixel&apos;s centre and the depth read there.</source>
-        <translation>由所点击像素的中心及其读出的深度反投影得到。</translation>
-    </message>
-    <message>
-        <source>The picked point on its way to the window.</source>
-        <translation>所拾取的点，从物体到窗口。</translation>
-    </message>
-    <message>
         <source>z of NDC from 0 to 1</source>
         <translation>NDC 的 z 从 0 到 1</translation>
     </message>
@@ -5048,14 +5681,6 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <translation>远平面在无穷远：这里取近平面的一百万倍</translation>
     </message>
     <message>
-        <source>The view has changed since this click: the point on its way through the view as it is now.</source>
-        <translation>视图在这次点击之后已改变：该点在当前视图中的变换过程。</translation>
-    </message>
-    <message>
-        <source>The view has changed since this click: back from where the point is now.</source>
-        <translation>视图在这次点击之后已改变：从该点现在的位置返回。</translation>
-    </message>
-    <message>
         <source>Remove Your Point</source>
         <translation>移除您的点</translation>
     </message>
@@ -5068,20 +5693,8 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <translation>给出%1坐标中的点</translation>
     </message>
     <message>
-        <source>Press the left button on the model: its point appears at every stage. Or type one into any row.</source>
-        <translation>请在模型上按下左键：该点将显示在各个阶段。也可在任意一行键入一个点。</translation>
-    </message>
-    <message>
         <source>Your point was given in the space of “%1”, which is not here: taken as a world point.</source>
         <translation>您的点是在“%1”的空间中给出的，而该物体不在此处：按世界坐标处理。</translation>
-    </message>
-    <message>
-        <source>Your point, given in %1 coordinates, is outside the view volume: %2.</source>
-        <translation>您在%1坐标中给出的点位于视景体之外：%2。</translation>
-    </message>
-    <message>
-        <source>Your point, given in %1 coordinates, and both ways from there.</source>
-        <translation>您在%1坐标中给出的点，由此向两个方向推算。</translation>
     </message>
     <message>
         <source>Conventions of %1</source>
@@ -5099,13 +5712,33 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <source>As it was given: %1. Clip and NDC are those of its conversion, OpenGL&apos;s matrix of the same view volume, which follows.</source>
         <translation>原样保留：%1。裁剪坐标和 NDC 属于它的转换结果，即同一视景体的 OpenGL 矩阵，列于其后。</translation>
     </message>
+    <message>
+        <source>Click the model, or type a point into any row.</source>
+        <translation>请点击模型，或在任意一行输入一个点。</translation>
+    </message>
+    <message>
+        <source>Backward from the clicked pixel&apos;s centre and its depth.</source>
+        <translation>由所点像素的中心及其深度逆向计算。</translation>
+    </message>
+    <message>
+        <source>The view has changed since this click. Values below use the current view.</source>
+        <translation>此次点击之后视图已改变。下面的数值使用当前视图。</translation>
+    </message>
+    <message>
+        <source>Forward from the clicked point.</source>
+        <translation>由点击的点正向计算。</translation>
+    </message>
+    <message>
+        <source>Your point in %1 coordinates is outside the view volume: %2.</source>
+        <translation>您的点（%1坐标）在视景体之外：%2。</translation>
+    </message>
+    <message>
+        <source>Your point in %1 coordinates. Every other stage is computed from it.</source>
+        <translation>您的点，%1坐标。其他各级都由它算出。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PipelinePanel</name>
-    <message>
-        <source>Point in %1 coordinates</source>
-        <translation>%1坐标中的点</translation>
-    </message>
     <message>
         <source>↓  divide by w</source>
         <translation>↓  透视除法：除以 w</translation>
@@ -5115,12 +5748,16 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <translation>↓  除以它自己的 w′，与 gluUnProject 相同</translation>
     </message>
     <message>
-        <source>As it was given.</source>
-        <translation>原样保留。</translation>
-    </message>
-    <message>
         <source>Forward shows the factors; this matrix is the inverse of their product.</source>
         <translation>选“正向”可看各因子；此矩阵是它们乘积的逆矩阵。</translation>
+    </message>
+    <message>
+        <source>What is otherwise than in OpenGL</source>
+        <translation>与 OpenGL 的不同之处</translation>
+    </message>
+    <message>
+        <source>%1 as given</source>
+        <translation>%1，原样保留</translation>
     </message>
 </context>
 <context>
@@ -5206,24 +5843,12 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <translation>物体</translation>
     </message>
     <message>
-        <source>Whose object space: by itself that of the object that was drawn at the picked pixel</source>
-        <translation>属于哪个物体的物体坐标：自动时为所选像素上绘制的那个物体</translation>
-    </message>
-    <message>
         <source>&amp;Object:</source>
         <translation>物体(&amp;O)：</translation>
     </message>
     <message>
         <source>Conventions</source>
         <translation>约定</translation>
-    </message>
-    <message>
-        <source>Conve&amp;ntions:</source>
-        <translation>约定(&amp;N)：</translation>
-    </message>
-    <message>
-        <source>What is otherwise than in OpenGL</source>
-        <translation>与 OpenGL 的不同之处</translation>
     </message>
     <message>
         <source>&amp;Copy all</source>
@@ -5246,20 +5871,36 @@ m[0] … m[15]、JSON、C、three.js</translation>
         <translation>粘贴矩阵</translation>
     </message>
     <message>
-        <source>Whose axes, depths and pixels are shown, kept in the scene. %1</source>
-        <translation>按哪种 API 的坐标轴、深度和像素显示，随场景保存。%1</translation>
-    </message>
-    <message>
         <source>None (identity)</source>
         <translation>无（单位矩阵）</translation>
     </message>
     <message>
-        <source>Automatic: %1</source>
-        <translation>自动：%1</translation>
+        <source>The object whose space comes first in the chain</source>
+        <translation>变换链从该物体的坐标开始</translation>
     </message>
     <message>
-        <source>Automatic</source>
-        <translation>自动</translation>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Format (%1)</source>
+        <translation>格式（%1）</translation>
+    </message>
+    <message>
+        <source>How vectors, matrices and digits are written, and in whose conventions. Now: %1</source>
+        <translation>向量、矩阵和数位的写法，以及按哪种 API 的约定。当前：%1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>Clicked object (%1)</source>
+        <translation>点击的物体（%1）</translation>
+    </message>
+    <message>
+        <source>Clicked object</source>
+        <translation>点击的物体</translation>
     </message>
 </context>
 <context>
@@ -6399,6 +7040,14 @@ of a point that needs no division</source>
         <source>%1, depth computed</source>
         <translation>%1，深度为计算值</translation>
     </message>
+    <message>
+        <source>All</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::StartOptions</name>
@@ -6566,6 +7215,30 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::StretchBar</name>
+    <message>
+        <source>Letterbox</source>
+        <translation>留边</translation>
+    </message>
+    <message>
+        <source>Stretched picture</source>
+        <translation>图像被拉伸</translation>
+    </message>
+    <message>
+        <source>Give the viewport the aspect of the projection, with bars beside or above it</source>
+        <translation>让视口采用投影的宽高比，两侧或上下留边</translation>
+    </message>
+    <message>
+        <source>Leave the picture stretched and close this message</source>
+        <translation>保持图像拉伸，并关闭此消息</translation>
+    </message>
+    <message>
+        <source>Projection %1, viewport %2: the picture is stretched.</source>
+        <extracomment>Two aspects, width to height, such as 4 : 3 and 1.11 : 1.</extracomment>
+        <translation>投影 %1，视口 %2：图像被拉伸。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::VerdictView</name>
     <message>
         <source>Do the methods agree?</source>
@@ -6650,6 +7323,113 @@ of a point that needs no division</source>
         <source>The view is %1 × %2 now: in this window it cannot be %3 × %4. Close panels beside it, or take the window out of full screen.</source>
         <extracomment>Sizes in pixels: what the view has, then what it should have.</extracomment>
         <translation>视图现在是 %1 × %2：在这个窗口中无法达到 %3 × %4。请关闭旁边的面板，或退出全屏。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ViewSizeDialog</name>
+    <message>
+        <source>View Size</source>
+        <translation>视图大小</translation>
+    </message>
+    <message>
+        <source>Width in logical pixels</source>
+        <translation>宽度，逻辑像素</translation>
+    </message>
+    <message>
+        <source>Width of the view as programs give it to a widget, logical pixels</source>
+        <translation>视图的宽度，即程序给控件设定的宽度，逻辑像素</translation>
+    </message>
+    <message>
+        <source>Height in logical pixels</source>
+        <translation>高度，逻辑像素</translation>
+    </message>
+    <message>
+        <source>Height of the view as programs give it to a widget, logical pixels</source>
+        <translation>视图的高度，即程序给控件设定的高度，逻辑像素</translation>
+    </message>
+    <message>
+        <source>Width in device pixels</source>
+        <translation>宽度，设备像素</translation>
+    </message>
+    <message>
+        <source>Width of the framebuffer (glViewport), device pixels</source>
+        <translation>帧缓冲区的宽度（glViewport），设备像素</translation>
+    </message>
+    <message>
+        <source>Height in device pixels</source>
+        <translation>高度，设备像素</translation>
+    </message>
+    <message>
+        <source>Height of the framebuffer (glViewport), device pixels</source>
+        <translation>帧缓冲区的高度（glViewport），设备像素</translation>
+    </message>
+    <message>
+        <source>Pixel ratio</source>
+        <translation>像素比</translation>
+    </message>
+    <message>
+        <source>Device pixels to a logical pixel. This screen has %1</source>
+        <translation>每个逻辑像素对应的设备像素数。此屏幕为 %1</translation>
+    </message>
+    <message>
+        <source>How the view is shown</source>
+        <translation>视图如何显示</translation>
+    </message>
+    <message>
+        <source>Logical pixels</source>
+        <translation>逻辑像素</translation>
+    </message>
+    <message>
+        <source>× pixel ratio</source>
+        <translation>× 像素比</translation>
+    </message>
+    <message>
+        <source>= device pixels</source>
+        <translation>= 设备像素</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the window</source>
+        <translation>充满窗口(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Let the view take all the room that the window has for it</source>
+        <translation>让视图占满窗口留给它的全部空间</translation>
+    </message>
+    <message>
+        <source>Set &amp;size</source>
+        <translation>设定大小(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Give the view this size and keep it in the scene</source>
+        <translation>将视图设为此大小，并保存在场景中</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Leave the view as it is</source>
+        <translation>视图保持不变</translation>
+    </message>
+    <message>
+        <source>At this ratio no whole number of logical pixels makes %1 × %2 device pixels. %3 × %4 is the nearest size.</source>
+        <translation>在此像素比下，没有整数个逻辑像素等于 %1 × %2 设备像素。最接近的大小是 %3 × %4。</translation>
+    </message>
+    <message>
+        <source>The window has room for it: it is shown pixel on pixel.</source>
+        <translation>窗口容得下：逐像素显示。</translation>
+    </message>
+    <message>
+        <source>The window has less room: it is drawn at this size and shown at %1 %. Clicks read its own pixels.</source>
+        <translation>窗口容不下：按此大小绘制，缩小到 %1 % 显示。点击读取的是它本身的像素。</translation>
+    </message>
+    <message>
+        <source>View size</source>
+        <translation>视图大小</translation>
+    </message>
+    <message>
+        <source>Fit the window</source>
+        <translation>充满窗口</translation>
     </message>
 </context>
 <context>
@@ -6841,6 +7621,14 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <source>Far plane</source>
         <translation>远平面</translation>
     </message>
+    <message>
+        <source>Window: %1 × %2 pixels, fixed</source>
+        <translation>窗口：%1 × %2 像素，固定</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>更改…</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::ViewportInspector</name>
@@ -6931,6 +7719,10 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>Numbers of proportion (4)</source>
         <translation>比例式 (4) 的数值</translation>
+    </message>
+    <message>
+        <source>Change…</source>
+        <translation>更改…</translation>
     </message>
 </context>
 <context>
@@ -7144,10 +7936,6 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>深底浅字</translation>
     </message>
     <message>
-        <source>&amp;Work Place</source>
-        <translation>工作区(&amp;W)</translation>
-    </message>
-    <message>
         <source>H&amp;ide All Panels</source>
         <translation>隐藏所有面板(&amp;I)</translation>
     </message>
@@ -7158,10 +7946,6 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>R&amp;eset Layout</source>
         <translation>恢复布局(&amp;E)</translation>
-    </message>
-    <message>
-        <source>Put all panels of this work place back to where they were at first</source>
-        <translation>将此工作区的所有面板恢复到最初的位置</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -7186,6 +7970,46 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>This graphics driver draws no integers, so the view tells by colours which object was clicked.</source>
         <translation>此显卡驱动不能绘制整数，因此视图用颜色判断点击的是哪个物体。</translation>
+    </message>
+    <message>
+        <source>&amp;Export Picture…</source>
+        <translation>导出图片(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Write the view alone as a PNG file, at any size, with or without marks</source>
+        <translation>只把视图写为 PNG 文件，大小任意，可带或不带标记</translation>
+    </message>
+    <message>
+        <source>View Si&amp;ze…</source>
+        <translation>视图大小(&amp;Z)…</translation>
+    </message>
+    <message>
+        <source>Give the view a size in pixels, as a program or an article has it</source>
+        <translation>按程序或文章中的像素数设定视图大小</translation>
+    </message>
+    <message>
+        <source>Fit the Wi&amp;ndow</source>
+        <translation>充满窗口(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Let the view take all the room that the window has for it</source>
+        <translation>让视图占满窗口留给它的全部空间</translation>
+    </message>
+    <message>
+        <source>&amp;Workspace</source>
+        <translation>工作区(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Put all panels of this workspace back to where they were at first</source>
+        <translation>把此工作区的所有面板放回最初的位置</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Formulas, keys and what this program is</source>
+        <translation>公式、按键以及关于本程序</translation>
     </message>
 </context>
 <context>
@@ -7223,8 +8047,8 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>要永久删除对“%1”的未保存更改吗？</translation>
     </message>
     <message>
-        <source>Save what was made of %1 as a scene? Models stay as they are.</source>
-        <translation>要把对“%1”的更改另存为场景吗？模型文件保持不变。</translation>
+        <source>Save the changes to %1 as a scene file? Model files are not changed.</source>
+        <translation>要把对 %1 的更改保存为场景文件吗？模型文件不会改变。</translation>
     </message>
 </context>
 <context>
