@@ -33,6 +33,24 @@ std::string variableBefore(std::string_view text, std::size_t at)
     return std::string(before.substr(start));
 }
 
+/// For each bracket the one that closes it, or npos; npos too for those deeper inside others than a program has them.
+std::vector<std::size_t> closingBrackets(std::string_view text)
+{
+    constexpr std::size_t kDeepest = 16;
+    std::vector<std::size_t> closing(text.size(), text.npos), open;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const char c = text[at];
+        if (c == '(' || c == '[' || c == '{') {
+            open.push_back(at);
+        } else if ((c == ')' || c == ']' || c == '}') && !open.empty()) {
+            if (open.size() <= kDeepest)
+                closing[open.back()] = at;
+            open.pop_back();
+        }
+    }
+    return closing;
+}
+
 } // namespace
 
 std::string withoutComments(std::string_view text)
@@ -56,6 +74,7 @@ std::string withoutComments(std::string_view text)
 
 std::vector<CallText> callTexts(std::string_view text)
 {
+    const std::vector<std::size_t> closing = closingBrackets(text);
     std::vector<CallText> calls;
     for (std::size_t at = 0; at < text.size();) {
         if (!isLetter(text[at])) {
@@ -65,7 +84,7 @@ std::vector<CallText> callTexts(std::string_view text)
         }
         const std::size_t end = behindNames(text, at);
         const std::size_t open = behindBlanks(text, behindTemplate(text, end));
-        const std::size_t close = open < text.size() && text[open] == '(' ? closing(text, open) : text.npos;
+        const std::size_t close = open < text.size() && text[open] == '(' ? closing[open] : text.npos;
         if (close != text.npos) {
             CallText call;
             call.written = text.substr(at, end - at);

@@ -9,6 +9,7 @@
 #include <QBoxLayout>
 #include <QEvent>
 #include <QHeaderView>
+#include <QLabel>
 #include <QScrollBar>
 #include <QTimer>
 #include <QToolButton>
@@ -32,11 +33,11 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     m_table->setAccessibleName(tr("Steps of the view's life"));
     m_table->setToolTip(tr("A row that stands for several steps can be opened: click its arrow, or press Right"));
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_table->setUniformRowHeights(true); // a call has one line; the panel scrolls sideways to its end
+    m_table->setUniformRowHeights(true); // a call has one line; that of the current row stands below, whole
     m_table->setAllColumnsShowFocus(true);
     m_table->setAlternatingRowColors(true);
     m_table->setTreePosition(LifecycleLog::Step);
-    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     QHeaderView *header = m_table->header();
     header->setHighlightSections(false);
     header->setSectionsMovable(false);
@@ -45,6 +46,13 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     // What is short stands before what may be long.
     header->moveSection(LifecycleLog::Took, LifecycleLog::Step);
     m_table->viewport()->installEventFilter(this);
+
+    m_calls = new QLabel;
+    m_calls->setWordWrap(true);
+    m_calls->setTextFormat(Qt::PlainText);
+    m_calls->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_calls->setAccessibleName(tr("The current step with all its calls"));
+    m_calls->hide();
 
     // A style makes push buttons far wider than these short words; the calls need the room more.
     m_copy = new QToolButton;
@@ -63,7 +71,10 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     m_buttons->addStretch();
     m_buttons->addWidget(new HelpLink(QStringLiteral("mfc")), 0, Qt::AlignRight);
     m_layout = new QBoxLayout(QBoxLayout::LeftToRight, this);
-    m_layout->addWidget(m_table, 1);
+    auto *steps = new QVBoxLayout;
+    steps->addWidget(m_table, 1);
+    steps->addWidget(m_calls);
+    m_layout->addLayout(steps, 1);
     m_layout->addLayout(m_buttons);
 
     auto *copyKey = new QAction(tr("Copy"), m_table);
@@ -79,18 +90,17 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     });
     connect(m_table->verticalScrollBar(), &QScrollBar::valueChanged, this,
             [this](int value) { m_follows = value == m_table->verticalScrollBar()->maximum(); });
-    connect(&m_log, &QAbstractItemModel::rowsInserted, this, [this](const QModelIndex &folded, int first, int last) {
+    connect(&m_log, &QAbstractItemModel::rowsInserted, this, [this] {
         enableButtons();
-        for (int row = first; row <= last; ++row)
-            widen(m_log.index(row, 0, folded));
         follow();
     });
     // A folded row changes with each of its steps.
-    connect(&m_log, &QAbstractItemModel::dataChanged, this, [this](const QModelIndex &first) { widen(first); });
+    connect(&m_log, &QAbstractItemModel::dataChanged, this, &LifecyclePanel::showCalls);
     connect(&m_log, &QAbstractItemModel::modelReset, this, [this] {
         enableButtons();
-        fitColumns();
+        showCalls();
     });
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this, &LifecyclePanel::showCalls);
     enableButtons();
     useFont();
 }
@@ -103,38 +113,36 @@ void LifecyclePanel::useFont()
     placeButtons();
 }
 
-/// The widths are those of the longest texts to expect, so that the columns stand still; the calls have the rest, and more where
-/// one is longer: then the panel scrolls.
+/// The widths of numbers are those of the longest to expect, so that the columns stand still; steps and calls share the rest.
 void LifecyclePanel::fitColumns()
 {
     const QFontMetrics metrics(m_table->font());
     m_table->setIndentation(2 * metrics.horizontalAdvance(u'0'));
-    const auto reserve = [&](int column, const QString &widest, int besides) {
+    const auto widthOf = [&](int column, const QString &widest) {
         const int head =
             m_table->header()->fontMetrics().horizontalAdvance(m_log.headerData(column, Qt::Horizontal).toString());
-        m_table->setColumnWidth(column, std::max(metrics.horizontalAdvance(widest) + besides, head) + kPadding);
-        return m_table->columnWidth(column);
+        return std::max(metrics.horizontalAdvance(widest), head) + kPadding;
     };
-    const int others =
-        reserve(LifecycleLog::Time, QStringLiteral("888.888 s"), 0)
-        + reserve(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888, 888)"), 2 * m_table->indentation())
-        + reserve(LifecycleLog::Took, QStringLiteral("888.88 ms"), 0);
-    const int least = metrics.horizontalAdvance(QStringLiteral("glViewport(0, 0, 8888, 8888)")) + kPadding;
-    m_wholeWidth = others + least;
-    m_table->setColumnWidth(LifecycleLog::StandsFor, std::max(least, m_table->viewport()->width() - others));
-    for (int row = 0; row < m_log.rowCount(); ++row)
-        widen(m_log.index(row, 0));
+    const int time = widthOf(LifecycleLog::Time, QStringLiteral("888.888 s")),
+              took = widthOf(LifecycleLog::Took, QStringLiteral("888.88 ms")),
+              step =
+                  widthOf(LifecycleLog::Step, QStringLiteral("OnLButtonDown(8888, 888)")) + 2 * m_table->indentation();
+    m_wholeWidth =
+        time + took + step + widthOf(LifecycleLog::StandsFor, QStringLiteral("glViewport(0, 0, 8888, 8888)"));
+    const int rest = std::max(0, m_table->viewport()->width() - time - took), shownStep = std::min(step, rest / 2);
+    m_table->setColumnWidth(LifecycleLog::Time, time);
+    m_table->setColumnWidth(LifecycleLog::Took, took);
+    m_table->setColumnWidth(LifecycleLog::Step, shownStep);
+    m_table->setColumnWidth(LifecycleLog::StandsFor, rest - shownStep);
 }
 
-void LifecyclePanel::widen(const QModelIndex &row)
+void LifecyclePanel::showCalls()
 {
-    const QFontMetrics metrics(m_table->font());
-    for (const int column : {LifecycleLog::Step, LifecycleLog::StandsFor}) {
-        const int arrows = column == LifecycleLog::Step ? 2 * m_table->indentation() : kPadding;
-        const int needed = metrics.horizontalAdvance(row.siblingAtColumn(column).data().toString()) + arrows + kPadding;
-        if (needed > m_table->columnWidth(column))
-            m_table->setColumnWidth(column, needed);
-    }
+    const QModelIndex current = m_table->currentIndex();
+    m_calls->setVisible(current.isValid());
+    if (current.isValid())
+        m_calls->setText(current.siblingAtColumn(LifecycleLog::Step).data().toString() + QStringLiteral(": ")
+                         + current.siblingAtColumn(LifecycleLog::StandsFor).data().toString());
 }
 
 /// Beside the steps; below them, which then have the whole width, where that would leave too little room for the calls.

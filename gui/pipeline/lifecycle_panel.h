@@ -3,7 +3,7 @@
 #include <QWidget>
 
 class QBoxLayout;
-class QModelIndex;
+class QLabel;
 class QToolButton;
 class QTreeView;
 
@@ -29,8 +29,8 @@ protected:
 private:
     void useFont();
     void fitColumns();
-    /// Gives the columns the width of a row's texts, where they have less.
-    void widen(const QModelIndex &row);
+    /// Shows the current row whole, below the table.
+    void showCalls();
     void placeButtons();
     void follow();
     void copy() const;
@@ -38,6 +38,7 @@ private:
 
     LifecycleLog &m_log;
     QTreeView *m_table = nullptr;
+    QLabel *m_calls;
     QToolButton *m_copy;
     QToolButton *m_clear;
     QBoxLayout *m_layout, *m_buttons;

@@ -103,6 +103,9 @@ private slots:
     void onlyTheCameraOfThreeIsMoved();
     void oneTextFillsBothMatricesAndTheViewport();
     void matricesMayStandBesideCalls();
+    void aLeftHandedPairIsTurned();
+    void nestedBracketsAreNoTrouble_data();
+    void nestedBracketsAreNoTrouble();
 };
 
 void TestPastedCalls::projectionsAreRead_data()
@@ -421,6 +424,45 @@ void TestPastedCalls::matricesMayStandBesideCalls()
              paste.error(MatrixRole::Projection) ? reasonText(*paste.error(MatrixRole::Projection)).c_str() : "");
     QVERIFY(paste.matrix(MatrixRole::Projection));
     QVERIFY(paste.matrix(MatrixRole::View) == std::optional(glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -5))));
+}
+
+/// As for pasted numbers: the window looks along -z, and one repair makes both matrices do so.
+void TestPastedCalls::aLeftHandedPairIsTurned()
+{
+    MatrixPaste paste;
+    paste.setText(MatrixRole::Projection,
+                  "XMMatrixPerspectiveFovLH(XM_PIDIV4, 800.0f / 600.0f, 0.1f, 100.0f);\n"
+                  "XMMatrixLookAtLH(XMVectorSet(3, 2, 5, 1), XMVectorSet(0, 0.5f, 0, 1), XMVectorSet(0, 1, 0, 0))");
+    const MatrixPaste::Camera before = paste.camera();
+    const std::vector<MatrixFinding> found = paste.findings(MatrixRole::Projection);
+    QCOMPARE(found.size(), std::size_t(1));
+    QCOMPARE(int(found[0].fault), int(MatrixFault::LeftHanded));
+    paste.repair(MatrixRole::Projection, found[0]);
+    const MatrixPaste::Camera after = paste.camera();
+    QVERIFY(difference(after.projection->clipFromEye * *after.eyeFromWorld,
+                       before.projection->clipFromEye * *before.eyeFromWorld)
+            <= 1e-12);
+    const auto form = recognised(*after.projection);
+    QVERIFY(form && !form->looksAlongPlusZ);
+}
+
+void TestPastedCalls::nestedBracketsAreNoTrouble_data()
+{
+    QTest::addColumn<QString>("text");
+    const int times = 30000;
+    QTest::newRow("names") << QStringLiteral("a(").repeated(times) + QStringLiteral(")").repeated(times);
+    QTest::newRow("an argument") << "gluPerspective(" + QStringLiteral("(").repeated(times)
+                                        + QStringLiteral(")").repeated(times) + ", 1, 1, 9)";
+    QTest::newRow("signs") << "glm::lookAt(" + QStringLiteral("-").repeated(times) + "a, b, c)";
+    QTest::newRow("signs of a number") << "gluPerspective(" + QStringLiteral("-").repeated(times) + "1, 1, 1, 9)";
+    QTest::newRow("not closed") << QStringLiteral("gluLookAt(").repeated(times / 4);
+}
+
+void TestPastedCalls::nestedBracketsAreNoTrouble()
+{
+    QFETCH(QString, text);
+    const auto calls = pastedCalls(text.toStdString());
+    QVERIFY(!calls || !calls->parts.projection);
 }
 
 QTEST_APPLESS_MAIN(TestPastedCalls)
