@@ -7,6 +7,8 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScopedValueRollback>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include <algorithm>
@@ -35,7 +37,8 @@ public:
 } // namespace
 
 PipelineChain::PipelineChain(PipelineModel &model, QWidget *parent)
-    : QWidget(parent), m_model(model), m_layout(new QGridLayout(this)), m_openAll(new QToolButton)
+    : QWidget(parent), m_model(model), m_layout(new QGridLayout(this)), m_scrollBar(new QScrollBar(Qt::Horizontal)),
+      m_openAll(new QToolButton)
 {
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setHorizontalSpacing(0);
@@ -45,11 +48,12 @@ PipelineChain::PipelineChain(PipelineModel &model, QWidget *parent)
         axis->setAlignment(Qt::AlignCenter);
         m_layout->addWidget(axis, 0, 1 + coordinate);
         m_layout->setColumnStretch(1 + coordinate, 1);
+        m_axes[static_cast<std::size_t>(coordinate)] = axis;
     }
     for (int i = 0; i < PointModel::kSpaces; ++i) {
         PointModel *point = m_model.point(static_cast<Space>(i));
         auto *grid = new NumberGrid(point);
-        grid->hideLabels();
+        grid->hideScrollBar();
         if (point->columnCount() < kCoordinates) // its numbers stand below the same letters as the others
             grid->setMinimumWidth(1);
         connect(grid, &NumberGrid::entered, this,
@@ -58,8 +62,10 @@ PipelineChain::PipelineChain(PipelineModel &model, QWidget *parent)
                 [this, point](const QModelIndex &index) { emit numberReached(point->space(), index.column()); });
         m_lines[static_cast<std::size_t>(i)] = {createOpener(point->space()), grid};
     }
-    createProducts(1 + PointModel::kSpaces);
+    createScrollBar(1 + PointModel::kSpaces);
+    createProducts(2 + PointModel::kSpaces);
     arrange();
+    showView();
 }
 
 QToolButton *PipelineChain::createOpener(const ChainPart &part)
@@ -72,6 +78,44 @@ QToolButton *PipelineChain::createOpener(const ChainPart &part)
     // Checked is what is open, which the panel decides.
     connect(button, &QToolButton::clicked, this, [this, part] { emit partChosen(part); });
     return button;
+}
+
+void PipelineChain::createScrollBar(int line)
+{
+    m_scrollBar->setAccessibleName(tr("Scroll the points sideways"));
+    m_layout->addWidget(m_scrollBar, line, 1, 1, kCoordinates);
+    connect(m_scrollBar, &QScrollBar::valueChanged, this, &PipelineChain::scrollAll);
+    for (const Line &point : m_lines) {
+        // A number that the arrow keys go to comes into sight, and the other points go along.
+        const QScrollBar *own = point.grid->horizontalScrollBar();
+        connect(own, &QScrollBar::valueChanged, this, &PipelineChain::scrollAll);
+        connect(own, &QScrollBar::rangeChanged, this, [this, own] {
+            if (own->maximum() < m_scrollBar->maximum() && own->pageStep() < m_scrollBar->pageStep())
+                return; // the widget position, of half the numbers
+            m_scrollBar->setRange(0, own->maximum());
+            m_scrollBar->setPageStep(own->pageStep());
+        });
+    }
+}
+
+void PipelineChain::scrollAll(int value)
+{
+    if (m_isScrolling) // a shorter line that stops at its end stops no other
+        return;
+    const QScopedValueRollback scrolling(m_isScrolling, true);
+    m_scrollBar->setValue(value);
+    for (const Line &point : m_lines)
+        point.grid->horizontalScrollBar()->setValue(value);
+}
+
+void PipelineChain::showView()
+{
+    const bool isWhole = m_model.view().isWhole;
+    for (QLabel *axis : m_axes)
+        axis->setVisible(!isWhole);
+    for (const Line &point : m_lines)
+        point.grid->setLabelsShown(isWhole);
+    m_scrollBar->setVisible(isWhole);
 }
 
 void PipelineChain::createProducts(int line)

@@ -8,6 +8,8 @@
 #include <variant>
 
 class QGridLayout;
+class QLabel;
+class QScrollBar;
 class QToolButton;
 
 namespace unprojector::gui {
@@ -26,6 +28,8 @@ public:
 
     /// Puts the lines into the order of the model's direction.
     void arrange();
+    /// Takes over how numbers are written: all digits need more room than there is, and one scroll bar moves all points.
+    void showView();
     void setOpened(const ChainPart &part);
     bool areAllOpen() const;
     void setAllOpen(bool areOpen);
@@ -47,11 +51,16 @@ private:
         NumberGrid *grid;
     };
     void createProducts(int line);
+    void createScrollBar(int line);
+    void scrollAll(int value);
     QToolButton *createOpener(const ChainPart &part);
 
     PipelineModel &m_model;
     QGridLayout *m_layout;
+    std::array<QLabel *, 4> m_axes{}; ///< above the columns
     std::array<Line, PointModel::kSpaces> m_lines{};
+    QScrollBar *m_scrollBar;
+    bool m_isScrolling = false;
     std::array<QToolButton *, 2> m_products{};
     QToolButton *m_openAll;
 };

@@ -316,6 +316,7 @@ void PipelinePanel::showTitles()
         m_sections[static_cast<std::size_t>(stage)]->setTitle(
             stageTitle(stage, m_model->direction()), stageName(stage, m_model->direction()),
             productText(stage, m_model->direction(), m_model->view().layout));
+    m_chain->showView();
     showHelp();
     showFactors();
     m_derivation->startOver();

@@ -62,9 +62,15 @@ void NumberGrid::useFont()
     fit();
 }
 
-void NumberGrid::hideLabels()
+void NumberGrid::setLabelsShown(bool areShown)
 {
-    m_showsLabels = false;
+    m_showsLabels = areShown;
+    fit();
+}
+
+void NumberGrid::hideScrollBar()
+{
+    m_hasScrollBar = false;
     fit();
 }
 
@@ -104,7 +110,7 @@ void NumberGrid::fit()
     const int room = shared / columns - 2 * kCellMargin;
     const int characters = static_cast<int>(room / QFontMetricsF(font()).horizontalAdvance(u'0'));
     m_model->setCapacity(characters - labels);
-    const bool scrolls = wanted > available;
+    const bool scrolls = m_hasScrollBar && wanted > available;
     setHorizontalScrollBarPolicy(scrolls ? Qt::ScrollBarAlwaysOn : Qt::ScrollBarAlwaysOff);
     setFixedHeight(std::max(1, m_model->rowCount()) * verticalHeader()->defaultSectionSize()
                    + (scrolls ? style()->pixelMetric(QStyle::PM_ScrollBarExtent) : 0));

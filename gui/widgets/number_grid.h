@@ -23,8 +23,10 @@ public:
     /// The selected numbers with all digits, a row a line, tab-separated.
     QString selectedText() const;
 
-    /// Leaves the model's labels out: what stands above the columns names them.
-    void hideLabels();
+    /// @param areShown  whether the model's labels stand before the numbers, or something above the columns names them
+    void setLabelsShown(bool areShown);
+    /// Another scroll bar than its own moves it sideways.
+    void hideScrollBar();
 
     /// What is being typed counts now.
     void applyTyped();
@@ -58,6 +60,7 @@ private:
 
     NumberGridModel *m_model;
     bool m_showsLabels = true;
+    bool m_hasScrollBar = true;
     bool m_isReached = false; ///< while the Tab key brings the focus
 };
 

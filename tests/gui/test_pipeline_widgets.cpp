@@ -20,6 +20,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QToolButton>
@@ -44,6 +45,7 @@ private slots:
     void aStageOpensItsMatrix();
     void chainAndAMatrixFitASmallPanel();
     void theFormatMenuNamesItsGroups();
+    void allDigitsOfAllPointsScrollTogether();
     void anotherDirectionKeepsTheMatrix();
     void aMatrixIsTakenApartAndItsFactorsFollow();
     void partsOfTheFactorsActAsTheSlidersSay();
@@ -220,6 +222,38 @@ void TestPipelineWidgets::theFormatMenuNamesItsGroups()
     // Other conventions are named without the menu open.
     panel.findChild<QAction *>(QStringLiteral("conventions_vulkan"))->trigger();
     QCOMPARE(format->text(), QStringLiteral("Format (Vulkan)"));
+}
+
+void TestPipelineWidgets::allDigitsOfAllPointsScrollTogether()
+{
+    SceneDocument document;
+    openFigures(document);
+    pickAt(document, WidgetPoint(30, 35), {0.85, 0, 24});
+    PipelinePanel panel(document);
+    panel.resize(420, 900);
+    panel.show();
+    const auto *chain = panel.findChild<PipelineChain *>();
+    const int height = chain->height();
+    panel.setMatrixView({MatrixLayout::Column, false, Digits::Double, true});
+    QCoreApplication::processEvents();
+    QScrollBar *bar = nullptr;
+    for (QScrollBar *one : chain->findChildren<QScrollBar *>()) {
+        if (one->isVisible()) {
+            QVERIFY(!bar); // one for all
+            bar = one;
+        }
+    }
+    QVERIFY(bar && bar->maximum() > 0);
+    QVERIFY(chain->height() <= height + bar->height());
+    const QList<NumberGrid *> grids = chain->findChildren<NumberGrid *>();
+    bar->setValue(bar->maximum());
+    for (const NumberGrid *grid : grids)
+        QCOMPARE(grid->horizontalScrollBar()->value(), grid->horizontalScrollBar()->maximum());
+    QCOMPARE(bar->value(), bar->maximum()); // the widget position is shorter
+    // An arrow key scrolls them all as well.
+    grids[1]->setCurrentIndex(grids[1]->model()->index(0, 0));
+    QCOMPARE(bar->value(), 0);
+    QCOMPARE(grids[0]->horizontalScrollBar()->value(), 0);
 }
 
 void TestPipelineWidgets::anotherDirectionKeepsTheMatrix()
