@@ -165,7 +165,7 @@ void LessonsFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
             showFirstSteps(true);
             for (int step = 0; m_firstSteps && step < FirstSteps::StepCount; ++step)
                 m_firstSteps->setDone(static_cast<FirstSteps::Step>(step), false);
-        });
+        })->setObjectName(QStringLiteral("firstSteps")); // by which the preferences know it
         addToBar(bar);
     }
 }

@@ -60,6 +60,7 @@ WindowMenus::WindowMenus(Window &window, const std::vector<Feature *> &features,
     addEditMenu();
     addViewMenu();
     addHelpMenu();
+    addPreferences();
 }
 
 void WindowMenus::fitToolBar()
@@ -162,6 +163,7 @@ void WindowMenus::updateRecentFiles()
 void WindowMenus::addEditMenu()
 {
     QMenu &menu = *addMenu(tr("&Edit"));
+    m_edit = &menu;
     QUndoStack &stack = m_window.document().undoStack();
     QAction *undo = stack.createUndoAction(&menu, tr("&Undo"));
     undo->setObjectName(QStringLiteral("undo")); // by which lessons link to it
@@ -178,6 +180,15 @@ void WindowMenus::addEditMenu()
     putOnBar(*m_bar, *redo, Drawing::Redo);
     m_bar->addSeparator();
     addFeatureActions(MenuKind::Edit, menu);
+}
+
+void WindowMenus::addPreferences()
+{
+    m_edit->addSeparator();
+    addAction(*m_edit, tr("Prefere&nces…"), QKeySequence::Preferences,
+              tr("Colours, language, smooth edges; first steps and layout as they were at first"),
+              [this] { showPreferences(); })
+        ->setMenuRole(QAction::PreferencesRole);
 }
 
 void WindowMenus::addLooks(QMenu &menu)
@@ -230,9 +241,12 @@ void WindowMenus::addViewMenu()
                   tr("Draw the edges of surfaces without steps. The depths that clicks read stay the same"));
     smooth->setChecked(m_window.hasSmoothEdges());
     connect(smooth, &QAction::toggled, this, &WindowMenus::smoothEdgesChosen);
-    addAppearanceMenu(*menu.addMenu(tr("Co&lours")));
-    if (m_window.remembers() && m_translation)
-        fillLanguageMenu(*menu.addMenu(tr("Lan&guage")), m_window, *m_translation, m_messages);
+    QMenu *colours = menu.addMenu(tr("Co&lours"));
+    addAppearanceMenu(*colours);
+    QMenu *languages = m_window.remembers() && m_translation ? menu.addMenu(tr("Lan&guage")) : nullptr;
+    if (languages)
+        fillLanguageMenu(*languages, m_window, *m_translation, m_messages);
+    m_choices = {colours, languages, smooth};
     menu.addSeparator();
     addWorkspaceActions(menu);
 }
@@ -318,6 +332,19 @@ void WindowMenus::showCode()
     m_code->show();
     m_code->raise();
     m_code->activateWindow();
+}
+
+void WindowMenus::showPreferences()
+{
+    auto *dialog = new PreferencesDialog(m_choices, &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &PreferencesDialog::firstStepsRequested, this, [this] {
+        if (m_window.remembers())
+            QSettings().remove(QStringLiteral("firstSteps/areDone"));
+        m_window.findChild<QAction *>(QStringLiteral("firstSteps"))->trigger();
+    });
+    connect(dialog, &PreferencesDialog::layoutResetRequested, &m_window.workspaces(), &Workspaces::resetAll);
+    dialog->open();
 }
 
 void WindowMenus::showKeys()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/shell/preferences_dialog.h"
 #include "gui/window/feature.h"
 
 #include <QObject>
@@ -37,6 +38,8 @@ private:
     void addFileMenu();
     void addEditMenu();
     void addViewMenu();
+    /// Edit > Preferences…, once the menus have the choices that it shows.
+    void addPreferences();
     void addLooks(QMenu &menu);
     void addSizeActions(QMenu &menu);
     void addAppearanceMenu(QMenu &menu);
@@ -44,6 +47,7 @@ private:
     void addHelpMenu();
     void updateRecentFiles();
     void showCode();
+    void showPreferences();
     void showKeys();
     void showAbout();
 
@@ -53,6 +57,8 @@ private:
     const Translation *m_translation;
     QToolBar *m_bar;
     QMenu *m_recent = nullptr;
+    QMenu *m_edit = nullptr;
+    PreferencesDialog::Choices m_choices;
     KeySheet *m_keys = nullptr;        ///< made when it is first asked for
     SceneCodeWindow *m_code = nullptr; ///< the same
 };

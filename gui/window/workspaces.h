@@ -71,6 +71,13 @@ public:
     /// The current workspace as it is at first, in the size that the window has now; the panels on the right get their first
     /// width in every workspace.
     void reset();
+    /// The same of all workspaces.
+    void resetAll()
+    {
+        m_layouts.clear();
+        m_wanted.clear();
+        reset();
+    }
     bool arePanelsHidden() const { return m_arePanelsHidden; }
     /// Gives the view the whole window, or the panels back.
     void hidePanels(bool isHidden);
