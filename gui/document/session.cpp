@@ -4,6 +4,7 @@
 #include "core/scene_file/scene_error_text.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/landmark_files.h"
+#include "gui/document/picks.h"
 #include "gui/document/recent_files.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
@@ -112,7 +113,8 @@ bool Session::openLesson(Scene scene, const QString &name, const QString &lesson
     emit progressed();
     std::optional<SceneAside> before; // its changes are kept in their file for as long as they are nowhere else
     if (!m_aside)
-        before = {m_document.scene(), m_origin, hasUnsavedChanges(), m_autosave ? m_autosave->release() : nullptr};
+        before = {m_document.scene(), m_document.picks().keptPick(), m_origin, hasUnsavedChanges(),
+                  m_autosave ? m_autosave->release() : nullptr};
     if (const Check shown = m_document.open(std::move(scene)); !shown) {
         if (before && before->recovery)
             m_autosave->adopt(std::move(before->recovery));
@@ -135,6 +137,7 @@ bool Session::comeBack()
     }
     SceneAside before = *std::exchange(m_aside, std::nullopt);
     setScene(before.origin, {}, true);
+    m_document.picks().putBack(std::move(before.pick));
     if (before.recovery)
         m_autosave->adopt(std::move(before.recovery));
     if (before.isUnsaved)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gui/document/autosave.h"
+#include "gui/document/kept_pick.h"
 #include "gui/document/model_store.h"
 #include "gui/document/scene_opener.h"
 
@@ -81,7 +82,7 @@ public:
     /// @return whether it is shown
     bool openLesson(scene::Scene scene, const QString &name, const QString &lesson);
 
-    /// Shows again the scene that was shown before the lesson, unsaved changes included; what was done cannot be undone any
+    /// Shows again the scene that was shown before the lesson, its pick and unsaved changes included; what was done cannot be undone any
     /// more. What is shown is left without a question.
     /// @return whether it is shown
     /// @pre a lesson's step is open
@@ -164,6 +165,7 @@ private:
     /// A scene with all that there is to know of it, to come back to.
     struct SceneAside {
         scene::Scene scene;
+        KeptPick pick;
         SceneOrigin origin;
         bool isUnsaved = false;
         std::unique_ptr<RecoveryFile> recovery; ///< where its changes are kept

@@ -2,6 +2,7 @@
 
 #include "gui/lessons/answer_text.h"
 #include "gui/lessons/lesson_player.h"
+#include "gui/view/scene_view.h"
 #include "gui/window/view_frame.h"
 
 #include <QDockWidget>
@@ -35,7 +36,11 @@ void LessonLayout::end()
     m_covers.reset();
     m_workspace.reset();
     m_withRoom.clear();
-    m_window.workspaces().dock(Panel::Lesson).hide();
+    QDockWidget &lesson = m_window.workspaces().dock(Panel::Lesson);
+    if (lesson.isAncestorOf(m_window.focusWidget()))
+        m_window.view()
+            .setFocus(); // as by the mouse: Qt would go on to the next widget as by Tab, which shows the crosshair
+    lesson.hide();
     m_window.restore(*m_before);
     // The lesson's texts took more room, perhaps.
     for (const auto &[label, room] : m_rooms) {

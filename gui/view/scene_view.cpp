@@ -54,6 +54,7 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
     // Its pixel says nothing of another scene, and what a hand turns or is about to place is not there any more.
     connect(&m_document, &SceneDocument::opened, this, [this] {
         m_crosshair.reset();
+        setCrosshairShown(false);
         m_drag = Drag::None;
         m_toolTakesClick = false;
     });

@@ -328,12 +328,7 @@ void TestAroundLessons::theWindowIsPixelForPixelAsBefore()
     const PipelinePanel::Opened after = pipeline->opened();
     QVERIFY(after.open == opened.open && after.apart == opened.apart && after.percents == opened.percents);
     QVERIFY(after.chosen == opened.chosen);
-    const QImage now = picture();
-    if (differentPixels(before, now) != 0) {
-        before.save(QStringLiteral("before_%1.png").arg(QLatin1String(lesson)));
-        now.save(QStringLiteral("after_%1.png").arg(QLatin1String(lesson)));
-    }
-    QCOMPARE(differentPixels(before, now), 0);
+    QCOMPARE(differentPixels(before, picture()), 0);
 }
 
 void TestAroundLessons::whatIsPutBackHasItsClick()
