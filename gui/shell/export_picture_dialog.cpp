@@ -114,9 +114,9 @@ void ExportPictureDialog::addMarks(QVBoxLayout &layout, bool hasMap)
     m_curves = checkBox(tr("&Curves"), tr("The curves between landmarks"));
     m_grid = checkBox(tr("&Ground and clip planes"), tr("The grid on the ground, and the planes that cut the objects"));
     m_axes = checkBox(tr("&Axes"), tr("The axes of the world, and their directions in the corner"));
-    m_map = checkBox(tr("&Map of differences"),
+    m_map = checkBox(tr("Error &map"),
                      hasMap ? tr("The colours of the map over the objects; only with the proportions of the view")
-                            : tr("The view shows no map. View > Map of Differences shows one."),
+                            : tr("The view shows no map. View > Error Map shows one."),
                      hasMap);
     m_map->setEnabled(hasMap);
     for (QCheckBox *box : {m_pick, m_landmarks, m_curves, m_grid, m_axes, m_map})

@@ -268,7 +268,7 @@ void TestExportPicture::theFormIsAsTheViewAtFirst()
             && options.marks.axes);
     QVERIFY(!options.isTransparent);
     QCOMPARE(dialog.problem(), QString());
-    QVERIFY(!checkBox(dialog, "Map of differences")->isEnabled());
+    QVERIFY(!checkBox(dialog, "Error map")->isEnabled());
     checkBox(dialog, "Pick")->setChecked(false);
     checkBox(dialog, "Transparent background")->setChecked(true);
     QVERIFY(!dialog.options().marks.pick);
