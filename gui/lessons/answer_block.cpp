@@ -97,10 +97,10 @@ void AnswerBlock::showQuestion()
     QString note;
     if (asks && !m_player.isRevealed()) {
         const std::vector<lessons::CoveredPanel> covered = m_player.coveredPanels();
-        const auto last = std::max_element(covered.begin(), covered.end(),
-                                           [](const auto &one, const auto &other) { return one.until < other.until; });
-        if (last != covered.end())
-            note = coverText(*last, m_player.index());
+        const bool doAllOpen = std::all_of(covered.begin(), covered.end(),
+                                           [this](const auto &one) { return one.until == m_player.index(); });
+        if (!covered.empty() && doAllOpen) // else their covers say when each opens
+            note = coverText(covered.front(), m_player.index());
     }
     say(note);
 }
