@@ -205,9 +205,8 @@ void LessonPanel::showText()
     if (step.question && m_player.isRevealed())
         html += QStringLiteral("<a name='%1'></a>").arg(QLatin1String(kAnswer)) + lessonHtml(step.question->reveal);
     if (!step.source.empty())
-        html += QStringLiteral("<p style='color: %1'>%2</p>")
-                    .arg(palette().color(QPalette::Disabled, QPalette::WindowText).name(),
-                         tr("Source: %1").arg(QString::fromStdString(step.source)).toHtmlEscaped());
+        html +=
+            QStringLiteral("<p>%1</p>").arg(tr("Source: %1").arg(QString::fromStdString(step.source)).toHtmlEscaped());
     m_text->setHtml(html);
 }
 
