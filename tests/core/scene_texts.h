@@ -10,7 +10,7 @@ namespace scene_texts {
 /// Every key, with numbers that no key has by default and that no other key has.
 inline const char *const kFullScene = R"({
   "unprojector": 1,
-  "window": {"width": 641, "height": 479, "devicePixelRatio": 1.25},
+  "window": {"width": 641, "height": 479, "devicePixelRatio": 1.25, "fixed": true},
   "viewport": {"x": 3, "y": 5.5, "width": 640, "height": 480},
   "depthRange": [0.9, 0.1],
   "projection": {"type": "frustum", "left": -1.1, "right": 1.2, "bottom": -0.75, "top": 0.8, "near": 0.1, "far": 1e5},

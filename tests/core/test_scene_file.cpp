@@ -52,6 +52,7 @@ void TestSceneFile::everyKeyIsRead()
     QCOMPARE(scene.windowWidth, 641);
     QCOMPARE(scene.windowHeight, 479);
     QCOMPARE(scene.devicePixelRatio, 1.25);
+    QVERIFY(scene.isWindowFixed);
     QVERIFY(scene.viewport == (Viewport{3, 5.5, 640, 480}));
     QVERIFY(scene.depthRange == (DepthRange{0.9, 0.1}));
     QVERIFY(std::get<Projection>(scene.projection) == Projection(Frustum{-1.1, 1.2, -0.75, 0.8, 0.1, 1e5}));
@@ -107,6 +108,7 @@ void TestSceneFile::whatIsLeftOutHasItsDefault()
 {
     const SceneFile scene = parsed(kLeastScene);
     QCOMPARE(scene.devicePixelRatio, 1.0);
+    QVERIFY(!scene.isWindowFixed);
     QVERIFY(!scene.viewport && scene.objects.empty() && scene.clipPlanes.empty());
     QVERIFY(scene.depthRange == (DepthRange{0, 1}));
     QVERIFY(setupOf(scene).viewport == (Viewport{0, 0, 800, 600}));
@@ -281,7 +283,9 @@ void TestSceneFile::nothingIsLeftOfAnotherProjection()
 void TestSceneFile::aTextForPeople()
 {
     const QByteArray text = written(parsed(kFullScene));
-    QVERIFY2(text.contains("\n  \"window\": {\"width\": 641, \"height\": 479, \"devicePixelRatio\": 1.25},\n"), text);
+    QVERIFY2(text.contains(
+                 "\n  \"window\": {\"width\": 641, \"height\": 479, \"devicePixelRatio\": 1.25, \"fixed\": true},\n"),
+             text);
     QVERIFY2(text.contains("\n  \"depthRange\": [0.9, 0.1],\n"), text);
     QVERIFY2(text.contains("\"Gr\xC3\xBCn\""), text);
     for (const QByteArray &line : text.split('\n'))

@@ -223,7 +223,8 @@ void TestViewSize::besideTheSurfaceNothingIsRead()
     setSize(document, {100, 100, 1.0});
     settle();
     QSignalSpy hovers(&window->view(), &SceneView::hovered), leaves(&window->view(), &SceneView::pointerLeft);
-    sendMouse(window->view(), QEvent::MouseMove, {250, 200}, Qt::NoButton, Qt::NoButton);
+    sendMouse(window->view(), QEvent::MouseMove, mouseOver(window->view(), {100, 100, 1.0}, {50.5, 50.5}), Qt::NoButton,
+              Qt::NoButton);
     QTRY_VERIFY_WITH_TIMEOUT(!hovers.isEmpty(), kPatienceMilliseconds);
     QVERIFY(leaves.isEmpty());
     sendMouse(window->view(), QEvent::MouseMove, {20, 20}, Qt::NoButton, Qt::NoButton);

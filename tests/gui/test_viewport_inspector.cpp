@@ -303,8 +303,10 @@ void TestViewportInspector::thePanelFollowsEveryResize()
     panel.show();
     panel.setPointer(WidgetPoint(700.0, 10.0));
     document.setSurface({500, 375, 1.25}); // 400 x 300 logical: the pointer is outside now
-    QCOMPARE(labelNamed(panel, "Window")->text(),
-             QStringLiteral("Window 500 × 375 device pixels, device pixel ratio 1.25"));
+    QVERIFY(labelNamed(panel, "Window")
+                ->text()
+                .startsWith(QStringLiteral("Window 500 × 375 device pixels, device pixel ratio 1.25 <a ")));
+    QVERIFY(panel.text().startsWith(QStringLiteral("Window 500 × 375 device pixels, device pixel ratio 1.25\n")));
     QCOMPARE(labelNamed(panel, "Viewport")->text(), QStringLiteral("glViewport(0, 0, 500, 375)"));
     QVERIFY(isAt(panel.corners(), CornersModel::BottomRight, CornersModel::Device, 499, 374));
     QVERIFY(!panel.corners().index(CornersModel::Pointer, 0).data(CornersModel::kValueRole).isValid());
