@@ -2133,16 +2133,8 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>世界坐标轴，以及角落里它们的方向</translation>
     </message>
     <message>
-        <source>&amp;Map of differences</source>
-        <translation>差异映射图(&amp;M)</translation>
-    </message>
-    <message>
         <source>The colours of the map over the objects; only with the proportions of the view</source>
         <translation>物体上方映射图的颜色；仅在保持视图比例时</translation>
-    </message>
-    <message>
-        <source>The view shows no map. View &gt; Map of Differences shows one.</source>
-        <translation>视图没有显示映射图。“视图 &gt; 差异映射图”可显示。</translation>
     </message>
     <message>
         <source>&amp;Transparent background</source>
@@ -2175,6 +2167,14 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
     <message>
         <source>Picture written to %1</source>
         <translation>图片已写入 %1</translation>
+    </message>
+    <message>
+        <source>Error &amp;map</source>
+        <translation>误差图(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The view shows no map. View &gt; Error Map shows one.</source>
+        <translation>视图未显示误差图。“视图 &gt; 误差图”可显示。</translation>
     </message>
 </context>
 <context>
@@ -3879,6 +3879,10 @@ Both are as large as fits.</source>
     <message>
         <source>A row that stands for several steps can be opened: click its arrow, or press Right</source>
         <translation>代表多个步骤的行可以展开：点击其箭头，或按右方向键</translation>
+    </message>
+    <message>
+        <source>The current step with all its calls</source>
+        <translation>当前步骤及其全部调用</translation>
     </message>
 </context>
 <context>
@@ -5626,6 +5630,10 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <source>Not shown</source>
         <translation>未显示</translation>
     </message>
+    <message>
+        <source>Scroll the points sideways</source>
+        <translation>左右滚动各点</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PipelineFeature</name>
@@ -6073,6 +6081,65 @@ of a point that needs no division</source>
     <message>
         <source>as far as they are certain, the three points lie on one line, so there is no plane</source>
         <translation>在其确定程度内，这三个点在一条直线上，因此没有平面</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>颜色(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Light or dark windows</source>
+        <translation>浅色或深色窗口</translation>
+    </message>
+    <message>
+        <source>The language of the program, from its next start on</source>
+        <translation>程序的语言，下次启动时生效</translation>
+    </message>
+    <message>
+        <source>&amp;Language:</source>
+        <translation>语言 Language(&amp;L)：</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Another language is used from the next start on.</source>
+        <translation>更改的语言在下次启动时生效。</translation>
+    </message>
+    <message>
+        <source>3-D view:</source>
+        <translation>三维视图：</translation>
+    </message>
+    <message>
+        <source>Show First &amp;Steps Again</source>
+        <translation>再次显示入门(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show the three things to try, now and at the next start</source>
+        <translation>现在以及下次启动时显示可以尝试的三件事</translation>
+    </message>
+    <message>
+        <source>&amp;Reset Layout</source>
+        <translation>重置布局(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Put the panels of all workspaces back to where they were at first</source>
+        <translation>把所有工作区的面板放回最初的位置</translation>
+    </message>
+    <message>
+        <source>Start over:</source>
+        <translation>恢复：</translation>
     </message>
 </context>
 <context>
@@ -8010,6 +8077,14 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>Formulas, keys and what this program is</source>
         <translation>公式、按键以及关于本程序</translation>
+    </message>
+    <message>
+        <source>Prefere&amp;nces…</source>
+        <translation>首选项(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Colours, language, smooth edges; first steps and layout as they were at first</source>
+        <translation>颜色、语言、平滑边缘；把入门提示和布局恢复为最初状态</translation>
     </message>
 </context>
 <context>
