@@ -23,6 +23,12 @@ public:
     void choose(PointModel::Space space, int coordinate);
     /// No coordinate any more.
     void clear();
+    struct Entry {
+        PointModel::Space space;
+        int coordinate; ///< as it is shown: 0 for x, 3 for w
+        friend bool operator==(const Entry &, const Entry &) = default;
+    };
+    const std::optional<Entry> &chosen() const { return m_chosen; }
     /// The space of the chosen coordinate.
     std::optional<PointModel::Space> chosenSpace() const;
     void refresh();
@@ -36,10 +42,6 @@ private:
     PipelineModel &m_model;
     SteadyLabel *m_label;
     HelpLink *m_help;
-    struct Entry {
-        PointModel::Space space;
-        int coordinate;
-    };
     std::optional<Entry> m_chosen;
 };
 

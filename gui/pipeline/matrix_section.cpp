@@ -123,9 +123,14 @@ void MatrixSection::setApart(bool isApart)
     m_takeApart->setChecked(isApart);
 }
 
+bool MatrixSection::isApart() const
+{
+    return m_takeApart && m_takeApart->isChecked();
+}
+
 bool MatrixSection::showsFactors() const
 {
-    return !isHidden() && m_takeApart && m_takeApart->isChecked();
+    return !isHidden() && isApart();
 }
 
 void MatrixSection::setTitle(const QString &title, const QString &name, const QString &product)

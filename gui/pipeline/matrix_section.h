@@ -32,6 +32,7 @@ public:
     FactorsView *addFactors();
     /// Shows the factors, or hides them. @pre addFactors()
     void setApart(bool isApart);
+    bool isApart() const;
     /// Whether the factors are to be seen while the section is; only then they need be kept up to date.
     bool showsFactors() const;
 

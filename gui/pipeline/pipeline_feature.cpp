@@ -136,8 +136,7 @@ QVariantMap PipelineFeature::state() const
             {QStringLiteral("isMemoryOrder"), view.isMemoryOrder},
             {QStringLiteral("digits"), static_cast<int>(view.digits)},
             {QStringLiteral("isWhole"), view.isWhole},
-            {QStringLiteral("areAllOpen"), m_pipeline->areAllOpen()},
-            {QStringLiteral("opened"), QVariant::fromValue(m_pipeline->opened())}};
+            {QStringLiteral("kept"), QVariant::fromValue(m_pipeline->kept())}};
 }
 
 void PipelineFeature::restore(const QVariantMap &state)
@@ -150,8 +149,7 @@ void PipelineFeature::restore(const QVariantMap &state)
         {areSame ? static_cast<MatrixLayout>(state[QStringLiteral("layout")].toInt()) : m_pipeline->matrixView().layout,
          state[QStringLiteral("isMemoryOrder")].toBool(), static_cast<Digits>(state[QStringLiteral("digits")].toInt()),
          state[QStringLiteral("isWhole")].toBool()});
-    m_pipeline->setAllOpen(state[QStringLiteral("areAllOpen")].toBool());
-    m_pipeline->open(state[QStringLiteral("opened")].value<ChainPart>());
+    m_pipeline->restore(state[QStringLiteral("kept")].value<PipelinePanel::Kept>());
 }
 
 Feature *makePipelineFeature(Window &window)

@@ -430,6 +430,35 @@ void PipelinePanel::startOver()
     QTimer::singleShot(0, this, [this] { m_scrollArea->verticalScrollBar()->setValue(0); });
 }
 
+PipelinePanel::Kept PipelinePanel::kept() const
+{
+    const auto isApart = [this](PipelineStage stage) { return m_sections[static_cast<std::size_t>(stage)]->isApart(); };
+    return {m_opened,
+            areAllOpen(),
+            isApart(PipelineStage::ViewMatrix),
+            isApart(PipelineStage::ProjectionMatrix),
+            m_projectionFactors->shares().percents(),
+            m_derivation->chosen(),
+            m_scrollArea->verticalScrollBar()->value()};
+}
+
+void PipelinePanel::restore(const Kept &kept)
+{
+    setAllOpen(kept.areAllOpen);
+    m_opened = kept.opened;
+    showOpened();
+    m_sections[static_cast<std::size_t>(PipelineStage::ViewMatrix)]->setApart(kept.isViewApart);
+    m_sections[static_cast<std::size_t>(PipelineStage::ProjectionMatrix)]->setApart(kept.isProjectionApart);
+    m_projectionFactors->shares().setPercents(kept.percents);
+    if (kept.chosen)
+        m_derivation->choose(kept.chosen->space, kept.chosen->coordinate);
+    else
+        m_derivation->clear();
+    showOpened();
+    // Once all stands where it will.
+    QTimer::singleShot(0, this, [this, top = kept.top] { m_scrollArea->verticalScrollBar()->setValue(top); });
+}
+
 void PipelinePanel::applyTyped()
 {
     m_chain->applyTyped();

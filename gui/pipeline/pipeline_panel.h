@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gui/pipeline/derivation_line.h"
 #include "gui/pipeline/pipeline_chain.h"
 
 #include <QWidget>
@@ -10,7 +11,6 @@ class QVBoxLayout;
 
 namespace unprojector::gui {
 
-class DerivationLine;
 class FactorsView;
 class FollowedPointRow;
 class MatrixFindingsView;
@@ -42,6 +42,18 @@ public:
     void open(const ChainPart &part);
     bool areAllOpen() const { return m_chain->areAllOpen(); }
     void setAllOpen(bool areOpen) { m_chain->setAllOpen(areOpen); }
+
+    /// What is open and chosen, to be put back after a lesson.
+    struct Kept {
+        ChainPart opened = PointModel::Space::Clip;
+        bool areAllOpen = false;
+        bool isViewApart = false, isProjectionApart = false;
+        QList<int> percents; ///< of the projection's factors
+        std::optional<DerivationLine::Entry> chosen;
+        int top = 0; ///< of the scroll bar
+    };
+    Kept kept() const;
+    void restore(const Kept &kept);
 
     /// Follows the point that is given, also where a click came after it.
     void followGiven() { m_model->followGiven(true); }

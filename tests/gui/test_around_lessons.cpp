@@ -310,9 +310,10 @@ void TestAroundLessons::theWindowIsPixelForPixelAsBefore()
     };
     const QImage before = picture();
     QCOMPARE(differentPixels(before, picture()), 0); // it is still
-    const PipelinePanel::Opened opened = pipeline->opened();
+    const PipelinePanel::Kept kept = pipeline->kept();
+    QVERIFY(kept.isProjectionApart && kept.chosen);
     QVERIFY(player.start(lesson.toStdString()));
-    QVERIFY(pipeline->opened().chosen.first < 0 && pipeline->opened().apart == PipelinePanel::Opened().apart);
+    QVERIFY(!pipeline->kept().chosen && !pipeline->kept().isProjectionApart);
     for (std::size_t i = 0; i < player.lesson()->steps.size(); ++i) {
         QVERIFY(player.goTo(i));
         follow(*window, QStringLiteral("click:clicked"));
@@ -325,9 +326,9 @@ void TestAroundLessons::theWindowIsPixelForPixelAsBefore()
     settle(100);
     QVERIFY(player.leave());
     settle(300);
-    const PipelinePanel::Opened after = pipeline->opened();
-    QVERIFY(after.open == opened.open && after.apart == opened.apart && after.percents == opened.percents);
-    QVERIFY(after.chosen == opened.chosen);
+    const PipelinePanel::Kept after = pipeline->kept();
+    QVERIFY(after.opened == kept.opened && after.areAllOpen == kept.areAllOpen && after.chosen == kept.chosen);
+    QVERIFY(after.isProjectionApart && !after.isViewApart && after.percents == kept.percents);
     QCOMPARE(differentPixels(before, picture()), 0);
 }
 
