@@ -161,7 +161,7 @@ void ClickFeature::addSnapButton(QToolBar &bar)
     button->setPopupMode(QToolButton::InstantPopup);
     button->setToolTip(tr("What a click takes of a mesh"));
     button->setObjectName(QStringLiteral("snap"));
-    const auto show = [this, button](const QAction *action) {
+    const auto show = [button](const QAction *action) {
         button->setText(tr("Snap: %1").arg(action->iconText()));
         button->setIcon(action->icon());
     };
