@@ -29,8 +29,9 @@ void warn(QWidget &window, const QString &title, const QString &text)
 
 SessionQuestions::SaveAnswer WindowQuestions::askSave(const QString &name, bool hasFile)
 {
-    const QString question = hasFile ? tr("Save the changes to %1?").arg(name)
-                                     : tr("Save the changes to %1 as a scene file? Model files are not changed.").arg(name);
+    const QString question = hasFile
+                                 ? tr("Save the changes to %1?").arg(name)
+                                 : tr("Save the changes to %1 as a scene file? Model files are not changed.").arg(name);
     switch (ask(m_window, tr("Unsaved Changes"), question,
                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save)) {
     case QMessageBox::Save: return SaveAnswer::Save;

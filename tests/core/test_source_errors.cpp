@@ -191,11 +191,10 @@ void errorsOfZhangci(Errata &errors)
         pointsBackward(modelView, pointsForward(modelView, ObjectPoint(1, 1, 0)).window.value());
     const glm::dmat4 clipFromObject =
         forward(modelView, PipelineStage::ProjectionMatrix) * forward(modelView, PipelineStage::ModelviewMatrix);
-    errors.add("error-zhangci-object", "z by gluUnProject with GL_MODELVIEW",
-               unprojectByInverse<ObjectSpace>(clipFromObject, modelView.setup.viewport, DepthRange{}, *back.window)
-                   .value()
-                   .z,
-               -3, back.world->z);
+    errors.add(
+        "error-zhangci-object", "z by gluUnProject with GL_MODELVIEW",
+        unprojectByInverse<ObjectSpace>(clipFromObject, modelView.setup.viewport, DepthRange{}, *back.window).value().z,
+        -3, back.world->z);
 }
 
 void errorsOfProjectionDerivation(Errata &errors)

@@ -536,8 +536,7 @@ void TestDoctorPlace::thePictureStaysThatOfTheClick()
 {
     const auto window = doctorWindow();
     type(gotOf(*window), pointText(clickedAndWrong(*window)));
-    QTRY_VERIFY_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("y is not flipped")),
-                             kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("y is not flipped")), kPatienceMilliseconds);
     QPushButton *now = nullptr;
     for (QPushButton *button : panelOf(*window).findChildren<QPushButton *>()) {
         if (button->text().remove(u'&') == QStringLiteral("As it is now"))
@@ -549,8 +548,7 @@ void TestDoctorPlace::thePictureStaysThatOfTheClick()
     QVERIFY(verdictOf(*window).startsWith(QStringLiteral("y is not flipped")));
     QVERIFY(now->isVisible());
     QTest::mouseClick(now, Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(!verdictOf(*window).startsWith(QStringLiteral("y is not flipped")),
-                             kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(!verdictOf(*window).startsWith(QStringLiteral("y is not flipped")), kPatienceMilliseconds);
     QVERIFY(!now->isVisible());
 }
 

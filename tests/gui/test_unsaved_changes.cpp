@@ -188,9 +188,10 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout()
         QCOMPARE(untitled->isWindowModified(), isWork);
         const MessageBoxAnswers answers(QMessageBox::Cancel);
         QCOMPARE(untitled->close(), !isWork);
-        QCOMPARE(answers.questions(), isWork ? QStringList(QStringLiteral(
-                                          "Save the changes to Bundled scene as a scene file? Model files are not changed."))
-                                             : QStringList());
+        QCOMPARE(answers.questions(),
+                 isWork ? QStringList(
+                     QStringLiteral("Save the changes to Bundled scene as a scene file? Model files are not changed."))
+                        : QStringList());
     }
     // Of a scene that has a file, the view is a part.
     const auto titled = window();
