@@ -257,7 +257,7 @@ FrameView::Drawn FrameView::drawFrame(FrameContents contents)
         m_meshes.drawOn(m_contents, place, Deadline({}));
         if (m_isFast) {
             glFinish();
-            m_isFast = static_cast<double>(timer.nsecsElapsed()) * 1e-6 < 2.0 * m_motionBudget;
+            m_isFast = static_cast<double>(timer.nsecsElapsed()) * 1e-6 < 2.0 * m_budget.motion;
         }
     }
     frame().end();
@@ -298,7 +298,7 @@ void FrameView::refine(const Deadline &deadline)
     }
     glFinish();
     m_refineMilliseconds += static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-    m_isFast = m_refineMilliseconds < m_motionBudget;
+    m_isFast = m_refineMilliseconds < m_budget.motion;
     m_isRefining = m_isCoarse = false;
     m_shown = 1 - m_shown;
     m_painter.setStale();
@@ -335,7 +335,7 @@ void FrameView::takeRest()
     if (!m_isCreated || !m_isCoarse)
         return;
     makeCurrent();
-    refine(Deadline(m_slice));
+    refine(Deadline(m_budget.slice));
     doneCurrent();
     if (m_isCoarse) {
         m_refineTimer.start(0);

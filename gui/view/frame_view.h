@@ -46,10 +46,10 @@ public:
     void setModelStore(ModelStore &models) { m_models = &models; }
     /// What takes no longer than this, in milliseconds, is drawn whole while the view moves, however many triangles it
     /// has; with 0, large models always have their stand-ins.
-    void setMotionBudget(double milliseconds) { m_motionBudget = milliseconds; }
+    void setMotionBudget(double milliseconds) { m_budget.motion = milliseconds; }
 
     /// Of a large model so much is drawn at once, in milliseconds: the window stays awake in between. With 0, a piece.
-    void setSlice(int milliseconds) { m_slice = milliseconds; }
+    void setSlice(int milliseconds) { m_budget.slice = milliseconds; }
 
     /// A matter of looks alone: the depths that are read are the same.
     void setSmoothEdges(bool smooth);
@@ -169,11 +169,14 @@ private:
     FrameContents m_contents;
     MeshPainter::Place m_place; ///< in the contents: so far they are drawn into the frame that is not shown
     bool m_isCoarse = false;
-    bool m_isRefining = false;    ///< drawing into it has begun
-    bool m_isTelling = false;     ///< by `drawingProgressed`
-    double m_motionBudget = 30.0; ///< in milliseconds
-    int m_slice = 30;             ///< in milliseconds
-    bool m_isFast = false;        ///< these objects can be drawn while the view moves, however many they are
+    bool m_isRefining = false; ///< drawing into it has begun
+    bool m_isTelling = false;  ///< by `drawingProgressed`
+    struct Budget {            ///< milliseconds
+        double motion = 30.0;
+        int slice = 30;
+    };
+    Budget m_budget;
+    bool m_isFast = false; ///< these objects can be drawn while the view moves, however many they are
     double m_refineMilliseconds = 0.0;
     QTimer m_refineTimer;
 
