@@ -83,8 +83,8 @@ std::string projectedText(const Diagnosis &diagnosis)
     const std::string x = significantText(at.x, kPixelDigits), y = significantText(at.y, kPixelDigits),
                       depth = shortestText(at.z, kShare * diagnosis.depthUnsure);
     return diagnosis.tellsWrong()
-               ? tr("on pixel %1 %2, depth %3, by the right matrices: %4", x, y, depth, rightnessText(diagnosis))
-               : tr("on pixel %1 %2, depth %3, by the right matrices", x, y, depth);
+               ? tr("to pixel %1 %2, depth %3, by the right matrices: %4", x, y, depth, rightnessText(diagnosis))
+               : tr("to pixel %1 %2, depth %3, by the right matrices", x, y, depth);
 }
 
 std::string chanceText(double chance)

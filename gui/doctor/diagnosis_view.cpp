@@ -125,7 +125,7 @@ void DiagnosisView::showAnswer(const Shown &shown)
         addPlain(tr("Is also"), QString::fromStdString(knownPointName(diagnosis.known)));
     if (best.explains && best.id != "right" && !isKnown)
         addPlain(tr("Chance"), QString::fromStdString(chanceText(diagnosis.chance)));
-    addPlain(tr("Projects to"), QString::fromStdString(projectedText(diagnosis)));
+    addPlain(tr("Projects"), QString::fromStdString(projectedText(diagnosis)));
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
         addPlain(tr("Right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)

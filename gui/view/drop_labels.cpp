@@ -20,8 +20,9 @@ namespace {
 
 std::optional<QPointF> widgetOf(const Setup &setup, const glm::dvec3 &point)
 {
+    const Result<glm::dmat4> matrix = clipFromWorld(setup);
     const Result<WindowPoint> window = windowFromWorld(setup, WorldPoint(point));
-    if (!window || !(window->z >= std::min(setup.depthRange.atNear, setup.depthRange.atFar)))
+    if (!matrix || !window || !((*matrix * glm::dvec4(point, 1.0)).w > 0.0)) // else it lies behind the eye
         return std::nullopt;
     const WidgetPoint widget = widgetFromDevice(setup.surface, deviceFromWindow(setup.surface, *window));
     return QPointF(widget.x, widget.y);

@@ -1770,12 +1770,12 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>其次</translation>
     </message>
     <message>
-        <source>Projects to</source>
-        <translation>投影到</translation>
-    </message>
-    <message>
         <source>To be sure</source>
         <translation>要确认</translation>
+    </message>
+    <message>
+        <source>Projects</source>
+        <translation>投影</translation>
     </message>
 </context>
 <context>

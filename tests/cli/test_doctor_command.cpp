@@ -146,7 +146,7 @@ void TestDoctorCommand::theAnswerInWords()
     const Run unknown = doctor(kClick + QStringList{"--got", "1.1234,2.2345,0.3456"});
     VERIFY_SUCCEEDED(unknown);
     QVERIFY(unknown.output.startsWith("unknown\n  Nothing that is known explains this point"));
-    QVERIFY(unknown.output.contains("lands        on pixel"));
+    QVERIFY(unknown.output.contains("projects     to pixel"));
 }
 
 /// Near 0.001, far 100000: the depth begins with nines. From where the point is said to land it comes out again.
@@ -157,7 +157,7 @@ void TestDoctorCommand::theDepthHasTheDigitsOfThePoint()
         "projection": {"type": "perspective", "fovy": 45, "near": 0.001, "far": 100000},
         "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]}, "objects": []})");
     const Run run = runCommand({"doctor", scene, "--pixel", "500.5,350.5", "--got", "0.50000,0.25000,2.03364"});
-    static const QRegularExpression landing("on pixel ([^ ]+) ([^ ]+), depth ([^ ]+), by");
+    static const QRegularExpression landing("to pixel ([^ ]+) ([^ ]+), depth ([^ ]+), by");
     const QRegularExpressionMatch place = landing.match(run.output);
     QVERIFY2(place.hasMatch(), run.output);
     QVERIFY2(place.captured(3).size() < 14, run.output); // no more than it needs

@@ -242,7 +242,7 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
         text += line(tr("is also|row"), knownPointName(diagnosis.known));
     if (diagnosis.next && diagnosis.verdict != "right" && !isKnown)
         text += line(tr("tell apart"), nextClickText(diagnosis));
-    text += line(tr("lands|row"), projectedText(diagnosis));
+    text += line(tr("projects|row"), projectedText(diagnosis));
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
         text += line(tr("right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
