@@ -179,6 +179,11 @@ bool LifecyclePanel::eventFilter(QObject *watched, QEvent *event)
     return QWidget::eventFilter(watched, event);
 }
 
+LifecyclePanel::~LifecyclePanel()
+{
+    m_table->verticalScrollBar()->disconnect(this); // it moves while the table goes
+}
+
 QSize LifecyclePanel::sizeHint() const
 {
     return {100 * fontMetrics().horizontalAdvance(u'0'), 12 * fontMetrics().lineSpacing()};

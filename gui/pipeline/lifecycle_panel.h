@@ -17,6 +17,8 @@ class LifecyclePanel : public QWidget {
 public:
     explicit LifecyclePanel(LifecycleLog &log, QWidget *parent = nullptr);
 
+    ~LifecyclePanel() override;
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 

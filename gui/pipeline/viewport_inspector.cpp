@@ -104,7 +104,7 @@ QWidget *ViewportInspector::createProportions()
     };
     m_window =
         label(tr("Window"), tr("The view's framebuffer in device pixels, and how many of them make a logical pixel"));
-    m_window->setTextInteractionFlags(Qt::TextBrowserInteraction | Qt::TextSelectableByKeyboard);
+    m_window->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(m_window, &QLabel::linkActivated, this, &ViewportInspector::sizeRequested);
     m_viewport = label(tr("Viewport"), tr("x, y, width, height in device pixels from the window's bottom-left corner"));
     const std::array names{std::pair(tr("Proportion (3)"), tr("Numbers of proportion (3)")),

@@ -5514,7 +5514,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
     </message>
     <message>
         <source>eye</source>
-        <translation>眼</translation>
+        <translation>观察</translation>
     </message>
     <message>
         <source>world</source>
@@ -5542,7 +5542,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
     </message>
     <message>
         <source>Normalized device coordinates, each from −1 to 1 in the view volume</source>
-        <translation>归一化设备坐标，在视景体内各为 −1 到 1</translation>
+        <translation>规范化设备坐标，在视景体内各为 −1 到 1</translation>
     </message>
     <message>
         <source>Clip coordinates x, y, z, w: divided by w they are NDC</source>
@@ -5550,7 +5550,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
     </message>
     <message>
         <source>Eye coordinates: seen from the camera, which looks along −z</source>
-        <translation>眼坐标：从沿 −z 观察的相机看去</translation>
+        <translation>观察坐标：从沿 −z 观察的相机看去</translation>
     </message>
     <message>
         <source>World coordinates: the answer of the click</source>
