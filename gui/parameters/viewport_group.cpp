@@ -85,7 +85,7 @@ ViewportGroup::ViewportGroup(SceneDocument &document, QWidget *parent)
     m_window = selectable(tr("Size of the window"));
     m_window->setToolTip(tr("Size of the picture's window in device pixels"));
     m_window->setTextFormat(Qt::RichText);
-    m_window->setTextInteractionFlags(Qt::TextBrowserInteraction); // one stop of the Tab key: the link
+    m_window->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(m_window, &QLabel::linkActivated, this, &ViewportGroup::sizeRequested);
     content()->addWidget(m_call);
     content()->addWidget(m_window);

@@ -7,6 +7,7 @@
 #include "gui/parameters/group_heading.h"
 #include "gui/parameters/number_slider.h"
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
@@ -369,7 +370,10 @@ void TestParametersColumn::tabGoesDownTheColumn()
     };
     int stops = 1;
     for (QPoint before = place(), start = before;; ++stops) {
-        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QWidget *left = QApplication::focusWidget();
+        QTest::keyClick(left, Qt::Key_Tab);
+        if (QApplication::focusWidget() == left && qobject_cast<QLabel *>(left))
+            QTest::keyClick(left, Qt::Key_Tab); // from the text to its link, which is a stop of its own
         const QPoint now = place();
         if (now == start)
             break;
