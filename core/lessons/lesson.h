@@ -115,7 +115,7 @@ geometry::Result<Lesson, LessonError> parseLesson(std::string_view name, std::st
 /// @return the errors of parseLesson
 geometry::Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson, std::string_view texts);
 
-/// The panels that show an answer, so that nobody who writes a question can forget to cover them: Pipeline and Comparison the
+/// The panels that show an answer. They are derived, so that no question can leave one uncovered: Pipeline and Comparison the
 /// coordinate of a point that is followed or can be clicked, Pipeline the entry of a matrix or of its factors. Viewport and Life of
 /// the View show pixels as well, Depth Precision and Life of the View depths.
 /// @param answer   an expression of StepNumbers: one that is more than a path, or of another step, stands in no panel

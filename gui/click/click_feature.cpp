@@ -4,6 +4,7 @@
 #include "gui/click/pick_strip.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
+#include "gui/view/drop_labels.h"
 #include "gui/view/scene_view.h"
 #include "gui/window/actions.h"
 #include "gui/window/feature.h"
@@ -19,6 +20,7 @@
 #include <QToolButton>
 
 namespace unprojector::gui {
+using namespace geometry;
 
 class ClickFeature : public Feature {
     Q_OBJECT
@@ -93,7 +95,8 @@ ClickFeature::ClickFeature(Window &window)
     });
     connect(&m_document, &SceneDocument::changed, m_strip, [this](Changes changes) {
         if (changes & (Change::Pick | Change::Ray | Change::Objects))
-            m_strip->setPick(m_document.picks().keptPick(), m_document.picks().pickedPoint());
+            m_strip->setPick(m_document.picks().keptPick(), m_document.picks().pickedPoint(),
+                             m_document.picks().pick() ? pickedUncertainty(m_document.picks()) : WorldVector());
     });
     m_bar->setObjectName(QStringLiteral("strip"));
     m_bar->setMovable(false);

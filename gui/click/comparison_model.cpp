@@ -35,7 +35,8 @@ WorldPoint worldPoint(const Components<3> &at)
     return {at.x, at.y, at.z};
 }
 
-/// The most that a vector's coordinates, each off by no more than its uncertainty, are off after a linear map.
+} // namespace
+
 Components<3> mapped(const glm::dmat3 &map, const Components<3> &uncertainty)
 {
     Components<3> result;
@@ -45,8 +46,6 @@ Components<3> mapped(const glm::dmat3 &map, const Components<3> &uncertainty)
     }
     return result;
 }
-
-} // namespace
 
 void ComparisonModel::setPick(const KeptPick &kept)
 {

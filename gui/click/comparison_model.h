@@ -5,11 +5,16 @@
 #include "gui/text/number_text.h"
 #include "gui/widgets/coordinates_model.h"
 
+#include <glm/mat3x3.hpp>
+
 #include <array>
 #include <optional>
 #include <vector>
 
 namespace unprojector::gui {
+
+/// The most that a vector's coordinates, each off by no more than its uncertainty, are off after a linear map.
+geometry::Components<3> mapped(const glm::dmat3 &map, const geometry::Components<3> &uncertainty);
 
 /// A pick in one space: a row for each of x, y, z; on the background of the ray's near and far points. Its columns are the two
 /// methods and their difference, what single precision gives, and what the ray meets on the mesh itself.

@@ -1,5 +1,6 @@
 #include "gui/click/pick_strip.h"
 
+#include "gui/click/comparison_model.h"
 #include "gui/text/number_text.h"
 #include "gui/widgets/digits_font.h"
 
@@ -33,9 +34,11 @@ QString roundedText(const Components<3> &point, const Components<3> &uncertainty
                      {std::max(unit, uncertainty.x), std::max(unit, uncertainty.y), std::max(unit, uncertainty.z)});
 }
 
-QString roundedText(const ClipPoint &point, int digits)
+QString roundedText(const ClipPoint &point, double uncertainty, int digits)
 {
-    const int decimals = decimalsFor({point.x, point.y, std::max(std::abs(point.z), std::abs(point.w))}, digits);
+    const int decimals =
+        std::clamp(decimalsFor({point.x, point.y, std::max(std::abs(point.z), std::abs(point.w))}, digits), 0,
+                   std::max(0, -certainPlace(uncertainty)));
     return bracketed({fixedText(point.x, decimals), fixedText(point.y, decimals), fixedText(point.z, decimals),
                       fixedText(point.w, decimals)});
 }
@@ -95,7 +98,7 @@ PickStrip::PickStrip(QWidget *parent)
     showTexts(); // the line has its height before the first pick
 }
 
-void PickStrip::setPick(const KeptPick &kept, const std::optional<WorldPoint> &point)
+void PickStrip::setPick(const KeptPick &kept, const std::optional<WorldPoint> &point, const WorldVector &uncertainty)
 {
     m_pages->setCurrentIndex(kept.pick ? 1 : 0);
     m_texts = {};
@@ -123,18 +126,28 @@ void PickStrip::setPick(const KeptPick &kept, const std::optional<WorldPoint> &p
             return bracketed(
                 {fixedText(ndc.x, digits - 1), fixedText(ndc.y, digits - 1), fixedText(ndc.z, digits - 1)});
         };
+    const auto matrixOf = [&matrices](PipelineStage stage, PipelineDirection direction) {
+        return glm::dmat3(matrices->matrix(stage, direction));
+    };
+    const Components<3> ofEye =
+        isSnapped ? mapped(matrixOf(PipelineStage::ViewMatrix, PipelineDirection::Forward), uncertainty)
+                  : Components<3>(pick.uncertainty.eye);
+    const Components<3> ofObject =
+        mapped(matrixOf(PipelineStage::ModelMatrix, PipelineDirection::Backward), uncertainty);
+    const Components<3> ofClip = mapped(matrixOf(PipelineStage::ProjectionMatrix, PipelineDirection::Forward), ofEye);
+    const double most = point ? std::max({ofClip.x, ofClip.y, ofClip.z, ofEye.z}) : 0.0; // w is the distance, or 1
     if (points.clip)
-        m_texts[Clip] = [clip = *points.clip](int digits) { return roundedText(clip, std::max(digits - 1, 3)); };
+        m_texts[Clip] = [clip = *points.clip, most](int digits) {
+            return roundedText(clip, most, std::max(digits - 1, 3));
+        };
     if (point) {
         if (points.eye)
-            m_texts[Eye] = [eye = *points.eye, open = pick.uncertainty.eye](int digits) {
-                return roundedText(eye, open, digits);
-            };
-        m_texts[World] = [world = *point, open = pick.uncertainty.world](int digits) {
-            return roundedText(world, open, digits);
-        };
+            m_texts[Eye] = [eye = *points.eye, open = ofEye](int digits) { return roundedText(eye, open, digits); };
+        m_texts[World] = [world = *point, open = uncertainty](int digits) { return roundedText(world, open, digits); };
         if (points.object)
-            m_texts[Object] = [object = *points.object](int digits) { return roundedText(object, {}, digits); };
+            m_texts[Object] = [object = *points.object, open = ofObject](int digits) {
+                return roundedText(object, open, digits);
+            };
     }
     showTexts();
 }

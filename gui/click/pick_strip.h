@@ -23,8 +23,10 @@ class PickStrip : public QWidget {
 public:
     explicit PickStrip(QWidget *parent = nullptr);
 
-    /// @param point  that the pick stands for; nothing on the background, whose pixel has no point
-    void setPick(const KeptPick &kept, const std::optional<geometry::WorldPoint> &point);
+    /// @param point        the picked point; nothing on the background
+    /// @param uncertainty  of the point
+    void setPick(const KeptPick &kept, const std::optional<geometry::WorldPoint> &point,
+                 const geometry::WorldVector &uncertainty);
 
     QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
 

@@ -43,7 +43,7 @@ protected:
 private:
     void useFonts();
     void fitColumns();
-    /// Gives coordinates the room that those of some rows of the model need, but in columns whose width somebody has chosen.
+    /// Gives coordinates the room that those of some rows of the model need, but not to columns that the user has resized.
     void widenCoordinates(int first, int last);
     /// Names have the room that the columns up to ± leave.
     void fitName();
@@ -52,7 +52,7 @@ private:
 
     SceneDocument &m_document;
     QSortFilterProxyModel *m_rows;
-    QSet<int> m_ownWidths;                      ///< columns whose width somebody has chosen
+    QSet<int> m_ownWidths;                      ///< columns that the user has resized
     bool m_isFitting = false;                   ///< columns get the width that they need
     bool m_isShowing = false;                   ///< the document's selection, which it need not be told of
     std::optional<std::size_t> m_shownUnplaced; ///< the point that waited when the rows were shown last

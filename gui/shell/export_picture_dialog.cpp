@@ -44,7 +44,7 @@ QCheckBox *checkBox(const QString &text, const QString &toolTip, bool isChecked 
 
 QSpinBox *pixelsBox(const QString &name, const QString &toolTip, int value)
 {
-    constexpr int kMost = 999'999; // more than any driver has: what it has is said below
+    constexpr int kMost = 999'999; // beyond any driver; the dialog names the limit
     auto *box = new QSpinBox;
     box->setRange(1, kMost);
     box->setValue(value);

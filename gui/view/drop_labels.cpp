@@ -28,15 +28,14 @@ std::optional<QPointF> widgetOf(const Setup &setup, const glm::dvec3 &point)
     return QPointF(widget.x, widget.y);
 }
 
-/// The uncertainty of the picked point: that of the snapped place, else that of the surface.
-WorldVector uncertaintyOf(const Picks &picks)
+} // namespace
+
+WorldVector pickedUncertainty(const Picks &picks)
 {
     const PickedRay *ray = picks.pickedRay();
     return ray && ray->snap != ray::Snap::Surface && ray->taken ? ray->taken->hit.uncertainty
                                                                 : picks.pick()->uncertainty.world;
 }
-
-} // namespace
 
 std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &font, const std::vector<QRectF> &taken)
 {
@@ -47,7 +46,7 @@ std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &fo
     if (!start)
         return labels;
     constexpr int kDigits = 4;
-    const WorldVector uncertainty = uncertaintyOf(picks);
+    const WorldVector uncertainty = pickedUncertainty(picks);
     const double unit = std::pow(10.0, -decimalsFor(*point, kDigits));
     const QFontMetricsF metrics(font);
     const std::vector<LineSegment> lines = dropLines(*point, document.ground().box);

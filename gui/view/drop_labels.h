@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/geometry/spaces.h"
+
 #include <QColor>
 #include <QRectF>
 #include <QString>
@@ -11,6 +13,7 @@ class QPainter;
 
 namespace unprojector::gui {
 
+class Picks;
 class SceneDocument;
 
 /// A coordinate of the picked point, beside the line that runs from the point along its axis.
@@ -19,6 +22,9 @@ struct DropLabel {
     QColor color; ///< of the axis
     QRectF box;   ///< logical pixels of the view
 };
+
+/// The uncertainty of the picked point: that of the snapped place, else that of the surface. @pre there is a pick
+geometry::WorldVector pickedUncertainty(const Picks &picks);
 
 /// The labels of those lines that are long enough in the view.
 /// @param taken  where other texts stand, logical pixels

@@ -28,7 +28,7 @@ public:
     void release();
 
     /// Onto a framebuffer that has the objects' colours and depths; it leaves the depths as they are.
-    /// @param marks      what of it is drawn
+    /// @param marks      which of these are drawn
     /// @param crosshair  the pixel that keys pick at, where it is to be shown
     /// @param mark       what a click would take, where that is to be shown
     void draw(const SceneDocument &document, const PictureMarks &marks,

@@ -4,6 +4,7 @@
 
 #include "core/matrices/pipeline.h"
 #include "gui/click/pick_strip.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/text/number_text.h"
@@ -60,6 +61,7 @@ private slots:
 
     void everySpaceHasItsCoordinate();
     void theBackgroundHasNoPoint();
+    void noUncertainDigitIsShown();
     void aNarrowStripRounds();
     void theViewKeepsItsSizeAtTheFirstPick();
     void aSpaceOpensItsMatrix();
@@ -108,6 +110,27 @@ void TestPickStrip::theBackgroundHasNoPoint()
     for (int space = 0; space < 7; ++space)
         QCOMPARE(spaces[space]->isEnabled(), space < 4);
     QVERIFY(spaces[5]->text().endsWith(u'–'));
+}
+
+/// With a near plane so close that the depth buffer leaves little of the depth certain.
+void TestPickStrip::noUncertainDigitIsShown()
+{
+    const auto window = windowOfSize({1280, 800});
+    QVERIFY(window->document().edit({QStringLiteral("Near")},
+                                    [](scene::Scene &scene) { scene.clipDistancesFitObjects = false; }));
+    setProjection(window->document(), Perspective{radiansFromDegrees(45.0), 1.2, 1e-4, 1e5});
+    clickMiddle(*window);
+    const unproject::Pick &pick = *window->document().picks().pick();
+    QVERIFY(pick.hit());
+    const WorldVector uncertainty = pick.uncertainty.world;
+    const double least = std::max({uncertainty.x, uncertainty.y, uncertainty.z});
+    QVERIFY2(least > 1e-3, qPrintable(QString::number(least))); // else the digits shown would be certain anyway
+    const QStringList texts = textsOf(part<PickStrip>(*window));
+    for (const int space : {3, 4, 5, 6}) { // the object's scale is 0.8
+        const QString number = texts[space].section(u'(', 1).section(u',', 2, 2).trimmed().remove(u')');
+        const int decimals = number.contains(u'.') ? int(number.size() - number.indexOf(u'.') - 1) : 0;
+        QVERIFY2(std::pow(10.0, -decimals) >= 0.2 * least, qPrintable(texts[space]));
+    }
 }
 
 void TestPickStrip::aNarrowStripRounds()
