@@ -45,7 +45,7 @@ private:
         if (m_isOver || m_window.session().isLoading() || view.isCoarse() || view.size() == m_picked)
             return;
         m_picked = view.size();
-        constexpr double kAcross = 0.47, kDown = 0.53;
+        constexpr double kAcross = 0.4, kDown = 0.51; // clear of the view from outside
         view.onLButtonDown(geometry::WidgetPoint(kAcross * view.width(), kDown * view.height()));
     }
 

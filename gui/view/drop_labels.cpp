@@ -50,7 +50,9 @@ std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &fo
     const double unit = std::pow(10.0, -decimalsFor(*point, kDigits));
     const QFontMetricsF metrics(font);
     const std::vector<LineSegment> lines = dropLines(*point, document.ground().box);
+    constexpr double kMark = 9.0; // half of the mark of the pick
     std::vector<QRectF> boxes = taken;
+    boxes.emplace_back(*start - QPointF(kMark, kMark), QSizeF(2.0 * kMark, 2.0 * kMark));
     for (int axis = 0; axis < 3; ++axis) {
         const LineSegment &line = lines[static_cast<std::size_t>(axis)];
         const std::optional<QPointF> foot = widgetOf(document.setup(), line.to);
@@ -61,10 +63,12 @@ std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &fo
                                  .arg(QStringLiteral("xyz")[axis])
                                  .arg(certainText((*point)[axis], std::max(unit, uncertainty[axis])));
         const QSizeF size(metrics.horizontalAdvance(text) + metrics.height() / 2.0, metrics.height());
-        if (std::hypot(way.x(), way.y()) < size.height())
+        const double length = std::hypot(way.x(), way.y());
+        if (length < size.height())
             continue; // the line is hardly to be seen
-        // At the middle of the line, else further along, where nothing else stands.
-        for (const double share : {0.5, 0.75, 1.0}) {
+        // At the middle of the line, else further along or behind its foot, where nothing else stands.
+        const double behind = 1.0 + (size.width() / 2.0 + kMark) / length;
+        for (const double share : {0.5, 0.75, 1.0, behind}) {
             QRectF box(QPointF(), size);
             box.moveCenter(*start + way * share);
             if (std::any_of(boxes.begin(), boxes.end(), [&box](const QRectF &other) { return other.intersects(box); }))
