@@ -39,8 +39,8 @@ struct DepthError {
 ///
 ///   rounding       half a step of the depth buffer
 ///   vertices       clip = M v in single precision: u (sum_j |M_ij v_j|) / |w| of each NDC
-///                  coordinate i, and as much by w for its share in the quotient; x and y times the slope of
-///                  the depth. The same again if the vertices themselves are rounded
+///                  coordinate i, and as much by w for its share in the quotient; x and y times
+///                  the slope of the depth. The same again if the vertices themselves are rounded
 ///   window depth   2 u d: the viewport's product and sum, and the interpolation's
 ///   interpolation  2 u (|x dd/dx| + |y dd/dy|): a triangle's depth is a plane through the
 ///                  framebuffer's corner
