@@ -133,8 +133,8 @@ struct Model {
     std::vector<Mesh> meshes;
     std::vector<Texture> textures;
     geometry::Box bounds;
-    /// The vertex count in the file, before splitting at normals and the like. 0 for a triangle
-    /// soup, whose triangles share no vertices. The vertices of the meshes have smaller numbers.
+    /// The vertex count in the file, before splitting at normals and the like; all vertex numbers
+    /// are smaller. 0 for a triangle soup, whose triangles share no vertices.
     std::size_t fileVertices = 0;
     /// Numbers the vertices of a triangle soup, which is one mesh; null for other models.
     std::shared_ptr<SoupNumbers> soupNumbers;

@@ -36,7 +36,7 @@ public:
     {
         return glm::vec3(((origin - m_center) + glm::dvec3(position)) * m_scale);
     }
-    /// The centre of the way back: object = center + unit * size.
+    /// The centre in the conversion from unit space: object = center + unit * size.
     const glm::dvec3 &center() const { return m_center; }
     double scale() const { return m_scale; }
     /// The inverse of scale().

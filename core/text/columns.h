@@ -14,7 +14,7 @@ std::size_t columnsOf(std::string_view text);
 /// The beginning of a text that fits into the given number of columns.
 std::string_view firstColumns(std::string_view text, std::size_t columns);
 
-/// The text, filled with blanks behind it to the given number of columns.
+/// The text, padded with trailing blanks to the given number of columns.
 std::string padded(std::string text, std::size_t columns);
 
 /// The same with the blanks in front.

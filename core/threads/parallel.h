@@ -7,8 +7,8 @@
 
 namespace unprojector::threads {
 
-/// Runs task(0) … task(count - 1) on all cores, in no order; returns when all have ended. The
-/// calling thread runs a single task.
+/// Runs task(0) … task(count - 1) on all cores, in no order; returns when all have ended. If there
+/// is only one task, the calling thread runs it.
 ///
 /// Rethrows the first exception, in the order of the tasks. After an exception, tasks that have not
 /// begun are skipped.
