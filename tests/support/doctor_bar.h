@@ -30,7 +30,7 @@ unprojector::geometry::Result<unprojector::doctor::Diagnosis> diagnosed(const Sh
 
 struct Count {
     int asked = 0;
-    int first = 0;      ///< verdict found and named first
+    int first = 0;      ///< is the verdict, and named first
     int firstThree = 0; ///< among the first three
     /// Named first, or a mistake that prints the same four decimals of each coordinate: no doctor
     /// can distinguish the two.
