@@ -17,7 +17,7 @@ using namespace syntax;
 
 namespace {
 
-/// In small letters, without underscores: "XM_PIDIV4" is "xmpidiv4".
+/// The name in lower case, without underscores: "XM_PIDIV4" is "xmpidiv4".
 std::string plain(std::string_view name)
 {
     std::string result;
@@ -56,7 +56,7 @@ std::optional<double> constant(std::string_view name)
     return found == kConstants.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// What a function of one argument does; nothing where it is not known.
+/// The value of a known function of one argument; nothing for other functions.
 std::optional<double> called(std::string_view name, double value)
 {
     const std::string f = plain(name);
@@ -87,7 +87,7 @@ bool isTypeName(std::string_view name)
            || type == "glint" || type == "glsizei" || type == "glclampd";
 }
 
-/// One expression.
+/// A parser for one expression.
 class Expression {
 public:
     Expression(std::string_view text, const std::vector<AssignmentText> &assignments, int depth)
@@ -107,7 +107,7 @@ public:
 private:
     struct Term {
         double value = 0.0;
-        bool isWhole = false; ///< of whole numbers only, without a point
+        bool isWhole = false; ///< made of whole numbers only, without a decimal point
     };
 
     void skip() { m_at = behindBlanks(m_text, m_at); }
@@ -179,7 +179,7 @@ private:
         return value;
     }
 
-    /// A sum, or the type of a cast and what it is of.
+    /// A sum in parentheses, or a cast: the type and its operand.
     std::optional<Term> inBrackets()
     {
         const std::size_t end = behindNames(m_text, behindBlanks(m_text, m_at));
@@ -217,7 +217,7 @@ private:
         return variable(names);
     }
 
-    /// One that gets its value once in the text.
+    /// A variable that is assigned exactly once in the text.
     std::optional<Term> variable(std::string_view name)
     {
         const AssignmentText *found = nullptr;
@@ -230,7 +230,7 @@ private:
         }
         if (!found)
             return std::nullopt;
-        constexpr int kOneDeeper = 8; // a variable may hang on itself
+        constexpr int kOneDeeper = 8; // a variable may refer to itself
         Expression inner(found->value, m_assignments, m_depth + kOneDeeper);
         const std::optional<ArgumentNumber> value = inner.read();
         if (!value)
@@ -296,7 +296,7 @@ std::optional<glm::dvec3> ArgumentReader::vector(std::string_view argument) cons
         for (const AssignmentText &one : m_assignments) {
             if (one.name != names)
                 continue;
-            if (found) // which of its values is meant, only the program knows
+            if (found) // several assignments: only the program knows which value applies
                 return std::nullopt;
             found = &one;
         }
@@ -313,7 +313,7 @@ std::optional<glm::dvec3> ArgumentReader::vector(std::string_view argument) cons
         return std::nullopt;
     glm::dvec3 result(0.0);
     for (int i = 0; i < 3; ++i) {
-        const auto value = number(parts[parts.size() == 1 ? 0 : std::size_t(i)]); // glm::vec3(1.0f) has it three times
+        const auto value = number(parts[parts.size() == 1 ? 0 : std::size_t(i)]); // glm::vec3(1.0f) repeats its number
         if (!value)
             return std::nullopt;
         result[i] = value->value;

@@ -11,23 +11,26 @@
 
 namespace unprojector::matrices {
 
-/// A number that an argument stands for.
+/// The number that an argument evaluates to.
 struct ArgumentNumber {
     double value = 0.0;
-    /// A quotient of whole numbers that leaves a rest, as written: C, C++ and C# drop it.
+    /// The source text of a division of whole numbers with a remainder; C, C++ and C# drop the
+    /// remainder.
     std::string wholeQuotient{};
 };
 
-/// Reads arguments: numbers with or without a suffix, + - * / and parentheses, casts, pi under its usual names, conversions
-/// between degrees and radians, and variables that the same text gives one value.
+/// Evaluates arguments: numbers with or without a suffix, + - * / and parentheses, casts, pi under
+/// its usual names. Converts between degrees and radians, and resolves variables to which the text
+/// assigns exactly one value.
 class ArgumentReader {
 public:
     /// @param text  of the program, without comments
     explicit ArgumentReader(std::string_view text);
 
-    /// Nothing where it is no number.
+    /// The argument's value; nothing if it is not a number.
     std::optional<ArgumentNumber> number(std::string_view argument) const;
-    /// Three numbers: "glm::vec3(0, 0, 5)", "{0, 0, 5}", "Vector3.UnitY". Nothing where it is no such.
+    /// A vector of three numbers: "glm::vec3(0, 0, 5)", "{0, 0, 5}", "Vector3.UnitY". Nothing for
+    /// any other argument.
     std::optional<glm::dvec3> vector(std::string_view argument) const;
 
 private:

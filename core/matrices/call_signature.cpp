@@ -16,7 +16,7 @@ struct Named {
     bool isPerspective = true;
 };
 
-/// What stands in a table under a name, or nothing.
+/// The entry of a table under a name, or nothing.
 template <std::size_t Count>
 std::optional<CallSignature> found(const std::array<Named, Count> &table, std::string_view name)
 {
@@ -55,7 +55,7 @@ std::optional<CallSignature> ofOpenGl(std::string_view name)
     return signature;
 }
 
-/// GLM's names, which QMatrix4x4 and gl-matrix have too: "perspectiveLH_ZO".
+/// The signature for GLM's names, which QMatrix4x4 and gl-matrix share: "perspectiveLH_ZO".
 std::optional<CallSignature> ofGlm(const CallText &call, std::string_view program)
 {
     constexpr std::array<Named, 5> kCalls{{{"perspective", CallShape::FieldOfView},
@@ -106,7 +106,7 @@ std::optional<CallSignature> ofThree(std::string_view name)
     return signature;
 }
 
-/// What DirectXMath and System.Numerics share: "PerspectiveOffCenter".
+/// The signature for names that DirectXMath and System.Numerics share: "PerspectiveOffCenter".
 std::optional<CallSignature> ofMatrix(std::string_view name)
 {
     constexpr std::array<Named, 8> kCalls{{{"PerspectiveFov", CallShape::FieldOfView},

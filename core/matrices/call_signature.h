@@ -9,7 +9,7 @@
 
 namespace unprojector::matrices {
 
-/// What the arguments of a call are.
+/// The meaning of a call's arguments.
 enum class CallShape {
     FieldOfView,       ///< fovy, aspect, near, far
     FieldOfViewOfSize, ///< fovy, width, height, near, far
@@ -23,22 +23,23 @@ enum class CallShape {
     Viewport           ///< x, y, width, height
 };
 
-/// How an API means a call.
+/// The conventions that an API applies to a call.
 struct CallSignature {
     CallShape shape = CallShape::FieldOfView;
     bool isPerspective = true;
     bool isLeftHanded = false;
     geometry::NdcDepth ndcDepth = geometry::NdcDepth::MinusOneToOne;
     bool areDegrees = false;
-    bool dropsRest = true;         ///< whole numbers are divided without their rest, as in C and C#
-    std::size_t firstArgument = 0; ///< gl-matrix has the result before it
+    bool dropsRest = true;         ///< whole numbers are divided without the remainder, as in C and C#
+    std::size_t firstArgument = 0; ///< 1 in gl-matrix, whose first argument is the result
 };
 
 bool isProjection(CallShape shape);
 std::size_t argumentCount(CallShape shape);
 
-/// Of the calls that make a projection, a view or a viewport; nothing of others.
-/// @param program  the whole text, comments and all: it may name the library, and set GLM's defaults
+/// The signature of a call that makes a projection, a view or a viewport; nothing for other calls.
+/// @param program  the whole text with its comments: it may name the library, and set GLM's
+///         defaults
 std::optional<CallSignature> signatureOf(const CallText &call, std::string_view program);
 
 } // namespace unprojector::matrices

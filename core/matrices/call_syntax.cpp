@@ -86,7 +86,7 @@ std::vector<std::string> separated(std::string_view text)
             start = i + 1;
         }
     }
-    if (!parts.empty() && parts.back().empty()) // a comma may stand behind the last
+    if (!parts.empty() && parts.back().empty()) // a trailing comma is allowed
         parts.pop_back();
     return parts;
 }

@@ -5,24 +5,26 @@
 #include <string_view>
 #include <vector>
 
-/// What calls are made of in C, C++, C#, JavaScript and Python.
+/// Lexical helpers for calls in C, C++, C#, JavaScript and Python.
 namespace unprojector::matrices::syntax {
 
-/// Underscores are letters.
+/// Returns whether a character is a letter; an underscore counts as one.
 bool isLetter(char c);
 bool isDigit(char c);
 bool isBlank(char c);
 std::size_t behindBlanks(std::string_view text, std::size_t at);
 std::string_view trimmed(std::string_view text);
-/// Behind the names that begin at a place, joined by points, arrows or double colons: "camera->position.set".
+/// The end of the names that begin at `at`, joined by dots, arrows or double colons:
+/// "camera->position.set".
 std::size_t behindNames(std::string_view text, std::size_t at);
-/// Behind the angle brackets of a template, <float>, or `at` where there are none.
+/// The end of the template's angle brackets, <float>, that begin at `at`; `at` itself if there are
+/// none.
 std::size_t behindTemplate(std::string_view text, std::size_t at);
-/// The bracket that closes the one at a place, or npos.
+/// The position of the bracket that closes the one at `at`, or npos.
 std::size_t closing(std::string_view text, std::size_t at);
-/// What commas outside of inner brackets separate; nothing of a blank text.
+/// The parts between the commas outside inner brackets; empty for a blank text.
 std::vector<std::string> separated(std::string_view text);
-/// "set" of "camera.position.set".
+/// The last name of a chain: "set" of "camera.position.set".
 std::string lastName(std::string_view names);
 
 } // namespace unprojector::matrices::syntax

@@ -18,7 +18,7 @@ std::string objectOf(std::string_view names)
     return std::string(object);
 }
 
-/// The variable before a place: "camera" of "const camera = new ".
+/// The variable before a position: "camera" of "const camera = new ".
 std::string variableBefore(std::string_view text, std::size_t at)
 {
     std::string_view before = trimmed(text.substr(0, at));
@@ -33,7 +33,8 @@ std::string variableBefore(std::string_view text, std::size_t at)
     return std::string(before.substr(start));
 }
 
-/// For each bracket the one that closes it, or npos; npos too for those deeper inside others than a program has them.
+/// The closing bracket of each bracket, or npos; also npos for brackets nested deeper than in real
+/// programs.
 std::vector<std::size_t> closingBrackets(std::string_view text)
 {
     constexpr std::size_t kDeepest = 16;
@@ -78,7 +79,7 @@ std::vector<CallText> callTexts(std::string_view text)
     std::vector<CallText> calls;
     for (std::size_t at = 0; at < text.size();) {
         if (!isLetter(text[at])) {
-            // The letters of a number, 1e5f, begin no name.
+            // Skips the letters of a number, 1e5f: they begin no name.
             at += isDigit(text[at]) ? behindNames(text, at) - at : 1;
             continue;
         }

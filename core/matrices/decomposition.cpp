@@ -21,7 +21,7 @@ using glm::dmat4;
 using glm::dvec3;
 using glm::dvec4;
 
-/// Relative: what single precision and six printed digits leave of a right angle.
+/// The relative error of a right angle in single precision or with six printed digits.
 constexpr double kPrinted = 1e-5;
 
 dvec3 axesOfRow(const dmat4 &m, int row)
@@ -37,7 +37,8 @@ std::optional<Decomposition> decomposed(const dmat4 &clipFromWorld, double sign)
     if (!(length > kPrinted * kPrinted * largestEntry(clipFromWorld)))
         return std::nullopt;
     result.w = sign * length;
-    // What a last decimal leaves of a right angle and of a length, with some room: all four rows are rounded.
+    // The rounding of the last decimal affects all four rows, in angles and lengths; hence the
+    // margin.
     const double rounding = 4.0 * printedUnit(clipFromWorld) / length, tolerance = std::max(kPrinted, rounding);
     const dmat4 m = clipFromWorld / result.w;
     const dvec3 x = axesOfRow(m, 0), y = axesOfRow(m, 1), z = axesOfRow(m, 2), f = axesOfRow(m, 3);
@@ -68,7 +69,7 @@ std::optional<Decomposition> decomposed(const dmat4 &clipFromWorld, double sign)
     return result;
 }
 
-/// Of a matrix whose last row is 0 0 0 w.
+/// Decomposes a matrix whose last row is 0 0 0 w.
 std::optional<Decomposition> boxTakenApart(const dmat4 &clipFromWorld)
 {
     Decomposition result;

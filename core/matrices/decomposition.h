@@ -7,29 +7,31 @@
 
 namespace unprojector::matrices {
 
-/// Projection and view of a product.
+/// The projection and the view that multiply to a given product.
 struct Decomposition {
-    glm::dmat4 clipFromEye{0.0};  ///< looks down -z, w' = -z; y turned round where the product is mirrored
-    glm::dmat4 eyeFromWorld{1.0}; ///< turns and moves only
-    double w =
-        1.0; ///< what the product was divided by: 1 but for scaled views; below 0 where all its entries are negated
+    glm::dmat4 clipFromEye{0.0};  ///< looks down -z, w' = -z; y is flipped if the product is mirrored
+    glm::dmat4 eyeFromWorld{1.0}; ///< rotation and translation only
+    double w = 1.0; ///< the product's scale: 1 except for scaled views; negative if all entries are negated
     bool isMirrored = false;
-    bool isBox = false; ///< its eye is put on the near plane: anywhere along the view gives the same product
+    bool isBox = false; ///< the eye is set on the near plane: any position along the view gives the same product
     double residual =
-        0.0; ///< the largest |entry| of their product, times w, less the given one, over the largest given entry
+        0.0; ///< the largest |entry| of (clipFromEye * eyeFromWorld * w - given), over the largest given |entry|
 };
 
-/// The projection that looks down -z and the view that make a product. Of a perspective's there is one of each: its rows are
+/// Decomposes a product into a projection that looks down -z and a view. A perspective product has
+/// exactly one of each. Its rows are
 ///
 ///   x = xScale s + xOffset f,  y = yScale u + yOffset f,  z = zScale f,  w = f
 ///
-/// in the axes s, u, f of the eye, and their last column is where the eye is.
-/// A box's rows are perpendicular to each other; x and y have no offset then, and depths are taken to grow away from the eye.
+/// in the axes s, u, f of the eye. Their last column gives the eye's position. The rows of a box
+/// are perpendicular to each other. For a box, x and y have no offset, and depth is assumed to grow
+/// away from the eye.
 /// @param clipFromWorld  finite
-/// @return nothing for oblique products, for products of other forms
+/// @return nothing for oblique products and for products of other forms
 std::optional<Decomposition> decomposed(const glm::dmat4 &clipFromWorld);
 
-/// That it was done, how well, and where the eye of a box is put, in the language of text::tr().
+/// Describes the decomposition, its residual, and where the eye of a box is set, in the language of
+/// text::tr().
 std::string decompositionText(const Decomposition &apart);
 
 } // namespace unprojector::matrices

@@ -5,7 +5,7 @@ using namespace geometry;
 
 namespace {
 
-/// Row by row, as printed in books.
+/// The names row by row, as printed in books.
 using Names = std::string_view[4][4];
 
 constexpr Names kAxes = {

@@ -10,7 +10,8 @@
 
 namespace unprojector::matrices {
 
-/// What one factor of a view's or a projection's matrix does. l, r, b, t, n, f are the arguments of glOrtho and glFrustum.
+/// The effect of one factor of a view or projection matrix. l, r, b, t, n, f are the arguments of
+/// glOrtho and glFrustum.
 enum class MatrixStep {
     MoveEye,         ///< gluLookAt's T: world -> axes as in the world, origin at the eye
     TurnAxes,        ///< gluLookAt's R: rows s, u, -f
@@ -20,8 +21,8 @@ enum class MatrixStep {
     TurnZ,           ///< z times -1: a greater NDC depth is farther away
     OntoNear,        ///< (n x, n y, a z + b, -z), divided by w: onto the near plane; a = -(f+n)/(f-n), b = -2fn/(f-n)
     NearToSquare,    ///< x and y of the near plane's window [l, r] x [b, t] to [-1, 1]; before the division
-    FromConventions, ///< an API's axes to this program's
-    ToConventions    ///< this program's axes to an API's
+    FromConventions, ///< from an API's axes to this program's
+    ToConventions    ///< from this program's axes to an API's
 };
 
 struct MatrixFactor {
@@ -29,39 +30,44 @@ struct MatrixFactor {
     glm::dmat4 matrix; ///< for column vectors
 };
 
-/// clipFromEye in the steps of its derivation, in the order in which they act on a point; the product is written the other way
-/// round:
+/// The factors of clipFromEye in the order in which they act on a point; the product is written in
+/// the reverse order:
 ///
 ///   glOrtho    TurnZ * ScaleBox * MoveBox, oblique: * Shear
 ///   glFrustum  NearToSquare * OntoNear
 ///
-/// Multiplied in double they are within a unit in the last place of clipFromEye(projection), entry by entry.
+/// Each entry of their product in double is within a unit in the last place of
+/// clipFromEye(projection).
 /// @return the errors of check(projection)
 /// Source: `parallel-projection`; Zhang Ci, section 2.2.1; `projection-derivation` for a z + b.
 geometry::Result<std::vector<MatrixFactor>> factors(const geometry::Projection &projection);
 
-/// eyeFromWorld = TurnAxes * MoveEye, in the order in which they act.
+/// The factors of eyeFromWorld = TurnAxes * MoveEye, in the order in which they act.
 /// @return the errors of eyeFrame
 /// Source: gluLookAt; Weng et al. 2008, section 2.1.
 geometry::Result<std::vector<MatrixFactor>> factors(const geometry::LookAt &view);
 
-/// The factors of the matrix that an API has from and to its own spaces.
-/// @param source, target  how the coordinates of the two spaces follow from this program's; what changes nothing adds no factor
+/// The factors of the matrix from an API's source space to its target space.
+/// @param source, target  from this program's coordinates to the API's, in the two spaces; an
+///         identity adds no factor
 std::vector<MatrixFactor> inConventions(std::vector<MatrixFactor> factors, const geometry::AxisChange &source,
                                         const geometry::AxisChange &target);
 
-/// What a factor does where only a part of it acts: (1 - share) I + share M, entry by entry. I at 0; M, to the last bit, at 1.
-/// Half of TurnZ is flat. Of OntoNear w is 1 - share - share z, which is above 0 in front of the eye.
+/// The interpolation from the identity to a factor: (1 - share) I + share M, entry by entry. It is
+/// I at 0, and M to the last bit at 1. TurnZ is flat at one half. For OntoNear, w = 1 - share -
+/// share z, which is positive in front of the eye.
 /// @param share  in [0, 1]
 glm::dmat4 partOf(const glm::dmat4 &factor, double share);
 
-/// The product of the factors' parts. Where every share is 1 it is that of the factors, see differenceUlps.
+/// The product of the factors' parts, see partOf. If every share is 1, it is the product of the
+/// factors, see differenceUlps.
 /// @param factors  in the order in which they act
-/// @param shares   in [0, 1], one of each factor
+/// @param shares   in [0, 1], one per factor
 glm::dmat4 productOf(const std::vector<MatrixFactor> &factors, const std::vector<double> &shares);
 
-/// The greatest difference of an entry of the factors' product from that of a matrix, in units in the last place of the entry;
-/// where terms of other signs cancel, of the sum of their sizes, which is what rounding goes by.
+/// The largest difference of an entry between the factors' product and a matrix, in units in the
+/// last place of the entry. If terms of opposite signs cancel, the unit is taken at the sum of
+/// their sizes, since the rounding error scales with it.
 /// @param factors  in the order in which they act; at least one
 double differenceUlps(const std::vector<MatrixFactor> &factors, const glm::dmat4 &matrix);
 

@@ -26,7 +26,8 @@ using glm::dmat4;
 using glm::dvec3;
 using glm::dvec4;
 
-/// Of the largest entry: what printed digits and single precision leave where a zero was.
+/// The rounding residue of a zero in printed digits and single precision, relative to the largest
+/// entry.
 constexpr double kZero = 1e-6;
 
 dvec4 row(const dmat4 &m, int i)
@@ -34,21 +35,21 @@ dvec4 row(const dmat4 &m, int i)
     return {m[0][i], m[1][i], m[2][i], m[3][i]};
 }
 
-/// With true zeros, and a one, in the places that only rounding keeps from them.
+/// The matrix with exact zeros and ones where only rounding hides them.
 dmat4 withoutRounding(const dmat4 &matrix)
 {
     dmat4 m = matrix;
     const double largest = largestEntry(m);
     for (int i = 0; i < 16; ++i) {
         double &entry = m[i / 4][i % 4];
-        // The third row's numbers may be small ones.
+        // The third row may have small entries that are not rounding.
         if (i % 4 != 2 && std::abs(entry) <= kZero * kZero * largest)
             entry = 0.0;
     }
     return m;
 }
 
-/// Last row 0 0 0 w.
+/// Returns whether the last row is 0 0 0 w.
 bool isAffine(const dmat4 &m)
 {
     const dvec4 last = row(m, 3);
@@ -63,7 +64,7 @@ std::optional<RecognisedProjection> projectionIn(const dmat4 &m, const std::opti
     return *result;
 }
 
-/// How many digits a number has, up to what single precision and printing leave of it.
+/// The number of digits of a number, ignoring errors of single precision and printing.
 int digitsOf(double value)
 {
     constexpr double kPrinted = 1e-5;
@@ -88,7 +89,8 @@ double nearOf(const RecognisedProjection &r)
         r.parameters);
 }
 
-/// Near by [0, 1], where that is what the matrix was made with: it must be, or near has few digits so and many otherwise.
+/// The near distance for [0, 1], if the matrix was made with it: either [-1, 1] is impossible, or
+/// near has few digits for [0, 1] and many otherwise.
 std::optional<double> nearByZeroToOne(const dmat4 &m, const RecognisedProjection &r)
 {
     if (r.ndcDepth == NdcDepth::ZeroToOne)
@@ -123,7 +125,7 @@ void lookAtProjection(const dmat4 &m, const RecognisedProjection &r, const std::
         found.push_back({MatrixFault::LeftHanded, MatrixRepair::TurnEye});
 }
 
-/// Whether a projection has this form and its w is 1, as it is in every one that is not transposed.
+/// Returns whether a projection has this form with a w of 1, as every untransposed one has.
 bool isPlainProjection(const dmat4 &m)
 {
     const auto r = projectionIn(m, std::nullopt);
@@ -151,7 +153,8 @@ std::vector<MatrixFinding> projectionFindings(const dmat4 &m, const std::optiona
     return {{MatrixFault::UnknownForm}};
 }
 
-/// How far from the middle of the picture the world's origin is, 1 at its edge; nothing where it is behind the eye.
+/// The distance of the world's origin from the middle of the view, 1 at its edge; nothing if it is
+/// behind the eye.
 std::optional<double> originOffMiddle(const dmat4 &view, const std::optional<dmat4> &clipFromEye)
 {
     const dvec4 eye = row(glm::transpose(view), 3) / view[3][3];
@@ -198,7 +201,7 @@ std::vector<MatrixFinding> viewFindings(const dmat4 &m, const std::optional<dmat
     if (const auto printedOff = roundedOff(m)) {
         std::erase_if(found, [](const MatrixFinding &one) { return one.fault == MatrixFault::Scaled; });
         found.insert(found.begin(), {MatrixFault::Rounded, MatrixRepair::Orthonormal, *printedOff});
-    } else if (found.empty() && m[3][3] > 0.0 && !geometry::axesOff(m)) { // too askew for the formulas all the same
+    } else if (found.empty() && m[3][3] > 0.0 && !geometry::axesOff(m)) { // too skew for the formulas
         const glm::dmat3 fromRight = axes * glm::transpose(axes) - glm::dmat3(1.0);
         double largest = 0.0;
         for (int i = 0; i < 9; ++i)
@@ -215,7 +218,8 @@ std::vector<MatrixFinding> viewFindings(const dmat4 &m, const std::optional<dmat
 
 std::vector<MatrixFinding> productFindings(const dmat4 &m, const std::optional<NdcDepth> &depth)
 {
-    // A view that looks at the world's origin makes of a product's inverse and transpose almost such products; but for w.
+    // The inverse and the transpose of a product almost have the form of a product if the view
+    // looks at the world's origin; only w differs.
     const auto isPlain = [](const dmat4 &p) {
         const auto apart = decomposed(p);
         return isAffine(p) || (apart && std::abs(std::abs(apart->w) - 1.0) <= 10.0 * kZero);
@@ -236,7 +240,7 @@ std::vector<MatrixFinding> productFindings(const dmat4 &m, const std::optional<N
         return found;
     if (apart->w < 0.0)
         found.push_back({MatrixFault::Negated, MatrixRepair::Negate});
-    // Which way a box's depths and its y run, its product alone does not tell.
+    // A box's product alone does not tell the directions of its depth and its y.
     if (apart->isBox)
         return found;
     if (const auto r = projectionIn(apart->clipFromEye, depth))
@@ -246,7 +250,7 @@ std::vector<MatrixFinding> productFindings(const dmat4 &m, const std::optional<N
 
 std::string number(double value)
 {
-    constexpr int kDigits = 5; // that are left of near in a matrix of single precision
+    constexpr int kDigits = 5; // significant digits of near that survive in a matrix of single precision
     return numberText(value, Digits::Double, kDigits);
 }
 
@@ -301,7 +305,8 @@ std::vector<MatrixFinding> findings(const dmat4 &matrix, MatrixRole role, const 
 
 void turnEye(dmat4 &clipFromEye, dmat4 &eyeFromWorld)
 {
-    // A view that mirrors did so for the left-handed eye; another one turns half about x instead, and y is down then.
+    // A mirroring view was made for a left-handed eye. Any other is rotated by 180 degrees about x,
+    // and y then points down.
     const bool isMirrored = glm::determinant(glm::dmat3(eyeFromWorld)) < 0.0;
     dmat4 turn(1.0);
     turn[1][1] = isMirrored ? 1.0 : -1.0;
@@ -329,7 +334,8 @@ dmat4 repaired(const dmat4 &matrix, const MatrixFinding &finding)
     case MatrixRepair::Negate: return withoutNegativeZeros(-m);
     case MatrixRepair::TurnEye: m[2] = -m[2]; return withoutNegativeZeros(m);
     case MatrixRepair::WithoutScale:
-        // Eye coordinates stay, since near and far count in them: it is the object's that grow to the world's.
+        // Eye coordinates stay, since near and far are measured in them; instead, the object's
+        // coordinates are scaled to the world's.
         for (int column = 0; column < 3; ++column) {
             for (int i = 0; i < 3; ++i)
                 m[column][i] /= finding.value;

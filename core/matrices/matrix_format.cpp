@@ -10,7 +10,7 @@
 namespace unprojector::matrices {
 namespace {
 
-/// The longest text of a double in shortest form has 24 characters.
+/// The shortest form of a double has at most 24 characters.
 constexpr std::size_t kNumberLength = 64;
 
 template <class Number>
@@ -25,7 +25,8 @@ std::string charsOf(Number value, int significant)
     return {buffer, result.ptr};
 }
 
-/// What a double is in single precision; beyond its range infinity, where the language leaves the conversion open.
+/// The double in single precision; infinity beyond its range, where the language leaves the
+/// conversion undefined.
 float rounded(double value)
 {
     if (std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max()) || !std::isfinite(value))
@@ -38,7 +39,7 @@ bool isInfinite(const std::string &text)
     return text.find("inf") != std::string::npos;
 }
 
-/// A literal of C, C++ and Python must not read as an integer.
+/// Adds a decimal point: a literal of C, C++ and Python must not read as an integer.
 std::string withPoint(std::string text)
 {
     if (text.find_first_of(".e") == std::string::npos)

@@ -24,7 +24,7 @@ const std::optional<PastedMatrix> &partOf(const PastedScene &parts, MatrixRole r
     return parts.product;
 }
 
-/// The place that has the parts of a text, where that of `role` has none of them.
+/// The role that a text's parts belong to, if `role` has none of them.
 std::optional<MatrixRole> roleElsewhere(const PastedScene &parts, MatrixRole role)
 {
     const bool hasProjection = bool(parts.projection), hasView = bool(partOf(parts, MatrixRole::View));
@@ -50,7 +50,7 @@ void MatrixPaste::tellOrders()
     for (const MatrixRole role : kRoles) {
         place(role).told = ToldOrder::Usual;
         const PastedMatrix *matrix = pasted(role);
-        if (!matrix || matrix->form == MatrixForm::Call) // which has no numbers to be in an order
+        if (!matrix || matrix->form == MatrixForm::Call) // a call has no order of numbers
             continue;
         const NumberOrder usual = orderOf(matrix->form);
         roles.push_back(role);
@@ -67,7 +67,7 @@ void MatrixPaste::take(MatrixRole role, std::string_view text)
 {
     Place &here = place(role);
     here = {};
-    // What another place took from the text that stood here was repaired as that.
+    // Another role took its matrix from the old text; its repairs no longer apply.
     for (const MatrixRole other : kRoles) {
         if (place(other).isBlank)
             place(other) = {};
@@ -104,7 +104,7 @@ void MatrixPaste::takeNumbers(MatrixRole role, std::string_view text)
     }
     here.parts = *parts;
     here.own = partOf(*parts, role);
-    // One matrix beside a viewport is what it was pasted for.
+    // A single matrix beside a viewport takes the role that it was pasted into.
     const bool isAlone =
         std::count_if(kRoles.begin(), kRoles.end(), [&](MatrixRole r) { return bool(partOf(*parts, r)); }) == 1;
     if (!here.own && isAlone && !parts->model)
@@ -132,7 +132,7 @@ bool MatrixPaste::takeCalls(MatrixRole role, std::string_view text)
         return false;
     here.parts = calls->parts;
     here.hasCalls = true;
-    // Matrices may stand beside them; fewer numbers are those of other lines.
+    // Matrices may accompany the calls; fewer numbers belong to other statements.
     if (const auto numbers = pastedNumbers(calls->rest); numbers && numbers->size() >= kEntries) {
         const auto beside = pastedParts(calls->rest);
         if (!beside) {
@@ -158,7 +158,7 @@ const PastedMatrix *MatrixPaste::pasted(MatrixRole role) const
     if (!here.isBlank && (here.own || !here.hasCalls))
         return here.own ? &*here.own : nullptr;
     for (const MatrixRole other : kRoles) {
-        // A product is looked for only where it is asked for.
+        // A product is only used if it is requested.
         const bool isOther = other != role && (other == MatrixRole::Product) == (role == MatrixRole::Product);
         if (isOther && partOf(place(other).parts, role))
             return &*partOf(place(other).parts, role);

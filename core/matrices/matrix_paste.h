@@ -13,53 +13,58 @@
 
 namespace unprojector::matrices {
 
-/// Matrices while they are being pasted: a text for each of the three, how it is read, what is to be seen of it, and the
-/// repairs that were chosen. A text that has several matrices fills the places of those whose own text is empty.
+/// The state of pasting matrices: a text for each of the three roles, its interpretation, its
+/// findings and the chosen repairs. A text with several matrices fills the roles whose own text is
+/// empty.
 class MatrixPaste {
 public:
-    /// Forgets the repairs of what the text gives.
+    /// Sets a role's text. Drops the repairs of the matrices that the text gives.
     void setText(MatrixRole role, std::string_view text);
 
-    /// Why the text of a role gives no matrix of it; nothing where it is blank.
+    /// The error of a role's text if it gives no matrix for it; nothing for a blank text.
     const std::optional<PasteError> &error(MatrixRole role) const { return place(role).error; }
-    /// Where a text belongs by its names, if that is elsewhere: a product among projection and view, or the reverse.
+    /// The role that the names in a text point to, if it differs: a product among projection and
+    /// view, or the reverse.
     std::optional<MatrixRole> namedRole(MatrixRole role) const { return place(role).named; }
-    /// As it was pasted, in its own text or in another one's.
+    /// The matrix as pasted, from its own text or from another role's.
     const PastedMatrix *pasted(MatrixRole role) const;
-    /// Whether the inverse stands beside it, and is left out.
+    /// Returns whether the text also has the inverse, which is ignored.
     bool leavesInverseOut(MatrixRole role) const;
-    /// A viewport that stands beside the matrices. Only that of a call is taken, see camera().
+    /// A viewport in the texts. A camera takes it only from a call, see camera().
     std::optional<geometry::Viewport> viewport() const;
 
-    /// The order that is set, else told by the numbers, else that of the form.
+    /// The order that the user chose, else the one derived from the numbers, else the form's.
     NumberOrder order(MatrixRole role) const;
     void setOrder(MatrixRole role, NumberOrder order);
-    /// Says what the numbers of a projection or a product leave open; none: as they tell.
+    /// Sets the NDC depths that the numbers of a projection or a product leave open; none: derived
+    /// from the numbers.
     void setNdcDepth(MatrixRole role, const std::optional<geometry::NdcDepth> &depth);
-    /// Does what a finding offers, but Exchange, which is one of the texts.
+    /// Applies the repair that a finding offers. Exchange is not applied here, since it affects the
+    /// texts.
     void repair(MatrixRole role, const MatrixFinding &finding);
-    /// As it was pasted.
+    /// Removes all repairs, so that the matrix is as pasted.
     void takeBack(MatrixRole role);
-    /// What was done, in this order.
+    /// The applied repairs, in this order.
     const std::vector<MatrixFinding> &repairs(MatrixRole role) const { return place(role).repairs; }
 
-    /// In the order and with the repairs chosen; nothing where there is none.
+    /// The matrix in the chosen order and with the chosen repairs; nothing without one.
     std::optional<glm::dmat4> matrix(MatrixRole role) const;
-    /// Of the matrix as it is now.
+    /// The findings of the matrix in its current state.
     std::vector<MatrixFinding> findings(MatrixRole role) const;
-    /// Of the NDC of the projection or the product: as chosen, else those of the API whose call it is; none: as its numbers tell.
+    /// The NDC depths of the projection or the product: the chosen ones, else the API's if it comes
+    /// from a call; none: derived from the numbers.
     std::optional<geometry::NdcDepth> ndcDepth(MatrixRole role) const;
 
-    /// What a scene is to take.
+    /// The camera that a scene takes from the paste.
     struct Camera {
         std::optional<geometry::MatrixProjection> projection;
         std::optional<glm::dmat4> eyeFromWorld;
         std::optional<geometry::Viewport> viewport; ///< of a call
         bool isAnything() const { return projection || eyeFromWorld || viewport; }
     };
-    /// Projection and view, what there is of them.
+    /// The available parts of projection and view.
     Camera camera() const;
-    /// Those that the product is taken apart into; nothing where there is none, or it cannot be.
+    /// The decomposition of the product; nothing without a product, or if it cannot be decomposed.
     std::optional<Decomposition> apart() const;
 
 private:
@@ -70,8 +75,8 @@ private:
         std::optional<PasteError> error;
         PastedScene parts;
         std::optional<PastedMatrix> own;
-        std::optional<NumberOrder> order;  ///< none: as told
-        ToldOrder told = ToldOrder::Usual; ///< of the matrix of this role, wherever it was pasted
+        std::optional<NumberOrder> order;  ///< none: derived
+        ToldOrder told = ToldOrder::Usual; ///< of the matrix of this role, whichever text it is in
         std::vector<MatrixFinding> repairs;
         std::optional<geometry::NdcDepth> ndcDepth;
     };
@@ -83,7 +88,7 @@ private:
     bool takeCalls(MatrixRole role, std::string_view text);
     void tellOrders();
     bool hasRepair(MatrixRole role, MatrixRepair repair) const;
-    /// Without turning the eye, which takes projection and view together.
+    /// The matrix before TurnEye, which changes projection and view together.
     std::optional<glm::dmat4> unturned(MatrixRole role) const;
 
     std::array<Place, 3> m_places;

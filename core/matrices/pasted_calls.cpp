@@ -107,7 +107,7 @@ private:
         m_error->parameters = wrong;
     }
 
-    /// The numbers of a call from an argument on.
+    /// The numbers of a call, starting at an argument.
     std::vector<double> numbers(const CallText &call, std::size_t first, std::size_t count)
     {
         std::vector<double> values;
@@ -158,7 +158,7 @@ private:
         }
     }
 
-    /// Those of three.js.
+    /// Adds the default arguments of three.js.
     static void addDefaults(CallText &call, const CallSignature &signature)
     {
         const std::vector<std::string> defaults = signature.isPerspective
@@ -314,7 +314,8 @@ private:
                  WorldVector(m_three.upThen)});
     }
 
-    /// camera.position.set, camera.up.set and camera.lookAt of three.js, of the camera that the text makes, or of what has its name.
+    /// Reads camera.position.set, camera.up.set and camera.lookAt of three.js, for the camera that
+    /// the text creates or a variable with its name.
     void readThree(const CallText &call)
     {
         std::string object = call.object;
@@ -357,7 +358,7 @@ private:
         }
     }
 
-    /// What else turns or moves the view, or an object in it.
+    /// Returns whether a call turns or moves the view, or an object in it, in an unsupported way.
     bool isLeftOut(const CallText &call) const
     {
         for (const std::string_view name : {"glTranslate", "glRotate", "glScale", "glMultMatrix"}) {
@@ -382,7 +383,8 @@ private:
         return small.find("cam") != small.npos;
     }
 
-    /// What the text gives single members of the camera before a place: camera.position.z = 5.
+    /// Reads the assignments to single members of the camera before a position: camera.position.z =
+    /// 5.
     void readAssignments(std::size_t end)
     {
         for (; m_nextAssignment < m_assignments.size() && m_assignments[m_nextAssignment].at < end && !m_error;
@@ -430,13 +432,14 @@ private:
     std::string m_rest;
     PastedCalls m_read;
     std::optional<PasteError> m_error;
-    ArgumentNumber m_wholeQuotient;     ///< of the call that is read
-    std::vector<std::string> m_leftOut; ///< calls that change the view, by their names
-    std::string m_camera;               ///< the variable that the text makes one of three.js
+    ArgumentNumber m_wholeQuotient;     ///< of the current call
+    std::vector<std::string> m_leftOut; ///< names of calls that change the view
+    std::string m_camera;               ///< the variable that holds the three.js camera
 
-    /// Of three.js: lookAt turns it where it stands then; moved later, it keeps its direction.
+    /// A three.js camera. lookAt turns it at its current position; moved later, it keeps its
+    /// direction.
     struct ThreeCamera {
-        std::string name; ///< empty as long as nothing moved it
+        std::string name; ///< empty until a call moves it
         glm::dvec3 position{0.0}, up{0.0, 1.0, 0.0};
         glm::dvec3 direction{0.0, 0.0, -1.0}, upThen{0.0, 1.0, 0.0};
     };
@@ -447,7 +450,7 @@ private:
 
 Result<PastedCalls, PasteError> pastedCalls(std::string_view text)
 {
-    constexpr std::size_t kLongest = 100'000; // that is no text of a few calls
+    constexpr std::size_t kLongest = 100'000; // too long for a text of a few calls
     return text.size() > kLongest ? PastedCalls() : Reader(text).read();
 }
 

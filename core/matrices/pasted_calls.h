@@ -7,27 +7,28 @@
 
 namespace unprojector::matrices {
 
-/// What the calls of a text give.
+/// The result of reading the calls of a text.
 struct PastedCalls {
     bool hasAny = false; ///< else the text has no such call, and all of this is empty
-    /// The projection, the view and the viewport of the first call of each kind. The matrices have MatrixForm::Call, the NDC depths of
-    /// their API, and how the call was read.
+    /// The projection, the view and the viewport of the first call of each kind. The matrices have
+    /// MatrixForm::Call, the NDC depths of their API, and a description of how the call was read.
     PastedScene parts;
-    std::string
-        rest; ///< the text with blanks in the place of comments, of these calls and of variables that are numbers
+    std::string rest; ///< the text, with comments, these calls and number variables blanked out
 };
 
 /// Reads the calls that make a projection, a view or a viewport, by their names:
 ///
 ///   - gluPerspective, glFrustum, glOrtho, gluOrtho2D, gluLookAt, glViewport
-///   - GLM: perspective, perspectiveFov, frustum, ortho, lookAt, with LH, RH, ZO and NO behind them or as GLM_FORCE_…
+///   - GLM: perspective, perspectiveFov, frustum, ortho, lookAt; with the suffixes LH, RH, ZO
+///     and NO, or GLM_FORCE_…
 ///   - three.js: PerspectiveCamera, OrthographicCamera, and the camera's position, up and lookAt
-///   - System.Numerics: CreatePerspectiveFieldOfView, CreatePerspective, CreateOrthographic, …OffCenter, CreateLookAt, and the
-///     same names of OpenTK's Matrix4, whose NDC depths are OpenGL's
-///   - DirectXMath: XMMatrixPerspectiveFov, Perspective, Orthographic, …OffCenter, LookAt, LookTo, RH and LH
+///   - System.Numerics: CreatePerspectiveFieldOfView, CreatePerspective, CreateOrthographic,
+///     …OffCenter, CreateLookAt, and the same names of OpenTK's Matrix4, with OpenGL's NDC depths
+///   - DirectXMath: XMMatrixPerspectiveFov, Perspective, Orthographic, …OffCenter, LookAt, LookTo,
+///     RH and LH
 ///   - QMatrix4x4 and gl-matrix: perspective, frustum, ortho, lookAt
 ///
-/// Angles are in the unit of the API. Matrices are for column vectors, whatever the API has.
+/// Angles are in the unit of the API. Matrices are for column vectors in every API.
 /// @return the call and the argument that cannot be read
 geometry::Result<PastedCalls, PasteError> pastedCalls(std::string_view text);
 

@@ -21,7 +21,7 @@ namespace {
 using Numbers = std::span<const PastedNumber>;
 constexpr std::size_t kEntries = 16;
 
-/// Whether the numbers come in four runs of four that a key tells apart.
+/// Returns whether the numbers come in four runs of four with different keys.
 template <class Key>
 bool isFourTimesFour(Numbers numbers, const Key &keyOf)
 {
@@ -69,7 +69,7 @@ MatrixForm formOf(Numbers numbers)
     return MatrixForm::Flat;
 }
 
-/// By the subscripts, where they say a place for each; else as the numbers stand.
+/// Sorts the numbers by their subscripts if these give each a position; else keeps the text order.
 PastedMatrix assembled(Numbers numbers)
 {
     PastedMatrix matrix;
@@ -79,7 +79,7 @@ PastedMatrix assembled(Numbers numbers)
         matrix.numbers[i] = numbers[i].value;
     if (matrix.form != MatrixForm::Indexed && matrix.form != MatrixForm::IndexPairs)
         return matrix;
-    // Some count from 1: m11 to m44.
+    // Some libraries count from 1: m11 to m44.
     int least = 16;
     for (const PastedNumber &n : numbers)
         least = std::min(least, *std::min_element(n.subscripts.begin(), n.subscripts.end()));
@@ -100,13 +100,13 @@ PastedMatrix assembled(Numbers numbers)
 struct Part {
     PastedPart part;
     std::vector<PastedNumber> numbers{};
-    std::vector<PastedNumber> inverse{}; ///< of what has the name of its inverse
-    /// A viewport may be given as its matrix.
+    std::vector<PastedNumber> inverse{}; ///< numbers with the name of the inverse
+    /// True if a viewport is given as its matrix, and for all other parts.
     bool isMatrix() const { return part != PastedPart::Viewport || numbers.size() == kEntries; }
     std::size_t wanted() const { return isMatrix() ? kEntries : 4; }
     bool isWhole() const { return part == PastedPart::ToWindow || numbers.size() == wanted(); }
 
-    /// Of several matrices, each behind a name of its own, leaves the first.
+    /// Keeps only the first of several matrices, each with a name of its own.
     /// @return whether there were several
     bool keepFirst()
     {
@@ -135,7 +135,7 @@ public:
     Part &operator[](PastedPart part) { return m_parts[std::size_t(part)]; }
     bool has(PastedPart part) { return !(*this)[part].numbers.empty(); }
 
-    /// What a scene is made of, of what is there.
+    /// The parts that make a scene, among those present.
     std::vector<PastedPart> needed()
     {
         const bool isWhole = has(PastedPart::Projection) && (has(PastedPart::ModelView) || has(PastedPart::View));
@@ -149,7 +149,8 @@ private:
     std::array<Part, kParts.size()> m_parts;
 };
 
-/// Numbers behind the name of an inverse are the part's where it has no others; of the view, where it has no modelview either.
+/// Assigns the numbers of an inverse to the part if it has no others; for the view, only if there
+/// is no modelview either.
 void sortInverses(Parts &parts)
 {
     for (const PastedPart part : kParts) {
@@ -159,7 +160,7 @@ void sortInverses(Parts &parts)
     }
 }
 
-/// Numbers behind no name go to the first part that is needed and not yet full.
+/// Assigns unnamed numbers to the first required part that is not full yet.
 void sort(std::vector<PastedNumber> &numbers, Parts &parts)
 {
     constexpr std::size_t kProductAndViewport = 20;
@@ -246,7 +247,7 @@ std::string inverseText(const PastedMatrix &matrix)
 
 bool isWindowsOwn(const DepthRange &range)
 {
-    constexpr double kPrinted = 1e-6; // what single precision leaves
+    constexpr double kPrinted = 1e-6; // error of single precision
     return std::abs(range.atNear - 0.5) <= 0.5 + kPrinted && std::abs(range.atFar - 0.5) <= 0.5 + kPrinted;
 }
 
@@ -320,7 +321,7 @@ Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text)
 
 namespace {
 
-/// @param isComplete  whether all that a scene is made of has to be there
+/// @param isComplete  whether all parts of a scene are required
 Result<PastedScene, PasteError> sceneOf(std::string_view text, bool isComplete)
 {
     Result<std::vector<PastedNumber>, PasteError> numbers = pastedNumbers(text);

@@ -14,44 +14,45 @@
 
 namespace unprojector::matrices {
 
-/// How the sixteen numbers of a matrix follow each other.
+/// The order of the sixteen numbers of a matrix.
 enum class NumberOrder { ByColumns, ByRows };
 
-/// How a program writes a matrix; the order follows from it.
+/// The notation in which a program writes a matrix; it determines the order.
 enum class MatrixForm {
     Flat,       ///< sixteen numbers in a row or in one pair of brackets: memory, C arrays, JSON, three.js: by columns
     Indexed,    ///< m[0] = 1 … m[15] = 1: by columns
     GlmColumns, ///< glm::to_string, GLM's and GLSL's constructors: by columns
-    IndexPairs, ///< m(0,1) as Eigen counts, m01 as Unity does: row, column
+    IndexPairs, ///< m(0,1) as in Eigen, m01 as in Unity: row, column
     RowLines,   ///< four lines of four, or semicolons between the rows: Eigen, OpenCV, QMatrix4x4
     NestedRows, ///< four brackets of four: NumPy, JSON, C arrays of arrays
-    Call        ///< no numbers of a matrix, but a call that makes one, see pastedCalls: by columns
+    Call        ///< not the numbers of a matrix but a call that makes one, see pastedCalls: by columns
 };
 
-/// A matrix as it was pasted.
+/// A matrix as pasted.
 struct PastedMatrix {
-    std::array<double, 16> numbers{}; ///< as they stand in the text; those with indices, by these
+    std::array<double, 16> numbers{}; ///< in text order; numbers with indices are sorted by them
     MatrixForm form = MatrixForm::Flat;
-    bool isInverse = false;                       ///< it has the name of an inverse, as projectionMatrixInverse
-    std::optional<NumberOrder> order{};           ///< where its numbers tell another than the usual one, see toldOrders
-    std::optional<geometry::NdcDepth> ndcDepth{}; ///< of a projection, where the text tells
-    std::string call{}; ///< how the call was read that made it, in the language of text::tr(), without a full stop
+    bool isInverse = false;                       ///< the name says that it is an inverse: projectionMatrixInverse
+    std::optional<NumberOrder> order{};           ///< set if the numbers show the unusual order, see toldOrders
+    std::optional<geometry::NdcDepth> ndcDepth{}; ///< of a projection, if the text determines it
+    std::string call{}; ///< how the call that made it was read, in the language of text::tr(), without a full stop
     friend bool operator==(const PastedMatrix &, const PastedMatrix &) = default;
 };
 
-/// The order that a form has.
+/// The order of a form.
 NumberOrder orderOf(MatrixForm form);
 NumberOrder opposite(NumberOrder order);
 
-/// The matrix that sixteen numbers are in an order: column vectors.
+/// The matrix, for column vectors, of sixteen numbers in the given order.
 glm::dmat4 matrixOf(const std::array<double, 16> &numbers, NumberOrder order);
 
-/// What a matrix stands for, in an order: one with the name of an inverse, its own inverse. One that has none stays as it is.
+/// The matrix in the given order. If the name says it is an inverse, the result is inverted; a
+/// singular matrix is returned unchanged.
 glm::dmat4 meantMatrix(const PastedMatrix &matrix, NumberOrder order);
 
-/// Whether it has the name of an inverse, and is singular.
+/// Returns whether the matrix is singular although its name says it is an inverse.
 bool lacksInverse(const PastedMatrix &matrix);
-/// What is done with a matrix that has the name of an inverse, in the language of text::tr().
+/// Describes the handling of a matrix that is named as an inverse, in the language of text::tr().
 std::string inverseText(const PastedMatrix &matrix);
 
 struct ViewportAndDepths {
@@ -59,65 +60,71 @@ struct ViewportAndDepths {
     geometry::DepthRange depthRange;
 };
 
-/// Whether a window may have it: within [0, 1], but for what single precision leaves.
+/// Returns whether a window can have this depth range: within [0, 1], apart from single-precision
+/// rounding.
 bool isWindowsOwn(const geometry::DepthRange &range);
 
-/// What a matrix from NDC to the window stands for: column vectors, window positions in pixels from the bottom left.
-/// @param depth  the NDC depths it goes by; unknown, those in [-1, 1], unless only those in [0, 1] make its depth range one
-///               within [0, 1]
-/// @return width and height less than 0 where the matrix turns x or y round
+/// Interprets a matrix from NDC to the window: column vectors, window positions in pixels from the
+/// bottom left.
+/// @param depth  the NDC depths; if unknown, [-1, 1], unless only [0, 1] gives a depth range within
+///         [0, 1]
+/// @return width or height is negative if the matrix flips x or y
 ViewportAndDepths viewportOf(const glm::dmat4 &windowFromNdc, const std::optional<geometry::NdcDepth> &depth);
 
-/// What a text may say of a scene's matrices. Those behind a name are that part's; model is world from object, product the
-/// projection times the view, or times the modelview. ToWindow, the viewport's matrix times that, and what else is said of a
-/// window, follows from the others.
+/// The matrices and the viewport that a text may contain. Numbers after a part's name belong to it.
+/// Model is world from object; product is the projection times the view, or times the modelview.
+/// ToWindow is the viewport's matrix times the product; like everything else about a window, it
+/// follows from the others.
 enum class PastedPart { ModelView, View, Model, Projection, Product, Viewport, ToWindow };
 const char *nameOf(PastedPart part);
 
 struct PastedScene {
     std::optional<PastedMatrix> modelView, view, model, projection, product;
     std::optional<geometry::Viewport> viewport;
-    std::optional<PastedMatrix> viewportMatrix; ///< window from NDC, where the viewport is given as that
-    std::vector<PastedPart> more; ///< of which there are several, as of several objects: only the first is taken
-    std::vector<PastedPart> inversesLeft; ///< whose inverse stands beside them, and is left out
+    std::optional<PastedMatrix> viewportMatrix; ///< window from NDC, if the viewport is given as a matrix
+    std::vector<PastedPart> more; ///< parts that occur several times, as for several objects: only the first is used
+    std::vector<PastedPart> inversesLeft; ///< parts whose inverse is also in the text; the inverse is ignored
 };
 
-/// What is wrong with a call, see pastedCalls.
+/// The fault of a call, see pastedCalls.
 enum class CallFault {
     NoNumber,  ///< an argument
     NoVector,  ///< an argument
     Count,     ///< found, wanted: arguments
-    Radians,   ///< argument: an angle that can only be in degrees
+    Radians,   ///< argument: an angle that is only plausible in degrees
     Parameters ///< parameters: no projection or view has them
 };
 
 struct PasteError {
-    std::string word;                 ///< the number that is not finite; empty where their count is wrong
+    std::string word;                 ///< the number that is not finite; empty if the count is wrong
     std::size_t line = 0, column = 0; ///< of the word, from 1
     PastedPart part = PastedPart::ModelView;
     std::size_t found = 0, wanted = 16;
     std::size_t all = 0; ///< numbers in the text
-    std::string call{};  ///< that cannot be read, "glm::perspective"; empty where it is about no call
+    std::string call{};  ///< the call that cannot be read, "glm::perspective"; empty if the error is not about a call
     CallFault fault = CallFault::NoNumber;
     std::string argument{}; ///< of the call, as written
     geometry::Error parameters{geometry::ErrorCode::NotFinite};
 };
-/// What is wrong, in the language of text::tr(), without the place and the part.
+/// Describes the error in the language of text::tr(), without position and part.
 std::string reasonText(const PasteError &error);
 
-/// One matrix. Brackets, commas, quotes and words are passed over, and so are subscripts (m[3], m(0,1), "3":) and the
-/// numbers in comments, lines that begin with #, % or //.
-/// @return 16 numbers; what is wrong with them
+/// Reads one matrix. Skips brackets, commas, quotes and words, as well as subscripts (m[3], m(0,1),
+/// "3":) and the numbers in comments, that is lines that begin with #, % or //.
+/// @return 16 numbers; the error
 geometry::Result<PastedMatrix, PasteError> pastedMatrix(std::string_view text);
 
-/// The matrices and the viewport of a scene: numbers behind a name (modelview, view, model, projection, MVP, viewport)
-/// are that part's, whatever their order; behind that of an inverse (viewInverse,
-/// cameraToWorld) too, where the part itself is not there; those behind none are modelview, projection and viewport, in this order, or,
-/// where there are twenty altogether, the product and the viewport.
-/// @return the viewport, the projection and the modelview or the view; or the product; whatever else was there
+/// Reads the matrices and the viewport of a scene. Numbers after a name (modelview, view, model,
+/// projection, MVP, viewport) belong to that part, in any order. Numbers after the name of an
+/// inverse (viewInverse, cameraToWorld) count too if the part itself is missing. Unnamed numbers
+/// are modelview, projection and viewport, in this order; twenty unnamed numbers in all are the
+/// product and the viewport.
+/// @return the viewport, the projection and the modelview or the view; or the product; and all
+///         other parts found
 geometry::Result<PastedScene, PasteError> pastedScene(std::string_view text);
 
-/// What of all that a text has; none of it need be there. Sixteen numbers alone are the modelview's.
+/// Reads any of the parts that pastedScene knows; none is required. Sixteen numbers alone are the
+/// modelview.
 geometry::Result<PastedScene, PasteError> pastedParts(std::string_view text);
 
 } // namespace unprojector::matrices

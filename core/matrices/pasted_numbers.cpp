@@ -13,7 +13,7 @@ using namespace geometry;
 
 namespace {
 
-/// U+2212, which typeset numbers have for the sign.
+/// U+2212, the minus sign of typeset numbers.
 constexpr std::string_view kMinusSign = "\xe2\x88\x92";
 
 bool isDigit(char c)
@@ -23,7 +23,7 @@ bool isDigit(char c)
 
 bool isWordCharacter(char c)
 {
-    // With # as in 1.#QNAN, which is no 1.
+    // Includes # for 1.#QNAN, which is not 1.
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '+' || c == '-' || c == '#';
 }
 
@@ -35,7 +35,7 @@ std::string inSmallLetters(std::string_view text)
     return result;
 }
 
-/// A number, with the f of a C float behind it or not.
+/// Parses a number, with or without the f of a C float.
 std::optional<double> numberOf(std::string_view word)
 {
     if (word.size() > 1 && word.front() == '+')
@@ -49,8 +49,9 @@ std::optional<double> numberOf(std::string_view word)
     return value;
 }
 
-/// What other languages and broken programs print for numbers, and what is too large for one: 1.#QNAN, 0x10, 1d0, 1e400. Left
-/// out, it would leave another number in its place.
+/// Returns whether a word stands for a number that cannot be read: the output of other languages
+/// and broken programs, or an overflow, as in 1.#QNAN, 0x10, 1d0, 1e400. If it were skipped,
+/// another number would take its position.
 bool isMeantAsNumber(std::string_view word)
 {
     if (!word.empty() && (word.front() == '-' || word.front() == '+'))
@@ -62,7 +63,7 @@ bool isMeantAsNumber(std::string_view word)
            || word.find_first_not_of("0123456789.eEdD+-") == word.npos;
 }
 
-/// The part that words say, in small letters and nothing else: "glmodelviewmatrix", "modelview", "pv", "mvp".
+/// The part that lower-case letters name: "glmodelviewmatrix", "modelview", "pv", "mvp".
 std::optional<PastedPart> partOf(const std::string &letters)
 {
     const auto has = [&letters](const char *name) { return letters.find(name) != std::string::npos; };
@@ -85,7 +86,8 @@ std::optional<PastedPart> partOf(const std::string &letters)
         return PastedPart::ModelView;
     if (has("view") || letters == "v" || letters == "eyefromworld" || has("worldtocamera"))
         return PastedPart::View;
-    // three.js's object.matrixWorld, Blender's object.matrix_world; with no object named it is the camera's, see namedBy
+    // matrixWorld of a three.js object, matrix_world of Blender; without an object's name it is the
+    // camera's, see namedBy
     if (has("model") || has("matrixworld"))
         return PastedPart::Model;
     return std::nullopt;
@@ -96,7 +98,7 @@ struct Named {
     bool isInverse = false;
 };
 
-/// The words of names, in small letters: "inv_viewMatrix" has "inv", "view" and "matrix".
+/// The words of names in lower case: "inv_viewMatrix" has "inv", "view" and "matrix".
 std::vector<std::string> wordsOf(std::string_view names)
 {
     std::vector<std::string> words;
@@ -113,8 +115,8 @@ std::vector<std::string> wordsOf(std::string_view names)
     return words;
 }
 
-/// What a word says besides "inverse": "view" of "viewinverse" and of "invview", nothing of "inv". None where it does not say that,
-/// as "involved".
+/// The word without "inverse": "view" for "viewinverse" and "invview", empty for "inv". Nothing for
+/// a word without that meaning, such as "involved".
 std::optional<std::string> withoutInverse(std::string word)
 {
     for (const std::string_view whole : {"inverse", "inverted"}) {
@@ -134,13 +136,15 @@ std::optional<std::string> withoutInverse(std::string word)
     return beginsWithName && partOf(name) ? std::optional(name) : std::nullopt;
 }
 
-/// What is inverted without the matrix being an inverse: depths that are reversed, y that goes down.
+/// Returns whether a word names an inverted property rather than an inverse matrix: reversed
+/// depths, y down.
 bool isAxis(const std::string &word)
 {
     return word == "depth" || word == "z" || word == "y";
 }
 
-/// The part that words say: "gl_ModelViewMatrix", "model view", "P*V", "projectionMatrixInverse", "cameraToWorld".
+/// The part that words name: "gl_ModelViewMatrix", "model view", "P*V", "projectionMatrixInverse",
+/// "cameraToWorld".
 std::optional<Named> namedBy(std::string_view names)
 {
     const std::vector<std::string> words = wordsOf(names);
@@ -160,7 +164,7 @@ std::optional<Named> namedBy(std::string_view names)
     };
     if (hasAny({"matrixworld"}) && isInverse) // three.js's camera
         return Named{PastedPart::View};
-    // Of a camera, or of nothing that is named: worldFromEye, the inverse of the view.
+    // The name refers to a camera or to no object: worldFromEye, the inverse of the view.
     if (letters == "matrixworld" || (hasAny({"matrixworld"}) && hasAny({"camera"}))
         || hasAny({"worldfromeye", "worldfromcamera", "worldfromview", "cameratoworld", "viewtoworld", "eyetoworld"}))
         return Named{PastedPart::View, !isInverse};
@@ -172,8 +176,8 @@ std::optional<Named> namedBy(std::string_view names)
     return part ? std::optional(Named{*part, isInverse}) : std::nullopt;
 }
 
-/// One or two whole numbers in the brackets that open at `at`, as in m[3] and m(0, 1), or nothing. A single number in round
-/// brackets is no subscript.
+/// One or two integers in the brackets that open at `at`, as in m[3] and m(0, 1), or nothing. A
+/// single number in round brackets is no subscript.
 std::optional<std::vector<int>> subscriptsAt(std::string_view text, std::size_t at, std::size_t &end)
 {
     const char close = text[at] == '[' ? ']' : ')';
@@ -237,7 +241,7 @@ private:
     void readMark()
     {
         const char c = m_text[m_at];
-        // A name may have one bracket of two.
+        // A name may contain one bracket of two.
         if (c != '\n' && isComment(m_at)) {
             ++m_at;
             return;
@@ -246,7 +250,7 @@ private:
             const bool isBehindName = m_at > 0 && (isWordCharacter(m_text[m_at - 1]) || m_text[m_at - 1] == ']');
             std::size_t end = 0;
             if (const auto indices = isBehindName ? subscriptsAt(m_text, m_at, end) : std::nullopt) {
-                // m[1][2] as GLM counts: the place in memory.
+                // m[1][2] as GLM counts: the position in memory.
                 const bool isSecond = m_text[m_at - 1] == ']' && m_subscripts.size() == 1 && indices->size() == 1;
                 m_subscripts = isSecond ? std::vector<int>{4 * m_subscripts[0] + indices->front()} : *indices;
                 m_at = end;
@@ -269,7 +273,7 @@ private:
         ++m_at;
     }
 
-    /// LaTeX's \cdot 10^{-16} behind a number.
+    /// Reads LaTeX's \cdot 10^{-16} after a number.
     bool takePowerOfTen()
     {
         constexpr std::string_view kTimes = "\\cdot 10^{";
@@ -286,7 +290,7 @@ private:
         return true;
     }
 
-    /// Whether what ends at `end` is a key: a colon follows, perhaps behind a quote.
+    /// Returns whether a key ends at `end`: a colon follows, perhaps after a quote.
     bool isKey(std::size_t end) const
     {
         if (end < m_text.size() && (m_text[end] == '"' || m_text[end] == '\''))
@@ -294,7 +298,8 @@ private:
         return end < m_text.size() && m_text[end] == ':';
     }
 
-    /// Whether a minus that stands alone is a number's sign, and no bullet or dash: passed over it would turn the number round.
+    /// Returns whether a separate minus is the sign of a number rather than a bullet or dash.
+    /// Skipping a sign would negate the number.
     bool isSignApart(std::size_t at) const
     {
         const std::string_view before = m_text.substr(m_lineStart, at - m_lineStart);
@@ -303,7 +308,8 @@ private:
                && (isDigit(before[last]) || std::string_view("[({,;.").find(before[last]) != before.npos);
     }
 
-    /// Whether the line is a comment: its numbers are said of a matrix, they are none of it. Its words may name one.
+    /// Returns whether the line is a comment. Its numbers are not a matrix's, but its words may
+    /// name one.
     bool isComment(std::size_t at) const
     {
         std::string_view before = m_text.substr(m_lineStart, at - m_lineStart);
@@ -386,7 +392,8 @@ private:
         m_lastWord = word;
     }
 
-    /// Words that stand side by side are one name: "model view", "projection * view"; and so are "inverse(view)".
+    /// Adds a name. Adjacent words form one name: "model view", "projection * view",
+    /// "inverse(view)".
     void name(const std::string &word, std::size_t start)
     {
         const std::string_view between = m_text.substr(m_nameEnd, start - m_nameEnd);
@@ -403,12 +410,12 @@ private:
 
     std::string_view m_text;
     std::size_t m_at = 0, m_line = 0, m_lineStart = 0;
-    std::vector<std::size_t> m_open; ///< the brackets around
+    std::vector<std::size_t> m_open; ///< the enclosing brackets
     std::size_t m_brackets = 0;
     bool m_isBehindSemicolon = false;
     std::vector<int> m_subscripts;
     std::vector<std::string> m_words;
-    std::string m_lastWord; ///< that is a number
+    std::string m_lastWord; ///< the last word that is a number
     std::string m_name;
     std::size_t m_nameEnd = 0;
     std::optional<Named> m_named;

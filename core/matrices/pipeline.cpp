@@ -13,7 +13,7 @@ namespace unprojector::matrices {
 using namespace geometry;
 namespace {
 
-/// A point of finite coordinates, else NotFinite.
+/// The point if its coordinates are finite, else NotFinite.
 template <class Space>
 Result<Point<Space>> finite(const Point<Space> &point)
 {
@@ -22,7 +22,7 @@ Result<Point<Space>> finite(const Point<Space> &point)
     return point;
 }
 
-/// The next stage of a point, or the reason why there was none before.
+/// The point in the next space, or the error of an earlier stage.
 template <class Target, class Source, class Step>
 Result<Point<Target>> next(const Result<Point<Source>> &point, Step step)
 {
@@ -31,7 +31,7 @@ Result<Point<Target>> next(const Result<Point<Source>> &point, Step step)
     return step(*point);
 }
 
-/// An affine matrix or an inverse of one: w stays 1.
+/// Applies an affine matrix or the inverse of one: w stays 1.
 template <class Target, class Source>
 Result<Point<Target>> affine(const glm::dmat4 &targetFromSource, const Result<Point<Source>> &point)
 {
@@ -40,7 +40,7 @@ Result<Point<Target>> affine(const glm::dmat4 &targetFromSource, const Result<Po
     });
 }
 
-/// From the window on.
+/// Adds the points after the window point.
 PipelinePoints withWidget(const Pipeline &pipeline, PipelinePoints points)
 {
     const Surface &surface = pipeline.setup.surface;
@@ -51,7 +51,7 @@ PipelinePoints withWidget(const Pipeline &pipeline, PipelinePoints points)
     return points;
 }
 
-/// From NDC on.
+/// Adds the window point and those after it.
 PipelinePoints withWindow(const Pipeline &pipeline, PipelinePoints points)
 {
     const Setup &setup = pipeline.setup;
@@ -60,7 +60,7 @@ PipelinePoints withWindow(const Pipeline &pipeline, PipelinePoints points)
     return withWidget(pipeline, points);
 }
 
-/// From the clip point on.
+/// Adds the NDC point and those after it.
 PipelinePoints withNdc(const Pipeline &pipeline, PipelinePoints points)
 {
     points.ndc = next<NdcSpace>(points.clip, [](const ClipPoint &p) -> Result<NdcPoint> {
@@ -71,7 +71,7 @@ PipelinePoints withNdc(const Pipeline &pipeline, PipelinePoints points)
     return withWindow(pipeline, points);
 }
 
-/// From the eye on.
+/// Adds the clip point and those after it.
 PipelinePoints withClip(const Pipeline &pipeline, PipelinePoints points)
 {
     const glm::dmat4 &projection = pipeline.matrix(PipelineStage::ProjectionMatrix, PipelineDirection::Forward);
@@ -81,14 +81,14 @@ PipelinePoints withClip(const Pipeline &pipeline, PipelinePoints points)
     return withNdc(pipeline, points);
 }
 
-/// From the world on.
+/// Adds the eye point and those after it.
 PipelinePoints withEye(const Pipeline &pipeline, PipelinePoints points)
 {
     points.eye = affine<EyeSpace>(pipeline.matrix(PipelineStage::ViewMatrix, PipelineDirection::Forward), points.world);
     return withClip(pipeline, points);
 }
 
-/// Back from the eye.
+/// Adds the world and object point from the eye point.
 PipelinePoints withObject(const Pipeline &pipeline, PipelinePoints points)
 {
     const auto matrix = [&](PipelineStage stage) { return pipeline.matrix(stage, PipelineDirection::Backward); };
@@ -97,7 +97,7 @@ PipelinePoints withObject(const Pipeline &pipeline, PipelinePoints points)
     return points;
 }
 
-/// What a homogeneous point of clip space was before the projection, divided by its own w'.
+/// The eye point of a homogeneous clip-space point before the projection: divided by its own w'.
 Result<EyePoint> divided(const glm::dvec4 &eye)
 {
     if (eye.w == 0.0)
@@ -113,7 +113,7 @@ std::optional<glm::dvec4> undivided(const Pipeline &pipeline, const Result<NdcPo
            * glm::dvec4(ndc->coordinates(), 1.0);
 }
 
-/// Back from NDC.
+/// Adds the eye, clip, world and object point from the NDC point.
 PipelinePoints withUndivided(const Pipeline &pipeline, PipelinePoints points)
 {
     points.undividedEye = undivided(pipeline, points.ndc);
@@ -124,7 +124,7 @@ PipelinePoints withUndivided(const Pipeline &pipeline, PipelinePoints points)
     return withObject(pipeline, points);
 }
 
-// Each of these begins a chain with the point that is given; what is not known yet is made by the steps above.
+// Each of these functions starts from the given point; the steps above compute the other points.
 
 PipelinePoints from(const Pipeline &pipeline, const ObjectPoint &point)
 {
@@ -230,7 +230,7 @@ Result<Pipeline> pipeline(const Setup &setup, const glm::dmat4 &worldFromObject)
 Pipeline inApi(const Pipeline &pipeline, const ApiSpaces &spaces)
 {
     struct Ends {
-        AxisChange source, target; // of the way forward
+        AxisChange source, target; // of the forward direction
     };
     const AxisChange same;
     const std::array<Ends, kPipelineStages.size()> ends{{{same, spaces.world},

@@ -10,23 +10,26 @@
 
 namespace unprojector::matrices {
 
-/// A matrix of the fixed pipeline, or a product of several. Forward it takes a point to the next space:
+/// A matrix of the fixed pipeline, or a product of several. Forward, it maps a point to the next
+/// space:
 ///
 ///   ModelMatrix       worldFromObject
 ///   ViewMatrix        eyeFromWorld
 ///   ProjectionMatrix  clipFromEye
-///   ViewportMatrix    windowFromNdc; before it comes the division by w
+///   ViewportMatrix    windowFromNdc; the division by w comes before it
 ///   ModelviewMatrix   eyeFromObject = view * model
-///   WholeMatrix       windowFromObject = viewport * projection * view * model (MVPW); its result is homogeneous
+///   WholeMatrix       windowFromObject = viewport * projection * view * model (MVPW);
+///                     its result is homogeneous
 enum class PipelineStage { ModelMatrix, ViewMatrix, ProjectionMatrix, ViewportMatrix, ModelviewMatrix, WholeMatrix };
 constexpr std::array kPipelineStages{PipelineStage::ModelMatrix,      PipelineStage::ViewMatrix,
                                      PipelineStage::ProjectionMatrix, PipelineStage::ViewportMatrix,
                                      PipelineStage::ModelviewMatrix,  PipelineStage::WholeMatrix};
 
-/// Forward: from the object to the widget. Backward: from the window to the object, by the inverse of each stage.
+/// Forward: from the object to the widget. Backward: from the window to the object, by the inverse
+/// of each stage.
 enum class PipelineDirection { Forward, Backward };
 
-/// How one object of a picture gets to the window, and back.
+/// The matrices that map one object of a setup to the window, and back.
 struct Pipeline {
     geometry::Setup setup;
     std::array<glm::dmat4, kPipelineStages.size()> forward;
@@ -36,19 +39,20 @@ struct Pipeline {
     const glm::dmat4 &matrix(PipelineStage stage, PipelineDirection direction) const;
 };
 
-/// All matrices of a picture. The inverses of view and viewport are those of a rigid and of a diagonal matrix, without
-/// rounding noise; model and projection are inverted by glm::inverse; the products by those.
+/// Computes all matrices of a setup. View and viewport are inverted as a rigid and a diagonal
+/// matrix, without rounding noise. Model and projection are inverted by glm::inverse; the products
+/// use these inverses.
 ///
-/// @param worldFromObject  of the object looked at, affine; the identity where there is none
-/// @return the errors of check(setup); NotFinite (the value of the entry); SingularMatrix, also where the inverse
-///         overflows
+/// @param worldFromObject  of the selected object, affine; the identity without one
+/// @return the errors of check(setup); NotFinite (the value of the entry); SingularMatrix, also
+///         where the inverse overflows
 geometry::Result<Pipeline> pipeline(const geometry::Setup &setup, const glm::dmat4 &worldFromObject);
 
-/// The same matrices as an API has them, from its own spaces to its own. The points of a pipeline stay those of this program:
-/// ApiSpaces takes them there.
+/// The same matrices in an API's conventions, between its own spaces. The points of a pipeline stay
+/// in this program's spaces; ApiSpaces converts them.
 Pipeline inApi(const Pipeline &pipeline, const geometry::ApiSpaces &spaces);
 
-/// One point in every space. Each stage says for itself why it has no answer; the stages after it have the same reason.
+/// One point in every space. Each stage holds its own error; later stages repeat the first one.
 struct PipelinePoints {
     geometry::Result<geometry::ObjectPoint> object = geometry::ObjectPoint();
     geometry::Result<geometry::WorldPoint> world = geometry::WorldPoint();
@@ -58,37 +62,41 @@ struct PipelinePoints {
     geometry::Result<geometry::WindowPoint> window = geometry::WindowPoint();
     geometry::Result<geometry::DevicePoint> device = geometry::DevicePoint();
     geometry::Result<geometry::WidgetPoint> widget = geometry::WidgetPoint();
-    /// On the way back: (x', y', z', w') = eyeFromClip (x_n, y_n, z_n, 1), before it is divided by its own w'.
+    /// Set on the way back: (x', y', z', w') = eyeFromClip (x_n, y_n, z_n, 1), before its division
+    /// by its own w'.
     std::optional<glm::dvec4> undividedEye = std::nullopt;
 };
 
-/// Forward, stage by stage: object, world, eye, clip, divided by w, window, device, widget. A point behind the eye has
-/// w < 0 and is taken through as well, as the matrices do.
-/// @return PointAtInfinity from NDC on where w = 0; NotFinite from the stage on that overflows (or of the point given)
+/// Maps a point forward, stage by stage: object, world, eye, clip, division by w, window, device,
+/// widget. A point behind the eye has w < 0 and is mapped as well, as the matrices do.
+/// @return PointAtInfinity from NDC on where w = 0; NotFinite from the first stage that overflows
+///         (or of the given point)
 PipelinePoints pointsForward(const Pipeline &pipeline, const geometry::ObjectPoint &point);
 /// The same for a world point; its object point is objectFromWorld * point.
 PipelinePoints pointsForward(const Pipeline &pipeline, const geometry::WorldPoint &point);
 
-/// Backward, each stage by the inverse of its matrix: window, NDC, eye, world, object. The division by w is undone as
-/// gluUnProject does it, by another one:
+/// Maps a point backward, each stage by the inverse of its matrix: window, NDC, eye, world, object.
+/// Like gluUnProject, it undoes the division by w with another division:
 ///
 ///   (x', y', z', w') = eyeFromClip (x_n, y_n, z_n, 1),  eye = (x', y', z') / w'
 ///
-/// The w that the division took is 1 / w', so that the clip point is (x_n, y_n, z_n, 1) / w'; the way does not need it.
-/// @param window  device pixels, origin bottom-left; depth in the depth range (not required to be inside it)
+/// The w of the forward division is 1 / w', so the clip point is (x_n, y_n, z_n, 1) / w'. It is not
+/// needed to compute the others.
+/// @param window  device pixels, origin bottom-left; depth in the depth range (may lie outside it)
 /// @return PointAtInfinity from clip on where w' = 0; NotFinite as above
 PipelinePoints pointsBackward(const Pipeline &pipeline, const geometry::WindowPoint &window);
 
-/// Both ways from the space that the point is given in: towards the widget as forward, towards the object as backward. The
-/// given coordinates themselves stay as they are. What a clip point comes from is found by
+/// Maps a point both ways from the space in which it is given: forward to the widget, backward to
+/// the object. The given coordinates stay unchanged. A clip point maps to the eye by
 ///
 ///   (x', y', z', w') = eyeFromClip (x, y, z, w),  eye = (x', y', z') / w'
 ///
-/// so that a clip point and its multiples have one eye point; `undividedEye` is that of its NDC, as on the way back.
+/// so that a clip point and its multiples have one eye point. `undividedEye` is computed from its
+/// NDC, as on the way back.
 /// @return as pointsForward and pointsBackward, stage by stage
 PipelinePoints pointsFrom(const Pipeline &pipeline, const geometry::GivenPoint &given);
 
-/// Where a point lies that is not in the view volume, each with the inequality that says so.
+/// The side on which a point lies outside the view volume, each with its inequality.
 enum class Outside {
     Left,       ///< x < -w
     Right,      ///< x > w
@@ -100,12 +108,13 @@ enum class Outside {
     BehindEye   ///< w < 0
 };
 
-/// The clip test, |x|, |y|, |z| <= w, as OpenGL does it: what a clip point fails of it, x before y before z. Of a point
-/// behind the eye or in its plane only that is said, since there the others mean nothing.
+/// The clip test, |x|, |y|, |z| <= w, as OpenGL does it: the planes that a clip point violates, x
+/// before y before z. For a point behind the eye or in its plane, only that is returned, since the
+/// others mean nothing there.
 /// @return nothing for a point inside the view volume or on its edge
 std::vector<Outside> clipTest(const geometry::ClipPoint &point);
 
-/// Whether a clip point lies inside the view volume or on its edge.
+/// Returns whether a clip point lies inside the view volume or on its edge.
 bool isInsideViewVolume(const geometry::ClipPoint &point);
 
 } // namespace unprojector::matrices

@@ -43,7 +43,7 @@ double printedUnit(const glm::dmat4 &matrix)
 glm::dmat4 orthonormal(const glm::dmat4 &eyeFromWorld)
 {
     glm::dmat3 axes = glm::dmat3(eyeFromWorld) / eyeFromWorld[3][3];
-    constexpr int kMostSteps = 30; // it doubles the digits with each step once it is near
+    constexpr int kMostSteps = 30; // near the solution, each step doubles the digits
     for (int step = 0; step < kMostSteps; ++step) {
         const glm::dmat3 next = 0.5 * (axes + glm::inverse(glm::transpose(axes)));
         const double moved = largestDifference(next, axes);
@@ -64,7 +64,8 @@ std::optional<double> roundedOff(const glm::dmat4 &eyeFromWorld)
     const glm::dmat3 axes = glm::dmat3(eyeFromWorld) / eyeFromWorld[3][3];
     if (glm::determinant(axes) == 0.0)
         return std::nullopt;
-    // Half a unit in each entry is rounding; the nearest axes are not quite those that were rounded.
+    // Rounding explains half a unit per entry; the margin is for the nearest axes, which differ
+    // from the rounded ones.
     if (!(largestDifference(glm::dmat3(orthonormal(eyeFromWorld)), axes) <= 0.75 * unit))
         return std::nullopt;
     const glm::dmat3 off = axes * glm::transpose(axes);

@@ -27,7 +27,7 @@ bool has(const std::vector<MatrixFinding> &found, MatrixFault fault)
     return std::any_of(found.begin(), found.end(), [fault](const MatrixFinding &one) { return one.fault == fault; });
 }
 
-/// Whether a matrix has the form of its role, or that of its inverse, as it is read.
+/// Returns whether a matrix has the form of its role or its inverse's.
 bool isCamera(const glm::dmat4 &matrix, MatrixRole role)
 {
     const std::vector<MatrixFinding> found = findings(matrix, role);
@@ -35,7 +35,7 @@ bool isCamera(const glm::dmat4 &matrix, MatrixRole role)
            && !has(found, MatrixFault::Exchanged);
 }
 
-/// Whether the pixels of a viewport are square by a projection or a product.
+/// Returns whether a projection or a product has square pixels in the viewport.
 bool hasSquarePixels(const glm::dmat4 &matrix, MatrixRole role, double aspect)
 {
     constexpr double kSquare = 0.01;
@@ -46,7 +46,8 @@ bool hasSquarePixels(const glm::dmat4 &matrix, MatrixRole role, double aspect)
     return std::abs(std::abs(lens[1][1] / lens[0][0]) / aspect - 1.0) <= kSquare;
 }
 
-/// What a matrix tells by itself; nothing where it is the same in both orders, or no camera's in either.
+/// The order that a matrix alone determines; nothing if both orders are equal, or neither is a
+/// camera's.
 std::optional<ToldOrder> toldBy(const BothOrders &m, const std::optional<double> &aspect)
 {
     if (isSingular(m.usual) || isSame(m.usual, m.other))
@@ -70,7 +71,7 @@ std::vector<ToldOrder> toldOrders(std::span<const BothOrders> matrices, const st
     std::vector<std::optional<ToldOrder>> own;
     for (const BothOrders &m : matrices)
         own.push_back(toldBy(m, aspect));
-    // Of a form, or of all.
+    // Considers the matrices of one form, or all.
     const auto anyTells = [&](ToldOrder order, const std::optional<MatrixForm> &form) {
         for (std::size_t i = 0; i < own.size(); ++i) {
             if (own[i] == order && (!form || matrices[i].form == *form))

@@ -11,12 +11,12 @@
 
 namespace unprojector::matrices {
 
-/// How a matrix's numbers tell the order in which they stand.
+/// The order of a matrix's numbers, derived from the numbers.
 enum class ToldOrder {
-    Usual,         ///< that of its form
-    Other,         ///< only in the other order are they a camera's
-    OtherAsOthers, ///< in both they are a camera's; another matrix of the same form tells that it is the other order
-    Open           ///< in both they are a camera's, another one in each, and nothing tells which is meant
+    Usual,         ///< the usual order of its form
+    Other,         ///< only the other order gives a camera's matrix
+    OtherAsOthers, ///< both orders give a camera's matrix; a matrix of the same form shows that it is the other
+    Open           ///< both orders give a camera's matrix, a different one each, and nothing decides between them
 };
 
 /// A matrix read in both orders.
@@ -26,12 +26,14 @@ struct BothOrders {
     glm::dmat4 usual{1.0}, other{1.0};
 };
 
-/// In which order the matrices of one text stand. Each tells by its own numbers; one that only turns, say, tells nothing and goes
-/// by those of the same form, or by all others where these have the order of their forms.
-/// @param aspect  width by height of the viewport, where it is known: between two cameras the one of square pixels counts
+/// The orders of the matrices of one text. Each is derived from its own numbers. An ambiguous
+/// matrix, such as a pure rotation, takes the order of the others of its form. If these don't
+/// decide, it takes its usual order, provided that matrices of other forms have theirs.
+/// @param aspect  the viewport's width / height, if known: of two possible cameras, the one with
+///         square pixels is chosen
 std::vector<ToldOrder> toldOrders(std::span<const BothOrders> matrices, const std::optional<double> &aspect);
 
-/// What is to be said of it; nothing where the order is the usual one.
+/// The finding about an order; nothing for the usual order.
 std::optional<MatrixFinding> findingOf(ToldOrder told);
 
 } // namespace unprojector::matrices

@@ -10,7 +10,7 @@
 namespace unprojector::mesh {
 namespace {
 
-/// Which vertices hang together.
+/// The connected pieces of the vertices.
 class Pieces {
 public:
     explicit Pieces(std::size_t vertexCount) : m_parents(vertexCount)
@@ -29,7 +29,7 @@ private:
     std::vector<std::uint32_t> m_parents;
 };
 
-/// A number that looks random, of an edge.
+/// A hash of an edge.
 std::uint64_t mixed(std::uint32_t from, std::uint32_t to)
 {
     std::uint64_t x = (std::uint64_t{from} << 32 | to) + 0x9e3779b97f4a7c15ull;
@@ -38,8 +38,9 @@ std::uint64_t mixed(std::uint32_t from, std::uint32_t to)
     return x ^ (x >> 31);
 }
 
-/// Those that run one way are added, those that run the other way taken off: without a sort, and of any number in no
-/// memory. That a sum of 64 bits is zero by chance does not happen.
+/// Returns whether every edge has equally many triangles in both directions. It adds the hashes of
+/// one direction and subtracts the hashes of the other: this needs neither sorting nor memory per
+/// edge. A collision of the 64-bit sum is negligible.
 bool areEdgesPaired(std::span<const std::array<std::uint32_t, 3>> triangles)
 {
     std::uint64_t sum = 0;
@@ -70,7 +71,7 @@ bool isClosedOutwards(std::span<const std::array<std::uint32_t, 3>> triangles, c
     std::vector<double> volumes(positions.size(), 0.0);
     for (const std::array<std::uint32_t, 3> &corners : triangles) {
         const std::uint32_t piece = pieces.of(corners[0]);
-        // About a vertex of the piece, where its volume keeps its digits.
+        // Relative to a vertex of the piece, so that its volume keeps its digits.
         const glm::dvec3 about = positions[piece];
         volumes[piece] += glm::dot(positions[corners[0]] - about,
                                    glm::cross(positions[corners[1]] - about, positions[corners[2]] - about))

@@ -9,10 +9,12 @@
 
 namespace unprojector::mesh {
 
-/// Whether triangles are the whole skin of one or more bodies, and turn their front sides outwards: along every edge as
-/// many of them run one way as the other, and no piece that hangs together encloses a negative volume. Seen from outside,
-/// a back side of such a surface is always hidden by a front side.
-/// @param triangles    corners as numbers of vertices: what touches has the same. None has a corner twice
+/// Returns whether triangles form the whole surface of one or more bodies with their front sides
+/// outwards. That is: each edge has equally many triangles in both directions, and no connected
+/// piece has a negative volume. Seen from outside, a front side always hides the back sides of such
+/// a surface.
+/// @param triangles    vertex numbers of the corners: touching triangles share them. No triangle
+///         has a corner twice
 /// @param leastVolume  of a piece that counts, cubic units
 bool isClosedOutwards(std::span<const std::array<std::uint32_t, 3>> triangles, const std::vector<glm::dvec3> &positions,
                       double leastVolume);

@@ -13,14 +13,15 @@
 namespace unprojector::mesh {
 namespace {
 
-/// Corners are snapped to 1/256 of a pixel at the coarsest that OpenGL's implementations do; doubled twice.
+/// OpenGL implementations snap corners to 1/256 of a pixel at the coarsest; doubled twice as a
+/// margin.
 constexpr float kSnapping = 4.0F / 256.0F;
-/// What rounding may do to a sum of four products in single precision, and to the quotient of two of them, of the summands'
-/// size: OpenGL's, and what is computed here.
+/// The relative rounding error of a sum of four products in single precision, and of the quotient
+/// of two such sums: OpenGL's and this code's.
 constexpr float kRounding = 0x1p-19F;
-/// Beyond, a rasteriser may place corners as it likes.
+/// Beyond this size, the position of corners in a rasteriser is undefined.
 constexpr float kMostPixels = 0x1p20F;
-/// So many pixels' centres are looked at one by one.
+/// The maximum number of pixel centres to test one by one.
 constexpr int kMostCentres = 4;
 
 float dotWithPoint(const glm::vec4 &row, const glm::vec3 &point)
@@ -36,7 +37,7 @@ CoveringTriangles::CoveringTriangles(const Mesh &mesh, const glm::mat4 &clipFrom
 {
     const glm::dmat4 rows = glm::transpose(glm::dmat4(clipFromSource));
     const auto size = [&reach](const glm::dvec4 &row) { return glm::dot(glm::abs(row), glm::dvec4(reach, 1.0)); };
-    // Pixels at once: (x / w + 1) / 2 * width.
+    // Maps to pixels in one step: (x / w + 1) / 2 * width.
     const glm::dvec2 half(viewport.z / 2.0, viewport.w / 2.0);
     m_x = glm::vec4((rows[0] + rows[3]) * half.x);
     m_y = glm::vec4((rows[1] + rows[3]) * half.y);
@@ -60,7 +61,7 @@ bool CoveringTriangles::canCover(const Corner &a, const Corner &b, const Corner 
     const float margin = std::max({a.margin, b.margin, c.margin});
     if (!(margin < kMostPixels))
         return true;
-    // The first pixel whose centre lies in the box around it, and the one after the last.
+    // The first pixel whose centre lies in the bounding box, and the one after the last.
     const auto pixelsFrom = [margin](float lowest) { return static_cast<int>(std::max(lowest - margin + 0.5F, 0.0F)); };
     const auto pixelsTo = [margin](float highest, float rim) {
         return static_cast<int>(std::max(std::min(highest + margin, rim) + 0.5F, 0.0F));
@@ -71,12 +72,13 @@ bool CoveringTriangles::canCover(const Corner &a, const Corner &b, const Corner 
         return false;
     if (right - left > kMostCentres || (right - left) * (top - bottom) > kMostCentres)
         return true;
-    // They may still all lie beside the triangle, on the outer side of one of its edges.
+    // The centres may still all lie outside one of the triangle's edges.
     const float turn = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
     const float side = turn < 0.0F ? -1.0F : 1.0F;
     const auto isOutside = [side, margin](const Corner &from, const Corner &to, float x, float y) {
         const float alongX = to.x - from.x, alongY = to.y - from.y;
-        // What the triangle covers with its corners placed elsewhere by the margin is no farther from what it covers here.
+        // A triangle with corners shifted by up to the margin covers only points within the margin
+        // of this one.
         return side * (alongX * (y - from.y) - alongY * (x - from.x)) < -margin * (std::abs(alongX) + std::abs(alongY));
     };
     for (int j = bottom; j < top; ++j) {
@@ -105,7 +107,8 @@ void CoveringTriangles::append(std::size_t begin, std::size_t end, std::vector<s
     std::size_t used = vertices.size();
     vertices.resize(used + (end - begin));
     for (std::size_t first = begin; first < end; first += 3) {
-        // Written at any rate, and over again by the next where it covers nothing: half of them do, in no order.
+        // Always writes the corners; the next triangle overwrites them if this one covers nothing.
+        // Half of the triangles cover nothing, in no order.
         for (std::size_t k = 0; k < 3; ++k)
             vertices[used + k] = static_cast<std::uint32_t>(m_mesh.vertexAt(first + k));
         const bool isNeeded =

@@ -43,8 +43,8 @@ glm::dvec3 originFor(const Box &box)
         return origin;
     const glm::dvec3 size = box.highest - box.lowest;
     const double width = std::max({size.x, size.y, size.z});
-    // A little more than the width: then every float of the box is between half the origin and twice it, where the
-    // difference of two floats is one as well.
+    // Slightly more than the width. Then every float of the box is between half the origin and
+    // twice it, where the difference of two floats is a float too.
     constexpr double kFar = 1.01;
     for (int axis = 0; axis < 3; ++axis) {
         const double middle = box.center()[axis];
@@ -133,7 +133,7 @@ void setPositions(Mesh &mesh, const glm::dvec3 &origin, std::span<const glm::dve
 void ShownBox::add(const Mesh &mesh, std::size_t vertex)
 {
     const glm::vec3 &p = mesh.positions[vertex];
-    // Only what reaches the box's rim in single precision is looked at in double.
+    // Only vertices at the box's rim in single precision are tested in double.
     if (p.x > m_lowest.x && p.y > m_lowest.y && p.z > m_lowest.z && p.x < m_highest.x && p.y < m_highest.y
         && p.z < m_highest.z)
         return;

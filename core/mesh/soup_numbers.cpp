@@ -22,7 +22,7 @@ std::uint64_t hashAt(const Mesh &mesh, std::size_t vertex)
     return hash;
 }
 
-/// Finds the first vertex at a place, among those that were asked for.
+/// Finds the first vertex at a position, among those queried so far.
 class FirstVertices {
 public:
     FirstVertices(const Mesh &mesh, std::size_t expectedCount)
@@ -76,7 +76,8 @@ std::size_t numberPlaces(const Mesh &mesh, std::vector<std::uint32_t> &numbers)
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     const std::size_t tasks = vertices < kFewVertices ? 1 : std::min(cores, kMostTasks);
     numbers.resize(vertices);
-    // Each looks at all vertices, in their order, and takes those of its own hashes: equal ones are of one task.
+    // Each task scans all vertices in order and takes the ones with its own hashes, so equal ones
+    // belong to one task.
     threads::inParallel(tasks, {}, [&](std::size_t task) {
         constexpr std::size_t kVerticesAtPlace = 6; // in most meshes
         FirstVertices first(mesh, vertices / kVerticesAtPlace / tasks);
@@ -89,7 +90,7 @@ std::size_t numberPlaces(const Mesh &mesh, std::vector<std::uint32_t> &numbers)
     std::uint32_t count = 0;
     for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
         const std::uint32_t firstVertex = numbers[vertex];
-        numbers[vertex] = firstVertex == vertex ? count++ : numbers[firstVertex]; // which comes before it
+        numbers[vertex] = firstVertex == vertex ? count++ : numbers[firstVertex]; // which has a lower index
     }
     return count;
 }

@@ -9,13 +9,13 @@ namespace unprojector::mesh {
 
 struct Mesh;
 
-/// Numbers a mesh's vertices by their places, in the order in which these come first. By all cores.
+/// Numbers a mesh's vertices by position, in the order of first occurrence. Uses all cores.
 /// @param numbers  one a vertex
-/// @return how many places there are
+/// @return the number of different positions
 std::size_t numberPlaces(const Mesh &mesh, std::vector<std::uint32_t> &numbers);
 
-/// The same of a mesh that is too large to join its equal vertices at import: made when it is asked for first. Safe to ask
-/// from many threads at once.
+/// The numbers of a mesh that is too large to merge its equal vertices at import, computed on first
+/// use. Many threads may ask at once.
 class SoupNumbers {
 public:
     /// @param mesh  the same at every call

@@ -19,11 +19,11 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::size_t kElementsBetweenReports = std::size_t{1} << 18;
 
-/// Passes the share done on, now and then.
+/// Forwards the share done from time to time.
 class Reporter {
 public:
     Reporter(const StandInProgress &progress, std::size_t total) : m_progress(progress), m_total(total) {}
-    /// @return whether to go on
+    /// @return whether to continue
     bool step()
     {
         if (++m_done % kElementsBetweenReports == 0 && m_progress && !m_isEnded)
@@ -39,7 +39,7 @@ private:
     bool m_isEnded = false;
 };
 
-/// Numbers the cells of a grid in the order in which they are met.
+/// Numbers the cells of a grid in the order of first use.
 class Cells {
 public:
     explicit Cells(double width) : m_perUnit(1.0 / width), m_slots(std::size_t{1} << 16, kNone) {}
@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    /// 21 bits an axis: the grid is as fine as a few hundred thousand cells of a surface ask for.
+    /// A key of 21 bits an axis: fine enough for a few hundred thousand cells of a surface.
     std::uint64_t keyOf(const glm::dvec3 &place) const
     {
         std::uint64_t key = 0;
@@ -93,12 +93,12 @@ private:
     std::vector<std::uint32_t> m_slots;
 };
 
-/// What is gathered of the vertices in one cell.
+/// The sums over the vertices in one cell.
 struct Cluster {
     glm::dvec3 sum{0.0};
     double count = 0.0;
     glm::dvec3 normal{0.0};
-    std::uint32_t first = 0; ///< its colour and its texture coordinate stand for all
+    std::uint32_t first = 0; ///< its colour and texture coordinate represent all
 };
 
 double areaOf(const Mesh &mesh)
@@ -113,8 +113,8 @@ double areaOf(const Mesh &mesh)
     return sum;
 }
 
-/// Of a surface about two triangles and a half are left for each square as wide as a cell; cells are cut at their corners
-/// as well as through their middles.
+/// The cell width for a target count. A surface keeps about two and a half triangles per square as
+/// wide as a cell, because cells are cut at their corners as well as through their middles.
 double cellWidth(const Model &model, std::size_t most)
 {
     double area = 0.0;
@@ -124,7 +124,7 @@ double cellWidth(const Model &model, std::size_t most)
         if (mesh.kind == Mesh::Kind::Points)
             points.add(boundsOf(std::vector{mesh}));
     }
-    // Points lie on a surface as a rule: on one about as large as that of their box.
+    // Points usually lie on a surface, which is about as large as their box's.
     if (!points.isEmpty()) {
         const glm::dvec3 size = points.highest - points.lowest;
         area += 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
@@ -134,7 +134,7 @@ double cellWidth(const Model &model, std::size_t most)
     return width > 0.0 && std::isfinite(width) ? width : 1.0;
 }
 
-/// The corners of triangles, each once: many triangles of a fine mesh fall onto the same three cells.
+/// Removes duplicate triangles: many triangles of a fine mesh collapse to the same three cells.
 void removeRepeated(std::vector<std::array<std::uint32_t, 3>> &triangles)
 {
     for (std::array<std::uint32_t, 3> &corners : triangles)
@@ -189,10 +189,10 @@ Mesh clustered(const Mesh &mesh, double width, Reporter &reporter)
     std::vector<glm::dvec3> means;
     for (const Cluster &cluster : clusters)
         means.push_back(cluster.sum / cluster.count);
-    // What was closed still is when its vertices have been drawn together. Triangles that lie on each other or are turned
-    // over in a fold are part of that, and are left as they are.
+    // Merging vertices keeps a closed surface closed. Overlapping or flipped triangles in a fold
+    // are a part of that, and stay unchanged.
     coarse.isClosed = isClosedOutwards(triangles, means, width * width * width);
-    // Where the mesh is thin or folded within a cell a triangle may come out turned over, and would be lit from behind.
+    // A triangle of a thin or folded mesh may come out flipped, and would be lit from behind.
     for (std::array<std::uint32_t, 3> &corners : triangles) {
         if (coarse.isClosed)
             break;
@@ -233,7 +233,8 @@ Model standInFor(const Model &model, std::size_t most, const StandInProgress &pr
         Mesh next = clustered(mesh, width, reporter);
         if (reporter.isEnded())
             return {};
-        // What is smaller than a cell goes: triangles without indices would be drawn as the vertices come.
+        // Drops meshes smaller than a cell: triangles without indices would be drawn in vertex
+        // order.
         if (mesh.kind == Mesh::Kind::Points || !next.indices.empty())
             coarse.meshes.push_back(std::move(next));
     }

@@ -7,17 +7,17 @@
 
 namespace unprojector::mesh {
 
-/// Called with the share done in [0, 1], never falling; returning false ends the work.
+/// Called with the share done in [0, 1], which never decreases; returning false cancels.
 using StandInProgress = std::function<bool(double share)>;
 
-/// A coarse model that looks like this one from some way off, to be drawn while the view moves: of all vertices of a mesh
-/// that lie in one cell of a grid their mean is left, and of the triangles those whose corners lie in three cells
-/// (Rossignac and Borrel 1993). Its normals are the means of the triangles' own. Positions are relative to the same
-/// origins; points are thinned out by the same grid. It is for looks alone: no coordinate may be read from it. Of meshes that are
-/// closed it says so.
-/// @param most  about how many triangles and points it has
+/// Builds a coarse model to draw while the view moves. A grid cell merges the vertices of a mesh in
+/// it into their mean; triangles with corners in three different cells remain (Rossignac and Borrel
+/// 1993). Normals are the means of the triangles' own. Positions are relative to the same origins;
+/// the same grid thins out points. Closed meshes stay marked as closed. It is only for display:
+/// never read a coordinate from it.
+/// @param most  approximate number of triangles and points
 /// @param progress  may be empty
-/// @return without meshes when it was ended
+/// @return a model without meshes if cancelled
 Model standInFor(const Model &model, std::size_t most, const StandInProgress &progress = {});
 
 } // namespace unprojector::mesh

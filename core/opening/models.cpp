@@ -32,7 +32,7 @@ ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgre
 {
     std::error_code error;
     const std::filesystem::path path = std::filesystem::weakly_canonical(file, error);
-    // Taken before the file is read: what changes in between is seen as a change.
+    // Taken before the file is read, so that a change during reading is detected.
     const State state = error ? State() : stateOf(file);
     ModelPointer known;
     if (state.isKnown) {
@@ -65,7 +65,7 @@ ReadModel ModelFiles::read(const std::filesystem::path &file, const ImportProgre
 
 bool isMeantAsScene(const std::filesystem::path &file)
 {
-    const std::string name = files::utf8FromPath(file.filename()); // of ".json", which has no extension, too
+    const std::string name = files::utf8FromPath(file.filename()); // also of ".json", which has no extension
     constexpr std::string_view kJson = ".json";
     const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
     const std::string end = name.size() < kJson.size() ? std::string() : name.substr(name.size() - kJson.size());

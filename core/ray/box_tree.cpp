@@ -24,7 +24,7 @@ struct Bounds {
         lowest = glm::min(lowest, low);
         highest = glm::max(highest, high);
     }
-    /// Half its surface.
+    /// Half of the surface area.
     float area() const
     {
         const glm::vec3 size = glm::max(highest - lowest, glm::vec3(0.0f));
@@ -44,10 +44,11 @@ struct Bin {
 };
 
 constexpr std::size_t kBins = 16;
-/// From this depth on a part is simply halved: no arrangement of boxes makes a tree too deep to search.
+/// The depth from which parts are simply halved, so that no arrangement of boxes makes the tree too
+/// deep to search.
 constexpr std::size_t kLevelsByArea = 60;
 
-/// A box and its number.
+/// A box and its index.
 struct Item {
     glm::vec3 lowest;
     std::uint32_t number;
@@ -76,7 +77,7 @@ public:
         if (m_items.empty())
             return BoxTree{};
         m_tree.m_nodes.resize(1);
-        // The upper levels here, the parts below them on all cores.
+        // Builds the upper levels here, and the parts below them on all cores.
         const std::size_t threads = std::max(1u, std::thread::hardware_concurrency());
         const std::size_t enough = std::max<std::size_t>(4096, m_items.size() / (8 * threads));
         grow(m_tree.m_nodes, {0, 0, m_items.size(), 0}, enough);
@@ -92,7 +93,7 @@ public:
     }
 
 private:
-    /// Items that a node holds.
+    /// The items of a node.
     struct Part {
         std::uint32_t node;
         std::size_t first, end;
@@ -108,7 +109,7 @@ private:
     std::span<Item> itemsOf(const Part &part) { return {m_items.data() + part.first, part.count()}; }
 
     /// Grows the tree below a node.
-    /// @param enough  parts of this size are left to others
+    /// @param enough  parts of this size are left to other tasks
     void grow(std::vector<Node> &nodes, const Part &root, std::size_t enough)
     {
         std::vector<Part> open{root};
@@ -142,8 +143,8 @@ private:
         }
     }
 
-    /// Puts the items of one half before those of the other.
-    /// @return where the other half begins, inside the part
+    /// Partitions the items into two halves.
+    /// @return where the second half begins within the part
     std::size_t divide(const Part &part, const Bounds &middles)
     {
         const std::span<Item> items = itemsOf(part);
@@ -165,7 +166,7 @@ private:
         return part.first + static_cast<std::size_t>(half);
     }
 
-    /// The plane between bins that makes the sum over both halves of area times count least.
+    /// The plane between bins with the minimum sum over both halves of area times count.
     static Split bestSplit(std::span<const Item> items, const Bounds &middles)
     {
         const glm::vec3 size = middles.highest - middles.lowest;
@@ -218,7 +219,7 @@ private:
         });
     }
 
-    /// Puts the branches in the places that were left for them.
+    /// Inserts the branches into their reserved nodes.
     void graft()
     {
         std::vector<Node> &nodes = m_tree.m_nodes;
@@ -227,7 +228,7 @@ private:
             count += branch.size() - 1;
         nodes.reserve(count);
         for (std::size_t i = 0; i < m_branches.size(); ++i) {
-            // The branch's root takes the place that was left, its node k the place shift + k.
+            // The branch's root takes the reserved node; its node k gets the index shift + k.
             const auto shift = static_cast<std::uint32_t>(nodes.size()) - 1;
             for (Node &node : m_branches[i])
                 node.first += node.count == 0 ? shift : 0;
@@ -254,8 +255,8 @@ private:
     const std::size_t m_mostInLeaf;
     const Progress &m_progress;
     BoxTree m_tree;
-    std::vector<Part> m_parts;                 ///< left to others, with their nodes in the tree
-    std::vector<std::vector<Node>> m_branches; ///< of each part, its root first
+    std::vector<Part> m_parts;                 ///< left to other tasks, with their nodes in the tree
+    std::vector<std::vector<Node>> m_branches; ///< of each part, with the root first
     std::atomic<std::size_t> m_done = 0;
     std::atomic<bool> m_isCancelled = false;
     std::mutex m_telling;

@@ -12,11 +12,12 @@
 
 namespace unprojector::ray {
 
-/// Called with a share done in [0, 1], never falling; returning false cancels. From any thread, one at a time; throws nothing.
+/// Called with the share done in [0, 1], which never decreases; returning false cancels. Called
+/// from any thread, one at a time; throws nothing.
 using Progress = std::function<bool(double share)>;
 
-/// Boxes in boxes, down to a few of what they were built of: a binary tree by the surface area heuristic, built with all cores. Plain
-/// C++, for what Embree does not do and for where it is not.
+/// A bounding volume hierarchy: a binary tree of boxes by the surface area heuristic, built on all
+/// cores. It is plain C++, for queries that Embree lacks and for builds without Embree.
 class BoxTree {
 public:
     struct Box {
@@ -25,23 +26,24 @@ public:
 
     /// @param boxes  finite
     /// @param mostInLeaf  at least 1
-    /// @return nothing when progress says stop
+    /// @return nothing if progress cancels
     static std::optional<BoxTree> build(const std::vector<Box> &boxes, std::size_t mostInLeaf,
                                         const Progress &progress);
 
-    /// Shows to `visit` the numbers of the boxes that it was built of, those that come first first.
-    /// @param entry  where a box (lowest, highest) begins, by whatever measure; infinity: it does not matter
-    /// @param limit  what begins beyond this measure no longer matters; asked for again and again
+    /// Calls `visit` with the indices of the input boxes, nearest first.
+    /// @param entry  where a box (lowest, highest) begins, in any measure; infinity: the box is
+    ///         skipped
+    /// @param limit  boxes that begin beyond this measure are skipped; called again and again
     template <class Entry, class Limit, class Visit>
     void search(const Entry &entry, const Limit &limit, const Visit &visit) const;
 
 private:
-    /// Two siblings lie side by side.
+    /// A node. Two siblings are adjacent.
     struct Node {
         glm::vec3 lowest;
-        std::uint32_t first; ///< child, or place in m_numbers
+        std::uint32_t first; ///< the first child, or index into m_numbers
         glm::vec3 highest;
-        std::uint32_t count; ///< of boxes in a leaf; 0: none
+        std::uint32_t count; ///< the number of boxes in a leaf; 0: an inner node
     };
     class Builder;
     static constexpr std::size_t kMostLevels = 96;

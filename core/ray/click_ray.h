@@ -8,27 +8,29 @@
 
 namespace unprojector::ray {
 
-/// The rays through the positions of a picture, in world space and double precision, by the closed form: from the near plane,
-/// t = 0, to the far plane, t = 1; parallel ones in a box. A matrix that is no known projection goes by its inverse. Where the far
-/// plane is at infinity, t = 1 is anywhere behind the near plane, and the ray has no end.
+/// The rays through the positions of a setup, in world space and double precision, by the closed
+/// form. They go from the near plane, t = 0, to the far plane, t = 1; the rays of a box are
+/// parallel. A matrix that is no known projection uses its inverse. If the far plane is at
+/// infinity, t = 1 is an arbitrary point behind the near plane, and the ray has no end.
 class ClickRays {
 public:
-    /// @param unprojector  of the picture, with this program's own conventions
+    /// @param unprojector  of the setup, in this program's own convention
     explicit ClickRays(const unproject::Unprojector &unprojector);
 
-    /// The ray through a position, in the viewport or not.
+    /// The ray through a position, inside or outside the viewport.
     /// @param position  continuous device pixels, origin top-left: a pixel's centre has halves
     /// @return the errors of Unprojector::worldAt
     geometry::Result<Ray<geometry::WorldSpace>> at(const geometry::DevicePoint &position) const;
 
-    /// By which the rays are computed, and between which depths: those of t = 0 and t = 1.
+    /// The method that computes the rays, and below the depths of their ends at t = 0 and t = 1.
     unproject::Method method() const { return m_method; }
     geometry::DepthRange depths() const { return {m_depthAtNear, m_depthAtFar}; }
 
     const geometry::Setup &setup() const { return m_unprojector.setup(); }
-    /// Where a perspective's rays meet; nothing for a box and for a matrix that is no known projection.
+    /// The common point of a perspective's rays; nothing for a box and for a matrix that is no
+    /// known projection.
     const std::optional<geometry::WorldPoint> &eye() const { return m_eye; }
-    /// Whether a position lies in the viewport, its rim included, and so in the picture.
+    /// Returns whether a position lies in the viewport, its rim included.
     bool isInPicture(const geometry::DevicePoint &position) const;
 
 private:

@@ -18,7 +18,7 @@ using namespace mesh;
 using namespace landmarks;
 namespace {
 
-/// The share of the way from a to b at which it is closest to the origin, in [0, 1].
+/// The parameter in [0, 1] of the point closest to the origin between a and b.
 double closestShare(const glm::dvec3 &a, const glm::dvec3 &b)
 {
     const glm::dvec3 along = b - a;
@@ -52,7 +52,7 @@ glm::dvec3 closestToOrigin(const std::array<glm::dvec3, 3> &corners)
         onEdge[int(next)] = share;
         take(onEdge);
     }
-    // Inside, where the origin's foot on the plane lies on the same side of all edges.
+    // Inside, if the projection of the origin onto the plane lies on the same side of all edges.
     const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     glm::dvec3 inside;
     for (std::size_t i = 0; i < 3; ++i)
@@ -105,7 +105,7 @@ std::optional<ClosestPlace> ClosestPlaces::to(const ObjectPoint &point) const
     if (!isFinite(point))
         return std::nullopt;
     const glm::dvec3 unit = (point.coordinates() - m_space.center()) * m_space.scale();
-    // Boxes are wider than what they hold by more than this rounds; far away it rounds by a share of the distance.
+    // The margin of the boxes exceeds this rounding; far away, rounding is a share of the distance.
     constexpr double kRounding = 0x1p-22;
     const auto entry = [&](const glm::vec3 &lowest, const glm::vec3 &highest) {
         const glm::dvec3 off =
@@ -130,7 +130,7 @@ std::optional<ClosestPlace> ClosestPlaces::to(const ObjectPoint &point) const
             barycentric = place;
         }
     };
-    // Each about its mesh's own origin, where no digit of the vertices is lost.
+    // Relative to each mesh's own origin, so that vertices keep all digits.
     m_tree.search(entry, limit, [&](std::uint32_t number) {
         if (number < m_triangles.count()) {
             const ElementNumbers::Place place = m_triangles.place(number);

@@ -12,30 +12,32 @@
 
 namespace unprojector::ray {
 
-/// The place of a model that is closest to a point.
+/// The location on a model that is closest to a point.
 struct ClosestPlace {
-    landmarks::Anchor anchor; ///< OnTriangle; AtVertex of a point of a point cloud
+    landmarks::Anchor anchor; ///< OnTriangle; AtVertex for a point of a point cloud
     geometry::ObjectPoint point;
-    double distance = 0.0; ///< from the point asked for, object space
+    double distance = 0.0; ///< from the query point, object space
 };
 
-/// The place of a triangle closest to the origin.
-/// @return its three barycentric coordinates, none below 0, exactly 0 and 1 at corners; also of a triangle without an area
+/// The location on a triangle that is closest to the origin.
+/// @return its three barycentric coordinates, none below 0, exactly 0 and 1 at corners; also for a
+///         triangle without area
 glm::dvec3 closestToOrigin(const std::array<glm::dvec3, 3> &corners);
 
-/// Finds the places of a model that are closest to points, in double precision: the same as testing all its triangles and
-/// points, and far faster. Of several equally close the one of the lowest number. Embree or not, the answer is the same.
-/// Building takes a while for large models; afterwards it is immutable, and any thread may ask.
+/// Finds the locations on a model that are closest to points, in double precision. The result
+/// equals a test of all triangles and points, but takes far less time. Of several equally close
+/// ones, the one with the lowest number. Embree does not change the answer. Building takes a while
+/// for large models; afterwards it is immutable, and any thread may query it.
 class ClosestPlaces {
 public:
     /// @param model     one that has triangles or points
     /// @param progress  may be empty
-    /// @return null when progress says stop
+    /// @return null if progress cancels
     /// Throws std::bad_alloc.
     static std::shared_ptr<const ClosestPlaces> build(std::shared_ptr<const mesh::Model> model,
                                                       const Progress &progress);
 
-    /// @return nothing for a point that is not finite
+    /// The closest location; nothing for a point that is not finite.
     std::optional<ClosestPlace> to(const geometry::ObjectPoint &point) const;
 
     const mesh::Model &model() const { return *m_model; }
@@ -46,11 +48,11 @@ private:
     std::shared_ptr<const mesh::Model> m_model;
     ElementNumbers m_triangles, m_points;
     UnitSpace m_space;
-    BoxTree m_tree; ///< of all triangles and behind them all points
+    BoxTree m_tree; ///< of all triangles, followed by all points
 };
 
-/// Where a hold is on a model.
-/// @return nothing where it is free, or the model has no such triangle or vertex
+/// The position of an anchor on a model.
+/// @return nothing if it is free, or the model has no such triangle or vertex
 std::optional<geometry::ObjectPoint> placeOf(const landmarks::Anchor &anchor, const mesh::Model &model);
 
 } // namespace unprojector::ray

@@ -10,16 +10,16 @@
 
 namespace unprojector::ray {
 
-/// Triangles (or vertices, or points) of all meshes of a model, counted through from 0: those of the first mesh, then those
-/// of the next.
+/// Numbers the triangles (or vertices, or points) of all meshes of a model consecutively from 0,
+/// mesh by mesh.
 class ElementNumbers {
 public:
     struct Place {
         std::uint32_t mesh;
-        std::uint32_t element; ///< in it
+        std::uint32_t element; ///< index within the mesh
     };
 
-    /// @param count  how many a mesh has
+    /// @param count  returns the number of elements of a mesh
     template <class Count>
     ElementNumbers(const std::vector<mesh::Mesh> &meshes, const Count &count)
     {
@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    std::vector<std::uint32_t> m_starts; ///< of each mesh
+    std::vector<std::uint32_t> m_starts; ///< the first number of each mesh
     std::uint32_t m_count = 0;
 };
 

@@ -1,4 +1,5 @@
-// The tree by Embree 3 or 4. Embree knows boxes only; which triangle is met, and where, is computed in double, as without it.
+// The tree on Embree 3 or 4. Embree only handles boxes; the hit triangle and its position are
+// computed in double, as without it.
 
 #include "core/ray/triangle_tree.h"
 
@@ -22,7 +23,7 @@ using Context = RTCRayQueryContext;
 using Context = RTCIntersectContext;
 #endif
 
-/// A ray under way, as the callback finds it again: Embree hands on what it was given first.
+/// A query in progress. The callback recovers it from Embree's context, its first member.
 struct Search {
     Context context;
     PacketSearch *packets;
@@ -48,10 +49,10 @@ void intersect(const RTCIntersectFunctionNArguments *arguments)
 bool showPacket(RTCPointQueryFunctionArguments *arguments)
 {
     (*static_cast<const std::function<void(std::uint32_t)> *>(arguments->userPtr))(arguments->primID);
-    return false; // the ball stays as large as it is
+    return false; // the ball keeps its size
 }
 
-/// Hands on what Embree says of its progress, from several threads at once.
+/// Forwards Embree's progress, which comes from several threads at once.
 struct Monitor {
     const Progress &progress;
     std::mutex telling = {};
@@ -74,7 +75,7 @@ struct Monitor {
 
 class EmbreeTree : public TriangleTree {
 public:
-    // Without its threads bound to processors: where they cannot be, Embree says so on stderr.
+    // Threads are not bound to processors: where that is impossible, Embree prints to stderr.
     explicit EmbreeTree(const TrianglePackets &packets) : m_packets(packets), m_device(rtcNewDevice("set_affinity=0"))
     {
         if (m_device == nullptr)
@@ -84,7 +85,7 @@ public:
         rtcSetSceneFlags(m_scene, RTC_SCENE_FLAG_ROBUST);
         RTCGeometry geometry = rtcNewGeometry(m_device, RTC_GEOMETRY_TYPE_USER);
         rtcSetGeometryUserPrimitiveCount(geometry, packets.count());
-        rtcSetGeometryUserData(geometry, const_cast<TrianglePackets *>(&packets)); // it comes back as const
+        rtcSetGeometryUserData(geometry, const_cast<TrianglePackets *>(&packets)); // returned as const
         rtcSetGeometryBoundsFunction(geometry, giveBounds, nullptr);
         rtcSetGeometryIntersectFunction(geometry, intersect);
         rtcCommitGeometry(geometry);
@@ -112,7 +113,8 @@ public:
         case RTC_ERROR_OUT_OF_MEMORY: throw std::bad_alloc();
         case RTC_ERROR_CANCELLED: return false;
         default:
-            // The system has no thread for it. To release now what its scheduler still holds would end the program.
+            // The system has no thread for it. Releasing the rest of Embree's scheduler now would
+            // crash the program.
             m_scene = nullptr;
             m_device = nullptr;
             return false;
@@ -151,7 +153,7 @@ public:
         rtcInitPointQueryContext(&context);
         RTCPointQuery query{ball.center.x, ball.center.y, ball.center.z, 0.0f, ball.radius};
         rtcPointQuery(m_scene, &query, &context, showPacket,
-                      const_cast<std::function<void(std::uint32_t)> *>(&visit)); // it comes back as const
+                      const_cast<std::function<void(std::uint32_t)> *>(&visit)); // returned as const
     }
 
 private:

@@ -23,7 +23,8 @@ void *allocateInLargePages(std::size_t bytes)
 {
     void *memory = ::operator new(bytes, alignmentOf(bytes));
 #ifdef __linux__
-    // What does not fill a large page stays in small ones. A system without large pages says so, and nothing is lost.
+    // The rest after the last large page stays in small pages. A failure on a system without large
+    // pages is harmless.
     if (bytes >= kLargePage)
         static_cast<void>(madvise(memory, bytes / kLargePage * kLargePage, MADV_HUGEPAGE));
 #endif

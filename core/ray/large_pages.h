@@ -4,14 +4,16 @@
 
 namespace unprojector::ray {
 
-/// @return memory that begins at a page of 2 MiB where there are as many bytes, else at a line of the cache
+/// Allocates memory at the start of a 2 MiB page if it is at least that large, else at a cache
+/// line.
 /// Throws std::bad_alloc.
 void *allocateInLargePages(std::size_t bytes);
-/// @param bytes  as they were asked for
+/// @param bytes  as allocated
 void freeLargePages(void *memory, std::size_t bytes) noexcept;
 
-/// For an array that is too large for the caches and read here and there. Where the system gives pages of 2 MiB to those who ask (Linux),
-/// it lies in such: the processor knows the places of too few small ones.
+/// An allocator for arrays that are too large for the caches and accessed at random. On systems
+/// that give 2 MiB pages on request (Linux), it uses them: the processor's TLB covers too few small
+/// ones.
 template <class T>
 struct InLargePages {
     using value_type = T;

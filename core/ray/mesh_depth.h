@@ -8,13 +8,13 @@
 
 namespace unprojector::ray {
 
-/// The depth of what the ray of a position meets, as a function.
+/// A function object: the depth of the hit of a position's ray.
 class MeshDepth {
 public:
     explicit MeshDepth(std::shared_ptr<const SceneRays> rays) : m_rays(std::move(rays)) {}
 
     /// @param position  device pixels, origin top-left
-    /// @return in the picture's depth range; nothing where nothing is met
+    /// @return in the setup's depth range; nothing without a hit
     std::optional<double> operator()(const geometry::DevicePoint &position) const;
 
 private:

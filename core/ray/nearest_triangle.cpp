@@ -6,7 +6,8 @@ using namespace mesh;
 
 namespace {
 
-/// Differences of doubles near each other are exact: the mesh's digits and the ray's meet about the mesh's own origin.
+/// The line relative to the mesh's own origin. Differences of nearby doubles are exact, so the
+/// digits of mesh and ray are kept.
 LineCrossing lineAbout(const glm::dvec3 &origin, const Ray<ObjectSpace> &ray)
 {
     return {ray.from.coordinates() - origin, ray.along.coordinates()};

@@ -1,4 +1,4 @@
-// Where the program is built without Embree.
+// Stubs for builds without Embree.
 
 #include "core/ray/triangle_tree.h"
 

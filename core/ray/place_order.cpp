@@ -18,11 +18,11 @@ struct Keyed {
     std::uint32_t number;
 };
 
-constexpr int kBits = 10; ///< along an axis
+constexpr int kBits = 10; ///< per axis
 constexpr std::size_t kCrowd = 64;
 constexpr int kMostLevels = 8;
 
-/// Two zeros between each of the lowest ten bits.
+/// Inserts two zeros between the lowest ten bits.
 std::uint32_t spread(std::uint32_t bits)
 {
     bits = (bits | (bits << 16)) & 0x030000FFu;
@@ -40,7 +40,7 @@ std::uint32_t keyOf(const glm::vec3 &place)
            | spread(static_cast<std::uint32_t>(step.x));
 }
 
-/// By key, equal ones as they were: digit by digit from the lowest.
+/// A stable radix sort by key, from the lowest digit.
 void sortByKey(std::vector<Keyed> &all)
 {
     constexpr std::uint32_t kDigit = 10, kValues = 1u << kDigit;
@@ -89,7 +89,7 @@ struct Placed {
     std::uint32_t number;
 };
 
-/// Parts a list in halves across its longest side, and those again, down to groups of a size.
+/// Halves a list recursively across its longest side, down to groups of the given size.
 void gather(std::span<Placed> all, std::size_t size)
 {
     if (all.size() <= size)

@@ -29,7 +29,8 @@ OnEdge edgeOf(const TriangleDetail &triangle)
     return edge;
 }
 
-/// Where the hit's point goes on its plane when the position goes by a way in the picture, to first order.
+/// The shift of the hit's point on its plane for a shift of the position in the view, to first
+/// order.
 glm::dvec3 wayOnPlane(const ClickRays &rays, const DevicePoint &position, const glm::dvec2 &way, const SceneHit &hit,
                       const WorldVector &normal)
 {
@@ -44,7 +45,7 @@ glm::dvec3 wayOnPlane(const ClickRays &rays, const DevicePoint &position, const 
     return beside - along * (glm::dot(normal.coordinates(), beside) / counted);
 }
 
-/// What a hand leaves open.
+/// The uncertainty due to pointing by hand.
 glm::dvec3 reachOf(const SceneHit &hit, const Anchor &anchor, const SceneRays &rays, const DevicePoint &position,
                    double pixels)
 {
@@ -55,7 +56,7 @@ glm::dvec3 reachOf(const SceneHit &hit, const Anchor &anchor, const SceneRays &r
     const glm::dvec3 aside = wayOnPlane(rays.rays(), position, {half, 0.0}, hit, normal);
     const glm::dvec3 down = wayOnPlane(rays.rays(), position, {0.0, half}, hit, normal);
     if (const auto *edge = std::get_if<OnEdge>(&anchor)) {
-        // It stays on the edge, wherever on it.
+        // It stays on the edge, but anywhere on it.
         const std::array<WorldPoint, 3> corners = rays.corners(hit);
         const auto cornerOf = [&](std::uint32_t vertex) {
             const auto &ids = hit.triangle->ids;

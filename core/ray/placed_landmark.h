@@ -7,18 +7,19 @@
 
 namespace unprojector::ray {
 
-/// What holds a landmark that is placed where a click hits: the triangle; the vertex of a point of a point cloud and of what snaps
-/// to vertices; the edge of what snaps to edges.
-/// @param snap  what the click took
+/// The anchor of a landmark placed at a hit: the triangle; the vertex for a point of a point cloud
+/// or a click snapped to a vertex; the edge for a click snapped to an edge.
+/// @param snap  the mode of the click
 landmarks::Anchor anchorOf(const SceneHit &hit, Snap snap);
 
-/// A landmark without a name, where a click hits. How far each coordinate can be off: by how far a hand that points with that
-/// many pixels leaves the place open on the surface (to first order; a surface seen at less than 0.6 degrees counts as seen at
-/// that), and by SceneHit::uncertainty. A vertex and a point of a point cloud are what the file has: only the latter counts.
-/// @param rays      that hit
-/// @param position  of the hit in their picture
-/// @param object    the name of the object that was hit
-/// @param pixels    how exactly a hand points, device pixels: a click means its pixel, 1
+/// A landmark without a name at a hit. Its uncertainty is the sum of SceneHit::uncertainty and the
+/// extent on the surface of a pointing error of `pixels` (to first order; surfaces seen at less
+/// than 0.6 degrees count as 0.6 degrees). A vertex and a point of a point cloud have only
+/// SceneHit::uncertainty, since the file defines their coordinates.
+/// @param rays      of the hit
+/// @param position  of the hit in their setup
+/// @param object    the name of the hit object
+/// @param pixels    the precision of pointing, device pixels: a click means its pixel, 1
 landmarks::Landmark landmarkAt(const SceneHit &hit, Snap snap, const SceneRays &rays,
                                const geometry::DevicePoint &position, const std::string &object, double pixels = 1.0);
 

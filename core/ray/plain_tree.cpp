@@ -19,7 +19,7 @@ public:
 
     void search(const UnitRay &ray, PacketSearch &search) const override
     {
-        // No infinities: of a line in the plane of a box's side they would make NaN.
+        // Avoids infinities: for a line in the plane of a box's side they would make NaN.
         glm::vec3 inverse;
         for (int axis = 0; axis < 3; ++axis) {
             constexpr float kLeast = 1e-18f;

@@ -24,7 +24,7 @@ double at(const glm::dvec4 &plane, const glm::dvec3 &point)
     return glm::dot(glm::dvec3(plane), point) + plane.w;
 }
 
-/// An aim, prepared for many boxes and points.
+/// A query, prepared for many boxes and points.
 class Reach {
 public:
     explicit Reach(const PointAim &aim) : m_aim(aim)
@@ -36,7 +36,7 @@ public:
             m_sides[std::size_t(axis) * 2] = rowOf(m, axis) - w * (aim.position[axis] - reach[axis]);
             m_sides[std::size_t(axis) * 2 + 1] = w * (aim.position[axis] + reach[axis]) - rowOf(m, axis);
         }
-        // A perspective's depth is w; in a box w is 1 everywhere, and z says it.
+        // A perspective's depth is w. In a box w is 1 everywhere, and z is the depth.
         m_depth = glm::dvec3(w) == glm::dvec3(0.0) ? rowOf(m, 2) : w;
         m_start = at(m_depth, aim.ray.from.coordinates());
         m_rise = glm::dot(glm::dvec3(m_depth), aim.ray.along.coordinates());
@@ -44,7 +44,7 @@ public:
         m_w = w;
     }
 
-    /// The t of the first depth at which a box may hold a point that counts; infinity: none.
+    /// The t of the first depth at which a box may hold a candidate; infinity: none.
     double begin(const glm::dvec3 &center, const glm::dvec3 &half) const
     {
         for (const glm::dvec4 &side : m_sides) {
@@ -59,7 +59,7 @@ public:
 
     double tAt(const glm::dvec3 &point) const { return (at(m_depth, point) - m_start) / m_rise; }
 
-    /// From the position in the picture, pixels; infinity where a point does not count.
+    /// The offset from the position in the view, pixels; infinity for a point that does not count.
     glm::dvec2 pixelsOff(const glm::dvec3 &point, double t) const
     {
         constexpr glm::dvec2 kNone(std::numeric_limits<double>::infinity());
@@ -73,13 +73,14 @@ public:
         const glm::dvec2 off = (glm::dvec2(clip) / clip.w - m_aim.position) / m_aim.ndcOfPixel;
         return glm::dot(off, off) <= m_aim.pixels * m_aim.pixels ? off : kNone;
     }
-    /// Whether the position is on the dot of a point. @param off  pixelsOff of it
+    /// Returns whether the position is on the dot of a point.
+    /// @param off  pixelsOff of it
     bool isOnDot(const glm::dvec2 &off) const
     {
         return std::max(std::abs(off.x), std::abs(off.y)) <= m_aim.dotPixels / 2.0;
     }
 
-    /// How much t may differ among those that are in front.
+    /// The largest difference in t between the front points.
     double frontDepth(const glm::dvec3 &first) const
     {
         constexpr double kWidths = 4.0;
@@ -88,10 +89,10 @@ public:
 
 private:
     const PointAim &m_aim;
-    std::array<glm::dvec4, 4> m_sides; ///< planes, inside above 0
+    std::array<glm::dvec4, 4> m_sides; ///< planes, positive inside
     glm::dvec4 m_depth, m_w;
     double m_start, m_rise;
-    double m_widthOfW; ///< of what the aim reaches, for a w of 1, in t
+    double m_widthOfW; ///< the width of the reach at w = 1, in t
 };
 
 } // namespace
@@ -128,7 +129,7 @@ std::optional<PointHit> PointCloud::nearest(const PointAim &aim) const
     const auto entry = [&](const glm::vec3 &lowest, const glm::vec3 &highest) {
         const glm::dvec3 low(lowest), top(highest);
         const glm::dvec3 center = m_space->center() + (low + top) / (2.0 * m_space->scale());
-        // Rounded, a t may come too late: the search compares it in double again.
+        // Rounding may make t too large: the search compares it in double again.
         const double begin = reach.begin(center, (top - low) / (2.0 * m_space->scale()));
         return begin <= high ? static_cast<float>(begin) : std::numeric_limits<float>::infinity();
     };

@@ -14,33 +14,35 @@
 
 namespace unprojector::ray {
 
-/// Which points a click takes: those whose place in the picture is close enough to it.
+/// The query for the point that a click takes: points close enough to it in the view.
 struct PointAim {
     glm::dmat4 clipFromObject{1.0};
     glm::dvec2 position{0.0};           ///< NDC
     glm::dvec2 ndcOfPixel{0.0};         ///< width and height of a pixel
-    double pixels = 0.0;                ///< how far from the position
-    double dotPixels = 0.0;             ///< how wide and high the dot is that a point is drawn as; no more than pixels
-    Ray<geometry::ObjectSpace> ray;     ///< through the position; only what lies between its ends, in depth, counts
+    double pixels = 0.0;                ///< the largest distance from the position
+    double dotPixels = 0.0;             ///< width and height of the dot that a point is drawn as; at most `pixels`
+    Ray<geometry::ObjectSpace> ray;     ///< through the position; only points between the depths of its ends count
     std::vector<glm::dvec4> clipPlanes; ///< object space
 };
 
-/// A point that a click takes.
+/// The point that a click takes.
 struct PointHit {
-    std::uint32_t vertex = 0; ///< counted through all vertices of the model
-    double t = 0.0;           ///< of the ray, where it is as deep as the point
-    bool isOnDot = false;     ///< the position is on the dot that the point is drawn as
+    std::uint32_t vertex = 0; ///< numbered across all vertices of the model
+    double t = 0.0;           ///< of the ray, at the point's depth
+    bool isOnDot = false;     ///< the position is on the point's dot
 };
 
-/// The points of a model, for clicks. On dots, the point of the front one, which is the one that is drawn. Beside them, of those
-/// near enough to the click in the picture, the front ones count: those no farther behind the first than four times the width
-/// of what the click reaches; and of these the one nearest to the click. So it is neither a point of the far side, seen
-/// through the gaps, nor one at the reach's rim that is nearer by a hair.
-/// Immutable: any thread may ask.
+/// Selects points of a model by clicks. On dots, the click takes the front one, which is the
+/// visible one. Beside them, candidates are the points within reach in the view that lie at most
+/// four reach widths behind the first. Of these, the click takes the one nearest to it. So it takes
+/// neither a point of the far side, seen through the gaps, nor a point at the rim that is in front
+/// by a hair.
+///
+/// Immutable: any thread may query it.
 class PointCloud {
 public:
     /// @param model  outlives this
-    /// @return nothing when progress says stop
+    /// @return nothing if progress cancels
     static std::optional<PointCloud> build(const mesh::Model &model, const UnitSpace &space, const Progress &progress);
 
     std::optional<PointHit> nearest(const PointAim &aim) const;
@@ -50,7 +52,7 @@ private:
 
     const mesh::Model *m_model;
     const UnitSpace *m_space;
-    ElementNumbers m_points;   ///< the elements of meshes of points
+    ElementNumbers m_points;   ///< the elements of point meshes
     ElementNumbers m_vertices; ///< of all meshes
     BoxTree m_tree;
 };

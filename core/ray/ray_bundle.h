@@ -10,8 +10,8 @@
 
 namespace unprojector::ray {
 
-/// The rays through a parallelogram of the picture: all between those through its corners, with the same t on each plane that
-/// is parallel to the near one.
+/// The rays through a parallelogram of the view: all rays between those through its corners, with
+/// equal t on each plane parallel to the near one.
 struct RayBundle {
     Ray<geometry::ObjectSpace> middle;
     std::array<Ray<geometry::ObjectSpace>, 4> corners;
@@ -23,8 +23,8 @@ struct Ball {
     float radius;
 };
 
-/// Balls one behind the other that hold what of a bundle lies in unit space, between the low and the high t of its middle: at most
-/// a few hundred, as small as the bundle is wide where those are enough.
+/// A row of balls that covers a bundle in unit space, between the low and the high t of its middle.
+/// At most a few hundred, as small as the bundle's width if that many suffice.
 std::vector<Ball> ballsAlong(const RayBundle &bundle, const UnitSpace &space);
 
 } // namespace unprojector::ray

@@ -20,7 +20,7 @@ std::shared_ptr<const RayCaster> RayCaster::build(std::shared_ptr<const Model> m
     const std::shared_ptr<RayCaster> caster(new RayCaster(std::move(model), bounds));
     const std::size_t triangles = caster->m_numbers.count(), points = caster->m_model->pointCount();
     const double all = static_cast<double>(std::max<std::size_t>(triangles + points, 1));
-    // One after the other, each its part of the whole.
+    // The steps run in sequence, each with its share of the progress.
     const auto partOf = [&progress](double from, double size) -> Progress {
         if (!progress)
             return {};
@@ -34,7 +34,7 @@ std::shared_ptr<const RayCaster> RayCaster::build(std::shared_ptr<const Model> m
     }
     if (triangles == 0)
         return caster;
-    // No click waits for the names of vertices.
+    // Computed now, so that no click waits for the vertex numbers.
     if (caster->m_model->soupNumbers)
         caster->m_model->vertexNumber(0, 0);
     const Progress rest = partOf(shareOfPoints, 1.0 - shareOfPoints);

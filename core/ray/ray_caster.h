@@ -11,31 +11,31 @@
 
 namespace unprojector::ray {
 
-/// Answers where rays meet a model, exactly as testing all its triangles in double precision would (see NearestTriangle), and
-/// in a microsecond. Building takes a while for large models and may be done on any thread; afterwards it is immutable, and
-/// any thread may ask.
+/// Computes where rays hit a model in about a microsecond, exactly as testing all its triangles in
+/// double precision would (see NearestTriangle). Building takes a while for large models and may
+/// run on any thread. Afterwards it is immutable, and any thread may query it.
 class RayCaster {
 public:
     enum class Tree {
-        Fastest, ///< Embree's where there is Embree
-        Plain,   ///< our own; the answers are the same
+        Fastest, ///< Embree's if available
+        Plain,   ///< this program's own; the answers are the same
     };
 
     /// @param progress  may be empty
-    /// @return null when progress says stop
+    /// @return null if progress cancels
     /// Throws std::bad_alloc.
     static std::shared_ptr<const RayCaster> build(std::shared_ptr<const mesh::Model> model, const Progress &progress,
                                                   Tree tree = Tree::Fastest);
 
     const mesh::Model &model() const { return *m_model; }
-    /// Of the model's triangles.
+    /// The numbers of the model's triangles.
     const ElementNumbers &triangleNumbers() const { return m_numbers; }
 
-    /// The triangle that a ray in object space meets first, from either side.
-    /// @return nothing where there is none in low <= t <= high, and for a ray that is not finite
+    /// The triangle that a ray in object space hits first, from either side.
+    /// @return nothing without one in low <= t <= high, and for a ray that is not finite
     std::optional<TriangleHit> nearestTriangle(const Ray<geometry::ObjectSpace> &ray) const;
 
-    /// Triangles that a bundle of rays passes, and others near them, each once.
+    /// The triangles that a bundle of rays passes, and others near them, each once.
     std::vector<std::uint32_t> trianglesAbout(const RayBundle &bundle) const;
 
     /// The point of the model's point clouds that a click takes, see PointCloud.

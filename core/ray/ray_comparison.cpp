@@ -10,7 +10,7 @@ using Kind = RayComparison::Kind;
 
 namespace {
 
-/// Whether the depth buffer of a click cannot tell a point from the far plane.
+/// Returns whether a click's depth buffer cannot distinguish a point from the far plane.
 bool isKeptAsFar(const Pick &pick, const WorldPoint &world)
 {
     const Result<WindowPoint> window = windowFromWorld(pick.setup, world);

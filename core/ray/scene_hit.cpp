@@ -16,7 +16,8 @@ using namespace unproject;
 
 namespace {
 
-/// A mesh's vertices in the world: what cancels between the mesh's origin and the object's place is summed first.
+/// A mesh's vertices in the world. The mesh's origin and the object's position are summed first,
+/// since they may cancel.
 class PlacedMesh {
 public:
     PlacedMesh(const Mesh &mesh, const glm::dmat4 &worldFromObject)
@@ -34,12 +35,13 @@ public:
     ObjectPoint object(const glm::dvec3 &place) const { return ObjectPoint(m_origin + place); }
     const glm::dmat3 &linear() const { return m_linear; }
 
-    /// What rounding in double may add to a place of the mesh in the world, or between places that are not larger.
+    /// The rounding error in double of a position of the mesh in the world, and of differences
+    /// between positions that are no larger.
     WorldVector rounding(const glm::dvec3 &place) const
     {
         return WorldVector(kRoundings * (m_size + m_absolute * glm::abs(place)));
     }
-    /// The same with that of a ray that goes through it at t.
+    /// The same, plus the rounding error of a ray through it at t.
     WorldVector rounding(const glm::dvec3 &place, const Ray<WorldSpace> &ray, double t) const
     {
         const glm::dvec3 along =
@@ -62,7 +64,7 @@ double distanceOf(const WorldPoint &world, const Ray<WorldSpace> &ray, double t,
     return eye ? distance(world, *eye) : t * length(ray.along);
 }
 
-/// Where on the way between two points a third is nearest, in [0, 1].
+/// The parameter in [0, 1] between two points that is nearest to a third.
 double nearestShare(const WorldPoint &from, const WorldPoint &to, const WorldPoint &point)
 {
     const WorldVector way = to - from;
@@ -140,7 +142,7 @@ SceneHit hitOnTriangle(const RayCaster &caster, const Placement &placement, std:
         detail.ids[k] = caster.model().vertexNumber(place.mesh, mesh.vertexAt(std::size_t{3} * place.element + k));
         world[k] = placed.world(corners[k]);
     }
-    // Scaled to about 1: the square of a length can leave the range of doubles.
+    // Scaled to about 1, since the square of a length can leave the range of doubles.
     const glm::dvec3 side = corners[1] - corners[0], other = corners[2] - corners[0];
     const double size = std::max(glm::length(side), glm::length(other));
     const glm::dvec3 normal = glm::inverse(glm::transpose(placed.linear())) * glm::cross(side / size, other / size);
@@ -161,7 +163,7 @@ SceneHit hitOnTriangle(const RayCaster &caster, const Placement &placement, std:
                            placed.rounding(glm::max(glm::abs(corners[k]), glm::abs(corners[next])))};
     }
 
-    // What the plane may be off along its normal moves the hit along the ray.
+    // An error of the plane along its normal moves the hit along the ray.
     const glm::dvec3 n = glm::abs(detail.normal.coordinates()), along = glm::abs(ray.along.coordinates());
     const glm::dvec3 largest = glm::max(glm::max(glm::abs(corners[0]), glm::abs(corners[1])), glm::abs(corners[2]));
     const WorldVector rounding = placed.rounding(largest, ray, hit.t);

@@ -36,7 +36,7 @@ bool SceneRays::isOnShownSide(const WorldPoint &point) const
 
 std::optional<Ray<WorldSpace>> SceneRays::shown(Ray<WorldSpace> ray) const
 {
-    // The side of a plane that a point of the ray is on is linear in t.
+    // The signed distance of a ray's point from a plane is linear in t.
     for (const glm::dvec4 &plane : m_clipPlanes) {
         const double start = glm::dot(glm::dvec3(plane), ray.from.coordinates()) + plane.w;
         const double rise = glm::dot(glm::dvec3(plane), ray.along.coordinates());

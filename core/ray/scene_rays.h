@@ -12,49 +12,52 @@
 
 namespace unprojector::ray {
 
-/// What a click takes.
+/// The target that a click takes.
 enum class Snap {
-    Surface, ///< what its own ray meets
-    Vertex,  ///< the vertex in sight that is nearest to it in the picture, within kSnapPixels; its very coordinate
-    Edge,    ///< the edge in sight, as well; its nearest point in the picture
-    Face,    ///< what its own ray meets, else the triangle in sight that is nearest to it, as well
+    Surface, ///< the hit of its own ray
+    Vertex,  ///< the visible vertex nearest to it in the view, within kSnapPixels; its exact coordinate
+    Edge,    ///< the nearest visible edge in the same radius; its nearest point in the view
+    Face,    ///< the hit of its own ray, else the nearest visible triangle in the same radius
 };
-/// Device pixels.
+/// The snap radius in device pixels.
 constexpr double kSnapPixels = 8.0;
 
-/// The triangle that a ray meets first, without all that a SceneHit says of it.
+/// The triangle that a ray hits first, without the details of a SceneHit.
 struct FirstTriangle {
-    std::size_t object = 0; ///< place in the scene's list
+    std::size_t object = 0; ///< index in the scene's list
     TriangleHit hit;        ///< its t is the ray's
 };
 
-/// What the clicks on a picture of a scene meet: the objects that are not hidden, what of them lies in the view volume and on
-/// the positive side of every clip plane. Immutable: any thread may ask.
+/// Casts the rays of clicks into a scene: its visible objects, inside the view volume and on the
+/// positive side of every clip plane. Immutable: any thread may query it.
 class SceneRays {
 public:
-    /// @param objects     of the scene, with their places in the list
-    /// @param casters     of their models, one an object; an object whose caster is null (not built yet) is not met, and
-    ///                    neither is one whose transform has no inverse
+    /// @param objects     of the scene, in its order
+    /// @param casters     of their models, one an object; an object whose caster is null (not built
+    ///         yet) is never hit, nor is one whose transform has no inverse
     /// @param clipPlanes  see SceneSettings::clipPlanes
     SceneRays(const unproject::Unprojector &unprojector, std::span<const scene::SceneObject> objects,
               std::span<const std::shared_ptr<const RayCaster>> casters, std::span<const glm::dvec4> clipPlanes);
 
-    /// A point of a point cloud within kSnapPixels counts as met, whatever the mode; see PointCloud for which. Where a
-    /// triangle is met too: if the position is on the point's dot the nearer of both, else the triangle.
-    /// @param position  continuous device pixels, origin top-left; outside the viewport nothing is met
-    /// @return nothing where nothing is met; the errors of ClickRays::at
+    /// The hit of a click. A point of a point cloud within kSnapPixels counts as a hit in every
+    /// mode; PointCloud selects it. If a triangle is hit too: the nearer of both if the position is
+    /// on the point's dot, else the triangle.
+    /// @param position  continuous device pixels, origin top-left; outside the viewport nothing is
+    ///         hit
+    /// @return nothing without a hit; the errors of ClickRays::at
     geometry::Result<std::optional<SceneHit>> at(const geometry::DevicePoint &position,
                                                  Snap snap = Snap::Surface) const;
 
-    /// Of many rays: the surface that a ray meets first, points of clouds passed over. The way into the objects' spaces is in
-    /// plain double, see Placement::plainObjectRay.
-    /// @param ray  in world space, of the picture's rays
+    /// The surface that a ray hits first, ignoring point clouds; for many rays. Converts to object
+    /// space in plain double, see Placement::plainObjectRay.
+    /// @param ray  in world space, one of the setup's rays
     std::optional<FirstTriangle> firstTriangle(const Ray<geometry::WorldSpace> &ray) const;
-    /// Whether an object that can be met has points of a cloud.
+    /// Returns whether an object that can be hit has points of a cloud.
     bool hasPoints() const { return m_hasPoints; }
 
     const ClickRays &rays() const { return m_rays; }
-    /// The corners of the triangle that was hit, in the order of its ids. @pre a hit of these rays, on a triangle
+    /// The corners of the hit triangle, in the order of its ids.
+    /// @pre a hit of these rays, on a triangle
     std::array<geometry::WorldPoint, 3> corners(const SceneHit &hit) const;
 
 private:
@@ -65,21 +68,21 @@ private:
         Placement placement;
     };
 
-    /// Whether no clip plane takes a point away.
+    /// Returns whether no clip plane removes a point.
     bool isOnShownSide(const geometry::WorldPoint &point) const;
-    /// A ray's part that is in the picture and not clipped away.
+    /// The part of a ray that is in the view volume and not clipped.
     std::optional<Ray<geometry::WorldSpace>> shown(Ray<geometry::WorldSpace> ray) const;
-    /// The same of the ray through a position; nothing outside the picture.
+    /// The same for the ray through a position; nothing outside the viewport.
     std::optional<Ray<geometry::WorldSpace>> shownAt(const geometry::DevicePoint &position) const;
     std::optional<SceneHit> nearest(const Ray<geometry::WorldSpace> &ray) const;
     struct TakenPoint {
         SceneHit hit;
-        bool isOnDot = false; ///< the position is on the dot that the point is drawn as
+        bool isOnDot = false; ///< the position is on the dot of the point
     };
-    /// The point of a point cloud that is taken within kSnapPixels.
+    /// The point of a point cloud that a click takes within kSnapPixels.
     std::optional<TakenPoint> nearestPoint(const geometry::DevicePoint &position,
                                            const Ray<geometry::WorldSpace> &ray) const;
-    /// @param index  in the scene's list, of one that can be met
+    /// @param index  in the scene's list, of an object that can be hit
     const Object &object(std::size_t index) const;
 
     ClickRays m_rays;

@@ -16,7 +16,7 @@ using namespace geometry;
 
 namespace {
 
-/// Pixels: of two places behind each other the one behind may be nearer by a rounding.
+/// The tolerance in pixels: of two points behind each other, rounding may make the rear one nearer.
 constexpr double kSamePlace = 1e-6;
 
 } // namespace
@@ -28,7 +28,8 @@ SnapSearch::SnapSearch(const SceneRays &rays, const DevicePoint &position) : m_r
     if (const Result<Ray<WorldSpace>> ray = rays.rays().at(position); ray && m_clipFromWorld)
         m_nearW = (*m_clipFromWorld * glm::dvec4(ray->from.coordinates(), 1.0)).w;
     std::vector<std::pair<double, DevicePoint>> positions;
-    // Somewhat farther out, since a triangle may end at what it is taken for.
+    // Casts rays somewhat beyond the radius, since a triangle may end at the very point that
+    // counts.
     constexpr double kFarther = 2.0;
     const int reach = static_cast<int>(kSnapPixels + kFarther);
     for (int j = -reach; j <= reach; ++j) {
@@ -71,12 +72,12 @@ std::optional<SceneHit> SnapSearch::inSight(const Place &place) const
     SceneHit hit =
         hitOnTriangle(*object.caster, object.placement, place.triangle, place.barycentric, *part, m_rays.rays().eye());
     hit.object = place.object;
-    // On the rim of what is hidden or cut off, rounding decides.
+    // The tolerance at the rim of hidden or clipped parts, where rounding decides.
     constexpr double kRounding = 1e-9;
     if (hit.t < part->low - kRounding || hit.t > part->high * (1.0 + kRounding))
         return std::nullopt;
     const std::optional<SceneHit> first = m_rays.nearest(*part);
-    // The place is as certain as its edge, however the triangle is seen.
+    // The uncertainty is the edge's, at any angle of the triangle.
     const WorldVector &own = hit.triangle->edge.uncertainty;
     const bool isHidden = first && first->t < hit.t * (1.0 - kRounding) - kRounding
                           && distance(first->world, hit.world) > 4.0 * length(first->uncertainty + own);
@@ -93,10 +94,10 @@ std::optional<SnapSearch::InSight> SnapSearch::nearestInSight(std::vector<Place>
             break;
         const bool isKnown = before && before->object == place.object && before->world == place.world;
         before = &place;
-        if (isKnown) // a corner of several triangles
+        if (isKnown) // a corner shared by several triangles
             continue;
         const std::optional<SceneHit> hit = inSight(place);
-        if (hit && (!nearest || hit->t < nearest->hit.t)) // the front one of those behind each other
+        if (hit && (!nearest || hit->t < nearest->hit.t)) // the front one of overlapping points
             nearest = InSight{*hit, nearest ? nearest->pixels : place.pixels};
     }
     return nearest;
@@ -135,7 +136,7 @@ bool SnapSearch::Occluder::covers(const DevicePoint &at) const
 
 std::vector<SnapSearch::Occluder> SnapSearch::occluders() const
 {
-    // All positions that are snapped to lie between these.
+    // Bounds all positions that can be snapped to.
     std::vector<std::pair<DevicePoint, Ray<WorldSpace>>> rays;
     for (const double right : {-kSnapPixels, kSnapPixels}) {
         for (const double down : {-kSnapPixels, kSnapPixels}) {
@@ -181,7 +182,7 @@ std::vector<SnapSearch::Occluder> SnapSearch::occluders() const
 
 void SnapSearch::eraseHidden(std::vector<Place> &places, const std::vector<Occluder> &occluders)
 {
-    constexpr double kBehind = 1e-4; // of the way to the place
+    constexpr double kBehind = 1e-4; // share of the distance to the point
     std::erase_if(places, [&occluders](const Place &place) {
         return std::any_of(occluders.begin(), occluders.end(), [&place](const Occluder &occluder) {
             return occluder.covers(place.at)
@@ -199,7 +200,7 @@ std::optional<SceneHit> SnapSearch::nearest(const AddPlaces &addPlaces) const
     for (const Seen &seen : m_seen)
         addPlaces(m_rays.object(seen.hit.object), seen.hit.triangle->triangle, kSnapPixels, places);
     std::optional<InSight> taken = nearestInSight(std::move(places));
-    // A triangle that no ray has met may have something that is nearer yet.
+    // A triangle that no ray has hit may have something nearer.
     constexpr double kRounding = 0.01;
     const double reach = taken ? taken->pixels : kSnapPixels;
     const std::vector<Occluder> hiding = occluders();
@@ -242,7 +243,7 @@ std::optional<SceneHit> SnapSearch::vertex() const
     std::optional<SceneHit> hit = nearest([this](const auto &object, std::uint32_t triangle, double pixels,
                                                  auto &places) { addCorners(object, triangle, pixels, places); });
     if (hit)
-        hit->uncertainty = hit->vertex.uncertainty; // it is no place where a ray meets a plane
+        hit->uncertainty = hit->vertex.uncertainty; // the vertex's own, since no plane is intersected
     return hit;
 }
 
@@ -252,7 +253,7 @@ void SnapSearch::addEdges(const SceneRays::Object &object, std::uint32_t triangl
     const auto corners = worldCorners(*object.caster, object.placement, triangle);
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
-        // The part behind the near plane, in shares of the edge.
+        // Cuts the part behind the near plane, in shares of the edge.
         const auto depth = [&](const WorldPoint &p) { return (*m_clipFromWorld * glm::dvec4(p.coordinates(), 1.0)).w; };
         const double one = depth(corners[k]) - m_nearW, other = depth(corners[next]) - m_nearW;
         if (one < 0.0 && other < 0.0)
@@ -263,7 +264,8 @@ void SnapSearch::addEdges(const SceneRays::Object &object, std::uint32_t triangl
         const auto start = seenAt(corners[k] + way * from), end = seenAt(corners[k] + way * to);
         if (!start || !end)
             continue;
-        // The nearest share in the picture, and from it that of the edge: what is nearer is drawn larger.
+        // The nearest share in the view, converted to the share of the edge: nearer parts are drawn
+        // larger.
         const glm::dvec2 drawn = end->coordinates() - start->coordinates();
         const double square = glm::dot(drawn, drawn);
         const double share =

@@ -11,27 +11,28 @@
 
 namespace unprojector::ray {
 
-/// What in sight near a position a click snaps to. Rays through the positions about it, a pixel apart, find most of it; what is
-/// nearer than that, and thin or small enough to lie between them, is looked for among all triangles there.
+/// Finds the visible vertex, edge or face near a position that a click snaps to. Rays through the
+/// positions around it, a pixel apart, find most of them. A search among all triangles there finds
+/// the ones thin or small enough to lie between the rays.
 class SnapSearch {
 public:
     /// @param rays  outlive this
     SnapSearch(const SceneRays &rays, const geometry::DevicePoint &position);
 
-    /// The vertex that is nearest in the picture, within kSnapPixels, and that nothing hides.
+    /// The nearest visible vertex in the view, within kSnapPixels.
     std::optional<SceneHit> vertex() const;
-    /// The same of the nearest points of edges.
+    /// The nearest visible point of an edge, in the same radius.
     std::optional<SceneHit> edge() const;
-    /// The nearest place at which a triangle was met.
+    /// The nearest location where a ray hit a triangle.
     std::optional<SceneHit> face() const;
 
 private:
-    /// A triangle that was met, and how far from the position.
+    /// A hit triangle, and its distance from the position.
     struct Seen {
         SceneHit hit;
         double pixels;
     };
-    /// A place on a triangle.
+    /// A location on a triangle.
     struct Place {
         std::size_t object;
         std::uint32_t triangle;
@@ -40,20 +41,19 @@ private:
         geometry::DevicePoint at;
         double pixels; ///< from the position
     };
-    /// A triangle that was met, whole in front of the eye and not clipped, as what hides others.
+    /// A hit triangle that can hide others: wholly in front of the eye and not clipped.
     struct Occluder {
-        std::array<glm::dvec2, 3> corners; ///< in the picture, counter-clockwise as numbers go
+        std::array<glm::dvec2, 3> corners; ///< in the view, counter-clockwise in these coordinates
         bool covers(const geometry::DevicePoint &at) const;
         geometry::WorldPoint on;
-        glm::dvec3 behind;         ///< its normal on the far side, length 1
+        glm::dvec3 behind;         ///< its normal towards the far side, length 1
         geometry::WorldPoint from; ///< on the near plane
-        double
-            coversTo; ///< the t up to which something beside it is seen at all; infinity: it does not cover everything
+        double coversTo; ///< the t up to which points beside it may be visible; infinity: it does not cover everything
     };
 
-    /// Where a world point is seen; nothing behind the eye.
+    /// The position of a world point in the view; nothing behind the eye.
     std::optional<geometry::DevicePoint> seenAt(const geometry::WorldPoint &point) const;
-    /// Adds the places that a triangle of an object has no farther than some pixels away.
+    /// Adds the locations of a triangle of an object that lie within some pixels.
     using AddPlaces =
         std::function<void(const SceneRays::Object &, std::uint32_t, double pixels, std::vector<Place> &)>;
     void addCorners(const SceneRays::Object &object, std::uint32_t triangle, double pixels,
@@ -61,7 +61,8 @@ private:
     void addEdges(const SceneRays::Object &object, std::uint32_t triangle, double pixels,
                   std::vector<Place> &places) const;
     std::optional<SceneHit> nearest(const AddPlaces &addPlaces) const;
-    /// The rays through all positions so near, in the space of an object; nothing where they cannot be computed.
+    /// The rays through all positions within a distance, in the space of an object; nothing if they
+    /// cannot be computed.
     std::optional<RayBundle> bundle(const SceneRays::Object &object, double pixels, double high) const;
     struct InSight {
         SceneHit hit;
@@ -69,7 +70,7 @@ private:
     };
     std::optional<InSight> nearestInSight(std::vector<Place> places) const;
     std::vector<Occluder> occluders() const;
-    /// Removes what lies well behind one of them: it is much faster seen so than by rays.
+    /// Removes the locations well behind an occluder: much faster than casting rays.
     static void eraseHidden(std::vector<Place> &places, const std::vector<Occluder> &occluders);
     std::optional<SceneHit> inSight(const Place &place) const;
 
@@ -77,10 +78,10 @@ private:
     geometry::DevicePoint m_position;
     std::optional<glm::dmat4> m_clipFromWorld;
     double m_nearW = 1.0;     ///< of clip space, on the near plane
-    std::vector<Seen> m_seen; ///< the nearest first, each triangle once
+    std::vector<Seen> m_seen; ///< nearest first, each triangle once
 };
 
-/// Why a pick has found nothing, in the language of text::tr().
+/// The reason why a click found nothing, in the language of text::tr().
 std::string nothingText(Snap snap);
 
 } // namespace unprojector::ray

@@ -13,7 +13,7 @@ using namespace geometry;
 
 namespace {
 
-/// Of a place and what it was written as: what single precision leaves.
+/// The relative tolerance between a position and its text: single precision.
 constexpr double kSamePlace = 1e-6;
 
 glm::dvec3 moved(const glm::dmat4 &matrix, const glm::dvec3 &point)
@@ -47,7 +47,7 @@ std::optional<Tied> tieToMesh(landmarks::Landmark &landmark, std::span<const Tyi
         const std::optional<ClosestPlace> there = target.places->to(ObjectPoint(object));
         if (!there)
             continue;
-        // Through the matrix and back there is rounding, and without one there is none.
+        // The way through the matrix and back rounds; the identity does not.
         const double distance = target.worldFromObject == glm::dmat4(1.0)
                                     ? there->distance
                                     : glm::distance(moved(target.worldFromObject, there->point.coordinates()), world);

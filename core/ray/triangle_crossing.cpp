@@ -11,7 +11,8 @@ namespace unprojector::ray {
 using namespace geometry;
 namespace {
 
-/// Cross product of two sheared corners: on which side of their edge the line passes.
+/// Cross product of two sheared corners: its sign is the side of their edge on which the line
+/// passes.
 double edge(double bx, double by, double cx, double cy)
 {
     return cx * by - cy * bx;
@@ -38,7 +39,8 @@ LineCrossing::Sheared LineCrossing::sheared(const glm::dvec3 &corner) const
 
 double LineCrossing::preciseEdge(const glm::dvec3 &b, const glm::dvec3 &c) const
 {
-    // Only the direction counts: with its longest coordinate between 1 and 2 the products stay in range.
+    // Only the direction matters: with its longest coordinate between 1 and 2, the products stay in
+    // range.
     const int exponent = std::ilogb(m_along[m_z]);
     const auto direction = [&](int axis) { return std::scalbn(m_along[axis], -exponent); };
     const double longest = direction(m_z);
@@ -46,7 +48,7 @@ double LineCrossing::preciseEdge(const glm::dvec3 &b, const glm::dvec3 &c) const
         const auto from = [&](int k) { return DoubleDouble(corner[k]) - m_from[k]; };
         return from(axis) * longest - from(m_z) * direction(axis);
     };
-    // All times `longest` squared, which is above 0.
+    // All terms times `longest` squared, which is above 0.
     const DoubleDouble area = shearedOf(c, m_x) * shearedOf(b, m_y) - shearedOf(c, m_y) * shearedOf(b, m_x);
     return (area / (DoubleDouble(longest) * longest)).value;
 }
@@ -63,7 +65,7 @@ std::optional<Crossing> LineCrossing::with(const glm::dvec3 &a, const glm::dvec3
     double u = edge(q.x, q.y, r.x, r.y);
     double v = edge(r.x, r.y, p.x, p.y);
     double w = edge(p.x, p.y, q.x, q.y);
-    // x and y are off by a few roundings of `size`, and so an edge by less than this.
+    // The rounding error of x and y is a few roundings of `size`; this bounds the error of an edge.
     const double size = std::max({p.size, q.size, r.size});
     const double reach =
         std::max({std::abs(p.x), std::abs(p.y), std::abs(q.x), std::abs(q.y), std::abs(r.x), std::abs(r.y)});

@@ -17,7 +17,7 @@ using namespace mesh;
 
 namespace {
 
-/// Has memory brought into the cache, where we know how to.
+/// Prefetches a value into the cache, on processors where this is implemented.
 template <class T>
 void prefetch([[maybe_unused]] const T &value)
 {
@@ -143,7 +143,8 @@ bool TrianglePackets::test(const PacketSearch::Waiting &waiting, PacketSearch &s
     const std::uint32_t mesh = waiting.mesh;
     if (mesh != search.m_mesh)
         search.enter(mesh);
-    // As LineCrossing, but an edge that the ray passes within the margin counts as passed on either side.
+    // The test of LineCrossing, but an edge within the margin of the ray counts as passed on either
+    // side.
     using Lanes = std::array<float, kSize>;
     const Packet &p = m_packets[waiting.packet];
     const float fromX = search.m_from[search.m_x], fromY = search.m_from[search.m_y], fromZ = search.m_from[search.m_z];

@@ -15,13 +15,14 @@
 
 namespace unprojector::ray {
 
-/// A ray's way through a model's packets: first seen in single precision, then met exactly.
+/// The traversal of a model's packets by a ray: first filtered in single precision, then tested
+/// exactly.
 class PacketSearch {
 public:
     /// @param model  outlives this
     PacketSearch(const mesh::Model &model, const UnitSpace &space, const UnitRay &unit, NearestTriangle &nearest);
 
-    /// How far in unit space something may begin that is of interest yet.
+    /// The length in unit space up to which boxes still matter.
     float length() const { return m_length; }
 
 private:
@@ -37,17 +38,18 @@ private:
     const UnitRay &m_unit;
     NearestTriangle &m_nearest;
     float m_length;
-    std::size_t m_x, m_y, m_z; ///< the ray goes farthest along axis m_z
+    std::size_t m_x, m_y, m_z; ///< the largest component of the ray's direction is along axis m_z
     float m_shearX, m_shearY;
     std::uint32_t m_mesh = 0;
     std::array<float, 3> m_from{};      ///< relative to the mesh's origin
-    float m_margin = 0.0f;              ///< what single precision may be off there
-    std::array<Waiting, 2> m_waiting{}; ///< packets on their way from memory, the earlier first
+    float m_margin = 0.0f;              ///< the error of single precision there
+    std::array<Waiting, 2> m_waiting{}; ///< packets being fetched from memory, the earlier first
 };
 
-/// A model's triangles, eight neighbours of a mesh together, in single precision: what a tree has for leaves. With all eight
-/// at once it is seen which of them a ray may meet; that is then tested exactly. A triangle takes 40 bytes. In a mesh with
-/// remainders (see Mesh) it takes 36 more: a copy of its corners' remainders, so that no test waits for the mesh's own arrays.
+/// The leaves of a tree: a model's triangles in single precision, in packets of eight neighbours of
+/// a mesh. A test of all eight at once selects the ones that a ray may hit; an exact test follows.
+/// A triangle takes 40 bytes. In a mesh with remainders (see Mesh) it takes 36 more: a copy of its
+/// corners' remainders, so that no test waits for the mesh's own arrays.
 class TrianglePackets {
 public:
     static constexpr std::size_t kSize = 8;
@@ -59,26 +61,28 @@ public:
     std::uint32_t count() const { return static_cast<std::uint32_t>(m_packets.size()); }
     /// The box of a packet in unit space, widened by its margin.
     BoxTree::Box boxOf(std::uint32_t packet) const;
-    /// Its triangles, the last one again where there are fewer.
+    /// The triangles of a packet; the last one repeats if there are fewer.
     const std::array<std::uint32_t, kSize> &trianglesOf(std::uint32_t packet) const
     {
         return m_packets[packet].numbers;
     }
-    /// Has a packet tested. It takes as long to come from memory as the tree takes to name the next ones, so it waits for two of them.
-    /// @return whether a triangle of those tested meanwhile is the nearest so far
+    /// Queues a packet for testing. The queue holds two, because fetching one from memory takes as
+    /// long as the tree takes to find the next ones.
+    /// @return whether a triangle tested during this call is the nearest so far
     bool take(std::uint32_t packet, PacketSearch &search) const;
-    /// Tests those that wait, when the tree has named all.
+    /// Tests the queued packets, after the tree has found all.
     void finish(PacketSearch &search) const;
 
 private:
-    struct alignas(64) Packet {                                         // whole lines of the cache
+    struct alignas(64) Packet {                                         // whole cache lines
         std::array<std::array<std::array<float, kSize>, 3>, 3> corners; ///< by axis, corner, triangle
-        std::array<std::uint32_t, kSize> numbers;                       ///< the last one again, where there are fewer
+        std::array<std::uint32_t, kSize> numbers;                       ///< the last one repeats if there are fewer
     };
-    /// The remainders of a packet's corners. Those of one triangle lie together, because mostly one is asked for.
+    /// The remainders of a packet's corners. The three of one triangle are adjacent, because mostly
+    /// one triangle is tested.
     using Remainders = std::array<std::array<glm::ivec3, 3>, kSize>;
     std::uint32_t meshOf(std::uint32_t packet) const;
-    /// Null where the mesh has no remainders.
+    /// The remainders of a packet; null if the mesh has none.
     const Remainders *remaindersOf(const PacketSearch::Waiting &waiting) const
     {
         const auto &all = m_remainders[waiting.mesh];
@@ -90,7 +94,7 @@ private:
     const UnitSpace &m_space;
     std::vector<Packet, InLargePages<Packet>> m_packets;
     std::vector<std::vector<Remainders, InLargePages<Remainders>>> m_remainders; ///< of each mesh, packet by packet
-    std::vector<std::uint32_t> m_starts;                                         ///< of each mesh, its first packet
+    std::vector<std::uint32_t> m_starts;                                         ///< of each mesh: its first packet
 };
 
 } // namespace unprojector::ray

@@ -10,7 +10,7 @@
 
 namespace unprojector::ray {
 
-/// Picks the packets of triangles that a ray may meet, far fewer than there are. Immutable: any thread may ask.
+/// Finds the packets of triangles that a ray may hit. Immutable: any thread may query it.
 class TriangleTree {
 public:
     TriangleTree() = default;
@@ -18,26 +18,27 @@ public:
     TriangleTree(const TriangleTree &) = delete;
     TriangleTree &operator=(const TriangleTree &) = delete;
 
-    /// Tests them, until no other can be nearer.
+    /// Tests the packets that the ray may hit, until no other can be nearer.
     virtual void search(const UnitRay &ray, PacketSearch &search) const = 0;
-    /// Shows the packets whose boxes reach into a ball.
+    /// Calls `visit` with the packets whose boxes reach into a ball.
     virtual void within(const Ball &ball, const std::function<void(std::uint32_t)> &visit) const = 0;
 };
 
-/// By a BoxTree.
+/// Builds a tree on a BoxTree.
 /// @param packets  outlive the tree
-/// @return null when progress says stop
+/// @return null if progress cancels
 std::unique_ptr<const TriangleTree> plainTriangleTree(const TrianglePackets &packets, const Progress &progress);
 
-/// By Embree, which is faster to build and to search.
+/// Builds a tree on Embree, which is faster to build and to search.
 /// @param packets  outlive the tree
-/// @param isCancelled  set when progress says stop
-/// @return null then, and where the program was built without Embree or Embree does not run on this computer
+/// @param isCancelled  set if progress cancels
+/// @return null then, and if the program was built without Embree or Embree does not run on this
+///         computer
 /// Throws std::bad_alloc.
 std::unique_ptr<const TriangleTree> embreeTriangleTree(const TrianglePackets &packets, const Progress &progress,
                                                        bool &isCancelled);
 
-/// Whether the program was built with Embree.
+/// Returns whether the program was built with Embree.
 bool hasEmbree();
 
 } // namespace unprojector::ray

@@ -30,7 +30,8 @@ std::optional<UnitRay> UnitSpace::inside(const Ray<ObjectSpace> &ray) const
     const double length = glm::length(along);
     if (!(length > 0.0 && std::isfinite(length)))
         return std::nullopt;
-    // A little larger than all boxes are. The eye of a map may be very far away: the box then grows with the rounding.
+    // A little larger than all boxes. The eye of a map may be very far away; then the box grows
+    // with the rounding.
     const double distance = std::max({std::abs(from.x), std::abs(from.y), std::abs(from.z)});
     const double reach = 1.0 + 2.0 * double(kMargin) + 0x1p-50 * distance;
     double low = ray.low, high = ray.high;
@@ -48,7 +49,7 @@ std::optional<UnitRay> UnitSpace::inside(const Ray<ObjectSpace> &ray) const
         return std::nullopt;
     glm::vec3 start(from + along * low);
     constexpr double kFar = 1e6;
-    for (int axis = 0; axis < 3 && distance > kFar; ++axis) { // the two terms cancel
+    for (int axis = 0; axis < 3 && distance > kFar; ++axis) { // cancellation of the two terms
         const DoubleDouble exact =
             (DoubleDouble(ray.from[axis]) - m_center[axis] + DoubleDouble(ray.along[axis]) * low) * m_scale;
         start[axis] = static_cast<float>(exact.value);

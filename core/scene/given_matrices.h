@@ -4,13 +4,14 @@
 
 namespace unprojector::scene {
 
-/// The settings with the projection and the camera of a picture. Matrices are kept as they are; the numbers of a projection
-/// that comes as a matrix hold as they stand. The depth range stays, but for what reversed matrices make of it.
+/// The settings with the projection and the camera of a setup. Matrices are kept unchanged. A
+/// projection given as a matrix turns off fitting to the viewport and the objects. The depth range
+/// stays, except that a reversed matrix flips it.
 /// @return the errors of byParameters
 geometry::Result<SceneSettings> withSetup(SceneSettings settings, geometry::Setup given);
 
-/// Settings that the user changed to others: a depth range that was set by hand is not the one that a reversed matrix, which
-/// has ended, had turned round.
+/// The settings after a change by the user. A depth range that the user set is no longer marked as
+/// flipped by a reversed matrix that has been replaced.
 SceneSettings afterChange(const SceneSettings &before, SceneSettings settings);
 
 } // namespace unprojector::scene

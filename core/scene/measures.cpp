@@ -17,10 +17,10 @@ using namespace mesh;
 
 namespace {
 
-/// The sum of the areas as vectors, of all areas, where only roundings are left of it.
+/// The sum of the area vectors over the total area that rounding alone can leave.
 constexpr double kMostOfAClosedOne = 1e-6;
 
-/// A sum and what it has lost on the way.
+/// A sum with compensation for rounding.
 class Sum {
 public:
     void add(double term)
@@ -34,7 +34,7 @@ private:
     double m_sum = 0.0, m_lost = 0.0;
 };
 
-/// How many different ones there are. The list is put into another order.
+/// The number of different positions. Reorders the list.
 template <class Place>
 std::size_t countDifferent(std::vector<Place> &places)
 {
@@ -45,7 +45,8 @@ std::size_t countDifferent(std::vector<Place> &places)
     return static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
 }
 
-/// Meshes about one origin share places: those of a model that was parted by material.
+/// Counts positions across meshes with a common origin: meshes of a model that was split by
+/// material share positions.
 std::size_t placesOf(const std::vector<Mesh> &meshes)
 {
     std::size_t count = 0;
@@ -70,7 +71,7 @@ std::size_t placesOf(const std::vector<Mesh> &meshes)
     return count;
 }
 
-/// Widens a box, whose end on an axis has the half gap of the point that it touches.
+/// Widens a box, and sets the half gaps of the ends that the point moves.
 void widen(Measures &measures, const glm::dvec3 &lowest, const glm::dvec3 &lowestHalfGap, const glm::dvec3 &highest,
            const glm::dvec3 &highestHalfGap)
 {
@@ -128,7 +129,7 @@ Measures measuresOf(const SceneObject &object)
     glm::dvec3 areaVector(0.0);
     for (const Mesh &mesh : object.model->meshes) {
         measures.triangles += mesh.triangleCount();
-        // About the object's center, where no large numbers cancel.
+        // Relative to the object's center, so that no large numbers cancel.
         const glm::dvec3 origin = mesh.origin - center, worldOrigin(worldFromSource * glm::dvec4(mesh.origin, 1.0));
         const auto position = [&mesh](std::size_t element) { return mesh.fromOrigin(mesh.vertexAt(element)); };
         for (std::size_t element = 0; element < mesh.elementCount(); ++element) {

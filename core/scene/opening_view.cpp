@@ -29,7 +29,7 @@ Projection openingProjection()
 
 LookAt openingCamera(const std::vector<SceneObject> &objects, const Surface &surface)
 {
-    // Scans face +z as a rule; a little from above and the side shows that they have depth.
+    // Scans usually face +z; a view slightly from above and the side shows their depth.
     Setup home{surface,
                wholeSurface(surface),
                {},
@@ -51,7 +51,7 @@ Ground groundUnder(const Box &bounds)
         return ground;
     const double size = bounds.diagonal() > 0.0 ? bounds.diagonal() : 1.0;
     ground.spacing = roundedUp(size / 15.0);
-    // Lines at whole multiples of the spacing, so that they can be read as coordinates.
+    // Lines lie at multiples of the spacing, so that they can be read as coordinates.
     const auto snapped = [&ground](double value, double direction) {
         return (std::floor(value / ground.spacing) + direction) * ground.spacing;
     };

@@ -7,8 +7,8 @@
 
 namespace unprojector::scene {
 
-/// How wide and high the dot is that a point is drawn as, in device pixels: a single pixel is hardly seen, and harder to
-/// click. The point lies in its middle.
+/// The width and height of the dot that a point is drawn as, in device pixels. A single pixel is
+/// hard to see and to click. The point lies in its middle.
 inline double pointPixels(const geometry::Surface &surface)
 {
     constexpr double kLogicalPixels = 3.0;

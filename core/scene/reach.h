@@ -4,11 +4,11 @@
 
 namespace unprojector::scene {
 
-/// World coordinates beyond this, and objects smaller than its inverse, leave the range of doubles when they are squared and
-/// multiplied.
+/// World coordinates beyond this, and objects smaller than its inverse, leave the range of doubles
+/// when squared and multiplied.
 constexpr double kFarthestWorld = 1e100;
 
-/// Whether an object's transform leaves it where it can be computed with.
+/// Returns whether computations with an object's transform stay in range.
 /// @return ObjectTooFar; ObjectTooSmall
 geometry::Check reachable(const SceneObject &object);
 

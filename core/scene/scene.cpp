@@ -42,7 +42,7 @@ Viewport viewportIn(const ViewportRule &rule, const Surface &surface)
         return {std::floor((whole.width - width) / 2.0), std::floor((whole.height - height) / 2.0), width, height};
     }
     case ViewportRule::Kind::Quarter: {
-        // Integer divisions, as the C of the tutorial has them; a window of one pixel keeps one.
+        // Integer divisions, as in the C code of the tutorial; a window of one pixel keeps one.
         const double width = std::max(1.0, std::floor(whole.width / 2.0));
         const double height = std::max(1.0, std::floor(whole.height / 2.0));
         return {std::floor(whole.width / 2.0), 0.0, width, height};

@@ -23,15 +23,15 @@ struct SceneObject {
     std::filesystem::path file; ///< empty for a bundled object
     std::shared_ptr<const mesh::Model> model;
     std::vector<geometry::TransformStep> transform; ///< worldFromObject, step by step
-    bool isHidden = false;      ///< neither drawn nor clicked; all that is computed with it stays the same
-    text::JsonValue extra = {}; ///< keys of its file that are not ours; null or an object
+    bool isHidden = false;                          ///< neither drawn nor clicked; all computations stay the same
+    text::JsonValue extra = {};                     ///< unknown keys of its file; null or an object
 };
 
-/// Which part of a window the viewport takes.
+/// The part of a window that the viewport takes.
 struct ViewportRule {
     enum class Kind {
         WholeWindow,
-        Fixed,      ///< `fixed`, whatever the window's size
+        Fixed,      ///< `fixed`, for every window size
         KeepAspect, ///< the largest centred rectangle of `aspect`, in whole pixels (letterbox)
         Quarter     ///< glViewport(width/2, 0, width/2, height/2), as in the zhangci tutorial
     };
@@ -44,22 +44,23 @@ struct ViewportRule {
 /// @return EmptyViewport, NotFinite (fixed); AspectNotPositive, NotFinite (keep aspect)
 geometry::Check check(const ViewportRule &rule);
 
-/// The viewport that a rule gives in a window of this size.
+/// The viewport of a rule in a window of this size.
 /// @pre check(rule) and check(surface)
 geometry::Viewport viewportIn(const ViewportRule &rule, const geometry::Surface &surface);
 
-/// At most so many user clip planes, as OpenGL guarantees.
+/// The maximum number of user clip planes: OpenGL guarantees this many.
 constexpr std::size_t kMostClipPlanes = 6;
 
 /// A user clip plane that is kept but does not cut.
 struct ClipPlaneOff {
-    std::size_t index = 0; ///< in the list of all planes, those that cut and those that do not
+    std::size_t index = 0; ///< in the list of all planes, cutting or not
     glm::dvec4 plane{0.0};
-    text::JsonValue extra = {}; ///< as of an object
+    text::JsonValue extra = {}; ///< as in SceneObject
     friend bool operator==(const ClipPlaneOff &, const ClipPlaneOff &) = default;
 };
 
-/// Parameters, or the matrix of another program with the parameters that show it. Setting other parameters ends the matrix.
+/// Parameters, or an imported matrix with the parameters that show it. Setting other parameters
+/// removes the matrix.
 template <class Parameters, class Matrix>
 class Importable {
 public:
@@ -79,9 +80,9 @@ public:
     const Parameters &operator*() const { return m_parameters; }
     const Parameters *operator->() const { return &m_parameters; }
     operator const Parameters &() const { return m_parameters; }
-    /// Null where the parameters stand for themselves.
+    /// The imported matrix; null if the parameters define the value.
     const Matrix *matrix() const { return m_matrix ? &*m_matrix : nullptr; }
-    /// Whether there was a matrix before these parameters were set.
+    /// Returns whether these parameters replaced a matrix.
     bool hadMatrix() const { return m_hadMatrix; }
 
     friend bool operator==(const Importable &, const Importable &) = default;
@@ -93,21 +94,22 @@ private:
     bool m_hadMatrix = false;
 };
 
-/// Of OpenGL's depth: a reversed matrix is one with the scene's depth range turned round.
+/// The projection, with OpenGL's depth: a reversed matrix is stored with the scene's depth range
+/// flipped.
 using SceneProjection = Importable<geometry::Projection, geometry::MatrixProjection>;
-/// The matrix is eyeFromWorld.
+/// The camera. The matrix is eyeFromWorld.
 using SceneCamera = Importable<geometry::LookAt, glm::dmat4>;
 
-/// What a scene's file says that is not shown, to be written again.
+/// Parts of a scene's file that are not shown, kept for writing it again.
 struct FileKeys {
-    bool hasViewport = false;    ///< also of one that is the whole window
-    bool hasConventions = false; ///< also of OpenGL's
-    text::JsonValue extra; ///< keys that are not ours, each where it stood: {"author": "A", "window": {"title": "T"}}
+    bool hasViewport = false;    ///< also for the whole window
+    bool hasConventions = false; ///< also for OpenGL
+    text::JsonValue extra;       ///< unknown keys, each at its position: {"author": "A", "window": {"title": "T"}}
 };
 
-/// How the objects are shown: everything but the objects and the landmarks.
+/// The settings that show the objects: everything but the objects and the landmarks.
 struct SceneSettings {
-    /// The window's size, where the user has chosen it; none: as large as there is room for it.
+    /// The window's size that the user has chosen; none: as large as there is room for it.
     std::optional<geometry::Surface> windowSize;
     SceneCamera camera;
     SceneCamera home; ///< the camera that the scene opened with
@@ -116,19 +118,20 @@ struct SceneSettings {
     bool clipDistancesFitObjects = true;   ///< near and far hold the objects tightly
     ViewportRule viewport;
     geometry::DepthRange depthRange;
-    bool isDepthRangeTurned = false; ///< by a reversed matrix, which may have ended since
-    /// (A, B, C, D): of the objects only what has A x + B y + C z + D >= 0 in world space is drawn (glClipPlane).
+    bool isDepthRangeTurned = false; ///< by a reversed matrix, which may have been replaced since
+    /// (A, B, C, D): objects are drawn only where A x + B y + C z + D >= 0 in world space
+    /// (glClipPlane).
     std::vector<glm::dvec4> clipPlanes;
-    /// Planes that are switched off, by place. With `clipPlanes` no more than kMostClipPlanes.
+    /// Planes that are switched off, by index. Together with `clipPlanes` at most kMostClipPlanes.
     std::vector<ClipPlaneOff> clipPlanesOff;
-    /// A point that the user follows through the pipeline besides what is clicked.
+    /// A point that the user follows through the pipeline, in addition to the clicked one.
     std::optional<geometry::GivenPoint> givenPoint;
     geometry::Api conventions = geometry::Api::
-        OpenGl; ///< whose conventions matrices and points are shown and written in; nothing is computed by them
+        OpenGl; ///< the convention for showing and writing matrices and points; computations always use OpenGL's
     FileKeys fileKeys;
 };
 
-/// What is shown and how.
+/// The objects and landmarks of a scene, with its settings.
 struct Scene : SceneSettings {
     std::vector<SceneObject> objects;
     landmarks::LandmarkSet landmarks; ///< world space
@@ -139,17 +142,18 @@ geometry::Box boundsOf(const SceneObject &object);
 /// The axis-aligned box around all objects that are not hidden, world space; empty without any.
 geometry::Box boundsOf(const Scene &scene);
 
-/// Adds what is seen of an object: the corners of its triangles.
+/// Adds the visible parts of an object to a framing: the corners of its triangles.
 void add(geometry::Framing &framing, const SceneObject &object);
 
-/// @return the first error of the window's size, camera, projection, viewport rule, depth range, transforms (reachable too); NotFinite and
-///         ClipPlaneHasNoNormal (A = B = C = 0) for clip planes; NotFinite for the given point
+/// @return the first error of the window's size, camera, projection, viewport rule, depth range,
+///         transforms (reachable too); NotFinite and ClipPlaneHasNoNormal (A = B = C = 0) for clip
+///         planes; NotFinite for the given point
 geometry::Check check(const Scene &scene);
 
-/// The picture of a scene in a window of this size: the viewport by its rule, the projection with the viewport's aspect
-/// where it follows it, near and far fitted where they are to.
-/// @param reach  of what is drawn besides the objects (the ground): it only stretches the far plane
-/// Its depth range is the one that OpenGL has, in single precision (see drawable).
+/// The setup of a scene in a window of this size. The viewport follows its rule. If the settings
+/// say so, the projection takes the viewport's aspect, and near and far fit the objects. The depth
+/// range is OpenGL's, in single precision (see drawable).
+/// @param reach  of drawn things other than objects (the ground): it only extends the far plane
 /// @return the errors of check(scene), check(surface), drawable
 geometry::Result<geometry::Setup> setupOf(const Scene &scene, const geometry::Surface &surface,
                                           const geometry::Box &reach);

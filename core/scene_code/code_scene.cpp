@@ -12,7 +12,7 @@ using namespace scene_file;
 using namespace text;
 namespace {
 
-/// C++ keeps names with two underscores in a row to itself.
+/// Removes outer underscores: C++ reserves names with two underscores in a row.
 std::string plainName(const std::string &name)
 {
     const std::string words = identifier(name);

@@ -10,7 +10,7 @@
 
 namespace unprojector::scene_code {
 
-/// How a language writes its numbers.
+/// The number syntax of a language.
 enum class NumberStyle {
     Double,    ///< C++: 1.0
     Float,     ///< C++: 1.0f
@@ -19,8 +19,9 @@ enum class NumberStyle {
 
 /// The fewest digits that read back to the same double.
 std::string literal(double value, NumberStyle style);
-/// Of the numbers that a code has written as floats, those that no float holds: "4e+300", and what becomes of them.
-/// @return a sentence of a comment; empty where there are none
+/// A comment about the numbers in the code that are written as floats but exceed their range:
+/// "4e+300", and what becomes of them.
+/// @return a sentence of a comment; empty if there are none
 std::string beyondFloat(const std::string &code);
 /// "1.0, 2.0, 3.0"
 std::string list(std::initializer_list<double> values, NumberStyle style);
@@ -34,7 +35,7 @@ std::string list(const glm::dmat4 &matrix, MatrixOrder order, NumberStyle style,
 /// "800 x 600 device pixels"
 std::string windowText(const geometry::Surface &surface);
 
-/// The comments that every dialect has on top: the window, what is not in the code.
+/// The comments at the top of every dialect's code: the window, and what the code leaves out.
 std::string headerComment(const scene_file::SceneFile &scene, const std::string &what);
 
 } // namespace unprojector::scene_code

@@ -2,7 +2,8 @@
 
 namespace unprojector::scene_code {
 
-/// The handlers that the paper rewrites (section 4), around the functions of the GLU code. They are the same for every scene.
+/// The handlers that the paper rewrites (section 4), around the functions of the GLU code; the same
+/// for every scene.
 inline constexpr const char *kMfcHandlers = R"(
 #ifdef __AFXWIN_H__ // after <afxwin.h>: the view of an MFC program. Link opengl32.lib and glu32.lib.
 

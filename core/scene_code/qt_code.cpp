@@ -112,7 +112,7 @@ std::string clipPlanes(const SceneFile &scene)
     return text + "};\n";
 }
 
-/// How far a float may be from a coordinate as large as those of the eye.
+/// The rounding error of a float coordinate as large as the eye's.
 double eyeRounding(const Setup &setup)
 {
     const Result<glm::dmat4> view = eyeFromWorld(setup);

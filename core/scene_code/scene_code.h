@@ -4,7 +4,8 @@
 
 #include <string>
 
-/// The scene as the source code of another program: the calls that make its picture, and the way back from a pixel.
+/// Exports a scene as the source code of another program: the calls that make its setup, and the
+/// way back from a pixel.
 namespace unprojector::scene_code {
 
 enum class CodeDialect {
@@ -14,16 +15,19 @@ enum class CodeDialect {
     ThreeJs ///< JavaScript, a module
 };
 
-/// Source code that makes the picture of a scene: window, viewport, depth range, projection, camera, each object's transform
-/// and the clip planes, by the dialect's own calls where it has them and as matrices where the scene or the dialect asks for it.
-/// Numbers read back to the same double (in Qt, to the nearest float).
+/// Generates source code with the setup of a scene: window, viewport, depth range, projection,
+/// camera, the transforms of the objects, and the clip planes. It uses the dialect's own calls if
+/// they exist, else matrices; so too for matrices of the scene. Numbers read back to the same
+/// double (in Qt, to the nearest float).
 ///
-/// Its screen2world(i, j, depth) gives the world coordinate of a pixel's centre: i and j count device pixels from the window's
-/// top-left corner, so the window point is (i + 1/2, H - j - 1/2, (depth - dn) / (df - dn)), unprojected with the viewport's
-/// origin and the camera alone. Where to read the depth (row H - 1 - j) is in the code.
+/// Its screen2world(i, j, depth) gives the world coordinate of a pixel's centre, where i and j
+/// count device pixels from the window's top-left corner. The window point is (i + 1/2, H - j -
+/// 1/2, (depth - dn) / (df - dn)), unprojected with the viewport's origin and the camera alone. The
+/// code states where to read the depth (row H - 1 - j).
 ///
-/// What the code does not hold is said in its comments: the models, which it only names, and what the dialect has no word for.
-/// They are English whatever language is set, as its names are: the code is the same for everybody.
+/// Comments in the code list what it leaves out: the models, which it only names, and features that
+/// the dialect lacks. Comments and names are English in every language setting, so the code does
+/// not depend on it.
 /// @pre check(setupOf(scene))
 /// @return UTF-8, lines ending in \n
 std::string sceneCode(const scene_file::SceneFile &scene, CodeDialect dialect);

@@ -19,7 +19,7 @@ std::string rows(const glm::dmat4 &matrix)
     return "( // row by row\n    " + list(matrix, MatrixOrder::ByRows, kStyle, "    ") + ");\n";
 }
 
-/// left, right, top, bottom, near, far: not the order of glOrtho.
+/// left, right, top, bottom, near, far: a different order than glOrtho's.
 std::string window(const ProjectionWindow &w)
 {
     return list({w.left, w.right, w.top, w.bottom, w.nearDistance, w.farDistance}, kStyle);

@@ -16,7 +16,7 @@ using namespace geometry;
 using namespace scene;
 using namespace unproject;
 
-// ---- what a click is made of, see json_fields.h ---------------------------------------------------------------
+// ---- the fields of a click, see json_fields.h ----
 
 template <class Fields, Is<ClickPoint> T>
 void describe(Fields &json, T &point)
@@ -40,7 +40,7 @@ void describe(Fields &json, T &object)
     describe(json, object.point);
 }
 
-/// Written, not read: what is computed from a click is computed anew.
+/// Written but not read: values derived from a click are recomputed.
 struct WrittenRay {
     static void read(const JsonNode &, RayOnMesh &) {}
     static nlohmann::ordered_json write(const RayOnMesh &ray) { return jsonOf(ray); }
@@ -94,7 +94,7 @@ std::optional<ClickedObject> objectOf(const Pick &pick, const Scene &scene)
                          }))};
 }
 
-/// The picture of a click as a scene file has it, whatever rules of the window made it.
+/// The setup of a click as a scene file, without the window's rules that made it.
 SceneFile sceneOf(const Pick &pick, const Scene &scene)
 {
     Scene own = scene;
@@ -106,7 +106,7 @@ SceneFile sceneOf(const Pick &pick, const Scene &scene)
     file.viewport = pick.setup.viewport;
     file.aspectFromViewport = false;
     file.ui = {};
-    // They are no part of what a click is computed from.
+    // Landmarks and the followed point do not affect the computation.
     file.landmarks = {};
     file.point.reset();
     return file;
@@ -146,7 +146,8 @@ Result<SceneOrClicks, SceneFileError> parseSceneOrClicks(std::string_view text, 
             std::vector<Click> clicks;
             if (isClick)
                 static_cast<void>(FieldReader::read(root, clicks.emplace_back(), Plain{}));
-            // One by one: what is no click must not take a click's memory, which is hundreds of times that of its text.
+            // One by one: text that is no click must not use a click's memory, which is hundreds of
+            // times its text's.
             for (std::size_t i = 0; !isClick && i < json->size() && !error; ++i)
                 static_cast<void>(FieldReader::read(root.element(i), clicks.emplace_back(), Plain{}));
             if (!error)

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Puts a member behind the others without looking whether the key is there: looking takes as long as there are members.
+/// Appends a member without searching for the key: a search takes time linear in the members.
 void append(Json &object, std::string key, Json value)
 {
     auto &members = static_cast<Json::object_t::Container &>(object.get_ref<Json::object_t &>());
@@ -39,7 +39,8 @@ void FieldReader::angle(const char *degreesKey, const char *radiansKey, double &
     if (!exactly.exists())
         return;
     const double exact = exactly.number();
-    // Other programs may have written the degrees anew, with fewer digits; another angle is somebody's change.
+    // Other programs may have rewritten the degrees with fewer digits; a different angle is a
+    // deliberate change.
     constexpr double kSame = 1e-9;
     if (std::abs(exact - radians) <= kSame * std::abs(radians)) {
         radians = exact;

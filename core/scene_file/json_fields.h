@@ -15,7 +15,7 @@
 
 namespace unprojector::scene_file {
 
-// How a struct stands in JSON is said once, by a function
+// A function describes a struct's JSON once:
 //
 //   void describe(auto &json, Is<Viewport> auto &viewport)
 //   {
@@ -23,11 +23,12 @@ namespace unprojector::scene_file {
 //       ...
 //   }
 //
-// that a FieldReader runs to fill the struct and a FieldWriter to write it, in the same order of keys. So a new key is one
-// line. Keys that no line names are unknown: they are kept, and written again behind the known ones. Those of an object in
-// an object are kept under its key, up to the next struct that has a member `extra` for them.
+// A FieldReader runs it to fill the struct, a FieldWriter to write it, in the same order of keys.
+// So a new key takes one line. Keys that no line names are unknown: they are kept, and written
+// after the known ones. The unknown keys of a nested object are kept under its key, in the nearest
+// enclosing struct that has a member `extra` for them.
 
-/// A struct, or a const one, as a description takes it.
+/// A struct, const or not, as a description takes it.
 template <class T, class Struct>
 concept Is = std::same_as<std::remove_const_t<T>, Struct>;
 
@@ -67,8 +68,9 @@ public:
 
     bool failed() const { return m_object.failed(); }
 
-    /// A member that must be there.
-    /// @param how  a form (see json_values.h), or what describes the member; by default what its type says
+    /// Reads a member that must be present.
+    /// @param how  a form (see json_values.h), or a description of the member; the default follows
+    ///         from its type
     template <class T, class How = Plain>
     void required(const char *key, T &value, const How &how = {})
     {
@@ -76,7 +78,7 @@ public:
         keep(key, read(m_object.member(key), value, how));
     }
 
-    /// A member that may be missing in a file. It keeps its value then, and is written all the same.
+    /// Reads a member that may be missing in a file; then it keeps its value. It is always written.
     template <class T, class How = Plain>
     void optional(const char *key, T &value, const How &how = {})
     {
@@ -85,10 +87,10 @@ public:
             keep(key, read(member, value, how));
     }
 
-    /// A member that is written, and whatever a file has in its place is passed over.
+    /// A member that is written but never read; a file may have any value there.
     void written(const char *key, const char *) { m_known.add(key); }
 
-    /// A member that may be missing and is written only where it has a value.
+    /// Reads a member that may be missing; it is written only if it has a value.
     template <class T, class How = Plain>
     void optional(const char *key, std::optional<T> &value, const How &how = {})
     {
@@ -97,7 +99,7 @@ public:
             keep(key, read(member, value.emplace(), how));
     }
 
-    /// A member that may be missing or null, and is written as null where it has no value.
+    /// Reads a member that may be missing or null; it is written as null if it has no value.
     template <class T, class How = Plain>
     void nullable(const char *key, std::optional<T> &value, const How &how = {})
     {
@@ -106,7 +108,7 @@ public:
             keep(key, read(member, value.emplace(), how));
     }
 
-    /// Members in an object of their own, which must be there.
+    /// Reads members in an object of their own, which must be present.
     template <class Describe>
     void object(const char *key, const Describe &description)
     {
@@ -114,7 +116,7 @@ public:
         keep(key, readObject(m_object.member(key), description));
     }
 
-    /// The same where it may be missing; it is written only where something is in it.
+    /// The same for an object that may be missing; it is written only if it is not empty.
     template <class Describe>
     void optionalObject(const char *key, const Describe &description)
     {
@@ -123,8 +125,8 @@ public:
             keep(key, readObject(member, description));
     }
 
-    /// An array, which may be missing. It is read only as far as the first error: an element takes far more memory than
-    /// its text, which need not be one.
+    /// Reads an array, which may be missing. Stops at the first error, since an element takes far
+    /// more memory than its text.
     template <class T, class How = Plain>
     void list(const char *key, std::vector<T> &values, std::size_t most = kAnyNumber, const How &how = {})
     {
@@ -138,33 +140,34 @@ public:
             static_cast<void>(read(member.element(i), values.emplace_back(), how));
     }
 
-    /// An angle, in degrees in JSON. Where no number of degrees gives the same radians again, those stand under a key of
-    /// their own beside them.
+    /// Reads an angle, in degrees in JSON. If no number of degrees gives the same radians again,
+    /// the radians have a key of their own beside it.
     void angle(const char *degreesKey, const char *radiansKey, double &radians);
 
-    /// Whether a member is there: for what decides how the others are read. The key is known even where it is left out.
-    /// @param isWritten  what decides when writing
+    /// Returns whether a member is present, if that decides how to read the others. The key counts
+    /// as known in either case.
+    /// @param isWritten  the answer when writing
     bool has(const char *key, [[maybe_unused]] bool isWritten)
     {
         m_known.add(key);
         return m_object.member(key).exists();
     }
 
-    /// How many elements an array has, 0 where it is missing: for a list that is left out when it is empty, or whose
-    /// elements depend on their number.
+    /// The number of elements of an array, 0 if it is missing: for a list that is left out when
+    /// empty, or whose elements depend on their number.
     /// @param written  the number when writing
     std::size_t sizeOf(const char *key, [[maybe_unused]] std::size_t written)
     {
         return has(key, true) ? m_object.member(key).size() : 0;
     }
 
-    /// Which of the keys is there: exactly one must be, besides any others.
-    /// @param written  which one to write
+    /// The index of the key that is present: exactly one must be, beside any others.
+    /// @param written  the one to write
     std::size_t oneKeyOf(std::span<const char *const> keys, std::size_t written);
 
-    /// Notes what core says of what was read.
-    /// @param check  asked once everything before it was read without an error
-    /// @param key    of the member that the error is about, or what gives it for an error
+    /// Adds an error of core about the values read.
+    /// @param check  called if everything before it was read without an error
+    /// @param key    of the member that the error is about, or a function from the error to the key
     template <class Checking, class Key>
     void check(const Checking &check, const Key &key)
     {
@@ -179,7 +182,7 @@ public:
             m_object.member(key).fail(valid.error());
     }
 
-    /// Reads a value and gives its unknown keys, where it has no place for them itself.
+    /// Reads a value. Returns its unknown keys, unless it keeps them itself.
     template <class T, class How>
     static Json read(const JsonNode &node, T &value, const How &how)
     {
@@ -212,16 +215,16 @@ private:
 
     const JsonNode &m_object;
     KnownKeys m_known;
-    Json m_unknown; ///< of the objects in this one
+    Json m_unknown; ///< of the nested objects
 };
 
-/// Writes an object by its description. What is described is const.
+/// Writes an object by its description. The described value is const.
 class FieldWriter {
 public:
     using Json = nlohmann::ordered_json;
     static constexpr bool kReads = false;
 
-    /// @param unknown  an object whose keys are written behind those described, or null
+    /// @param unknown  an object whose keys are written after the described ones, or null
     explicit FieldWriter(const Json *unknown) : m_unknown(unknown) {}
 
     static constexpr bool failed() { return false; }
@@ -299,7 +302,7 @@ public:
     {
     }
 
-    /// @param unknown  as in the constructor; a value that has its own unknown keys takes those
+    /// @param unknown  as in the constructor; a value that keeps its own unknown keys takes those
     template <class T, class How>
     static Json write(const T &value, const How &how, const Json *unknown)
     {

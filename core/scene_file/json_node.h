@@ -11,11 +11,11 @@
 
 namespace unprojector::scene_file {
 
-/// A value of a JSON document and its place in it, or the place of one that is missing. What is asked of it and is not so
-/// is noted as the document's error, with the place; only the first is kept. After an error everything reads as a default,
-/// so that a reader need not ask after each step: it asks `failed` once at the end.
+/// A value of a JSON document with its path, or the path of a missing value. A failed query adds an
+/// error with the path to the document; only the first error is kept. After an error every query
+/// returns a default, so a reader checks `failed` only once, at the end.
 ///
-/// A node leans on the one it is a part of, which must live as long: the path is only put together for an error.
+/// A node refers to its parent, which must outlive it: the path is built only for an error.
 class JsonNode {
 public:
     using Json = nlohmann::ordered_json;
@@ -32,11 +32,11 @@ public:
     /// @pre exists()
     const Json &json() const { return *m_json; }
 
-    /// A member of an object, there or missing.
+    /// A member of an object, present or missing.
     JsonNode member(const char *key) const;
-    /// How many elements the array has; 0 after an error.
+    /// The number of elements of the array; 0 after an error.
     std::size_t size() const;
-    /// Whether it is an array of exactly so many elements.
+    /// Returns whether it is an array of exactly `count` elements.
     bool hasSize(std::size_t count, JsonKind expected) const;
     /// @pre index < size()
     JsonNode element(std::size_t index) const { return {(*m_json)[index], *this, nullptr, index}; }
@@ -48,15 +48,15 @@ public:
     int count(int lowest, int highest) const;
     bool boolean() const;
     std::string text() const;
-    /// The place of a text among the words that it may be; 0 after an error.
+    /// The index of a text among the allowed words; 0 after an error.
     std::size_t oneOf(std::span<const char *const> words) const;
-    /// Exactly so many numbers.
-    /// @param expected  what an error calls them
+    /// Reads exactly `count` numbers.
+    /// @param expected  the kind that an error names
     void numbers(double *numbers, std::size_t count, JsonKind expected) const;
 
     void fail(SceneFileError error) const;
     void fail(SceneFileErrorCode code) const;
-    /// What core says of a value.
+    /// Adds an error of core about the value.
     void fail(const geometry::Error &cause) const;
 
 private:

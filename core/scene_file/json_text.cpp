@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLineLength = 120;
-constexpr double kExact = 9007199254740992.0; // 2^53: all whole numbers below are doubles
+constexpr double kExact = 9007199254740992.0; // 2^53: all smaller whole numbers are doubles
 
 std::string_view keptDigits(const Json &json)
 {
@@ -31,7 +31,8 @@ std::string_view keptDigits(const Json &json)
     return {reinterpret_cast<const char *>(bytes.data()), bytes.size()};
 }
 
-/// The digits that all other texts have: the library's differ in the last one where two are as near.
+/// The same digits as in all other texts: the library's differ in the last one if two are equally
+/// near.
 std::string numberText(double value)
 {
     if (!std::isfinite(value)) // JSON has no such number
@@ -41,7 +42,7 @@ std::string numberText(double value)
         return digits;
     if (std::abs(value) < kExact)
         return digits + ".0";
-    std::array<char, 32> power; // written out, most of its digits would mean nothing
+    std::array<char, 32> power; // written in full, most of its digits would be meaningless
     const auto end = std::to_chars(power.data(), power.data() + power.size(), value, std::chars_format::scientific);
     return {power.data(), end.ptr};
 }
@@ -53,8 +54,9 @@ std::string leafText(const Json &leaf, Json::error_handler_t badText)
     return leaf.is_number_float() ? numberText(leaf.get<double>()) : leaf.dump(-1, ' ', false, badText);
 }
 
-/// Appends everything on one line and says whether it stayed within `limit` characters; else stops early.
-/// @param blank  behind commas and colons
+/// Appends everything on one line; stops early beyond `limit` characters.
+/// @param blank  after commas and colons
+/// @return whether it fits
 bool appendOnOneLine(std::string &text, const Json &json, std::size_t limit,
                      Json::error_handler_t badText = Json::error_handler_t::strict, std::string_view blank = " ")
 {
@@ -77,7 +79,7 @@ bool appendOnOneLine(std::string &text, const Json &json, std::size_t limit,
     return text.size() <= limit;
 }
 
-/// @param reserved  characters of the line that are taken: the indent, the key before, the comma behind
+/// @param reserved  used characters of the line: the indent, the key before, the comma after
 void append(std::string &text, const Json &json, std::size_t indent, std::size_t reserved, bool mayBeOneLine)
 {
     std::string line;
@@ -115,7 +117,7 @@ bool isUtf8(const Json &text)
     }
 }
 
-/// "objects[1].name" of the first text that is not UTF-8; nothing where all are.
+/// The path of the first text that is not UTF-8, such as "objects[1].name"; nothing if all are.
 std::optional<std::string> placeOfBadText(const Json &json)
 {
     if (json.is_string() && !isUtf8(json))
@@ -166,7 +168,7 @@ std::string compactJson(const Json &json)
 
 Json readNumber(double value, const std::string &written)
 {
-    constexpr std::ptrdiff_t kDigitsOfDoubles = 15; // any number of so many survives
+    constexpr std::ptrdiff_t kDigitsOfDoubles = 15; // any number with this many survives
     const std::string_view mantissa(written.data(), std::min(written.find_first_of("eE"), written.size()));
     const auto digits = std::count_if(mantissa.begin(), mantissa.end(), [](char c) { return c >= '0' && c <= '9'; });
     if (digits <= kDigitsOfDoubles || numberText(value) == written)
@@ -186,7 +188,8 @@ double numberOf(const Json &json)
     double value = 0.0;
     const std::string_view digits = keptDigits(json);
     const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    // Only a number too small for a double is left: what is too large is no JSON here.
+    // Only a number that is too small for a double is left: the parser rejects numbers that are too
+    // large.
     return read.ec == std::errc() ? value : 0.0;
 }
 

@@ -8,26 +8,27 @@
 
 namespace unprojector::scene_file {
 
-/// JSON laid out for people: what fits on a line stands on one, so that vectors and small objects are read at a glance.
-/// Ends with a line feed. Numbers have all their digits.
-/// @return NotUtf8, with the place of the first text that is not
+/// JSON formatted for people: a value that fits on a line takes one line, so that vectors and small
+/// objects are easy to read. Ends with a line feed. Numbers have all their digits.
+/// @return NotUtf8, with the path of the first text that is not
 geometry::Result<std::string, SceneFileError> readableJson(const nlohmann::ordered_json &json);
 
-/// The same on a single line, without a line feed. What is not UTF-8 is replaced.
+/// The same on a single line, without a line feed. Invalid UTF-8 is replaced.
 std::string jsonLine(const nlohmann::ordered_json &json);
 /// The same without blanks.
 std::string compactJson(const nlohmann::ordered_json &json);
 
-/// A number as a person would write it: 1, not 1.0, where it is whole.
+/// A number as a person would write it: a whole number as 1, not 1.0.
 nlohmann::ordered_json jsonNumber(double value);
 
-// A number that somebody else wrote with more digits than a double holds is kept as it is written, so that it is not
-// another one when it is written again. JSON has no such kind of value: a binary one, which no text can have, stands for it.
+// A number that another program wrote with more digits than a double holds is kept as written, so
+// that rewriting does not change it. JSON has no such type: a binary value, which no text can have,
+// represents it.
 
 /// @param written  a number in JSON's own form
-/// @param value    what it is as a double
+/// @param value    its value as a double
 nlohmann::ordered_json readNumber(double value, const std::string &written);
-/// Whether it is a number, one that is kept as it is written among them.
+/// Returns whether it is a number, including one kept as written.
 bool isNumber(const nlohmann::ordered_json &json);
 /// @pre isNumber(json)
 double numberOf(const nlohmann::ordered_json &json);

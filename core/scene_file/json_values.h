@@ -19,10 +19,10 @@
 
 namespace unprojector::scene_file {
 
-// Forms: how a value that is no object stands in JSON. A form has `void read(const JsonNode &, T &)` and
+// Forms: the JSON of values that are no objects. A form has `void read(const JsonNode &, T &)` and
 // `Json write(const T &)`; numbers have all their digits.
 
-/// The form that a type has where nothing else is said.
+/// The default form of a type.
 struct Plain {
     using Json = nlohmann::ordered_json;
 
@@ -104,7 +104,7 @@ struct Words {
     }
 };
 
-/// NDC depths, of an API that may have but one.
+/// NDC depths of an API, which may allow only one of them.
 struct NdcDepthOf {
     geometry::Api api;
 
@@ -130,8 +130,8 @@ struct ClipPlaneNumbers {
     static nlohmann::ordered_json write(const glm::dvec4 &value) { return Plain::write(value); }
 };
 
-/// Device pixels per logical pixel: such that of a window's smaller side at least one is left, and of its larger side no
-/// more than there may be.
+/// Device pixels per logical pixel. It leaves the window's smaller side at least one pixel, and its
+/// larger side at most `most`.
 struct PixelRatio {
     int width, height; ///< logical pixels
     int most;          ///< device pixels

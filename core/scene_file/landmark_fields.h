@@ -9,7 +9,8 @@
 
 namespace unprojector::scene_file {
 
-// What the landmarks of a scene file are made of, as scene_fields.h has the rest. What is empty is not written.
+// The keys of the landmarks of a scene file; scene_fields.h has the others. Empty values are not
+// written.
 
 /// The number of a triangle or a vertex.
 struct ElementNumber {

@@ -8,15 +8,16 @@ namespace unprojector::scene_file {
 
 struct SceneFile;
 
-/// Unknown keys of a scene file that a window which opens it cannot keep, by their paths: "objects[0].transform[1].comment".
+/// Unknown keys of a scene file that are lost in a window that opens it, by path:
+/// "objects[0].transform[1].comment".
 struct LostKeys {
     std::vector<std::string> ofSteps; ///< lost when the scene is saved
     std::vector<std::string>
-        ofPlanes; ///< of a plane that does not cut: lost once it cuts, since it is four numbers then
+        ofPlanes; ///< of planes that don't cut: lost once the plane cuts, since it is then only four numbers
 };
 
 /// @param text   of a scene file
-/// @param scene  what parseScene has read from it
+/// @param scene  the result of parseScene for it
 LostKeys lostKeys(std::string_view text, const SceneFile &scene);
 
 } // namespace unprojector::scene_file

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What cannot be said is null: JSON has no infinity.
+/// The number, or null if it is not finite: JSON has no infinity.
 Json number(double value)
 {
     return std::isfinite(value) ? jsonNumber(value) : Json();

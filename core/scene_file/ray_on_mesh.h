@@ -9,14 +9,16 @@
 
 namespace unprojector::scene_file {
 
-/// What the ray of a click meets on the meshes themselves, as `unproject pick --json` prints it, and clicks have it.
+/// The hit of a click's ray on the meshes, as `unproject pick --json` prints it and clicks contain
+/// it.
 ///
-/// JSON: {"hit": false}, or "hit", "object" (its name), "triangle", "barycentric", "world", "objectPoint", "normal",
-/// "distance", "vertex" ("id", "world", "distance"), "edge" ("ids", "world", "distance") and "uncertainty". Of a point of a
-/// cloud, what only a triangle has is null; so is a number that is not finite.
+/// JSON: {"hit": false}, or "hit", "object" (its name), "triangle", "barycentric", "world",
+/// "objectPoint", "normal", "distance", "vertex" ("id", "world", "distance"), "edge" ("ids",
+/// "world", "distance") and "uncertainty". For a point of a cloud, keys that only apply to
+/// triangles are null. Numbers that are not finite are null too.
 struct RayOnMesh {
     std::optional<ray::SceneHit> hit;
-    std::string object; ///< UTF-8, where something is hit
+    std::string object; ///< UTF-8, of the hit object
 };
 
 nlohmann::ordered_json jsonOf(const RayOnMesh &ray);

@@ -10,12 +10,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Listens to the JSON parser until it meets the key that only scenes have, or anything but an object.
+/// Handles JSON parser events until the key that only scenes have, or anything but an object.
 class SceneKeyFinder {
 public:
     bool hasFound() const { return m_hasFound; }
 
-    // NOLINTBEGIN(readability-identifier-naming): what nlohmann::json::sax_parse calls; false ends it
+    // NOLINTBEGIN(readability-identifier-naming): what nlohmann::json::sax_parse calls; false ends
+    // it
     bool null() { return m_level > 0; }
     bool boolean(bool) { return m_level > 0; }
     bool number_integer(Json::number_integer_t) { return m_level > 0; }
@@ -36,7 +37,7 @@ public:
     // NOLINTEND(readability-identifier-naming)
 
 private:
-    std::size_t m_level = 0; ///< of the brackets that are open
+    std::size_t m_level = 0; ///< number of open brackets
     bool m_hasFound = false;
 };
 
@@ -58,7 +59,8 @@ bool isSceneFile(const std::filesystem::path &file)
     if (!std::filesystem::is_regular_file(file, error))
         return false;
     std::ifstream stream(file, std::ios::binary);
-    // A model of gigabytes need not be read whole to know that it is not a scene.
+    // Reads only the start first: a model of gigabytes need not be read whole to see that it is no
+    // scene.
     constexpr std::size_t kStart = 64;
     std::string text(kStart, '\0');
     const auto read = [&](std::size_t from) {

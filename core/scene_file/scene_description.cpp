@@ -15,8 +15,8 @@ using namespace scene;
 
 namespace {
 
-/// The path from the root, without "." and "..". Links stay as they are named, except one before a "..": the folder above
-/// is that of where the link leads, and not the one that the link lies in.
+/// The path from the root, without "." and "..". Links stay as named, except one before a "..": the
+/// parent folder is the target's, not the link's.
 std::filesystem::path absolutePath(const std::filesystem::path &path)
 {
     std::error_code failed;
@@ -39,14 +39,14 @@ std::filesystem::path absolutePath(const std::filesystem::path &path)
     return result;
 }
 
-/// How to name a file from a folder: relative to it, where both are on one drive.
+/// The path of a file from a folder: relative, if both are on one drive.
 /// @param file, folder  absolute, see absolutePath
 std::filesystem::path relativePath(const std::filesystem::path &file, const std::filesystem::path &folder)
 {
     std::filesystem::path relative = file.lexically_proximate(folder);
     if (absolutePath(folder / relative) == file)
         return relative;
-    // The folder is behind a link: the way up from it is another one than its name says.
+    // The folder is behind a link, so the way up differs from its name.
     std::error_code failed, failedToo;
     const std::filesystem::path from = std::filesystem::weakly_canonical(folder, failed);
     const std::filesystem::path to = std::filesystem::weakly_canonical(file.parent_path(), failedToo);
@@ -67,7 +67,7 @@ SceneFileError failed(const std::string &name, std::string keyPath, const Error 
 
 std::optional<SceneFileError> whyNotShown(const SceneFile &file, const std::string &name)
 {
-    // The first of the two that the window would take, see sceneFromFile.
+    // The first of the two that the window would use, see sceneFromFile.
     const ViewportRule *rule = file.ui.viewportRule ? &*file.ui.viewportRule : nullptr;
     const bool isFixed = rule && rule->kind == ViewportRule::Kind::Fixed;
     if (isFixed || (!rule && file.viewport)) {
@@ -84,7 +84,7 @@ std::optional<SceneFileError> whyNotShown(const SceneFile &file, const std::stri
         if (const Check valid = checkDepthRangeEnd(depth); !valid)
             return failed(name, key, valid.error());
     }
-    if (static_cast<float>(atNear) == static_cast<float>(atFar)) // which is all that OpenGL takes
+    if (static_cast<float>(atNear) == static_cast<float>(atFar)) // OpenGL takes single precision only
         return failed(name, "depthRange", {ErrorCode::EmptyDepthRange, atNear});
     if (const auto *matrix = std::get_if<MatrixProjection>(&file.projection)) {
         if (const auto form = recognised(*matrix); !form)

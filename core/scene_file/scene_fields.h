@@ -10,8 +10,8 @@
 
 namespace unprojector::scene_file {
 
-// What a scene file is made of, key by key, in the order in which it is written: see json_fields.h. Reading, writing,
-// unknown keys and the places of errors all follow from this.
+// The keys of a scene file in the order in which they are written: see json_fields.h. Reading,
+// writing, unknown keys and error paths all follow from this.
 
 constexpr int kSceneVersion = 1;
 
@@ -27,7 +27,7 @@ inline std::span<const char *const> apiWords()
     return words;
 }
 
-/// What a variant holds; when reading it is made to hold that.
+/// Returns the value of type T in a variant; when reading, sets the variant to that type first.
 template <class T, class Variant>
 auto &as(Variant &variant)
 {
@@ -90,7 +90,7 @@ void describe(Fields &json, T &oblique)
     json.angle("phi", "phiRadians", oblique.phiRadians);
 }
 
-/// As the file's API has it; in the scene it is OpenGL's.
+/// Describes a matrix in the convention of the file's API; the scene stores OpenGL's.
 template <class Fields, Is<geometry::MatrixProjection> T>
 void describe(Fields &json, T &projection, geometry::Api api)
 {
@@ -107,7 +107,7 @@ void describe(Fields &json, T &projection, geometry::Api api)
     }
 }
 
-/// The same of eyeFromWorld.
+/// The same for eyeFromWorld.
 template <class Fields, Is<glm::dmat4> T>
 void describeView(Fields &json, T &eyeFromWorld, geometry::Api api)
 {
@@ -119,7 +119,7 @@ void describeView(Fields &json, T &eyeFromWorld, geometry::Api api)
     }
 }
 
-/// A perspective may leave its aspect to the viewport.
+/// A perspective may take its aspect from the viewport.
 template <class Fields, Is<geometry::Perspective> T, Is<SceneFile> Scene>
 void describe(Fields &json, T &perspective, Scene &scene)
 {

@@ -45,7 +45,8 @@ Result<std::string, SceneFileError> readSceneText(const std::filesystem::path &f
         return failed(file, SceneFileErrorCode::NotFound);
     if (std::filesystem::is_directory(status))
         return failed(file, SceneFileErrorCode::IsDirectory);
-    // Opening a named pipe waits for whoever writes to it, perhaps for ever. One that the program was given open does not.
+    // Opening a named pipe waits for a writer, perhaps for ever. A pipe inherited by this program
+    // is open already.
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) && !isOwnDescriptor(file))
         return failed(file, SceneFileErrorCode::NotAFile);
     const auto notReadable = [&file] {
@@ -58,7 +59,7 @@ Result<std::string, SceneFileError> readSceneText(const std::filesystem::path &f
 
     std::string text;
     std::array<char, 65536> block;
-    do { // A block more than there may be is enough to know that the file is too large, whatever it is.
+    do { // one block beyond the limit is enough to know that the file is too large
         stream.read(block.data(), block.size());
         text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
     } while (stream && text.size() <= kMostSceneBytes);

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Reads characters and tells how far it got: the parser's events say nothing of where they are.
+/// Iterates over characters and exposes the position: the parser's events have none.
 class CountingIterator {
 public:
     using iterator_category = std::input_iterator_tag;
@@ -85,7 +85,7 @@ public:
     bool parse_error(std::size_t position, const std::string &lastToken, const nlohmann::detail::exception &error)
     {
         text::JsonMistake mistake = text::jsonMistake(m_text, position, lastToken, error.what());
-        // Numbers that overflow come with their own kind of error.
+        // Numbers that overflow have a separate error.
         if (error.id == 406)
             return fail(SceneFileErrorCode::NumberTooLarge, mistake.at, lastToken);
         return failSyntax(mistake.at, std::move(mistake.text));
@@ -106,7 +106,7 @@ private:
         std::unordered_set<std::string> keys;
     };
 
-    /// The value's place in the document; null never.
+    /// The position of a value in the document; never null.
     Json *add(Json value)
     {
         if (m_levels.empty()) {
@@ -118,7 +118,7 @@ private:
             level.value->push_back(std::move(value));
             return &level.value->back();
         }
-        // The vector's own emplace_back: the map's looks for the key first, one by one.
+        // Uses the vector's own emplace_back: the map's searches for the key first, linearly.
         auto &members = level.value->get_ref<Json::object_t &>();
         static_cast<Json::object_t::Container &>(members).emplace_back(std::move(level.key), std::move(value));
         return &members.back().second;
@@ -143,8 +143,8 @@ private:
 
     std::size_t offset() const { return static_cast<std::size_t>(m_reached - m_text.data()); }
 
-    /// Of the key just read: its closing quote is the last character read, the opening one the quote before that which
-    /// no backslash takes away.
+    /// The position of the key just read: its closing quote is the last character read; its opening
+    /// one is the previous unescaped quote.
     std::size_t keyBegin() const
     {
         for (std::size_t at = offset() - 1; at-- > 0;) {
@@ -174,7 +174,7 @@ private:
     std::string_view m_text;
     const char *m_reached;
     Json m_document;
-    std::vector<Level> m_levels; ///< the brackets that are open; the places stay valid while they are
+    std::vector<Level> m_levels; ///< open brackets; the pointers stay valid while they are open
     std::optional<SceneFileError> m_error;
 };
 
@@ -215,7 +215,7 @@ Result<Json, SceneFileError> parseStrictJson(std::string_view text, std::size_t 
         builder.failSyntax(0, text::tr("the file is UTF-16; save it as UTF-8"));
         return *builder.error();
     }
-    // The library takes a zero byte for the end and would not look at what comes behind it.
+    // The library takes a zero byte for the end and would ignore the text after it.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
         builder.failSyntax(zero, text::tr("unexpected zero byte"));
         return *builder.error();

@@ -25,7 +25,7 @@ struct Character {
     bool isOneOf(std::string_view signs) const { return signs.find(bytes) != signs.npos; }
 };
 
-/// What is no UTF-8 counts as single bytes.
+/// The character at a position; invalid UTF-8 counts as single bytes.
 Character characterAt(std::string_view text, std::size_t start)
 {
     const auto first = static_cast<unsigned char>(text[start]);
@@ -36,7 +36,7 @@ Character characterAt(std::string_view text, std::size_t start)
     return character;
 }
 
-/// Whether a line may end between two characters, of which neither is a blank.
+/// Returns whether a line may end between two characters, neither of them a blank.
 bool mayEndBetween(const Character &before, const Character &after)
 {
     constexpr std::string_view kClosing = "，。：；、？！）”’》」,.:;)…", kOpening = "（“‘《「(";
@@ -46,7 +46,7 @@ bool mayEndBetween(const Character &before, const Character &after)
 std::string wrappedLine(std::string_view line, std::size_t columns, std::size_t indent)
 {
     std::string result;
-    std::size_t start = 0, column = indent, end = 0; // end: where the line may end, 0 for nowhere
+    std::size_t start = 0, column = indent, end = 0; // end: the last possible line end, 0 for none
     Character before;
     for (std::size_t at = 0; at < line.size();) {
         const Character here = characterAt(line, at);

@@ -10,7 +10,7 @@
 namespace unprojector::text {
 namespace {
 
-/// The character that ends lines: CR in the files of old Macintoshes, which have no LF.
+/// The line-end character: CR in files of old Macintoshes, which have no LF.
 char lineEndOf(std::string_view text)
 {
     bool isQuoted = false;
@@ -23,18 +23,20 @@ char lineEndOf(std::string_view text)
     return text.find('\r') != text.npos ? '\r' : '\n';
 }
 
-/// "-5", "+0.5e-3": what a spreadsheet computes from it is the same.
+/// Returns whether a text is a signed number, "-5", "+0.5e-3": a spreadsheet computes the same
+/// value from it.
 bool isSignedNumber(std::string_view text)
 {
     if (text.find_first_not_of("0123456789.eE+-") != text.npos)
         return false;
-    text.remove_prefix(1); // from_chars knows no "+"
+    text.remove_prefix(1); // from_chars does not accept "+"
     double number = 0.0;
     const char *end = text.data() + text.size();
     return !text.empty() && text.front() != '-' && std::from_chars(text.data(), end, number).ptr == end;
 }
 
-/// The row with each cell in quotes, in whatever dialect, replaced by one character: its separators separate nothing.
+/// The row with each quoted cell replaced by one character, for any dialect: separators inside
+/// quotes don't separate.
 std::string withoutQuotedCells(std::string_view row)
 {
     std::string plain;
@@ -54,7 +56,8 @@ std::string withoutQuotedCells(std::string_view row)
     return plain;
 }
 
-/// "1,5", "-0,25e-3": digits or nothing, one comma, a digit.
+/// Returns whether a cell has a decimal comma, "1,5", "-0,25e-3": optional digits, one comma, a
+/// digit.
 bool hasDecimalComma(std::string_view cell)
 {
     const std::size_t comma = cell.find(',');
@@ -129,7 +132,7 @@ CsvCell &CsvReader::addCell()
 {
     if (m_count == m_row.cells.size())
         m_row.cells.emplace_back();
-    CsvCell &cell = m_row.cells[m_count++]; // one of the row before, whose memory serves again
+    CsvCell &cell = m_row.cells[m_count++]; // reuses the memory of the previous row's cell
     cell.text.clear();
     cell.isQuoted = cell.hadBlanks = false;
     return cell;
@@ -142,7 +145,7 @@ bool CsvReader::readRow()
     while (true) {
         const std::size_t start = m_at;
         skipBlanks();
-        if (isLineEnd(m_at) && (m_count == 0 || isRunOfBlanks)) { // a blank line, or blanks at the end of a row
+        if (isLineEnd(m_at) && (m_count == 0 || isRunOfBlanks)) { // a blank line, or trailing blanks of a row
             m_row.cells.resize(m_count);
             return m_count > 0;
         }
@@ -171,7 +174,7 @@ void CsvReader::readPlain(CsvCell &cell)
         ++m_at;
     std::size_t end = m_at, lastReturn = m_at;
     while (isLineEnd(m_at) && lastReturn > start && m_text[lastReturn - 1] == '\r')
-        --lastReturn; // of the line end, no blank of the cell
+        --lastReturn; // belongs to the line end, not to the cell
     while (end > start && (isBlank(m_text[end - 1]) || m_text[end - 1] == '\v' || m_text[end - 1] == '\f'))
         --end;
     cell.text.assign(m_text.substr(start, end - start));
@@ -220,7 +223,7 @@ char csvSeparatorOf(std::string_view row)
     for (const char separator : kCsvSeparators) {
         CsvReader reader(plain, separator);
         const std::size_t count = reader.next() ? reader.row().cells.size() : 0;
-        // A header of words with blanks in them is no table of blanks.
+        // A header of words with blanks does not make a table separated by blanks.
         if (separator == ' ' ? most == 1 && count > 1 : count > most) {
             most = count;
             best = separator;
@@ -238,7 +241,7 @@ std::optional<char> takeSeparatorLine(std::string_view &text)
         line = line.substr(1, line.size() - 2);
     if (!line.starts_with(kKey) || line.size() != kKey.size() + 1)
         return std::nullopt;
-    text.remove_prefix(length); // the line end stays, so that lines are counted rightly
+    text.remove_prefix(length); // keeps the line end, so that the line count stays right
     return line.back();
 }
 

@@ -12,7 +12,7 @@ namespace unprojector::text {
 using namespace geometry;
 namespace {
 
-/// What the way to radians and back leaves of the digits is noise.
+/// The angle in degrees, without the noise of the conversion to radians and back.
 std::string degreesText(double radians)
 {
     constexpr double kRounding = 1e-14;
@@ -20,8 +20,8 @@ std::string degreesText(double radians)
     return shortestText(degrees, kRounding * std::abs(degrees));
 }
 
-/// A number that another one is compared with. It comes from a computation as a rule: its last digits would only be noise,
-/// unless they are what makes the difference.
+/// The number that a value is compared with. It usually comes from a computation, so its last
+/// digits are noise, unless they make the difference.
 std::string comparedText(double other, double value)
 {
     constexpr double kSeventhDigit = 5e-8;
@@ -42,7 +42,7 @@ std::string viewFault(const Error &error)
     if (row == column) {
         const double length = std::sqrt(1.0 + error.value);
         return tr("row %1 has the length %2; it must be 1", row + 1,
-                  shortestText(length, 0.01 * std::abs(length - 1.0))); // as exact as the fault is large
+                  shortestText(length, 0.01 * std::abs(length - 1.0))); // as exact as the fault
     }
     return tr("rows %1 and %2 are not perpendicular", row + 1, column + 1);
 }

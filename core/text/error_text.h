@@ -6,7 +6,8 @@
 
 namespace unprojector::text {
 
-/// What is wrong with a value and what to do: names the value; without a capital and a full stop, as a part of a line:
+/// Describes an error of a value and the remedy. Names the value; no capital and no full stop,
+/// since it is a part of a line:
 ///
 ///   near is 100; it must be smaller than far (100)
 std::string errorText(const geometry::Error &error);

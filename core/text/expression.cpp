@@ -19,7 +19,7 @@ using Value = Result<double, ExpressionError>;
 
 constexpr int kDeepest = 100;
 
-// UTF-8, whatever the compiler's own character set is.
+// UTF-8 for any character set of the compiler.
 constexpr std::string_view kMinus = "\xe2\x88\x92";
 constexpr std::string_view kTimes = "\xc3\x97";
 constexpr std::string_view kMiddleDot = "\xc2\xb7";
@@ -39,7 +39,7 @@ bool isLetter(char c)
 /// Recursive descent, one function a level: sum of products of factors.
 class Parser {
 public:
-    /// @param names  besides pi and the functions; may be empty
+    /// @param names  in addition to pi and the functions; may be empty
     Parser(std::string_view text, const Names &names) : m_text(text), m_names(names) {}
 
     Value whole()
@@ -63,11 +63,12 @@ private:
 
     void skipBlanks()
     {
-        while (next() == ' ' || next() == '\t' || next() == '\n' || next() == '\r') // pasted with its line end
+        while (next() == ' ' || next() == '\t' || next() == '\n' || next() == '\r') // pasted with a line end
             ++m_at;
     }
 
-    /// Goes past one of these signs and the blanks behind it, if it is next.
+    /// Consumes one of these signs and the blanks after it.
+    /// @return whether it was next
     bool take(std::initializer_list<std::string_view> signs)
     {
         for (const std::string_view sign : signs) {
@@ -81,7 +82,7 @@ private:
     }
     bool takeMinus() { return take({"-", kMinus}); }
 
-    /// What stands next: a name, a number's digits, or one character of UTF-8.
+    /// The length of the next token: a name, a number's digits, or one character of UTF-8.
     std::size_t lengthOfNext() const
     {
         const auto isPart = [&](char c) { return isLetter(next()) ? isLetter(c) || isDigit(c) : isDigit(c); };
@@ -96,7 +97,8 @@ private:
         return end - m_at;
     }
 
-    /// @param code  what is missing where something else stands that could be right elsewhere
+    /// The error for an unexpected token.
+    /// @param code  the missing item, if the token would be valid elsewhere
     ExpressionError unexpected(Code code) const
     {
         const ExpressionError error{code, m_at, lengthOfNext()};
@@ -269,8 +271,8 @@ private:
     std::string_view m_text;
     const Names &m_names;
     std::size_t m_at = 0;
-    int m_depth = 0;  ///< parentheses that are open
-    int m_levels = 0; ///< parentheses and signs inside each other
+    int m_depth = 0;  ///< open parentheses
+    int m_levels = 0; ///< nesting of parentheses and signs
 };
 
 } // namespace

@@ -8,7 +8,8 @@
 
 namespace unprojector::text {
 
-/// The ASCII letters, digits and underscores of a name, others as underscores: what a variable's name may end in.
+/// Converts a name to an identifier suffix: ASCII letters, digits and underscores stay; others
+/// become underscores.
 inline std::string identifier(std::string_view name)
 {
     std::string result;
@@ -22,7 +23,7 @@ inline std::string identifier(std::string_view name)
     return result;
 }
 
-/// The same, and another one than those that are taken: the second "face" is "face_2".
+/// The same, made unique among the taken ones: the second "face" is "face_2".
 inline std::string newIdentifier(std::string_view name, std::vector<std::string> &taken)
 {
     std::string result = identifier(name);
@@ -32,9 +33,11 @@ inline std::string newIdentifier(std::string_view name, std::vector<std::string>
     return result;
 }
 
-/// How many bytes at a place of UTF-8 text are one character that shows nothing, ends a line or turns the direction of what follows:
-/// the controls of ASCII and of C1, U+2028, U+2029, marks, embeddings and isolates of bidirectional text, zero-width ones, tags.
-/// The joiners U+200C and U+200D, which belong to the spelling of names, are none.
+/// The byte count of the control character at a position of UTF-8 text, else 0. It counts
+/// characters that show nothing, end a line or change the direction of the following text. These
+/// are: the controls of ASCII and of C1, U+2028, U+2029; marks, embeddings and isolates of
+/// bidirectional text; zero-width characters; tags. The joiners U+200C and U+200D are none, since
+/// names use them in spelling.
 inline std::size_t controlAt(std::string_view text, std::size_t at)
 {
     const auto byte = [&](std::size_t i) {
@@ -54,8 +57,8 @@ inline std::size_t controlAt(std::string_view text, std::size_t at)
     return a == 0xf3 && b == 0xa0 && (c == 0x80 || c == 0x81) ? 4 : 0;
 }
 
-/// A name as a comment of one line can hold it, in every language that has such, and as it reads in every editor: controls, and
-/// the backslash that would continue the line, are underscores.
+/// A name that is safe in a one-line comment of any language and readable in any editor: controls
+/// become underscores, and so does the backslash, which would continue the line.
 inline std::string onOneLine(std::string_view name)
 {
     std::string line;

@@ -16,7 +16,7 @@ struct Kind {
 
 constexpr const char *kNotUtf8 = marked("a byte here is not UTF-8; save the file as UTF-8");
 
-/// The first sign that a message has counts.
+/// The first matching sign in a message counts.
 constexpr Kind kKinds[] = {
     {"ill-formed UTF-8", kNotUtf8},
     {"invalid BOM", kNotUtf8},
@@ -42,7 +42,7 @@ constexpr Kind kKinds[] = {
 constexpr std::string_view kSigns = ",:{}[]\"";
 constexpr std::string_view kBetweenWords = " \t\r\n,:{}[]\"";
 
-/// The library's sentence without what it read last, which may hold anything.
+/// The library's message without the text that it read last, which may contain anything.
 std::string withoutLastRead(std::string_view message)
 {
     constexpr std::string_view kLastRead = "; last read: '";
@@ -53,7 +53,7 @@ std::string withoutLastRead(std::string_view message)
     return without;
 }
 
-/// What stands at a place: a text with its quotes, a sign, or a word or a number.
+/// The token at a position: a text with its quotes, a sign, a word or a number.
 std::string_view tokenAt(std::string_view text, std::size_t at)
 {
     text.remove_prefix(std::min(at, text.size()));
@@ -70,7 +70,7 @@ std::string_view tokenAt(std::string_view text, std::size_t at)
     return text.substr(0, text.find_first_of(kBetweenWords));
 }
 
-/// Where the word begins that a place lies in.
+/// The start of the word around a position.
 std::size_t wordBegin(std::string_view text, std::size_t at)
 {
     const auto isInWord = [text](std::size_t place) {
@@ -81,7 +81,7 @@ std::size_t wordBegin(std::string_view text, std::size_t at)
     return at;
 }
 
-/// The beginning of a token as a sentence shows it; empty where it is not UTF-8.
+/// The beginning of a token for a message; empty if it is not UTF-8.
 std::string quotable(std::string_view token)
 {
     constexpr std::size_t kMost = 24;
@@ -104,7 +104,7 @@ JsonMistake jsonMistake(std::string_view text, std::size_t position, std::string
 {
     const std::string message = withoutLastRead(parserMessage);
     const auto has = [&message](std::string_view sign) { return message.find(sign) != message.npos; };
-    // The library reads numbers and texts as tokens; signs and words pile up behind them in its last one.
+    // The library reads numbers and texts as tokens; it appends signs and words to its last token.
     const std::size_t begin = position > lastToken.size() ? position - lastToken.size() : 0;
     const std::size_t last = std::min(position > 0 ? position - 1 : 0, text.size());
     JsonMistake mistake;

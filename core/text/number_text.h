@@ -15,15 +15,15 @@ inline void appendNumber(std::string &text, double value)
     text.append(digits.data(), written.ptr);
 }
 
-/// Whether a number is written out where zeros take more room than a power of ten would: up to ten thousand million, so that
-/// the coordinates of a survey can be read.
+/// Returns whether a number is written with zeros rather than a power of ten: from 1e5 up to 1e10,
+/// so that the coordinates of a survey stay readable.
 inline bool isWrittenOut(double value)
 {
     const double size = std::abs(value);
     return size >= 1e5 && size < 1e10;
 }
 
-/// The fewest digits that read back to the same double, for people: 4000000 is written out.
+/// The fewest digits that read back to the same double, for people: 4000000 is written in full.
 inline std::string shortestText(double value)
 {
     std::string text;
@@ -37,8 +37,9 @@ inline std::string shortestText(double value)
     return text;
 }
 
-/// The fewest digits of a number that is less than `off` away from the value: what is behind them is noise where the value is
-/// known no better. Those of shortestText where `off` is 0, NaN or infinite.
+/// The fewest digits of a number that differs from the value by less than `off`, the value's
+/// uncertainty: further digits would be noise. If `off` is 0, NaN or infinite, as
+/// shortestText(value).
 inline std::string shortestText(double value, double off)
 {
     if (off > 0.0 && std::isfinite(off)) {
@@ -56,7 +57,7 @@ inline std::string shortestText(double value, double off)
     return shortestText(value);
 }
 
-/// Up to so many significant digits.
+/// The value with at most the given number of significant digits.
 inline std::string significantText(double value, int digits)
 {
     std::array<char, 32> text;
@@ -65,7 +66,7 @@ inline std::string significantText(double value, int digits)
     return {text.data(), written.ptr};
 }
 
-/// What nothing exceeds: two digits, rounded up.
+/// An upper bound in two digits, rounded up.
 /// @param bound  not below 0
 inline std::string boundText(double bound)
 {

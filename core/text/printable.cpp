@@ -18,7 +18,7 @@ std::string hexadecimal(std::uint32_t value, int digits)
     return text;
 }
 
-/// "\x1b", "\u202e", "\U000e0001"
+/// The escape of a character: "\x1b", "\u202e", "\U000e0001".
 /// @param character  one character of UTF-8
 std::string writtenOut(std::string_view character)
 {
@@ -31,7 +31,7 @@ std::string writtenOut(std::string_view character)
     return code < 0x10000 ? "\\u" + hexadecimal(code, 4) : "\\U" + hexadecimal(code, 8);
 }
 
-/// How many bytes at a place are a blank that is not ASCII's.
+/// The byte count of a non-ASCII blank at a position, else 0.
 std::size_t blankAt(std::string_view text, std::size_t at)
 {
     constexpr std::string_view kBlanks[] = {"\xc2\xa0", "\xe1\x9a\x80", "\xe2\x80\xaf", "\xe2\x81\x9f", "\xe3\x80\x80"};

@@ -5,10 +5,11 @@
 
 namespace unprojector::text {
 
-/// What the system says of an error; where tr() does not speak English, the usual ones in its words.
+/// The system's message for an error. If tr() is not set to English, the common errors are
+/// translated.
 std::string systemErrorText(const std::error_code &error);
 
-/// The same of what errno says.
+/// The same for a value of errno.
 std::string systemErrorText(int number);
 
 } // namespace unprojector::text

@@ -93,7 +93,8 @@ std::optional<double> doubleFromWord(std::string_view word)
     const char *end = word.data() + word.size();
     const std::from_chars_result result = std::from_chars(word.data(), end, value);
     if (result.ec == std::errc::result_out_of_range) {
-        // from_chars does not say which end of the range; without an exponent it is hundreds of digits either way.
+        // from_chars does not tell overflow from underflow; without an exponent there are hundreds
+        // of digits either way.
         const std::size_t exponent = word.find_first_of("eE");
         const std::size_t firstDigit = word.find_first_of("123456789.");
         const bool isTiny = exponent != word.npos && exponent + 1 < word.size()
@@ -105,7 +106,7 @@ std::optional<double> doubleFromWord(std::string_view word)
     }
     if (result.ptr == end)
         return value;
-    // What Microsoft's C library prints for NaN and infinity.
+    // Accepts the output of Microsoft's C library for NaN and infinity.
     if (std::string_view(result.ptr, static_cast<std::size_t>(end - result.ptr)).starts_with('#')
         || (result.ptr != word.data() && result.ptr + 1 < end && result.ptr[0] == '.' && result.ptr[1] == '#'))
         return std::numeric_limits<double>::quiet_NaN();

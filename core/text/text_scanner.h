@@ -7,7 +7,7 @@
 
 namespace unprojector::text {
 
-/// Walks over a text file's words and counts its lines. Line ends: LF, CRLF or CR.
+/// Iterates over a text file's words and counts its lines. Line ends: LF, CRLF or CR.
 class TextScanner {
 public:
     explicit TextScanner(std::string_view text, std::size_t offset = 0, std::size_t line = 1)
@@ -21,14 +21,15 @@ public:
     std::string_view nextWordInLine();
     /// Moves to the start of the next line.
     void skipLine();
-    /// Moves to the first word of a line that has one, over empty lines and the rest of this one where it is empty.
+    /// Moves to the first word of the next non-empty line, past the rest of this line if that is
+    /// empty.
     void skipBlankLines();
     /// The rest of the line without blanks at its ends; moves to the start of the next line.
     std::string_view restOfLine();
 
     bool isAtEnd() const { return m_offset >= m_text.size(); }
     std::size_t offset() const { return m_offset; }
-    /// Of the word read last, counted from 1.
+    /// The line of the last word read, counted from 1.
     std::size_t line() const { return m_line; }
 
 private:
@@ -39,13 +40,15 @@ private:
     std::size_t m_line;
 };
 
-/// The number a word stands for, rounded correctly and independent of the locale; "nan", "inf" and "1.#IND" count as
-/// numbers, values too large or too small for a double become infinity or 0. Nothing when the word is not a number.
+/// The number that a word represents, rounded correctly and independent of the locale. "nan", "inf"
+/// and "1.#IND" count as numbers; values beyond the range of double become infinity or 0. Nothing
+/// if the word is not a number.
 std::optional<double> doubleFromWord(std::string_view word);
 std::optional<float> floatFromWord(std::string_view word);
 std::optional<long long> integerFromWord(std::string_view word);
 
-/// A word for a message: in quotes, cut at 40 characters, what cannot be printed written out (see text::printableBeginning).
+/// A word for a message: quoted, cut at 40 characters, with unprintable characters escaped (see
+/// text::printableBeginning).
 std::string quoted(std::string_view word);
 
 } // namespace unprojector::text

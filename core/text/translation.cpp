@@ -11,7 +11,7 @@
 
 namespace unprojector::text {
 
-// Made of resources/translations/unproject_zh_CN.json when the program is built.
+// Generated from resources/translations/unproject_zh_CN.json at build time.
 extern const unsigned char kChineseCatalogue[];
 extern const std::size_t kChineseCatalogueSize;
 
@@ -35,7 +35,7 @@ const Catalogue &chinese()
     return catalogue;
 }
 
-/// Whether UTF-8 text begins with a Hanzi: the bytes that begin U+4000 to U+9FFF.
+/// Returns whether UTF-8 text begins with a Hanzi: the first bytes of U+4000 to U+9FFF.
 bool beginsWithHanzi(std::string_view text)
 {
     constexpr unsigned char kFirst = 0xE4, kLast = 0xE9;
@@ -79,7 +79,7 @@ std::string translated(std::string_view english)
 std::string filled(std::string_view pattern, const std::vector<std::string> &values)
 {
     std::string text;
-    std::vector<std::size_t> blanks; // the pattern's, not those in a value
+    std::vector<std::size_t> blanks; // the pattern's, not a value's
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         const std::size_t place =
             pattern[i] == '%' && i + 1 < pattern.size() && pattern[i + 1] >= '1' && pattern[i + 1] <= '9'
@@ -94,8 +94,8 @@ std::string filled(std::string_view pattern, const std::vector<std::string> &val
         text += values[place - 1];
         ++i;
     }
-    // A blank stands between Hanzi and a number or a Latin word, and none between Hanzi: a translation cannot know which
-    // of them a value is.
+    // Chinese puts a blank between Hanzi and a number or a Latin word, but none between Hanzi. A
+    // translation cannot know the kind of a value.
     for (auto blank = blanks.rbegin(); blank != blanks.rend(); ++blank) {
         const std::string_view all = text;
         if (endsWithHanzi(all.substr(0, *blank)) && beginsWithHanzi(all.substr(*blank + 1)))

@@ -5,19 +5,19 @@
 #include <type_traits>
 #include <vector>
 
-// What the core says to people, in their language. The English text in the source is the key;
+// The user's language for core's messages. The English text in the source is the key;
 // resources/translations/unproject_zh_CN.json has the Chinese one.
 
 namespace unprojector::text {
 
 enum class Language { English, Chinese };
 
-/// What tr() speaks in every thread: English unless a program says otherwise when it starts.
+/// Sets the language of tr() for all threads; the default is English.
 void setLanguage(Language language);
-/// What tr() speaks in this thread.
+/// The language of tr() in this thread.
 Language language();
 
-/// While it lives, tr() speaks English in this thread: for what programs read.
+/// Sets tr() to English in this thread during its lifetime: for output that programs read.
 class InEnglish {
 public:
     InEnglish();
@@ -29,17 +29,18 @@ private:
     bool m_before;
 };
 
-/// A text as it is, that tr() gets later, out of a table.
+/// Marks a text for translation without translating it; tr() receives it later from a table.
 constexpr const char *marked(const char *english)
 {
     return english;
 }
 
-/// A text in the language that is set; the English one, without its context, where it has no other.
+/// The text in the current language; the English one, without its context, if there is no
+/// translation.
 std::string translated(std::string_view english);
 
-/// A pattern with values in the places of %1 to %9, whatever stands in the values. A blank of the pattern goes where it would
-/// stand between two Hanzi.
+/// Fills values into %1 to %9 of a pattern; values are not searched for placeholders. Removes
+/// blanks of the pattern that end up between two Hanzi.
 std::string filled(std::string_view pattern, const std::vector<std::string> &values);
 
 inline std::string valueText(std::string_view value)
@@ -53,9 +54,9 @@ std::string valueText(Integer value)
     return std::to_string(value);
 }
 
-/// @param english  a literal, so that the texts of the source and of the translation can be compared; with %1 to %9 where
-///                 there are values. A word alone is not the same in every place: where it stands is said behind a bar,
-///                 which is not said to people: "right|verdict"
+/// @param english  a literal, so that a script can compare the texts of source and translation; %1
+///         to %9 stand for the values. A single word may need different translations: its context
+///         follows after a bar, which is not shown: "right|verdict"
 template <class... Values>
 std::string tr(std::string_view english, const Values &...values)
 {

@@ -13,7 +13,7 @@ std::size_t firstNotUtf8(std::string_view text)
     for (std::size_t i = 0; i < text.size();) {
         const unsigned char first = byte(i);
         std::size_t length = 1;
-        // The second byte tells what is overlong, a surrogate or too large.
+        // The second byte excludes overlong forms, surrogates and values that are too large.
         unsigned lowest = 0x80, highest = 0xbf;
         if (first >= 0x80) {
             if (isBetween(first, 0xc2, 0xdf))

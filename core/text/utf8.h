@@ -9,16 +9,17 @@
 
 namespace unprojector::text {
 
-/// Where a text stops being UTF-8: the first byte of what is none, npos where all of it is. Overlong forms, surrogates and what
-/// lies beyond U+10FFFF are none.
+/// The position of the first byte that is not UTF-8; npos for valid UTF-8. Overlong forms,
+/// surrogates and values beyond U+10FFFF are invalid.
 /// Source: The Unicode Standard, table 3-7.
 std::size_t firstNotUtf8(std::string_view text);
 
-/// Returns the first `count` UTF-8 characters of a text. Outside valid UTF-8, a byte and up to three continuation bytes count
-/// as one character.
+/// Returns the first `count` UTF-8 characters of a text. Outside valid UTF-8, a byte and up to
+/// three continuation bytes count as one character.
 std::string_view firstCharacters(std::string_view text, std::size_t count);
 
-/// A text in UTF-16 as UTF-8. What is no UTF-16, as half a pair of surrogates or a single last byte, becomes U+FFFD.
+/// Converts UTF-16 to UTF-8. Invalid UTF-16, such as half a surrogate pair or a single last byte,
+/// becomes U+FFFD.
 /// @param bytes  without a byte order mark
 std::string utf8FromUtf16(std::span<const std::uint8_t> bytes, std::endian order);
 

@@ -16,7 +16,7 @@ class TaskQueue {
 public:
     TaskQueue(std::size_t count, const std::function<void(std::size_t)> &task) : m_count(count), m_task(task) {}
 
-    /// Runs the next task; false when there is none left.
+    /// Runs the next task; returns false if there is none left.
     bool runNext()
     {
         if (m_isStopped)
@@ -37,7 +37,8 @@ public:
     {
         m_isStopped = true;
         const std::lock_guard lock(m_mutex);
-        // All tasks before this one were handed out and will end: so the first that fails is known in the end.
+        // All tasks before this one were handed out and will end, so the first failing task is
+        // always found.
         if (!m_exception || number < m_failed) {
             m_failed = number;
             m_exception = std::move(exception);
@@ -77,7 +78,7 @@ void inParallel(std::size_t count, const std::function<void(double)> &report,
             });
         }
     } catch (const std::exception &) {
-        // The system has no more threads, or no memory for one: those that there are do the work.
+        // The system has no more threads, or no memory for one: the existing ones do the work.
     }
     try {
         while (queue.runNext()) {

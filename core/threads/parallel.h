@@ -7,24 +7,28 @@
 
 namespace unprojector::threads {
 
-/// Runs task(0) … task(count - 1) on all cores, in no order; returns when all have ended. A single task is run by the
-/// calling thread.
+/// Runs task(0) … task(count - 1) on all cores, in no order; returns when all have ended. If there
+/// is only one task, the calling thread runs it.
 ///
-/// The first exception in the order of the tasks goes on to the caller: then tasks that have not begun never do.
-/// @param task    called from several threads at once; some milliseconds long, so that a cancel is obeyed at once
-/// @param report  called by the calling thread only, with the share done in [0, 1], never falling; may throw to stop
+/// Rethrows the first exception, in the order of the tasks. After an exception, tasks that have not
+/// begun are skipped.
+/// @param task    called from several threads at once; a few milliseconds long, so that cancelling
+///         takes effect at once
+/// @param report  called by the calling thread only, with the share done in [0, 1], which never
+///         decreases; may throw to cancel
 void inParallel(std::size_t count, const std::function<void(double)> &report,
                 const std::function<void(std::size_t)> &task);
 
-/// Whether the system lets so many more threads run at once now.
+/// Returns whether the system can start this many more threads now.
 bool canStartThreads(std::size_t count) noexcept;
 
-/// The same over ranges of at most `size` of `count` elements: range(begin, end).
+/// The same for ranges of at most `size` of `count` elements: range(begin, end).
 void inParallelRanges(std::size_t count, std::size_t size, const std::function<void(double)> &report,
                       const std::function<void(std::size_t, std::size_t)> &range);
 
-/// Makes an array as long as `count` and fills it: fill(begin, end) sets these elements. In steps, since the memory of a
-/// long array takes a long time to come. One that grows by many calls is not copied at each.
+/// Resizes an array to `count` and fills it in parallel: fill(begin, end) sets these elements. It
+/// works in steps, since allocating the memory of a long array takes a long time. Capacity at least
+/// doubles, so repeated calls do not copy the array each time.
 template <class T>
 void fillInParallel(std::vector<T> &values, std::size_t count, const std::function<void(double)> &report,
                     const std::function<void(std::size_t, std::size_t)> &fill)

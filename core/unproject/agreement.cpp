@@ -43,13 +43,15 @@ std::optional<Agreement> agreementOf(const Pick &pick)
     const WorldVector difference = world.difference();
     Agreement result;
     result.difference = largest(difference);
-    // Near the world's origin the eye and the way from it cancel, and what rounding did to either stands out.
+    // Near the world's origin the eye and the vector from it cancel, which exposes the rounding of
+    // both.
     const double before = std::max(largest(pick.setup.camera().eye), largest(*eye));
     const double unitBefore = ulpOfLargest(WorldPoint(before, 0.0, 0.0));
     result.ulps = result.difference / (largest(point) > 0.0 ? ulpOfLargest(point) : unitBefore);
     result.byCancelling = std::max(1.0, before / std::max(largest(point), unitBefore));
     if (isPerspective(pick.setup.projection())) {
-        // z_ndc changes by n f / (f - n) / z^2 a unit of z: what rounding does to the one shows in the other that much larger.
+        // z_ndc changes by n f / (f - n) / z^2 per unit of z, so a rounding of z_ndc is that much
+        // larger in z.
         const ProjectionWindow window = projectionWindow(pick.setup.projection());
         const double n = window.nearDistance, f = window.farDistance;
         result.byPerspective = std::max(1.0, -eye->z * (f - n) / (f * n));
@@ -77,7 +79,7 @@ std::string verdictText(const Pick &pick)
         return tr("Formula and matrix agree to the last digit");
     if (agreement->isToTheLastPlaces())
         return tr("Formula and matrix agree to within %1 ulp", significantText(std::ceil(agreement->ulps), 1));
-    constexpr double kMuch = 2.0; // less magnifies nothing worth a word
+    constexpr double kMuch = 2.0; // a smaller factor is not worth mentioning
     const bool isByPerspective = agreement->byPerspective >= agreement->byCancelling;
     const std::string cause = std::max(agreement->byPerspective, agreement->byCancelling) < kMuch
                                   ? tr("rounding of the inverse")

@@ -9,16 +9,16 @@
 
 namespace unprojector::unproject {
 
-/// The ways to a point. What computes and what writes answers, as JSON and as CSV, goes through kMethods; what compares
-/// two of them side by side names them.
+/// The methods that compute a point. Code that computes or writes answers, as JSON and as CSV,
+/// iterates over kMethods; code that compares two of them names them.
 enum class Method {
-    Formula,      ///< (9) to (12), no matrix is inverted; rounded once
-    Matrix,       ///< the inverted matrix, as gluUnProject does it
-    MatrixInFloat ///< the same wholly in single precision, as most programs do
+    Formula,      ///< (9) to (12), without inverting a matrix; rounded once
+    Matrix,       ///< the inverted matrix, as in gluUnProject
+    MatrixInFloat ///< the same entirely in single precision, as in most programs
 };
 constexpr std::array kMethods{Method::Formula, Method::Matrix, Method::MatrixInFloat};
 
-/// The name that files call a method by: "formula", "matrix", "matrixInFloat".
+/// The name of a method in files: "formula", "matrix", "matrixInFloat".
 constexpr const char *keyOf(Method method)
 {
     switch (method) {
@@ -29,11 +29,11 @@ constexpr const char *keyOf(Method method)
     return "";
 }
 
-/// One point of a space, by each method. Each says for itself why it has no answer.
+/// One point of a space, by each method. Each holds its own error if it has no answer.
 template <class Space>
 class Answers {
 public:
-    /// Asks `by(method)` for each method.
+    /// Calls `by(method)` for each method.
     template <class By>
     static Answers of(const By &by)
     {
@@ -65,8 +65,8 @@ struct Unprojected {
     Answers<geometry::WorldSpace> world;
 };
 
-/// The spacing of doubles at the largest component of a point: the unit that differences of this point are
-/// counted in. Counting each component in its own unit would call the noise of a component near 0 enormous.
+/// The spacing of doubles at the largest component of a point: the unit for differences of this
+/// point. With a unit per component, the noise of a component near 0 would look enormous.
 double ulpOfLargest(const geometry::Components<3> &point);
 
 } // namespace unprojector::unproject

@@ -52,7 +52,7 @@ Certainty Certainties::at(double distance, const DepthError &error) const
     const double n = m_window.nearDistance, f = m_window.farDistance;
     double whole = error.whole() / m_range * (f - n), step = error.rounding / m_range * (f - n);
     if (m_isPerspective) {
-        const double ofUnit = distance / (f * n); // relative, of an error of `whole` in a box
+        const double ofUnit = distance / (f * n); // relative, for an error of `whole` in a box
         const double rest = 1.0 - ofUnit * whole;
         whole = rest > 0.0 ? distance * ofUnit * whole / rest : f - n;
         step *= distance * ofUnit;

@@ -10,40 +10,44 @@
 
 namespace unprojector::unproject {
 
-/// How sure the point of a click is, which stands for the centre of its pixel. Its place in the picture is exact; so it lies on
-/// the ray through that centre, and so does the surface: what is not sure is how far along.
+/// The uncertainty of a click's point, which stands for the centre of its pixel. Its position in
+/// the view is exact, so the point and the surface lie on the ray through that centre. Only the
+/// distance along the ray is uncertain.
 struct Certainty {
-    /// Half a step of the depth buffer at that distance, world units along the view direction: what rounding the depth alone
-    /// leaves open.
+    /// Half a step of the depth buffer at that distance, world units along the view direction: the
+    /// error of rounding the depth alone.
     double halfDepthStep = 0.0;
-    /// Size of one pixel at that distance, world units: how far apart points can lie and still be clicked as one. It says
-    /// nothing against the point of the pixel's centre.
+    /// The size of a pixel at that distance, world units: points within it give the same click. It
+    /// does not add to the error of the point at the pixel's centre.
     double footprintWidth = 0.0;
     double footprintHeight = 0.0;
-    /// How much nearer or farther than the point the surface may be, world units along the view direction: halfDepthStep and
-    /// what the rasteriser was off (see DepthError).
+    /// The error bound of the distance, world units along the view direction: halfDepthStep and the
+    /// error of the rasteriser (see DepthError).
     double distance = 0.0;
 };
 
-/// To window depth's error delta, of which the range's share is q = delta / |df - dn|:
+/// Computes the certainty for an error delta of the window depth. With delta as a share of the
+/// range, q = delta / |df - dn|:
 ///
-///   perspective  q z^2 (f-n) / (f n), divided by 1 - q z (f-n) / (f n): by the end that is farther off
+///   perspective  q z^2 (f-n) / (f n), divided by 1 - q z (f-n) / (f n): by the farther end
 ///   box          q (f-n)
 ///
-/// and no more than there is to the near or far plane, since what was drawn lies between them. The depth step to first
-/// order. A pixel is (r-l) z / (n width) by (t-b) z / (n height), in a box (r-l) / width by (t-b) / height.
+/// The result is limited by the near and far plane, since the drawn surface lies between them. The
+/// depth step is to first order. A pixel is (r-l) z / (n width) by (t-b) z / (n height), in a box
+/// (r-l) / width by (t-b) / height.
 /// @param distance  z > 0 in front of the eye (any z for a box), eye units
 /// @pre the setup is valid and by parameters
 Certainty certaintyAt(const geometry::Setup &setup, double distance, const DepthError &error);
 
-/// How far each coordinate of a point can be off, at most.
+/// The error bound of each coordinate of a point.
 struct Uncertainty {
     geometry::EyeVector eye;
     geometry::WorldVector world;
 };
 
-/// Certainty::distance along the ray through the pixel's centre, on each axis; and half a unit in the last place of the
-/// coordinate, to which it is rounded. The axes are not off independently: all of them by the same share.
+/// Certainty::distance along the ray through the pixel's centre, on each axis; plus half a unit in
+/// the last place of the coordinate for its rounding. The errors of the axes are not independent:
+/// all have the same share.
 /// @param eye        the point
 /// @param world      the same
 /// @param certainty  at its distance
@@ -51,7 +55,8 @@ struct Uncertainty {
 Uncertainty uncertaintyOf(const geometry::Setup &setup, const geometry::EyePoint &eye,
                           const geometry::WorldPoint &world, const Certainty &certainty);
 
-/// certaintyAt and uncertaintyOf for many pixels of a picture: what hangs on the picture alone is computed once.
+/// Computes certaintyAt and uncertaintyOf for many pixels of a setup: constants of the setup are
+/// computed once.
 class Certainties {
 public:
     /// @pre the setup is valid and by parameters
@@ -64,22 +69,24 @@ private:
     friend Uncertainty withinPixel(const geometry::Setup &setup, const geometry::EyePoint &eye,
                                    const geometry::WorldPoint &world, const Certainty &certainty);
 
-    /// Along the ray through the point, as far as the certainty's distance.
+    /// The vector along the ray through the point, as long as the certainty's distance.
     glm::dvec3 alongRay(const geometry::EyePoint &eye, const Certainty &certainty) const;
-    /// Parts of an error, as vectors of eye space, on each axis: added up, since all of them can be off at once.
+    /// The sum of error parts, given as vectors of eye space, on each axis: all of them may occur
+    /// at once.
     Uncertainty summed(const geometry::EyePoint &eye, const geometry::WorldPoint &world,
                        std::initializer_list<glm::dvec3> parts) const;
 
     geometry::ProjectionWindow m_window;
     bool m_isPerspective;
-    glm::dvec3 m_parallel; ///< a box's rays, for a unit of distance in front of the eye
+    glm::dvec3 m_parallel; ///< the direction of a box's rays, per unit of distance in front of the eye
     double m_range;
-    glm::dvec2 m_footprint; ///< of a pixel at the distance 1 in a perspective, anywhere in a box
+    glm::dvec2 m_footprint; ///< of a pixel: at distance 1 in a perspective, at any distance in a box
     geometry::EyeFrame m_frame;
 };
 
-/// How far from the point what lies in its pixel at that distance can be, besides: half a pixel to the side and half a
-/// pixel up, on each axis, and uncertaintyOf. What a hand that points at something leaves open.
+/// The largest difference from the point to anything in its pixel at that distance: half a pixel to
+/// the side and half a pixel up, on each axis, and uncertaintyOf. It is the uncertainty of pointing
+/// by hand.
 Uncertainty withinPixel(const geometry::Setup &setup, const geometry::EyePoint &eye, const geometry::WorldPoint &world,
                         const Certainty &certainty);
 

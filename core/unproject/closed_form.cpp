@@ -11,7 +11,8 @@ namespace {
 
 using PreciseEye = PrecisePoint<EyeSpace>;
 
-/// What every projection needs first: a valid projection and viewport, a finite position, and the depth in [0, 1].
+/// Checks the common preconditions: a valid projection and viewport, and a finite position. Returns
+/// the depth in [0, 1].
 Result<DepthShares> checkedDepth(const Projection &projection, const Viewport &viewport, const DepthRange &range,
                                  const WindowPoint &window)
 {
@@ -24,7 +25,7 @@ Result<DepthShares> checkedDepth(const Projection &projection, const Viewport &v
     return depthShares(range, window.z);
 }
 
-/// n / z = 1 - d + d n / f: the share that the near plane's window has of the view volume's section at z.
+/// n / z = 1 - d + d n / f: the ratio of the near plane's window to the view volume's section at z.
 DoubleDouble nearOverDistance(double n, double f, const DepthShares &d)
 {
     return d.fromFar + d.fromNear * (DoubleDouble(n) / f); // divided by f, so that n f cannot overflow
@@ -35,13 +36,14 @@ DoubleDouble boxDistance(double n, double f, const DepthShares &d)
     return n * d.fromFar + f * d.fromNear;
 }
 
-/// (position - start) (high - low) / size + low: formulas (11), (12) and, but for the factor z / n, (9), (10).
+/// (position - start) (high - low) / size + low: formulas (11), (12) and, except for the factor z /
+/// n, (9), (10).
 DoubleDouble betweenEdges(const DoubleDouble &low, const DoubleDouble &high, double position, double start, double size)
 {
     return (DoubleDouble(position) - start) / size * (high - low) + low;
 }
 
-/// Parameters at the ends of the range of doubles can overflow on the way.
+/// Checks for overflow, which parameters at the ends of the range of doubles can cause.
 Result<PreciseEye> finite(const PreciseEye &point)
 {
     if (!isFinite(point.rounded()))
@@ -49,7 +51,7 @@ Result<PreciseEye> finite(const PreciseEye &point)
     return point;
 }
 
-/// Of a frustum or a perspective.
+/// The eye point of a frustum or a perspective.
 Result<PreciseEye> preciseFrustum(const Projection &projection, const Viewport &viewport, const DepthRange &range,
                                   const WindowPoint &window)
 {

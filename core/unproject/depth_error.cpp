@@ -21,7 +21,7 @@ constexpr double kFloatRounding = 0x1p-24;
 
 using Corners = std::array<glm::dvec3, 3>; ///< window coordinates
 
-/// Of a surface that is inclined by 80 degrees to the picture's plane, at a distance.
+/// The slope of a surface that is inclined by 80 degrees to the plane of the view, at a distance.
 DepthSlope steepSlope(const Setup &setup, double depthOfUnit, double distance)
 {
     const double tangent = std::tan(radiansFromDegrees(80.0));
@@ -29,7 +29,7 @@ DepthSlope steepSlope(const Setup &setup, double depthOfUnit, double distance)
     return {depthOfUnit * footprint.x * tangent, depthOfUnit * footprint.y * tangent};
 }
 
-/// By how much the window depth changes for a unit of distance in front of the eye: |dd/dz|.
+/// The change of the window depth per unit of distance in front of the eye: |dd/dz|.
 double depthOfUnitDistance(const Setup &setup, double distance)
 {
     const ProjectionWindow w = projectionWindow(setup.projection());
@@ -38,8 +38,8 @@ double depthOfUnitDistance(const Setup &setup, double distance)
     return isPerspective(setup.projection()) ? range * f * n / ((f - n) * distance * distance) : range / (f - n);
 }
 
-/// A triangle's depth is a x + b y + c in NDC, and so a x + b y + c w in clip space, wherever its corners lie: also behind
-/// the eye.
+/// The slope of a triangle. Its depth is a x + b y + c in NDC, and so a x + b y + c w in clip
+/// space, wherever its corners lie: also behind the eye.
 /// @return nothing for a triangle that is seen edge on
 std::optional<DepthSlope> slopeOf(const Setup &setup, const std::array<glm::dvec4, 3> &clip)
 {
@@ -61,8 +61,9 @@ std::optional<DepthSlope> slopeOf(const Setup &setup, const std::array<glm::dvec
                       std::abs(plane.y) * range / setup.viewport.height};
 }
 
-/// What rounding the differences of a triangle's corners, their products and its area does to its plane, at a place: the
-/// plane hangs at one corner, nobody knows which, and what is off grows from there.
+/// The depth error at a position due to rounding of a triangle's corner differences, their products
+/// and its area. The plane is anchored at an unknown corner, and the error grows with the distance
+/// from it.
 ///
 ///   dd/dx = (d01 y20 - d20 y01) / A, A = x01 y20 - x20 y01
 ///
@@ -81,7 +82,7 @@ double thinTriangleError(const Corners &corners, const glm::dvec3 &place)
     return kFloatRounding * worst / std::abs(a.x * b.y - a.y * b.x);
 }
 
-/// How far a place is from the nearest of a triangle's edges, pixels.
+/// The distance from a position to the nearest edge of a triangle, pixels.
 double edgeDistance(const Corners &corners, const glm::dvec3 &place)
 {
     double nearest = std::numeric_limits<double>::infinity();
@@ -124,7 +125,7 @@ DepthError DepthErrors::at(const WindowPoint &window, const WorldPoint &world, c
     const glm::dvec4 place = m_verticesFromWorld * glm::dvec4(world.coordinates(), 1.0);
     const glm::dvec4 clip = m_clipFromVertices * place;
 
-    // What the vertices are off, carried to the place between them.
+    // The vertices' error, carried to the point between them.
     glm::dvec4 sums(0.0);
     for (int column = 0; column < 4; ++column)
         sums += glm::abs(m_clipFromVertices[column] * place[column]);
@@ -147,7 +148,7 @@ DepthError DepthErrors::at(const WindowPoint &window, const WorldPoint &world, c
         }
         if (const std::optional<DepthSlope> known = slopeOf(m_setup, clipCorners)) {
             slope = known;
-            if (isBeforeTheEye) // else it is cut, and its corners are others
+            if (isBeforeTheEye) // otherwise it is clipped, and its corners are others
                 corners = windowCorners;
         }
     }

@@ -67,7 +67,7 @@ std::optional<double> betterNear(const Setup &setup, std::span<const Box> boxes)
         return std::nullopt;
     const double most = kMargin * *nearest;
     const double unit = std::pow(10.0, std::floor(std::log10(most)));
-    // A power of ten that is no double may be rounded up.
+    // A power of ten without an exact double may be rounded up.
     double better = std::floor(most / unit) * unit;
     if (better > most)
         better = std::floor(most / unit - 1.0) * unit;

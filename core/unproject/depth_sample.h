@@ -5,10 +5,10 @@
 
 namespace unprojector::unproject {
 
-/// How a depth buffer keeps depths: as whole steps of 1 / (2^bits - 1), or as floats.
+/// The storage of depths in a depth buffer: whole steps of 1 / (2^bits - 1), or floats.
 struct DepthFormat {
     int bits = 24;
-    bool isFloat = false; ///< of single precision, whatever `bits` says
+    bool isFloat = false; ///< single precision; `bits` is ignored
 
     constexpr DepthFormat(int fixedPointBits = 24) : bits(fixedPointBits) {}
     static constexpr DepthFormat floatingPoint()
@@ -18,36 +18,40 @@ struct DepthFormat {
         return format;
     }
 
-    /// Half the way between two depths that can be kept, at a depth in [0, 1].
+    /// Half the distance between two adjacent stored depths, at a depth in [0, 1].
     double halfStep(double depth) const;
-    /// What is kept of a depth in [0, 1]: the nearest that can be.
+    /// The nearest stored depth to a depth in [0, 1].
     double kept(double depth) const;
 
     friend bool operator==(const DepthFormat &, const DepthFormat &) = default;
 };
 
-/// By how much the window depth of a surface changes from pixel to pixel, along x and along y. Neither is below 0.
+/// The change of a surface's window depth from pixel to pixel, along x and along y. Neither is
+/// below 0.
 struct DepthSlope {
     double perPixelX = 0.0;
     double perPixelY = 0.0;
 };
 
-/// Corners are put on a grid of 1/256 of a pixel before it is decided which pixels a triangle covers (GL_SUBPIXEL_BITS is 8 on
-/// the graphics cards of today and in Mesa's software renderers): each is moved by no more than half of that along x and y.
+/// The largest shift of a triangle's corners along x and y, in pixels. Rasterisers snap corners to
+/// a grid of 1/256 of a pixel (GL_SUBPIXEL_BITS is 8 on current graphics cards and in Mesa's
+/// software renderers); the shift is half of that.
 constexpr double kCornerShiftPixels = 0x1p-9;
 
-/// What the framebuffer says of one pixel.
+/// The framebuffer's contents at one pixel.
 struct DepthSample {
-    double depth = 1.0; ///< in the depth range: as read on a surface, that of the far plane on background
-    std::optional<std::size_t> object = {}; ///< whose surface, its place in the scene's list; nothing: background
+    double depth = 1.0;                     ///< in the depth range: as read on a surface, the far plane's on background
+    std::optional<std::size_t> object = {}; ///< index in the scene's list of the surface's object; nothing: background
     DepthFormat format = {};
-    /// As the depths around it tell; nothing where they do not.
+    /// Derived from the depths around it; nothing if they do not allow it.
     std::optional<DepthSlope> slope = {};
-    /// How far a triangle's corners are moved before its depths are interpolated, pixels, at most: kCornerShiftPixels on
-    /// graphics cards, 0 in a renderer that interpolates between the corners as they were.
+    /// The largest shift of a triangle's corners before its depths are interpolated, in pixels:
+    /// kCornerShiftPixels on graphics cards, 0 in a renderer that interpolates between the exact
+    /// corners.
     double cornerShiftPixels = kCornerShiftPixels;
-    /// How wide what was read is drawn at the least, device pixels: more than 1 where the object is a cloud whose points
-    /// are dots. A dot has the depth of its point everywhere, and the point in its middle.
+    /// The minimum width of the drawn element, device pixels: more than 1 if the object is a cloud
+    /// whose points are dots. A dot has the depth of its point everywhere, and the point in its
+    /// middle.
     double dotPixels = 1.0;
 
     bool hit() const { return object.has_value(); }

@@ -29,7 +29,7 @@ Result<glm::dvec3> ObjectFromWorld::solved(const glm::dvec3 &world, const glm::d
         return Error{ErrorCode::NotFinite, *value};
     const glm::dmat4 &m = m_worldFromObject;
     DoubleDouble3 p;
-    for (int i = 0; i < 3; ++i) { // the inverse's own error goes with the square of each step
+    for (int i = 0; i < 3; ++i) { // each step multiplies the error by the inverse's relative error
         glm::dvec3 left;
         for (int row = 0; row < 3; ++row) {
             const DoubleDouble3 entries{m[0][row], m[1][row], m[2][row]};

@@ -8,17 +8,17 @@
 
 namespace unprojector::unproject {
 
-/// From world space into that of an object, prepared once for it.
+/// Converts from world space to an object's space, prepared once for the object.
 class ObjectFromWorld {
 public:
     /// @param worldFromObject  affine
     /// @return NotFinite; SingularMatrix
     static geometry::Result<ObjectFromWorld> of(const glm::dmat4 &worldFromObject);
 
-    /// x of worldFromObject x = world, refined with about 30 digits and rounded once.
-    /// @return NotFinite; PointAtInfinity where it leaves the range of doubles
+    /// The solution x of worldFromObject x = world, refined with about 30 digits and rounded once.
+    /// @return NotFinite; PointAtInfinity if it leaves the range of doubles
     geometry::Result<geometry::ObjectPoint> at(const geometry::WorldPoint &world) const;
-    /// The same of a vector, which knows no translation.
+    /// The same for a vector, without the translation.
     geometry::Result<geometry::Vector<geometry::ObjectSpace>> at(const geometry::WorldVector &world) const;
 
 private:

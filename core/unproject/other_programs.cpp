@@ -38,14 +38,15 @@ OtherClick clickOf(OtherProgram program, const Setup &setup, const DevicePixel &
     case OtherProgram::Polyscope: return {topLeft, above};
     case OtherProgram::CloudCompare: return {DevicePoint(topLeft.x, topLeft.y + 1.0), pixel};
     case OtherProgram::Screen2World: {
-        // y_w = h - j with the viewport's height, and the depth of the pixel that has its lower edge there.
+        // y_w = h - j with the viewport's height, and the depth of the pixel whose lower edge is
+        // there.
         const double yInWindow = setup.viewport.height - pixel.j;
         const DevicePoint position = deviceFromWindow(setup.surface, WindowPoint(pixel.i, yInWindow, 0.0));
         const int row = static_cast<int>(std::floor(yInWindow));
-        return {position, {pixel.i, framebufferRow(setup.surface, {pixel.i, row})}}; // which is its own inverse
+        return {position, {pixel.i, framebufferRow(setup.surface, {pixel.i, row})}}; // the flip is its own inverse
     }
     case OtherProgram::Vtk: {
-        // A viewport of one pixel has nothing to divide by; its pixel stays where it is.
+        // A viewport of one pixel would divide by 0; its pixel stays unchanged.
         const Viewport &v = setup.viewport;
         const auto stretched = [](double edge, double start, double size) {
             return size > 1.0 ? start + (edge - start) * size / (size - 1.0) : edge;

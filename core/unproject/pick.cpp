@@ -13,7 +13,7 @@ Pick refined(Pick pick, const DrawnSurface &surface)
         return pick;
     pick.certainty =
         certaintyAt(pick.setup, -eye->z, depthErrorAt(pick.setup, pick.window, *world, pick.sample, surface));
-    // Of a dot only this is known: its point's pixel is one of those that the dot covers.
+    // A dot only tells that its point's pixel is among the pixels that it covers.
     pick.certainty.footprintWidth *= pick.sample.dotPixels;
     pick.certainty.footprintHeight *= pick.sample.dotPixels;
     pick.withinPixel = withinPixel(pick.setup, *eye, *world, pick.certainty);

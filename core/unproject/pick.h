@@ -10,42 +10,42 @@
 
 namespace unprojector::unproject {
 
-/// A click as a view takes it.
+/// A click in a view.
 struct PixelClick {
     geometry::WidgetPoint position; ///< logical pixels, origin top-left
-    geometry::DevicePixel pixel;    ///< that the position lies in
-    DepthSample sample;             ///< what was read there
+    geometry::DevicePixel pixel;    ///< contains the position
+    DepthSample sample;             ///< read at the pixel
 };
 
-/// A click, followed back to the world.
+/// The result of a click: its world point, with all data that led to it.
 struct Pick {
     geometry::WidgetPoint widget;
     geometry::DevicePixel devicePixel;
     geometry::WindowPoint window;      ///< the pixel's centre, with the depth as read
-    std::optional<std::size_t> object; ///< whose surface, its place in the scene's list at the click; none: background
+    std::optional<std::size_t> object; ///< index in the scene's list of the object hit, at the click; none: background
     geometry::Setup setup;             ///< as it was at the click
 
     Unprojected point;       ///< of the surface; meaningful on a hit
     Certainty certainty;     ///< of the surface; meaningful on a hit
     Uncertainty uncertainty; ///< the same, of each coordinate; meaningful on a hit
-    Uncertainty withinPixel; ///< how far from it the pixel reaches; meaningful on a hit
+    Uncertainty withinPixel; ///< how far the pixel extends from it; meaningful on a hit
     Unprojected rayNear;     ///< where the ray through the pixel's centre enters the view volume
-    Unprojected rayFar;      ///< where it leaves it
-    DepthSample sample;      ///< what was read
+    Unprojected rayFar;      ///< where that ray leaves it
+    DepthSample sample;      ///< as read
 
     bool hit() const { return object.has_value(); }
 };
 
-/// Returns what is known of the surface that was drawn at a world point.
+/// Called with a world point; returns the known properties of the surface drawn there.
 using SurfaceAt = std::function<DrawnSurface(const geometry::WorldPoint &)>;
 
-/// The point under a click: the centre of its pixel, and every method there.
-/// @param unprojector  of the picture that was clicked, by parameters
+/// The pick of a click: the point at the centre of its pixel, by every method.
+/// @param unprojector  of the clicked setup, by parameters
 /// @param surfaceAt    decides the point's uncertainty; called on a hit; may be empty
 /// @return on a hit the errors of the formulas: DepthOutsideRange, PointAtInfinity
 geometry::Result<Pick> pickAt(const Unprojector &unprojector, const PixelClick &click, const SurfaceAt &surfaceAt = {});
 
-/// The same pick with what a ray tells of its surface: the triangle. Changes the uncertainty of a hit, and nothing else.
+/// The pick with a ray's data on its surface: the triangle. Changes only the uncertainty of a hit.
 Pick refined(Pick pick, const DrawnSurface &surface);
 
 } // namespace unprojector::unproject

@@ -83,7 +83,7 @@ Result<WorldPoint> Unprojector::worldAt(Method method, const WindowPoint &window
 
 Unprojected Unprojector::at(const WindowPoint &window) const
 {
-    const Result<PrecisePoint<EyeSpace>> precise = preciseEyeAt(window); // once for both spaces
+    const Result<PrecisePoint<EyeSpace>> precise = preciseEyeAt(window); // shared by both spaces
     return {Answers<EyeSpace>::of([&](Method method) -> Result<EyePoint> {
                 if (method != Method::Formula)
                     return eyeAt(method, window);

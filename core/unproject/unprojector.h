@@ -10,24 +10,26 @@
 
 namespace unprojector::unproject {
 
-/// A picture prepared for unprojecting: checked, its axes and its inverses computed once. Every click goes through one, in the
-/// window, in a file of clicks and where methods are compared; a ClickBatch computes the same for many rows.
+/// A setup prepared for unprojecting: checked, with its axes and inverses computed once. Every
+/// click uses one, in the window, in a file of clicks and in comparisons of methods; a ClickBatch
+/// computes the same for many rows.
 ///
-/// The way of a click: widget position -> device pixel -> its centre -> the y flip (geometry/viewport) -> window point ->
-/// eye point by the closed form (unproject/closed_form, geometry/matrix_projection) and by the inverse of clipFromEye
-/// (unproject/matrix_inverse) -> world point by the camera's axes (geometry/camera, geometry/view_matrix) and by the
-/// inverse of clipFromWorld.
+/// The stages of a click: widget position -> device pixel -> its centre -> the y flip
+/// (geometry/viewport) -> window point -> eye point by the closed form (unproject/closed_form,
+/// geometry/matrix_projection) and by the inverse of clipFromEye (unproject/matrix_inverse) ->
+/// world point by the camera's axes (geometry/camera, geometry/view_matrix) and by the inverse of
+/// clipFromWorld.
 class Unprojector {
 public:
-    /// @return the errors of check(setup). What only one method cannot do (a matrix without an inverse, a matrix that
-    ///         is no known projection) that method says for each point
+    /// @return the errors of check(setup). If only one method fails (a matrix without an inverse, a
+    ///         matrix that is no known projection), that method returns the error for each point
     static geometry::Result<Unprojector> of(const geometry::Setup &setup);
 
     const geometry::Setup &setup() const { return m_setup; }
 
-    /// A window position by every method.
+    /// The point at a window position by every method.
     Unprojected at(const geometry::WindowPoint &window) const;
-    /// The same by one method and to one space, for tables.
+    /// The same by one method in one space, for tables.
     geometry::Result<geometry::EyePoint> eyeAt(Method method, const geometry::WindowPoint &window) const;
     geometry::Result<geometry::WorldPoint> worldAt(Method method, const geometry::WindowPoint &window) const;
 
@@ -48,7 +50,7 @@ private:
     };
 
     geometry::Setup m_setup;
-    std::optional<geometry::PreciseEyeFrame> m_frame; ///< of a pose by parameters
+    std::optional<geometry::PreciseEyeFrame> m_frame; ///< for a pose by parameters
     Inverses<geometry::EyeSpace> m_eye;
     Inverses<geometry::WorldSpace> m_world;
 };

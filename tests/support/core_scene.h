@@ -3,7 +3,7 @@
 #include "core/unproject/unprojector.h"
 #include "tests/support/random_scene.h"
 
-/// The oracle's plain structs as core's. This is the only place where the two meet.
+/// Converts the oracle's plain structs to core's. Only this file includes both.
 namespace oracle {
 
 inline unprojector::geometry::LookAt coreView(const View &view)

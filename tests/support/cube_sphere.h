@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-/// A closed surface of 12 n^2 triangles, counter-clockwise from outside, every vertex shared: the six sides of a cube on
-/// a sphere of radius 1, with hills of a height.
+/// A closed surface of 12 n^2 triangles, counter-clockwise from outside, every vertex shared: the
+/// six sides of a cube projected onto a sphere of radius 1, with hills of the given height.
 inline std::shared_ptr<unprojector::mesh::Model> cubeSphere(std::uint32_t n, double hills = 0.05)
 {
     auto model = std::make_shared<unprojector::mesh::Model>();

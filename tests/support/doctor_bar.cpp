@@ -79,7 +79,7 @@ void setCamera(Random &random, wrong_programs::Scene &scene)
     scene.worldFromObject = glm::scale(placed, glm::dvec3(random.uniform(0.5, 2.0)));
 }
 
-/// The others that print the same: right where it is the right point, else mistakes.
+/// The others with the same output: "right" for the right point, and other mistakes.
 std::vector<std::string> twinsOf(const Shot &shot, const glm::dvec3 &point, const std::string &id)
 {
     if (isSame(point, shot.truth))

@@ -2,7 +2,8 @@
 
 #include <array>
 
-/// The errors in the originals, by their anchors in Help, in its order. Each is shown to be one in test_source_errors.
+/// The errors in the original sources, by their anchors in Help, in its order. test_source_errors
+/// proves each.
 inline constexpr std::array kErrata{
     "error-weng-sign",
     "error-weng-row",

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <vector>
 
-/// How well boxes hold what they are to hold. Each error is counted in halves of its own box, on the axis where it is the largest:
-/// 1 is just inside.
+/// Measures whether boxes contain their points. Each error is in units of half its own box, on the
+/// axis where it is largest: 1 is just inside.
 class InsideShare {
 public:
     /// @param off        from the box's middle
@@ -21,7 +21,7 @@ public:
         return share;
     }
     void add(double share) { m_shares.push_back(share); }
-    /// What is nowhere near.
+    /// Adds an error far outside any box.
     void addMiss() { m_shares.push_back(1e300); }
     void add(const InsideShare &other)
     {
@@ -34,8 +34,8 @@ public:
         const auto in = std::count_if(m_shares.begin(), m_shares.end(), [](double share) { return share <= 1.0; });
         return static_cast<double>(in) / static_cast<double>(m_shares.size());
     }
-    /// The smallest scale at which boxes of the same shape would hold so many: 0.5 says that all are twice as wide as they
-    /// need to be.
+    /// The smallest scale at which boxes of the same shape would hold the share `held`: 0.5 means
+    /// that all are twice as wide as needed.
     double neededScale(double held = 0.999) const
     {
         std::vector<double> sorted = m_shares;

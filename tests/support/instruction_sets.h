@@ -6,7 +6,8 @@
 
 #include <algorithm>
 
-/// Tests of one instruction set at a time: a processor without it skips them by name and does not pass them unseen.
+/// Helpers for tests of one instruction set at a time. On a processor without it, the test is
+/// skipped by name rather than passed silently.
 inline const char *name(unprojector::unproject::InstructionSet set)
 {
     using unprojector::unproject::InstructionSet;
@@ -24,7 +25,7 @@ inline bool isAvailable(unprojector::unproject::InstructionSet set)
     return std::find(sets.begin(), sets.end(), set) != sets.end();
 }
 
-/// Ends the test function where the processor lacks the set.
+/// Skips the test function if the processor lacks the set.
 #define SKIP_WITHOUT(set)                                                                                              \
     do {                                                                                                               \
         if (!isAvailable(set))                                                                                         \

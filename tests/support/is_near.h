@@ -6,7 +6,8 @@
 
 #include <cmath>
 
-/// Whether two numbers differ by no more than the tolerance; says which two where they do. NaN is near nothing.
+/// Returns whether two numbers differ by at most the tolerance; prints them otherwise. NaN is near
+/// nothing.
 inline bool isNear(double a, double b, double tolerance)
 {
     if (std::abs(a - b) <= tolerance)
@@ -15,7 +16,7 @@ inline bool isNear(double a, double b, double tolerance)
     return false;
 }
 
-/// Every coordinate by itself.
+/// The same for each coordinate.
 inline bool isNear(const glm::dvec3 &a, const glm::dvec3 &b, double tolerance)
 {
     for (int axis = 0; axis < 3; ++axis) {
@@ -27,7 +28,8 @@ inline bool isNear(const glm::dvec3 &a, const glm::dvec3 &b, double tolerance)
     return true;
 }
 
-/// Whether two numbers differ by no more than the tolerance times the second; says which two where they do.
+/// Returns whether two numbers differ by at most the tolerance times the second; prints them
+/// otherwise.
 inline bool isRelativelyNear(double a, double b, double tolerance)
 {
     if (std::abs(a - b) <= tolerance * std::abs(b))

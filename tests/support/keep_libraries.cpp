@@ -1,6 +1,7 @@
-// Loaded before the tests that run under the address sanitizer, whose search for leaks at the end of a program needs two
-// things. No library is unloaded: the sanitizer could not name a driver that is gone, and tests/lsan_suppressions.txt does.
-// And no thread is just ending, where the search itself crashes: QThread::wait returns a little before the thread is gone.
+// Preloaded for tests under the address sanitizer, for its leak search at the end of a program. It
+// keeps all libraries loaded: the sanitizer could not name an unloaded driver, which
+// tests/lsan_suppressions.txt does. It also waits for ending threads, with which the search itself
+// crashes: QThread::wait returns a little before the thread is gone.
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -16,7 +17,7 @@ namespace {
 using Main = int (*)(int, char **, char **);
 Main mainOfProgram = nullptr;
 
-/// Whether all threads but this one sleep.
+/// Returns whether all other threads sleep.
 bool doOthersSleep()
 {
     int awake = 0;
@@ -42,7 +43,8 @@ void waitForQuiet()
     }
 }
 
-/// What a program registers for its end after this, as Qt does to end its threads, comes before the wait; the search after it.
+/// Registers the wait first, so that exit handlers registered later, such as Qt's for its threads,
+/// run before it. The search runs after it.
 int quietMain(int count, char **arguments, char **environment)
 {
     std::atexit(waitForQuiet);
@@ -56,7 +58,7 @@ extern "C" int dlclose(void *)
     return 0;
 }
 
-// What a program's first instructions call.
+// Called by a program's first instructions.
 extern "C" int __libc_start_main(Main main, int count, char **arguments, void (*initialize)(), void (*finalize)(),
                                  void (*finalizeLoader)(), void *stackEnd)
 {

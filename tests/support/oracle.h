@@ -4,12 +4,12 @@
 
 #include <array>
 
-/// A second, independent way from a world point to a window position and back, for judging core. It is written from
-/// the OpenGL 2.1 reference pages, includes nothing of core, takes plain doubles and computes with 50 digits, so
-/// that its own rounding does not show beside a double's.
+/// A second, independent implementation of projecting and unprojecting, to test core. It is written
+/// from the OpenGL 2.1 reference pages and includes nothing of core. It takes plain doubles and
+/// computes with 50 digits, so its own rounding is negligible beside a double's.
 ///
-/// Back is not a formula here either: the point under a window position is the solution of the linear system
-/// that the forward matrices make.
+/// Unprojecting uses no formula: the point under a window position solves the linear system of the
+/// forward matrices.
 namespace oracle {
 
 using Extended = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
@@ -24,8 +24,8 @@ struct View {
 
 enum class RandomKind { Frustum, Ortho, Perspective, Oblique };
 
-/// The arguments of glFrustum, glOrtho, gluPerspective (angle in radians) or of a sheared glOrtho; those that the
-/// kind does not have are not read.
+/// The arguments of glFrustum, glOrtho, gluPerspective (angle in radians) or of a sheared glOrtho.
+/// Arguments that the kind does not have are ignored.
 struct Projection {
     RandomKind kind = RandomKind::Ortho;
     double left = -1.0, right = 1.0, bottom = -1.0, top = 1.0;
@@ -55,7 +55,7 @@ Matrix4 product(const Matrix4 &a, const Matrix4 &b);
 class Oracle {
 public:
     Oracle(const View &view, const Projection &projection, const Target &target);
-    /// From matrices as programs hand them on, 16 numbers column by column.
+    /// Takes the matrices of a program, 16 numbers column by column.
     /// @param zeroToOne  NDC depths go from 0 to 1: d = dn + z_n (df - dn)
     Oracle(const std::array<double, 16> &eyeFromWorld, const std::array<double, 16> &clipFromEye, const Target &target,
            bool zeroToOne);

@@ -1,5 +1,5 @@
 #pragma once
 
-/// How long a test waits for what must come, in milliseconds. It goes on as soon as that comes, so only a failure takes as
-/// long; a machine may be slow and have other things to do.
+/// The time that a test waits for an expected event, in milliseconds. It continues as soon as the
+/// event comes, so only a failure takes this long. It leaves time for slow and busy machines.
 inline constexpr int kPatienceMilliseconds = 60000;

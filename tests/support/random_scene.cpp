@@ -134,7 +134,7 @@ double Random::logUniform(double low, double high)
 {
     const int lowExponent = std::ilogb(low), highExponent = std::ilogb(high);
     for (;;) {
-        const double mantissa = 1.0 + unit(); // not inside the call: the order of arguments is the compiler's choice
+        const double mantissa = 1.0 + unit(); // not inside the call, where the evaluation order is unspecified
         const double value = std::ldexp(mantissa, integer(lowExponent, highExponent));
         if (value >= low && value <= high)
             return value;

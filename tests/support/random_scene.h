@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <random>
 
-/// Random cameras that are the same on every platform: std::mt19937_64 is, the standard library's distributions
-/// are not, so these are ours and use no function of libm.
+/// Random cameras that are the same on every platform. std::mt19937_64 is, but the standard
+/// library's distributions are not, so these are our own and use no function of libm.
 namespace oracle {
 
 class Random {
@@ -24,7 +24,8 @@ private:
     std::mt19937_64 m_engine;
 };
 
-/// What a random scene may be. The defaults are the widest: near : far up to 0.01 : 10^6, eyes up to 10^6 away.
+/// The limits of a random scene. The defaults are the widest: near : far up to 0.01 : 10^6, eyes up
+/// to 10^6 away.
 struct SceneLimits {
     double nearLow = 0.01, farHigh = 1e6;
     bool fixedClipDistances = false; ///< near and far are exactly nearLow and farHigh
@@ -34,8 +35,8 @@ struct SceneLimits {
     bool plainTarget = false;     ///< viewport at the origin, depth range [0, 1]
 };
 
-/// Scenes as people have them: the eye within the far distance of the origin, edges within 63 degrees (a frustum's), up
-/// 6 degrees off the view or more, the viewport the window.
+/// Everyday scenes: the eye within the far distance of the origin, edges within 63 degrees (a
+/// frustum's), up at least 6 degrees off the view, the viewport the window.
 SceneLimits everydayScenes(double nearDistance, double farDistance);
 
 struct Scene {
@@ -46,8 +47,8 @@ struct Scene {
 
 Scene randomScene(Random &random, RandomKind kind, const SceneLimits &limits);
 
-/// A pixel's centre inside the viewport, or (one in four) any position in it; a depth in the target's range: both
-/// ends, near either end, or anywhere.
+/// A pixel's centre inside the viewport, or (one in four) any position in it; a depth in the
+/// target's range: either end, near either end, or anywhere.
 std::array<double, 3> randomClick(Random &random, const Target &target);
 
 } // namespace oracle

@@ -6,9 +6,9 @@
 #include "core/unproject/pick.h"
 #include "core/unproject/unprojector.h"
 
-// One point of a picture that is used once: the tests' short way past preparing an Unprojector.
+// Shortcuts for a single point of a setup, without preparing an Unprojector.
 
-/// @pre the picture is valid
+/// @pre the setup is valid
 inline unprojector::unproject::Unprojected unprojectedAt(const unprojector::geometry::Setup &setup,
                                                          const unprojector::geometry::WindowPoint &window)
 {
@@ -34,7 +34,7 @@ unprojector::geometry::Result<unprojector::geometry::EyePoint>
 unprojectClosedForm(const Lens &lens, const unprojector::geometry::Viewport &viewport,
                     const unprojector::geometry::DepthRange &range, const unprojector::geometry::WindowPoint &window)
 {
-    using unprojector::unproject::preciseEyePoint; // of a Projection; that of a matrix is found by its argument
+    using unprojector::unproject::preciseEyePoint; // for a Projection; ADL finds the one for a matrix
     const auto point = preciseEyePoint(lens, viewport, range, window);
     if (!point)
         return point.error();

@@ -25,7 +25,7 @@ dmat4 lookAt(const Scene &scene)
     return {dvec4(s.x, u.x, -f.x, 0.0), dvec4(s.y, u.y, -f.y, 0.0), dvec4(s.z, u.z, -f.z, 0.0), dvec4(moved, 1.0)};
 }
 
-/// A program at work: what it has at hand at each step. A mistake changes something of it before the step is taken.
+/// The state of a program at each step. A mistake changes the state before its step.
 struct Program {
     const Scene &scene;
     Click click;
@@ -33,7 +33,7 @@ struct Program {
     dvec4 viewport;
     dvec2 window{}; ///< origin bottom-left
     Lens lens;
-    double halfWidth = 0.0, halfHeight = 0.0; ///< of the picture, at distance 1 in perspective
+    double halfWidth = 0.0, halfHeight = 0.0; ///< of the view, at distance 1 in perspective
     dmat4 projection{1.0}, view{1.0};
     dvec3 ndc{};
     dvec3 world{};
@@ -75,7 +75,7 @@ struct Program {
     void unproject() { divide(glm::inverse(projection * view) * dvec4(ndc, 1.0)); }
     void divide(const dvec4 &p) { world = dvec3(p) / p.w; }
 
-    /// By the formulas: the distance in front of the eye, of z_n.
+    /// The distance in front of the eye from z_n, by the formulas.
     double distance() const
     {
         const double n = lens.nearDistance, f = lens.farDistance, d = (ndc.z + 1.0) / 2.0;
@@ -89,8 +89,8 @@ struct Program {
     void fromEye(const dvec3 &p) { world = dvec3(glm::inverse(view) * dvec4(p, 1.0)); }
 };
 
-/// Before the y flip; after it; on the viewport; on the lens's numbers; on its size in the picture; on the matrices; on
-/// NDC; instead of gluUnProject; on the point.
+/// The steps, in order: before the y flip; after it; on the viewport; on the lens's numbers; on its
+/// size in the view; on the matrices; on NDC; instead of gluUnProject; on the point.
 enum class Step { Mouse, Window, Lens, Size, Matrices, Ndc, Unproject, Point };
 
 struct Wrong {
@@ -114,7 +114,7 @@ double trueDistance(Program &p)
 
 const double kNoNumber = std::nan("");
 
-/// Only a perspective has it; in a box nobody can make the mistake.
+/// Only a perspective can have the mistake.
 void inPerspective(Program &p)
 {
     if (!p.lens.isPerspective)
@@ -127,7 +127,8 @@ const std::vector<Wrong> &wrongs()
         // The mouse and the window
         {"y-not-flipped", 1, Step::Window, [](Program &p, int) { p.window.y = p.click.py; }},
         {"row-above", 1, Step::Window, [](Program &p, int) { p.window.y += 1.0; }},
-        // (i, H-1-j), the lower left corner; (i, H-j), the upper left one; the half added to y alone, to x alone
+        // (i, H-1-j), the lower left corner; (i, H-j), the upper left one; the half added to y
+        // alone, to x alone
         {"pixel-corner", 4, Step::Window,
          [](Program &p, int variant) {
              p.window.x -= variant == 3 ? 0.0 : 0.5;
@@ -152,8 +153,8 @@ const std::vector<Wrong> &wrongs()
              p.click.py /= p.scene.pixelRatio;
              p.flipHeight /= p.scene.pixelRatio;
          }},
-        // glViewport's numbers in logical pixels; with the flip by the logical height as well, or with the ratio multiplied
-        // twice, which is the same
+        // glViewport's numbers in logical pixels; the flip by the logical height as well, or the
+        // ratio multiplied twice, which is the same
         {"ratio-device-in-logical", 2, Step::Mouse,
          [](Program &p, int variant) {
              p.viewport /= p.scene.pixelRatio;
@@ -177,7 +178,7 @@ const std::vector<Wrong> &wrongs()
          [](Program &p, int) { p.lens.fovyRadians *= 180.0 / std::numbers::pi; }},
         {"fov-half", 1, Step::Lens, [](Program &p, int) { p.lens.fovyRadians /= 2.0; }},
         {"fov-double", 1, Step::Lens, [](Program &p, int) { p.lens.fovyRadians *= 2.0; }},
-        // The angle spans the width; or the angle that does is passed for gluPerspective's
+        // The angle spans the width; or that angle is passed as gluPerspective's
         {"fov-horizontal", 2, Step::Size,
          [](Program &p, int variant) {
              const double share = variant == 0 ? 1.0 / p.lens.aspect : p.lens.aspect;
@@ -194,7 +195,7 @@ const std::vector<Wrong> &wrongs()
         // Depth
         {"depth-not-remapped", 1, Step::Ndc, [](Program &p, int) { p.ndc.z = p.click.depth; }},
         {"depth-remapped-twice", 1, Step::Ndc, [](Program &p, int) { p.ndc.z = 2.0 * p.ndc.z - 1.0; }},
-        // A linear depth taken for OpenGL's, or OpenGL's for a linear one
+        // A linear depth used as OpenGL's, or OpenGL's as a linear one
         {"depth-linear", 2, Step::Mouse,
          [](Program &p, int variant) {
              const double n = p.lens.nearDistance, f = p.lens.farDistance;

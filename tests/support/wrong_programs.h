@@ -10,11 +10,12 @@
 #include <string_view>
 #include <vector>
 
-/// Programs that click into a 3-D view and get it wrong, each as somebody would have written it. Shares no line with
-/// core, whose doctor is judged by what they print.
+/// Programs with typical mistakes in clicking into a 3-D view. They share no code with core, whose
+/// doctor is tested on their output.
 namespace wrong_programs {
 
-/// gluPerspective with the viewport's own aspect, or glOrtho as high as said and as wide as the viewport needs.
+/// The arguments of gluPerspective with the viewport's own aspect, or of glOrtho with the given
+/// height and the width that the viewport needs.
 struct Lens {
     bool isPerspective = true;
     double fovyRadians = 0.0;
@@ -42,18 +43,19 @@ Click clickOn(const Scene &scene, const glm::dvec3 &world);
 
 struct Mistake {
     std::string_view id;
-    int variants; ///< ways to make it
+    int variants; ///< number of ways to make it
 };
 
 const std::vector<Mistake> &mistakes();
 
-/// What a program with these mistakes prints for the click; with none of them, the right point.
-/// @param variant  of the mistake, from 0
-/// @return nothing where it prints no numbers (inf, NaN), or where the mistake cannot be made in this scene
+/// A mistake in a program, in one of its variants, counted from 0.
 struct Made {
     std::string_view id;
     int variant = 0;
 };
+/// The answer of a program with these mistakes to the click; without mistakes, the right point.
+/// @return nothing if it prints no numbers (inf, NaN), or if the mistake cannot be made in this
+///         scene
 std::optional<glm::dvec3> printed(const Scene &scene, const Click &click, const std::vector<Made> &made);
 
 } // namespace wrong_programs

@@ -37,8 +37,8 @@ draco::DecoderBuffer bufferOf(std::span<const std::uint8_t> bytes)
     return buffer;
 }
 
-/// What the data say of their own size, before Draco takes memory for it. Of the vertices a lower bound where they may be
-/// split while they are unpacked.
+/// Reads the declared counts before Draco allocates memory. The vertex count is a lower bound if
+/// unpacking may split vertices.
 DracoCounts declaredCounts(std::span<const std::uint8_t> bytes)
 {
     draco::DecoderBuffer buffer = bufferOf(bytes);

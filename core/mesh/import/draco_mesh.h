@@ -9,38 +9,38 @@ namespace unprojector::mesh::reader {
 
 inline constexpr const char *kDracoExtension = "KHR_draco_mesh_compression";
 
-/// Whether the program is built with Draco.
+/// Returns whether the program is built with Draco.
 bool hasDraco();
 
-/// How many vertices and triangles a mesh has.
+/// The numbers of vertices and triangles of a mesh.
 struct DracoCounts {
     std::uint64_t vertices = 0;
     std::uint64_t triangles = 0;
 };
 
-/// An attribute that is asked for: its number in the data, and the type of its numbers as glTF has it.
+/// A requested attribute: its number in the data, and its glTF component type.
 struct DracoRequest {
     std::uint64_t id;
     int componentType;
 };
 
-/// The numbers of an attribute, for each vertex in turn.
+/// The numbers of an attribute, vertex by vertex.
 struct DracoValues {
     std::size_t components = 0;
     std::vector<std::uint8_t> bytes;
 };
 
-/// A list of triangles that was unpacked.
+/// An unpacked list of triangles.
 struct DracoMesh {
     DracoCounts counts;
     std::vector<std::uint8_t> indices;   ///< three of 32 bits a triangle
     std::vector<DracoValues> attributes; ///< in the order of the requests
 };
 
-/// Unpacks the data of KHR_draco_mesh_compression. Positions that were rounded when they were packed are as Draco makes them.
+/// Unpacks the data of KHR_draco_mesh_compression. Positions keep the rounding of the compression.
 /// @param expected  by the file: damaged data could ask for any amount of memory
-/// Throws Failure (Malformed) where they are damaged, are not of the version that glTF has, or do not have the counts that
-/// are expected, or the attributes.
+/// Throws Failure (Malformed) if the data are damaged or of another version than glTF's, or if they
+/// lack the expected counts or attributes.
 /// @pre hasDraco()
 DracoMesh unpackedDraco(std::span<const std::uint8_t> bytes, std::span<const DracoRequest> requests,
                         const DracoCounts &expected);

@@ -13,7 +13,7 @@ using text::tr;
 
 namespace {
 
-/// Some milliseconds of work.
+/// A few milliseconds of work.
 constexpr std::size_t kBytesInTask = 4 << 20;
 
 } // namespace
@@ -38,7 +38,7 @@ FileBytes::FileBytes(const std::filesystem::path &file, ProgressReporter *progre
         report = [progress](double share) { progress->report(share); };
     threads::inParallelRanges(m_size, kBytesInTask, report, [&](std::size_t begin, std::size_t end) {
         std::ifstream stream;
-        stream.rdbuf()->pubsetbuf(nullptr, 0); // the bytes go where they belong at once
+        stream.rdbuf()->pubsetbuf(nullptr, 0); // unbuffered: bytes are read directly to their destination
         stream.open(file, std::ios::binary);
         stream.seekg(static_cast<std::streamoff>(begin));
         if (!stream)

@@ -10,10 +10,11 @@
 
 namespace unprojector::mesh::reader {
 
-/// A regular file's bytes, read by all cores. Not mapped: a program that shortens a mapped file ends those that look at it.
+/// A regular file's bytes, read by all cores. Not memory-mapped: a program that truncates a mapped
+/// file crashes its readers.
 class FileBytes {
 public:
-    /// Throws Failure (NotReadable; Malformed where the file becomes shorter meanwhile; Cancelled).
+    /// Throws Failure (NotReadable; Malformed if the file shrinks while it is read; Cancelled).
     explicit FileBytes(const std::filesystem::path &file, ProgressReporter *progress = nullptr);
 
     std::span<const std::uint8_t> bytes() const { return {m_bytes.get(), m_size}; }

@@ -14,7 +14,7 @@ std::string_view firstWord(std::string_view text)
     return text.substr(0, text.find_first_of(kBlanks));
 }
 
-/// The suffix of what a text or a file of bytes begins like; empty where it is like none.
+/// The suffix of the format that the first bytes look like; empty if unknown.
 std::string_view suffixByContents(std::string_view start)
 {
     if (start.starts_with("glTF"))

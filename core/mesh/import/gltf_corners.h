@@ -6,7 +6,7 @@
 
 namespace unprojector::mesh::reader {
 
-/// How a glTF primitive strings its vertices together.
+/// The assembly of a glTF primitive's vertices into triangles, lines or points.
 class GltfCorners {
 public:
     enum Mode { Points = 0, Lines, LineLoop, LineStrip, Triangles, TriangleStrip, TriangleFan };
@@ -18,14 +18,14 @@ public:
     {
         return !areTriangles() || m_count < 3 ? 0 : m_mode == Triangles ? m_count / 3 : m_count - 2;
     }
-    /// The corners at the end that make no whole triangle.
+    /// The number of corners at the end that make no whole triangle.
     std::size_t leftOver() const
     {
         const std::size_t triangles = triangleCount();
         const std::size_t used = m_mode == Triangles ? 3 * triangles : triangles > 0 ? triangles + 2 : 0;
         return areTriangles() ? m_count - used : 0;
     }
-    /// Points, or lines.
+    /// The number of points or lines.
     std::size_t otherCount() const
     {
         switch (m_mode) {

@@ -21,7 +21,7 @@ std::uint64_t countOf(const GltfFile &file, const Json &object, const char *key)
     return GltfFile::number(file.reference(object, key, "accessors"), "count", 0);
 }
 
-/// Without Draco, other data may stand in for the packed ones.
+/// Requires unpacked fallback data, for a program without Draco.
 void requireSubstitute(const GltfFile &file, const Json &primitive)
 {
     const auto isPacked = [&file](const Json &object, const char *key) {
@@ -42,7 +42,7 @@ void unpack(GltfFile &file, const Json &packing, Json &primitive)
     if (!attributes || !ids || !ids->is_object() || !GltfFile::find(*ids, "POSITION")
         || !GltfFile::find(*attributes, "POSITION") || !GltfFile::find(primitive, "indices"))
         failMalformed(tr("a mesh that Draco packs lacks its positions or its indices"));
-    // A strip has two corners more than triangles, and a list three times as many.
+    // A strip has two more corners than triangles, a list three times as many.
     const std::size_t corners = static_cast<std::size_t>(countOf(file, primitive, "indices"));
     const DracoCounts expected{countOf(file, *attributes, "POSITION"), GltfCorners(mode, corners).triangleCount()};
 
@@ -58,7 +58,7 @@ void unpack(GltfFile &file, const Json &packing, Json &primitive)
     }
     DracoMesh mesh = unpackedDraco(file.viewBytes(packing), requests, expected);
 
-    // The accessors stay for other primitives, which may have other data.
+    // The accessors stay unchanged for other primitives, which may have other data.
     for (std::size_t i = 0; i < names.size(); ++i) {
         Json accessor = file.reference(*attributes, names[i].c_str(), "accessors");
         accessor.erase("byteOffset");

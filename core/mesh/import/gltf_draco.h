@@ -7,10 +7,11 @@
 
 namespace unprojector::mesh::reader {
 
-/// Gives the primitives that KHR_draco_mesh_compression packs accessors of the unpacked data, as if the file had them.
-/// @param meshes  numbers of those that are shown
-/// Throws Failure: Malformed where the data are damaged or are not as the file has them; Unsupported where the program is
-/// built without Draco and nothing stands in for them.
+/// Unpacks the primitives packed by KHR_draco_mesh_compression, and gives them accessors as if the
+/// file had the data unpacked.
+/// @param meshes  the numbers of the shown meshes
+/// Throws Failure: Malformed if the data are damaged or contradict the file; Unsupported if the
+/// program is built without Draco and the file has no fallback.
 void unpackDraco(GltfFile &file, const std::set<std::uint64_t> &meshes);
 
 } // namespace unprojector::mesh::reader

@@ -15,11 +15,11 @@ using text::tr;
 namespace {
 
 struct Entry {
-    std::string_view name; ///< a "*" at the end stands for any ending
+    std::string_view name; ///< a "*" at the end matches any ending
     GltfExtension meaning;
 };
 
-/// The first entry that fits a name counts.
+/// The first entry that matches a name counts.
 constexpr Entry kExtensions[] = {
     {"EXT_mesh_gpu_instancing", GltfExtension::Read},
     {"KHR_mesh_quantization", GltfExtension::Read},
@@ -29,7 +29,7 @@ constexpr Entry kExtensions[] = {
     {kDracoExtension, GltfExtension::Unpacked},
     {kMeshoptExtension, GltfExtension::Unpacked},
 
-    // Vertices and faces are packed, or are made of something else.
+    // Vertices and faces are packed, or have another source.
     {"KHR_meshopt_compression", GltfExtension::ChangesShape},
     {"MESHOPT_compression", GltfExtension::ChangesShape},
     {"ALI_amc_mesh_compression", GltfExtension::ChangesShape},
@@ -81,7 +81,7 @@ constexpr Entry kExtensions[] = {
     {"NV_materials_*", GltfExtension::LeavesShape},
     {"VRMC_*", GltfExtension::LeavesShape},
 
-    // Pictures.
+    // Images.
     {"KHR_texture_*", GltfExtension::LeavesShape},
     {"KHR_image_*", GltfExtension::LeavesShape},
     {"EXT_texture_*", GltfExtension::LeavesShape},
@@ -93,7 +93,7 @@ constexpr Entry kExtensions[] = {
     {"MSFT_texture_dds", GltfExtension::LeavesShape},
     {"MAXAR_image_ortho", GltfExtension::LeavesShape},
 
-    // Lights and how an image is made.
+    // Lights and rendering.
     {"KHR_lights*", GltfExtension::LeavesShape},
     {"KHR_environment_map", GltfExtension::LeavesShape},
     {"KHR_displayencoding*", GltfExtension::LeavesShape},
@@ -112,7 +112,7 @@ constexpr Entry kExtensions[] = {
     {"MPEG_lights_*", GltfExtension::LeavesShape},
     {"NEEDLE_lightmaps", GltfExtension::LeavesShape},
 
-    // Data, and drawing the same vertices in another way.
+    // Data, and other ways to draw the same vertices.
     {"KHR_xmp*", GltfExtension::LeavesShape},
     {"KHR_XMP*", GltfExtension::LeavesShape},
     {"KHR_data_sizes", GltfExtension::LeavesShape},
@@ -142,7 +142,7 @@ constexpr Entry kExtensions[] = {
     {"NEEDLE_gameobject_data", GltfExtension::LeavesShape},
     {"NEEDLE_persistent_assets", GltfExtension::LeavesShape},
 
-    // Variants: the file's first choice is shown.
+    // Variants: the file's default is shown.
     {"FB_asset_variants", GltfExtension::LeavesShape},
     {"MAXAR_mesh_variants", GltfExtension::LeavesShape},
     {"EPIC_level_variant_sets", GltfExtension::LeavesShape},
@@ -178,7 +178,7 @@ constexpr Entry kExtensions[] = {
     {"VRM", GltfExtension::LeavesShape},
 };
 
-/// What unpacks an extension, and the option by which the program is built with it.
+/// The library that unpacks an extension, and its build option.
 struct Unpacker {
     const char *library;
     const char *option;

@@ -17,7 +17,7 @@ using text::tr;
 
 namespace {
 
-/// Deep enough for every honest file.
+/// Deep enough for every legitimate file.
 constexpr std::size_t kDeepestJson = 256;
 
 constexpr std::uint32_t kGlbMagic = 0x46546c67;
@@ -77,7 +77,7 @@ Chunks chunksOfGlb(const Source &source, std::vector<ModelNote> &notes)
         else if (kind == kBinChunk && chunks.binary.empty())
             chunks.binary = bytes.subspan(at + 8, length);
         at += 8 + length;
-        // A chunk ends at a multiple of four; some writers forget to fill it up.
+        // A chunk ends at a multiple of four; some writers omit the padding.
         const std::size_t padded = (at + 3) / 4 * 4;
         const bool isUnpadded = at + 8 <= bytes.size() && wordAt(bytes, at + 4) == kBinChunk;
         if (!isUnpadded)
@@ -86,7 +86,8 @@ Chunks chunksOfGlb(const Source &source, std::vector<ModelNote> &notes)
     return chunks;
 }
 
-/// Goes through a text and tells how far the parser is, which the parser itself only does where the syntax is wrong.
+/// Iterates over a text and exposes the parser's position, which the parser itself reports only for
+/// syntax errors.
 struct WatchedText {
     using iterator_category = std::forward_iterator_tag;
     using value_type = char;
@@ -112,16 +113,16 @@ struct WatchedText {
     const char **reached = nullptr;
 };
 
-/// Whether the value of a key means nothing here, so that it may hold anything.
-/// @param object  the key whose value is the object that the key is in
+/// Returns whether the importer ignores a key's value, so that it may hold anything.
+/// @param object  the key whose value is the object that contains the key
 bool isUnread(std::string_view object, std::string_view key)
 {
     return key == "extras" || key == "asset"
            || (object == "extensions" && gltfExtension(key) == GltfExtension::Unknown);
 }
 
-/// Finds what cannot be read as a tree: JSON that is broken, an object with one key twice, and JSON so deep that its reader,
-/// which calls itself for each level, would have no memory for it.
+/// Finds JSON that cannot be read as a tree: a syntax error, a duplicate key in an object, or
+/// nesting so deep that the recursive reader would exhaust the stack.
 struct JsonCheck : nlohmann::json_sax<Json> {
     explicit JsonCheck(std::string_view jsonText) : text(jsonText), reached(jsonText.data()) {}
 
@@ -181,22 +182,22 @@ struct JsonCheck : nlohmann::json_sax<Json> {
 
     struct Object {
         std::set<std::string> keys;
-        std::string key; ///< the latest
+        std::string key; ///< the last one read
     };
 
     std::string_view text;
-    const char *reached; ///< what the parser reads next
+    const char *reached; ///< the parser's next character
     std::optional<text::JsonMistake> mistake;
-    std::optional<std::size_t> twice; ///< where a key is that its object has already
-    std::vector<Object> objects;      ///< that are open
-    /// How many objects are open where the latest value of isUnread() is.
+    std::optional<std::size_t> twice; ///< position of a duplicate key
+    std::vector<Object> objects;      ///< open objects
+    /// The number of open objects at the current isUnread() value.
     std::optional<std::size_t> unread;
     std::size_t depth = 0;
 };
 
 Json parsed(std::string_view text)
 {
-    // Some writers fill the chunk up with zeros instead of blanks.
+    // Some writers pad the chunk with zeros instead of blanks.
     while (!text.empty() && text.back() == '\0')
         text.remove_suffix(1);
     if (text.starts_with("\xef\xbb\xbf"))
@@ -218,7 +219,7 @@ Json parsed(std::string_view text)
     return Json::parse(text);
 }
 
-/// The beginning of a value as the file has it, for a sentence.
+/// The beginning of a value as in the file, for a message.
 std::string written(const Json &value)
 {
     constexpr std::size_t kMost = 24;
@@ -226,7 +227,7 @@ std::string written(const Json &value)
     return all.size() > kMost ? all.substr(0, kMost) + "\xE2\x80\xA6" : all;
 }
 
-/// What a file says of its version: "2.0". Empty where it says nothing.
+/// The version of a file: "2.0". Empty if missing.
 std::string versionOf(const Json &root)
 {
     const Json *asset = GltfFile::find(root, "asset");
@@ -235,7 +236,7 @@ std::string versionOf(const Json &root)
         return version->get<std::string>();
     if (version && version->is_number())
         return written(*version);
-    // glTF 1.0 does not ask for a version; its objects have names instead of numbers.
+    // glTF 1.0 does not require a version; its objects have names instead of indices.
     const Json *meshes = GltfFile::find(root, "meshes");
     return meshes && meshes->is_object() ? "1.0" : std::string();
 }
@@ -402,7 +403,7 @@ std::span<const std::uint8_t> GltfFile::viewBytes(const Json &object)
     if (!packed)
         return bytesOf(view);
     if (!hasMeshopt()) {
-        // What stands in for the packed bytes may be nothing.
+        // The fallback for the packed bytes may be missing.
         if (!find(reference(view, "buffer", "buffers"), "uri") && (!m_isGlb || number(view, "buffer", 0) != 0))
             failWithoutLibrary(kMeshoptExtension);
         return bytesOf(view);

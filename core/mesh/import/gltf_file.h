@@ -19,12 +19,13 @@ namespace unprojector::mesh::reader {
 
 using Json = nlohmann::json;
 
-/// A glTF or GLB file: its JSON, and the bytes that it refers to. Whatever is asked of it throws Failure (Malformed) where
-/// the file is not as glTF 2.0 has it.
+/// A glTF or GLB file: its JSON, and the bytes that it refers to. All functions throw Failure
+/// (Malformed) if the file violates glTF 2.0.
 class GltfFile {
 public:
-    /// @param notes  gets one for each file outside the model's folder that is read
-    /// Throws Failure (Malformed) for what is neither, Failure (Unsupported) for another version than 2.
+    /// @param notes  gets one for each file read outside the model's folder
+    /// Throws Failure (Malformed) if the file is neither glTF nor GLB, Failure (Unsupported) for
+    /// another version than 2.
     GltfFile(const Source &source, std::vector<ModelNote> &notes);
 
     const Source &source() const { return m_source; }
@@ -35,26 +36,28 @@ public:
 
     /// The value of an object's key, or null.
     static const Json *find(const Json &object, const char *key);
-    /// An array of the file's, empty where it has none.
+    /// An array of the file, empty if it has none.
     const Json &array(const char *key) const { return array(m_root, key); }
     static const Json &array(const Json &object, const char *key);
-    /// A size or a number in a list; `otherwise` where there is none.
+    /// A size or an index; `otherwise` if the key is missing.
     static std::uint64_t number(const Json &object, const char *key, std::uint64_t otherwise);
     /// A number of any kind.
     static double real(const Json &value);
-    /// The object that `key` refers to by its number in the array `target`.
+    /// The object that `key` refers to by its index in the array `target`.
     const Json &reference(const Json &object, const char *key, const char *target) const;
 
-    /// The bytes of the buffer view that an object refers to, unpacked where EXT_meshopt_compression packs them.
+    /// The bytes of the buffer view that an object refers to, unpacked if EXT_meshopt_compression
+    /// packs them.
     std::span<const std::uint8_t> viewBytes(const Json &object);
 
-    /// Adds unpacked bytes to the file's, and an accessor of them. References to its buffers, views and accessors end.
+    /// Adds unpacked bytes to the file, and an accessor for them. Invalidates references to its
+    /// buffers, views and accessors.
     /// @param accessor  without a buffer view
-    /// @return the accessor's number
+    /// @return the accessor's index
     std::size_t addAccessor(Json accessor, std::vector<std::uint8_t> bytes);
 
 private:
-    /// What stands in the JSON, or in a file of its own.
+    /// The bytes of a buffer, embedded in the JSON or in a separate file.
     struct Buffer {
         std::vector<std::uint8_t> embedded;
         std::unique_ptr<FileBytes> file;
@@ -62,7 +65,7 @@ private:
     };
     Buffer readBuffer(const std::string &address);
     std::span<const std::uint8_t> bufferBytes(std::uint64_t buffer);
-    /// The part of its buffer that a view names, or what packs one.
+    /// The part of its buffer that a view or its packing refers to.
     std::span<const std::uint8_t> bytesOf(const Json &view);
 
     const Source &m_source;
@@ -70,13 +73,13 @@ private:
     Json m_root;
     bool m_isGlb = false;
     std::span<const std::uint8_t> m_binary;         ///< GLB's chunk
-    std::vector<std::unique_ptr<Buffer>> m_buffers; ///< of those read so far
+    std::vector<std::unique_ptr<Buffer>> m_buffers; ///< null until read
     std::map<std::uint64_t, std::vector<std::uint8_t>> m_unpackedViews;
     std::vector<std::filesystem::path> m_bufferFiles;
 };
 
-/// What a "data:" address holds; nothing where it is none.
-/// Throws Failure (Malformed) where it is broken.
+/// The contents of a "data:" address; nothing for any other address.
+/// Throws Failure (Malformed) if they are broken.
 std::optional<std::vector<std::uint8_t>> dataFromUri(std::string_view uri);
 
 } // namespace unprojector::mesh::reader

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char *kAttributes[] = {"TRANSLATION", "ROTATION", "SCALE"};
 
-/// The extension's attributes, or null where the node has none of those that place an instance.
+/// The extension's attributes, or null if the node has none that transform an instance.
 const Json *instanceAttributes(const Json &node)
 {
     const Json *extensions = GltfFile::find(node, "extensions");

@@ -10,11 +10,12 @@
 
 namespace unprojector::mesh::reader {
 
-/// How often a node shows its mesh: as often as EXT_mesh_gpu_instancing says, or once.
-/// Throws Failure (Malformed), as the next one does.
+/// The number of times that a node shows its mesh: by EXT_mesh_gpu_instancing, else one.
+/// Throws Failure (Malformed); so does nodeFromInstances.
 std::size_t instanceCount(const GltfFile &file, const Json &node);
 
-/// nodeFromInstance of each: the extension's translation * rotation * scale. One identity without it.
+/// nodeFromInstance of each instance: the extension's translation * rotation * scale. One identity
+/// without the extension.
 std::vector<geometry::PreciseMatrix> nodeFromInstances(GltfFile &file, const Json &node);
 
 } // namespace unprojector::mesh::reader

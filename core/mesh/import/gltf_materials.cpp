@@ -31,7 +31,7 @@ std::optional<glm::vec4> colorOf(const Json &object, const char *key)
     return color;
 }
 
-/// As KHR_texture_transform has it: scaled, then turned, then moved.
+/// The transform of KHR_texture_transform: scale, then rotation, then translation.
 glm::dmat3 textureTransform(const Json &transform)
 {
     const auto pair = [&transform](const char *key, double otherwise) {
@@ -86,7 +86,7 @@ void GltfMaterials::readTexture(const Json &textureInfo, GltfMaterial &material)
         material.textureFromTexcoord = textureTransform(*transform);
         material.texcoordSet = GltfFile::number(*transform, "texCoord", material.texcoordSet);
     }
-    // Some programs write black beside a picture and mean the picture alone.
+    // Some programs write black beside an image and mean the image alone.
     if (glm::vec3(material.baseColor) == glm::vec3(0.0f))
         material.baseColor = glm::vec4(1.0f, 1.0f, 1.0f, material.baseColor.a);
 }
@@ -99,7 +99,7 @@ std::optional<int> GltfMaterials::textureNumber(const Json &texture)
         wrapRepeat = GltfFile::number(sampler, "wrapS", 0) != kClampToEdge;
     }
     if (!GltfFile::find(texture, "source")) {
-        m_model.notes.push_back({ModelNote::Kind::PictureUnknown, 1, {}}); // but to an extension
+        m_model.notes.push_back({ModelNote::Kind::PictureUnknown, 1, {}}); // unless an extension has it
         return std::nullopt;
     }
     const Json &image = m_file.reference(texture, "source", "images");

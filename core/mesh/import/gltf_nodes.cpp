@@ -23,7 +23,7 @@ constexpr std::size_t kDeepestNode = 512;
     failMalformed(tr("the nodes form a circle or are nested too deeply"));
 }
 
-/// A node in a sentence: its number, and its name where it has one.
+/// A node in a message: its index, and its name if it has one.
 std::string nameOf(std::size_t number, const Json &node)
 {
     const Json *name = GltfFile::find(node, "name");
@@ -31,7 +31,7 @@ std::string nameOf(std::size_t number, const Json &node)
            + (name && name->is_string() ? " \"" + name->get<std::string>() + '"' : std::string());
 }
 
-/// An array of so many numbers; null where the node has none.
+/// An array of the given length; null if the node has none.
 const Json *numbers(const Json &node, const char *key, std::size_t count)
 {
     const Json *found = GltfFile::find(node, key);
@@ -42,7 +42,7 @@ const Json *numbers(const Json &node, const char *key, std::size_t count)
     return found;
 }
 
-/// Whether a node is hidden with all that is below it.
+/// Returns whether a node and all its descendants are hidden.
 bool isHidden(const Json &node)
 {
     const Json *extensions = GltfFile::find(node, "extensions");

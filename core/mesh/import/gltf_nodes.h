@@ -14,23 +14,24 @@
 
 namespace unprojector::mesh::reader {
 
-/// The nodes that a glTF file shows: those of the scene that it opens with, or all where it has no scene.
-/// Throws Failure (Malformed) where they form no tree.
+/// The nodes that a glTF file shows: the nodes of its default scene, or all if it has no scene.
+/// Throws Failure (Malformed) if they form no tree.
 class GltfNodes {
 public:
-    /// @param notes  gets one where the file has no scene, or where its scene lists a node twice or beside its parent
+    /// @param notes  gets one if the file has no scene, or if its scene lists a node twice or
+    ///         beside its ancestor
     GltfNodes(const GltfFile &file, std::vector<ModelNote> &notes);
 
-    /// Calls `visit` with every node and its worldFromNode, parents first, in the file's order; not with nodes that the
-    /// file hides (KHR_node_visibility), nor with those below them.
-    /// @return how many nodes with meshes are hidden
+    /// Calls `visit` with every node and its worldFromNode, parents first, in the file's order.
+    /// Skips nodes that the file hides (KHR_node_visibility), and their descendants.
+    /// @return the number of hidden nodes with meshes
     std::size_t
     visit(const std::function<void(const Json &node, const geometry::PreciseMatrix &worldFromNode)> &visit) const;
 
-    /// How many meshes no node of the scene has, shown or hidden.
+    /// The number of meshes that no node of the scene uses, shown or hidden.
     std::size_t meshesElsewhere() const;
 
-    /// Of any node, shown or not.
+    /// The transform of any node, shown or not.
     geometry::PreciseMatrix worldFromNode(std::size_t node) const;
     /// The nodes that an object's array refers to.
     std::vector<std::size_t> nodeList(const Json &object, const char *key) const;
@@ -39,33 +40,33 @@ private:
     static constexpr std::size_t kNone = ~std::size_t{0};
 
     geometry::PreciseMatrix parentFromNode(std::size_t node) const;
-    /// @param listed  the nodes that the scene lists; some programs list nodes below others too
+    /// @param listed  the nodes that the scene lists; some programs also list descendants of others
     void setRoots(const std::vector<std::size_t> &listed, std::vector<ModelNote> &notes);
-    /// The node above all that a node is below; kNone where there is a circle instead.
+    /// The root above a node; kNone if the parents form a cycle.
     std::size_t topOf(std::size_t node) const;
 
     const GltfFile &m_file;
     std::vector<std::size_t> m_roots;
-    std::vector<std::size_t> m_parents; ///< kNone where there is none
+    std::vector<std::size_t> m_parents; ///< kNone for roots
 };
 
-/// What places a node or an instance.
+/// The translation, rotation and scale of a node or an instance.
 struct Placement {
     glm::dvec3 translation{0.0};
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
     glm::dvec3 scale{1.0};
 
-    /// But for the few digits that some programs write.
+    /// Returns whether the rotation has length 1, within the few digits that some programs write.
     bool isRotationUnit() const;
-    /// The glTF key of the first part that is not neutral; null where the placement is the identity.
+    /// The glTF key of the first part that is not neutral; null if the placement is the identity.
     const char *firstThatMoves() const;
-    /// translation * rotation * scale, of the rotation made a unit.
+    /// translation * rotation * scale, with the rotation normalized.
     geometry::PreciseMatrix matrix() const;
 };
 
-/// The last row of a matrix that is not affine, as text; empty where it is 0 0 0 1, but for rounding.
+/// The last row of a matrix that is not affine, as text; empty if it is 0 0 0 1 within rounding.
 std::string wrongLastRow(const glm::dmat4 &matrix);
-/// A matrix with 0 0 0 1 as its last row.
+/// The matrix with 0 0 0 1 as its last row.
 glm::dmat4 withLastRow(glm::dmat4 matrix);
 
 } // namespace unprojector::mesh::reader

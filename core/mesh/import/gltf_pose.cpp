@@ -98,7 +98,7 @@ GltfPose::GltfPose(GltfFile &file, std::span<const glm::dmat4> worldFromMeshByJo
         if (!m_joints.back().areIntegers())
             failMalformed(tr("the joints of a mesh are no integers"));
     }
-    // All joints of a skin that is in order agree.
+    // All joints of a valid skin agree.
     const auto mirrored = std::count_if(m_byJoint.begin(), m_byJoint.end(), [](const glm::dmat4 &worldFromMesh) {
         return glm::determinant(glm::dmat3(worldFromMesh)) < 0.0;
     });
@@ -117,7 +117,7 @@ glm::dvec3 GltfPose::position(std::size_t vertex, const glm::dvec3 &inMesh) cons
     const glm::dmat4 blend = m_byJoint.empty() ? glm::dmat4() : blended(vertex);
     const glm::dmat4 &m = m_byJoint.empty() ? m_worldFromMesh : blend;
     const glm::dvec3 world(m * glm::dvec4(inMesh, 1.0));
-    constexpr double kCancelled = 0x1p-4; // so many of a double's digits are worth the time
+    constexpr double kCancelled = 0x1p-4; // more cancellation than this is worth the time
     const auto isCancelled = [&](int axis) {
         const double terms = std::abs(m[0][axis] * inMesh.x) + std::abs(m[1][axis] * inMesh.y)
                              + std::abs(m[2][axis] * inMesh.z) + std::abs(m[3][axis]);
@@ -151,7 +151,7 @@ glm::dmat4 GltfPose::blended(std::size_t vertex) const
             total += weight;
         }
     }
-    // A vertex that no joint holds goes with the first one it names, as other programs have it.
+    // A vertex that no joint holds follows the first joint that it names, as in other programs.
     return total > 0.0 ? sum / total : jointOf(0, 0);
 }
 
@@ -165,7 +165,7 @@ glm::dvec3 GltfPose::normal(std::size_t vertex, const glm::dvec3 &inMesh) const
 glm::dmat3 GltfPose::normalMatrix(const glm::dmat4 &worldFromMesh)
 {
     const glm::dmat3 linear(worldFromMesh);
-    // The cofactor matrix: inverse transpose times determinant, which a flat scale does not make infinite.
+    // The cofactor matrix: inverse transpose times determinant. It stays finite for a flat scale.
     const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                                glm::cross(linear[0], linear[1]));
     return glm::determinant(linear) < 0.0 ? -cofactors : cofactors;

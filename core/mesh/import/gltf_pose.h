@@ -14,13 +14,14 @@
 
 namespace unprojector::mesh::reader {
 
-/// The skins of a glTF file, whose joints are where their nodes have them.
+/// The skins of a glTF file, posed by the nodes of their joints.
 class GltfSkins {
 public:
     GltfSkins(GltfFile &file, const GltfNodes &nodes) : m_file(file), m_nodes(nodes) {}
 
-    /// worldFromJoint * jointFromMesh for every joint of the skin of a node; jointFromMesh is the inverse bind matrix.
-    /// The span is valid as long as this object. Throws Failure (Malformed).
+    /// worldFromJoint * jointFromMesh for every joint of a node's skin; jointFromMesh is the
+    /// inverse bind matrix. The span is valid as long as this object.
+    /// Throws Failure (Malformed).
     std::span<const glm::dmat4> worldFromMeshByJoint(const Json &node);
 
 private:
@@ -31,28 +32,31 @@ private:
     std::map<std::uint64_t, std::vector<glm::dmat4>> m_read; ///< by skin
 };
 
-/// Where a primitive's vertices go: all by one matrix, or each by the joints that hold it.
+/// The transform of a primitive's vertices: one matrix for all, or a blend of joint matrices for
+/// each.
 class GltfPose {
 public:
     explicit GltfPose(const geometry::PreciseMatrix &worldFromMesh);
-    /// A vertex becomes the sum of weight * worldFromMesh of a joint * vertex, divided by the sum of the weights. The
-    /// transform of the node that holds the mesh has no part in it (glTF 2.0, section 3.7.3, Skins).
+    /// A vertex becomes the sum of weight * worldFromMesh of a joint * vertex, divided by the sum
+    /// of the weights. The transform of the node that holds the mesh is ignored (glTF 2.0, section
+    /// 3.7.3, Skins).
     /// @param worldFromMeshByJoint  must outlive the pose
     /// @param attributes  of the primitive: JOINTS_0 and WEIGHTS_0, and those with higher numbers
     GltfPose(GltfFile &file, std::span<const glm::dmat4> worldFromMeshByJoint, const Json &attributes,
              std::size_t vertexCount);
-    /// Whether joints hold a primitive's vertices.
+    /// Returns whether joints move a primitive's vertices.
     static bool isSkinned(const Json &attributes);
 
-    /// World space. Throws Failure (Malformed) where a vertex names a joint that the skin does not have.
+    /// The vertex's position in world space. Throws Failure (Malformed) if it refers to a joint
+    /// that the skin does not have.
     glm::dvec3 position(std::size_t vertex, const glm::dvec3 &inMesh) const;
-    /// World space, of length 1, or zero where it has no direction.
+    /// The normal in world space, of length 1, or zero if it has no direction.
     glm::dvec3 normal(std::size_t vertex, const glm::dvec3 &inMesh) const;
-    /// Whether triangles turn over.
+    /// Returns whether the transform reverses the winding of triangles.
     bool isMirrored() const { return m_isMirrored; }
 
 private:
-    /// How normals are turned, but for their length.
+    /// The transform of normals, up to their length.
     static glm::dmat3 normalMatrix(const glm::dmat4 &worldFromMesh);
     glm::dmat4 blended(std::size_t vertex) const;
 

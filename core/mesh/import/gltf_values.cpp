@@ -13,8 +13,8 @@ using text::tr;
 
 namespace {
 
-/// Of an accessor that has no bytes of its own, unless the file is larger: then as many as the file has bytes. What such
-/// accessors are for are patches of others that do have bytes.
+/// The element limit of an accessor without bytes of its own; a larger file raises it to its byte
+/// count. Such accessors only serve as the base of sparse patches, which do have bytes.
 constexpr std::uint64_t kElementsOutOfNothing = 1 << 14;
 
 std::size_t bytesOf(int componentType)
@@ -42,7 +42,7 @@ std::size_t componentsOf(const Json &accessor)
     failMalformed(tr("an accessor has an unknown type"));
 }
 
-/// Little-endian, whatever the machine.
+/// Reads a little-endian value on any machine.
 template <class Value>
 Value valueAt(const std::uint8_t *place)
 {
@@ -65,7 +65,7 @@ GltfValues::GltfValues(GltfFile &file, const Json &accessor)
     if (GltfFile::find(accessor, "bufferView")) {
         const Json &view = file.reference(accessor, "bufferView", "bufferViews");
         m_bytes = file.viewBytes(accessor);
-        // Some programs write 0 where the elements follow one another.
+        // Some programs write 0 for tightly packed elements.
         if (const std::uint64_t stride = GltfFile::number(view, "byteStride", 0); stride > 0)
             m_stride = static_cast<std::size_t>(stride);
         if (m_stride < elementBytes)
@@ -92,7 +92,7 @@ void GltfValues::readSparse(GltfFile &file, const Json &accessor, const Json &sp
     const Json *values = GltfFile::find(sparse, "values");
     if (!GltfFile::find(sparse, "count") || !indices || !values)
         failMalformed(tr("a sparse accessor lacks its count, its indices or its values"));
-    // As accessors of their own, which is what they are.
+    // Both are read as accessors of their own, which they are.
     Json indexAccessor = *indices, valueAccessor = *values;
     indexAccessor["type"] = "SCALAR";
     indexAccessor["count"] = sparse.at("count");

@@ -11,24 +11,24 @@
 
 namespace unprojector::mesh::reader {
 
-/// The elements of an accessor: so many numbers each. Patches of sparse ones are applied.
+/// The elements of an accessor, each with components() numbers. Sparse patches are applied.
 class GltfValues {
 public:
     /// @param accessor  of the file
-    /// Throws Failure (Malformed) where it goes beyond its bytes.
+    /// Throws Failure (Malformed) if it exceeds its bytes.
     GltfValues(GltfFile &file, const Json &accessor);
 
     std::size_t count() const { return m_count; }
-    /// Numbers in an element: 3 of a VEC3.
+    /// The number of components of an element: 3 for a VEC3.
     std::size_t components() const { return m_components; }
     bool areIntegers() const { return m_type != kFloat; }
 
-    /// A number of an element; integers that stand for shares of one are turned into them.
+    /// A number of an element; normalized integers are converted to their share of 1.
     double at(std::size_t element, std::size_t component) const;
-    /// The numbers of an element of three.
+    /// The three numbers of an element.
     /// @pre components() is 3
     glm::dvec3 vectorAt(std::size_t element) const { return {at(element, 0), at(element, 1), at(element, 2)}; }
-    /// An integer of an element, as it is in the file.
+    /// An integer of an element, as in the file.
     /// @pre areIntegers()
     std::int64_t integerAt(std::size_t element, std::size_t component) const;
 
@@ -48,7 +48,7 @@ private:
     std::size_t m_stride;
     bool m_isNormalized = false;
     std::span<const std::uint8_t> m_bytes;
-    std::vector<std::uint8_t> m_owned; ///< m_bytes of a sparse accessor, or of one without a view
+    std::vector<std::uint8_t> m_owned; ///< backs m_bytes for a sparse accessor, or one without a view
 };
 
 } // namespace unprojector::mesh::reader

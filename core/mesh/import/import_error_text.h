@@ -6,7 +6,7 @@
 
 namespace unprojector::mesh {
 
-/// Why a model file is refused and what to do, the file's name before it:
+/// The reason why a model file is rejected and the remedy, after the file's name:
 ///
 ///   head.obj: the file is damaged: line 3: a vertex needs three numbers
 std::string importErrorText(const ImportError &error);

@@ -31,7 +31,7 @@ void countLines(std::string_view text, LineRange &range)
             ++range.lines;
             isFilled = false;
         } else {
-            // As TextScanner has it.
+            // The same blanks as in TextScanner.
             isFilled = isFilled || !(c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0' || c == '\r');
         }
     }

@@ -6,14 +6,16 @@
 
 namespace unprojector::mesh::reader {
 
-/// What a material of a model file says of a surface's colour, which is multiplied with the texture's and the vertices'.
+/// The colour that a material of a model file gives a surface. It is multiplied with the texture
+/// and the vertex colours.
 struct Material {
     glm::vec4 baseColor{0.8f, 0.8f, 0.8f, 1.0f};
-    bool hasBaseColor = false; ///< whether the file says so
-    int texture = -1;          ///< into Model::textures
+    bool hasBaseColor = false; ///< whether the file sets it
+    int texture = -1;          ///< index into Model::textures
 
-    /// Where the file does not say, vertices that have colours are as those say. Points are not lit, and the grey of surfaces
-    /// would hardly be seen before a light window: theirs is one for light and for dark.
+    /// The base colour. If the file sets none, vertex colours stay unchanged. Points are unlit, and
+    /// the grey of surfaces would have little contrast in a light theme; they get a grey that suits
+    /// light and dark.
     glm::vec4 baseColorOf(Mesh::Kind kind, bool hasVertexColors) const
     {
         if (hasBaseColor)

@@ -37,10 +37,10 @@ namespace reader {
 
 namespace {
 
-/// Elements looked at in a task of some milliseconds.
+/// The number of elements in a task of a few milliseconds.
 constexpr std::size_t kElementsInTask = 1 << 18;
-/// Normals take a second and a third of the memory for meshes beyond this, whose triangles are so small on the screen
-/// that they look no better smooth.
+/// Larger meshes get no computed normals: that would take a second and a third of the memory, and
+/// triangles this small on the screen look no better smooth.
 constexpr std::size_t kMostTrianglesToSmooth = 3000000;
 
 bool hasUsableNormals(const Mesh &mesh)
@@ -60,9 +60,9 @@ bool hasUsableNormals(const Mesh &mesh)
     return isUsable;
 }
 
-/// Checks what every reader must keep, so that drawing and ray casting need not.
+/// Checks the invariants that every reader must keep, so that drawing and ray casting need not.
 /// @param firstVertex  of the mesh in the model, for messages
-/// @return the box of what is shown of it
+/// @return the bounding box of the shown elements
 Box checkMesh(Mesh &mesh, std::size_t firstVertex, const std::function<void(double)> &report)
 {
     const std::size_t vertexCount = mesh.positions.size();
@@ -77,7 +77,7 @@ Box checkMesh(Mesh &mesh, std::size_t firstVertex, const std::function<void(doub
         ShownBox own;
         for (std::size_t v = begin; v < end; ++v) {
             const glm::vec3 &position = mesh.positions[v];
-            // The sum of what is finite may overflow, but rarely does.
+            // A cheap test first: the sum of finite numbers may overflow, but rarely does.
             if (!std::isfinite(position.x + position.y + position.z) && !isFinite(position))
                 throw Failure(ImportErrorCode::NotFinite, {}, firstVertex + v);
             if (mesh.indices.empty())
@@ -105,8 +105,9 @@ Box checkMesh(Mesh &mesh, std::size_t firstVertex, const std::function<void(doub
     return bounds;
 }
 
-/// Those whose corners are equal or on one line. Differences of singles are exact or nearly so in double, and so is what
-/// is made of them here: only what has no area is counted.
+/// The number of triangles with equal or collinear corners. Differences of floats are exact or
+/// nearly so in double, and so are the results computed from them: only triangles without area are
+/// counted.
 std::size_t flatTriangles(const Mesh &mesh)
 {
     std::atomic<std::size_t> count = 0;
@@ -124,7 +125,7 @@ std::size_t flatTriangles(const Mesh &mesh)
     return count;
 }
 
-/// Says what of a model that is right can be neither seen nor clicked.
+/// Adds notes for valid parts of a model that can be neither seen nor clicked.
 void noteWhatIsNotSeen(Model &model)
 {
     std::size_t flat = 0;
@@ -132,7 +133,7 @@ void noteWhatIsNotSeen(Model &model)
         flat += flatTriangles(mesh);
     if (flat > 0)
         model.notes.push_back({ModelNote::Kind::FlatTriangles, flat, {}});
-    // Graphics cards take what is below 1.2e-38 as 0; so much more keeps the digits of singles.
+    // Graphics cards flush values below 1.2e-38 to 0; this margin keeps the digits of floats.
     constexpr double kLeastDrawn = 1e-30;
     const glm::dvec3 size = model.bounds.highest - model.bounds.lowest;
     const double largest = std::max({size.x, size.y, size.z});
@@ -140,7 +141,7 @@ void noteWhatIsNotSeen(Model &model)
         model.notes.push_back({ModelNote::Kind::TooSmallToDraw, 0, text::shortestText(largest)});
 }
 
-/// Keeps normals that can be used, makes those that are missing where that pays.
+/// Keeps usable normals, and computes missing ones if that pays off.
 void finishNormals(Mesh &mesh, const std::function<void(double)> &report)
 {
     if (mesh.kind == Mesh::Kind::Triangles && hasUsableNormals(mesh))
@@ -150,7 +151,7 @@ void finishNormals(Mesh &mesh, const std::function<void(double)> &report)
         makeNormals(mesh, 0.5f, report);
 }
 
-/// As they come, where a reader has said nothing else.
+/// Numbers the vertices in their order if the reader has set no numbers.
 void numberVertices(Model &model)
 {
     if (std::any_of(model.meshes.begin(), model.meshes.end(),
@@ -164,7 +165,7 @@ void numberVertices(Model &model)
     }
 }
 
-/// Drops the vertices' numbers where they are as the vertices come.
+/// Drops the vertices' numbers if they equal the order of the vertices.
 void dropPlainNumbers(Model &model)
 {
     std::uint32_t number = 0;
@@ -212,7 +213,8 @@ void finishModel(Model &model, ProgressReporter &progress)
     noteWhatIsNotSeen(model);
 }
 
-/// Makes one note of those of files outside the model's folder: a model may have many pictures in a folder beside its own.
+/// Merges the notes about files outside the model's folder into one: a model may have many images
+/// in another folder.
 void gatherFilesOutside(std::vector<ModelNote> &notes)
 {
     const auto isOutside = [](const ModelNote &note) { return note.kind == ModelNote::Kind::ReadOutside; };
@@ -255,7 +257,8 @@ std::string startOf(const std::filesystem::path &file)
     return start;
 }
 
-/// Throws also where the contents are of another kind than the name says; then it says so.
+/// Reads a file. If it fails, and the contents match another format than the name, the error says
+/// so.
 Model readAs(Reader reader, const Source &source)
 {
     try {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::uint32_t kEmpty = 0xffffffffu;
 constexpr std::size_t kTrianglesBetweenReports = 1 << 16;
-/// Some milliseconds of work.
+/// A few milliseconds of work.
 constexpr std::size_t kTrianglesInTask = 1 << 15;
 
 std::size_t slotCountFor(std::size_t count)
@@ -68,13 +68,13 @@ std::vector<FaceNormal> faceNormalsOf(const Mesh &mesh, const std::function<void
     return faces;
 }
 
-/// The sum of the faces' normals around each position, which are added in the order of the faces however many cores do it:
-/// each adds those of its own positions.
+/// The sum of the faces' normals around each position. The faces are added in their order for any
+/// number of cores: each task adds to its own positions.
 std::vector<glm::vec3> normalSums(const Mesh &mesh, const std::vector<FaceNormal> &faces,
                                   const std::vector<std::uint32_t> &positionOfVertex, std::size_t positionCount)
 {
     std::vector<glm::vec3> sums(positionCount, glm::vec3(0.0f));
-    // All of them look at all corners: more would gain little.
+    // Each task scans all corners, so more tasks would gain little.
     constexpr std::size_t kMostTasks = 4;
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     const std::size_t tasks = mesh.indices.size() < 3 * kTrianglesInTask ? 1 : std::min(cores, kMostTasks);
@@ -93,7 +93,7 @@ std::vector<glm::vec3> normalSums(const Mesh &mesh, const std::vector<FaceNormal
     return sums;
 }
 
-/// Of the positions, those around which a face turns from their mean by more than an angle.
+/// The positions around which a face deviates from the mean by more than an angle.
 std::vector<std::uint32_t> creasedPositions(const Mesh &mesh, const std::vector<FaceNormal> &faces,
                                             const std::vector<std::uint32_t> &positionOfVertex,
                                             const std::vector<glm::vec3> &means, float cosine)
@@ -116,11 +116,12 @@ std::vector<std::uint32_t> creasedPositions(const Mesh &mesh, const std::vector<
 
 /// The corners around each creased position, sorted by position, in compressed rows.
 struct CornerRows {
-    std::vector<std::uint32_t> begin; ///< by creased position's number, one more than there are
+    std::vector<std::uint32_t> begin; ///< indexed by creased position; one more entry than positions
     std::vector<std::uint32_t> corners;
 };
 
-/// Groups the faces around one position: faces that share an edge there and turn by less than the crease angle.
+/// Groups the faces around one position: faces that share an edge there and differ by less than the
+/// crease angle.
 class CreaseGroups {
 public:
     CreaseGroups(const std::vector<FaceNormal> &faces, const std::vector<std::uint32_t> &positionOfCorner,
@@ -129,7 +130,7 @@ public:
     {
     }
 
-    /// Fills `groups` with the group of each corner, numbered from 0, and returns how many there are.
+    /// Sets `groups` to the group of each corner, numbered from 0. Returns the number of groups.
     std::uint32_t group(const std::uint32_t *corners, std::uint32_t count, std::vector<std::uint32_t> &groups)
     {
         m_parents.resize(count);
@@ -311,8 +312,8 @@ void makeNormals(Mesh &mesh, float cosineOfCrease, const std::function<void(doub
             mesh.normals[v] = means[positionOfVertex[v]];
     });
 
-    // Faces within half the crease angle of their mean are within the crease angle of each other: nearly all
-    // positions of a scan are settled by that, and only the rest is worth looking at edge by edge.
+    // Faces within half the crease angle of their mean are within the crease angle of each other.
+    // This settles nearly all positions of a scan; only the rest needs an edge-by-edge test.
     const float cosineOfHalfCrease = std::sqrt((1.0f + cosineOfCrease) / 2.0f);
     std::vector<std::uint32_t> creasedNumber(positionIndex.size(), kEmpty);
     CornerRows rows;
@@ -346,7 +347,7 @@ void makeNormals(Mesh &mesh, float cosineOfCrease, const std::function<void(doub
     CreaseGroups creaseGroups(faces, positionOfCorner, cosineOfCrease);
     std::vector<std::uint32_t> groups;
     std::vector<glm::vec3> groupNormals;
-    // (vertex, group) to the vertex that stands for it; a vertex's first group keeps its number.
+    // Maps (vertex, group) to its vertex; a vertex's first group keeps its number.
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
     for (std::uint32_t number = 0; number < creasedCount; ++number) {
         if (number % kTrianglesBetweenReports == 0 && report)

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-/// What the format readers behind importModel share. Not for use elsewhere.
+/// Shared code of the format readers behind importModel. Not for use elsewhere.
 namespace unprojector::mesh::reader {
 
-/// Thrown inside the import only; importModel turns it into an ImportError.
+/// Thrown inside the import only; importModel converts it to an ImportError.
 struct Failure : std::exception {
     explicit Failure(ImportErrorCode failureCode, std::string failureDetail = {}, std::size_t failureIndex = 0)
         : code(failureCode), detail(std::move(failureDetail)), index(failureIndex)
@@ -34,15 +34,15 @@ struct Failure : std::exception {
     throw Failure(ImportErrorCode::Malformed, std::move(detail));
 }
 
-/// Passes the share done on, never falling.
+/// Forwards the share done to the callback; it never decreases.
 class ProgressReporter {
 public:
     explicit ProgressReporter(const ImportProgress &callback) : m_callback(callback) {}
 
-    /// The part of the whole that the following reports fill from 0 to 1.
+    /// Begins a stage: the range of the whole that the following reports fill from 0 to 1.
     void beginStage(double from, double to);
     /// @param share  of the stage, in [0, 1]
-    /// Throws Failure (Cancelled) when the callback says stop, then and at every later call.
+    /// Throws Failure (Cancelled) when the callback returns false, then and at every later call.
     void report(double share);
     bool isCancelled() const { return m_cancelled; }
 
@@ -54,7 +54,7 @@ private:
     bool m_cancelled = false;
 };
 
-/// A model file in memory, and what a reader needs besides.
+/// A model file in memory, with its name and the progress reporter.
 struct Source {
     std::filesystem::path file;
     std::string suffix; ///< lower case, without the dot
@@ -62,7 +62,7 @@ struct Source {
     ProgressReporter &progress;
 
     std::string_view text() const { return {reinterpret_cast<const char *>(bytes.data()), bytes.size()}; }
-    /// Without the zeros behind it that some programs fill files up with.
+    /// The text without trailing zeros, with which some programs pad files.
     std::string_view unpaddedText() const
     {
         const std::string_view all = text();
@@ -71,11 +71,11 @@ struct Source {
 };
 
 std::string lowerCaseSuffix(const std::filesystem::path &file); ///< without the dot
-/// The file as UTF-8, where a mark at its beginning says which UTF it is in; else as it is.
+/// The file as UTF-8, converted if it begins with a byte order mark of another UTF; else unchanged.
 /// @param converted  holds the text of a file in UTF-16
 std::span<const std::uint8_t> withoutByteOrderMark(std::span<const std::uint8_t> bytes, std::string &converted);
 
-/// The readers. Meshes may lack normals; their indices and values are checked by finishModel.
+/// The readers. Meshes may lack normals; finishModel checks their indices and values.
 /// Each throws Failure, or std::bad_alloc.
 Model readStl(const Source &source);
 Model readPly(const Source &source);
@@ -84,19 +84,22 @@ Model readObj(const Source &source);
 /// glTF and GLB.
 Model readGltf(const Source &source);
 
-/// How many bytes there are behind all that a binary file declares, 0 where they only fill it up: zeros or blanks.
+/// The number of bytes after all that a binary file declares; 0 if they are only padding: zeros or
+/// blanks.
 std::size_t bytesThatMean(std::span<const std::uint8_t> bytes);
 
-/// The texture a model file refers to, read from disk; `encoded` stays empty when there is no such file.
-/// @param reference  UTF-8, as written in the file: relative to the model file's folder, either slash, perhaps with
-///                   %20 for a blank
+/// The texture that a model file refers to, read from disk; `encoded` stays empty if the file is
+/// missing.
+/// @param reference  UTF-8, as written in the file: relative to the model file's folder, with
+///         either slash, perhaps with %20 for a blank
 Texture readTexture(const std::filesystem::path &modelFile, const std::string &reference);
-/// Puts it among the model's textures, with a note where there is no such file.
-/// @return its number
+/// Reads a texture and adds it to the model's textures, with a note if the file is missing.
+/// @return its index
 int addTexture(Model &model, const std::filesystem::path &modelFile, const std::string &reference);
-/// The file that such a reference means, or an empty path.
+/// The file that a reference names, or an empty path.
 std::filesystem::path resolveReference(const std::filesystem::path &modelFile, const std::string &reference);
-/// Adds a note for a file that was read, unless it lies in the model file's folder or below, or is noted already.
+/// Adds a note for a file that was read, unless it lies in the model file's folder or below, or
+/// already has one.
 void noteIfOutside(std::vector<ModelNote> &notes, const std::filesystem::path &modelFile,
                    const std::filesystem::path &file, const std::string &reference);
 

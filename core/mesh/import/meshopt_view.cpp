@@ -11,7 +11,8 @@ using text::tr;
 
 namespace {
 
-/// How many bytes a byte of packed vertices can become: later versions say by one that four columns of 256 vertices are 0.
+/// The maximum growth of a packed byte: in later versions one byte encodes that four columns of 256
+/// vertices are 0.
 constexpr std::uint64_t kMostGrowth = 1024;
 
 std::string textOf(const Json &object, const char *key, const char *otherwise)
@@ -24,7 +25,8 @@ std::string textOf(const Json &object, const char *key, const char *otherwise)
     return found->get<std::string>();
 }
 
-/// The library asserts what is checked here: these are not the data's own mistakes, which it reports.
+/// Checks the preconditions that the library asserts. The library itself reports errors in the
+/// data.
 class Unpacking {
 public:
     Unpacking(const Json &view, const Json &packing)
@@ -57,7 +59,7 @@ public:
 
     std::vector<std::uint8_t> unpacked(std::span<const std::uint8_t> bytes) const
     {
-        // An index takes a byte, and so does a triangle.
+        // An index takes at least a byte, and so does a triangle.
         const std::uint64_t most = m_mode == "TRIANGLES" ? 3 * std::uint64_t{bytes.size()}
                                    : m_mode == "INDICES" ? bytes.size()
                                                          : kMostGrowth * bytes.size() / m_stride;

@@ -10,13 +10,13 @@ namespace unprojector::mesh::reader {
 
 inline constexpr const char *kMeshoptExtension = "EXT_meshopt_compression";
 
-/// Whether the program is built with meshoptimizer.
+/// Returns whether the program is built with meshoptimizer.
 bool hasMeshopt();
 
-/// The bytes of a buffer view, unpacked and filtered.
+/// Unpacks and filters the bytes of a buffer view.
 /// @param packing  its EXT_meshopt_compression
-/// @param bytes  those that the extension names
-/// Throws Failure (Malformed) where they are damaged, or are not as the view and the extension have them.
+/// @param bytes  the packed bytes
+/// Throws Failure (Malformed) if the bytes are damaged, or contradict the view or the extension.
 /// @pre hasMeshopt()
 std::vector<std::uint8_t> unpackedView(const Json &view, const Json &packing, std::span<const std::uint8_t> bytes);
 

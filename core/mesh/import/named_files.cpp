@@ -18,7 +18,7 @@ using text::TextScanner;
 namespace reader {
 namespace {
 
-/// Gathers what the names in one model file mean.
+/// Collects the files that one model file names.
 class NamedFiles {
 public:
     explicit NamedFiles(std::filesystem::path modelFile) : m_modelFile(std::move(modelFile)) {}
@@ -85,7 +85,8 @@ private:
             add(name);
     }
 
-    /// As ObjMaterials looks for them: one name with blanks, or several, or the model's own.
+    /// Resolves libraries as ObjMaterials does: one name with blanks, or several, or the model's
+    /// own.
     void addLibraries(std::string_view names)
     {
         if (addLibrary(names))
@@ -115,7 +116,7 @@ private:
                     add(pictureOptions(line.restOfLine()).name);
             }
         } catch (const Failure &) {
-            return true; // it is kept, whether it can be read or not
+            return true; // kept even if unreadable
         }
         return true;
     }
@@ -124,8 +125,8 @@ private:
 
     std::filesystem::path m_modelFile;
     std::vector<std::filesystem::path> m_files;
-    Paths m_known;     ///< those in m_files
-    Paths m_libraries; ///< of materials, that are read
+    Paths m_known;     ///< the files in m_files
+    Paths m_libraries; ///< material libraries already read
 };
 
 } // namespace
@@ -155,7 +156,7 @@ std::vector<std::filesystem::path> namedFiles(const std::filesystem::path &model
         else
             named.ofPly(source.text());
     } catch (const std::exception &) {
-        return named.take(); // those found until then: the commands that import the model say what is wrong with it
+        return named.take(); // the files found so far: the commands that import the model report its error
     }
     return named.take();
 }

@@ -1,4 +1,4 @@
-// Where the program is built without Draco.
+// Stubs for builds without Draco.
 
 #include "core/mesh/import/draco_mesh.h"
 

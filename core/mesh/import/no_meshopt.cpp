@@ -1,4 +1,4 @@
-// Where the program is built without meshoptimizer.
+// Stubs for builds without meshoptimizer.
 
 #include "core/mesh/import/meshopt_view.h"
 

@@ -6,14 +6,14 @@
 
 namespace unprojector::mesh {
 
-/// One line in the language of text::tr(), UTF-8, that says what of a model file is not shown, or not as the file has it, without
-/// a capital and a full stop:
+/// Describes an import note in one line, without a capital and a full stop. UTF-8, in the language
+/// of text::tr():
 ///
 ///   3 lines and points are not shown
 ///   the picture "skin.png" is not there or cannot be read: its surfaces are shown without it
 ///
-/// What the file says is quoted as it is, but for characters that
-/// would end the line or steer a terminal, which become "?".
+/// Names from the file are quoted unchanged, except that characters that would end the line or
+/// control a terminal become "?".
 std::string noteText(const ModelNote &note);
 
 } // namespace unprojector::mesh

@@ -19,22 +19,23 @@ using text::tr;
 
 namespace {
 
-/// More words than any vertex has that means something.
+/// More words than any valid vertex has.
 constexpr int kMostVertexWords = 9;
 
-/// Statements that say nothing about what is shown: groups, parts of curves, looks, commands. Some programs add their own.
+/// Statements without shown geometry: groups, parts of curves, display attributes, commands. Some
+/// programs add their own.
 constexpr std::string_view kWithoutGeometry[] = {
     "vp",     "cstype", "deg",        "bmat",      "step",  "parm",  "trim",  "hole",       "scrv",     "sp",
     "end",    "con",    "g",          "s",         "mg",    "o",     "bevel", "c_interp",   "d_interp", "lod",
     "usemap", "maplib", "shadow_obj", "trace_obj", "ctech", "stech", "res",   "vertexcolor"};
 
-/// Statements that stand for what is not shown: curves and surfaces, those of the format's older versions too, another file, and
-/// what a command of the system prints.
+/// Statements for unsupported geometry: curves and surfaces, also of older format versions; other
+/// files; output of system commands.
 constexpr std::string_view kNotShown[] = {"curv", "curv2", "surf", "bsp", "bzp", "cdc", "cdp", "call", "csh"};
 
 std::uint8_t byteFromShare(double share)
 {
-    // Written so that NaN becomes 0.
+    // NaN becomes 0.
     return share > 0.0 ? static_cast<std::uint8_t>(std::lround(std::min(share, 1.0) * 255.0)) : std::uint8_t{0};
 }
 
@@ -106,7 +107,8 @@ void ObjChunk::readVertex(ObjCursor &cursor)
     // x y z, x y z w, x y z r g b, x y z r g b a, x y z w r g b a.
     const bool isKnown = (count <= 8 && count != 5) && cursor.isAtStatementEnd();
     verticesWithMore += isKnown ? 0 : 1;
-    // By the format, w weighs the vertex in rational curves and surfaces. It says nothing about polygons.
+    // The format defines w as a weight in rational curves and surfaces. It has no meaning for
+    // polygons.
     verticesWithWeight += isKnown && (count == 4 || count == 8) && values[3] != 1.0 ? 1 : 0;
     const glm::dvec3 position(values[0], values[1], values[2]);
     if (!isFinite(position)) {
@@ -139,7 +141,7 @@ void ObjChunk::readVector(ObjCursor &cursor, const char *what, int least, int mo
     fail(cursor, std::move(message));
 }
 
-/// "1", "1/2", "1//3" or "1/2/3".
+/// Reads "1", "1/2", "1//3" or "1/2/3".
 bool ObjChunk::readCorner(ObjCursor &cursor, Corner &corner)
 {
     corner = {};
@@ -277,7 +279,7 @@ void ObjChunk::resolve(const ObjCounts &before, const ObjCounts &total, std::siz
         checkParts(total);
 }
 
-/// Takes the texture coordinates or normals from faces that name some which do not exist.
+/// Removes the texture coordinates or normals from faces that name missing ones.
 void ObjChunk::checkParts(const ObjCounts &total)
 {
     const auto isMissing = [&](ObjKind kind, std::size_t corner) {
@@ -300,7 +302,7 @@ void ObjChunk::checkParts(const ObjCounts &total)
     }
 }
 
-/// Reads the lines again: where each face stands is not kept for the rare one that is wrong.
+/// Reads the lines again: to save memory, the line of each face is not stored for the rare error.
 void ObjChunk::failAtFace(std::size_t face, const ObjCounts &before, const ObjCounts &total,
                           std::size_t linesBefore) const
 {

@@ -20,12 +20,13 @@ namespace unprojector::mesh::reader {
 
 class ObjCursor;
 
-/// What a corner of a face refers to, in the order of "1/2/3"; also where that is counted or kept by kind.
+/// The kinds of references of a face corner, in the order of "1/2/3". Also indexes counts and
+/// arrays by kind.
 enum ObjKind : std::size_t { ObjVertex, ObjTexcoord, ObjNormal };
 inline constexpr std::size_t kObjKinds = 3;
 using ObjCounts = std::array<std::int64_t, kObjKinds>;
 
-/// Faces that follow each other and are alike.
+/// Consecutive faces with the same properties.
 struct ObjRun {
     std::uint32_t cornersEach = 3;
     std::uint32_t faces = 0;
@@ -40,14 +41,16 @@ struct ObjRun {
     }
 };
 
-/// Some whole statements of an OBJ file, read without knowing the others; what depends on those is left to resolve().
+/// Some whole statements of an OBJ file, parsed independently of the others. resolve() does the
+/// parts that depend on the others.
 class ObjChunk {
 public:
-    /// Throws no Failure: the chunks before have a say, see failure().
+    /// Parses the statements. Throws no Failure, since an earlier chunk may have failed first, see
+    /// failure().
     void parse(std::string_view text);
-    /// Numbers the corners from the file's beginning. Faces that name texture coordinates or normals which the file does
-    /// not have lose them.
-    /// @param before  what all chunks before hold
+    /// Numbers the corners from the beginning of the file. References to missing texture
+    /// coordinates or normals are removed from their faces.
+    /// @param before  the counts of all chunks before
     /// @param linesBefore  theirs, for messages
     /// Throws Failure (Malformed) for a face with a vertex that the file does not have.
     void resolve(const ObjCounts &before, const ObjCounts &total, std::size_t linesBefore);
@@ -68,20 +71,20 @@ public:
     std::vector<glm::vec2> texcoords;
     std::vector<glm::vec3> normals;
     std::vector<ObjRun> runs;
-    /// By ObjKind: what the corners of all faces refer to, counted from 0 once resolved. Of texture coordinates and
-    /// normals all corners, −1 where there is none, or no corner.
+    /// The references of all face corners by ObjKind, counted from 0 once resolved. Texture
+    /// coordinates and normals: either for all corners, −1 for a missing one, or empty.
     std::array<std::vector<std::int32_t>, kObjKinds> corners;
-    /// The names after "usemtl". The first stands for the last name before this chunk.
+    /// The names after "usemtl". The first is a placeholder for the last name before this chunk.
     std::vector<std::string> materials{std::string()};
-    std::vector<std::string> libraries; ///< the rests of the lines after "mtllib"
+    std::vector<std::string> libraries; ///< the rest of each line after "mtllib"
 
-    // What is left out.
+    // Counts of dropped parts.
     std::size_t lines = 0;
     std::size_t points = 0;
-    std::size_t verticesWithMore = 0;            ///< words than mean something there
-    std::size_t verticesWithWeight = 0;          ///< of rational curves
-    std::size_t unknownLines = 0;                ///< that begin with a word which the format does not have
-    std::size_t firstUnknownLine = 0;            ///< lines of the chunk before it
+    std::size_t verticesWithMore = 0;            ///< with surplus words
+    std::size_t verticesWithWeight = 0;          ///< for rational curves
+    std::size_t unknownLines = 0;                ///< lines that begin with an unknown word
+    std::size_t firstUnknownLine = 0;            ///< number of lines of the chunk before it
     std::string firstUnknown;                    ///< its first word, quoted
     std::size_t facesWithoutTexcoords = 0;       ///< though they name some
     std::size_t facesWithoutNormals = 0;         ///< though they name some
@@ -110,7 +113,8 @@ private:
     std::size_t m_lineCount = 0;
     std::optional<StatementFailure> m_failure;
     std::uint32_t m_material = 0;
-    /// Corners with a number that counts back from their own line: from what it does is known when all chunks are.
+    /// Indices of corners with a relative number, counted back from their line. They are resolved
+    /// when all chunks are known.
     std::array<std::vector<std::size_t>, kObjKinds> m_countedBack;
 };
 

@@ -32,7 +32,7 @@ const char *ObjCursor::afterLineEnd(const char *lineEnd) const
     return lineEnd + (isPair ? 2 : 1);
 }
 
-/// The start of the line that a backslash joins, or null where it joins none.
+/// The start of the line that a backslash joins, or null if it joins none.
 const char *ObjCursor::afterJoint(const char *backslash) const
 {
     const char *at = backslash + 1;
@@ -118,7 +118,7 @@ bool ObjCursor::readNumber(double &value)
         m_at = result.ptr;
         return true;
     }
-    // Out of range; or "1.#IND", which is no comment.
+    // Out of range; or "1.#IND", whose # begins no comment.
     const char *end = result.ptr;
     while (end != m_end && !isBlank(*end) && !isLineEnd(*end) && !(*end == '#' && end[-1] != '.'))
         ++end;

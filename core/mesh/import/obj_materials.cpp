@@ -13,7 +13,7 @@ using text::TextScanner;
 
 namespace {
 
-/// What a material without a "Kd" is said to have.
+/// The diffuse colour of a material without a "Kd".
 constexpr glm::vec3 kDiffuseByDefault(0.6f);
 
 } // namespace
@@ -29,7 +29,7 @@ PictureOptions pictureOptions(std::string_view rest)
 {
     struct Option {
         std::string_view name;
-        int least, most; ///< words that follow
+        int least, most; ///< number of arguments
     };
     constexpr Option kOptions[] = {{"-blendu", 1, 1}, {"-blendv", 1, 1}, {"-boost", 1, 1},   {"-mm", 2, 2},
                                    {"-o", 1, 3},      {"-s", 1, 3},      {"-t", 1, 3},       {"-texres", 1, 1},
@@ -74,7 +74,8 @@ void ObjMaterials::readLibraries(std::string_view names)
             missing.emplace_back(name);
     }
     if (!isAnyThere) {
-        // Renamed together with the model, by someone who did not look inside.
+        // Fallback for a library renamed together with the model, without an update of its name
+        // inside.
         if (readLibrary(utf8FromPath(m_source.file.stem()) + ".mtl"))
             return;
         missing.assign(1, std::string(names));
@@ -155,7 +156,7 @@ std::optional<Material> ObjMaterials::find(std::string_view name)
 {
     auto found = m_written.find(name);
     if (found == m_written.end()) {
-        // A comment behind the name; some names do hold a "#".
+        // Tries without a comment after the name; some names do contain a "#".
         std::string_view shorter = name.substr(0, name.find('#'));
         while (!shorter.empty() && (shorter.back() == ' ' || shorter.back() == '\t'))
             shorter.remove_suffix(1);
@@ -170,7 +171,7 @@ std::optional<Material> ObjMaterials::find(std::string_view name)
     material.hasBaseColor = true;
     if (!written.picture.empty()) {
         material.texture = textureNumber(written);
-        // Some programs write black beside a picture, or nothing, and mean the picture alone.
+        // Some programs write black beside an image, or nothing, and mean the image alone.
         if (!written.diffuse || diffuse == glm::vec3(0.0f))
             material.baseColor = glm::vec4(1.0f, 1.0f, 1.0f, written.opacity);
     }

@@ -15,28 +15,30 @@
 
 namespace unprojector::mesh::reader {
 
-/// Whether what follows a word of a library of materials is a picture's name, as after "map_Kd".
+/// Returns whether the words after a keyword of a material library name an image, as after
+/// "map_Kd".
 bool namesPicture(std::string_view keyword);
 
-/// The arguments of a picture statement, as in "map_Kd -o 1 2 -clamp on my picture.png".
+/// The arguments of an image statement, as in "map_Kd -o 1 2 -clamp on my picture.png".
 struct PictureOptions {
     std::string_view name;
     bool wrapRepeat = true;
 };
 PictureOptions pictureOptions(std::string_view rest);
 
-/// The materials of an OBJ file's libraries. Reads pictures and adds notes to the model.
+/// The materials of an OBJ file's libraries. Reads images and adds notes to the model.
 class ObjMaterials {
 public:
     ObjMaterials(const Source &source, Model &model) : m_source(source), m_model(model) {}
 
-    /// Reads what follows "mtllib": one file whose name may hold blanks, or several files.
+    /// Reads the libraries named after "mtllib": one file whose name may contain blanks, or several
+    /// files.
     void readLibraries(std::string_view names);
-    /// The material after "usemtl", or nothing where no library has it.
+    /// The material after "usemtl"; nothing if no library has it.
     std::optional<Material> find(std::string_view name);
 
 private:
-    /// As written.
+    /// A material as written in the library.
     struct Written {
         std::optional<glm::vec3> diffuse;
         float opacity = 1.0f;
@@ -52,7 +54,7 @@ private:
     Model &m_model;
     std::map<std::string, Written, std::less<>> m_written;
     std::map<std::pair<std::string, bool>, int> m_textures;
-    std::set<std::filesystem::path::string_type> m_libraries; ///< that are read
+    std::set<std::filesystem::path::string_type> m_libraries; ///< already read
 };
 
 } // namespace unprojector::mesh::reader

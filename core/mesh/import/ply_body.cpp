@@ -23,10 +23,10 @@ using text::tr;
 namespace {
 
 constexpr std::size_t kElementsBetweenReports = 1 << 14;
-/// Some milliseconds of work.
+/// A few milliseconds of work.
 constexpr std::size_t kBytesInTask = 1 << 20;
 
-/// The least and the greatest number of an integer type.
+/// The range of an integer type.
 std::pair<double, double> integerRange(PlyType type)
 {
     const auto count = static_cast<double>(std::uint64_t{1} << (8 * byteCount(type)));
@@ -83,7 +83,7 @@ void PlyBody::beginElement(const PlyElement &element, std::size_t number)
         skipComments();
 }
 
-/// Some programs write comments among the data, as they do in the header.
+/// Skips comments: some programs write them among the data, as in the header.
 void PlyBody::skipComments()
 {
     m_scanner.skipBlankLines();
@@ -182,7 +182,7 @@ void PlyBody::skip(const PlyProperty &property)
 
 void PlyBody::skipAll(const PlyElement &element)
 {
-    // What has no properties is not in the file.
+    // An element without properties takes no space in the file.
     for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i) {
         beginElement(element, i);
         for (const PlyProperty &property : element.properties)

@@ -12,42 +12,45 @@
 
 namespace unprojector::mesh::reader {
 
-/// A value as it lies in a binary file.
+/// Reads a value from the bytes of a binary file.
 double plyValue(const std::uint8_t *bytes, PlyType type, PlyFormat format);
 
-/// Reads the values after a PLY header one by one. Every function throws Failure (Malformed) where the file ends, or holds
-/// something else.
+/// Reads the values after a PLY header one by one. Every function throws Failure (Malformed) if the
+/// file ends or holds an unexpected value.
 class PlyBody {
 public:
     PlyBody(const Source &source, const PlyHeader &header);
 
-    /// Before an element's values; in text it begins a line.
+    /// Begins an element's values; in text, at the start of a line.
     void beginElement(const PlyElement &element, std::size_t number);
     double value(PlyType type);
-    /// The number of a vertex, -1 where a strip begins anew; -2 where it is none that a file could have. Throws for what is no
-    /// whole number.
+    /// Reads a vertex number: -1 where a strip restarts, -2 for a number that no file can have.
+    /// Throws if it is not a whole number.
     std::int64_t corner(PlyType type);
-    /// A list's length, checked against what is left of the file.
+    /// Reads a list's length, checked against the rest of the file.
     std::size_t listLength(const PlyProperty &list);
     void skip(const PlyProperty &property);
-    /// After an element's values; in text its line ends with them.
+    /// Ends an element's values; in text, its line must end here.
     void endElement();
-    /// Skips all of an element's instances.
+    /// Skips all instances of an element.
     void skipAll(const PlyElement &element);
-    /// After the last element. In text only blanks may follow.
-    /// @return the bytes that follow in a binary file, 0 where they are blank
+    /// Ends the file after the last element. In text only blanks may follow.
+    /// @return the number of bytes that follow in a binary file, 0 if they are blank
     std::size_t end();
 
-    /// Reads all of an element's instances, each a line of a long text, by all cores; moves on behind them.
-    /// @param read  called at once from several threads, each with a body of its own that stands before the first of them
-    /// @return false where that is not worth while, or something is not as it should be: then nothing is read, and one by one
-    ///         will say what. What `read` has stored by then is to be stored anew
+    /// Reads all instances of an element on all cores, each one a line of a long text, and moves
+    /// past them.
+    /// @param read  called at once from several threads, each with a body of its own at its first
+    ///         instance
+    /// @return false if parallel reading does not pay off, or anything is wrong. Then the position
+    ///         is unchanged, and sequential reading reports the error. The values that `read` has
+    ///         stored must be stored anew
     bool readLines(const PlyElement &element,
                    const std::function<void(PlyBody &part, std::size_t first, std::size_t count)> &read);
 
-    /// Where the next values of a binary file are.
+    /// The position of the next values of a binary file.
     const std::uint8_t *next() const { return m_bytes.data() + m_at; }
-    /// The same, and moves on.
+    /// The same, and moves past them.
     const std::uint8_t *take(std::size_t size);
     std::size_t bytesLeft() const { return m_bytes.size() - offset(); }
 
@@ -57,9 +60,9 @@ private:
     std::string where() const { return m_element->name + ' ' + std::to_string(m_number); }
     [[noreturn]] void failTruncated() const;
     [[noreturn]] void failAtLine(const std::string &what) const;
-    /// The next word of a line of text, of any size.
+    /// Reads the next number of a line of text; its range is not checked.
     double asciiNumber(PlyType type);
-    /// The same, which must be a number of its type.
+    /// Reads the next number and checks that its type can hold it.
     double asciiValue(PlyType type);
 
     const Source &m_source;
@@ -67,7 +70,7 @@ private:
     std::span<const std::uint8_t> m_bytes;
     std::size_t m_at;
     text::TextScanner m_scanner;
-    bool m_isPart = false; ///< read beside others: it reports nothing
+    bool m_isPart = false; ///< read in parallel with others: it reports nothing
     const PlyElement *m_element = nullptr;
     std::size_t m_number = 0;
 };

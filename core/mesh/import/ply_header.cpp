@@ -72,7 +72,7 @@ PlyProperty readProperty(TextScanner &scanner)
 
 void checkSizes(const PlyHeader &header, std::size_t fileBytes)
 {
-    // One more than there are: the last line of an ASCII file may lack its end.
+    // One byte more than available: the last line of an ASCII file may lack its end.
     const std::size_t available = fileBytes - header.bodyOffset + 1;
     for (const PlyElement &element : header.elements) {
         const std::size_t least = element.leastBytes(header.format);

@@ -20,7 +20,7 @@ struct PlyProperty {
     std::string name;
     PlyType type = PlyType::Float32;
     bool isList = false;
-    PlyType countType = PlyType::Uint8; ///< of a list
+    PlyType countType = PlyType::Uint8; ///< of a list's length
 };
 
 struct PlyElement {
@@ -28,10 +28,10 @@ struct PlyElement {
     std::size_t count = 0;
     std::vector<PlyProperty> properties;
 
-    /// The property's number, or -1.
+    /// The property's index, or -1.
     int find(std::string_view property) const;
     bool hasLists() const;
-    /// The fewest bytes that one element takes in the file.
+    /// The minimum number of bytes that one element takes in the file.
     std::size_t leastBytes(PlyFormat format) const;
 };
 
@@ -45,7 +45,8 @@ struct PlyHeader {
     const PlyElement *find(std::string_view element) const;
 };
 
-/// Throws Failure (Malformed) with the line; also when the elements declared cannot fit into the file.
+/// Parses the header. Throws Failure (Malformed) with the line; also if the declared elements
+/// cannot fit into the file.
 PlyHeader readPlyHeader(std::string_view file);
 
 } // namespace unprojector::mesh::reader

@@ -16,7 +16,7 @@ using text::tr;
 
 namespace {
 
-/// Some milliseconds of work.
+/// A few milliseconds of work.
 constexpr std::size_t kVerticesInTask = 1 << 16;
 
 int findAny(const PlyElement &element, std::initializer_list<std::string_view> names)
@@ -29,7 +29,7 @@ int findAny(const PlyElement &element, std::initializer_list<std::string_view> n
     return -1;
 }
 
-/// Whether all values of a type are floats.
+/// Returns whether a type is the single-precision float.
 bool isFloat(PlyType type)
 {
     return type != PlyType::Float64 && type != PlyType::Int32 && type != PlyType::Uint32;
@@ -42,7 +42,7 @@ std::uint8_t channelFromValue(double value, PlyType type)
         share = value / 255.0;
     else if (!isFloating(type))
         share = value / 65535.0;
-    // Written so that NaN becomes 0.
+    // NaN becomes 0.
     return share > 0.0 ? static_cast<std::uint8_t>(std::lround(std::min(share, 1.0) * 255.0)) : std::uint8_t{0};
 }
 
@@ -52,7 +52,7 @@ bool isAmong(const Numbers &properties, std::size_t property)
     return std::find(properties.begin(), properties.end(), static_cast<int>(property)) != properties.end();
 }
 
-/// What the properties of a vertex mean.
+/// The meaning of a vertex's properties.
 struct VertexLayout {
     explicit VertexLayout(const PlyElement &vertices)
         : element(vertices), position{findAny(element, {"x"}), findAny(element, {"y"}), findAny(element, {"z"})},
@@ -68,13 +68,13 @@ struct VertexLayout {
     }
 
     bool isPosition(std::size_t property) const { return isAmong(position, property); }
-    /// Whether set() uses a property.
+    /// Returns whether set() uses a property.
     bool isUsed(std::size_t property) const
     {
         return (hasNormals && isAmong(normal, property)) || (hasTexcoords && isAmong(texcoord, property))
                || (color.isComplete() && isAmong(color.channels, property));
     }
-    /// Sets all of a vertex but its position; the arrays have their sizes.
+    /// Sets all attributes of a vertex but its position; the arrays must have their sizes.
     void set(Mesh &mesh, std::size_t vertex, const std::vector<double> &values) const
     {
         const auto at = [&values](int property) {
@@ -108,7 +108,8 @@ struct VertexLayout {
     bool hasTexcoords = false;
 };
 
-/// One by one, from text or where lists make vertices of different sizes; from a long text by all cores.
+/// Reads vertices one by one, from text or if lists make their sizes differ; a long text on all
+/// cores.
 void readOneByOne(const VertexLayout &layout, PlyBody &body, Mesh &mesh)
 {
     const PlyElement &element = layout.element;
@@ -141,7 +142,7 @@ void readOneByOne(const VertexLayout &layout, PlyBody &body, Mesh &mesh)
     setPositions(mesh, originFor(box), positions);
 }
 
-/// Vertices of one size, from where they lie, by all cores.
+/// Reads vertices of equal size directly from the bytes, on all cores.
 void readRecords(const VertexLayout &layout, PlyBody &body, PlyFormat format, Mesh &mesh, ProgressReporter &progress)
 {
     const PlyElement &element = layout.element;
@@ -152,7 +153,7 @@ void readRecords(const VertexLayout &layout, PlyBody &body, PlyFormat format, Me
         std::size_t property, offset;
         PlyType type;
     };
-    std::vector<Field> fields; // that mean something
+    std::vector<Field> fields; // the used ones
     std::vector<Field> axes(3);
     std::size_t offset = 0;
     for (std::size_t p = 0; p < element.properties.size(); ++p) {

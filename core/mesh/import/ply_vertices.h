@@ -9,14 +9,14 @@
 
 namespace unprojector::mesh::reader {
 
-/// Where an element keeps its colour.
+/// The properties that hold an element's colour.
 struct PlyColor {
     explicit PlyColor(const PlyElement &element);
     bool isComplete() const { return channels[0] >= 0 && channels[1] >= 0 && channels[2] >= 0; }
     /// @param values  of the element, one a property
     glm::u8vec4 color(const PlyElement &element, const std::vector<double> &values) const;
 
-    std::array<int, 4> channels; ///< numbers of properties, or -1
+    std::array<int, 4> channels; ///< indices of properties, or -1
 };
 
 /// Reads a PLY file's vertices into a mesh about an origin that keeps their digits.

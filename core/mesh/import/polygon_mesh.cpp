@@ -69,7 +69,7 @@ void PolygonMesh::addStrip(std::span<const std::int64_t> vertices, std::size_t s
             continue;
         auto a = static_cast<std::uint32_t>(vertices[i - 2]);
         auto b = static_cast<std::uint32_t>(vertices[i - 1]);
-        // Every second triangle of a strip winds the other way round.
+        // Every second triangle of a strip has the opposite winding.
         if ((i - begin) % 2 != 0)
             std::swap(a, b);
         // A repeated vertex only steers the strip.

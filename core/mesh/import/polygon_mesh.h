@@ -10,31 +10,33 @@
 
 namespace unprojector::mesh::reader {
 
-/// Builds one mesh out of a file's vertices and polygons. Colours and texture coordinates may belong to vertices, or
-/// to the corners of faces: then vertices are split where the corners around them differ.
+/// Builds one mesh from a file's vertices and polygons. Colours and texture coordinates may belong
+/// to vertices or to the corners of faces; then vertices are split where their corners differ.
 class PolygonMesh {
 public:
     explicit PolygonMesh(std::size_t vertexCount) : m_vertexCount(vertexCount) {}
 
-    /// The vertices, before the first polygon; colours and texture coordinates either for all or for none.
+    /// The vertices; set before the first polygon. Colours and texture coordinates either for all
+    /// or for none.
     Mesh mesh;
 
     std::size_t vertexCount() const { return m_vertexCount; }
-    /// The polygons so far of fewer than three corners.
+    /// The number of polygons so far with fewer than three corners.
     std::size_t lineCount() const { return m_lineCount; }
 
     /// @param face  the face's number in the file, for messages
     /// Throws Failure (Malformed) for a vertex the file does not have.
     void addPolygon(std::span<const std::int64_t> vertices, std::size_t face);
-    /// Says so where a face refers to a vertex that the file does not have.
+    /// Throws the failure of a face that refers to a vertex missing in the file.
     [[noreturn]] void failAtVertex(std::int64_t vertex, std::size_t face) const { failAt(vertex, "face", face); }
-    /// Sets the corners of the polygon added last, and so of all: those never set are white or (0, 0).
+    /// Sets the corners of the last added polygon. If it is ever called, unset corners of other
+    /// polygons are white or (0, 0).
     void setFaceColor(const glm::u8vec4 &color);
     void setCornerTexcoords(std::span<const glm::vec2> texcoords);
-    /// Adds a strip of triangles; a negative number starts a new one.
+    /// Adds a strip of triangles; a negative number restarts it.
     void addStrip(std::span<const std::int64_t> vertices, std::size_t strip);
 
-    /// The finished mesh; of points when there is no triangle.
+    /// Returns the finished mesh; of points if there is no triangle.
     Mesh take();
 
 private:

@@ -12,7 +12,7 @@ namespace unprojector::mesh {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
-/// About as many corners as are faster looked at one by one than in cells.
+/// Up to about this many corners, a linear scan is faster than cells.
 constexpr std::size_t kFewCorners = 48;
 
 double turn(const glm::dvec2 &a, const glm::dvec2 &b, const glm::dvec2 &c)
@@ -38,7 +38,7 @@ void PolygonTriangulator::flatten(std::span<const glm::vec3> corners)
         m_flat.emplace_back(sign * static_cast<double>(corner[u]), static_cast<double>(corner[v]));
 }
 
-/// Whether it turns left everywhere, and once around in all.
+/// Returns whether the polygon turns left everywhere, and once around in all.
 bool PolygonTriangulator::isConvex() const
 {
     const std::size_t count = m_flat.size();
@@ -83,14 +83,14 @@ void PolygonTriangulator::sortIntoCells()
         ++m_cellBegin[cellOf(corner) + 1];
     std::partial_sum(m_cellBegin.begin(), m_cellBegin.end(), m_cellBegin.begin());
     m_cellCorners.resize(m_flat.size());
-    // From the last on, so that each cell's begin comes out where it was.
+    // Goes backward, so that the begin of each cell ends up in place.
     for (std::size_t i = m_flat.size(); i-- > 0;)
         m_cellCorners[--m_cellBegin[cellOf(m_flat[i]) + 1]] = static_cast<std::uint32_t>(i);
     std::rotate(m_cellBegin.begin(), m_cellBegin.begin() + 1, m_cellBegin.end());
     m_cellBegin.back() = static_cast<std::uint32_t>(m_flat.size());
 }
 
-/// Visits all corners in a box, and others; stops where the visitor says true.
+/// Visits all corners in a box, and some others; stops when the visitor returns true.
 template <class Visitor>
 bool PolygonTriangulator::visitNearby(const glm::dvec2 &lowest, const glm::dvec2 &highest, const Visitor &visit) const
 {
@@ -107,7 +107,7 @@ bool PolygonTriangulator::visitNearby(const glm::dvec2 &lowest, const glm::dvec2
     return false;
 }
 
-/// A corner that keeps this one from being an ear, itself when it does not stick out; none: it is an ear.
+/// A corner that prevents this one from being an ear; itself if it is reflex; none if it is an ear.
 std::uint32_t PolygonTriangulator::blockerOf(std::uint32_t corner) const
 {
     const std::uint32_t before = m_before[corner];
@@ -137,7 +137,8 @@ std::uint32_t PolygonTriangulator::blockerOf(std::uint32_t corner) const
     return blocker;
 }
 
-/// A corner is looked at again only when a neighbour has gone, or the corner that stood in its ear.
+/// Cuts ears. A corner is tested again only after a neighbour or the corner that blocked its ear
+/// was cut.
 void PolygonTriangulator::clip(std::vector<std::uint32_t> &triangles)
 {
     const auto count = static_cast<std::uint32_t>(m_flat.size());
@@ -171,8 +172,8 @@ void PolygonTriangulator::clip(std::vector<std::uint32_t> &triangles)
         m_candidates.pop_front();
         if (!m_isLeft[corner])
             continue;
-        // A neighbour has just gone. Others first, or all ears along the outline would end in one far corner: long
-        // triangles, with many corners to look at.
+        // A neighbour was just cut: others go first. Otherwise all ears along the outline would end
+        // in one far corner, with long triangles and many corners to test.
         if (m_isNextToCut[corner]) {
             m_isNextToCut[corner] = false;
             m_candidates.push_back(corner);
@@ -202,7 +203,7 @@ void PolygonTriangulator::clip(std::vector<std::uint32_t> &triangles)
         for (std::uint32_t wait = m_waiting[corner]; wait != kNone; wait = m_waits[wait].next)
             lookAgainAt(m_waits[wait].corner);
     }
-    // The last triangle; or what has no ear.
+    // The last triangle, or a rest without ears.
     const std::uint32_t first = left == count ? 0 : last;
     for (std::uint32_t i = m_after[first]; m_after[i] != first; i = m_after[i])
         triangles.insert(triangles.end(), {first, i, m_after[i]});

@@ -11,13 +11,14 @@
 
 namespace unprojector::mesh {
 
-/// Cuts polygons into triangles by clipping ears, in about linear time for whatever comes out of real files. Its memory
-/// is used again for the next polygon.
+/// Triangulates polygons by ear clipping, in about linear time for polygons of real files. Its
+/// memory is reused for the next polygon.
 class PolygonTriangulator {
 public:
-    /// Appends the triangles, three corner numbers each: right for any polygon that does not cross itself, whose corners
-    /// need not lie in one plane exactly. A convex one becomes the fan around its first corner, and so does what cannot
-    /// be clipped: crossing itself, without area, or not finite.
+    /// Appends the triangles, three corner indices each. Correct for any polygon that does not
+    /// cross itself, even if it is not exactly planar. A convex polygon becomes the fan around its
+    /// first corner; so does one that cannot be clipped: self-crossing, without area, or not
+    /// finite.
     void triangulate(std::span<const glm::vec3> corners, std::vector<std::uint32_t> &triangles);
 
 private:
@@ -35,10 +36,10 @@ private:
     std::uint32_t blockerOf(std::uint32_t corner) const;
 
     std::vector<glm::dvec2> m_flat;      ///< anticlockwise, in the plane in which the polygon is largest
-    std::vector<std::uint32_t> m_before; ///< the corners that are left, as a ring
+    std::vector<std::uint32_t> m_before; ///< the remaining corners as a ring
     std::vector<std::uint32_t> m_after;
     std::vector<bool> m_isLeft;
-    std::vector<std::uint32_t> m_waiting; ///< by corner: the first in m_waits whose ear it stands in
+    std::vector<std::uint32_t> m_waiting; ///< by corner: the first in m_waits whose ear it blocks
     std::vector<Wait> m_waits;
     std::deque<std::uint32_t> m_candidates;
     std::vector<bool> m_isCandidate;

@@ -37,25 +37,25 @@ using text::tr;
 
 namespace {
 
-/// Nodes may show a mesh again and again: a small file could ask for any amount of memory.
+/// The vertex limit: nodes may repeat a mesh, so a small file could ask for any amount of memory.
 constexpr std::size_t kMostVertices = std::size_t{1} << 26;
-/// Where counting ends, so that it does not begin at 0 again.
+/// The limit of counting, which prevents overflow.
 constexpr std::size_t kMostCounted = std::size_t{1} << 62;
 constexpr std::size_t kVerticesInTask = 1 << 16;
 
 std::uint8_t byteFromShare(double share)
 {
-    // Written so that NaN becomes 0.
+    // NaN becomes 0.
     return share > 0.0 ? static_cast<std::uint8_t>(std::lround(std::min(share, 1.0) * 255.0)) : std::uint8_t{0};
 }
 
-/// What is gathered of one material, in double until all is known.
+/// The vertices and elements of one material, in double until all are known.
 struct Group {
     Mesh mesh;
     std::vector<glm::dvec3> positions;
     struct Part {
         std::size_t begin;  ///< in `positions`
-        std::size_t number; ///< of its first vertex, of all that are shown
+        std::size_t number; ///< the number of its first vertex among all shown vertices
     };
     std::vector<Part> parts;
 
@@ -70,7 +70,7 @@ struct Group {
         return numbers;
     }
 
-    /// Around the vertices that are used.
+    /// The bounding box of the used vertices.
     Box box() const
     {
         if (mesh.indices.empty())
@@ -116,15 +116,17 @@ public:
     }
 
 private:
-    /// Meshes of one material become one, where they carry the same kinds of attributes.
+    /// The key for merging: meshes of one material and with the same attributes become one.
     struct Key {
         std::uint64_t material;
         bool hasNormals, hasColors, hasTexcoords, arePoints;
-        // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0 in what the compiler writes here
+        // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 sees a 0 in what the compiler writes
+        // here
         auto operator<=>(const Key &) const = default;
     };
 
-    /// Where a primitive's vertices go, by its attributes and how many it has.
+    /// Called with a primitive's attributes and vertex count; returns the transform of its
+    /// vertices.
     using PoseOf = std::function<GltfPose(const Json &attributes, std::size_t vertexCount)>;
 
     const Json &primitivesOf(const Json &mesh) const
@@ -149,7 +151,7 @@ private:
                 count += static_cast<std::size_t>(
                     GltfFile::number(m_file.reference(primitive, "indices", "accessors"), "count", 0) / 3);
         }
-        // Instances take time without vertices too.
+        // Instances take time even without vertices.
         const auto factor = [](std::size_t number) { return std::clamp(number, std::size_t{1}, 2 * kMostVertices); };
         return factor(count) * factor(instanceCount(m_file, node));
     }
@@ -173,7 +175,7 @@ private:
             for (const Json &primitive : primitivesOf(mesh))
                 addPrimitive(primitive, weights, poseOf);
             if (isPosed)
-                break; // the node's transform has no part in it, and all instances are in one place
+                break; // a skin ignores the node's transform, so all instances coincide
         }
         m_posed += isPosed ? 1u : 0u;
         m_unusedSkins += hasSkin && !isPosed ? 1u : 0u;
@@ -191,7 +193,7 @@ private:
         return values;
     }
 
-    /// Three numbers for each vertex, with what the morph targets add by their weights.
+    /// Three numbers for each vertex, including the weighted morph targets.
     std::vector<glm::dvec3> vectors(const Json &primitive, const char *name, const GltfValues &values,
                                     const Json &weights)
     {
@@ -293,8 +295,8 @@ private:
         }
     }
 
-    /// All triangles of a list as they come.
-    /// @return false, and none is added, where one refers to a vertex that there is none of
+    /// Adds all triangles of a list.
+    /// @return false, and adds none, if one refers to a missing vertex
     static bool addTriangles(const GltfValues &corners, std::size_t cornerCount, std::size_t first, std::size_t count,
                              Mesh &mesh)
     {
@@ -313,7 +315,7 @@ private:
         return areWhole;
     }
 
-    /// A triangle or a point, unless it refers to a vertex that there is none of.
+    /// Adds a triangle or a point, unless it refers to a missing vertex.
     void addElement(std::initializer_list<std::uint64_t> vertices, std::size_t first, std::size_t count, Mesh &mesh)
     {
         if (std::any_of(vertices.begin(), vertices.end(), [count](std::uint64_t vertex) { return vertex >= count; })) {
@@ -392,7 +394,7 @@ private:
         note(ModelNote::Kind::PartLeftOut, m_file.array("animations").size(), "animation");
     }
 
-    /// As points are kept: each vertex one, in their order.
+    /// Lists the points in order, one per vertex.
     static void listPoints(Group &group)
     {
         const std::vector<std::uint32_t> vertices = std::exchange(group.mesh.indices, {});
@@ -412,7 +414,8 @@ private:
         gather(group.mesh.texcoords);
     }
 
-    /// Why there is neither a triangle nor a point; empty where the file holds nothing else either.
+    /// The reason why there is neither a triangle nor a point; empty if the file holds nothing else
+    /// either.
     std::string whyNothing() const
     {
         if (m_brokenCount > 0)
@@ -426,7 +429,7 @@ private:
         return {};
     }
 
-    /// Points are shown where there are no triangles.
+    /// Finishes the model. Points are shown if there are no triangles.
     Model finished()
     {
         const bool hasTriangles = std::any_of(m_groups.begin(), m_groups.end(), [](const Group &group) {
@@ -464,7 +467,8 @@ private:
         return std::move(m_model);
     }
 
-    /// That of the whole model, but for a mesh so far from it that its digits would go.
+    /// The origin of a mesh: the model's common one, unless the mesh is so far from it that it
+    /// would lose digits.
     static glm::dvec3 originOf(const Box &box, const glm::dvec3 &common)
     {
         constexpr double kFar = 1024.0;
@@ -481,8 +485,8 @@ private:
     std::size_t m_doneVertices = 0;
     std::size_t m_brokenCount = 0;
     std::size_t m_leftCorners = 0;
-    std::size_t m_lineCount = 0; ///< and points beside triangles
-    std::size_t m_posed = 0;     ///< nodes whose meshes are where their joints are
+    std::size_t m_lineCount = 0; ///< including points beside triangles
+    std::size_t m_posed = 0;     ///< nodes whose meshes are posed by joints
     std::size_t m_unusedSkins = 0;
     std::size_t m_elsewhere = 0; ///< meshes outside the scene
     std::size_t m_hidden = 0;    ///< nodes with meshes that the file hides

@@ -24,7 +24,7 @@ using text::tr;
 
 namespace {
 
-/// Some milliseconds of work.
+/// A few milliseconds of work.
 constexpr std::size_t kChunkBytes = 1 << 20;
 constexpr std::size_t kCornersBetweenReports = 1 << 18;
 
@@ -33,7 +33,7 @@ bool isLineEnd(char c)
     return c == '\n' || c == '\r';
 }
 
-/// Where a chunk may end: behind a line that no backslash joins with the next.
+/// The next possible end of a chunk: after a line that no backslash joins with the next.
 std::size_t statementEnd(std::string_view text, std::size_t from)
 {
     for (std::size_t at = from; at < text.size(); ++at) {
@@ -48,7 +48,7 @@ std::size_t statementEnd(std::string_view text, std::size_t from)
     return text.size();
 }
 
-/// Puts the chunks together.
+/// Combines the chunks.
 class ObjReader {
 public:
     explicit ObjReader(const Source &source) : m_source(source), m_materials(source, m_model) {}
@@ -68,11 +68,11 @@ public:
     }
 
 private:
-    /// Corners of triangles that follow each other.
+    /// Consecutive corners of triangles.
     struct Corners {
         std::size_t chunk, begin, end;
     };
-    /// A mesh of the model, and where its faces are.
+    /// A mesh of the model, and the position of its faces.
     struct Part {
         Material material;
         bool hasTexcoords = false;
@@ -81,7 +81,7 @@ private:
         std::size_t cornerCount = 0;
     };
 
-    /// Progress of one of the steps, which fill the whole from `from` to `to`.
+    /// The progress of a stage that fills the whole from `from` to `to`.
     auto reporting(double from, double to) const
     {
         return [this, from, to](double share) { m_source.progress.report(from + (to - from) * share); };
@@ -143,7 +143,7 @@ void ObjReader::throwFirstFailure()
         faces += chunk.runs.size();
     }
     m_hasFaces = faces > 0;
-    // A file of any text would pass so far.
+    // Any text file would pass up to here.
     if (m_total[ObjVertex] == 0 && !m_hasFaces)
         failMalformed(tr("the file holds no OBJ vertices and no faces"));
     if (*std::max_element(m_total.begin(), m_total.end()) >= std::numeric_limits<std::int32_t>::max())
@@ -193,14 +193,14 @@ void ObjReader::resolveFaces()
     });
 }
 
-/// Makes all faces of a chunk triangles.
+/// Triangulates all faces of a chunk.
 void ObjReader::triangulate(ObjChunk &chunk) const
 {
     if (std::all_of(chunk.runs.begin(), chunk.runs.end(), [](const ObjRun &run) { return run.cornersEach == 3; }))
         return;
     PolygonTriangulator triangulator;
     std::vector<glm::vec3> outline;
-    std::vector<std::uint32_t> triangles; // as corners of the face
+    std::vector<std::uint32_t> triangles; // corner indices within the face
     std::array<std::vector<std::int32_t>, kObjKinds> cut;
     std::size_t first = 0;
     for (ObjRun &run : chunk.runs) {
@@ -258,7 +258,7 @@ void ObjReader::addNotes()
         m_model.notes.push_back({ModelNote::Kind::PartLeftOut, count, keyword});
 }
 
-/// One part for each material and what its faces have, in the order of the file.
+/// Makes one part for each material and set of attributes, in the order of the file.
 void ObjReader::sortIntoParts()
 {
     std::set<std::string> libraries;
@@ -268,7 +268,7 @@ void ObjReader::sortIntoParts()
                 m_materials.readLibraries(names);
         }
     }
-    std::map<std::string, std::size_t> numbers; // of names in `materials`; the first is for what has none
+    std::map<std::string, std::size_t> numbers; // index by name in `materials`; first: no material
     std::vector<Material> materials(1);
     ModelNote unknown{ModelNote::Kind::MaterialUnknown, 0, {}};
     std::map<std::tuple<std::size_t, bool, bool>, std::size_t> partNumbers;
@@ -303,7 +303,7 @@ void ObjReader::sortIntoParts()
             corner = end;
         }
     }
-    // A library that is missing says enough.
+    // A missing library already has a note.
     const bool isLibraryMissing = std::any_of(m_model.notes.begin(), m_model.notes.end(), [](const ModelNote &note) {
         return note.kind == ModelNote::Kind::MaterialsMissing;
     });
@@ -326,7 +326,7 @@ void ObjReader::makeMeshes()
     }
 }
 
-/// The whole file as it is.
+/// The whole file as one mesh, without splitting vertices.
 Mesh ObjReader::plainMesh()
 {
     Mesh mesh;
@@ -343,9 +343,9 @@ Mesh ObjReader::plainMesh()
     return mesh;
 }
 
-/// A vertex for each combination that corners have of position, texture coordinate and normal.
-/// @param isOnly  then the file's vertices keep their numbers, and what must be split is appended; else vertices come in
-///                the order of their use
+/// Makes a vertex for each combination of position, texture coordinate and normal in the corners.
+/// @param isOnly  then the file's vertices keep their numbers, and split ones are appended; else
+///         vertices are in the order of use
 Mesh ObjReader::splitMesh(const Part &part, bool isOnly)
 {
     ObjVertices vertices(isOnly ? m_vertices.positions.size() : 0);

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kElementsBetweenReports = 1 << 14;
 
-/// What stands before "OFF" in the first word: [ST][C][N][4][n]OFF.
+/// The prefix of "OFF" in the first word: [ST][C][N][4][n]OFF.
 struct OffKind {
     bool hasTexcoords = false;
     bool hasColors = false;
@@ -38,7 +38,7 @@ struct OffKind {
 
 struct OffWord {
     OffKind kind;
-    std::size_t length = 0; ///< of the word itself: some files have the number of vertices right behind it
+    std::size_t length = 0; ///< of the word itself: in some files the vertex count follows without a blank
 };
 
 std::optional<OffWord> offWord(std::string_view word)
@@ -65,8 +65,9 @@ std::optional<OffWord> offWord(std::string_view word)
     return result;
 }
 
-/// The file's numbers: words in text, or binary. In text each vertex and each face begins a line. It may go on in the next
-/// lines, but then has the last of them for itself: so a number that is missing does not take one of the next line.
+/// The file's numbers: words in text, or binary. In text each vertex and each face begins a line.
+/// It may continue on the following lines, but must end with the last of them, so that a missing
+/// number does not consume one of the next line.
 class OffNumbers {
 public:
     OffNumbers(const Source &source, std::size_t offset, std::size_t line, const OffKind &kind)
@@ -80,7 +81,7 @@ public:
     std::size_t bytesLeft() const { return m_bytes.size() - offset(); }
     std::size_t leastBytes() const { return m_isBinary ? 4 : 2; }
 
-    /// In text: moves to the next line that holds more than a comment.
+    /// Moves to the next line with more than a comment (text only).
     void beginLine(const char *what)
     {
         if (m_isBinary)
@@ -113,8 +114,8 @@ public:
         return *value;
     }
 
-    /// The number of edges means nothing, and some files leave it out. In text it stands behind the number of faces, or
-    /// alone in the next line.
+    /// Skips the number of edges: it has no meaning, and some files omit it. In text it follows the
+    /// number of faces, or is alone on the next line.
     void skipEdges()
     {
         if (m_isBinary) {
@@ -134,8 +135,8 @@ public:
             m_scanner = before;
     }
 
-    /// The numbers in the rest of the line. A word that is no number, and all after it, is left out.
-    /// @return whether nothing was left out
+    /// Reads the numbers in the rest of the line. Stops at a word that is no number.
+    /// @return whether all words were read
     bool restOfLine(std::vector<float> &values)
     {
         values.clear();
@@ -154,8 +155,8 @@ public:
         return word.empty();
     }
 
-    /// Before the faces of a binary file: finds out whether each has the number of its colours behind it, as the format says.
-    /// Some programs leave that out, and the file ends too early for it.
+    /// Determines, before the faces of a binary file, whether each is followed by its colour count,
+    /// as the format demands. Some programs omit it; then the file would end too early.
     void findFaceColors(std::size_t count)
     {
         if (!m_isBinary)
@@ -175,7 +176,7 @@ public:
         m_hasFaceColors = areThere;
     }
 
-    /// The numbers behind a face: up to four of the line, or of as many as the binary count says.
+    /// The numbers after a face: up to four of the line, or as many as the binary count says.
     std::vector<float> faceColor()
     {
         std::vector<float> values;
@@ -190,11 +191,11 @@ public:
         return values;
     }
 
-    /// All that restOfLine() read last.
+    /// True if restOfLine() read only integers.
     bool areIntegers() const { return m_areIntegers; }
 
-    /// After the last face. In text only comments may follow.
-    /// @return the bytes that follow in a binary file, 0 where they are blank
+    /// Ends the file after the last face. In text only comments may follow.
+    /// @return the number of bytes that follow in a binary file, 0 if they are blank
     std::size_t end()
     {
         if (m_isBinary)
@@ -220,7 +221,7 @@ private:
         return std::uint32_t{b[0]} << 24 | std::uint32_t{b[1]} << 16 | std::uint32_t{b[2]} << 8 | std::uint32_t{b[3]};
     }
 
-    /// Moves to the first word that is in no comment, or to the end.
+    /// Moves to the first word outside comments, or to the end.
     void skipComments()
     {
         m_scanner.skipBlankLines();
@@ -230,7 +231,7 @@ private:
         }
     }
 
-    /// Empty at the end of the line or where a comment begins.
+    /// The next word; empty at the end of the line and before a comment.
     std::string_view nextWordInLine()
     {
         const TextScanner before = m_scanner;
@@ -277,7 +278,7 @@ private:
     bool m_hasFaceColors = true;
     std::endian m_byteOrder;
     bool m_areIntegers = false;
-    std::size_t m_brokenLine = 0; ///< where the vertex or face goes on in the next line, or 0
+    std::size_t m_brokenLine = 0; ///< line on which a vertex or face continues, or 0
     const char *m_brokenIn = "";  ///< what was expected there
 };
 
@@ -287,14 +288,14 @@ glm::u8vec4 colorFromNumbers(std::span<const float> values, float mostOfAll)
     glm::u8vec4 color(255);
     for (std::size_t c = 0; c < values.size(); ++c) {
         const float value = values[c] * (255.0f / mostOfAll);
-        // Written so that NaN becomes 0.
+        // NaN becomes 0.
         color[static_cast<int>(c)] =
             value > 0.0f ? static_cast<std::uint8_t>(std::lround(std::min(value, 255.0f))) : std::uint8_t{0};
     }
     return color;
 }
 
-/// The colours of vertices: shares of 1, or of 255 where any is more than 1.
+/// The colours of vertices: in [0, 1], or in [0, 255] if any number exceeds 1.
 class VertexColors {
 public:
     /// @param values  3 or 4; any other number is no colour
@@ -311,9 +312,9 @@ public:
             m_areInRange = m_areInRange && values[c] >= 0.0f && values[c] <= 255.0f;
         }
     }
-    /// Whether each vertex has a colour, and no number is out of the range of colours.
+    /// Returns whether each vertex has a colour, and all numbers are in range.
     bool areColors() const { return m_areInRange && !m_colors.empty() && m_withColors == m_colors.size(); }
-    /// Vertices with numbers that are no colour.
+    /// The number of vertices whose numbers are no colour.
     std::size_t withOthers() const { return m_withNumbers - m_withColors; }
     std::size_t withNumbers() const { return m_withNumbers; }
 
@@ -387,7 +388,7 @@ void readVertices(const OffKind &kind, std::size_t count, OffNumbers &numbers, M
             colors.add(rest);
     }
     setPositions(mesh, originFor(box), positions);
-    // Some programs write colours without saying so in the first word.
+    // Some programs write colours without declaring them in the first word.
     const bool areUndeclared = !kind.hasColors && colors.areColors();
     if (kind.hasColors || areUndeclared)
         mesh.colors = colors.take();
@@ -398,7 +399,8 @@ void readVertices(const OffKind &kind, std::size_t count, OffNumbers &numbers, M
         model.notes.push_back({ModelNote::Kind::NumbersLeftOut, std::min(verticesWithMore, count), {}});
 }
 
-/// Some programs write the binary form in little endian. The counts tell: read the other way they are far too large.
+/// The byte order of the counts. Some programs write the binary form in little endian; in the wrong
+/// order the counts are far too large.
 std::endian byteOrderOf(const Source &source, std::size_t offset)
 {
     const std::span<const std::uint8_t> bytes = source.bytes.subspan(offset);
@@ -413,7 +415,8 @@ std::endian byteOrderOf(const Source &source, std::size_t offset)
                                                                                       : std::endian::big;
 }
 
-/// Whether something follows the first line that cannot be the counts of a binary file: each would be above 500 million.
+/// Returns whether the bytes after the first line are text: as the counts of a binary file, each
+/// would exceed 500 million.
 bool isText(std::string_view start)
 {
     constexpr std::size_t kBytesOfCounts = 12;
@@ -484,7 +487,7 @@ Model readOff(const Source &source)
             corner = numbers.integer(marked("face|of a mesh"));
         polygons.addPolygon(corners, f);
         const std::vector<float> color = numbers.faceColor();
-        // One number is an index into a table that the file does not hold.
+        // A single number is an index into a table outside the file.
         if (color.size() >= 3 && polygons.mesh.colors.empty())
             polygons.setFaceColor(colorFromNumbers(color, numbers.areIntegers() ? 255.0f : 1.0f));
     }

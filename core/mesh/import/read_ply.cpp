@@ -18,7 +18,7 @@ using text::tr;
 
 namespace {
 
-/// Some milliseconds of work.
+/// A few milliseconds of work.
 constexpr std::size_t kFacesInTask = 1 << 17;
 
 std::uint32_t uint32At(const std::uint8_t *bytes, PlyFormat format)
@@ -35,8 +35,9 @@ bool isVertexList(const PlyProperty &property)
     return property.isList && (property.name == "vertex_indices" || property.name == "vertex_index");
 }
 
-/// Reads faces that are nothing but triangles from where they lie, by all cores. False when they are something else, or
-/// in text; then nothing is read. Throws Failure (Malformed).
+/// Reads faces that are all triangles directly from the bytes, on all cores. Throws Failure
+/// (Malformed).
+/// @return false for other faces or text; then nothing is read
 bool readTriangleRecords(const PlyElement &element, PlyFormat format, PlyBody &body, PolygonMesh &polygons,
                          ProgressReporter &progress)
 {
@@ -74,8 +75,9 @@ bool readTriangleRecords(const PlyElement &element, PlyFormat format, PlyBody &b
     return true;
 }
 
-/// Reads faces of a long text that have nothing but their corners to say, by all cores: only cutting polygons goes one by
-/// one. False when they are something else; then nothing is read.
+/// Reads the faces of a long text that have only corners, on all cores; only triangulation is
+/// sequential.
+/// @return false for other faces; then nothing is read
 bool readFaceLines(const PlyElement &element, PlyBody &body, PolygonMesh &polygons)
 {
     if (element.name != "face" || element.properties.size() != 1 || !isVertexList(element.properties[0]))
@@ -174,7 +176,7 @@ bool isFaces(const PlyElement &element)
     return element.name == "face" || element.name == "tristrips";
 }
 
-/// The vertices of a file that has other elements before them.
+/// Reads the vertices of a file that has other elements before them.
 void readVerticesAhead(const PlyHeader &header, PlyBody body, PolygonMesh &polygons, ProgressReporter &progress)
 {
     for (const PlyElement &element : header.elements) {
@@ -196,7 +198,7 @@ Model readPly(const Source &source)
         failMalformed(tr("the header declares no vertices"));
     PlyBody body(source, header);
     PolygonMesh polygons(vertices->count);
-    // Polygons are cut where their corners are.
+    // Triangulating polygons needs the positions of their corners.
     const bool isAhead = vertices != &header.elements.front();
     if (isAhead)
         readVerticesAhead(header, body, polygons, source.progress);

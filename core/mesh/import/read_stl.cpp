@@ -32,7 +32,7 @@ constexpr std::size_t kHeaderBytes = 80;
 constexpr std::size_t kBytesBeforeTriangles = kHeaderBytes + 4;
 constexpr std::size_t kTriangleBytes = 50;
 constexpr std::size_t kTrianglesBetweenReports = 1 << 15;
-/// Some milliseconds of work.
+/// A few milliseconds of work.
 constexpr std::size_t kTrianglesInTask = 1 << 17;
 constexpr std::size_t kAsciiBytesInTask = 1 << 20;
 constexpr std::uint16_t kColorBit = 0x8000;
@@ -49,8 +49,8 @@ glm::vec3 vectorAt(const std::uint8_t *bytes)
             std::bit_cast<float>(littleEndian32(bytes + 8))};
 }
 
-/// Beyond this many triangles their corners stay as they are, without neighbours and drawn flat: finding the equal ones
-/// would take longer than everything else.
+/// The limit for merging equal corners. More triangles stay without neighbours and are drawn flat:
+/// merging would take longer than everything else.
 constexpr std::size_t kMostTrianglesToWeld = 300000;
 
 [[noreturn]] void failAtCorner(std::size_t corner)
@@ -66,7 +66,7 @@ glm::u8vec4 colorFromBits(std::uint16_t bits, bool isMagics)
                     : glm::u8vec4(channel(10), channel(5), channel(0), 255);
 }
 
-/// The triangles of a binary file, where they lie.
+/// The triangles of a binary file, read in place.
 class StlRecords {
 public:
     explicit StlRecords(const Source &source) : m_source(source)
@@ -83,7 +83,7 @@ public:
     }
 
     std::size_t count() const { return m_count; }
-    /// Behind the triangles.
+    /// The number of bytes after the triangles.
     std::size_t bytesBehind() const { return m_bytesBehind; }
     glm::vec3 corner(std::size_t triangle, std::size_t corner) const
     {
@@ -115,7 +115,7 @@ private:
     std::size_t m_bytesBehind = 0;
 };
 
-/// Three colours a triangle, or none where no triangle has one.
+/// The colours of the corners, three a triangle; none if no triangle has a colour.
 std::vector<glm::u8vec4> cornerColors(const StlRecords &records, bool hasColorBits)
 {
     const std::optional<glm::u8vec4> ofObject = records.magicsColor();
@@ -125,7 +125,8 @@ std::vector<glm::u8vec4> cornerColors(const StlRecords &records, bool hasColorBi
     colors.reserve(3 * records.count());
     for (std::size_t t = 0; t < records.count(); ++t) {
         const std::uint16_t bits = records.attribute(t);
-        // Magics sets the bit where the whole object's colour applies, the others where the triangle's does.
+        // The bit means in Magics that the whole object's colour applies; in other programs, that
+        // the triangle's does.
         const bool hasOwnColor = ((bits & kColorBit) != 0) != ofObject.has_value();
         colors.insert(colors.end(), 3,
                       hasOwnColor ? colorFromBits(bits, ofObject.has_value())
@@ -194,18 +195,18 @@ bool equalsIgnoringCase(std::string_view word, std::string_view lowerCase)
     failMalformed(tr("the file ends in line %1 without \"endsolid\"", line));
 }
 
-/// What stands in a text, or in whole facets of it.
+/// The contents of a text, or of some whole facets of it.
 struct AsciiPart {
     std::vector<glm::dvec3> positions;
     Box box;
-    std::optional<bool> isInSolid; ///< at its end; nothing: as at its beginning
+    std::optional<bool> isInSolid; ///< the state at its end; nothing: unchanged from its beginning
 };
 
-/// @param report  with the place in the text; may be empty
+/// @param report  called with the position in the text; may be empty
 AsciiPart readAscii(TextScanner scanner, std::size_t bytes, const std::function<void(std::size_t)> &report)
 {
     AsciiPart part;
-    // A facet takes about 250 bytes as most programs write it.
+    // A facet takes about 250 bytes in the output of most programs.
     part.positions.reserve(bytes / 80);
     std::size_t cornersOfFacet = 0;
     std::size_t words = 0;
@@ -239,7 +240,7 @@ AsciiPart readAscii(TextScanner scanner, std::size_t bytes, const std::function<
             part.isInSolid = false;
             scanner.skipLine();
         } else if (equalsIgnoringCase(word, "normal")) {
-            // The numbers are not needed, and some programs write "nan" for a thin triangle.
+            // The numbers are unused, and some programs write "nan" for a thin triangle.
             for (int axis = 0; axis < 3; ++axis)
                 scanner.nextWordInLine();
         } else if (word.starts_with('#')) {
@@ -254,7 +255,7 @@ AsciiPart readAscii(TextScanner scanner, std::size_t bytes, const std::function<
     return part;
 }
 
-/// Where the next line begins whose first word is "facet"; the end of the text where there is none.
+/// The start of the next line whose first word is "facet"; the end of the text if there is none.
 std::size_t nextFacet(std::string_view text, std::size_t from)
 {
     for (std::size_t at = from; at < text.size();) {
@@ -267,7 +268,8 @@ std::size_t nextFacet(std::string_view text, std::size_t from)
     return text.size();
 }
 
-/// By all cores. Nothing where the text is short, or something is not as it should be: read as a whole it will say what.
+/// Reads a text on all cores. Nothing for a short text or on an error: sequential reading then
+/// reports it.
 std::optional<AsciiPart> readAsciiParts(const Source &source)
 {
     const std::string_view text = source.unpaddedText();
@@ -324,8 +326,8 @@ Mesh readAscii(const Source &source)
     return mesh;
 }
 
-/// By the size, which a binary file's count gives, or else by the contents: a binary header may begin with "solid", and a
-/// text with a comment.
+/// Returns whether the file is text: by the size, which a binary file's count determines, else by
+/// the contents. A binary header may begin with "solid", and a text with a comment.
 bool isAscii(const Source &source)
 {
     if (source.bytes.size() >= kBytesBeforeTriangles) {
@@ -341,7 +343,7 @@ bool isAscii(const Source &source)
     TextScanner scanner(start);
     const std::string_view first = scanner.nextWord();
     if (hasControls) {
-        // A text all the same where its words say so: the message then names the line.
+        // The keywords decide for text; the message then names the line.
         scanner.skipLine();
         return equalsIgnoringCase(first, "solid") && equalsIgnoringCase(scanner.nextWord(), "facet");
     }
@@ -366,10 +368,10 @@ Model readStl(const Source &source)
             failMalformed(tr("the file ends within the header"));
         mesh = readBinary(source, model.notes);
     }
-    // The facets' normals are left out: they say nothing that the corners don't.
-    // STL repeats each vertex in every triangle around it.
+    // The facets' normals are ignored: the corners determine them. STL repeats each vertex in every
+    // triangle around it.
     if (mesh.triangleCount() <= kMostTrianglesToWeld) {
-        // A vertex where two colours meet is two here, and one of the file's.
+        // A vertex between two colours is two here, but one in the file.
         if (!mesh.colors.empty())
             model.fileVertices = numberPlaces(mesh, mesh.vertexNumbers);
         mergeEqualVertices(mesh);

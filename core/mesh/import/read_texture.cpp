@@ -44,7 +44,8 @@ std::filesystem::path resolveReference(const std::filesystem::path &modelFile, c
     std::replace(slashed.begin(), slashed.end(), '\\', '/');
     for (const std::string &candidate : {reference, slashed, percentDecoded(slashed)}) {
         const std::filesystem::path relative = pathFromUtf8(candidate);
-        // Many files hold the path of the author's own disk; the picture then often lies beside the model.
+        // Many files contain a path on the author's disk; the image then often lies beside the
+        // model.
         for (const std::filesystem::path &file : {folder / relative, folder / relative.filename()}) {
             std::error_code error;
             if (std::filesystem::is_regular_file(file, error))
@@ -66,7 +67,7 @@ Texture readTexture(const std::filesystem::path &modelFile, const std::string &r
         const FileBytes contents(texture.file);
         texture.encoded.assign(contents.bytes().begin(), contents.bytes().end());
     } catch (const Failure &) {
-        // The model is shown without a picture that cannot be read.
+        // The model is shown untextured without a readable image.
         texture.encoded.clear();
     }
     return texture;
@@ -75,7 +76,7 @@ Texture readTexture(const std::filesystem::path &modelFile, const std::string &r
 void noteIfOutside(std::vector<ModelNote> &notes, const std::filesystem::path &modelFile,
                    const std::filesystem::path &file, const std::string &reference)
 {
-    // By the names alone: a link in the model's folder was put there by its owner.
+    // Compares names only: the owner of the model's folder is responsible for links in it.
     const auto normal = [](const std::filesystem::path &path) {
         std::error_code error;
         const std::filesystem::path absolute = std::filesystem::absolute(path, error);

@@ -15,18 +15,18 @@ namespace unprojector::unproject {
 using namespace geometry;
 namespace {
 
-/// How one direction of the picture is spread out in eye space: between its edges over so many pixels.
+/// One direction of the view: its edges in eye space and its size in pixels.
 struct Edges {
     double low, high, size;
 };
 
-/// Where the axis meets the picture, in pixels from the edge `low`: -low size / (high - low).
+/// The position of the axis in the view, in pixels from the edge `low`: -low size / (high - low).
 DoubleDouble axisFromLow(const Edges &e)
 {
     return DoubleDouble(-e.low) * e.size / (DoubleDouble(e.high) - e.low);
 }
 
-/// Eye units a pixel, at the distance 1 for a perspective: (high - low) / (size n).
+/// Eye units per pixel, at the distance 1 for a perspective: (high - low) / (size n).
 DoubleDouble unitsPerPixel(const Edges &e, double n)
 {
     return (DoubleDouble(e.high) - e.low) / (DoubleDouble(e.size) * n);
@@ -43,7 +43,7 @@ void assign(double (&target)[3], const glm::dvec3 &v)
         target[k] = v[k];
 }
 
-/// The eye's place and its axes, in the space asked for.
+/// The eye's position and axes in the target space.
 struct Axes {
     glm::dvec3 origin{0.0}, x{1.0, 0.0, 0.0}, y{0.0, 1.0, 0.0}, z{0.0, 0.0, 1.0};
 };
@@ -85,13 +85,13 @@ Result<Axes> axesIn(const BatchSpace &space, const Setup &setup)
     return Axes{placed(axes->origin, 1.0), placed(axes->x, 0.0), placed(axes->y, 0.0), placed(axes->z, 0.0)};
 }
 
-/// What a loop needs, but for the origin.
+/// The constants of a loop, except the origin.
 struct Constants {
     batch::ClosedFormConstants numbers{};
     bool perspective = true;
 };
 
-/// Puts the view axis where it is, counted from the top left corner.
+/// Sets the position of the view axis, counted from the top left corner.
 /// @param fromLeft, fromBottom  of the viewport, pixels
 void setAxis(batch::ClosedFormConstants &c, const Setup &g, const DoubleDouble &fromLeft,
              const DoubleDouble &fromBottom)
@@ -135,10 +135,10 @@ Result<Constants> constantsOf(const Projection &projection, const Setup &g, cons
     return result;
 }
 
-/// By the matrix's own numbers:
+/// The constants from the matrix's own entries:
 ///
 ///   z = zOffset / (w z_n + zScale), with w z_n + zScale = P share from near + Q share from far
-///   P = w + zScale, Q = -w + zScale (or zScale where NDC depths go from 0 to 1)
+///   P = w + zScale, Q = -w + zScale (or zScale if NDC depths go from 0 to 1)
 ///
 Result<Constants> constantsOf(const MatrixProjection &projection, const Setup &g, const Axes &axes)
 {
@@ -179,7 +179,7 @@ Result<Constants> constantsOf(const MatrixProjection &projection, const Setup &g
     return result;
 }
 
-/// The first error of what both methods need of a picture.
+/// The first error of the preconditions of both methods.
 Check checkTarget(const Setup &setup)
 {
     for (const Check &valid : {check(setup.surface), check(setup.viewport), check(setup.depthRange)}) {
@@ -228,7 +228,7 @@ Result<BatchUnprojection> BatchUnprojection::byMatrix(const Setup &setup, const 
     if (space.kind == BatchSpace::Kind::Object)
         clipFromSpace = clipFromSpace * space.worldFromObject;
 
-    // NDC of a device position: the viewport's inverse, exact where the window's numbers are whole.
+    // NDC of a device position: the viewport's inverse, exact if the window's numbers are whole.
     const Viewport &v = setup.viewport;
     const double centreX = v.x + v.width / 2.0;
     const double centreY = flippedY(setup.surface, v.y + v.height / 2.0);

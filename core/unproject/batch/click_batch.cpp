@@ -59,14 +59,14 @@ PreciseAxes axesOf(const glm::dmat4 &eyeFromWorld)
     return preciseAxes(eyeFromWorld).value();
 }
 
-/// A lens, told in pixels: what formulas (9) to (12) are linear in.
+/// A lens in pixels: the linear coefficients of formulas (9) to (12).
 struct PixelLens {
     bool isPerspective = true;
     DoubleDouble axisX, axisY;      ///< window position of the view axis
-    DoubleDouble acrossX, upY;      ///< eye units a pixel, at the distance 1 for a perspective
-    DoubleDouble aheadX, aheadY;    ///< what the way by 1 along the axis shifts sideways
+    DoubleDouble acrossX, upY;      ///< eye units per pixel, at the distance 1 for a perspective
+    DoubleDouble aheadX, aheadY;    ///< sideways shift per unit along the axis
     double side = -1.0;             ///< z_eye = side z
-    double depthAtNear, depthAtFar; ///< in the order in which the terms below go
+    double depthAtNear, depthAtFar; ///< in the order of the terms below
     DoubleDouble nearTerm, farTerm;
 };
 
@@ -94,7 +94,7 @@ PixelLens pixelLens(const Projection &projection, const Setup &g)
     return lens;
 }
 
-/// By the matrix's own numbers, see BatchUnprojection.
+/// The lens from the matrix's own entries, see BatchUnprojection.
 PixelLens pixelLens(const MatrixProjection &projection, const Setup &g)
 {
     const RecognisedProjection form = recognised(projection).value(); // the batch has checked it
@@ -144,11 +144,11 @@ batch::PreciseConstants constantsOf(const PixelLens &lens, const PreciseAxes &ax
     assign(c.across, across);
     assign(c.up, up);
 
-    // A click counts from the viewport's edge, and sums as far as that.
+    // A click counts from the viewport's edge, which sets the size of its sums.
     const auto fromEdge = [](const DoubleDouble &axis, double edge, double extent) {
         return std::max(std::abs(axis.value - edge), std::abs(axis.value - edge - extent)) + std::abs(edge);
     };
-    constexpr double kTiny = 0x1p-900; // where products of rests underflow
+    constexpr double kTiny = 0x1p-900; // below this, products of rests underflow
     c.acrossSize = size(across);
     c.upSize = size(up);
     c.originSize = size(axes.origin) + kTiny;
@@ -162,7 +162,7 @@ batch::PreciseConstants constantsOf(const PixelLens &lens, const PreciseAxes &ax
     return c;
 }
 
-/// What a click gives there; not a number where it gives nothing.
+/// The click's answer at a window position; NaN if it has none.
 glm::dvec3 clicked(const Unprojector &unprojector, BatchSpace::Kind space, Method method, const WindowPoint &window)
 {
     const auto coordinates = [](const auto &point) {

@@ -9,20 +9,21 @@
 
 namespace unprojector::unproject {
 
-/// Unprojects rows of picture elements to the digits that a click there has, to the last one: what a table says and what
-/// the window says are the same. Prepared once for a picture.
+/// Unprojects rows of picture elements to exactly the digits of a click there, so that a table and
+/// the window show the same. Prepared once for a setup.
 ///
-/// The formulas are computed with about 30 digits, many points at a time; where that does not tell how the sum is to be
-/// rounded (once in a billion points, and where a coordinate is 0), the click's own functions are asked. A point costs
-/// five to ten times that of a BatchUnprojection, which is still little beside its text. Single precision, and the way from
-/// the world into an object's space, are computed as a click does it, one point after the other.
+/// The formulas are computed with about 30 digits, many points at a time. If that does not
+/// determine the rounding of the sum (once in a billion points, and if a coordinate is 0), the
+/// click's own functions are called. A point costs five to ten times a BatchUnprojection's, which
+/// is still little beside its text. Single precision and the conversion to an object's space are
+/// computed as in a click, one point after the other.
 class ClickBatch {
 public:
-    /// @return the errors of check(setup), of ObjectFromWorld::of, and those of BatchUnprojection::byFormula or, for the
-    ///         matrix, byMatrix
+    /// @return the errors of check(setup), of ObjectFromWorld::of, and of
+    ///         BatchUnprojection::byFormula or, for the matrix, byMatrix
     static geometry::Result<ClickBatch> of(Method method, const geometry::Setup &setup, const BatchSpace &space);
 
-    /// A point that a click could not compute is not finite.
+    /// Unprojects `count` elements. A point that a click could not compute is not finite.
     void operator()(const BatchInput<double> &input, const BatchOutput<double> &output, std::size_t count,
                     InstructionSet set = availableInstructionSets().back()) const;
 
@@ -33,7 +34,7 @@ private:
         bool isPerspective;
         batch::PreciseConstants constants;
     };
-    /// A method that has no loop of its own.
+    /// A method without a loop of its own.
     struct OneByOne {
         Unprojector unprojector;
         BatchSpace::Kind space;
@@ -54,7 +55,7 @@ private:
              std::size_t count, InstructionSet set) const;
 
     Loop m_loop;
-    std::optional<ObjectFromWorld> m_object; ///< to go on from world space
+    std::optional<ObjectFromWorld> m_object; ///< from world space to the object's
 };
 
 } // namespace unprojector::unproject

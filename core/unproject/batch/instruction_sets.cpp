@@ -15,7 +15,7 @@ struct WideSets {
     bool avx2 = false, avx512 = false;
 };
 
-/// The processor has it (cpuid), and the system saves its registers (xgetbv).
+/// The sets that the processor has (cpuid) and whose registers the system saves (xgetbv).
 WideSets wideSets()
 {
     int registers[4];

@@ -1,4 +1,5 @@
-// Included by the files of SSE2 and AVX2, after the intrinsics. In an unnamed namespace, as kernels.inl is.
+// Included by the SSE2 and AVX2 files, after the intrinsics. In an unnamed namespace, like
+// kernels.inl.
 
 namespace unprojector::unproject::batch {
 namespace {

@@ -2,18 +2,19 @@
 
 #include <cstddef>
 
-/// The arithmetic of core/unproject/batch, compiled once for each instruction set from batch/kernels.inl. Only additions,
-/// subtractions, products and quotients, each rounded once and none fused: so every instruction set gives the same
-/// digits.
+/// The arithmetic of core/unproject/batch, compiled once for each instruction set from
+/// batch/kernels.inl. It uses only additions, subtractions, products and quotients, each rounded
+/// once and none fused, so every instruction set gives the same digits.
 namespace unprojector::unproject::batch {
 
-/// Eye to target space of a closed form: p = origin + z (X across + Y down + ahead), or for a box
-/// p = origin + X across + Y down + z ahead, with X and Y counted in pixels from the view axis.
+/// A closed form from eye to target space: p = origin + z (X across + Y down + ahead), or for a box
+/// p = origin + X across + Y down + z ahead, with X and Y in pixels from the view axis.
 struct ClosedFormConstants {
-    double axisX, axisY;         ///< device position that the view axis goes through
-    double axisXRest, axisYRest; ///< what the doubles above leave out of it
+    double axisX, axisY;         ///< device position of the view axis
+    double axisXRest, axisYRest; ///< its digits beyond the doubles above
     double depthAtNear, depthAtFar;
-    /// Perspective: z = nearTerm / ((df - d) + (d - dn) farTerm). Box: z = nearTerm (df - d) + farTerm (d - dn).
+    /// Perspective: z = nearTerm / ((df - d) + (d - dn) farTerm). Box: z = nearTerm (df - d) +
+    /// farTerm (d - dn).
     double nearTerm, farTerm;
     double origin[3], ahead[3], across[3], down[3];
 };
@@ -23,27 +24,29 @@ struct MatrixConstants {
     double rows[4][4];
 };
 
-/// A number with about 32 digits, value + rest, and its value as the sum of two numbers of 26 bits each.
+/// A number with about 32 digits, value + rest, and its value as the sum of two numbers of 26 bits
+/// each.
 struct Twofold {
     double value, rest, highHalf, lowHalf;
 };
 
-/// The closed forms as in ClosedFormConstants, with Y counted upwards, to be computed with about 30 digits.
+/// The closed forms as in ClosedFormConstants, with Y counted upwards, for about 30 digits.
 struct PreciseConstants {
     double surfaceHeight;
     Twofold axisX, axisY; ///< window position, origin bottom-left
     double depthAtNear, depthAtFar;
     Twofold nearTerm, farTerm;
     Twofold origin[3], ahead[3], across[3], up[3];
-    /// How large the terms are that are added up: originSize + (reach + |X| acrossSize + |Y| upSize), and for a
-    /// perspective the bracket times z.
+    /// The sizes of the terms of the sum: originSize + (reach + |X| acrossSize + |Y| upSize), and
+    /// for a perspective the bracket times z.
     double originSize, reach, acrossSize, upSize;
 };
 
-/// How far, as a part of the largest terms, numbers of about 30 digits may be off, a click's and those here together.
+/// The error bound of numbers with about 30 digits, a click's and those here together, as a share
+/// of the largest terms.
 constexpr double kPreciseError = 0x1p-90;
 
-/// Window position to NDC, and rows of spaceFromClip.
+/// The map from a window position to NDC, and the rows of spaceFromClip.
 struct ClickMatrixConstants {
     double surfaceHeight;
     double x, y, width, height;                             ///< of the viewport
@@ -51,9 +54,10 @@ struct ClickMatrixConstants {
     double rows[4][4];
 };
 
-/// Results that fill more than this go past the caches (non-temporal stores): they would not be there any more when
-/// somebody reads them, and a cache line that is wholly overwritten need not be read first. More than the second-level
-/// cache of a core, less than what a program keeps in many arrays.
+/// The size of results above which they are written past the caches (non-temporal stores): they
+/// would be evicted before use, and a wholly overwritten cache line need not be read first. It is
+/// more than the second-level cache of a core, and less than the arrays that a program may have
+/// many of.
 constexpr std::size_t kStreamedBytes = std::size_t{16} << 20;
 constexpr std::size_t kCacheLine = 64;
 
@@ -67,7 +71,8 @@ struct KernelsOf {
     Kernel<Scalar, MatrixConstants> matrix;
 };
 
-/// @param doubt  0 where x, y and z are as a click has them; else they are worthless and somebody slower must compute them
+/// @param doubt  0 if x, y and z are exactly a click's; else they are invalid, and slower code must
+///         compute them
 using PreciseKernel = void (*)(const PreciseConstants &, const double *px, const double *py, const double *depth,
                                double *x, double *y, double *z, double *doubt, std::size_t count);
 
@@ -76,17 +81,18 @@ struct ClickKernels {
     Kernel<double, ClickMatrixConstants> matrix;
 };
 
-/// A row of a depth image: the depth i is that of the device position (px + i, py).
+/// A row of a depth image: depth[i] belongs to the device position (px + i, py).
 struct DepthRow {
     const float *depth;
     std::size_t count;
     double px, py;
-    float lowest, highest; ///< depths outside (NaN too) are passed over
-    bool canOverflow;      ///< whether points may leave the range of their numbers; those are passed over, too
+    float lowest, highest; ///< depths outside (NaN too) are skipped
+    bool canOverflow;      ///< whether points may leave the range of their numbers; those are skipped too
 };
 
-/// @param points  room for count of them, x, y, z one after the other; behind those written, scratch
-/// @return how many were written
+/// @param points  room for count of them, x, y, z one after the other; the rest after the results
+///         is scratch
+/// @return the number of points written
 template <class Scalar, class Constants>
 using RowKernel = std::size_t (*)(const Constants &, const DepthRow &, Scalar *points);
 
@@ -96,7 +102,7 @@ struct RowKernelsOf {
     RowKernel<Scalar, MatrixConstants> matrix;
 };
 
-/// The loops of one instruction set. They compute in double, whatever the arrays hold.
+/// The loops of one instruction set. They compute in double for every array type.
 struct Kernels {
     KernelsOf<double> ofDoubles;
     KernelsOf<float> ofFloats;

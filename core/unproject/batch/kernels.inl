@@ -1,7 +1,7 @@
-// Included by one file for each instruction set, which says before it what a Pack of that set is and, with
-// UNPROJECTOR_KERNELS, which table to define. Everything is in an unnamed namespace, and nothing of the library is
-// included that compiles to functions: code compiled for a new processor must not be what the linker takes for the
-// same function elsewhere.
+// Included by one file for each instruction set, which first defines Pack for that set and, with
+// UNPROJECTOR_KERNELS, the table to define. Everything is in an unnamed namespace, and no library
+// header that compiles to functions is included: the linker must not use code compiled for a new
+// processor as the same function elsewhere.
 
 #include "core/unproject/batch/kernels.h"
 
@@ -12,7 +12,8 @@
 namespace unprojector::unproject::batch {
 namespace {
 
-// Each method: what it needs of a row of the picture, which images have in common, and the points on it.
+// Each method precomputes its values for a row of the view, which the pixels of an image row share,
+// and computes the points on it.
 
 /// p = origin + z (across X + (down Y + ahead))
 class Perspective {
@@ -38,7 +39,7 @@ private:
     Pack m_direction[3];
 };
 
-/// p = origin + ((across X + down Y) + z ahead). The origin last: it may be large and cancel.
+/// p = origin + ((across X + down Y) + z ahead). The origin comes last: it may be large and cancel.
 class Box {
 public:
     using Constants = ClosedFormConstants;
@@ -90,8 +91,8 @@ std::size_t offsetInLine(const Scalar *p)
     return reinterpret_cast<std::uintptr_t>(p) % kCacheLine;
 }
 
-/// What will be needed soon: far enough that memory can answer in time, and perhaps behind the array's end, where a
-/// prefetch does no harm.
+/// The address to prefetch: far enough ahead for memory to answer in time. It may lie past the
+/// array's end, where a prefetch is harmless.
 template <class Scalar>
 const char *ahead(const Scalar *p)
 {
@@ -118,14 +119,15 @@ public:
             rest(stopped, end);
     }
 
-    /// Whether whole cache lines of all three results begin at the same point.
+    /// Returns whether whole cache lines of all three results begin at the same point.
     bool canStream() const
     {
         const std::size_t offset = offsetInLine(m_x);
         return offset % sizeof(Scalar) == 0 && offsetInLine(m_y) == offset && offsetInLine(m_z) == offset;
     }
 
-    /// Past the caches. @pre canStream()
+    /// Writes past the caches.
+    /// @pre canStream()
     void stream(std::size_t begin, std::size_t end) const
     {
         const std::size_t offset = offsetInLine(m_x + begin);
@@ -137,7 +139,8 @@ public:
     }
 
 private:
-    /// Whole packs. @return where it stopped, less than a pack before the end
+    /// Processes whole packs.
+    /// @return where it stopped, less than a pack before the end
     template <bool streams>
     std::size_t packs(std::size_t begin, std::size_t end) const
     {
@@ -175,8 +178,9 @@ private:
             .unproject(m_constants, Pack::loaded(m_px + i), Pack::loaded(m_depth + i), p);
     }
 
-    /// Whole cache lines, past the caches, each in one go: a line that is filled little by little, by small packs, is
-    /// written in parts, and takes several times as long. @return where it stopped, less than a line before the end
+    /// Writes whole cache lines past the caches, each in one go: a line filled in small packs is
+    /// written in parts, and takes several times as long.
+    /// @return where it stopped, less than a line before the end
     std::size_t lines(std::size_t begin, std::size_t end) const
     {
         constexpr std::size_t kPoints = kCacheLine / sizeof(Scalar);
@@ -200,7 +204,7 @@ private:
         return i;
     }
 
-    /// Fewer points than a pack has lanes.
+    /// Processes the rest: fewer points than a pack has lanes.
     void rest(std::size_t begin, std::size_t end) const
     {
         Scalar in[3][Pack::kLanes] = {}, out[3][Pack::kLanes];
@@ -236,12 +240,13 @@ void unproject(const typename Method::Constants &constants, const Scalar *px, co
         loop.run(0, count);
 }
 
-/// Outside every range of depths. A constant: called where it is needed, the library's function could be compiled.
+/// A value outside every range of depths. A constant, because a call could compile the library's
+/// function for this instruction set.
 constexpr float kNoDepth = std::numeric_limits<float>::quiet_NaN();
 
 constexpr unsigned kAllLanes = (1u << Pack::kLanes) - 1;
 
-/// What a coordinate in double must stay below for a finite one of another kind of number.
+/// The bound for coordinates in double that stay finite in another number type.
 template <class Scalar>
 constexpr double kTooLarge = std::numeric_limits<double>::infinity();
 template <>

@@ -24,14 +24,14 @@ struct Pack {
     static void prefetch(const char *from) { _mm_prefetch(from, _MM_HINT_T0); }
     static void finishStreaming() { _mm_sfence(); }
     static Pack counted() { return _mm256_set_pd(3, 2, 1, 0); }
-    /// One bit a lane.
+    /// The lanes within [low, high], one bit each.
     unsigned between(double low, double high) const
     {
         return static_cast<unsigned>(
             _mm256_movemask_pd(_mm256_and_pd(_mm256_cmp_pd(lanes, _mm256_set1_pd(low), _CMP_GT_OQ),
                                              _mm256_cmp_pd(lanes, _mm256_set1_pd(high), _CMP_LT_OQ))));
     }
-    /// The ends included.
+    /// The same for floats, ends included.
     static unsigned between(const float *values, float low, float high)
     {
         const __m128 v = _mm_loadu_ps(values);

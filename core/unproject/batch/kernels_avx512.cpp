@@ -22,13 +22,13 @@ struct Pack {
     static void prefetch(const char *from) { _mm_prefetch(from, _MM_HINT_T0); }
     static void finishStreaming() { _mm_sfence(); }
     static Pack counted() { return _mm512_set_pd(7, 6, 5, 4, 3, 2, 1, 0); }
-    /// One bit a lane.
+    /// The lanes within [low, high], one bit each.
     unsigned between(double low, double high) const
     {
         return _mm512_cmp_pd_mask(lanes, _mm512_set1_pd(low), _CMP_GT_OQ)
                & _mm512_cmp_pd_mask(lanes, _mm512_set1_pd(high), _CMP_LT_OQ);
     }
-    /// The ends included.
+    /// The same for floats, ends included.
     static unsigned between(const float *values, float low, float high)
     {
         const __m256 v = _mm256_loadu_ps(values);

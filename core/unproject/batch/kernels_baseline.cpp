@@ -10,8 +10,9 @@ namespace {
 
 #ifdef UNPROJECTOR_WIDE_KERNELS
 
-/// Four doubles in two registers of SSE2, which every x86-64 has: so that four floats fill a register when they are loaded
-/// and stored. Half a register can be stored past the caches too, but takes more than ten times as long.
+/// Four doubles in two SSE2 registers, which every x86-64 has, so that loads and stores of four
+/// floats fill a register. Half a register can bypass the caches too, but takes more than ten times
+/// as long.
 struct Pack {
     static constexpr std::size_t kLanes = 4;
     __m128d low, high;
@@ -40,7 +41,7 @@ struct Pack {
     static void prefetch(const char *from) { _mm_prefetch(from, _MM_HINT_T0); }
     static void finishStreaming() { _mm_sfence(); }
     static Pack counted() { return {_mm_set_pd(1, 0), _mm_set_pd(3, 2)}; }
-    /// One bit a lane.
+    /// The lanes within [lowest, highest], one bit each.
     unsigned between(double lowest, double highest) const
     {
         const __m128d from = _mm_set1_pd(lowest), to = _mm_set1_pd(highest);
@@ -50,7 +51,7 @@ struct Pack {
         };
         return bits(low) | bits(high) << 2;
     }
-    /// The ends included.
+    /// The same for floats, ends included.
     static unsigned between(const float *values, float lowest, float highest)
     {
         const __m128 v = _mm_loadu_ps(values);
@@ -79,7 +80,7 @@ private:
 
 #else
 
-/// One double, for processors that we have no wider loops for; the compiler may find some.
+/// One double, for processors without wider loops; the compiler may vectorize it.
 struct Pack {
     static constexpr std::size_t kLanes = 1;
     double lane;

@@ -1,4 +1,5 @@
-// The closed forms with about 30 digits, for rows that must have the digits of a click. Included by kernels.inl.
+// The closed forms with about 30 digits, for rows that must have the digits of a click. Included by
+// kernels.inl.
 
 /// A number as high + low, where low may be a few units in the last place of high.
 struct TwoPacks {
@@ -23,7 +24,8 @@ TwoPacks operator+(TwoPacks a, TwoPacks b)
     return {high, lostBySum(a.high, b.high, high) + (a.low + b.low)};
 }
 
-/// A factor, halved for products (Veltkamp). Beyond 2^970 it becomes NaN, and the point is left to others.
+/// A factor, split for products (Veltkamp). Beyond 2^970 it becomes NaN, and slower code computes
+/// the point.
 struct Factor {
     TwoPacks number;
     Pack highHalf, lowHalf;
@@ -39,7 +41,7 @@ struct Factor {
     }
 };
 
-/// Dekker's product of two doubles: what a b leaves out.
+/// The error of a product in double: what it loses of a b (Dekker).
 Pack lostByProduct(const Factor &a, const Factor &b, Pack product)
 {
     return a.lowHalf * b.lowHalf
@@ -61,8 +63,8 @@ TwoPacks quotient(TwoPacks a, TwoPacks b)
     return {high, remainder / b.high};
 }
 
-/// high + low rounded to a double, if all numbers within `error` of it are rounded to the same.
-/// @return what is above 0, or NaN, where they are not
+/// high + low rounded to a double, if all numbers within `error` of it have the same rounding.
+/// @return a value above 0, or NaN, if they do not
 Pack rounded(TwoPacks number, Pack error, Pack &to)
 {
     const Pack sum = number.high + number.low;
@@ -139,7 +141,7 @@ void unprojectPrecisely(const PreciseConstants &constants, const double *px, con
     }
 }
 
-/// gluUnProject's way, each step rounded as MatrixInverse rounds it.
+/// The method of gluUnProject, each step rounded as in MatrixInverse.
 class ClickMatrix {
 public:
     using Constants = ClickMatrixConstants;
