@@ -13,8 +13,9 @@
 
 namespace unprojector::gui {
 
-/// The marks of points, of constant size: of the picked one a ring with a dot at the point itself, of a click on the background
-/// the ring alone, of the given one a square on its corner, of a wrong one a cross, of the right one to that a square.
+/// The marks of points, of constant size: a ring with a dot for the pick, the ring alone for a pick
+/// on the background, a square on its corner for the user's point, a cross for a wrong point, a
+/// square for its right point.
 class PickPainter : protected QOpenGLExtraFunctions {
 public:
     enum class Mark { Picked, Given, Wrong, Right, Background };
