@@ -27,7 +27,7 @@ public:
 
     using CoordinatesModel::CoordinatesModel;
 
-    /// Without a pick there are no rows.
+    /// Sets the pick; without one there are no rows.
     void setPick(const KeptPick &kept);
     /// The space of the rows; the background has no object: it is then in world space.
     void setSpace(Space space);

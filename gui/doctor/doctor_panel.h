@@ -27,8 +27,8 @@ class WrongPointsForm;
 /// The doctor's panel: the clicks and another program's points for them, and the mistake that
 /// explains them.
 ///
-/// Pixels belong to a setup: that of the click, or that of the other program's window. It is kept
-/// with them when the view changes later.
+/// Pixels belong to a setup: the click's, or the other program's window. It is kept with them when
+/// the view changes later.
 class DoctorPanel : public QWidget {
     Q_OBJECT
 public:

@@ -103,8 +103,8 @@ public:
     bool isRunning() const;
 
     enum class Step { Start, Work };
-    /// For tests: called before a thread is started, and by the worker before the work. If it
-    /// throws, that step fails with the exception. Change it only while no job runs.
+    /// A hook for tests: called before a thread is started, and by the worker before the work. If
+    /// it throws, that step fails with the exception. Change it only while no job runs.
     static inline std::function<void(Step)> fault;
 
 private:

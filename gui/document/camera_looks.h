@@ -33,8 +33,9 @@ void switchProjection(SceneDocument &document);
 void openObjects(SceneDocument &document, std::vector<scene::SceneObject> objects);
 void openObjects(SceneDocument &document, std::vector<scene::SceneObject> objects, const geometry::LookAt &home);
 
-/// The distance in front of the eye at which two projections agree: that of the camera's centre.
-/// With a nearer picked point instead, everything behind it would become larger than the view.
+/// The distance in front of the eye at which two projections agree: the distance of the camera's
+/// centre. With a nearer picked point instead, everything behind it would become larger than the
+/// view.
 double centerDistance(const geometry::LookAt &camera);
 
 /// The world point that navigation turns about: the surface under the pointer. On the background,

@@ -16,7 +16,7 @@ enum class Change {
     Placement = 0x02,          ///< an object's transform
     Visibility = 0x40,         ///< which objects are hidden
     Names = 0x80,              ///< an object's name
-    ClipPlanes = 0x04,         ///< the clip planes that cut and those that are switched off
+    ClipPlanes = 0x04,         ///< the clip planes, active or switched off
     Setup = 0x08,              ///< camera, projection, viewport, depth range, the window's size, or their conventions
     Pick = 0x10,               ///< the picked point
     Snap = 0x200,              ///< the snap mode of clicks
@@ -57,5 +57,5 @@ bool isSameLook(const scene::SceneSettings &a, const scene::SceneSettings &b);
 
 } // namespace unprojector::gui
 
-// In no namespace, as Qt's own operators are: operators in the namespace would hide those.
+// These operators are in no namespace, like Qt's own: operators in the namespace would hide Qt's.
 Q_DECLARE_OPERATORS_FOR_FLAGS(unprojector::gui::Changes)

@@ -30,7 +30,7 @@ std::optional<std::size_t> FollowedObject::index()
 {
     if (!m_index)
         return std::nullopt;
-    // A receiver that is notified earlier than this one asks for the current list.
+    // Receivers that are notified before this object need the current list.
     const std::vector<SceneObject> &now = m_document.objects();
     const bool isOtherList = changesBetween(m_listed, now).testFlag(Change::Objects);
     choose(isOtherList ? indexAfter(m_listed, *m_index, now) : m_index);

@@ -283,7 +283,7 @@ bool LandmarkFiles::importFrom(const std::filesystem::path &file)
         return false;
     }
     ReadLandmarks read = std::move(result).value();
-    // While a question is open, an event such as the end of a loading may show another scene.
+    // An event such as the end of a loading may show another scene while a question is open.
     bool isSameScene = true;
     const auto changed = connect(&m_document, &SceneDocument::changed, this, [&isSameScene](Changes changes) {
         if (changes & (Change::Objects | Change::Landmarks))

@@ -46,9 +46,9 @@ public:
     /// ones and strays stay free
     LandmarkFiles(SceneDocument &document, LandmarkFileQuestions *questions, QObject *parent = nullptr);
 
-    /// Returns whether the file's name is that of a landmark file: not "x.json", but "x.mrk.json".
+    /// Returns whether the file is a landmark file by its name: not "x.json", but "x.mrk.json".
     static bool isLandmarkFile(const std::filesystem::path &file);
-    /// Returns whether the file's name is that of a template of names.
+    /// Returns whether the file is a template of names by its name.
     static bool isTemplate(const std::filesystem::path &file);
     /// The filter for a file dialog: "Points (*.csv *.pp …)".
     static QString importFilter();

@@ -115,7 +115,7 @@ private:
     template <class Key>
     void pass(const Key &keyOfName)
     {
-        std::multimap<QString, std::size_t> waiting; // those of one key in order
+        std::multimap<QString, std::size_t> waiting; // in order for equal keys
         for (const std::size_t index : m_waiting) {
             if (const QString key = keyOfName(m_all[index].name); !key.isEmpty())
                 waiting.emplace(key, index);

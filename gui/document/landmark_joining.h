@@ -11,7 +11,7 @@
 
 namespace unprojector::gui {
 
-// Merges a file's landmarks into those of a scene.
+// Merges a file's landmarks into a scene's.
 
 /// The result of a merge, and its import notes.
 struct JoinedLandmarks {
@@ -35,8 +35,8 @@ JoinedLandmarks fillLandmarks(landmarks::LandmarkSet &set, const std::vector<lan
 /// its own; units never change without a note. A name that the file had to spell differently
 /// (landmarks::nameKey) gets the scene's spelling.
 /// @param set  of the file; then what the scene gets
-/// @param taken  how many of the set's last curves the file itself does not define as curves: those
-/// of the scene stay
+/// @param taken  how many of the set's last curves the file itself does not define as curves: the
+/// scene's own stay
 /// @param file  its name
 JoinedLandmarks replaceLandmarks(landmarks::LandmarkSet &set, const landmarks::LandmarkSet &before, std::size_t taken,
                                  const QString &file);

@@ -23,11 +23,11 @@ NameFault faultOf(const std::string &name, std::size_t index, const std::vector<
 /// The name as one line of text, cut if it is too long for the window.
 QString shownName(const std::string &name);
 
-/// The same for an object name as it is read (readName).
+/// The same for an object name in its translated form (readName).
 QString shownObjectName(const std::string &name, const std::vector<scene::SceneObject> &objects);
 
-/// The name, or the name with the first number behind it that makes it another one than those of
-/// the objects: "cube (2)".
+/// The name, with the first number appended that makes it unique among the objects if needed: "cube
+/// (2)".
 std::string freeName(const std::string &name, const std::vector<scene::SceneObject> &objects);
 
 } // namespace unprojector::gui

@@ -22,7 +22,7 @@ struct MetPlace {
     std::string objectName;            ///< at the click
 };
 
-/// What the ray of a pick hits on the meshes themselves, in the scene at the click.
+/// The hit of a pick's ray on the meshes themselves, in the scene at the click.
 struct PickedRay {
     enum class State {
         Preparing,  ///< a model is not prepared for rays yet; the answer follows
@@ -34,8 +34,8 @@ struct PickedRay {
     std::optional<MetPlace> met;   ///< the hit of the ray itself; nothing: it hits nothing
     ray::RayComparison comparison; ///< of the hit with the frame
     ray::Snap snap = ray::Snap::Surface;
-    /// The answers of other programs for a click that hits: the clicked pixel's depth as read, that
-    /// of other pixels from ray hits.
+    /// The answers of other programs for a click that hits: the clicked pixel's depth as read,
+    /// other pixels' depths from ray hits.
     std::optional<unproject::OtherAnswers> others;
     std::optional<MetPlace> taken; ///< the snapped point in that mode; for a surface the same as `met`
 };

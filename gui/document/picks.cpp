@@ -140,7 +140,7 @@ bool Picks::askRay()
     }
     ray.failure.reset();
     ray.state = PickedRay::State::Impossible;
-    // While the view shows the clicked setup, its own Unprojector and rays can answer.
+    // The view's own Unprojector and rays can answer while it shows the clicked setup.
     const Setup &clicked = m_picked.pick->setup;
     const bool isSetupCurrent = clicked == m_document.setup();
     const bool isSceneShown = objects == m_objects && clipPlanes == m_document.scene().clipPlanes;

@@ -34,7 +34,7 @@ public:
     /// The picked surface or background; nothing before the first click, in another scene, and
     /// while the hit object is removed.
     const std::optional<unproject::Pick> &pick() const { return m_picked.pick; }
-    /// What the ray of the pick hits on the meshes; null without a pick.
+    /// The hit of the pick's ray on the meshes; null without a pick.
     const PickedRay *pickedRay() const { return m_picked.pick ? &m_picked.ray : nullptr; }
     std::optional<geometry::WorldPoint> pickedPoint() const { return gui::pickedPoint(m_picked); }
     SinceClick sinceClick() const;
@@ -88,7 +88,8 @@ private:
         ObjectList objects; ///< before the removal: the pick returns with its object
     };
 
-    /// Prepares the models that rays can hit, including those of a pick that waits for its answer.
+    /// Prepares the models that rays can hit, including the models of a pick that waits for its
+    /// answer.
     void prepareRays();
     /// Computes what the ray of the pick hits, if that is not known yet.
     /// @return whether more is known now

@@ -15,9 +15,9 @@
 
 namespace unprojector::gui {
 
-/// A ray::RayCaster of each model in use. Those of small models are built at once, others one after
-/// the other on a separate thread. It keeps no model alive, and cancels the build of a model that
-/// is no longer in use.
+/// A ray::RayCaster of each model in use. Casters of small models are built at once, others one
+/// after the other on a separate thread. It keeps no model alive, and cancels the build of a model
+/// that is no longer in use.
 class RayCasters : public QObject {
     Q_OBJECT
 public:
@@ -34,7 +34,7 @@ public:
     void prepare(const std::vector<scene::SceneObject> &objects);
     /// The same, and returns when all casters are built.
     void complete(const std::vector<scene::SceneObject> &objects);
-    /// From now on only `complete` builds casters: for a program that may never ask for a ray.
+    /// Makes only `complete` build casters from now on: for a program that may never ask for a ray.
     void waitUntilAsked() { m_isAhead = false; }
     bool isPreparing() const { return m_background.isRunning(); }
 

@@ -37,7 +37,7 @@ struct RecoveryInfo {
 /// can read folder and files: a scene may be of a patient.
 class RecoveryFile {
 public:
-    /// The folder of recovery files: the user's own, or that of a portable program (isPortable).
+    /// The folder of recovery files: the user's own, or a portable program's (isPortable).
     static QString defaultFolder(const QString &programFolder);
     /// Creates a file with a new name, not written yet; creates the folder if needed.
     /// @return the system's reason on failure
@@ -68,7 +68,7 @@ public:
 
 private:
     RecoveryFile(const QString &folder, const QString &id);
-    /// Removes what a dead program may have left besides the content.
+    /// Removes other remains of a dead program than the content.
     void clearRests() const;
 
     QString m_folder;

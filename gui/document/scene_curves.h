@@ -35,7 +35,7 @@ struct ShownMeasure {
 };
 
 /// The curves between the landmarks of a document's scene: their lines on the surface, and edits of
-/// single curves. Each edit is one step of undo, named after the curve. Indices are those of
+/// single curves. Each edit is one step of undo, named after the curve. Indices refer to
 /// SceneDocument::scene().landmarks.curves.
 ///
 /// The landmarks determine a curve's line. It is recomputed whenever they move: on small models at
@@ -68,7 +68,8 @@ public:
         std::size_t done = 0, count = 0;
     };
     Progress progress() const;
-    /// Blocks until all curves are computed, including those that lacked a thread or memory before.
+    /// Blocks until all curves are computed, including curves that lacked a thread or memory
+    /// before.
     /// @return false if the user gave up waiting (setWaiting); the computation then continues
     bool complete();
     /// Sets a callback that runs an event loop and shows progress until no curve is computing.
@@ -105,7 +106,7 @@ private:
     struct Task;
     class Surfaces;
 
-    /// On a surface with at most so many triangles a line is computed at once: in less time than a
+    /// The largest number of triangles for which a line is computed at once: in less time than a
     /// frame takes.
     static constexpr std::size_t kMostAtOnce = 2'000;
     /// A selection with more landmarks, such as "all", gets no line.

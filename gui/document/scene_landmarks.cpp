@@ -89,7 +89,7 @@ void takePlace(Landmark &landmark, const Landmark &of)
 SceneLandmarks::SceneLandmarks(SceneDocument &document, ChangeNotifier &changes)
     : m_document(document), m_changes(changes)
 {
-    // In another scene nothing is selected, and the first missing landmark is next.
+    // Nothing is selected in another scene, and the first missing landmark is next.
     connect(&document, &SceneDocument::opened, this,
             [this] { take({}, std::nullopt, nextMissing(all(), std::nullopt)); });
 }

@@ -28,7 +28,7 @@ public:
 
     virtual ~SessionQuestions() = default;
     /// Asks what to do with the unsaved changes of the named scene before it is left.
-    /// @param hasFile  of a scene; else the name is that of a model, which is never written
+    /// @param hasFile  of a scene; else the name belongs to a model, which is never written
     virtual SaveAnswer askSave(const QString &name, bool hasFile) = 0;
     /// Asks for a file name to save under; empty: don't save.
     virtual std::filesystem::path askFileName(const std::filesystem::path &proposal) = 0;
@@ -109,8 +109,8 @@ public:
     bool saveAs();
     std::filesystem::path proposedName() const;
     bool saveScene(const std::filesystem::path &file);
-    /// Asks about unsaved changes. In a lesson: those of a step's scene with a file, and those of
-    /// the scene before the lesson, which is restored only to be saved.
+    /// Asks about unsaved changes. In a lesson: changes of a step's scene with a file, and of the
+    /// scene before the lesson, which is restored only to be saved.
     /// @return whether the scene may be left; else the present scene stays, or the restored one
     /// that could not be saved
     bool mayLeave();

@@ -51,8 +51,8 @@ struct PlacedLabel {
 };
 
 /// The placement of labels beside their marks: they overlap neither each other nor another mark,
-/// and stay in the area. The current landmark's comes first, then those of the selection. Labels
-/// without room are left out.
+/// and stay in the area. The current landmark's comes first, then the selected ones. Labels without
+/// room are left out.
 /// @param area   logical pixels
 /// @param lines, taken  arrows, texts and the like that no label may cover; logical pixels
 std::vector<PlacedLabel> placedLabels(const std::vector<LandmarkMark> &marks, const QFontMetricsF &metrics,

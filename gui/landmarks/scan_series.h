@@ -39,9 +39,9 @@ void readKept(Scan &scan, int placing);
 /// saved beside it, in "face.ply.points.csv": when another scan is shown, when the scene is saved,
 /// and when it is left. Names that a scan lacks are taken from the scan before.
 ///
-/// Coordinates in these files, in `scans` and in the tables are those of the scan's own file: they
-/// don't change when the scan is moved, turned or scaled in the scene. A file that cannot be read,
-/// or that another program has changed since it was read, is never overwritten.
+/// Coordinates in these files, in `scans` and in the tables are in the space of the scan's own
+/// file: they don't change when the scan is moved, turned or scaled in the scene. A file that
+/// cannot be read, or that another program has changed since it was read, is never overwritten.
 class ScanSeries : public QObject {
     Q_OBJECT
 public:
@@ -73,8 +73,8 @@ public:
     void previous() { step(-1); }
     /// The number of the present pass through the series, from 1: each has its own landmarks.
     int placing() const { return m_placing; }
-    /// Changes the placing, unless the landmarks of the present scan cannot be saved, or those of
-    /// the other placing cannot be read.
+    /// Changes the placing, unless the landmarks of the present scan cannot be saved, or the other
+    /// placing's cannot be read.
     void setPlacing(int placing);
     /// Saves the landmarks of the present scan beside it, if they have changed.
     /// @return false after `failed`
@@ -99,7 +99,7 @@ private:
         int placing = 1;
     };
 
-    /// The index that next and previous start from; in a lesson that of the suspended scan.
+    /// The index that next and previous start from; in a lesson the suspended scan's.
     std::optional<std::size_t> index() const { return m_current || !m_aside ? m_current : m_aside->inView; }
     void step(int by);
     bool mayPlaceAs(int placing);

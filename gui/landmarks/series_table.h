@@ -28,7 +28,7 @@ struct WrittenSeries {
 };
 
 /// Writes the landmarks of all scans into one file.
-/// @param names  of the first columns or rows, in order; other names of the scans follow
+/// @param names  of the landmarks, in order; other names in the scans follow
 /// @return why it was not written: no landmark, the name of a file of the series, a file that
 /// cannot be written
 geometry::Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, SeriesTable table,

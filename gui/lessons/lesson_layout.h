@@ -36,7 +36,7 @@ public:
     void showPanel(Panel panel);
     /// Switches to a workspace, unless it is the current one.
     void enter(Workspace workspace);
-    /// Arranges the panels after a workspace was laid out: the lesson's panel stays visible.
+    /// Shows the lesson's panel, only during a lesson, after a workspace was laid out.
     void arrange();
 
 private:

@@ -59,7 +59,7 @@ public:
     /// Ends the lesson, if there is one, and keeps the present scene.
     void end();
 
-    /// Returns whether camera, projection, viewport and objects are those of the step.
+    /// Returns whether camera, projection, viewport and objects equal the step's.
     bool isAsTheStep() const;
     /// Resets the step's scene. Emits `clickWanted` if a link had clicked a point of it.
     bool restart();

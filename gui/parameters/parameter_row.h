@@ -11,8 +11,8 @@ namespace unprojector::gui {
 class NumberField;
 
 /// A title and its numbers, each with its unit and, right beneath it, the reason why it is
-/// rejected. They are side by side if the row is wide enough, else stacked. Its columns are those
-/// of all rows of the panel; all lengths depend on the font.
+/// rejected. They are side by side if the row is wide enough, else stacked. Its columns are common
+/// to all rows of the panel; all lengths depend on the font.
 class ParameterRow : public QWidget {
     Q_OBJECT
 public:

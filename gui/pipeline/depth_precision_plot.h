@@ -24,7 +24,7 @@ public:
 
     explicit DepthPrecisionPlot(QWidget *parent = nullptr);
 
-    /// @param curves  one to three; the first is that of the view
+    /// @param curves  one to three; the first is the view's
     /// @param marked  a distance to mark on the first curve
     void show(std::vector<Curve> curves, const std::optional<double> &marked);
     const std::vector<Curve> &curves() const { return m_curves; }

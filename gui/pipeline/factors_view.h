@@ -16,7 +16,7 @@ class MatrixModel;
 class NumberGrid;
 
 /// The factors of a matrix, in the order in which they act on a point, each with its effect. Above
-/// them: their product and its residual. Below those of a projection: sliders for their shares.
+/// them: their product and its residual. Below a projection's factors: sliders for their shares.
 class FactorsView : public QWidget {
     Q_OBJECT
 public:
@@ -40,7 +40,7 @@ private:
         NumberGrid *grid;
     };
     QLabel *m_product;
-    std::array<Part, 6> m_parts{}; ///< the most factors: those of a sheared box in another API's conventions
+    std::array<Part, 6> m_parts{}; ///< the most factors: a sheared box in another API's conventions
     FactorShares *m_shares;
     QLabel *m_noShares; ///< why there are no sliders
 };

@@ -48,7 +48,7 @@ public:
     /// Describes how it was interpreted and converted; empty if the projection is not given as a
     /// matrix (any more).
     const QString &givenNote() const { return m_givenNote; }
-    /// The view's matrix as it is given.
+    /// The view's matrix as given.
     MatrixModel *givenView() const { return m_givenView; }
     /// The findings about the given matrices.
     const std::vector<matrices::MatrixFinding> &givenFindings(matrices::MatrixRole role) const;
@@ -96,7 +96,7 @@ private:
     void take(PointModel::Space space, int coordinate, const QString &typed);
     void showGivenPoint(const matrices::Pipeline &pipeline);
     void showAll(const matrices::PipelinePoints &points);
-    /// The conversion of a space's coordinates from those of this program.
+    /// The conversion of a space's coordinates from this program's.
     geometry::AxisChange changeOf(PointModel::Space space) const;
     void showApi();
     void showPoints(const matrices::Pipeline &pipeline);

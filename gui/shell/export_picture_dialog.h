@@ -21,7 +21,7 @@ namespace unprojector::gui {
 class SceneView;
 class Window;
 
-/// Asks for the size and the content of an image of the view. The defaults are those of the view.
+/// Asks for the size and the content of an image of the view. The defaults are the view's.
 class ExportPictureDialog : public QDialog {
     Q_OBJECT
 public:

@@ -6,9 +6,9 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// The reason why the view is empty or incomplete although its numbers are valid: all objects are
-/// hidden, the viewport lies outside the window, no object lies between near and far, or far / near
-/// is so large that the depth buffer takes surfaces for background.
+/// The reason why the view is empty or incomplete although its numbers are valid. All objects are
+/// hidden, the viewport lies outside the window, or no object lies between near and far. Or far /
+/// near is so large that the depth buffer takes surfaces for background.
 /// @return empty if there is no such reason
 QString emptyPictureText(const SceneDocument &document);
 

@@ -35,7 +35,7 @@ private:
     void setSize(const geometry::Surface &surface);
     /// Handles typed logical pixels or a typed ratio.
     void takeLogical();
-    /// Handles typed device pixels: takes those of the nearest whole number of logical ones.
+    /// Handles typed device pixels: rounds to a whole number of logical ones.
     void takeDevice();
     void refresh();
 

@@ -18,8 +18,8 @@ class SceneCodeWindow;
 class Translation;
 class Window;
 
-/// The menus and the tool bar of the window: the window's own actions, and among them those of its
-/// features.
+/// The menus and the tool bar of the window: the window's own actions, and among them its features'
+/// actions.
 class WindowMenus : public QObject {
     Q_OBJECT
 public:

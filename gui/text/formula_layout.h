@@ -15,9 +15,9 @@ namespace unprojector::gui {
 QFont formulaFont(double pointSize);
 
 /// A formula typeset in lines of a given width: fractions on their bars, columns in brackets,
-/// single letters in italics. The markup is that of formula_markup with terms in it, `<t n>…</t>`.
-/// Lines break before =, + and −, outside parentheses; if that is not enough, before ×; finally the
-/// font gets smaller.
+/// single letters in italics. The markup is formula_markup's with terms in it, `<t n>…</t>`. Lines
+/// break before =, + and −, outside parentheses; if that is not enough, before ×; finally the font
+/// gets smaller.
 class FormulaLayout {
 public:
     FormulaLayout(const QString &markup, const QFont &font);

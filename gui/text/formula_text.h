@@ -18,8 +18,7 @@ struct PickFormulas {
 
 /// The formulas of a pick. On a surface, as in the paper: the distance z from the depth, x by (9)
 /// or (11), y by (10) or (12), and the world point from the camera's axes. On the background, the
-/// ray through the pixel. Numbers are rounded for reading; the results are those of the full
-/// doubles.
+/// ray through the pixel. Numbers are rounded for reading; the results come from the full doubles.
 /// @return none if a method found no point
 PickFormulas formulasOf(const unproject::Pick &pick);
 

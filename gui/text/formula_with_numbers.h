@@ -25,8 +25,7 @@ using FormulaTerms = std::map<QString, FormulaTerm>;
 ///
 /// `[n]` is a term, `*` a product (a space between symbols, × between numbers), `{a | b}` a
 /// fraction. Negative numbers get parentheses if their sign would follow an operator. In the
-/// markup, which is that of formula_markup, a term is written `<t n>…</t>`, and a column `{x; y;
-/// z}`.
+/// markup, the same as formula_markup's, a term is written `<t n>…</t>`, and a column `{x; y; z}`.
 class FormulaWithNumbers {
 public:
     /// @param number  "(9)", or empty

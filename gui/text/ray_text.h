@@ -24,7 +24,7 @@ QString rayDetailText(ray::Snap snap, const std::optional<ray::SceneHit> &hit);
 
 /// The headline of a snapped hit, except for surfaces: "Vertex 12 of Teapot".
 QString takenText(ray::Snap snap, const ray::SceneHit &taken, const QString &object);
-/// The uncertainty of the snapped point, which differs from that of the surface under the pixel.
+/// The uncertainty of the snapped point, which differs from the surface's under the pixel.
 QString takenCertaintyText(ray::Snap snap, const ray::SceneHit &taken);
 
 } // namespace unprojector::gui

@@ -24,9 +24,9 @@ void keepLanguage(Language language);
 /// The languages of a choice for Translation, the preferred one first.
 QStringList languagesOf(Language choice);
 
-/// While it lives, the program, the texts of core and Qt's dialogs use the first of these languages
-/// that they support; the texts in the source are English. Create it before the first widget,
-/// because widgets keep their initial texts. The application must outlive it.
+/// Translates the program, the texts of core and Qt's dialogs while it lives: to the first of these
+/// languages that they support; the texts in the source are English. Create it before the first
+/// widget, because widgets keep their initial texts. The application must outlive it.
 class Translation {
 public:
     /// @param hasHanzi  whether Chinese can be displayed: without it, English replaces Chinese

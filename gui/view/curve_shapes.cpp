@@ -91,7 +91,8 @@ CurveShapes curveShapes(const SceneDocument &document)
         const std::vector<WorldPoint> semilandmarks =
             curve.points.empty() ? curve.semilandmarks : unprojector::curves::resampled(line.line->path, curve.count);
         for (const WorldPoint &place : semilandmarks) {
-            // A line as long as it is wide is a dot; without any length it would have no direction.
+            // A line of equal length and width is a dot; without any length it would have no
+            // direction.
             const glm::dvec3 at = lifted(place);
             const glm::dvec3 half = 3.5 * worldPerLogicalPixel(setup, place) * frame->upward.coordinates();
             shapes.dots.push_back({at - half, at + half, *color});

@@ -66,7 +66,8 @@ std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &fo
         const double length = std::hypot(way.x(), way.y());
         if (length < size.height())
             continue; // the line is hardly visible
-        // At the middle of the line, else further along or beyond its foot, where there is room.
+        // The label is at the middle of the line, else further along or beyond its foot, where
+        // there is room.
         const double behind = 1.0 + (size.width() / 2.0 + kMark) / length;
         for (const double share : {0.5, 0.75, 1.0, behind}) {
             QRectF box(QPointF(), size);

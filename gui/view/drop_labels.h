@@ -23,8 +23,8 @@ struct DropLabel {
     QRectF box;   ///< logical pixels of the view
 };
 
-/// The uncertainty of the picked point: that of the snapped point, else that of the surface. @pre
-/// there is a pick
+/// The uncertainty of the picked point: the snapped point's, else the surface's. @pre there is a
+/// pick
 geometry::WorldVector pickedUncertainty(const Picks &picks);
 
 /// The labels of lines that are long enough in the view.

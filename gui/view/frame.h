@@ -32,7 +32,7 @@ public:
 
     /// Resizes the frame to the view, clears it and binds it for drawing. Until beginObjects() only
     /// colours are written: they are behind every object and not clickable. The depth is cleared to
-    /// that of the far plane.
+    /// the far plane's.
     /// @param around  the colour of the surface outside the viewport
     /// @return false if OpenGL cannot create such a framebuffer; then nothing is bound, and end()
     /// must not be called

@@ -140,8 +140,8 @@ protected:
 
     /// Paints over OpenGL's drawing, in the widget's font; afterwards OpenGL tests and blends
     /// nothing.
-    /// @param devicePixelRatio  device pixels a unit of the painter: that of the surface for
-    /// logical pixels
+    /// @param devicePixelRatio  device pixels a unit of the painter: the surface's for logical
+    /// pixels
     void paintOver(double devicePixelRatio, const std::function<void(QPainter &)> &paint);
 
     /// Reports progress of an awaited or slow frame, see drawingProgressed.
@@ -149,8 +149,8 @@ protected:
 
     /// Returns whether an image of another size is being drawn.
     bool isDrawingPicture() const { return m_picture.has_value(); }
-    /// The size of the current drawing: the widget's, the fixed one, or that of an image of another
-    /// size while it is drawn.
+    /// The size of the current drawing: the widget's, the fixed one, or an image's other size while
+    /// it is drawn.
     geometry::Surface currentSurface() const;
     /// Releases everything that was created in the context, if anything was. It is called when the
     /// context goes, as it does when the widget moves to another window; a destructor has to call

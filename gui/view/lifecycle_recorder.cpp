@@ -26,7 +26,7 @@ QString call(const char *name, std::initializer_list<double> arguments)
     return QStringLiteral("%1(%2)").arg(QLatin1String(name), numbers.join(QStringLiteral(", ")));
 }
 
-/// In memory order: column by column.
+/// The numbers in memory order: column by column.
 QString matrixCall(const glm::dmat4 &m)
 {
     QStringList numbers;

@@ -145,7 +145,7 @@ std::optional<ClipPlaneDrag> clipPlaneAt(const ObserverPicture &picture, const g
             const double distance = glm::length(pointer - pixelA - along * share);
             if (!(distance < closest))
                 continue;
-            // Converts the share of the edge in the view to that of the edge itself.
+            // Converts the share along the edge in the view to the share along the edge itself.
             const double s = share * a.w / (share * a.w + (1.0 - share) * b.w);
             const ClipPlaneDrag drag(picture.projection, plane, EyePoint(from * (1.0 - s) + to * s), widgetFromEye,
                                      pointer);

@@ -76,7 +76,7 @@ public:
     /// the view.
     void setTool(ViewTool &tool) { m_tool = &tool; }
 
-    // For the tool.
+    // Functions for the tool.
 
     /// The click at a position of an up-to-date frame; nothing outside the view, and if OpenGL
     /// cannot read it.

@@ -54,7 +54,7 @@ public:
     virtual bool prepareToDraw() = 0;
     /// @param taken  rectangles of other texts, logical pixels
     virtual void draw(QPainter &painter, const std::vector<QRectF> &taken) = 0;
-    /// Draws the marks of the scene, without those of the pointer, into an image of another size.
+    /// Draws the marks of the scene, but not the pointer's, into an image of another size.
     /// @param area  of the image, logical pixels
     virtual void drawPicture(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken) = 0;
 };

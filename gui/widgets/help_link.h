@@ -26,8 +26,8 @@ private:
 /// Opens the help at an anchor, by the current HelpOpener.
 void openHelp(const QString &anchor);
 
-/// Handles the links to the help, including those of labels (helpAddress), while it lives or until
-/// another one is created.
+/// Handles the links to the help, in labels too (helpAddress), while it lives or until another one
+/// is created.
 class HelpOpener : public QObject {
     Q_OBJECT
 public:

@@ -97,7 +97,7 @@ void NumberGridModel::makeTexts() const
         std::vector<std::string> aligned = texts;
         const std::size_t point = alignAtDecimalPoint(aligned);
         const std::size_t length = aligned.front().size();
-        // Without room to align them, numbers are right-aligned.
+        // Numbers are right-aligned if there is no room to align their points.
         if (length <= capacity) {
             const std::size_t room = m_rows > 1 ? kRoomInColumn : kRoomInLine;
             for (std::string &text : aligned)

@@ -20,14 +20,14 @@ public:
     static constexpr int kValueRole = Qt::UserRole;
     /// The label before the number: "m[12]".
     static constexpr int kLabelRole = Qt::UserRole + 1;
-    /// Whether the number is marked.
+    /// True if the number is marked.
     static constexpr int kMarkedRole = Qt::UserRole + 2;
 
     using QAbstractTableModel::QAbstractTableModel;
 
     /// Sets the characters that a number has room for: longer ones lose digits, not decimal places.
     void setCapacity(int characters);
-    /// The least room for each column: that of a whole double if all digits are shown, else 0.
+    /// The least room for each column: a whole double's if all digits are shown, else 0.
     int leastCapacity() const { return m_isWhole ? kWholeDouble : 0; }
 
     int rowCount(const QModelIndex &parent = {}) const override;
@@ -52,7 +52,7 @@ protected:
 
     /// Sets the numbers, row by row. The views keep their shape unless the numbers of rows and
     /// columns or `isWhole` change.
-    /// @param isWhole  all digits, instead of those that fit
+    /// @param isWhole  all digits, not only as many as fit
     void setNumbers(int rows, int columns, Numbers numbers, matrices::Digits digits, bool isWhole);
 
     virtual QString label(int row, int column) const;

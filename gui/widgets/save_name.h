@@ -15,8 +15,8 @@ struct SaveName {
     int filter = 0;             ///< index of the chosen filter
 };
 
-/// Asks for the name of a file to write to. A name without a suffix gets that of the filter before
-/// the question whether to replace an existing file.
+/// Asks for the name of a file to write to. A name without a suffix gets the filter's before the
+/// question whether to replace an existing file.
 /// @param filters  "Table (*.csv)", each with one suffix
 /// @param proposed  a name; may be empty
 SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &filters, const QString &proposed = {});

@@ -24,7 +24,7 @@ QSize PanelScroll::minimumSizeHint() const
     return {kLeastDigits * fontMetrics().horizontalAdvance(u'0'), kLeastLines * fontMetrics().lineSpacing()};
 }
 
-/// At the panel's least width there is no horizontal bar: Qt can otherwise keep both bars, each for
+/// Hides the horizontal bar at the panel's least width: Qt can otherwise keep both bars, each for
 /// the room that the other takes.
 void PanelScroll::resizeEvent(QResizeEvent *event)
 {

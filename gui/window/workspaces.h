@@ -55,7 +55,7 @@ public:
     /// @param workspaces  the same, at least one
     Workspaces(QMainWindow &window, std::vector<PanelSpec> panels, std::vector<WorkspaceSpec> workspaces);
 
-    /// The panels that may be tabs; those that stand alone have actions of their own.
+    /// The panels that may be tabs; panels that stand alone have actions of their own.
     std::vector<QDockWidget *> sharedDocks() const;
     /// Actions that switch to the workspaces, in their order.
     QList<QAction *> actions() const;

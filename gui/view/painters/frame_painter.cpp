@@ -125,7 +125,7 @@ void FramePainter::draw(const FrameTextures &frame, bool smoothEdges)
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDepthRangef(0.0f, 1.0f);
-    // On software renderers this takes a tenth of the time of a per-pixel program.
+    // This takes a tenth of the time of a per-pixel program on software renderers.
     if (copied(frame, colors != frame.colors))
         return;
     if (!m_copying)

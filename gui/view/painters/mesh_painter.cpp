@@ -26,7 +26,7 @@ using namespace scene;
 
 namespace {
 
-// OpenGL's name; QOpenGL's headers contain only those of OpenGL ES.
+// OpenGL's name; QOpenGL's headers contain only the names of OpenGL ES.
 #ifndef GL_CLIP_DISTANCE0
 #define GL_CLIP_DISTANCE0 0x3000
 #endif
@@ -153,8 +153,8 @@ void MeshPainter::setClipPlanes(const std::vector<glm::dvec4> &planes, const glm
     std::array<glm::vec4, kClipDistances> distances;
     distances.fill(glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
     for (std::size_t i = 0; i < std::min(planes.size(), kClipDistances); ++i) {
-        // In double, and relative to the mesh's origin, so that a plane cuts exactly far from the
-        // origin too.
+        // The plane is computed in double, relative to the mesh's origin, so that it cuts exactly
+        // far from the origin too.
         const glm::dvec4 plane = planeInSource(planes[i], worldFromUploaded);
         const double length = glm::length(glm::dvec3(plane));
         distances[i] = glm::vec4(length > 0.0 ? plane / length : plane);
@@ -336,7 +336,7 @@ bool MeshPainter::drawMesh(const GpuMesh &mesh, const CoveringTriangles *coverin
         if (deadline.isOver())
             break;
         const std::size_t left = mesh.elementCount - place.element;
-        // Without a deadline, large pieces are faster.
+        // Large pieces are faster without a deadline.
         const std::size_t count = std::min(left, !deadline.isNever() ? kElementsAtOnce
                                                  : covering          ? kGatheredAtOnce
                                                                      : mesh.elementCount);

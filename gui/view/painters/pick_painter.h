@@ -13,9 +13,8 @@
 
 namespace unprojector::gui {
 
-/// The marks of points, of constant size: a ring with a dot for the pick, the ring alone for a pick
-/// on the background, a square on its corner for the user's point, a cross for a wrong point, a
-/// square for its right point.
+/// The marks of points, of constant size. Picked: a ring with a dot. Background: the ring alone.
+/// Given, the user's point: a square on its corner. Wrong: a cross. Right: a square.
 class PickPainter : protected QOpenGLExtraFunctions {
 public:
     enum class Mark { Picked, Given, Wrong, Right, Background };
