@@ -46,7 +46,7 @@ public:
     /// Starts a lesson by its name, optionally with a step after a colon, from 1: "weng:3".
     /// @return an error of the option --lesson if there is no such step; else empty
     QString startAt(const QString &nameAndStep);
-    /// @pre lesson(), place < its number of steps
+    /// @pre lesson(), index < its number of steps
     bool goTo(std::size_t index);
     bool hasNext() const { return m_lesson && m_index + 1 < m_lesson->steps.size(); }
     bool hasPrevious() const { return m_lesson && m_index > 0; }

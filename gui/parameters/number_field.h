@@ -6,7 +6,7 @@
 
 namespace unprojector::gui {
 
-/// A line edit for one double. The text, a number or an expression such as 1/3 or 2*pi, is
+/// A line edit for one double. The text is a number or an expression such as 1/3 or 2*pi. It is
 /// committed on Enter, on loss of focus, or before a shortcut such as Save. Until then it is only a
 /// text, and Esc or Undo reverts it. A rejected text stays red with its reason until it is
 /// corrected, until Esc, or until the document's value changes.

@@ -36,8 +36,8 @@ PointModel::Space startOf(matrices::PipelineDirection direction);
 ///   the widget    the y flip, the pixel ratio and, in some conventions, half a pixel
 ///
 /// The text says that a sum is 0 if it is only the rounding of its terms. It says that a sum
-/// differs if it is not the number shown, as when the user gave that number and the earlier ones
-/// were computed back from it.
+/// differs if it is not the number shown. That happens if the user gave the number and the earlier
+/// ones were computed back from it.
 ///
 /// @param coordinate  of the space, as shown: 0 for x, 3 for w
 EntryDerivation entryDerivation(const PipelineModel &model, const geometry::Setup &setup, PointModel::Space space,

@@ -19,9 +19,9 @@ class PipelineSwitches;
 class SceneDocument;
 
 /// The picked point in object, world, eye, clip, NDC and window coordinates and as widget position,
-/// forward or backward, as a chain that is always visible. Below it is the matrix of one step, or
-/// all of them, each with the derivation of a chosen number. In each of these spaces the user can
-/// type or paste a point instead. It does nothing while hidden and catches up when shown.
+/// forward or backward: a chain that is always visible. Below it is the matrix of one step, or all
+/// of them, each with the derivation of a chosen number. In each of these spaces the user can type
+/// or paste a point instead. It does nothing while hidden and catches up when shown.
 class PipelinePanel : public QWidget {
     Q_OBJECT
 public:

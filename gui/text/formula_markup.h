@@ -8,8 +8,8 @@ namespace unprojector::gui {
 /// Converts a page with formulas in a short notation to rich text. Tables replace what Qt's rich
 /// text lacks.
 ///
-///   <formula no="9" name="w9">x = {(px − v<sub>x</sub>)(r − l) z | width · n} + {l z |
-///   n}</formula>
+///   <formula no="9" name="w9">
+///     x = {(px − v<sub>x</sub>)(r − l) z | width · n} + {l z | n}</formula>
 ///   <formula>T = {1, 0, 0, x; 0, 1, 0, y; 0, 0, 1, z; 0, 0, 0, 1}</formula>
 ///
 /// `{a | b}` is a fraction, `{a, b; c, d}` a matrix with its rows separated by `;` (`{x; y}` a

@@ -28,8 +28,8 @@ struct FigureColors {
     static FigureColors of(const QColor &text, const QColor &link, const QColor &paper);
 };
 
-/// Lines, arrows and labels of a figure. Coordinates are in multiples of the font height from the
-/// top left corner, x to the right and y down, so that a figure grows with its text. Labels use the
+/// Lines, arrows and labels of a figure. Coordinates are in multiples of the font height, so that a
+/// figure grows with its text: from the top left corner, x to the right and y down. Labels use the
 /// markup of FormulaLayout. They wait for paintLabels(): width and slant of letters depend on the
 /// font, so free positions are known only after all lines.
 class Drawing {

@@ -64,8 +64,8 @@ double largestEntry(const glm::dmat3 &m)
     return largest;
 }
 
-/// Scales clip coordinates, which are homogeneous, by a power of two, so that products of very
-/// large or very small meshes stay in the range of single precision. Others stay unchanged.
+/// Scales clip coordinates, which are homogeneous, by a power of two: products for very large or
+/// very small meshes then stay in the range of single precision. Other meshes stay unchanged.
 glm::mat4 withinSingles(const glm::dmat4 &clipFromUploaded, const glm::dvec3 &reach)
 {
     double size = 0.0;
