@@ -103,7 +103,7 @@ void DiagnosisView::showAnswer(const Shown &shown)
     const auto addPlain = [&](const QString &name, const QString &plain) { add(name, plain.toHtmlEscaped(), plain); };
     const QString explained = QString::fromStdString(digitsText(best, diagnosis));
     const QString bestName = QString::fromStdString(candidateName(best));
-    // A nearly known point of the scene is no evidence.
+    // Close candidates are no evidence if the wrong point is a known point of the scene.
     const bool isKnown = diagnosis.verdict == "known-point";
     if (!isKnown)
         add(best.explains ? tr("Explains") : tr("Closest"),

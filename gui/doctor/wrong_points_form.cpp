@@ -111,7 +111,7 @@ struct WrongPointsForm::Row {
     QToolButton *remove = nullptr;
     /// The full depth of the click, while the field has its short text.
     std::optional<double> clickedDepth;
-    /// The last field that was left unfinished.
+    /// The field that was left last, until the next edit.
     QLineEdit *left = nullptr;
 
     std::array<QLineEdit *, 3> fields() const { return {pixel, depth, got}; }

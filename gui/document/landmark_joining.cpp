@@ -54,7 +54,8 @@ void rename(std::vector<Curve> &curves, const std::map<std::string, std::string>
     }
 }
 
-/// Removes curves that were read as points and that the scene has itself: it knows their kind.
+/// Removes curves that were read as points and that the scene has itself: the scene knows their
+/// line.
 /// @return their names
 QStringList leaveKnownOut(std::vector<Curve> &curves, std::size_t taken, const std::vector<Curve> &there)
 {
@@ -231,7 +232,7 @@ JoinedLandmarks replaceLandmarks(LandmarkSet &set, const LandmarkSet &before, st
     if (set.curves.size() == taken) { // the file defines no curves as such
         tellKnown(joined.notes, leaveKnownOut(set.curves, taken, before.curves), file);
         set.curves.insert(set.curves.begin(), before.curves.begin(),
-                          before.curves.end()); // their landmarks' names
+                          before.curves.end()); // they name their landmarks
     }
     addKeys(set.extra, before.extra); // for equal keys the file's value wins
     return joined;

@@ -134,7 +134,7 @@ std::shared_ptr<const landmarks::LandmarkSet> withObjects(const std::shared_ptr<
                                                           const std::vector<SceneObject> &before,
                                                           const std::vector<SceneObject> &after)
 {
-    std::map<std::string, std::optional<ObjectAfter>> objects; // nothing: the name is ambiguous
+    std::map<std::string, std::optional<ObjectAfter>> objects; // nothing: no object has this name
     std::shared_ptr<landmarks::LandmarkSet> changed;
     for (std::size_t i = 0; i < set->landmarks.size(); ++i) {
         const Landmark &landmark = set->landmarks[i];

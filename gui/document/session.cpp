@@ -185,7 +185,7 @@ void Session::show(Opened opened)
         emit failed(reasons.join(u'\n'));
     else if (!reasons.isEmpty())
         emit warned(reasons.join(u'\n'));
-    if (isShown && !opened.opening.landmarkFiles.empty()) // they belong to nothing else
+    if (isShown && !opened.opening.landmarkFiles.empty()) // they belong only to these models
         emit landmarkFilesOpened(opened.opening.landmarkFiles);
 }
 

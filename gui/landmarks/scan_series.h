@@ -145,7 +145,7 @@ private:
     files::FileStamp m_stamp;             ///< of their file at that time
     int m_placing = 1;
     std::optional<PreviousSeries> m_former;
-    bool m_wasAsked = false; ///< the user has already agreed to leave the former scene for this scan
+    bool m_wasAsked = false; ///< leaving the former scene was asked about since this scan is loading
 };
 
 } // namespace unprojector::gui

@@ -55,7 +55,7 @@ void LessonLayout::showStep()
     const std::string name = lesson ? lesson->name : std::string();
     const bool isAnother = name.empty() || name != m_lesson;
     if (isAnother) {
-        // A lesson starts from the default layout.
+        // The former lesson ends first, so that its layout is not kept for the next one.
         if (!m_lesson.empty())
             end();
         m_lesson = name;

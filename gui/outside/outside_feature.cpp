@@ -61,7 +61,7 @@ private:
     QWidget *m_home;                     ///< the panel's container in its dock
     ObserverPanel *m_panel = nullptr;    ///< created on demand
     ObserverInset *m_inset = nullptr;    ///< the panel's container over the view, if it is there
-    QSizeF m_insetShare;                 ///< its last size over the view
+    QSizeF m_insetShare;                 ///< its last share of the view
     std::set<Highlight> m_highlights;    ///< of the step
     std::optional<QVariantMap> m_before; ///< the state before steps of a lesson showed the panel
     QAction *m_action = nullptr;

@@ -122,7 +122,7 @@ bool PipelineFeature::follow(const lessons::Link &link)
 void PipelineFeature::showStep(const lessons::Step *step)
 {
     const bool isInLesson = step != nullptr;
-    // A lesson starts from the panel's default state, and leaves no decomposition open.
+    // A lesson starts without traces of a former one, and leaves no decomposition open.
     if (std::exchange(m_isInLesson, isInLesson) != isInLesson)
         m_pipeline->startOver();
 }

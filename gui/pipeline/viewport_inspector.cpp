@@ -314,7 +314,8 @@ void ViewportInspector::showPointer()
     m_drawing->setPointer(m_corners->pointerWindow());
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
         const QString sides = sidesOf(proportionText(*m_shown, kAxes[i], m_corners->pointerWindow()));
-        // Rich text is too slow for every move of the pointer, and no symbol is among the numbers.
+        // Rich text is too slow for every move of the pointer; with a pointer no symbol is among
+        // the numbers.
         if (m_corners->pointerWindow())
             m_numbers[i]->setText(sides);
         else

@@ -169,7 +169,7 @@ void MainWindow::setSmoothEdges(bool isSmooth)
 void MainWindow::setViewSize(const QSize &wanted)
 {
     // The panels keep their sizes, so that the view gets the window's growth. At the panels' limits
-    // this takes several trials.
+    // they don't, so several trials are needed.
     constexpr int kTrials = 4;
     for (int trial = 0; trial < kTrials && m_view->size() != wanted; ++trial) {
         resize(size() + wanted - m_view->size());

@@ -111,7 +111,7 @@ void SceneCodeWindow::refresh()
     if (text == m_text->toPlainText())
         return;
     const int line = m_text->verticalScrollBar()->value(), column = m_text->horizontalScrollBar()->value();
-    m_said->clear(); // the saved code is another one
+    m_said->clear(); // the code has changed since it was saved
     m_text->setPlainText(text);
     m_text->verticalScrollBar()->setValue(line);
     m_text->horizontalScrollBar()->setValue(column);

@@ -63,8 +63,8 @@ float cubeOpacity(double t);
 
 /// The boxes of the letters: they overlap neither each other nor an arrow and stay in the area. An
 /// axis letter is at its tip, outwards if that is free, and nearer to it than to any other tip;
-/// without room there, farther away with a leader. A length's letter is beside it, on the outer
-/// side of the area. A letter without room has a null box.
+/// without room there, farther away with a leader. A length's letter is beside it, outside the
+/// middle of the area. A letter without room has a null box.
 /// @param font   of the widget, its size in pixels
 /// @param taken  occupied rectangles
 std::vector<QRectF> boxesOf(const HighlightMarks &marks, const QFont &font, const QRectF &area,

@@ -40,8 +40,8 @@ constexpr std::size_t kClipDistances = 8;
 /// Drawn in a few milliseconds by a software renderer. Whole triangles.
 constexpr std::size_t kElementsAtOnce = 3 * 50'000;
 
-/// The numbers from which triangles that cover a pixel's centre are gathered at once, and in one
-/// task.
+/// The numbers of elements from which triangles that cover a pixel's centre are gathered: at once,
+/// and in one task.
 constexpr std::size_t kGatheredAtOnce = 3 * 1'000'000, kGatheredInTask = 3 * 20'000;
 
 /// The largest absolute value of each coordinate of a mesh, from the box around its whole model.
