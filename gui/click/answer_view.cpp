@@ -21,7 +21,7 @@ using namespace geometry;
 
 namespace {
 
-/// Its digits beside those of a table.
+/// The size of its digits relative to a table's.
 constexpr double kScale = 1.35;
 
 /// x, y and z with all their digits.
@@ -118,7 +118,7 @@ void AnswerView::showPoint()
     const QString bound = boundText(std::max({m_uncertainty.x, m_uncertainty.y, m_uncertainty.z}));
     const QString format = QStringLiteral("(%1) ±%2%3");
     m_plain = format.arg(plain.join(QStringLiteral(", ")), QStringLiteral(" "), bound);
-    // A line that is too long ends behind a comma, never within a number.
+    // A line that is too long breaks after a comma, never within a number.
     const bool fits = m_point->fontMetrics().horizontalAdvance(m_plain) <= width();
     m_point->setText(format.arg(marked.join(fits ? QStringLiteral(", ") : QStringLiteral(",<br>&nbsp;")),
                                 QString(QChar::Nbsp), bound));

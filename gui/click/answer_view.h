@@ -14,14 +14,14 @@ namespace unprojector::gui {
 
 class ElidedLabel;
 
-/// The answer of a click in one line: on what it was, its world coordinate in large digits, those that are not certain in grey,
-/// and ±.
+/// The answer of a click in one line: the object, its world coordinate in large digits with the
+/// uncertain ones in grey, and ±.
 class AnswerView : public QWidget {
     Q_OBJECT
 public:
     explicit AnswerView(QWidget *parent = nullptr);
 
-    /// @param heading      names what was clicked
+    /// @param heading      names the clicked object
     /// @param point        world units; nothing: there is no point, only a ray
     /// @param uncertainty  of each coordinate
     void setAnswer(const QString &heading, const std::optional<geometry::Components<3>> &point,
@@ -30,11 +30,11 @@ public:
     const QString &heading() const;
     /// Copies the coordinate with all its digits; without a point everything about the click.
     void copy();
-    /// "(x, y, z) ± u" as it is shown; empty without a point.
+    /// "(x, y, z) ± u" as shown; empty without a point.
     QString text() const { return m_plain; }
 
 signals:
-    /// Everything about the click shall be copied.
+    /// Emitted when the user wants to copy everything about the click.
     void copyAllRequested();
 
 protected:

@@ -13,7 +13,7 @@ namespace unprojector::gui {
 
 class WholeTable;
 
-/// A click in the conventions of every API: a row each, with what is otherwise there in its tooltip.
+/// A click in the conventions of every API: a row each, with the API's differences in its tooltip.
 class ApiClicksView : public QWidget {
     Q_OBJECT
 public:
@@ -21,17 +21,17 @@ public:
 
     /// @param pick  of a surface, else the cells are empty
     void setPick(const std::optional<unproject::Pick> &pick);
-    /// The API that the scene is shown in stands out.
+    /// Highlights the API of the scene.
     void setScenes(geometry::Api api);
     const WholeTable &table() const { return *m_table; }
-    /// All of it with all digits, an API a line, tab-separated; empty without a point.
+    /// The whole table with all digits, an API a line, tab-separated; empty without a point.
     QString text() const { return m_plain; }
 
 private:
     void showMenu(const QPoint &position);
 
     WholeTable *m_table;
-    QLabel *m_none; ///< shown in the table's place
+    QLabel *m_none; ///< shown instead of the table
     QString m_plain;
 };
 

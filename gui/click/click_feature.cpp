@@ -109,10 +109,11 @@ ClickFeature::ClickFeature(Window &window)
     });
 }
 
-/// Under the view and its panels, as wide as the window, in every workspace. A lesson asks for such numbers: there it is hidden.
+/// Puts the strip under the view and its panels, as wide as the window, in every workspace. Lessons
+/// ask for such numbers: there it is hidden.
 void ClickFeature::placeStrip()
 {
-    if (m_window.toolBarArea(m_bar) != Qt::BottomToolBarArea) // a layout may have been kept before there was a strip
+    if (m_window.toolBarArea(m_bar) != Qt::BottomToolBarArea) // the saved layout may be older than the strip
         m_window.addToolBar(Qt::BottomToolBarArea, m_bar);
     m_bar->setVisible(m_isStripWanted && !m_isInLesson && !m_window.workspaces().arePanelsHidden());
 }
@@ -142,7 +143,7 @@ void ClickFeature::addSnaps(QMenu &menu)
         action->setChecked(snap == m_document.picks().snap());
         action->setActionGroup(m_snaps);
         action->setData(static_cast<int>(snap));
-        action->setObjectName(QLatin1String(name)); // by which lessons link to it
+        action->setObjectName(QLatin1String(name)); // for links in lessons
         action->setIcon(drawnIcon(drawing));
     };
     add("surface", ray::Snap::Surface, tr("&Surface"), Qt::Key_S, tr("A click takes the surface under it"),
@@ -155,7 +156,7 @@ void ClickFeature::addSnaps(QMenu &menu)
         tr("A click takes the face under it, with its plane"), Drawing::Face);
 }
 
-/// Behind the others of the bar: its text changes its width.
+/// Last on the bar: its text changes its width.
 void ClickFeature::addSnapButton(QToolBar &bar)
 {
     auto *button = new QToolButton;
@@ -177,7 +178,7 @@ void ClickFeature::addCopy(QMenu &menu)
 {
     QAction *copy = addAction(menu, tr("&Copy"), QKeySequence::Copy, {}, [this] { m_comparison->copyAnswer(); });
     copy->setObjectName(QStringLiteral("copyPick"));
-    // Texts and tables copy what is selected in them: the key is the view's alone.
+    // Texts and tables copy their own selection: the key is only for the view.
     copy->setShortcutContext(Qt::WidgetShortcut);
     m_window.view().addAction(copy);
     const auto show = [this, copy] {

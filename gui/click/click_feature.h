@@ -5,7 +5,7 @@ namespace unprojector::gui {
 class Feature;
 class Window;
 
-/// Clicks: the comparison of both methods, and what a click takes of the meshes.
+/// The feature for clicks: the comparison of both methods, and the snap mode on meshes.
 /// @return owned by the window
 Feature *makeClickFeature(Window &window);
 

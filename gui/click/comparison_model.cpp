@@ -14,7 +14,7 @@ using namespace unproject;
 
 namespace {
 
-/// Tenths while they tell something, whole numbers after that, two digits where more would be noise.
+/// The number with tenths while they are meaningful, then whole, finally with two digits.
 QString ulpsText(double ulps)
 {
     const double size = std::abs(ulps);
@@ -186,7 +186,7 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
     const Row &row = m_rows[static_cast<std::size_t>(index.row())];
     const int column = index.column();
     const std::optional<double> v = value(row, column);
-    // All columns have the same digits; each has its own that are certain.
+    // All columns have the same decimals; each has its own certain digits.
     const auto notation = [&] {
         return notationWithin(row.point, *v, column == Ray ? row.rayUncertainty : row.uncertainty);
     };

@@ -13,11 +13,12 @@
 
 namespace unprojector::gui {
 
-/// The most that a vector's coordinates, each off by no more than its uncertainty, are off after a linear map.
+/// The largest error of a vector's coordinates after a linear map, from the uncertainty of each.
 geometry::Components<3> mapped(const glm::dmat3 &map, const geometry::Components<3> &uncertainty);
 
-/// A pick in one space: a row for each of x, y, z; on the background of the ray's near and far points. Its columns are the two
-/// methods and their difference, what single precision gives, and what the ray meets on the mesh itself.
+/// A pick in one space: a row for each of x, y, z; on the background, rows for the ray's near and
+/// far points. Its columns are the two methods and their difference, single precision, and the
+/// ray's hit on the mesh itself.
 class ComparisonModel : public CoordinatesModel {
     Q_OBJECT
 public:
@@ -26,7 +27,7 @@ public:
 
     using CoordinatesModel::CoordinatesModel;
 
-    /// Without a pick there are no rows.
+    /// Sets the pick; without one there are no rows.
     void setPick(const KeptPick &kept);
     /// The space of the rows; the background has no object: it is then in world space.
     void setSpace(Space space);
@@ -48,7 +49,7 @@ private:
         double ulp = 0.0;              ///< spacing of doubles at the point's largest component
         double uncertainty = 0.0;      ///< of the coordinate
         double rayUncertainty = 0.0;   ///< of that on the mesh
-        geometry::Components<3> point; ///< all of it, by the formula
+        geometry::Components<3> point; ///< the whole point, by the formula
     };
     /// A point on the mesh and its uncertainty, in the space of the rows.
     struct MeshPoint {
@@ -62,7 +63,7 @@ private:
     void addObjectRows(const unproject::Pick &pick, const std::optional<MeshPoint> &onMesh);
 
     std::optional<double> value(const Row &row, int column) const;
-    /// What a coordinate may be off: a method's answer besides by what it differs from the formula's.
+    /// The uncertainty of a cell; for a method's answer, plus its difference from the formula's.
     double uncertainty(const Row &row, int column) const;
 
     KeptPick m_kept;

@@ -88,8 +88,8 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
     layout->addWidget(m_after);
     layout->addWidget(earlierPart());
     layout->addStretch(1);
-    // The panel has this width with and without a pick. It is counted in digits, because the average character of a font for
-    // Chinese is as wide as an ideograph.
+    // The panel has this width with and without a pick. It is counted in digits, because the
+    // average character of a font for Chinese is as wide as an ideograph.
     constexpr int kLeastDigits = 46;
     const QMargins margins = layout->contentsMargins();
     setMinimumWidth(std::max(kLeastDigits * fontMetrics().horizontalAdvance(u'0'),

@@ -31,10 +31,11 @@ class SteadyLabel;
 class VerdictView;
 struct MetPlace;
 
-/// The answer of a click, from what most users ask first to what few ask: the coordinate with its uncertainty, whether the two
-/// methods agree, both of them in a table, the formula with its numbers, and folded the way of the pixel, the exact hit on the mesh,
-/// other programs, other APIs and the last picks of the scene. All of it is of the moment of the click; where the view has changed since, the panel says so and
-/// offers to pick the same pixel again.
+/// The answer of a click, ordered by how often users ask for it: the coordinate with its
+/// uncertainty, the agreement of the two methods, both of them in a table, and the formula with its
+/// numbers. Below, folded: the pixel in each space, the exact hit on the mesh, other programs,
+/// other APIs and the last picks of the scene. Everything describes the moment of the click; if the
+/// view has changed since, the panel says so and offers to pick the same pixel again.
 class ComparisonPanel : public QWidget {
     Q_OBJECT
 public:
@@ -44,22 +45,22 @@ public:
     void setShowsFloat(bool shows);
     bool showsRay() const;
     void setShowsRay(bool shows);
-    /// The names of the folds that are open: "pixel", "ray", "programs", "apis", "picks".
+    /// The names of the open folds: "pixel", "ray", "programs", "apis", "picks".
     QStringList openFolds() const;
     void setOpenFolds(const QStringList &names);
 
     /// Copies the answer, as its button does. @pre there is a pick
     void copyAnswer();
-    /// Everything the panel shows, with all digits, in every space.
+    /// The text of the whole panel, with all digits, in every space.
     QString text() const;
     const ComparisonModel &model() const { return *m_model; }
     const RayModel &rayModel() const { return *m_rayModel; }
 
-    /// As wide as its table needs.
+    /// Wide enough for its table.
     QSize sizeHint() const override;
 
 signals:
-    /// The position of the pick shall be picked again, in the view as it is now.
+    /// Emitted when the position should be picked again, in the present view.
     void pickRequested(const unprojector::geometry::WidgetPoint &position);
 
 private:
@@ -71,9 +72,9 @@ private:
     void showPick();
     void showAnswer(const unproject::Pick &pick);
     void showRay();
-    /// The place that the click has snapped to; null where it took the surface under the pixel.
+    /// The snapped hit; null if the click took the surface under the pixel.
     const MetPlace *takenPlace() const;
-    /// The display name of an object; its former name where it is gone, else "the surface".
+    /// The display name of an object; its former name if it is gone, else "the surface".
     QString nameOf(const std::optional<std::size_t> &object, const std::string &formerName) const;
     void showSinceClick();
 

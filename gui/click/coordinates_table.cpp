@@ -66,14 +66,14 @@ void CoordinatesTable::setColumnShown(int column, bool isShown)
 {
     setColumnHidden(column, !isShown);
     fit();
-    // Columns that come are seen; where none is left to look for, the first are.
+    // Scrolls to new columns; back to the first if they are hidden again.
     horizontalScrollBar()->setValue(isShown ? horizontalScrollBar()->maximum() : 0);
 }
 
 void CoordinatesTable::measure()
 {
     const QFontMetricsF digits(font()), heads(horizontalHeader()->font());
-    // Room for a number of ordinary length, so that few clicks need more.
+    // Room for a number of usual length, so that few clicks need more.
     const double ordinary = digits.horizontalAdvance(QStringLiteral("-0.12345"));
     for (int column = 0; column < m_model->columnCount(); ++column) {
         double width =
@@ -90,7 +90,7 @@ void CoordinatesTable::measure()
     verticalHeader()->setFixedWidth(widest + 3 * kPadding / 2);
 }
 
-/// Room that is left is shared by the columns.
+/// Distributes remaining room over the columns.
 void CoordinatesTable::fit()
 {
     int needed = 0, shown = 0;
@@ -149,7 +149,7 @@ void CoordinatesTable::keyPressEvent(QKeyEvent *event)
     QTableView::keyPressEvent(event);
 }
 
-/// Of the cell under the pointer, or by the key of the current one.
+/// The menu of the cell under the pointer; by the key, of the current one.
 void CoordinatesTable::contextMenuEvent(QContextMenuEvent *event)
 {
     const bool isByKey = event->reason() == QContextMenuEvent::Keyboard;

@@ -8,8 +8,9 @@ namespace unprojector::gui {
 
 class CoordinatesModel;
 
-/// A table of coordinates as high as its rows, its columns as wide as their numbers: they grow with them and do not shrink again,
-/// so that the table stands still from click to click. Where they need more than the table's width, it scrolls.
+/// A table of coordinates as high as its rows. Its columns grow with their numbers and don't
+/// shrink, so that the table doesn't move from click to click. If they need more than the table's
+/// width, it scrolls.
 class CoordinatesTable : public QTableView {
     Q_OBJECT
 public:
@@ -37,7 +38,7 @@ private:
     void fit();
 
     CoordinatesModel *m_model;
-    std::vector<int> m_widths; ///< of each column, the widest that was needed
+    std::vector<int> m_widths; ///< the largest width so far of each column
 };
 
 } // namespace unprojector::gui

@@ -14,7 +14,8 @@ namespace unprojector::gui {
 class SceneDocument;
 class WholeTable;
 
-/// The last picks of the scene, the newest first. One selected row is the pick that the document shows; two are compared.
+/// The last picks of the scene, the newest first. One selected row is the pick that the document
+/// shows; two are compared.
 class EarlierPicksView : public QWidget {
     Q_OBJECT
 public:
@@ -26,7 +27,7 @@ public:
     QString difference() const;
 
 signals:
-    /// Whether there are rows.
+    /// Emitted when the first row is added or the last one removed.
     void filled(bool hasRows);
 
 private:

@@ -40,7 +40,7 @@ QString csvCell(QString text)
     return u'"' + text.replace(u'"', QStringLiteral("\"\"")) + u'"';
 }
 
-/// "a → b", or the one that both are.
+/// "a → b", or the common value.
 QString fromTo(const QString &from, const QString &to)
 {
     return from == to ? from : QStringLiteral("%1 → %2").arg(from, to);
@@ -88,7 +88,7 @@ QString pickDifferenceText(const EarlierPick &from, const EarlierPick &to, const
     if (a && b) {
         const Components<3> ofFirst = pickedUncertainty(from.kept), ofSecond = pickedUncertainty(to.kept);
         const Components<3> uncertainty{ofFirst.x + ofSecond.x, ofFirst.y + ofSecond.y, ofFirst.z + ofSecond.z};
-        // The triangle inequality: the length is off by no more than the vector.
+        // The triangle inequality: the length's error is at most the vector's.
         const double bound = glm::length(glm::dvec3(uncertainty.x, uncertainty.y, uncertainty.z));
         lines << PickRows::tr("Distance: %1 ± %2").arg(certainText(distance(*a, *b), bound), boundText(bound));
         lines << PickRows::tr("Δ (x, y, z): %1").arg(pointText(*b - *a, uncertainty));

@@ -9,26 +9,27 @@
 
 namespace unprojector::gui {
 
-/// What a row of the list of picks shows.
+/// The texts of a row in the list of picks.
 struct PickRow {
-    QString object;     ///< its display name; of the background "Background"
+    QString object;     ///< its display name; "Background" for the background
     QString coordinate; ///< "(x, y, z)" to the last certain digit; empty without a point
     QString pixel;      ///< "(i, j)", device pixels from the top-left corner
 };
 
-/// @param objects  as they are now
+/// @param objects  the current ones
 PickRow pickRow(const EarlierPick &earlier, const std::vector<scene::SceneObject> &objects);
 
-/// How far each coordinate of pickedPoint may be off, world units.
+/// The uncertainty of each coordinate of pickedPoint, world units.
 geometry::Components<3> pickedUncertainty(const KeptPick &kept);
 
 /// The differences of two picks, a line each: distance, coordinates, depth, pixel, object, setup.
 QString pickDifferenceText(const EarlierPick &from, const EarlierPick &to,
                            const std::vector<scene::SceneObject> &objects);
 
-/// The rows as they are shown, with a heading, tab-separated.
+/// The rows as shown, with a heading, tab-separated.
 QString pickRowsText(const std::vector<EarlierPick> &picks, const std::vector<scene::SceneObject> &objects);
-/// The rows with all digits as a table for other programs: pick, object, x, y, z, the uncertainty of each, pixel and depth.
+/// The rows with all digits as a table for other programs: pick, object, x, y, z, the uncertainty
+/// of each, pixel and depth.
 QString pickRowsCsv(const std::vector<EarlierPick> &picks, const std::vector<scene::SceneObject> &objects);
 
 } // namespace unprojector::gui

@@ -26,7 +26,7 @@ QString bracketed(const QStringList &numbers)
     return QStringLiteral("(%1)").arg(numbers.join(QStringLiteral(", ")));
 }
 
-/// To so many significant digits of the largest coordinate, and to none that is not certain.
+/// The point with so many significant digits of the largest coordinate, but only certain ones.
 QString roundedText(const Components<3> &point, const Components<3> &uncertainty, int digits)
 {
     const double unit = std::pow(10.0, -decimalsFor(point, digits));

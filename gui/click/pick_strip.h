@@ -16,8 +16,8 @@ class QToolButton;
 
 namespace unprojector::gui {
 
-/// A pick in every space, in one line: pixel › window › NDC › clip › eye › world › object. A click on a space asks for the
-/// matrix that leads there.
+/// A pick in every space, in one line: pixel › window › NDC › clip › eye › world › object. A click
+/// on a space asks for the matrix that leads there.
 class PickStrip : public QWidget {
     Q_OBJECT
 public:
@@ -45,7 +45,7 @@ private:
     QWidget *m_spaces;
     QString m_names[SpaceCount];
     std::array<QToolButton *, SpaceCount> m_buttons;
-    /// A coordinate with so many significant digits at most; empty before the first pick.
+    /// Returns a coordinate with at most so many significant digits; empty before the first pick.
     std::array<std::function<QString(int digits)>, SpaceCount> m_texts;
 };
 

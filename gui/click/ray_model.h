@@ -9,8 +9,8 @@
 
 namespace unprojector::gui {
 
-/// What a click's ray meets on the meshes as a table: x, y and z, world space, of the point, of the surface's normal, and of the
-/// nearest vertex or of what the click takes.
+/// The hit of a click's ray on the meshes as a table: x, y and z, world space, of the point, of the
+/// surface's normal, and of the nearest vertex or the snapped point.
 class RayModel : public CoordinatesModel {
     Q_OBJECT
 public:
@@ -18,7 +18,7 @@ public:
 
     explicit RayModel(QObject *parent = nullptr);
 
-    /// @param pick, ray  null: nothing is picked
+    /// @param pick, ray  null: there is no pick
     void setRay(const unproject::Pick *pick, const PickedRay *ray);
 
     int rowCount(const QModelIndex &parent = {}) const override;
@@ -32,7 +32,7 @@ public:
 private:
     struct Point {
         geometry::Components<3> at;
-        geometry::Components<3> uncertainty; ///< meaningful where it is a point
+        geometry::Components<3> uncertainty; ///< meaningful for a point
     };
     const std::optional<Point> &point(int column) const { return m_points[static_cast<std::size_t>(column)]; }
     QString toolTip(int column) const;

@@ -15,7 +15,7 @@
 namespace unprojector::gui {
 namespace {
 
-/// Readable on a light and on a dark window.
+/// A colour that is readable on a light and on a dark window.
 QColor colorOf(bool isDark, const QColor &onLight, const QColor &onDark)
 {
     return isDark ? onDark : onLight;
@@ -81,7 +81,7 @@ void VerdictView::setPick(const unproject::Pick &pick, const QString &accuracy, 
     showSign();
 }
 
-/// Each sign has its own shape, so that it is not the colour alone that says it.
+/// Each sign has its own shape, so that colour is not the only difference.
 void VerdictView::showSign()
 {
     const bool isDark = palette().color(QPalette::Window).lightnessF() < 0.5;
@@ -101,7 +101,7 @@ void VerdictView::showSign()
         color = colorOf(isDark, QColor(0xcf, 0x22, 0x2e), QColor(0xff, 0x7b, 0x72));
         break;
     }
-    m_mark->setFixedWidth(m_mark->fontMetrics().height()); // whatever the sign, the text stands still
+    m_mark->setFixedWidth(m_mark->fontMetrics().height()); // the text must not move with the sign
     colors.setColor(QPalette::WindowText, color);
     m_mark->setPalette(colors);
 }

@@ -14,14 +14,14 @@ namespace unprojector::gui {
 
 class SteadyLabel;
 
-/// Whether the two methods agree, in one line with a sign; "Why?" opens the reasons.
+/// The agreement of the two methods, in one line with a sign; "Why?" opens the reasons.
 class VerdictView : public QWidget {
     Q_OBJECT
 public:
     explicit VerdictView(QWidget *parent = nullptr);
 
-    /// @param accuracy      says how far the coordinate can be off
-    /// @param uncertainty   the numbers of it, for the menu that copies them
+    /// @param accuracy      a sentence on the coordinate's uncertainty
+    /// @param uncertainty   its numbers, for the copy menu
     void setPick(const unproject::Pick &pick, const QString &accuracy, const QString &name,
                  const std::vector<double> &uncertainty);
     /// The verdict and the reasons, a line each.
@@ -40,7 +40,7 @@ private:
     QToolButton *m_why;
     SteadyLabel *m_accuracy;
     SteadyLabel *m_cause;
-    QWidget *m_causeLine; ///< the cause with its link; hidden where there is none
+    QWidget *m_causeLine; ///< the cause with its link; hidden if there is none
 };
 
 } // namespace unprojector::gui

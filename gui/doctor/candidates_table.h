@@ -6,17 +6,18 @@
 
 namespace unprojector::gui {
 
-/// What could have made the wrong points, the best first: its answer, how many digits it explains, how far off it is.
+/// The mistakes that may explain the wrong points, the best first: its answer, the number of
+/// explained digits, its error.
 class CandidatesTable : public QTableWidget {
     Q_OBJECT
 public:
     explicit CandidatesTable(QWidget *parent = nullptr);
 
-    /// @param first  of the points, by whose digits the answers are written
+    /// @param first  of the points; determines the digits of the answers
     void setDiagnosis(const doctor::Diagnosis &diagnosis, const doctor::WrongPoint &first);
 
 signals:
-    /// A hand has chosen one. @param index  among the candidates
+    /// Emitted when the user chooses a candidate. @param index  among the candidates
     void chosen(int index);
 };
 

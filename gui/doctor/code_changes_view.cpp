@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array<const char *, 5> kLibraries{"GLU", "GLM", "Qt", "three.js", "NumPy"};
 
-// Told apart by their signs, and by orange and blue, which the colour-blind tell apart too.
+// Marked by signs, and by orange and blue, which the colour-blind distinguish too.
 constexpr QColor kWrongColor(0xd5, 0x5e, 0x00), kRightColor(0x00, 0x72, 0xb2);
 constexpr double kShareOfColor = 0.22;
 

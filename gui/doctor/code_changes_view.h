@@ -11,18 +11,19 @@ namespace unprojector::gui {
 
 class SegmentedSwitch;
 
-/// The lines of code to change for a mistake, in the library of one's choice: as they stand, and as they should.
+/// The lines of code to change for a mistake, in the chosen library: the present and the corrected
+/// ones.
 class CodeChangesView : public QWidget {
     Q_OBJECT
 public:
     explicit CodeChangesView(QWidget *parent = nullptr);
 
-    /// @param id  of core/doctor, of two mistakes "a+b"; empty: nothing is to be changed
+    /// @param id  of core/doctor, for two mistakes "a+b"; empty: there is nothing to change
     void setMistake(const std::string &id);
     /// Its name in core/doctor.
     QString library() const;
     void setLibrary(const QString &library);
-    /// The lines that are shown, "- " and "+ " before them.
+    /// The shown lines, with "- " and "+ " before them.
     QString text() const { return m_text; }
 
 protected:

@@ -9,22 +9,23 @@
 
 namespace unprojector::gui {
 
-/// Asks core/doctor on a thread of its own: several points take longer than a frame. What is asked for last is what is wanted.
+/// Runs core/doctor on a separate thread: several points take longer than a frame. A new question
+/// replaces the former one.
 class Diagnoser : public QObject {
     Q_OBJECT
 public:
     explicit Diagnoser(QObject *parent = nullptr) : QObject(parent) {}
 
-    /// @param scene   what it has of the meshes may be asked on any thread
+    /// @param scene   its mesh queries must be thread-safe
     /// @param points  at least one
     void ask(doctor::Case scene, std::vector<doctor::WrongPoint> points);
-    /// Nothing is wanted any more.
+    /// Cancels the question.
     void cancel() { m_background.cancel(); }
 
 signals:
-    /// The answer to the last question.
+    /// Emitted with the answer to the last question.
     void answered(const unprojector::geometry::Result<unprojector::doctor::Diagnosis> &answer);
-    /// There is no answer, and why.
+    /// Emitted when there is no answer, with the reason.
     void jobFailed(const unprojector::gui::JobFailure &failure);
 
 private:

@@ -46,7 +46,7 @@ void DiagnosisView::setMessage(const QString &text)
     m_shown.reset();
     m_text = text;
     m_verdict->setText(text);
-    m_verdict->setFont(QFont()); // that of the window
+    m_verdict->setFont(QFont()); // the window's font
     m_facts->hide();
     m_click->hide();
 }
@@ -103,7 +103,7 @@ void DiagnosisView::showAnswer(const Shown &shown)
     const auto addPlain = [&](const QString &name, const QString &plain) { add(name, plain.toHtmlEscaped(), plain); };
     const QString explained = QString::fromStdString(digitsText(best, diagnosis));
     const QString bestName = QString::fromStdString(candidateName(best));
-    // What comes close to a point of the scene says nothing.
+    // Close candidates are no evidence if the wrong point is a known point of the scene.
     const bool isKnown = diagnosis.verdict == "known-point";
     if (!isKnown)
         add(best.explains ? tr("Explains") : tr("Closest"),

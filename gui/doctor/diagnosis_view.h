@@ -11,17 +11,18 @@ class QPushButton;
 
 namespace unprojector::gui {
 
-/// What core/doctor says of wrong points: its verdict, what speaks for it, and the click that would tell more.
+/// The diagnosis of wrong points: its verdict, the evidence, and a click that would add
+/// information.
 class DiagnosisView : public QWidget {
     Q_OBJECT
 public:
     explicit DiagnosisView(QWidget *parent = nullptr);
 
-    /// Says something else instead: what is still to be given, or why there is no answer.
+    /// Shows a message instead: the missing input, or why there is no answer.
     void setMessage(const QString &text);
-    /// @param first  of the points, by whose digits the others are written
+    /// @param first  of the points; determines the digits of the others
     void setDiagnosis(const doctor::Diagnosis &diagnosis, const doctor::WrongPoint &first);
-    /// All of it, a line each.
+    /// The whole text, a line each.
     QString text() const;
 
 signals:
@@ -38,7 +39,7 @@ private:
 
     void showAnswer(const Shown &shown);
     void enlargeVerdict();
-    /// The point that was got, what is explained of it in the text's colour and the rest in grey.
+    /// The wrong point, its explained digits in the text's colour and the rest in grey.
     QString gotMarkup(const Shown &shown) const;
 
     std::optional<Shown> m_shown;

@@ -5,7 +5,7 @@ namespace unprojector::gui {
 class Feature;
 class Window;
 
-/// The doctor: the mistake by which another program gets a wrong coordinate.
+/// The doctor: finds the mistake behind a wrong coordinate of another program.
 /// @return owned by the window
 Feature *makeDoctorFeature(Window &window);
 

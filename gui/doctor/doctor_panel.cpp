@@ -39,11 +39,11 @@ using namespace unproject;
 using namespace doctor;
 namespace {
 
-// Of the combo box of spaces, behind the world; then come the objects.
+// The index in the combo box of spaces, after the world; then come the objects.
 constexpr int kEyeItem = 1;
 constexpr int kFirstObjectItem = 2;
 
-/// "1000 x 700": a window's size in whole device pixels; nothing where the text is something else.
+/// A window's size in whole device pixels, "1000 x 700"; nothing for other texts.
 std::optional<Surface> sizeOf(QString text)
 {
     text.replace(u'x', u' ').replace(u'×', u' ').replace(u'X', u' ').replace(u'*', u' ');
@@ -89,10 +89,10 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
     spaceLine->addWidget(m_space, 1);
 
     m_setupText->setWordWrap(true);
-    m_setupText->setTextFormat(Qt::PlainText); // it repeats what was typed
+    m_setupText->setTextFormat(Qt::PlainText); // it repeats the typed text
     m_setupText->setAccessibleName(tr("The picture of the pixels"));
     m_currentSetup->setToolTip(tr("Take the pixels for those of the view as it is now"));
-    // What is below stays where it is when this comes.
+    // The widgets below don't move when this appears.
     QSizePolicy policy = m_currentSetup->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
     m_currentSetup->setSizePolicy(policy);
@@ -100,7 +100,7 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
     setupLine->addWidget(m_setupText, 1);
     setupLine->addWidget(m_currentSetup);
 
-    // Counted in digits, as the comparison's.
+    // Counted in digits, as in the comparison.
     constexpr int kLeastDigits = 48;
     setMinimumWidth(kLeastDigits * fontMetrics().horizontalAdvance(u'0'));
 
@@ -153,7 +153,8 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
             takePick();
         if (!(changes & (kVisibleChanges | Change::Names)))
             return;
-        // Points with a picture of their own are not asked for again while the view turns: a chosen candidate stays.
+        // Points with their own setup are not diagnosed again while the view turns: a chosen
+        // candidate stays.
         if (m_setup && !(changes & ((kVisibleChanges & ~Changes(Change::Setup)) | Change::Names)))
             showSetup();
         else
@@ -284,7 +285,7 @@ void DoctorPanel::takePick()
         return;
     m_takenBefore = std::exchange(m_taken, taken);
     m_setupBefore = m_setup;
-    m_form->forgetClick(); // of the pick before: this one may fill nothing in
+    m_form->forgetClick(); // of the former pick: this one may not fill anything
     const bool isOfView = !sizeOf(m_window->text());
     const std::optional<Setup> own = !m_form->points().empty() ? setup() : isOfView ? pick->setup : setupNow();
     if (!own)
@@ -294,7 +295,7 @@ void DoctorPanel::takePick()
         m_form->addClick(pixelCenter(pick->devicePixel), pick->window.z);
         return;
     }
-    // Where the clicked point is in the program's own picture.
+    // The clicked point in the program's own setup.
     const std::optional<WorldPoint> world = m_document.picks().pickedPoint();
     if (!world) {
         m_setupText->setText(tr("Not taken: the background is at no pixel of another picture."));

@@ -24,10 +24,11 @@ class Diagnoser;
 class DiagnosisView;
 class WrongPointsForm;
 
-/// Why another program's coordinate is wrong: the clicks and what it got for them, and which mistake makes that.
+/// The doctor's panel: the clicks and another program's points for them, and the mistake that
+/// explains them.
 ///
-/// Pixels belong to a picture: that of the click that was taken, or of the window that the other program has. It is kept with
-/// them, whatever the view shows later.
+/// Pixels belong to a setup: the click's, or the other program's window. It is kept with them when
+/// the view changes later.
 class DoctorPanel : public QWidget {
     Q_OBJECT
 public:
@@ -38,7 +39,7 @@ public:
     CodeChangesView &code() { return *m_code; }
 
 signals:
-    /// This pixel of the view is to be picked.
+    /// Emitted when this pixel of the view should be picked.
     void pickRequested(const unprojector::geometry::DevicePixel &pixel);
 
 protected:
@@ -47,30 +48,32 @@ protected:
 
 private:
     QWidget *createProgram();
-    /// The picture that the program has of the scene as it is now: in a window of its own size, or in the view's.
+    /// The setup of the present scene in the program: in a window of its own size, or in the
+    /// view's.
     std::optional<geometry::Setup> setupNow() const;
-    /// That of the points that are there, or that of now.
+    /// The setup of the entered points; without points, the present one.
     std::optional<geometry::Setup> setup() const;
-    /// What the rays of a picture meet; null where that is not known.
+    /// The rays of a setup; null if they are not available.
     std::shared_ptr<const ray::SceneRays> raysOf(const geometry::Setup &setup) const;
 
-    /// Fills in the pick, if it is another one; where it is the one before that, a drag has begun and the last was none.
+    /// Fills in a new pick. If it equals the one before the last, a drag has begun, and the last
+    /// click doesn't count.
     void takePick();
     void goToPixel(const geometry::DevicePoint &pixel);
     void refresh();
     void showSetup();
     void showSpaces();
-    /// Asks what the points that are there tell.
+    /// Starts the diagnosis of the entered points.
     void ask();
     void showDiagnosis(const doctor::Diagnosis &diagnosis);
-    /// Takes away what the last answer has shown, and says why there is none.
+    /// Clears the last answer, and shows why there is none.
     void showNothing(const QString &why);
     void mark();
 
     SceneDocument &m_document;
     Diagnoser *m_diagnoser;
-    std::optional<geometry::Setup> m_setup; ///< of the points, while there are any
-    /// Of the pick that was taken last, and of that before.
+    std::optional<geometry::Setup> m_setup; ///< of the points, if there are any
+    /// The last pick taken, and the one before.
     struct Taken {
         geometry::DevicePixel pixel;
         geometry::Setup setup;

@@ -35,7 +35,7 @@ namespace {
 // Qt's own text in the menu of a field, which Qt translates; in Qt 6.4 the entry has no name.
 constexpr const char *kPaste = "&Paste";
 
-/// A field that offers what is pasted to somebody else first: line breaks would be lost in it.
+/// A field that offers pasted text to a callback first: it would lose line breaks.
 class PasteField : public QLineEdit {
 public:
     std::function<bool(const QString &)> takes;
@@ -90,7 +90,7 @@ std::optional<std::vector<WrittenNumber>> numbersOf(const QLineEdit &field, std:
     return writtenNumbers(field.text().toStdString(), count);
 }
 
-/// A depth that a click gave, as long as a field has room for.
+/// A depth of a click, as long as a field has room for.
 QString clickedText(double depth)
 {
     constexpr int kDecimals = 7; // finer than the steps of 24 bits
@@ -109,9 +109,9 @@ struct WrongPointsForm::Row {
     QLineEdit *depth = nullptr;
     PasteField *got = nullptr;
     QToolButton *remove = nullptr;
-    /// What the depth's text is short for, as long as it is that text.
+    /// The full depth of the click, while the field has its short text.
     std::optional<double> clickedDepth;
-    /// The field that was last left as it is.
+    /// The field that was left last, until the next edit.
     QLineEdit *left = nullptr;
 
     std::array<QLineEdit *, 3> fields() const { return {pixel, depth, got}; }
@@ -122,7 +122,7 @@ struct WrongPointsForm::Row {
         depth->setText(value ? clickedText(*value) : QString());
         depth->setCursorPosition(0);
     }
-    /// A click's own, with the last digit that is shown of it.
+    /// The depth of a click, with its last shown digit.
     std::optional<WrittenNumber> givenDepth() const
     {
         const auto numbers = numbersOf(*depth, 1);
@@ -197,7 +197,7 @@ WrongPointsForm::WrongPointsForm(QWidget *parent)
 
 WrongPointsForm::~WrongPointsForm()
 {
-    // A field that goes while somebody types into it says that it is left.
+    // A field that is deleted during editing emits that it was left.
     for (const auto &row : m_rows) {
         for (QLineEdit *field : row->fields())
             field->disconnect(this);
@@ -251,7 +251,7 @@ void WrongPointsForm::removeRow(const Row *row)
                             static_cast<QWidget *>(row->got), static_cast<QWidget *>(row->remove)}) {
         widget->disconnect(this);
         widget->hide();
-        widget->deleteLater(); // it may be its button that is pressed
+        widget->deleteLater(); // its button may be the sender
     }
     m_rows.erase(found);
     m_beforeClick.reset();
@@ -272,12 +272,12 @@ void WrongPointsForm::arrange()
         for (QWidget *widget : {static_cast<QWidget *>(row.pixel), static_cast<QWidget *>(row.depth),
                                 static_cast<QWidget *>(row.got), static_cast<QWidget *>(row.remove)}) {
             m_grid->addWidget(widget, static_cast<int>(i) + 1, column++);
-            widget->show(); // at once, to have the focus
+            widget->show(); // at once, so that it can get the focus
             if (last)
                 setTabOrder(last, widget);
             last = widget;
         }
-        // One empty row cannot be removed; its button keeps its place.
+        // The only row cannot be removed if it is empty; its button keeps its place.
         row.remove->setEnabled(m_rows.size() > 1 || !row.isEmpty());
     }
     if (last)
@@ -286,7 +286,7 @@ void WrongPointsForm::arrange()
 
 bool WrongPointsForm::takeTable(Row &row, const QString &text)
 {
-    // What is one point belongs into the field.
+    // A single point belongs into the field.
     if (writtenNumbers(text.toStdString(), 3) || !text.contains(u','))
         return false;
     const Result<std::vector<PointRow>, PointTableError> rows = pointRows(text.toStdString());
@@ -296,7 +296,7 @@ bool WrongPointsForm::takeTable(Row &row, const QString &text)
         if (each.isTooLong)
             return false;
     }
-    // One line that is no point stays in the field, which says what is wrong: 0,5 0,25 1,0.
+    // A single line that is no point stays in the field, which shows the error: 0,5 0,25 1,0.
     if (rows->size() == 1 && !pointOf(rows->front()))
         return false;
     m_beforeClick.reset();
@@ -381,7 +381,7 @@ void WrongPointsForm::markFaults()
     QString text = m_tableFault;
     for (const auto &row : m_rows) {
         std::optional<Fault> fault = faultOf(*row);
-        // While it is typed nothing is wrong yet.
+        // No error is shown during typing.
         if (fault && fault->field->hasFocus() && row->left != fault->field)
             fault.reset();
         for (QLineEdit *field : row->fields())

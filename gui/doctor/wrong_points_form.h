@@ -17,30 +17,31 @@ class QTimer;
 
 namespace unprojector::gui {
 
-/// Where wrong points of one program are given, a row each: the pixel, the depth where it is known, and what the program got.
+/// A form for wrong points of one program, a row each: the pixel, the depth if known, and the
+/// program's point.
 class WrongPointsForm : public QWidget {
     Q_OBJECT
 public:
     explicit WrongPointsForm(QWidget *parent = nullptr);
     ~WrongPointsForm() override;
 
-    /// The rows that are complete and can be taken, in their order; their space is the world.
+    /// The complete and valid rows, in order; their space is the world.
     std::vector<doctor::WrongPoint> points() const;
     bool isEmpty() const;
-    /// What cannot be taken, in words, with what to do about it; empty where nothing is wrong.
+    /// The first fault in words, with what to do about it; empty if there is none.
     QString fault() const;
-    /// Which depths and pixels there are.
+    /// Sets the setup that limits depths and pixels.
     void setSetup(const geometry::Setup &setup);
 
-    /// Puts a click into the row that still waits for what the program got, or else into a new one.
-    /// @param depth  nothing: not known. It is shown with few digits and used whole
+    /// Enters a click into the first row without a program's point, or into a new one.
+    /// @param depth  nothing: not known. It is shown with few digits but used in full
     void addClick(const geometry::DevicePoint &pixel, const std::optional<double> &depth);
-    /// The last click was none: what it has filled is as it was before, unless something was typed since.
-    /// @return whether anything was taken back
+    /// Reverts the last addClick, unless the user has typed since.
+    /// @return whether anything was reverted
     bool takeBackClick();
-    /// Leaves what the last click has filled as it is: it cannot be taken back any more.
+    /// Keeps the last click: it cannot be reverted any more.
     void forgetClick() { m_beforeClick.reset(); }
-    /// To the field of the row that waits for what the program got.
+    /// Focuses the first row without a program's point.
     void focusWaiting();
 
 signals:
@@ -56,14 +57,14 @@ private:
     Row &addRow();
     void removeRow(const Row *row);
     void arrange();
-    /// Takes a table instead of a point. @return whether it was one
+    /// Parses a table instead of a point. @return whether it was one
     bool takeTable(Row &row, const QString &text);
     void edited(Row &row);
-    /// The first that is wrong in a row.
+    /// The first fault of a row.
     std::optional<Fault> faultOf(const Row &row) const;
     void markFaults();
 
-    /// The first that waits for what the program got; null where none does.
+    /// The first row without a program's point; null if there is none.
     Row *waitingRow() const;
 
     struct BeforeClick {
@@ -80,7 +81,7 @@ private:
     QGridLayout *m_grid;
     QLabel *m_fault;
     QPushButton *m_add;
-    QTimer *m_pause; ///< in typing: what is wrong then is said
+    QTimer *m_pause; ///< in typing: faults are shown afterwards
 };
 
 } // namespace unprojector::gui

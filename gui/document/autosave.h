@@ -13,14 +13,14 @@
 
 namespace unprojector::gui {
 
-/// When unsaved changes are written.
+/// The delays before unsaved changes are written.
 struct AutosaveTiming {
     std::chrono::milliseconds pause{1000};  ///< after a change, if no other follows
-    std::chrono::milliseconds latest{5000}; ///< after the first change that is not written, whatever follows
+    std::chrono::milliseconds latest{5000}; ///< after the first unwritten change, even if more changes follow
 };
 
-/// Keeps a window's scene in a recovery file for as long as it has changes that are saved nowhere else. There is such a
-/// file just while there are such changes: whoever finds one that nobody holds knows that they would be lost.
+/// Keeps a window's scene in a recovery file while it has changes that are saved nowhere else. The
+/// file exists only while such changes exist: an unlocked file means that changes would be lost.
 class Autosave : public QObject {
     Q_OBJECT
 public:
@@ -28,28 +28,33 @@ public:
         RecoveryInfo info;
         std::string sceneText;
     };
-    /// What is to be kept, asked for at the moment of writing; or why the scene cannot be put into words.
+    /// Called at the moment of writing: returns the content to keep, or why the scene cannot be
+    /// serialized.
     using Source = std::function<geometry::Result<Content, QString>()>;
 
     Autosave(QString folder, AutosaveTiming timing, Source source, QObject *parent = nullptr);
-    /// The file, if there is one, stays for the next start.
+    /// Leaves the file, if any, for the next start.
     ~Autosave() override = default;
 
     const QString &folder() const { return m_folder; }
-    /// The scene may have changed. Writes after a while, or removes the file where there is nothing to keep.
+    /// Reacts to a possible change of the scene: writes after a delay, or removes the file if there
+    /// is nothing to keep.
     void follow(bool isUnsaved);
-    /// Goes on with a recovered file, which is the scene's own from now on. One that was kept before is removed.
+    /// Takes over a recovered file as the scene's own. Removes the file that was kept before.
     void adopt(std::unique_ptr<RecoveryFile> file);
-    /// Gives the file away, with the changes until now in it; the scene that comes gets another one. Where they cannot be
-    /// written, `failed` tells it, even if it did before: nobody tries again until the file is back and followed.
-    /// @return null where there was nothing to keep; where it could not be written, what was kept before, which may be nothing
+    /// Writes the latest changes and gives the file away; the next scene gets another file. If the
+    /// write fails, emits `failed`, even if it was emitted before: no retry happens until the file
+    /// is adopted and followed again.
+    /// @return null if there was nothing to keep. After a failed write, the content kept before,
+    /// which may be nothing
     std::unique_ptr<RecoveryFile> release();
-    /// The changes are saved or not wanted: nothing is kept of them.
+    /// Removes the file: the changes are saved or not wanted.
     void discard();
 
 signals:
-    /// The changes could not be kept, and why: the folder and the system's reason, or the scene's. Said once until it works
-    /// again, and when the file is given away.
+    /// Emitted when the changes could not be kept; the reason names the folder and the system's
+    /// reason, or the scene's. Emitted once until writing works again, and once more when the file
+    /// is given away.
     void failed(const QString &reason);
 
 private:
@@ -59,10 +64,10 @@ private:
     QString m_folder;
     AutosaveTiming m_timing;
     Source m_source;
-    std::unique_ptr<RecoveryFile> m_file; ///< none while there is nothing to keep
+    std::unique_ptr<RecoveryFile> m_file; ///< null while there is nothing to keep
     QTimer m_timer;
-    QElapsedTimer m_sinceFirstChange; ///< of those that are not written; invalid without any
-    bool m_isBehind = false;          ///< there are changes that are not in the file
+    QElapsedTimer m_sinceFirstChange; ///< since the first unwritten change; invalid without one
+    bool m_isBehind = false;          ///< there are unwritten changes
     bool m_hasFailed = false;
 };
 

@@ -23,10 +23,10 @@ JobFailure failureOf(const std::exception_ptr &exception)
         std::rethrow_exception(exception);
     } catch (const std::bad_alloc &) {
         return {JobFailure::Kind::OutOfMemory};
-    } catch (const std::length_error &) { // a container that no memory could hold
+    } catch (const std::length_error &) { // a container too large for any memory
         return {JobFailure::Kind::OutOfMemory};
     } catch (const std::system_error &error) {
-        // The standard names this code for a std::thread that cannot be started.
+        // The standard's code for a std::thread that cannot be started.
         if (error.code() == std::errc::resource_unavailable_try_again)
             return {JobFailure::Kind::NoThread};
         return {JobFailure::Kind::Exception, error.what()};
@@ -48,8 +48,8 @@ QString failureText(const JobFailure &failure)
     Q_UNREACHABLE();
 }
 
-/// Has an action run by the thread that this lives in.
-/// @return false where there is no memory for that
+/// Runs an action on the thread that this object lives in.
+/// @return false if there is no memory for that
 template <class Action>
 bool Background::post(Action action) noexcept
 {
@@ -134,7 +134,7 @@ void Background::run(Job &job) noexcept
     postEnd(job.shared_from_this());
 }
 
-/// Progress may be lost, but not the end: who waits for it would wait for ever.
+/// Progress may be lost, but not the end: a waiting receiver would wait for ever.
 void Background::postEnd(const std::shared_ptr<Job> &job) noexcept
 {
     constexpr std::chrono::milliseconds kUntilMemoryIsFree{50};
@@ -145,11 +145,11 @@ void Background::postEnd(const std::shared_ptr<Job> &job) noexcept
 void Background::end(const std::shared_ptr<Job> &job)
 {
     if (std::erase(m_jobs, job) == 0)
-        return; // it was waited for
+        return; // finish() already handled it
     if (job->m_thread.joinable())
         job->m_thread.join();
     startWaiting();
-    if (!job->m_isCancelled.exchange(true)) // from here on its progress is late
+    if (!job->m_isCancelled.exchange(true)) // progress that arrives later is ignored
         job->m_done(job->m_exception);
 }
 

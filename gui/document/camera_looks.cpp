@@ -12,10 +12,11 @@ using namespace unproject;
 
 namespace {
 
-/// Takes camera and projection of a picture, its near and far planes where nothing within these bounds is cut off.
+/// Applies camera and projection of a setup; its near and far planes only if they cut nothing off
+/// within these bounds.
 void showFramed(SceneDocument &document, Setup setup, const Box &bounds)
 {
-    // Near and far that were typed stay while they cut nothing off.
+    // User-defined near and far stay while they cut nothing off.
     if (!document.scene().clipDistancesFitObjects && !bounds.isEmpty()) {
         const Projection fitted = withFittedClipDistances(setup, bounds, {});
         const ProjectionWindow own = projectionWindow(setup.projection()), tight = projectionWindow(fitted);
@@ -80,7 +81,7 @@ void goHome(SceneDocument &document)
         if (settings.home.matrix())
             settings.camera = settings.home;
         else
-            settings.camera = *settings.home; // that there was a matrix is not forgotten
+            settings.camera = *settings.home; // keeps the record that there was a matrix
         if (settings.projectionFollowsViewport)
             settings.projection = openingProjection();
     });

@@ -6,12 +6,12 @@
 
 namespace unprojector::gui {
 
-/// Reports what changed in a document, once for all changes that were made together.
+/// Reports the changes of a document, once for all changes that were made together.
 class ChangeNotifier : public QObject {
     Q_OBJECT
 public:
-    /// Holds reports back while it lives. The last one that ends reports everything at once, so that no receiver sees a
-    /// half-made change.
+    /// Holds reports back while it lives. The last batch that ends reports everything at once, so
+    /// that no receiver sees a half-made change.
     class Batch {
     public:
         explicit Batch(ChangeNotifier &notifier);
@@ -23,13 +23,14 @@ public:
         ChangeNotifier &m_notifier;
     };
 
-    /// Reports changes, and those that were deferred: at the end of the batch, without one at once.
+    /// Reports these changes and the deferred ones: at the end of the batch, or at once without a
+    /// batch.
     void notify(Changes changes);
     /// Reports changes together with the next ones.
     void defer(Changes changes) { m_pending |= changes; }
 
 signals:
-    /// Emitted just before `changed`. What its receivers add is part of `changed`.
+    /// Emitted just before `changed`. Changes that its receivers add are part of `changed`.
     void changing(unprojector::gui::Changes changes);
     void changed(unprojector::gui::Changes changes);
 

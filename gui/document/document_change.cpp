@@ -11,10 +11,10 @@ using namespace scene;
 
 namespace {
 
-/// Of a length: what a few roundings make of it, and far less than a hand can move.
+/// Relative to a length: the error of a few roundings, and far less than a manual move.
 constexpr double kRounding = 1e-12;
 
-/// The settings without camera and projection, where only these may differ.
+/// Returns whether the settings differ in nothing but camera and projection.
 bool differOnlyInLook(const SceneSettings &a, const SceneSettings &b)
 {
     SceneSettings same = b;
@@ -25,7 +25,7 @@ bool differOnlyInLook(const SceneSettings &a, const SceneSettings &b)
 
 bool isNearlySame(const LookAt &a, const LookAt &b)
 {
-    // Far from the origin a coordinate itself is no more exact than its last digits.
+    // Far from the origin a coordinate itself is only as exact as its last digits.
     const double size = std::max(distance(a.eye, WorldPoint()), distance(a.center, WorldPoint()));
     const double tolerance =
         kRounding * distance(a.center, a.eye) + 8.0 * std::numeric_limits<double>::epsilon() * size;
@@ -51,7 +51,8 @@ bool isNearlySame(const Projection &a, const Projection &b)
            && isNear(v.farDistance, w.farDistance, std::abs(v.farDistance));
 }
 
-/// Whether just one object has another name. Where more have, those of one model may have changed places.
+/// Returns whether exactly one object has another name. If more have, objects of one model may have
+/// swapped places.
 bool isRenaming(const std::vector<SceneObject> &a, const std::vector<SceneObject> &b)
 {
     if (a.size() != b.size())
@@ -96,7 +97,7 @@ std::optional<std::size_t> indexAfter(const std::vector<SceneObject> &before, st
     const auto isIt = [&object](const SceneObject &other) {
         return isSameObject(object, other) && object.transform == other.transform;
     };
-    // Of several that are alike in everything, the one that stayed.
+    // Among several identical objects, the one at the same index.
     if (index < after.size() && isIt(after[index]))
         return index;
     if (const auto found = std::find_if(after.begin(), after.end(), isIt); found != after.end())

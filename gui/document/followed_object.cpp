@@ -12,7 +12,8 @@ FollowedObject::FollowedObject(const SceneDocument &document, QObject *parent) :
         m_lastIndex = 0;
     });
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
-        // Step by step: of an object that is moved and then renamed only the first step tells where it came from.
+        // Follows step by step: of an object that is moved and then renamed, only the first step
+        // reveals its origin.
         if (changes & (Change::Objects | Change::Names | Change::Placement))
             static_cast<void>(index());
     });
@@ -29,7 +30,7 @@ std::optional<std::size_t> FollowedObject::index()
 {
     if (!m_index)
         return std::nullopt;
-    // Who is told of a change before this asks for the list as it is already.
+    // Receivers that are notified before this object need the current list.
     const std::vector<SceneObject> &now = m_document.objects();
     const bool isOtherList = changesBetween(m_listed, now).testFlag(Change::Objects);
     choose(isOtherList ? indexAfter(m_listed, *m_index, now) : m_index);

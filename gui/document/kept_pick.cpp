@@ -25,7 +25,7 @@ bool isCutAway(const Pick &pick, const std::vector<glm::dvec4> &clipPlanes)
     const Result<WorldPoint> &world = pick.point.world[Method::Formula];
     if (!pick.hit() || !world)
         return false;
-    // A point of the cut itself lies on either side of the plane, no farther than its pixel reaches.
+    // A point of the cut itself may be on either side of the plane, within its pixel.
     const Components<3> &uncertainty = pick.withinPixel.world;
     return std::any_of(clipPlanes.begin(), clipPlanes.end(), [&](const glm::dvec4 &plane) {
         const double doubt =
@@ -34,8 +34,9 @@ bool isCutAway(const Pick &pick, const std::vector<glm::dvec4> &clipPlanes)
     });
 }
 
-/// The depth that the depth buffer holds at a pixel according to the rays: on the background its clear value.
-/// @return nothing outside the window, and where a point of a cloud may have been drawn
+/// The depth that the depth buffer has at a pixel according to the rays: on the background its
+/// clear value.
+/// @return nothing outside the window, and if a point of a cloud may have been drawn
 std::optional<double> depthSeen(const ray::SceneRays &rays, const DevicePixel &pixel, const DepthFormat &format)
 {
     const Setup &setup = rays.rays().setup();
@@ -60,7 +61,7 @@ MetPlace metPlace(const ray::SceneHit &hit, const std::vector<SceneObject> &clic
                   const std::vector<SceneObject> &now)
 {
     const std::size_t index = hit.object;
-    // It may have been moved since, which makes it no other object.
+    // A moved object is still the same object.
     const bool isThere = index < now.size() && isSameObject(clicked[index], now[index]);
     return {hit, isThere ? std::optional(index) : indexAfter(clicked, index, now), clicked[index].name};
 }
@@ -122,7 +123,7 @@ void answerRay(KeptPick &kept, const Unprojector &unprojector, const ray::SceneR
     ray.state = PickedRay::State::Answered;
     if (*met)
         ray.met = metPlace(**met, clicked, now);
-    // The triangle says how sure the depth's own point is, where it is the one that was drawn.
+    // The triangle gives the uncertainty of the depth's own point if it is the drawn triangle.
     const bool isSameObject = *met && ray.met->object && ray.met->object == pick.object;
     const Pick known = isSameObject ? refined(pick, ray::drawnSurface(clicked[(*met)->object], **met)) : pick;
     ray.comparison = ray::compared(known, *met, isSameObject);

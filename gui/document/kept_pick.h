@@ -9,10 +9,10 @@
 
 namespace unprojector::gui {
 
-/// A list of objects that is never changed in place.
+/// A list of objects that is never modified in place.
 using ObjectList = std::shared_ptr<const std::vector<scene::SceneObject>>;
 
-/// The objects and clip planes that a ray meets.
+/// The objects and clip planes that a ray can hit.
 struct RayScene {
     ObjectList objects;
     std::vector<glm::dvec4> clipPlanes;
@@ -23,8 +23,8 @@ struct KeptPick {
     std::optional<unproject::Pick> pick = {};
     glm::dmat4 placement{1.0};             ///< worldFromObject of its object at the click
     PickedRay ray = {};                    ///< meaningful with a pick
-    std::optional<RayScene> rayScene = {}; ///< at the click, until the ray has its answer
-    std::uint64_t click = 0;               ///< tells the clicks of a document apart
+    std::optional<RayScene> rayScene = {}; ///< at the click, until the ray is answered
+    std::uint64_t click = 0;               ///< identifies a click within the document
 };
 
 /// Changes of the scene and its view since the click.
@@ -37,25 +37,26 @@ struct SinceClick {
     bool isAnything() const { return isOtherSetup || isObjectMoved || isObjectHidden || isCutAway; }
 };
 
-/// worldFromObject of the object of a pick, the identity where it has none.
+/// worldFromObject of the pick's object, the identity if it has none.
 glm::dmat4 placementOf(const unproject::Pick &pick, const std::vector<scene::SceneObject> &objects);
 
-/// @param scene, setup  as they are now
+/// Compares a pick with the current scene. @param scene, setup  the current ones
 SinceClick sinceClick(const KeptPick &kept, const scene::Scene &scene, const geometry::Setup &setup);
 
-/// The one point that a pick stands for: the snapped point on the mesh, else the surface by the formula. Nothing where there
-/// is neither.
+/// The one point that a pick stands for: the snapped point on the mesh, else the surface by the
+/// formula. Nothing if there is neither.
 std::optional<geometry::WorldPoint> pickedPoint(const KeptPick &kept);
 
-/// Moves the indices of a pick from one list of objects to another. An object that `after` does not have leaves no index.
+/// Maps the indices of a pick from one list of objects to another. An object that is missing in
+/// `after` leaves no index.
 /// @return whether an index changed
 bool follow(KeptPick &kept, const std::vector<scene::SceneObject> &before,
             const std::vector<scene::SceneObject> &after);
 
-/// Fills in what the ray of a pick meets, and makes its uncertainty that of the triangle that the ray meets.
-/// @param unprojector  of the pick's picture
-/// @param rays         of the pick's rayScene in that picture
-/// @param now          the objects as they are now
+/// Fills in what the ray of a pick hits, and takes the uncertainty from the hit triangle.
+/// @param unprojector  of the pick's setup
+/// @param rays         of the pick's rayScene in that setup
+/// @param now          the current objects
 void answerRay(KeptPick &kept, const unproject::Unprojector &unprojector, const ray::SceneRays &rays,
                const std::vector<scene::SceneObject> &now);
 

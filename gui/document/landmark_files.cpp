@@ -29,7 +29,7 @@ namespace {
 
 using namespace landmark_files;
 
-/// Shows that the program is busy while it lives.
+/// Shows a busy cursor while it lives.
 class Waiting {
 public:
     Waiting() { QGuiApplication::setOverrideCursor(Qt::WaitCursor); }
@@ -38,10 +38,10 @@ public:
     Waiting &operator=(const Waiting &) = delete;
 };
 
-/// How far points were moved, and which one farthest.
+/// The distances of moved points, and the largest one.
 struct Moved {
     std::size_t count = 0;
-    double most = 0.0, share = 0.0; ///< world units, and of the object's size
+    double most = 0.0, share = 0.0; ///< world units, and relative to the object's size
     QString name;
 
     void add(double distance, double ofSize, const QString &point)
@@ -70,7 +70,7 @@ QString namesText(const QStringList &names)
     return names.size() > kMost ? LandmarkFiles::tr("%1 and %2 more").arg(shown).arg(names.size() - kMost) : shown;
 }
 
-/// @param taken  how many of the last curves were points of the file
+/// @param taken  how many of the last curves were points in the file
 QString semilandmarksText(const landmarks::LandmarkSet &set, std::size_t taken)
 {
     QStringList names;
@@ -83,7 +83,7 @@ QString semilandmarksText(const landmarks::LandmarkSet &set, std::size_t taken)
         .arg(QString::number(count), namesText(names));
 }
 
-/// What of a file none of the names that waited has, and what still waits.
+/// Reports names of a file that match none to place, and names that are still unplaced.
 void tellUnmatched(const JoinedLandmarks &joined, const landmarks::LandmarkSet &after, const QString &file,
                    QStringList &notes, QStringList &said)
 {
@@ -172,14 +172,14 @@ std::vector<ray::TyingTarget> LandmarkFiles::targets() const
 std::optional<QString> LandmarkFiles::tieAll(std::vector<landmarks::Landmark> &landmarks)
 {
     std::vector<Stray> strays;
-    Moved onMesh, farOff; // of those near the mesh, and of the strays
+    Moved onMesh, farOff; // of points near the mesh, and of strays
     std::size_t missing = 0, free = 0;
     const Waiting waiting;
     const std::vector<ray::TyingTarget> targets = this->targets();
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
         landmarks::Landmark before = landmarks[i];
         const std::optional<ray::Tied> now = ray::tieToMesh(landmarks[i], targets);
-        if (!now) { // beyond all distances, where it has a place
+        if (!now) { // beyond all distances: it keeps its position
             ++(landmarks[i].isMissing() ? missing : free);
             continue;
         }
@@ -283,7 +283,7 @@ bool LandmarkFiles::importFrom(const std::filesystem::path &file)
         return false;
     }
     ReadLandmarks read = std::move(result).value();
-    // Whatever comes to an end while a question is open, as the loading of a model, may show another scene below it.
+    // An event such as the end of a loading may show another scene while a question is open.
     bool isSameScene = true;
     const auto changed = connect(&m_document, &SceneDocument::changed, this, [&isSameScene](Changes changes) {
         if (changes & (Change::Objects | Change::Landmarks))
@@ -318,7 +318,7 @@ bool LandmarkFiles::importFrom(const std::filesystem::path &file)
     } else {
         const bool areAllWaiting = std::all_of(before.landmarks.begin(), before.landmarks.end(),
                                                [](const auto &point) { return point.isMissing(); });
-        if (areAllWaiting) // names that wait are there for that
+        if (areAllWaiting) // names to place are there to be filled
             joined = fillLandmarks(set, before.landmarks);
         joined.notes << replaceLandmarks(set, before, taken, name).notes;
     }

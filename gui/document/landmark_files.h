@@ -15,7 +15,7 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// What only a person can answer when points are read from a file.
+/// Questions to the user when landmarks are imported.
 class LandmarkFileQuestions {
 public:
     enum class Join { Replace, Append, Cancel };
@@ -23,51 +23,54 @@ public:
     enum class Order { Fill, Behind, Cancel };
 
     virtual ~LandmarkFileQuestions() = default;
-    /// How many points are there with a place, how many names wait for one, and how many points the file has.
+    /// The numbers of placed landmarks, of names to place, and of landmarks in the file.
     struct Counts {
         int placed = 0, waiting = 0, coming = 0;
     };
-    /// What becomes of the points that are there, and of the names that wait.
+    /// Asks what to do with the present landmarks and the names to place.
     virtual Join askJoin(const Counts &counts) = 0;
-    /// What becomes of points that lie far from every object.
+    /// Asks what to do with landmarks that lie far from every object.
     /// @param text  which, and how far
     virtual Stray askStray(const QString &text) = 0;
-    /// Whether points without names take the names that wait, of which there are more or fewer, by their order.
-    /// @param text  how many
+    /// Asks whether nameless landmarks take the names to place, whose number differs, in order.
+    /// @param text  the numbers
     virtual Order askOrder(const QString &text) = 0;
 };
 
-/// Points of a document from files and into files, in the formats of core/landmark_files. A file's coordinates are the world's.
+/// Imports and exports a document's landmarks in the formats of core/landmark_files. A file's
+/// coordinates are in world space.
 class LandmarkFiles : public QObject {
     Q_OBJECT
 public:
-    /// @param questions  outlive it; null: nobody is there to ask, points replace those before and strays stay where they are
+    /// @param questions  outlive it. Null: no questions; imported landmarks replace the present
+    /// ones and strays stay free
     LandmarkFiles(SceneDocument &document, LandmarkFileQuestions *questions, QObject *parent = nullptr);
 
-    /// Whether a file is one of points by its name. "x.json" is none: "x.mrk.json" is.
+    /// Returns whether the file is a landmark file by its name: not "x.json", but "x.mrk.json".
     static bool isLandmarkFile(const std::filesystem::path &file);
-    /// Whether a file is one of names to place, by its name.
+    /// Returns whether the file is a template of names by its name.
     static bool isTemplate(const std::filesystem::path &file);
-    /// As filters of file dialogs have it: "Points (*.csv *.pp …)".
+    /// The filter for a file dialog: "Points (*.csv *.pp …)".
     static QString importFilter();
-    /// One a format, separated by ";;".
+    /// One filter a format, separated by ";;".
     static QString exportFilters();
 
-    /// Reads a file and ties its points to the objects that are not hidden, as one undoable step. What else the scene says of its
-    /// points, their unit and the keys of other programs, stays where the file says nothing of it. Names that wait for a place are
-    /// filled by name where nothing else is there, and where somebody says that the points are to be put behind; by a file without
-    /// names, in their order. Points named as semilandmarks are written where a format has no curves, are curves again.
-    /// @return whether its points are in the scene
+    /// Imports a file and ties its landmarks to the visible objects, as one undoable step. The
+    /// scene's unit and other programs' keys stay unless the file has its own.
+    /// Names to place are filled by name if the scene has nothing else or the user chooses to
+    /// append; a file without names fills them in order. Landmarks named like semilandmarks of a
+    /// format without curves become curves again.
+    /// @return whether its landmarks are in the scene
     bool importFrom(const std::filesystem::path &file);
-    /// @return whether it is written; not where somebody gives up waiting for the curves
+    /// @return whether it is written; false if the user gives up waiting for the curves
     bool exportTo(const std::filesystem::path &file);
 
 signals:
-    /// What could not be read or written, in words.
+    /// Emitted when a file could not be read or written, with the reason.
     void failed(const QString &reason);
-    /// What of a file was not kept, or is not kept in it.
+    /// Emitted with the import or export notes: what was not kept.
     void warned(const QString &text);
-    /// What is good to know and needs no answer.
+    /// Emitted with information that needs no answer.
     void noticed(const QString &text);
 
 private:
@@ -77,13 +80,13 @@ private:
     };
     std::vector<ray::TyingTarget> targets() const;
     LandmarkFileQuestions::Join howToJoin(const landmarks::LandmarkSet &coming) const;
-    /// Points without names take those that wait, by their order.
-    /// @param notes  gets what was done
-    /// @return false where the import was given up
+    /// Gives nameless landmarks the names to place, in order.
+    /// @param notes  receives what was done
+    /// @return false if the user cancelled the import
     bool nameAll(std::vector<landmarks::Landmark> &landmarks, LandmarkFileQuestions::Join join, const QString &file,
                  QStringList &notes);
-    /// Ties points to the objects, strays as somebody says.
-    /// @return what was done, in words; nothing where the import was given up
+    /// Ties landmarks to the objects; the user decides about strays.
+    /// @return what was done, in words; nothing if the user cancelled the import
     std::optional<QString> tieAll(std::vector<landmarks::Landmark> &landmarks);
 
     SceneDocument &m_document;

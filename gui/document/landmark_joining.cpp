@@ -22,13 +22,13 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::LandmarkFiles)
 };
 
-/// As nameKey, but of all letters.
+/// The nameKey, applied to all letters.
 QString keyOf(const std::string &name)
 {
     return QString::fromStdString(landmarks::nameKey(name)).toCaseFolded();
 }
 
-/// The keys of other programs that only one of both has come to it; which of the others are left out.
+/// Adds other programs' keys that only one of both has. Returns the ones left out.
 QStringList addKeys(text::JsonValue &kept, const text::JsonValue &added)
 {
     nlohmann::ordered_json &to = kept.edit();
@@ -54,7 +54,8 @@ void rename(std::vector<Curve> &curves, const std::map<std::string, std::string>
     }
 }
 
-/// Of curves that were read as points, those that the scene has itself are left out: it knows their way.
+/// Removes curves that were read as points and that the scene has itself: the scene knows their
+/// line.
 /// @return their names
 QStringList leaveKnownOut(std::vector<Curve> &curves, std::size_t taken, const std::vector<Curve> &there)
 {
@@ -81,7 +82,7 @@ void tellKnown(QStringList &notes, const QStringList &known, const QString &file
                      .arg(file, known.join(QStringLiteral(", ")));
 }
 
-/// Gives points the places of names that wait.
+/// Fills names to place with landmarks.
 class Filling {
 public:
     Filling(std::vector<Landmark> &all, std::vector<Landmark> &landmarks) : m_all(all), m_landmarks(landmarks)
@@ -94,7 +95,7 @@ public:
 
     bool isWaitedFor() const { return !m_waiting.empty(); }
 
-    /// First those of the very name: of "a b" and "a_b" each is itself.
+    /// Exact names first: "a b" and "a_b" must not be mixed up.
     void fill()
     {
         m_isTaken.assign(m_landmarks.size(), false);
@@ -115,7 +116,7 @@ private:
     template <class Key>
     void pass(const Key &keyOfName)
     {
-        std::multimap<QString, std::size_t> waiting; // those of one key in their order
+        std::multimap<QString, std::size_t> waiting; // in order for equal keys
         for (const std::size_t index : m_waiting) {
             if (const QString key = keyOfName(m_all[index].name); !key.isEmpty())
                 waiting.emplace(key, index);
@@ -204,9 +205,9 @@ JoinedLandmarks replaceLandmarks(LandmarkSet &set, const LandmarkSet &before, st
     std::map<QString, std::string> names; // of the scene
     for (const Landmark &landmark : before.landmarks) {
         if (const QString key = keyOf(landmark.name); !key.isEmpty() && !names.emplace(key, landmark.name).second)
-            names[key].clear(); // it could be either
+            names[key].clear(); // ambiguous
     }
-    for (const Landmark &landmark : set.landmarks) { // what is written the same already is no other's
+    for (const Landmark &landmark : set.landmarks) { // a name that is already spelled the same stays
         if (const auto known = names.find(keyOf(landmark.name)); known != names.end() && known->second == landmark.name)
             known->second.clear();
     }
@@ -228,12 +229,12 @@ JoinedLandmarks replaceLandmarks(LandmarkSet &set, const LandmarkSet &before, st
         set.name = before.name;
     if (set.mesh.empty())
         set.mesh = before.mesh;
-    if (set.curves.size() == taken) { // it says nothing of curves as such
+    if (set.curves.size() == taken) { // the file defines no curves as such
         tellKnown(joined.notes, leaveKnownOut(set.curves, taken, before.curves), file);
         set.curves.insert(set.curves.begin(), before.curves.begin(),
-                          before.curves.end()); // through points by their names
+                          before.curves.end()); // they name their landmarks
     }
-    addKeys(set.extra, before.extra); // of one key the file's is the newer
+    addKeys(set.extra, before.extra); // for equal keys the file's value wins
     return joined;
 }
 

@@ -11,36 +11,38 @@
 
 namespace unprojector::gui {
 
-// How the points that a file has come to those that a scene has.
+// Merges a file's landmarks into a scene's.
 
-/// What was done, and what is to be said of it.
+/// The result of a merge, and its import notes.
 struct JoinedLandmarks {
-    QStringList notes;                  ///< sentences about what is not as somebody may think
-    std::size_t filled = 0;             ///< names that waited and have their point now
-    std::vector<std::string> unmatched; ///< names of the file that none waited for
+    QStringList notes;                  ///< sentences about results that a user may not expect
+    std::size_t filled = 0;             ///< names to place that are placed now
+    std::vector<std::string> unmatched; ///< names in the file that match none to place
 };
 
-/// Whether none of the points has a name: their order says which is which.
+/// Returns whether no landmark has a name: then only their order identifies them.
 bool areNameless(const std::vector<landmarks::Landmark> &landmarks);
 
-/// Gives nameless points the names of those that wait, in their order, as far as there are any.
+/// Gives nameless landmarks the names to place, in order, as long as there are any.
 void nameByOrder(std::vector<landmarks::Landmark> &landmarks, const std::vector<landmarks::Landmark> &there);
 
-/// The names that wait with the file's points in their places, and behind them its other points.
-/// @param set  of the file; its curves go through its points by their names now
-/// @param there  what waits for its place, and what has one
+/// Fills the names to place with the file's landmarks and appends the file's other landmarks.
+/// @param set  of the file; then its curves go through its landmarks by their names in the scene
+/// @param there  the scene's landmarks, placed or not
 JoinedLandmarks fillLandmarks(landmarks::LandmarkSet &set, const std::vector<landmarks::Landmark> &there);
 
-/// The file's points instead of those before. What the scene has besides points stays where the file says nothing of it, and units
-/// are never changed in silence. A name that the file had to write otherwise, see landmarks::nameKey, is the scene's again.
+/// Replaces the scene's landmarks by the file's. Other data of the scene stays unless the file has
+/// its own; units never change without a note. A name that the file had to spell differently
+/// (landmarks::nameKey) gets the scene's spelling.
 /// @param set  of the file; then what the scene gets
-/// @param taken  how many of the set's last curves are none that the file itself calls so: those of the scene stay
+/// @param taken  how many of the set's last curves the file itself does not define as curves: the
+/// scene's own stay
 /// @param file  its name
 JoinedLandmarks replaceLandmarks(landmarks::LandmarkSet &set, const landmarks::LandmarkSet &before, std::size_t taken,
                                  const QString &file);
 
-/// The file's points behind those before; one whose name waits for a place there takes that, by its name or else by its nameKey.
-/// Parameters as replaceLandmarks.
+/// Appends the file's landmarks. One whose name, or else its nameKey, matches a name to place fills
+/// that instead. Parameters as replaceLandmarks.
 JoinedLandmarks appendLandmarks(landmarks::LandmarkSet &set, const landmarks::LandmarkSet &before, std::size_t taken,
                                 const QString &file);
 

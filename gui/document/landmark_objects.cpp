@@ -30,11 +30,11 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::LandmarkObjects)
 };
 
-/// What becomes of the landmarks of an object.
+/// The change of an object, for its landmarks.
 struct ObjectAfter {
-    const SceneObject *object = nullptr; ///< as it is then; null: removed
+    const SceneObject *object = nullptr; ///< afterwards; null: removed
     bool isMoved = false;
-    glm::dmat4 motion{1.0}; ///< world from the world before
+    glm::dmat4 motion{1.0}; ///< new world from old world
 };
 
 ObjectAfter afterOf(const std::vector<SceneObject> &before, std::size_t index, const std::vector<SceneObject> &after)
@@ -49,7 +49,7 @@ ObjectAfter afterOf(const std::vector<SceneObject> &before, std::size_t index, c
     return {&is, true, worldFromObject(is.transform) * glm::inverse(worldFromObject(was.transform))};
 }
 
-/// As independent errors of the axes go through a matrix: turned, they are neither larger nor smaller in all.
+/// Transforms the axes' errors as independent ones: a rotation keeps their total size.
 WorldVector stretched(const WorldVector &uncertainty, const glm::dmat4 &motion)
 {
     glm::dvec3 squares(0.0);
@@ -74,7 +74,7 @@ void move(Landmark &landmark, const ObjectAfter &to)
 
 QString detachStale(std::vector<Landmark> &landmarks, const std::vector<SceneObject> &objects)
 {
-    /// Of the object's size: what single precision and rounding leave.
+    /// Relative to the object's size: the error of single precision and rounding.
     constexpr double kSamePlace = 1e-5;
     std::size_t absent = 0, unknown = 0, elsewhere = 0;
     QString firstAbsent, firstUnknown, firstElsewhere;
@@ -134,7 +134,7 @@ std::shared_ptr<const landmarks::LandmarkSet> withObjects(const std::shared_ptr<
                                                           const std::vector<SceneObject> &before,
                                                           const std::vector<SceneObject> &after)
 {
-    std::map<std::string, std::optional<ObjectAfter>> objects; // nothing: no object has that name
+    std::map<std::string, std::optional<ObjectAfter>> objects; // nothing: no object has this name
     std::shared_ptr<landmarks::LandmarkSet> changed;
     for (std::size_t i = 0; i < set->landmarks.size(); ++i) {
         const Landmark &landmark = set->landmarks[i];
@@ -178,7 +178,7 @@ std::optional<landmarks::LandmarkSet> transformed(landmarks::LandmarkSet set, co
         const bool isOnIt = landmark.object == from.name;
         if (isMoved && isOnIt) {
             move(landmark, after);
-        } else if (isMoved) { // what holds it is no part of this mesh
+        } else if (isMoved) { // its anchor is not part of this mesh
             const landmarks::Anchor anchor = std::exchange(landmark.anchor, landmarks::Free{});
             move(landmark, after);
             landmark.anchor = anchor;

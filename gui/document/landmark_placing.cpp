@@ -25,7 +25,7 @@ std::optional<Landmark> landmarkMet(const SceneDocument &document, const DeviceP
     return ray::landmarkAt(**hit, snap, *rays, position, document.objects()[(*hit)->object].name, pixels);
 }
 
-/// The point of a pick by the formula, held by nothing.
+/// The formula's point of a pick, without an anchor.
 /// @return nothing for the background
 std::optional<Landmark> landmarkOf(const Pick &pick, const std::vector<SceneObject> &objects)
 {

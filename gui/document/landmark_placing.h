@@ -9,15 +9,15 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-// Where a landmark is placed. Nothing here changes the document.
+// Computes where a landmark is placed. Nothing here changes the document.
 
-/// The landmark at a position of the picture, where clicks snap to now: held by the mesh that its ray meets.
+/// The landmark at a pixel, in the current snap mode, anchored to the mesh that its ray hits.
 /// @param position  device pixels, origin top-left: a pixel's centre has halves
 /// @param pixels    see ray::landmarkAt
-/// @return nothing where the ray meets no mesh, and while models are not prepared for rays
+/// @return nothing if the ray hits no mesh, and while models are not prepared for rays
 std::optional<landmarks::Landmark> landmarkOnMesh(const SceneDocument &document, const geometry::DevicePoint &position,
                                                   double pixels = 1.0);
-/// The same on the surface itself, whatever clicks snap to.
+/// The same on the surface itself, regardless of the snap mode.
 std::optional<landmarks::Landmark> landmarkOnSurface(const SceneDocument &document,
                                                      const geometry::DevicePoint &position, double pixels = 1.0);
 /// The landmark of a click: on the mesh, else by the depth that was read.

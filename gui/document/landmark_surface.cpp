@@ -16,7 +16,7 @@ namespace {
 
 using landmarks::Landmark;
 
-/// What these points may lie on, prepared to be asked.
+/// The targets that these points may lie on, prepared for queries.
 std::vector<ray::TyingTarget> targetsOf(const SceneDocument &document, const std::vector<const Landmark *> &points)
 {
     std::vector<ray::TyingTarget> targets;

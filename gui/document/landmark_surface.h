@@ -9,8 +9,9 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// Puts points that stand off the surface back onto it, where it is closest: of the object that each names, else of all that are
-/// not hidden. One step of undo; missing points stay missing. Of a large model it takes a second.
+/// Moves landmarks onto the closest point of the surface: of the object that each names, else of
+/// all visible objects. One step of undo; missing landmarks stay missing. A large model takes a
+/// second.
 /// @param indices  in SceneDocument::landmarks()
 geometry::Check putOnSurface(SceneDocument &document, const std::vector<std::size_t> &indices);
 

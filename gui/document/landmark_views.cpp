@@ -20,14 +20,15 @@ namespace {
 
 using landmarks::Landmark;
 
-/// Of a triangle, twice its area long; object space.
+/// The normal of a triangle, twice its area long; object space.
 glm::dvec3 areaOf(const Mesh &mesh, std::size_t triangle)
 {
     const auto corner = [&](std::size_t k) { return mesh.fromOrigin(mesh.vertexAt(3 * triangle + k)); };
     return glm::cross(corner(1) - corner(0), corner(2) - corner(0));
 }
 
-/// The sum over the triangles that have all of these vertices, by their places: a mesh may hold one place several times.
+/// The sum over the triangles that have all of these vertices, compared by position: a mesh may
+/// repeat a position.
 glm::dvec3 areasAbout(const Model &model, const std::vector<glm::dvec3> &places)
 {
     glm::dvec3 sum(0.0);
@@ -108,7 +109,7 @@ void goToLandmark(SceneDocument &document, std::size_t index)
             back = *normal;
     }
     LookAt there{*landmark->world + back * away, *landmark->world, now.up};
-    // Looking along "up" there is no side: what was up in the picture stays so.
+    // Looking along "up" there is no side: the view's present up direction is kept.
     constexpr double kParallel = 0.999;
     if (std::abs(dot(normalized(there.up), back)) > kParallel) {
         const Result<EyeFrame> frame = eyeFrame(now);

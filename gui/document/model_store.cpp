@@ -11,7 +11,8 @@ using namespace scene;
 
 namespace {
 
-/// Of all stand-ins of a scene together: what a processor alone draws about twenty-five times a second.
+/// The size of all stand-ins of a scene together: a software renderer draws them about 25 times a
+/// second.
 constexpr std::size_t kStandInSize = 60'000;
 
 std::size_t sizeOf(const Model &model)
@@ -56,7 +57,7 @@ void ModelStore::makeStandIns(const std::vector<SceneObject> &objects)
     for (const SceneObject &object : objects) {
         if (standInOf(object.model))
             continue;
-        // Each has its share by its size.
+        // Each model gets a share by its size.
         const double share = static_cast<double>(sizeOf(*object.model)) / static_cast<double>(all);
         const auto most = static_cast<std::size_t>(share * static_cast<double>(kStandInSize));
         m_standIns[object.model.get()] = {object.model, nullptr};
@@ -67,7 +68,7 @@ void ModelStore::makeStandIns(const std::vector<SceneObject> &objects)
             },
             [this, model = std::weak_ptr(object.model)](const JobResult<std::shared_ptr<const Model>> &standIn) {
                 if (!standIn) {
-                    // Another thread may have ended by the next time.
+                    // Another thread may have ended before the next attempt.
                     if (standIn.error().kind == JobFailure::Kind::NoThread)
                         std::erase_if(m_standIns, [&model](const auto &entry) {
                             return entry.second.model.lock() == model.lock();

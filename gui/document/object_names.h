@@ -10,22 +10,24 @@
 
 namespace unprojector::gui {
 
-// Objects are told apart by their names, in lists and by the `unproject` command.
+// Names identify objects, in lists and in the `unproject` command.
 
-/// What is wrong with a name for an object.
+/// The ways in which an object name can be invalid.
 enum class NameFault { None, Empty, Taken };
 
-/// Taken is also the name that another one is read by, see readName: two lines of a list never look the same.
+/// The fault of a name. Taken includes the name by which another object is read (readName): two
+/// lines of a list never look the same.
 /// @param index  of the object that is to have the name
 NameFault faultOf(const std::string &name, std::size_t index, const std::vector<scene::SceneObject> &objects);
 
-/// As a line of the window has it: one line, and not as long as a file may make it.
+/// The name as one line of text, cut if it is too long for the window.
 QString shownName(const std::string &name);
 
-/// The same of an object as it is read, see readName.
+/// The same for an object name in its translated form (readName).
 QString shownObjectName(const std::string &name, const std::vector<scene::SceneObject> &objects);
 
-/// The name, or the name with the first number behind it that makes it another one than those of the objects: "cube (2)".
+/// The name, with the first number appended that makes it unique among the objects if needed: "cube
+/// (2)".
 std::string freeName(const std::string &name, const std::vector<scene::SceneObject> &objects);
 
 } // namespace unprojector::gui

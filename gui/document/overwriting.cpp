@@ -21,7 +21,7 @@ struct SceneFiles {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::SceneFiles)
 };
 
-/// Whether a model is read from a file, or names it. Many objects may have one model.
+/// Returns whether a model is read from a file, or refers to it. Many objects may share one model.
 bool isOfAny(const std::vector<scene::SceneObject> &objects, const std::filesystem::path &file)
 {
     std::set<std::filesystem::path> models, read;
@@ -35,7 +35,7 @@ bool isOfAny(const std::vector<scene::SceneObject> &objects, const std::filesyst
     const auto isAmong = [&isIt](const auto &list) { return std::any_of(list.begin(), list.end(), isIt); };
     if (isAmong(models) || isAmong(read))
         return true;
-    // The models are read for the names in them only where one of these could be lost.
+    // The models are searched for file names only if an existing file could be lost.
     std::error_code error;
     return std::filesystem::is_regular_file(file, error)
            && std::any_of(models.begin(), models.end(),

@@ -9,8 +9,8 @@ namespace unprojector::gui {
 class SceneDocument;
 class Session;
 
-/// Why an export may not go to a file: it is the scene's own, one of its models or one that a model refers to, under
-/// whatever name. Empty where it is none of them.
+/// The reason why an export may not write to a file: it is the scene's own file, one of its models
+/// or a file that a model refers to, under any name. Empty if it is none of them.
 QString overwritingText(const SceneDocument &document, const Session &session, const std::filesystem::path &file);
 
 } // namespace unprojector::gui

@@ -12,7 +12,7 @@ using namespace unproject;
 
 namespace {
 
-/// Whether two clicks read the same of the same pixel: a double click is two of them.
+/// Returns whether two clicks read the same values at the same pixel, as in a double click.
 bool isSameClick(const KeptPick &a, const KeptPick &b)
 {
     return a.pick->devicePixel == b.pick->devicePixel && a.pick->window.z == b.pick->window.z
@@ -67,14 +67,14 @@ void PickHistory::followObjects(bool areOthers)
     for (EarlierPick &earlier : m_picks) {
         if (!areOthers) {
             if (!earlier.isLost)
-                earlier.objects = objects; // so that an object is known by what it is now
+                earlier.objects = objects; // so that an object is identified by its present state
             continue;
         }
         KeptPick now = earlier.kept;
         gui::follow(now, *earlier.objects, *objects);
         earlier.isLost = earlier.kept.pick->hit() && !now.pick->hit();
         if (earlier.isLost)
-            continue; // with its old list, by which it is found again
+            continue; // keeps its old list, which identifies it later
         earlier.kept = std::move(now);
         earlier.objects = objects;
     }

@@ -14,24 +14,25 @@ class SceneDocument;
 
 /// A pick in the list of picks.
 struct EarlierPick {
-    int number = 0; ///< from 1, in the order of the clicks of this scene
+    int number = 0; ///< from 1, in the order of clicks in this scene
     KeptPick kept;
     ObjectList objects;  ///< the list that the indices of the pick refer to
-    bool isLost = false; ///< its object was removed; it comes back with the object
+    bool isLost = false; ///< its object was removed; undoing the removal restores it
 };
 
-/// The last picks of a scene. Listens to the document: a click adds a pick, a drag takes the pick of its press back, and another
-/// scene empties the list. Picks follow their objects as the shown pick does.
+/// The last picks of a scene. Listens to the document: a click adds a pick, a drag removes the pick
+/// of its press, and another scene empties the list. Picks follow their objects as the shown pick
+/// does.
 class PickHistory : public QObject {
     Q_OBJECT
 public:
-    /// The list keeps so many picks; the oldest go first.
+    /// The length of the list; the oldest picks are dropped first.
     static constexpr std::size_t kMost = 20;
 
     /// @param document  outlives the list
     explicit PickHistory(SceneDocument &document, QObject *parent = nullptr);
 
-    /// The picks whose objects are there, the oldest first.
+    /// The picks whose objects exist, the oldest first.
     std::vector<EarlierPick> picks() const;
     /// The number of the pick that the document shows; 0: none.
     int shownNumber() const { return m_shown; }
@@ -40,14 +41,14 @@ public:
     void show(int number);
 
 signals:
-    /// Other picks are in the list, they have changed, or the document shows another one.
+    /// Emitted when the list or one of its picks changes, or the document shows another pick.
     void changed();
 
 private:
     void follow(Changes changes);
-    /// @param areOthers  objects came, went or were moved in the list; else each has its place still
+    /// @param areOthers  objects were added, removed or reordered; else indices stay valid
     void followObjects(bool areOthers);
-    /// Adds the document's pick, or renews it where it is in the list.
+    /// Adds the document's pick, or updates it if it is in the list.
     void takePick();
     void takeBack();
 
@@ -55,7 +56,7 @@ private:
     std::vector<EarlierPick> m_picks;
     int m_lastNumber = 0;
     int m_shown = 0;
-    bool m_isRepeat = false; ///< the last click was the one before again: it has no row of its own
+    bool m_isRepeat = false; ///< the last click repeated the one before: it gets no row
 };
 
 } // namespace unprojector::gui

@@ -14,29 +14,30 @@
 
 namespace unprojector::gui {
 
-/// A place on a mesh, of an object that others may be put beside, moved or removed.
+/// A point on a mesh of an object. Other objects may be added or moved in the list; the object may
+/// be removed.
 struct MetPlace {
     ray::SceneHit hit;
-    std::optional<std::size_t> object; ///< its place in the list as it is now; nothing when it was removed
+    std::optional<std::size_t> object; ///< its current index; nothing after it was removed
     std::string objectName;            ///< at the click
 };
 
-/// What the ray of a pick meets on the meshes themselves, in the scene as it was at the click.
+/// The hit of a pick's ray on the meshes themselves, in the scene at the click.
 struct PickedRay {
     enum class State {
-        Preparing,  ///< a model is not prepared for rays yet; the answer comes by itself
-        Impossible, ///< a model could not be prepared, see `failure`, or there is no ray
+        Preparing,  ///< a model is not prepared for rays yet; the answer follows
+        Impossible, ///< a model could not be prepared (`failure`), or there is no ray
         Answered
     };
     State state = State::Preparing;
     std::optional<JobFailure> failure;
-    std::optional<MetPlace> met;   ///< by the ray itself; nothing: nothing is met
-    ray::RayComparison comparison; ///< of what is met, beside the frame
+    std::optional<MetPlace> met;   ///< the hit of the ray itself; nothing: it hits nothing
+    ray::RayComparison comparison; ///< of the hit with the frame
     ray::Snap snap = ray::Snap::Surface;
-    /// What other programs give for the click, of a hit: the clicked pixel's depth as it was read, that of others as rays
-    /// meet them.
+    /// The answers of other programs for a click that hits: the clicked pixel's depth as read,
+    /// other pixels' depths from ray hits.
     std::optional<unproject::OtherAnswers> others;
-    std::optional<MetPlace> taken; ///< what the click takes, in that mode: of a surface the same
+    std::optional<MetPlace> taken; ///< the snapped point in that mode; for a surface the same as `met`
 };
 
 } // namespace unprojector::gui

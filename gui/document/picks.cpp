@@ -140,7 +140,7 @@ bool Picks::askRay()
     }
     ray.failure.reset();
     ray.state = PickedRay::State::Impossible;
-    // The view's own Unprojector and rays answer, as long as it shows what was clicked.
+    // The view's own Unprojector and rays can answer while it shows the clicked setup.
     const Setup &clicked = m_picked.pick->setup;
     const bool isSetupCurrent = clicked == m_document.setup();
     const bool isSceneShown = objects == m_objects && clipPlanes == m_document.scene().clipPlanes;

@@ -14,79 +14,84 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// A point that another program has got, and the right one of its click, as both are marked in the views. World space.
+/// A point computed by another program, and the right point of its click, as both are marked in the
+/// views. World space.
 struct WrongPointMark {
     geometry::WorldPoint got;
     std::optional<geometry::WorldPoint> right;
     friend bool operator==(const WrongPointMark &, const WrongPointMark &) = default;
 };
 
-/// The pick of a document: the result of the last click, with the answer of its ray, which comes once the clicked models are
-/// prepared. Neither saved nor undone; it follows its object through every change of the list of objects.
+/// The pick of a document: the result of the last click, with its ray's answer, which arrives once
+/// the clicked models are prepared. It is neither saved nor undone; it follows its object through
+/// every change of the object list.
 class Picks : public QObject {
     Q_OBJECT
 public:
-    /// @param changes  reports what changes here
+    /// @param changes  receives the changes of the pick
     Picks(const SceneDocument &document, ChangeNotifier &changes);
 
-    /// The picked surface or background; nothing before the first click, in another scene, and while the object that was
-    /// hit is removed.
+    /// The picked surface or background; nothing before the first click, in another scene, and
+    /// while the hit object is removed.
     const std::optional<unproject::Pick> &pick() const { return m_picked.pick; }
-    /// What the ray of the pick meets on the meshes; null without a pick.
+    /// The hit of the pick's ray on the meshes; null without a pick.
     const PickedRay *pickedRay() const { return m_picked.pick ? &m_picked.ray : nullptr; }
     std::optional<geometry::WorldPoint> pickedPoint() const { return gui::pickedPoint(m_picked); }
     SinceClick sinceClick() const;
 
-    /// Unprojects a click or the pointer's position. It is not kept.
+    /// Unprojects a click or the pointer's position, without keeping it.
     geometry::Result<unproject::Pick> unprojected(const unproject::PixelClick &click) const;
-    /// Keeps a click as the pick. `failed` reports one that could not be unprojected, and the last pick stays.
+    /// Keeps a click as the pick. If it could not be unprojected, emits `failed` and keeps the last
+    /// pick.
     void setPick(const geometry::Result<unproject::Pick> &pick);
     const KeptPick &keptPick() const { return m_picked; }
     /// Shows an earlier pick again, or none.
     /// @param kept  of this scene, with the objects that it has now
     void show(KeptPick kept);
-    /// The same, as if the last click had not been: a drag has followed its press.
+    /// Shows an earlier pick and forgets the last click: a drag followed its press.
     void putBack(KeptPick kept);
     void clearPick() { show({}); }
     /// The objects that the indices of the pick refer to.
     const ObjectList &objectList() const { return m_objects; }
 
-    /// What clicks take on the meshes. The pick stays as it was taken.
+    /// The snap mode of clicks. It doesn't change the present pick.
     ray::Snap snap() const { return m_snap; }
     void setSnap(ray::Snap snap);
-    /// The rays of the picture as it is now; null while a model is not prepared for them. Valid until the next change.
+    /// The rays of the current setup; null while a model is not prepared for them. Valid until the
+    /// next change.
     const ray::SceneRays *rays() const;
-    /// The setup is another one.
+    /// Discards the cached rays: the setup has changed.
     void forgetRays() { m_rays.reset(); }
     /// Prepares the models for rays.
     RayCasters &rayCasters() { return m_casters; }
 
-    /// The points that other programs have got: marked while the doctor shows them.
+    /// The points computed by other programs: marked while the doctor shows them.
     const std::vector<WrongPointMark> &wrongPoints() const { return m_wrongPoints; }
     void markWrongPoints(std::vector<WrongPointMark> points);
 
     /// Follows a change of the document.
-    /// @param objects  as they are now
+    /// @param objects  the current ones
     /// @param changes  of the document
     /// @return the changes of the pick
     Changes follow(const ObjectList &objects, Changes changes);
 
 signals:
-    /// A click could not be unprojected; the last pick stays.
+    /// Emitted when a click could not be unprojected; the last pick stays.
     void failed(const unprojector::geometry::Error &error);
-    /// The last click counts no more; an earlier pick, or none, is about to be shown.
+    /// Emitted when the last click is withdrawn; an earlier pick, or none, is shown next.
     void takenBack();
 
 private:
     /// A pick whose object was removed.
     struct Lost {
         KeptPick kept;
-        ObjectList objects; ///< before the removal: with its object the pick comes back
+        ObjectList objects; ///< before the removal: the pick returns with its object
     };
 
-    /// Prepares the models that rays can meet, those of a pick that waits for its answer included.
+    /// Prepares the models that rays can hit, including the models of a pick that waits for its
+    /// answer.
     void prepareRays();
-    /// Asks what the ray of the pick meets, where that is not known yet.
+    /// Computes what the ray of the pick hits, if that is not known yet.
     /// @return whether more is known now
     bool askRay();
 
@@ -95,9 +100,9 @@ private:
     ObjectList m_objects;
     KeptPick m_picked;
     std::optional<Lost> m_lost;
-    std::uint64_t m_clicks = 0; ///< so many were kept
+    std::uint64_t m_clicks = 0; ///< number of kept clicks
     RayCasters m_casters;
-    mutable std::optional<ray::SceneRays> m_rays; ///< of the picture, once they were asked for
+    mutable std::optional<ray::SceneRays> m_rays; ///< of the setup, created on demand
     ray::Snap m_snap = ray::Snap::Surface;
     std::vector<WrongPointMark> m_wrongPoints;
 };

@@ -4,8 +4,9 @@
 
 namespace unprojector::gui {
 
-/// Whether the program in this folder is carried about, on a stick for one: a file named "portable" lies there. What would be
-/// kept in the user's account, settings and recovery files, then stays in that folder.
+/// Returns whether the program in this folder is portable, as on a USB stick: the folder has a file
+/// named "portable". Settings and recovery files then stay in that folder instead of the user's
+/// account.
 bool isPortable(const QString &programFolder);
 
 } // namespace unprojector::gui

@@ -12,7 +12,7 @@ using namespace scene;
 
 namespace {
 
-/// Views let go of their models with the next picture.
+/// The time after which views have released their models.
 constexpr std::chrono::milliseconds kUntilViewsLetGo{1000};
 
 std::size_t sizeOf(const Model &model)
@@ -20,8 +20,8 @@ std::size_t sizeOf(const Model &model)
     return model.triangleCount() + model.pointCount();
 }
 
-/// A caster that does not hold its model.
-/// @return null where progress stops it. Throws std::bad_alloc.
+/// Builds a caster that does not hold its model.
+/// @return null if progress stops it. Throws std::bad_alloc.
 RayCasters::Caster build(const Model &model, const ray::Progress &progress)
 {
     return ray::RayCaster::build(std::shared_ptr<const Model>(std::shared_ptr<const Model>(), &model), progress);
@@ -83,7 +83,7 @@ void RayCasters::require(const std::vector<SceneObject> &objects)
     std::vector<std::shared_ptr<const Model>> later;
     for (const std::shared_ptr<const Model> &model : missing(objects)) {
         if (atOnce + sizeOf(*model) > kMostAtOnce) {
-            m_kept.erase(model.get()); // a failure is past
+            m_kept.erase(model.get()); // retries after a failure
             later.push_back(model);
             continue;
         }
@@ -121,7 +121,7 @@ void RayCasters::begin()
     m_background.start(
         [model = std::move(model)](Job &job) {
             return build(*model, [&](double share) {
-                return job.report(share) && model.use_count() > 1; // else no object has it any more
+                return job.report(share) && model.use_count() > 1; // else no object uses it any more
             });
         },
         [this, size](const Built &caster) { take(size, caster); },
@@ -135,7 +135,7 @@ void RayCasters::take(double size, const Built &caster)
         if (!caster || *caster)
             keep(model, caster);
         else
-            m_waiting.push_back(model); // stopped when nobody had it, and found again since
+            m_waiting.push_back(model); // stopped while unused, and used again since
     }
     if (!isPreparing())
         begin();

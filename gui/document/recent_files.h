@@ -9,7 +9,7 @@ namespace unprojector::gui {
 QStringList recentFiles();
 void addRecentFile(const QString &absolutePath);
 void clearRecentFiles();
-/// How a recent file stands in a menu: its name, then its folder.
+/// The menu text of a recent file: its name, then its folder.
 QString recentFileText(const QString &absolutePath);
 
 } // namespace unprojector::gui

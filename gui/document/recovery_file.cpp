@@ -24,10 +24,11 @@ using namespace scene_file;
 namespace {
 
 constexpr int kVersion = 1;
-/// Of the first line: more than any path needs.
+/// The largest size of the first line: more than any path needs.
 constexpr qint64 kMostInfoBytes = 1 << 20;
 
-// Names of a recovery file's companions, after its id. QSaveFile writes to the recovery file's name with ".XXXXXX".
+// Suffixes of a recovery file's companions, after its id. QSaveFile writes to the recovery file's
+// name with ".XXXXXX".
 constexpr QLatin1String kContentSuffix(".recovery");
 constexpr QLatin1String kLockSuffix(".lock");
 constexpr QLatin1String kDamagedSuffix(".damaged");
@@ -42,7 +43,7 @@ QString versionKey()
     return QStringLiteral("unprojectorRecovery");
 }
 
-/// "1 1234 14695981039346656037"; as text, since JSON's numbers are doubles.
+/// "1 1234 14695981039346656037"; as text, because JSON's numbers are doubles.
 QString stampText(const files::FileStamp &stamp)
 {
     return QStringLiteral("%1 %2 %3").arg(stamp.exists ? 1 : 0).arg(stamp.size).arg(stamp.hash);
@@ -61,7 +62,7 @@ std::optional<files::FileStamp> stampFromText(const QString &text)
     return files::FileStamp{numbers[0] == QStringLiteral("1"), numbers[1].toULongLong(), numbers[2].toULongLong()};
 }
 
-/// Mends what earlier versions have left open to others.
+/// Makes files private that earlier versions left readable by others.
 void keepAllToOwner(const QString &folder)
 {
     if (!QFileInfo(folder).isDir())
@@ -84,7 +85,7 @@ QString RecoveryFile::defaultFolder(const QString &programFolder)
 RecoveryFile::RecoveryFile(const QString &folder, const QString &id)
     : m_folder(folder), m_id(id), m_lock(QDir(folder).filePath(id + kLockSuffix))
 {
-    // It is held for as long as a window is open: only a dead holder makes it stale, not its age.
+    // A lock is held as long as a window is open: only a dead holder makes it stale, not its age.
     m_lock.setStaleLockTime(0);
 }
 
@@ -100,7 +101,7 @@ Result<std::unique_ptr<RecoveryFile>, QString> RecoveryFile::create(const QStrin
         files::keepToOwner(pathOf(file->m_lock.fileName()));
         return file;
     }
-    // No other program has its name: the lock's file could not be made.
+    // No other program has this name: the lock file could not be created.
     const bool isForbidden = file->m_lock.error() == QLockFile::PermissionError;
     return reasonText(std::make_error_code(isForbidden ? std::errc::permission_denied : std::errc::io_error));
 }
@@ -160,12 +161,12 @@ Kept RecoveryFile::write(const RecoveryInfo &info, const std::string &sceneText)
     if (!file.open(QIODevice::WriteOnly))
         return file.errorString();
 #ifndef Q_OS_WIN
-    file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner); // before there is anything in it
+    file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner); // before it has any content
 #endif
     file.write(QJsonDocument(json).toJson(QJsonDocument::Compact));
     file.write("\n");
     file.write(sceneText.data(), static_cast<qint64>(sceneText.size()));
-    if (!file.commit()) // fails where a write did
+    if (!file.commit()) // fails if a write failed
         return file.errorString();
     return std::monostate{};
 }
@@ -199,7 +200,8 @@ Result<SceneFile, SceneFileError> RecoveryFile::scene() const
         return error;
     }
     file.readLine(kMostInfoBytes);
-    const QByteArray text = file.read(static_cast<qint64>(kMostSceneBytes) + 1); // enough to be refused as too large
+    // one byte too many is rejected as too large
+    const QByteArray text = file.read(static_cast<qint64>(kMostSceneBytes) + 1);
     return parseScene({text.constData(), static_cast<std::size_t>(text.size())}, name);
 }
 

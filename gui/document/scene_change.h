@@ -15,24 +15,24 @@ namespace unprojector::gui {
 /// The name of an edit in the undo menu.
 struct EditLabel {
     QString text;          ///< "Near"
-    QString mergeKey = {}; ///< edits with the same key, one right after the other, are undone as one; empty: never
+    QString mergeKey = {}; ///< consecutive edits with the same key are undone as one; empty: never
 };
 
-/// A state of the document. Copies share the objects and the landmarks, of which there may be many: a look around costs a few
-/// numbers.
+/// A state of the document. Copies share the objects and the landmarks, which may be many: looking
+/// around copies a few numbers.
 struct SceneState {
     scene::SceneSettings settings;
     std::shared_ptr<const std::vector<scene::SceneObject>> objects;
     std::shared_ptr<const landmarks::LandmarkSet> landmarks;
-    /// The number of the edit that made it: looking around leaves that as it is. Two states of the same number differ
-    /// in the view at most.
+    /// The number of the edit that made it; looking around keeps it. Two states with the same
+    /// number differ in the view at most.
     std::uint64_t edit = 0;
 };
 
 /// One undoable change: the state before and after it.
 class SceneChange : public QUndoCommand {
 public:
-    /// @param restore  puts a state in place
+    /// @param restore  applies a state
     SceneChange(SceneState before, SceneState after, const EditLabel &label,
                 std::function<void(const SceneState &)> restore);
 

@@ -23,7 +23,7 @@ namespace {
 using landmarks::Curve;
 using landmarks::Landmark;
 
-/// What of a landmark a curve depends on.
+/// Compares what a curve depends on in a landmark.
 bool isSamePlace(const Landmark &a, const Landmark &b)
 {
     return a.name == b.name && a.world == b.world && a.anchor == b.anchor && a.uncertainty == b.uncertainty;
@@ -31,14 +31,14 @@ bool isSamePlace(const Landmark &a, const Landmark &b)
 
 } // namespace
 
-/// All that a line depends on.
+/// Everything that a line depends on.
 struct SceneCurves::Request {
     landmarks::CurveKind kind = landmarks::CurveKind::Geodesic;
     std::vector<Landmark> points;
-    std::vector<WorldPoint> given; ///< of a curve of which no more is known
+    std::vector<WorldPoint> given; ///< of a curve without more information
     std::shared_ptr<const Model> model;
     glm::dmat4 placement{1.0};
-    QString fault; ///< why nothing can be asked
+    QString fault; ///< why no line can be computed
 
     friend bool operator==(const Request &a, const Request &b)
     {
@@ -54,10 +54,11 @@ struct SceneCurves::Known {
     Line line;
 };
 
-/// The surfaces of models, each made once, on whatever thread asks first. It keeps no model alive.
+/// The surfaces of models, each created once, on the first thread that asks. It keeps no model
+/// alive.
 class SceneCurves::Surfaces {
 public:
-    /// @return null where `isEnded`. Throws std::bad_alloc.
+    /// @return null if `isEnded`. Throws std::bad_alloc.
     std::shared_ptr<const curves::SurfaceMesh> of(const std::shared_ptr<const Model> &model)
     {
         const std::lock_guard lock(m_mutex);
@@ -110,7 +111,7 @@ QString faultOf(const curves::CurveError &error, const std::vector<Landmark> &la
     return {};
 }
 
-/// @return its `isComputing` still set where it was ended
+/// @return `isComputing` stays set if it was cancelled
 template <class Request, class Surfaces>
 SceneCurves::Line worked(const Request &request, Surfaces &surfaces, const curves::GoesOn &goesOn)
 {
@@ -130,7 +131,7 @@ SceneCurves::Line worked(const Request &request, Surfaces &surfaces, const curve
             line.isComputing = true;
         else
             line.reason = faultOf(through.error(), request.points);
-    } catch (...) { // the other lines may be there
+    } catch (...) { // the other lines may exist
         line.failure = failureOf(std::current_exception());
         line.reason = failureText(*line.failure);
     }
@@ -141,7 +142,7 @@ SceneCurves::Line worked(const Request &request, Surfaces &surfaces, const curve
 
 struct SceneCurves::Task {
     std::vector<Request> requests;
-    std::atomic<bool> isEnded{false}; ///< what is done is taken
+    std::atomic<bool> isEnded{false}; ///< finished lines are used
     std::atomic<std::size_t> done{0};
 };
 
@@ -183,7 +184,7 @@ QString SceneCurves::shownNameOf(const Curve &curve, std::size_t index)
     return name.isEmpty() ? tr("curve %1").arg(index + 1) : name;
 }
 
-// ---- how they go -------------------------------------------------------------------------------------------------
+// ---- lines --------------------------------------------------------------------------------------
 
 void SceneCurves::locate(Request &request) const
 {
@@ -289,7 +290,7 @@ void SceneCurves::refresh()
     if (!m_task)
         begin();
     else if (!std::all_of(m_task->requests.begin(), m_task->requests.end(), isWanted))
-        m_task->isEnded = true; // what it has done is taken; the rest is asked again
+        m_task->isEnded = true; // its finished lines are used; the rest is requested again
 }
 
 void SceneCurves::begin()
@@ -388,7 +389,7 @@ void SceneCurves::showMeasure(std::optional<ShownMeasure> measure)
     m_changes.notify(Change::Curves);
 }
 
-// ---- edits -------------------------------------------------------------------------------------------------------
+// ---- edits --------------------------------------------------------------------------------------
 
 void SceneCurves::edit(std::vector<Curve> curves, const QString &text, const QString &mergeKey)
 {

@@ -20,12 +20,12 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// A measure that the view shows where it is measured.
+/// A measure that the view shows where it was measured.
 struct ShownMeasure {
     enum class Shape {
-        Polyline, ///< straight from point to point
-        Angle,    ///< at the first point, between those to the second and the third
-        Height,   ///< of the fourth point over the plane of the three before it
+        Polyline, ///< straight from landmark to landmark
+        Angle,    ///< at the first landmark, between the second and the third
+        Height,   ///< of the fourth landmark over the plane of the first three
         Surface,  ///< along the surface: SceneCurves::throughSelected
     };
     Shape shape = Shape::Polyline;
@@ -34,60 +34,67 @@ struct ShownMeasure {
     friend bool operator==(const ShownMeasure &, const ShownMeasure &) = default;
 };
 
-/// The curves between the landmarks of a document's scene: their lines on the surface, and edits of single curves. Each edit
-/// is one step of undo, named after the curve. An index is one into SceneDocument::scene().landmarks.curves.
+/// The curves between the landmarks of a document's scene: their lines on the surface, and edits of
+/// single curves. Each edit is one step of undo, named after the curve. Indices refer to
+/// SceneDocument::scene().landmarks.curves.
 ///
-/// The landmarks determine a curve's line. It is computed again whenever they move: on small models at once, on others on a
-/// thread of its own. Until then the former line is shown and marked as such. Change::Curves reports the new one.
+/// The landmarks determine a curve's line. It is recomputed whenever they move: on small models at
+/// once, on others on a separate thread. Until then the former line is shown and marked as such.
+/// Change::Curves reports the new one.
 class SceneCurves : public QObject {
     Q_OBJECT
 public:
-    /// How a curve goes.
+    /// The line of a curve.
     struct Line {
-        bool isComputing = false;              ///< `line` is of where the points were before
-        std::optional<curves::CurveLine> line; ///< none: `reason` says why, or it is not known yet
+        bool isComputing = false;              ///< `line` still belongs to the former landmarks
+        std::optional<curves::CurveLine> line; ///< none: see `reason`, or it is not computed yet
         QString reason;                        ///< a sentence without a full stop
-        std::optional<JobFailure> failure;     ///< the reason is no fault of the curve: complete() tries again
+        std::optional<JobFailure> failure;     ///< the reason is not the curve's fault: complete() tries again
     };
 
-    /// @param changes  reports the lines that were computed
+    /// @param changes  receives the changes when lines were computed
     SceneCurves(SceneDocument &document, ChangeNotifier &changes);
     ~SceneCurves() override;
 
     const std::vector<landmarks::Curve> &all() const;
     /// @pre curve < all().size()
     const Line &line(std::size_t curve) const;
-    /// The geodesic through the points that are selected, in their order in the list; null where fewer than two are.
+    /// The geodesic through the selected landmarks, in list order; null if fewer than two are
+    /// selected.
     const Line *throughSelected() const;
     bool isComputing() const { return m_background.isRunning(); }
-    /// How many curves are being worked out, and how many of them are done.
+    /// The number of curves to compute, and how many of them are done.
     struct Progress {
         std::size_t done = 0, count = 0;
     };
     Progress progress() const;
-    /// Works all of them out before it returns, also those for which there was no thread or no memory before.
-    /// @return false where the waiting, see setWaiting, was given up; what is under way goes on
+    /// Blocks until all curves are computed, including curves that lacked a thread or memory
+    /// before.
+    /// @return false if the user gave up waiting (setWaiting); the computation then continues
     bool complete();
-    /// Who shows that curves are waited for, and waits until none is computing, with the events of the program going on.
-    /// @param waiting  returns false where somebody gives up. Empty: the thread that asks is blocked until all are there
+    /// Sets a callback that runs an event loop and shows progress until no curve is computing.
+    /// @param waiting  returns false if the user gives up. Empty: complete() blocks the calling
+    /// thread
     void setWaiting(std::function<bool()> waiting) { m_waiting = std::move(waiting); }
-    /// The points and the curves with their semilandmarks, for a file. Waits for what is not known yet.
-    /// @return or why a curve is not known, a clause: the waiting was given up, or there was no thread or no memory
+    /// The landmarks and the curves with their semilandmarks, for a file. Waits for curves that are
+    /// not computed yet.
+    /// @return or the reason why a curve is unknown, a clause: the user gave up waiting, or there
+    /// was no thread or no memory
     geometry::Result<landmarks::LandmarkSet, QString> withSemilandmarks();
 
-    /// What is shown in the view of what is measured at the selected points. Not undoable.
+    /// The measure at the selected landmarks that the view shows. Not undoable.
     const std::optional<ShownMeasure> &shownMeasure() const { return m_shownMeasure; }
     void showMeasure(std::optional<ShownMeasure> measure);
 
     // Edits.
 
-    /// Another curve through these points, in this order.
-    /// @return why there is none, in words; empty: it is there
+    /// Adds a curve through these landmarks, in this order.
+    /// @return the reason if it was not added; empty on success
     QString join(const std::vector<std::size_t> &points, landmarks::CurveKind kind);
     /// @param count  from 2 to landmarks::kMostSemilandmarks
     void setCount(std::size_t curve, int count);
     void setKind(std::size_t curve, landmarks::CurveKind kind);
-    /// @return false of an empty name, and of one that another curve has: they change nothing
+    /// @return false for an empty name and for another curve's name: nothing changes then
     bool rename(std::size_t curve, const QString &name);
     void remove(std::size_t curve);
 
@@ -99,13 +106,14 @@ private:
     struct Task;
     class Surfaces;
 
-    /// Of so many triangles a line is worked out at once: in less time than a picture takes.
+    /// The largest number of triangles for which a line is computed at once: in less time than a
+    /// frame takes.
     static constexpr std::size_t kMostAtOnce = 2'000;
-    /// Through more points that are selected, as all of them, nobody has asked for a line.
+    /// A selection with more landmarks, such as "all", gets no line.
     static constexpr std::size_t kMostMeasured = 20;
 
     void refresh();
-    /// Finds the object that all points lie on.
+    /// Finds the object that has all landmarks.
     void locate(Request &request) const;
     Request requestOf(const landmarks::Curve &curve) const;
     void begin();
@@ -116,8 +124,8 @@ private:
     ChangeNotifier &m_changes;
     std::shared_ptr<Surfaces> m_surfaces;
     std::vector<Known> m_known;        ///< one a curve
-    std::unique_ptr<Known> m_selected; ///< of what is selected
-    std::shared_ptr<Task> m_task;      ///< the one under way
+    std::unique_ptr<Known> m_selected; ///< of the selection
+    std::shared_ptr<Task> m_task;      ///< under way
     std::optional<ShownMeasure> m_shownMeasure;
     std::function<bool()> m_waiting;
     bool m_isWaiting = false;

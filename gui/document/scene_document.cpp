@@ -33,13 +33,13 @@ SceneDocument::SceneDocument(QObject *parent)
 
 SceneDocument::~SceneDocument()
 {
-    m_undoStack.disconnect(this); // it tells of its own end
+    m_undoStack.disconnect(this); // it emits signals in its destructor
 }
 
 Result<Changes> SceneDocument::take(const SceneState &state)
 {
-    // The scene is changed in place: objects and landmarks are copied only where they differ. Where no picture results, it is
-    // changed back.
+    // The scene is changed in place: objects and landmarks are copied only if they differ. If no
+    // valid setup results, the change is reverted.
     const bool hasOtherObjects = state.objects != m_state.objects,
                hasOtherLandmarks = state.landmarks != m_state.landmarks;
     const auto put = [&](const SceneState &which) {
@@ -71,9 +71,10 @@ Result<Changes> SceneDocument::take(const SceneState &state)
                 put(m_state);
                 return unprojector.error();
             }
-            m_unprojector = *unprojector; // in place: references to the picture stay valid
+            m_unprojector = *unprojector; // in place: references to the setup stay valid
         }
-        // What follows the window is kept as it came out, so that fields show the numbers in use.
+        // Values that follow the window are stored as computed, so that fields show the numbers in
+        // use.
         m_scene.projection = taken.settings.projection = next->projection();
         changes = ofObjects | changesBetween(m_state.settings, m_scene);
         changes.setFlag(Change::Setup, isOtherSetup || changes.testFlag(Change::Setup));
@@ -112,12 +113,12 @@ Check SceneDocument::commit(const SceneState &state, const EditLabel &label)
         return taken.error();
     const bool isLook = state.edit == before.edit;
     if (isLook ? isSameLook(before.settings, m_state.settings) : !*taken) {
-        static_cast<void>(take(before)); // it was there a moment ago, and nothing was reported
+        static_cast<void>(take(before)); // it was valid a moment ago, and nothing was reported
         return std::monostate{};
     }
     m_changes.notify(*taken);
     m_lastEdit = std::max(m_lastEdit, state.edit);
-    // The stack reports when it has come to its new place.
+    // The stack reports once it is at its new index.
     m_undoStack.push(new SceneChange(before, m_state, label, [this](const SceneState &restored) {
         const Result<Changes> changes = take(restored);
         Q_ASSERT(changes.hasValue());
@@ -133,7 +134,7 @@ Check SceneDocument::edit(const EditLabel &label, const std::function<void(Scene
     change(next);
     SceneState state = m_state;
     state.edit = m_lastEdit + 1;
-    // States share what is the same in both.
+    // States share equal parts.
     if (next.landmarks != m_scene.landmarks) {
         for (landmarks::Curve &curve : next.landmarks.curves) {
             if (!curve.points.empty())
@@ -157,7 +158,7 @@ void SceneDocument::look(const EditLabel &label, const std::function<void(SceneS
 {
     SceneState state = m_state;
     change(state.settings);
-    // A step that would leave no valid picture (a zoom past the smallest number, say) is not taken.
+    // A step without a valid setup (such as a zoom past the smallest number) is skipped.
     static_cast<void>(commit(state, label));
 }
 

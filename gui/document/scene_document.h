@@ -23,7 +23,7 @@ namespace unprojector::gui {
 class Picks;
 class SceneCurves;
 
-/// The one owner of the scene and of its undo stack. Widgets show it and ask it to change.
+/// The owner of the scene and of its undo stack. Widgets show it and ask it to change.
 class SceneDocument : public QObject {
     Q_OBJECT
 public:
@@ -35,11 +35,11 @@ public:
     const std::vector<scene::SceneObject> &objects() const { return m_scene.objects; }
     /// The placed landmarks, world space.
     const std::vector<landmarks::Landmark> &landmarks() const { return m_scene.landmarks.landmarks; }
-    /// The picture of the scene in the view's window, always valid.
+    /// The setup of the scene in the view's window, always valid.
     const geometry::Setup &setup() const { return m_unprojector->setup(); }
-    /// The same, prepared for clicks.
+    /// The unprojector of that setup, prepared for clicks.
     const unproject::Unprojector &unprojector() const { return *m_unprojector; }
-    /// Around all objects that are not hidden, world space.
+    /// The bounding box of all visible objects, world space.
     const geometry::Box &bounds() const { return m_bounds; }
     /// The drawn ground: a square at the lowest height of the objects, world space.
     const scene::Ground &ground() const { return m_ground; }
@@ -55,54 +55,55 @@ public:
     const Picks &picks() const { return *m_picks; }
 
     QUndoStack &undoStack() { return m_undoStack; }
-    /// Whether anything, the camera included, is other than when the scene was opened or marked as saved. What was undone
-    /// is not.
+    /// Returns whether anything, the camera included, has changed since the scene was opened or
+    /// marked as saved. Undone changes don't count.
     bool isModified() const { return !m_undoStack.isClean(); }
-    /// Whether there is more than a look around: a number, a transform, a clip plane was changed by the user.
+    /// Returns whether the user changed more than the view: a number, a transform, a clip plane.
     bool isEdited() const { return m_state.edit != m_savedEdit; }
-    /// The scene as it is now is on the disk.
+    /// Marks the current scene as saved on the disk.
     void markSaved();
-    /// The scene as it is now is nowhere else: it was recovered.
+    /// Marks the current scene as saved nowhere: it was recovered.
     void markUnsaved();
 
-    /// Shows another scene. The pick and the undo stack go.
+    /// Shows another scene. Clears the pick and the undo stack.
     /// @return the errors of setupOf; then nothing changed
     geometry::Check open(scene::Scene scene);
-    // Each change is undoable. Where the picture would not be valid, the error of setupOf is returned and nothing
-    // changes: the last good view stays.
+    // Each change is undoable. If the setup would be invalid, the functions return the error of
+    // setupOf and change nothing: the last valid view stays.
 
-    /// The user's work: changes anything of the scene as one edit. What follows from the objects (landmarks on them, a pick)
-    /// goes with them; semilandmarks follow from the landmarks of their curve: curves().
+    /// Applies the user's change of anything in the scene as one edit. Landmarks on the objects and
+    /// the pick follow the objects; semilandmarks follow the landmarks of their curve: curves().
     geometry::Check edit(const EditLabel &label, const std::function<void(scene::Scene &)> &change);
-    /// Looking around: changes how the scene is shown. Ignored where it would leave no valid picture or changes nothing.
+    /// Changes how the scene is shown. Does nothing if the setup would be invalid or nothing
+    /// changes.
     void look(const EditLabel &label, const std::function<void(scene::SceneSettings &)> &change);
-    /// The view's size changed. Not undoable. It is the window's where the scene has no size of its own.
+    /// Sets the view's size, not undoably. A scene with a size of its own ignores the window's.
     void setSurface(const geometry::Surface &surface);
-    /// Has the setup of another size while `draw` runs, as for a picture that is exported. Reports nothing.
+    /// Runs `draw` with the setup of another size, as for an exported image. Reports nothing.
     /// @return the errors of setupOf; then `draw` has not run
     geometry::Check drawAt(const geometry::Surface &surface, const std::function<void()> &draw);
 
 signals:
-    /// Another scene is shown. Emitted before `changed`.
+    /// Emitted when another scene is shown, before `changed`.
     void opened();
-    /// Emitted once for all that was done together, when all of it is in place.
+    /// Emitted once for all changes made together, when all of them are applied.
     void changed(unprojector::gui::Changes changes);
 
 private:
-    /// Puts a state in place, if its picture is valid. Derives anew only what follows from what changed.
+    /// Applies a state if its setup is valid. Recomputes only what depends on the changed parts.
     /// @return the changes, not reported yet; the errors of setupOf
     geometry::Result<Changes> take(const SceneState &state);
-    /// Takes a state undoably, if it is another one.
+    /// Applies a state undoably, if it differs.
     geometry::Check commit(const SceneState &state, const EditLabel &label);
 
-    scene::Scene m_scene; ///< m_state in one piece
+    scene::Scene m_scene; ///< m_state as one value
     SceneState m_state;
-    geometry::Surface m_widgetSurface{1, 1, 1.0};        ///< what the view has room for
-    std::optional<unproject::Unprojector> m_unprojector; ///< of the picture of the scene in the view's window
+    geometry::Surface m_widgetSurface{1, 1, 1.0};        ///< the room for the view
+    std::optional<unproject::Unprojector> m_unprojector; ///< of the scene's setup in the view's window
     geometry::Box m_bounds;
     scene::Ground m_ground;
     std::uint64_t m_lastEdit = 0;
-    std::optional<std::uint64_t> m_savedEdit = 0; ///< none: no state of the scene is on the disk
+    std::optional<std::uint64_t> m_savedEdit = 0; ///< none: no state of the scene is saved
     ChangeNotifier m_changes;
     QUndoStack m_undoStack;
     SceneLandmarks m_sceneLandmarks;

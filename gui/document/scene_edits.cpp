@@ -16,7 +16,8 @@ using namespace scene;
 
 namespace {
 
-/// Whether all of an object is in the picture: between its rims and, where they count, between near and far.
+/// Returns whether an object is completely in the view: within its sides and, if
+/// `withClipDistances`, between near and far.
 bool isInSight(const Setup &setup, const SceneObject &object, bool withClipDistances)
 {
     const Result<glm::dmat4> matrix = clipFromWorld(setup);
@@ -38,7 +39,8 @@ bool isInSight(const Setup &setup, const SceneObject &object, bool withClipDista
     });
 }
 
-/// Comes to show all of these objects, of which the last `added` are new. Camera, near and far stay where they do already.
+/// Shows all of these objects, of which the last `added` are new. Camera, near and far stay if they
+/// already do.
 void showAdded(SceneSettings &settings, Setup setup, const std::vector<SceneObject> &objects, std::size_t added)
 {
     Box bounds;
@@ -124,7 +126,7 @@ NameFault renameObject(SceneDocument &document, std::size_t index, const QString
     const std::string wanted = name.trimmed().toStdString();
     if (const NameFault fault = faultOf(wanted, index, document.objects()); fault != NameFault::None)
         return fault;
-    // A name is no number of a picture: there is nothing that it could make invalid.
+    // A name cannot make a setup invalid.
     static_cast<void>(
         document.edit({SceneDocument::tr("Rename object")}, [&](Scene &scene) { scene.objects[index].name = wanted; }));
     return NameFault::None;

@@ -11,28 +11,29 @@
 
 namespace unprojector::gui {
 
-// Undoable edits of a document that take more than setting a member. An index is that of one of its objects.
+// Undoable edits of a document that take more than setting a member. An index refers to its
+// objects.
 
-/// Puts objects after those that are there, under names of their own. Where they are not all in sight, the picture
-/// comes to show everything, near and far planes included. The pick stays.
+/// Appends objects and makes their names unique. If not all are visible, the view shows everything
+/// afterwards, near and far planes included. The pick stays.
 /// @return the errors of setupOf; then nothing changed
 geometry::Check addObjects(SceneDocument &document, std::vector<scene::SceneObject> objects);
 geometry::Check removeObject(SceneDocument &document, std::size_t index);
-/// Puts an object elsewhere in the list.
+/// Moves an object to another index of the list.
 geometry::Check moveObject(SceneDocument &document, std::size_t from, std::size_t to);
 geometry::Check setObjectHidden(SceneDocument &document, std::size_t index, bool isHidden);
 geometry::Check showAllObjects(SceneDocument &document);
 bool hasHiddenObjects(const scene::Scene &scene);
-/// @param name  blanks around it are taken off; see faultOf
+/// @param name  is trimmed; see faultOf
 /// @return what is wrong with the name; then nothing changed
 NameFault renameObject(SceneDocument &document, std::size_t index, const QString &name);
 
-/// All placed landmarks, for those that are there. What is done to single ones: SceneLandmarks.
+/// Replaces all landmarks. For edits of single ones see SceneLandmarks.
 geometry::Check editLandmarks(SceneDocument &document, std::vector<landmarks::Landmark> landmarks,
                               const EditLabel &label);
 geometry::Check editLandmarkSet(SceneDocument &document, landmarks::LandmarkSet set, const EditLabel &label);
 
-/// Takes a projection, a view or both from matrices, see withSetup, and a viewport.
+/// Sets a projection, a view or both from matrices (withSetup), and a viewport.
 /// @return the errors of byParameters and setupOf
 geometry::Check editMatrices(SceneDocument &document, const std::optional<geometry::MatrixProjection> &projection,
                              const std::optional<glm::dmat4> &eyeFromWorld, const EditLabel &label,

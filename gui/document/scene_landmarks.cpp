@@ -14,8 +14,9 @@ namespace {
 
 using landmarks::Landmark;
 
-/// Where a point of one list is in another one. Points have no mark of their own: it is the one that is alike in everything,
-/// else the one in its place where both lists are as long. One that stays where it was is no other point's.
+/// The index in one list of a landmark of another list. Landmarks have no id: it is the identical
+/// one, else the one at the same index if both lists are equally long. One that kept its index is
+/// no other's match.
 class IndicesAfter {
 public:
     IndicesAfter(const std::vector<Landmark> &before, const std::vector<Landmark> &after)
@@ -49,7 +50,7 @@ private:
     std::vector<bool> m_isTaken;
 };
 
-/// The single point that has lost its place, as by the undoing of its placing.
+/// The single landmark that has lost its position, as by undoing its placement.
 std::optional<std::size_t> unplaced(const std::vector<Landmark> &before, const std::vector<Landmark> &after)
 {
     std::optional<std::size_t> only;
@@ -74,7 +75,7 @@ std::optional<std::size_t> nextMissing(const std::vector<Landmark> &landmarks, s
     return std::nullopt;
 }
 
-/// Where it is, and how that is known.
+/// Copies position, anchor and uncertainty.
 void takePlace(Landmark &landmark, const Landmark &of)
 {
     landmark.world = of.world;
@@ -88,7 +89,7 @@ void takePlace(Landmark &landmark, const Landmark &of)
 SceneLandmarks::SceneLandmarks(SceneDocument &document, ChangeNotifier &changes)
     : m_document(document), m_changes(changes)
 {
-    // In another scene nothing is selected, and the first missing landmark waits.
+    // Nothing is selected in another scene, and the first missing landmark is next.
     connect(&document, &SceneDocument::opened, this,
             [this] { take({}, std::nullopt, nextMissing(all(), std::nullopt)); });
 }
@@ -104,7 +105,7 @@ QString SceneLandmarks::shownNameOf(const std::vector<Landmark> &landmarks, std:
     return name.isEmpty() ? tr("point %1").arg(index + 1) : name;
 }
 
-// ---- what is selected --------------------------------------------------------------------------------------------
+// ---- selection ----------------------------------------------------------------------------------
 
 bool SceneLandmarks::isSelected(std::size_t index) const
 {
@@ -185,7 +186,7 @@ Changes SceneLandmarks::follow(const std::vector<Landmark> &before, const std::v
     return take(std::move(selection), current, nextUnplaced) ? Change::LandmarkSelection : Changes();
 }
 
-// ---- edits -------------------------------------------------------------------------------------------------------
+// ---- edits --------------------------------------------------------------------------------------
 
 std::string SceneLandmarks::freeName() const
 {
@@ -249,7 +250,7 @@ Check SceneLandmarks::moveAll(const std::vector<Move> &moves, const QString &mer
     indices.reserve(moves.size());
     for (const Move &move : moves)
         indices.push_back(move.index);
-    std::size_t next = 0; // they come in this order
+    std::size_t next = 0; // they are in this order
     return edit(
         indices, tr("Move %1"), tr("Move %n points", nullptr, static_cast<int>(indices.size())),
         [&](Landmark &landmark) { takePlace(landmark, moves[next++].to); }, mergeKey);
@@ -269,7 +270,7 @@ Check SceneLandmarks::rename(std::size_t index, const QString &name)
     Q_ASSERT(index < all().size());
     landmarks::LandmarkSet set = m_document.scene().landmarks;
     const std::string before = std::exchange(set.landmarks[index].name, name.trimmed().toStdString());
-    for (landmarks::Curve &curve : set.curves) { // which know their points by their names
+    for (landmarks::Curve &curve : set.curves) { // which refer to landmarks by name
         if (!before.empty())
             std::replace(curve.points.begin(), curve.points.end(), before, set.landmarks[index].name);
     }
@@ -298,7 +299,7 @@ Check SceneLandmarks::setHidden(const std::vector<std::size_t> &indices, bool is
 Check SceneLandmarks::setMissing(const std::vector<std::size_t> &indices)
 {
     const ChangeNotifier::Batch batch(m_changes);
-    const std::optional<std::size_t> nextUnplaced = m_nextUnplaced; // what is not there is not what is placed next
+    const std::optional<std::size_t> nextUnplaced = m_nextUnplaced; // a landmark made missing is not the next to place
     const Check done =
         edit(indices, tr("%1 missing"), tr("%n points missing", nullptr, static_cast<int>(indices.size())),
              [](Landmark &landmark) { takePlace(landmark, {}); });

@@ -26,7 +26,7 @@ struct LoadedModel {
     opening::ModelPointer model;
 };
 
-/// Those files that could be read, in the order asked for, and why the others could not.
+/// The files that could be read, in the requested order, and the errors of the others.
 struct Loaded {
     std::vector<LoadedModel> models;
     std::vector<ImportError> errors;
@@ -44,7 +44,7 @@ std::vector<SceneObject> objectsOf(const std::vector<LoadedModel> &models)
     return objects;
 }
 
-/// @return why there is no scene, in words
+/// @return the reason if there is no scene, in words
 Result<Scene, QString> sceneOf(const Opening &asked, const std::vector<LoadedModel> &models)
 {
     const SceneOrigin &origin = asked.origin;
@@ -63,7 +63,7 @@ Result<Scene, QString> sceneOf(const Opening &asked, const std::vector<LoadedMod
     return std::move(scene).value();
 }
 
-/// The note, where there are such keys.
+/// Adds the note, if there are such keys.
 void addNote(const std::vector<std::string> &keys, const QString &note, Opening &opening)
 {
     if (!keys.empty())
@@ -112,7 +112,7 @@ QString namesText(const QString &first, int others)
 Result<Opening, QString> SceneOpener::readScene(const std::filesystem::path &file)
 {
     Opening opening{Opening::Kind::SceneFile, {pathText(file.filename()), absolutePath(file)}};
-    // Taken before it is read, so that what changes in between is seen as a change.
+    // Taken before reading, so that a change in between is detected.
     std::error_code error;
     if (std::filesystem::file_size(opening.origin.file, error) <= kMostSceneBytes && !error)
         opening.origin.stamp = files::stampOf(opening.origin.file);
@@ -165,7 +165,7 @@ void SceneOpener::load(Opening asked)
             result.errors << tr("The files cannot be opened: %1. Close other programs, then try again.")
                                  .arg(failureText(loaded.error()));
         emit opened(result);
-        if (!isLoading()) // who heard of it may have asked for the next
+        if (!isLoading()) // a receiver may have started the next one
             emit ended();
     };
     m_background.start(work, done, [this, names, count](double share) {

@@ -17,55 +17,56 @@ namespace unprojector::gui {
 
 class RecoveryFile;
 
-/// Where a scene is from, and what it is called.
+/// The origin of a scene, and its title.
 struct SceneOrigin {
     QString name;                               ///< as in a title
     std::filesystem::path file = {};            ///< absolute; empty: none
-    std::optional<files::FileStamp> stamp = {}; ///< of the file when it was last read or written here
+    std::optional<files::FileStamp> stamp = {}; ///< of the file at the last read or write by this program
 };
 
-/// What is to be opened.
+/// A request to open.
 struct Opening {
     enum class Kind { NewScene, Addition, SceneFile };
     Kind kind = Kind::NewScene;
-    SceneOrigin origin = {};                        ///< of a scene file; that of a recovered one may have no file
+    SceneOrigin origin = {};                        ///< of a scene file; a recovered scene may have no file
     scene_file::SceneFile contents = {};            ///< of a scene file
-    const RecoveryFile *recovered = nullptr;        ///< what the scene is recovered from
-    std::vector<std::filesystem::path> models = {}; ///< those of a scene file follow from its contents
-    QStringList notes = {};                         ///< what of the scene file is not kept
+    const RecoveryFile *recovered = nullptr;        ///< the recovery file, if any
+    std::vector<std::filesystem::path> models = {}; ///< a scene file names its own in its contents
+    QStringList notes = {};                         ///< import notes of the scene file
     std::vector<std::filesystem::path> landmarkFiles =
-        {}; ///< files of them and templates, for who has shown the models
+        {}; ///< landmark files and templates, passed on after the models are shown
 };
 
-/// What was opened, to be shown.
+/// The result of opening, to be shown.
 struct Opened {
     Opening opening;
-    std::vector<scene::SceneObject> objects = {}; ///< of the models that could be read, unless they are a scene file's
-    std::optional<scene::Scene> scene = {};       ///< of a scene file; nothing where a part of it could not be read
+    std::vector<scene::SceneObject> objects = {}; ///< of the models that could be read, unless a scene file names them
+    std::optional<scene::Scene> scene = {};       ///< of a scene file; nothing if a part of it could not be read
     QStringList errors = {};                      ///< why parts could not be read
     QStringList notes = {};                       ///< import notes
 };
 
-/// From now on the working folder does not matter.
+/// The path made absolute, independent of the working folder.
 std::filesystem::path absolutePath(const std::filesystem::path &file);
 /// "a.obj and 2 more"
 QString namesText(const QString &first, int others);
 
-/// Reads scenes and models, these on a thread of its own, one opening at a time. It changes nothing that is shown.
+/// Reads scenes, and models on a separate thread, one opening at a time. It changes nothing that is
+/// shown.
 class SceneOpener : public QObject {
     Q_OBJECT
 public:
     /// Reads a scene file, without its models.
-    /// @return why it cannot be read or shown
+    /// @return the reason if it cannot be read or shown
     static geometry::Result<Opening, QString> readScene(const std::filesystem::path &file);
 
-    /// Starts reading the models, one file after the other; a model that is in use already is not read again. An opening that is
-    /// under way is cancelled.
+    /// Starts reading the models, one file after the other; reuses models in memory. Cancels an
+    /// opening that is under way.
     void load(Opening asked);
-    /// Ends the opening that is under way: `ended` comes before this returns, nothing of it comes after.
+    /// Cancels the opening under way: emits `ended` before it returns, and nothing after.
     void cancel();
     bool isLoading() const { return m_background.isRunning(); }
-    /// As a title would call what is being opened.
+    /// The title of what is being opened.
     /// @pre isLoading()
     QString name() const;
 
@@ -73,15 +74,15 @@ signals:
     void started();
     /// @param share  of all files, in [0, 1]
     void progressed(const QString &fileName, double share);
-    /// Also where nothing could be read.
+    /// Emitted also if nothing could be read.
     void opened(const unprojector::gui::Opened &opened);
-    /// An opening has ended, in whatever way.
+    /// Emitted when an opening has ended, in any way.
     void ended();
 
 private:
     opening::ModelFiles m_modelFiles;
     Opening m_opening;          ///< while it loads
-    Background m_background{2}; ///< the next need not wait for the cancelled one
+    Background m_background{2}; ///< the next one need not wait for a cancelled one
 };
 
 } // namespace unprojector::gui

@@ -24,7 +24,7 @@ using namespace scene_file;
 
 Session::Session(SceneDocument &document, SessionQuestions &questions, const Options &options, QObject *parent)
     : QObject(parent), m_document(document), m_questions(questions),
-      m_options(options), m_origin{tr("the scene")} // until one is opened
+      m_options(options), m_origin{tr("the scene")} // until a scene is opened
 {
     connect(&m_opener, &SceneOpener::started, this, &Session::loadingStarted);
     connect(&m_opener, &SceneOpener::progressed, this, &Session::loadingProgressed);
@@ -44,11 +44,12 @@ Session::~Session() = default;
 
 bool Session::hasUnsavedChanges() const
 {
-    // Who only looks at a model from all sides has nothing to save; a scene with a file has an owner.
+    // Looking at a model from all sides leaves nothing to save; a scene with a file is someone's
+    // work.
     return m_origin.file.empty() ? m_document.isEdited() : m_document.isModified();
 }
 
-// ---- opening ------------------------------------------------------------------------------------------------------
+// ---- opening ------------------------------------------------------------------------------------
 
 void Session::openFiles(std::vector<std::filesystem::path> files)
 {
@@ -84,7 +85,7 @@ void Session::addFiles(std::vector<std::filesystem::path> files)
 
 void Session::openScene(const std::filesystem::path &file, std::vector<std::filesystem::path> landmarkFiles)
 {
-    m_opener.cancel(); // it would replace the scene later, whatever becomes of this one
+    m_opener.cancel(); // it would replace the scene later
     emit progressed();
     Result<Opening, QString> scene = SceneOpener::readScene(file);
     if (!scene) {
@@ -111,14 +112,14 @@ void Session::openBundledScene()
 bool Session::openLesson(Scene scene, const QString &name, const QString &lesson)
 {
     emit progressed();
-    std::optional<SceneAside> before; // its changes are kept in their file for as long as they are nowhere else
+    std::optional<SceneAside> before; // its file keeps the changes while they are saved nowhere else
     if (!m_aside)
         before = {m_document.scene(), m_document.picks().keptPick(), m_origin, hasUnsavedChanges(),
                   m_autosave ? m_autosave->release() : nullptr};
     if (const Check shown = m_document.open(std::move(scene)); !shown) {
         if (before && before->recovery)
             m_autosave->adopt(std::move(before->recovery));
-        followChanges(); // those that could not be written when the file was given away
+        followChanges(); // retries changes that could not be written when the file was given away
         emit failed(errorText(shown.error()));
         return false;
     }
@@ -178,13 +179,13 @@ void Session::show(Opened opened)
         addModels(std::move(opened.objects));
     else
         isShown = showModels(std::move(opened.objects));
-    // Import notes stay in sight until the user closes them, as errors do.
+    // Import notes stay visible until the user closes them, as errors do.
     const QStringList reasons = opened.errors + opened.notes;
     if (!opened.errors.isEmpty())
         emit failed(reasons.join(u'\n'));
     else if (!reasons.isEmpty())
         emit warned(reasons.join(u'\n'));
-    if (isShown && !opened.opening.landmarkFiles.empty()) // to nothing else they belong
+    if (isShown && !opened.opening.landmarkFiles.empty()) // they belong only to these models
         emit landmarkFilesOpened(opened.opening.landmarkFiles);
 }
 
@@ -239,14 +240,14 @@ void Session::setScene(const SceneOrigin &origin, const QString &lesson, bool is
     emit opened(lesson, isBack);
 }
 
-// ---- saving ------------------------------------------------------------------------------------------------------
+// ---- saving -------------------------------------------------------------------------------------
 
 bool Session::save()
 {
     return m_origin.file.empty() ? saveAs() : saveScene(m_origin.file);
 }
 
-/// Beside the first model that came from a file, by its name.
+/// Beside the first model that came from a file, with its name.
 std::filesystem::path Session::proposedName() const
 {
     for (const SceneObject &object : m_document.objects()) {
@@ -258,7 +259,7 @@ std::filesystem::path Session::proposedName() const
 
 bool Session::saveAs()
 {
-    m_opener.cancel(); // it could replace the scene under the question
+    m_opener.cancel(); // it could replace the scene during the question
     const std::filesystem::path named = m_questions.askFileName(m_origin.file.empty() ? proposedName() : m_origin.file);
     if (named.empty())
         return false;
@@ -320,7 +321,7 @@ bool Session::mayLeave()
         return false;
     if (!m_options.remembers || !m_aside->isUnsaved)
         return true;
-    // It comes back only to be saved: who would rather stay goes on with the lesson.
+    // It is restored only to be saved: a user who cancels continues with the lesson.
     return mayLoseChanges(m_aside->origin.name, !m_aside->origin.file.empty(), [this] { return comeBack() && save(); });
 }
 
@@ -332,7 +333,7 @@ bool Session::mayLeaveStep()
 
 void Session::finishBeforeLeaving()
 {
-    m_opener.cancel(); // it could replace the scene under the question
+    m_opener.cancel(); // it could replace the scene during the question
     emit commitPendingEdits();
     emit aboutToSaveOrLeave();
 }
@@ -361,7 +362,7 @@ void Session::end()
     dropAside();
 }
 
-// ---- recent files ------------------------------------------------------------------------------------------------
+// ---- recent files -------------------------------------------------------------------------------
 
 QStringList Session::recentFiles() const
 {
@@ -382,7 +383,7 @@ void Session::rememberRecent(const std::filesystem::path &file)
     emit recentFilesChanged();
 }
 
-// ---- in case of a crash ------------------------------------------------------------------------------------------
+// ---- crash recovery -----------------------------------------------------------------------------
 
 void Session::createAutosave()
 {
@@ -458,7 +459,7 @@ std::unique_ptr<RecoveryFile> Session::takeOffered(std::size_t index)
 
 void Session::recover(std::size_t index)
 {
-    m_opener.cancel(); // it would replace the scene later, whatever becomes of this one
+    m_opener.cancel(); // it would replace the scene later
     const RecoveryFile &file = *m_offered.at(index);
     const std::optional<RecoveryInfo> info = file.info();
     Result<SceneFile, SceneFileError> scene = file.scene();

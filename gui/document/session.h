@@ -21,34 +21,35 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// What only a person can answer.
+/// Questions that only the user can answer.
 class SessionQuestions {
 public:
     enum class SaveAnswer { Save, Discard, Cancel };
 
     virtual ~SessionQuestions() = default;
-    /// What to do with the unsaved changes of the scene of this name, which is about to be left.
-    /// @param hasFile  of a scene; else the name is that of a model, which is never written
+    /// Asks what to do with the unsaved changes of the named scene before it is left.
+    /// @param hasFile  of a scene; else the name belongs to a model, which is never written
     virtual SaveAnswer askSave(const QString &name, bool hasFile) = 0;
-    /// Under which name to save; empty: not at all.
+    /// Asks for a file name to save under; empty: don't save.
     virtual std::filesystem::path askFileName(const std::filesystem::path &proposal) = 0;
-    /// Whether to write over this file, whose name is not quite the one that was given.
+    /// Asks whether to overwrite this file, whose name differs slightly from the given one.
     virtual bool askOverwrite(const std::filesystem::path &file) = 0;
-    /// Whether to write over this file, which somebody else has changed since it was read.
+    /// Asks whether to overwrite this file, which another program has changed since it was read.
     virtual bool askOverwriteChanged(const std::filesystem::path &file) = 0;
-    /// Whether to delete the changes that were kept of this scene for good.
+    /// Asks whether to delete the kept changes of this scene for good.
     virtual bool askDeleteKept(const QString &name) = 0;
 };
 
-/// Which scene the document shows, where it is from and what becomes of its changes: leaves, saves, keeps in case of a
-/// crash and recovers, without a widget; a SceneOpener reads what is opened. Opening ends what is loading, then reads, then asks about unsaved changes: what
-/// cannot be read asks nothing. Of a scene it is the scene file that is read before the question, and its models after it.
+/// The scene that the document shows, its origin and the fate of its changes: leaves, saves,
+/// autosaves and recovers scenes, without a widget; a SceneOpener reads files. Opening cancels a
+/// running load, then reads, then asks about unsaved changes: unreadable files cause no question.
+/// For a scene, the scene file is read before the question and its models after it.
 class Session : public QObject {
     Q_OBJECT
 public:
     struct Options {
         bool remembers = true; ///< asks about unsaved changes, keeps the list of recent files
-        /// Where unsaved changes are kept in case of a crash; empty: with the user's data if it `remembers`, else nowhere.
+        /// Folder of recovery files; empty: the user's data folder if it `remembers`, else none.
         QString recoveryFolder = {};
         AutosaveTiming autosave = {};
     };
@@ -56,119 +57,123 @@ public:
     Session(SceneDocument &document, SessionQuestions &questions, const Options &options, QObject *parent = nullptr);
     ~Session() override;
 
-    /// As in a title: the file's name, that of a lesson's step, or what else there is to call the scene by.
+    /// The title: the name of the file or of the lesson's step, or another description of the
+    /// scene.
     QString name() const { return m_origin.name; }
-    /// Absolute: where the scene was opened from or saved to; empty: nowhere.
+    /// Absolute path that the scene was opened from or saved to; empty: none.
     const std::filesystem::path &file() const { return m_origin.file; }
-    /// What its file would hold if it were saved there now.
+    /// The contents of its file if it were saved there now.
     scene_file::SceneFile contents() const;
-    /// Whether leaving the scene would lose work: any change of a scene that has a file, and more than a look around in one
-    /// that has none.
+    /// Returns whether leaving the scene would lose work: any change of a scene with a file, and
+    /// more than a change of view in one without.
     bool hasUnsavedChanges() const;
 
-    // ---- opening: what goes wrong is told by `failed`, and then nothing has changed
+    // ---- opening: `failed` reports an error, and then nothing has changed
 
-    /// Opens model files as a new scene, or the scene where there is a scene file among them; points of files among them
-    /// and templates come to what is shown then.
+    /// Opens model files as a new scene, or the scene file among them; landmark files and templates
+    /// among them are applied afterwards.
     void openFiles(std::vector<std::filesystem::path> files);
-    /// Opens model files and puts them beside the objects that are there, as one undoable step.
+    /// Opens model files and appends them to the objects, as one undoable step.
     void addFiles(std::vector<std::filesystem::path> files);
-    /// Opens a scene file. Its models are loaded first; each file once, however many objects show it.
+    /// Opens a scene file. Loads its models first; each file once, even if several objects show it.
     void openScene(const std::filesystem::path &file, std::vector<std::filesystem::path> landmarkFiles = {});
     void openBundledScene();
-    /// Shows the scene of a lesson's step, whose name it has. What was shown is left without a question: see mayLeaveStep. The
-    /// scene that was shown before the lesson stands aside with its unsaved changes.
+    /// Shows the scene of a lesson's step, which has the step's name. Leaves the present scene
+    /// without a question: see mayLeaveStep. The scene before the lesson is suspended with its
+    /// unsaved changes.
     /// @param lesson  its name, for `opened`
     /// @return whether it is shown
     bool openLesson(scene::Scene scene, const QString &name, const QString &lesson);
 
-    /// Shows again the scene that was shown before the lesson, its pick and unsaved changes included; what was done cannot be undone any
-    /// more. What is shown is left without a question.
+    /// Restores the scene before the lesson with its pick and unsaved changes; the undo history is
+    /// lost. Leaves the present scene without a question.
     /// @return whether it is shown
     /// @pre a lesson's step is open
     bool comeBack();
-    /// Of the scene of a lesson's step, as long as it has no file: another step goes on with it.
+    /// Renames the scene of a lesson's step, while it has no file: another step continues with it.
     void nameStep(const QString &name);
     ModelStore &models() { return m_models; }
     bool isLoading() const { return m_opener.isLoading(); }
-    /// Gives up what is loading, and says so by `noticed`.
+    /// Cancels the loading and emits `noticed`.
     void cancelLoading();
 
-    /// What is being typed counts now.
+    /// Commits pending input.
     void commitTyped() { emit commitPendingEdits(); }
 
     // ---- saving
 
-    /// To its file, or as saveAs.
+    /// Saves to its file, or as saveAs.
     /// @return whether it is on the disk
     bool save();
-    /// Under a name that is asked for; ".json" is put behind it where it has no suffix.
+    /// Asks for a name and saves; appends ".json" if it has no suffix.
     bool saveAs();
     std::filesystem::path proposedName() const;
     bool saveScene(const std::filesystem::path &file);
-    /// Asks about unsaved changes. In a lesson they are those of a step's scene that has a file, and of the scene that was shown
-    /// before the lesson, which comes back only to be saved.
-    /// @return whether the scene may be left; else what is shown stays, or what came back and could not be saved
+    /// Asks about unsaved changes. In a lesson: changes of a step's scene with a file, and of the
+    /// scene before the lesson, which is restored only to be saved.
+    /// @return whether the scene may be left; else the present scene stays, or the restored one
+    /// that could not be saved
     bool mayLeave();
-    /// The same for a lesson's step, or to come back: only a step's scene that has a file is asked about. The changes of one
-    /// that has none are given up; the scene before the lesson keeps its own.
+    /// The same for a lesson's step, or for the return from it: asks only about a step's scene with
+    /// a file. Drops the changes of one without; the scene before the lesson keeps its own.
     bool mayLeaveStep();
-    /// The scene is left for good, as mayLeave has allowed: nothing is kept of its changes.
+    /// Leaves the scene for good, as mayLeave has allowed: keeps nothing of its changes.
     void end();
 
     // ---- after a crash
 
-    /// Looks for unsaved changes that an unexpected end has left.
+    /// Looks for unsaved changes after an unexpected end.
     void offerRecovery();
-    /// Those that were found, the last one first.
+    /// The found scenes with unsaved changes, the last one first.
     std::vector<RecoveryInfo> offered() const;
-    // With the index of one of those. @pre index < offered().size()
+    // The index refers to offered(). @pre index < offered().size()
     void recover(std::size_t index);
     void discardOffered(std::size_t index);
-    /// They stay for the next start.
+    /// Keeps them for the next start.
     void postponeOffered();
 
     QStringList recentFiles() const;
     void clearRecentFiles();
 
 signals:
-    /// What is being typed is to count now: something of the scene is about to be written or left. See commitTyped.
+    /// Emitted when pending input must be committed: a part of the scene is about to be written or
+    /// left. See commitTyped.
     void commitPendingEdits();
-    /// The scene is to be saved or left, with all that was typed.
+    /// Emitted when the scene is about to be saved or left, after all input is committed.
     void aboutToSaveOrLeave();
-    /// The name, the file, or whether there are unsaved changes.
+    /// Emitted when the name, the file, or the state "has unsaved changes" changes.
     void changed();
-    /// Something is opened or was saved: what was told before is past.
+    /// Emitted when a file is being opened or was saved: earlier messages are outdated.
     void progressed();
-    /// Another scene is shown.
+    /// Emitted when another scene is shown.
     /// @param lesson  the name of the lesson that it is a step of, or empty
-    /// @param isBack  it was shown before a lesson, and comes back as it was then
+    /// @param isBack  it is the scene before a lesson, restored
     void opened(const QString &lesson, bool isBack);
-    /// Files of points or templates of names were opened with the models that are shown now, or alone: what becomes of them
-    /// is not the session's.
+    /// Emitted when landmark files or templates were opened, with the present models or alone: the
+    /// receiver imports them.
     void landmarkFilesOpened(const std::vector<std::filesystem::path> &files);
-    /// What could not be opened or saved, in words.
+    /// Emitted when something could not be opened or saved, with the reason.
     void failed(const QString &reason);
-    /// What of an opened file is not shown, or not as the file has it.
+    /// Emitted with import notes: what was changed or dropped.
     void warned(const QString &notes);
-    /// What is good to know and needs no answer.
+    /// Emitted with information that needs no answer.
     void noticed(const QString &text);
     void loadingStarted();
     /// @param share  of all files, in [0, 1]
     void loadingProgressed(const QString &fileName, double share);
-    /// A loading has ended, in whatever way.
+    /// Emitted when a loading has ended, in any way.
     void loadingEnded();
     void offeredChanged();
     void recentFilesChanged();
 
 private:
-    /// A scene with all that there is to know of it, to come back to.
+    /// A suspended scene with its whole state, to be restored later.
     struct SceneAside {
         scene::Scene scene;
         KeptPick pick;
         SceneOrigin origin;
         bool isUnsaved = false;
-        std::unique_ptr<RecoveryFile> recovery; ///< where its changes are kept
+        std::unique_ptr<RecoveryFile> recovery; ///< the file that keeps its changes
     };
 
     /// Shows what was opened, and reports its errors and import notes.
@@ -176,21 +181,22 @@ private:
     bool showModels(std::vector<scene::SceneObject> objects);
     void addModels(std::vector<scene::SceneObject> objects);
     bool showScene(Opened &opened);
-    /// The scene that was just opened is from there.
+    /// Sets the origin of the scene that was just opened.
     void setScene(const SceneOrigin &origin, const QString &lesson = {}, bool isBack = false);
-    /// Nobody comes back to it.
+    /// Drops the suspended scene: it is not restored any more.
     void dropAside();
     void takeRecovered(const RecoveryFile *file);
     std::unique_ptr<RecoveryFile> takeOffered(std::size_t index);
-    /// What came as a matrix and was saved by its arguments, in a sentence; empty where nothing was.
+    /// The matrices that were imported but saved as arguments, in a sentence; empty if there are
+    /// none.
     QString droppedMatrices() const;
     void createAutosave();
     void followChanges();
     geometry::Result<Autosave::Content, QString> unsavedContent() const;
-    /// What is loading ends, and what was typed counts, before the scene is left.
+    /// Cancels the loading and commits pending input before the scene is left.
     void finishBeforeLeaving();
     /// @param hasFile  see SessionQuestions::askSave
-    /// @param save     of the scene that is asked about
+    /// @param save     saves the scene in question
     bool mayLoseChanges(const QString &name, bool hasFile, const std::function<bool()> &save);
     bool mayLoseChanges();
     void rememberRecent(const std::filesystem::path &file);
@@ -201,8 +207,8 @@ private:
     ModelStore m_models;
     SceneOpener m_opener;
     SceneOrigin m_origin;
-    std::optional<SceneAside> m_aside;                    ///< in a lesson what was shown before it
-    Autosave *m_autosave = nullptr;                       ///< none where nothing is to be kept
+    std::optional<SceneAside> m_aside;                    ///< the scene before the lesson
+    Autosave *m_autosave = nullptr;                       ///< null if nothing is kept
     std::vector<std::unique_ptr<RecoveryFile>> m_offered; ///< the last one first
 };
 

@@ -16,12 +16,12 @@ using namespace mesh;
 
 namespace {
 
-/// What has more pixels is not even decoded to be scaled down: that would take gigabytes.
+/// Images with more pixels are not even decoded to be scaled down: that would take gigabytes.
 constexpr qint64 kMostPixels = qint64{1} << 28;
 
 std::shared_ptr<const Image> imageFrom(const QImage &picture)
 {
-    // An image's first row is its bottom one, as texture coordinates and OpenGL count.
+    // An image's first row is its bottom one, as in texture coordinates and OpenGL.
     const QImage upright = picture.mirrored().convertToFormat(QImage::Format_RGBA8888);
     auto image = std::make_shared<Image>();
     image->widthPixels = upright.width();
@@ -51,7 +51,7 @@ void decode(Texture &texture, std::vector<ModelNote> &notes)
         reader.setScaledSize(size);
     }
     QImage picture = isTooLarge ? QImage() : reader.read();
-    // A format that does not tell its size before it is read.
+    // Some formats don't state their size before decoding.
     if (picture.width() > kMostTexturePixels || picture.height() > kMostTexturePixels)
         picture = picture.scaled(kMostTexturePixels, kMostTexturePixels, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     if (picture.isNull()) {
@@ -69,7 +69,7 @@ void decode(Texture &texture, std::vector<ModelNote> &notes)
 
 void decodeTextures(Model &model, const std::function<bool()> &goOn)
 {
-    // Our own limit is another: 128 MB, Qt's, is a picture of 5,800 by 5,800 pixels.
+    // Qt's limit is too low: 128 MB are an image of 5,800 by 5,800 pixels. kMostPixels replaces it.
     QImageReader::setAllocationLimit(0);
     for (Texture &texture : model.textures) {
         if (!goOn())

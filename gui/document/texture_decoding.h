@@ -6,10 +6,11 @@
 
 namespace unprojector::gui {
 
-/// A texture is at most so wide and so high, in pixels; a larger one is scaled down.
+/// The largest width and height of a texture, in pixels; a larger one is scaled down.
 constexpr int kMostTexturePixels = 8192;
 
-/// Decodes a model's textures. What is scaled down or cannot be decoded is added to the model's notes. For any thread.
+/// Decodes a model's textures. Adds a note to the model for each one that is scaled down or cannot
+/// be decoded. For any thread.
 /// @param goOn  asked before each texture
 void decodeTextures(mesh::Model &model, const std::function<bool()> &goOn);
 

@@ -85,7 +85,7 @@ std::optional<double> wayAlong(const WorldPoint &point, int axis, const ray::Ray
 {
     const WorldVector unit = unitOf(axis), along = normalized(ray.along), between = ray.from - point;
     const double across = dot(unit, along);
-    const double square = 1.0 - across * across; // of the sine between both
+    const double square = 1.0 - across * across; // of the sine of the angle
     constexpr double kLeast = 1e-4;
     if (!(square > kLeast))
         return std::nullopt;

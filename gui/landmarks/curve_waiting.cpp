@@ -27,7 +27,7 @@ bool waitForCurves(QWidget &window, SceneDocument &document)
     });
     constexpr int kUnnoticedMilliseconds = 300, kTickMilliseconds = 100;
     QTimer::singleShot(kUnnoticedMilliseconds, &loop, &QEventLoop::quit);
-    if (curves.isComputing()) // keys and clicks wait, since what they change is about to be written
+    if (curves.isComputing()) // blocks keys and clicks, because they would change what is being exported
         loop.exec(QEventLoop::ExcludeUserInputEvents);
     if (!curves.isComputing())
         return true;
@@ -41,7 +41,7 @@ bool waitForCurves(QWidget &window, SceneDocument &document)
         const SceneCurves::Progress progress = curves.progress();
         const int count = static_cast<int>(progress.count), done = static_cast<int>(progress.done);
         if (count < 2)
-            return; // of a single one nobody knows how far it is
+            return; // a single curve has no measurable progress
         dialog.setRange(0, count);
         dialog.setValue(done);
         dialog.setLabelText(Texts::tr("Curves are worked out on the surface: %1 of %2").arg(done).arg(count));

@@ -29,7 +29,7 @@ using landmarks::CurveKind;
 
 enum Column { Name, Points, Kind, Count, Length };
 
-/// Names and numbers of semilandmarks are typed in place.
+/// Edits names and numbers of semilandmarks in place.
 class CurveDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -47,12 +47,12 @@ bool isDigit(const QKeyEvent &event)
            && (event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier)) == Qt::NoModifier;
 }
 
-/// Digits are the number of semilandmarks of the current row, not keys of the camera.
+/// Uses digits for the current row's number of semilandmarks, not as camera keys.
 class CurveRows : public QTreeWidget {
 public:
     using QTreeWidget::QTreeWidget;
 
-    /// What is being typed; the editor is closed.
+    /// The pending input of the closed editor.
     struct Typed {
         int row = 0, column = 0;
         QString text;
@@ -112,7 +112,7 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
     m_rows->header()->setSectionResizeMode(Points, QHeaderView::Stretch);
     connect(m_rows, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem *item, int column) {
         const int row = m_rows->indexOfTopLevelItem(item);
-        // Not while the editor is still at it: the rows are made anew.
+        // Deferred until the editor has finished: the rows are rebuilt.
         QTimer::singleShot(0, this,
                            [this, row, column, text = item->data(column, Qt::EditRole)] { apply(row, column, text); });
     });
@@ -171,7 +171,7 @@ void CurvesView::join(landmarks::CurveKind kind)
     say(reason.isEmpty() ? QString() : tr("No curve: %1.").arg(reason));
     if (!reason.isEmpty())
         return;
-    // Its number of semilandmarks is what is typed next: elsewhere digits turn the camera.
+    // Digits typed next set its number of semilandmarks: elsewhere they turn the camera.
     m_rows->setCurrentItem(m_rows->topLevelItem(m_rows->topLevelItemCount() - 1), Count);
     m_rows->setFocus(Qt::ShortcutFocusReason);
 }
@@ -193,7 +193,7 @@ void CurvesView::say(const QString &reason)
 void CurvesView::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    // Why a curve does not go is longer than the room for it: the tip has it whole.
+    // The reason of a failed curve is longer than its column: the tooltip shows it all.
     m_rows->header()->setMaximumSectionSize(std::max(m_rows->header()->minimumSectionSize(), width() / 2));
 }
 
@@ -265,7 +265,7 @@ void CurvesView::showLengths()
     for (std::size_t i = 0; i < curves.all().size(); ++i) {
         QTreeWidgetItem *item = m_rows->topLevelItem(static_cast<int>(i));
         if (!item)
-            return; // the points have not been told yet
+            return; // the landmarks have not been reported yet
         item->setText(Length, curveLengthText(curves.line(i), unit));
         for (int column = 0; column <= Length; ++column)
             item->setToolTip(column, plainToolTip(tr("%1 %2: %3", "a curve, its points, its length")
@@ -292,7 +292,7 @@ void CurvesView::apply(int row, int column, const QVariant &typed)
                     .arg(typed.toString().trimmed())
                     .arg(landmarks::kMostSemilandmarks));
     }
-    showRows(); // what was refused is as before
+    showRows(); // restores the value after a rejection
 }
 
 void CurvesView::removeCurrent()

@@ -16,22 +16,23 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// The curves of a document: the points that each joins, how it goes, on how many semilandmarks, how long it is. It is hidden while
-/// there are none and nothing is to be said.
+/// The curves of a document: the landmarks that each joins, its kind, number of semilandmarks and
+/// length. It is hidden without curves and messages.
 class CurvesView : public QWidget {
     Q_OBJECT
 public:
     explicit CurvesView(SceneDocument &document, QWidget *parent = nullptr);
 
-    /// Joins the points that are selected; to be put where these are listed.
+    /// Joins the selected landmarks; placed beside their list.
     QToolButton *joinButton() const { return m_join; }
-    /// What is being typed counts, as if Enter were pressed.
+    /// Commits pending input, as Enter does.
     void applyTyped();
-    /// Joins the points that are selected, or says why not. Digits that are typed next are its number of semilandmarks.
+    /// Joins the selected landmarks, or shows why it can't. Digits typed next set the number of
+    /// semilandmarks.
     void join(landmarks::CurveKind kind);
 
 signals:
-    /// There is a list now, or none any more.
+    /// Emitted when the list appears or disappears.
     void shownOrHidden();
 
 protected:
@@ -40,11 +41,11 @@ protected:
     void hideEvent(QHideEvent *event) override;
 
 private:
-    /// @param reason  why something typed or asked for is refused; empty: it is not
+    /// @param reason  why an input or a request is rejected; empty: clears the message
     void say(const QString &reason);
     void showRows();
     void showLengths();
-    /// The list takes no more room than its rows need.
+    /// Limits the list's height to its rows.
     void fitHeight();
     void apply(int row, int column, const QVariant &typed);
     void showMenu(const QPoint &place);

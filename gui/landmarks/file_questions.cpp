@@ -6,8 +6,9 @@
 namespace unprojector::gui {
 namespace {
 
-/// Asks with buttons of its own, "Cancel" besides. Names come from files: whatever looks like markup in them is text.
-/// @return the place of the one that was pressed, -1 for Cancel
+/// Asks with its own buttons and "Cancel". Names come from files: markup in them is shown
+/// literally.
+/// @return the index of the pressed button, -1 for Cancel
 int askOwn(QWidget &window, const QString &title, const QString &text, const QStringList &choices)
 {
     QMessageBox box(QMessageBox::Question, title, text, QMessageBox::Cancel, &window);

@@ -8,7 +8,7 @@ class QWidget;
 
 namespace unprojector::gui {
 
-/// Asks the questions of files of landmarks in message boxes over a window.
+/// Asks the questions about landmark files in message boxes over a window.
 class FileQuestions : public LandmarkFileQuestions {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::FileQuestions)
 public:

@@ -43,7 +43,8 @@ QRectF loupeBox(const Surface &surface, const DevicePoint &at, double taken)
     const double width = surface.widthPixels / ratio, height = surface.heightPixels / ratio;
     const double beside = width - taken - kSide - kMargin, bottom = height - kSide - kMargin;
     const bool hasRoom = taken <= 0.0 || beside >= kMargin;
-    // Where nothing fits beside what is taken, below: on the right, or on the left.
+    // The box goes below if there is no room beside the occupied area: on the right, or on the
+    // left.
     QRectF box(std::max(kMargin, hasRoom ? beside : width - kSide - kMargin), hasRoom ? kMargin : bottom, kSide, kSide);
     constexpr double kApart = 40.0;
     if (box.adjusted(-kApart, -kApart, kApart, kApart).contains(at.x / ratio, at.y / ratio))
@@ -104,7 +105,7 @@ void drawLoupe(QPainter &painter, const QRectF &box, const DevicePoint &at, cons
         for (const QLineF &edge : edges)
             painter.drawLine(placeOf(edge.p1()), placeOf(edge.p2()));
     }
-    // The place itself, which has parts of a pixel.
+    // The exact position, with fractions of a pixel.
     const QPointF middle = placeOf({at.x, at.y});
     constexpr double kGap = 3.0, kArm = 12.0;
     for (const auto &[color, width] : {std::pair(QColor(0, 0, 0), 3.5), std::pair(QColor(255, 194, 46), 1.5)}) {

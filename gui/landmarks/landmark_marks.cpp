@@ -26,7 +26,7 @@ class Texts {
 const QColor kUsualColor(0xff, 0xc2, 0x2e);
 const QColor kDark(0x18, 0x1a, 0x1c), kLight(0xff, 0xff, 0xff);
 
-/// Whether the scene has something in front of a point.
+/// Returns whether the scene hides a point.
 bool isBehind(const SceneDocument &document, const Landmark &landmark, const DevicePoint &at)
 {
     const std::vector<glm::dvec4> &planes = document.scene().clipPlanes;
@@ -44,18 +44,18 @@ bool isBehind(const SceneDocument &document, const Landmark &landmark, const Dev
     const auto ray = rays->rays().at(at);
     if (!hit || !*hit || !ray)
         return false;
-    // Each object counts its triangles from 0.
+    // Triangle indices are counted in each object.
     if (const auto *held = std::get_if<landmarks::OnTriangle>(&landmark.anchor);
         held && (*hit)->triangle && (*hit)->triangle->triangle == held->triangle
         && document.objects()[(*hit)->object].name == landmark.object)
         return false;
     const double t = dot(*landmark.world - ray->from, ray->along) / dot(ray->along, ray->along);
-    // What lies a pixel deep in the surface, as of a file with few digits, is on it.
+    // A point up to a pixel below the surface, as from a file with few digits, counts as on it.
     const double deep = std::max(pixel, 4.0 * length((*hit)->uncertainty));
     return (*hit)->t < t && distance((*hit)->world, *landmark.world) > deep;
 }
 
-/// Cells of the picture that are taken: where they are free nothing overlaps.
+/// Cells of the view that are occupied: labels in free cells overlap nothing.
 class Room {
 public:
     explicit Room(const QRectF &area)
@@ -76,7 +76,7 @@ public:
 private:
     static constexpr double kCell = 3.0;
 
-    /// Ends where `visit` says no.
+    /// Visits cells until `visit` returns false.
     template <class Visit>
     bool everyCell(const QRectF &box, const Visit &visit) const
     {
@@ -104,7 +104,7 @@ QRectF boxOf(const QPointF &middle, double half)
     return {middle.x() - half, middle.y() - half, 2.0 * half, 2.0 * half};
 }
 
-/// Between a label's text and the rim of its box.
+/// The padding between a label's text and its box.
 QSizeF paddingOf(const QFontMetricsF &metrics)
 {
     return {metrics.height() * 0.25, metrics.height() * 0.06};
@@ -191,9 +191,10 @@ std::vector<PlacedLabel> placedLabels(const std::vector<LandmarkMark> &marks, co
     };
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
 
-    // Close by to the sides first, then above and below; then round about, each time farther away.
+    // Near positions at the sides first, then above and below; then all around, farther away each
+    // time.
     struct Way {
-        double x, y; ///< of the box's middle, in halves of the box and the gap
+        double x, y; ///< of the box's centre, in halves of the box and the gap
     };
     constexpr std::array kWays{Way{1, 0},   Way{-1, 0}, Way{1, -1}, Way{1, 1},
                                Way{-1, -1}, Way{-1, 1}, Way{0, -1}, Way{0, 1}};
@@ -253,7 +254,7 @@ void drawLandmarks(QPainter &painter, const std::vector<LandmarkMark> &marks, co
             painter.setPen(QPen(kLight, 2.0));
             painter.drawEllipse(mark.at, kMarkRadius + 3.0, kMarkRadius + 3.0);
         }
-        // Dark around light, to be seen on any surface; the very place of the point stays visible in a dot of its own.
+        // Dark around light, visible on any surface; the exact position stays visible as a dot.
         painter.setPen(QPen(kDark, mark.isBehind ? 3.5 : 1.5));
         painter.setBrush(mark.isBehind ? QBrush(Qt::NoBrush) : QBrush(mark.color));
         painter.drawEllipse(mark.at, kMarkRadius, kMarkRadius);

@@ -17,49 +17,52 @@ class QPainter;
 
 namespace unprojector::gui {
 
-/// Where a placed point is seen in the picture.
+/// The mark of a landmark in the view.
 struct LandmarkMark {
     std::size_t index = 0; ///< in SceneDocument::landmarks()
     QPointF at;            ///< logical pixels of the surface, origin top-left
-    bool isBehind = false; ///< something is in front of it, or it is cut away
+    bool isBehind = false; ///< hidden behind a surface, or cut away
     bool isSelected = false;
     bool isCurrent = false;
     QColor color;
     QString label;
 };
 
-/// Radius of a mark, and how far from its middle a pointer still means it; logical pixels.
+/// The radius of a mark, and the distance from its centre within which the pointer hits it; logical
+/// pixels.
 constexpr double kMarkRadius = 4.5;
 constexpr double kMarkReach = 8.0;
 
-/// The marks of all points that are not hidden, not missing and in the picture. While a model is not prepared for rays none
-/// counts as behind it. One ray a point: of 500 on a million triangles a few milliseconds.
+/// The marks of all visible, placed landmarks in the view. While a model is not prepared for rays,
+/// no landmark counts as hidden behind it. Casts one ray a landmark: 500 on a million triangles
+/// take a few milliseconds.
 std::vector<LandmarkMark> landmarkMarks(const SceneDocument &document);
 
-/// The mark that a pointer means: the nearest within kMarkReach, one in sight before one behind.
-/// @param isInSightOnly  none that is behind something: what is clicked there is what is in front of it
+/// The mark under a pointer: the nearest within kMarkReach, visible ones before hidden ones.
+/// @param isInSightOnly  ignores marks behind a surface: a click there hits the surface
 const LandmarkMark *markUnder(const std::vector<LandmarkMark> &marks, const QPointF &pointer,
                               bool isInSightOnly = false);
 
-/// Where a mark's label stands.
+/// The placement of a mark's label.
 struct PlacedLabel {
-    std::size_t mark = 0; ///< its place among the marks
+    std::size_t mark = 0; ///< its index among the marks
     QRectF box;
-    bool hasLeader = false; ///< it stands so far away that a line leads to it
+    bool hasLeader = false; ///< a leader line connects a distant label with its mark
 };
 
-/// Labels beside their marks: none overlaps another, nor another mark, nor leaves the area. The current point's comes first, then
-/// those that are selected. One that finds no room is left out.
+/// The placement of labels beside their marks: they overlap neither each other nor another mark,
+/// and stay in the area. The current landmark's comes first, then the selected ones. Labels without
+/// room are left out.
 /// @param area   logical pixels
-/// @param lines, taken  that no label covers, such as arrows and other texts; logical pixels
+/// @param lines, taken  arrows, texts and the like that no label may cover; logical pixels
 std::vector<PlacedLabel> placedLabels(const std::vector<LandmarkMark> &marks, const QFontMetricsF &metrics,
                                       const QRectF &area, const std::vector<QLineF> &lines = {},
                                       const std::vector<QRectF> &taken = {});
 
-/// Draws marks, filled where they are in sight and hollow behind something, and their labels.
+/// Draws marks, filled if visible and hollow if hidden behind a surface, and their labels.
 void drawLandmarks(QPainter &painter, const std::vector<LandmarkMark> &marks, const std::vector<PlacedLabel> &labels);
 
-/// What the tool tip of a mark says.
+/// The tooltip of a mark.
 QString landmarkTip(const SceneDocument &document, const LandmarkMark &mark);
 
 } // namespace unprojector::gui

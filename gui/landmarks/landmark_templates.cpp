@@ -19,7 +19,7 @@ struct Templates {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::LandmarkTemplates)
 };
 
-/// Of the file in the program's language, else of the English one.
+/// Reads the file in the program's language, else the English one.
 std::vector<landmarks::Landmark> pointsOf(const QString &file)
 {
     QFile resource(QStringLiteral(":/templates/%1.csv").arg(file));

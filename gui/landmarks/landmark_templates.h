@@ -12,34 +12,36 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// Lists of names to place in order, with a hint for each: those that come with the program and one that was loaded.
+/// Templates: lists of names to place in order, with a hint for each; the bundled ones and one that
+/// was loaded.
 ///
-/// A scene does not know its template: its names are its points, missing ones among them. What is said of a name is found in
-/// the template that was chosen last, else in any other, so that it is there for a scene that was opened again.
+/// A scene does not store its template: its names are landmarks, some of them missing. A name's
+/// hint is looked up in the last chosen template, then in all others, so that a reopened scene has
+/// hints too.
 class LandmarkTemplates {
 public:
     struct Bundled {
-        QString name; ///< as a menu has it
+        QString name; ///< as in a menu
         QString source;
         std::vector<landmarks::Landmark> points; ///< names, and hints as notes
     };
 
-    /// In the language of the program.
+    /// Loads the bundled templates in the program's language.
     LandmarkTemplates();
 
     const std::vector<Bundled> &bundled() const { return m_bundled; }
-    /// The names of the template that was chosen last.
-    /// @param folder  that its pictures are given from
+    /// Sets the chosen template.
+    /// @param folder  base folder of its images
     void choose(std::vector<landmarks::Landmark> landmarks, const std::filesystem::path &folder = {})
     {
         m_chosen = std::move(landmarks);
         m_folder = folder;
     }
-    /// Whether the template that was chosen last has this name.
+    /// Returns whether the last chosen template has this name.
     bool isChosen(const QString &name) const;
-    /// Where a point of this name is; empty: nobody says.
+    /// The hint for a landmark of this name; empty if there is none.
     QString hintFor(const QString &name) const;
-    /// The picture that the chosen template has of a point of this name; empty: none.
+    /// The chosen template's image for a landmark of this name; empty if there is none.
     std::filesystem::path pictureFor(const QString &name) const;
 
 private:
@@ -48,8 +50,8 @@ private:
     std::filesystem::path m_folder;
 };
 
-/// Puts the names of a template that a scene lacks behind its points, as missing, in one undoable step, and lets the first
-/// missing one wait.
+/// Appends a template's names that the scene lacks as missing landmarks, in one undoable step, and
+/// makes the first missing one the next to place.
 void fillFromTemplate(SceneDocument &document, const std::vector<landmarks::Landmark> &landmarks, const QString &name);
 
 } // namespace unprojector::gui

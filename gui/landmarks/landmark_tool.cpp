@@ -31,7 +31,7 @@ DevicePoint deviceOf(const Surface &surface, const QPointF &logical)
     return deviceFromWidget(surface, WidgetPoint(logical.x(), logical.y()));
 }
 
-/// How far an arrow key moves a point, device pixels; nothing for another key.
+/// The movement for an arrow key, device pixels; nothing for another key.
 std::optional<QPointF> nudgeOf(const QKeyEvent &event)
 {
     const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier);
@@ -58,12 +58,12 @@ LandmarkTool::LandmarkTool(SceneDocument &document, SceneView &view)
 {
     connect(&m_document, &SceneDocument::opened, this, &LandmarkTool::endDrag);
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & Change::Landmarks) // the landmark in the hand may be gone
+        if (changes & Change::Landmarks) // the dragged landmark may be gone
             endDrag();
         if (changes & (kVisibleChanges | Change::Landmarks | Change::LandmarkSelection))
             m_marks.reset();
     });
-    // Only now it can be said which landmarks are behind something.
+    // Only now is it known which landmarks are hidden.
     connect(&m_document.picks().rayCasters(), &RayCasters::built, this, [this] {
         m_marks.reset();
         if (!m_document.landmarks().empty())
@@ -120,7 +120,7 @@ void LandmarkTool::drawMarks(QPainter &painter, const QRectF &area, const std::v
 {
     const std::optional<MeasureMark> measure = measureMark(m_document);
     std::vector<LandmarkMark> labelled = shown;
-    if (measure) { // beside its line, and clear of the landmarks' own
+    if (measure) { // beside its line, and clear of the landmarks' labels
         lines.insert(lines.end(), measure->lines.begin(), measure->lines.end());
         labelled.push_back(measure->label);
     }
@@ -159,7 +159,7 @@ ViewTool::Press LandmarkTool::press(const QMouseEvent &event, const QString &mer
     m_mergeKey = mergeKey;
     if (!mark)
         return pressArrow(pointer) ? Press::Drags : Press::Passed;
-    const LandmarkMark pressed = *mark; // what is selected now has other marks
+    const LandmarkMark pressed = *mark; // a copy: the selection changes the marks
     if (event.modifiers().testFlag(Qt::ControlModifier)) {
         m_document.sceneLandmarks().toggle(pressed.index);
     } else if (m_document.sceneLandmarks().isSelected(pressed.index)) {
@@ -167,7 +167,8 @@ ViewTool::Press LandmarkTool::press(const QMouseEvent &event, const QString &mer
     } else {
         m_document.sceneLandmarks().selectOnly(pressed.index);
     }
-    // The user may be about to turn the view: a landmark that was not selected before must not move along.
+    // The user may be about to turn the view: a landmark that was not selected before must not move
+    // along.
     if (!m_isPlacing && !pressed.isSelected)
         return Press::Navigates;
     m_dragged = pressed.index;
@@ -214,7 +215,7 @@ void LandmarkTool::dragLandmark(const QPointF &local)
     const WidgetPoint position = m_view.widgetPosition(local);
     const QPointF wanted = QPointF(position.x, position.y) + m_grab;
     const std::optional<Landmark> there = landmarkOnMesh(m_document, deviceOf(m_document.setup().surface, wanted));
-    if (!there) // beside the mesh it waits where it was last on it
+    if (!there) // beside the mesh it stays at its last position on it
         return;
     m_hasMoved = true;
     std::vector<SceneLandmarks::Move> moves{{m_dragged, *there}};
@@ -327,7 +328,7 @@ bool LandmarkTool::isKey(const QKeyEvent &event) const
     if (!m_isPlacing || !current || !nudgeOf(event))
         return false;
     const Landmark &landmark = m_document.landmarks()[*current];
-    return !landmark.isHidden && !landmark.isMissing(); // else there is nothing to be moved, and keys turn the view
+    return !landmark.isHidden && !landmark.isMissing(); // else there is nothing to move, and keys turn the view
 }
 
 void LandmarkTool::pressKey(const QKeyEvent &event, bool isDragged)
@@ -338,12 +339,12 @@ void LandmarkTool::pressKey(const QKeyEvent &event, bool isDragged)
             return;
         }
         endDrag();
-        if (m_hasMoved && m_document.undoStack().index() > m_stepAtPress) // not what was done before
+        if (m_hasMoved && m_document.undoStack().index() > m_stepAtPress) // not an earlier step
             m_document.undoStack().undo();
         return;
     }
     if (isDragged)
-        return; // a hand has it already
+        return; // the mouse is already dragging it
     if (event.key() == Qt::Key_Delete) {
         static_cast<void>(m_document.sceneLandmarks().remove(selectedInView()));
         return;
@@ -353,7 +354,7 @@ void LandmarkTool::pressKey(const QKeyEvent &event, bool isDragged)
 
 void LandmarkTool::nudge(const QPointF &way)
 {
-    // As exact as the step: who moves by tenths of a pixel means one of them.
+    // The uncertainty follows the step: moves by tenths of a pixel aim at one of them.
     const double pixels = std::min(1.0, std::abs(way.x()) + std::abs(way.y()));
     SceneLandmarks &landmarks = m_document.sceneLandmarks();
     const std::vector<std::size_t> selected = selectedInView();

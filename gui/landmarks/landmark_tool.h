@@ -18,18 +18,20 @@ namespace unprojector::gui {
 
 class SceneView;
 
-/// Placed landmarks in the view: their marks are drawn, selected, dragged and moved by keys, and clicks place new ones.
+/// The tool for landmarks in the view: draws, selects and drags their marks, moves them by keys,
+/// and places new ones by clicks.
 class LandmarkTool : public QObject, public ViewTool {
     Q_OBJECT
 public:
     LandmarkTool(SceneDocument &document, SceneView &view);
 
-    /// Whether a click places a landmark, where it is released; a drag navigates as ever. Marks are selected and dragged in
-    /// either case.
+    /// Returns whether a click places a landmark on release; a drag still navigates. Marks can be
+    /// selected and dragged in both modes.
     bool isPlacing() const { return m_isPlacing; }
     void setPlacing(bool isPlacing);
 
-    /// A mark in sight is selected; one that was selected before, and any while landmarks are placed, can be dragged.
+    /// Selects a visible mark. A mark that was already selected can be dragged; in placing mode,
+    /// any mark can.
     Press press(const QMouseEvent &event, const QString &mergeKey) override;
     void dragTo(const QPointF &local) override;
     void release(const QPointF &local) override;
@@ -50,28 +52,29 @@ private:
     enum class Drag { None, Landmark, Axis };
 
     /// Draws marks with their labels, and the chosen measure.
-    /// @param lines  that no label covers
+    /// @param lines  that no label may cover
     void drawMarks(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken,
                    const std::vector<LandmarkMark> &shown, std::vector<QLineF> lines) const;
-    /// As they are seen now.
+    /// The marks in the present view.
     const std::vector<LandmarkMark> &marks();
-    /// Slides the landmark on the surface under the pointer, and those that are selected besides by as many pixels.
+    /// Moves the landmark to the surface under the pointer, and the other selected ones by as many
+    /// pixels.
     void dragLandmark(const QPointF &local);
-    /// The arrows by which the current landmark is moved off the surface: while landmarks are placed.
+    /// The arrows that move the current landmark off the surface: only in placing mode.
     std::optional<std::array<AxisArrow, 3>> arrows() const;
-    /// @return whether one was pressed
+    /// @return whether an arrow was pressed
     bool pressArrow(const QPointF &pointer);
     void dragAlongAxis(const QPointF &local);
-    /// Lets go of a landmark that is dragged, as where the list changes below the hand.
+    /// Ends the drag of a landmark, also when the list changes meanwhile.
     void endDrag();
     /// The selected landmarks that are not hidden.
     std::vector<std::size_t> selectedInView() const;
-    /// Moves the selected landmarks that are in sight on the surface. @param way  device pixels
+    /// Moves the selected visible landmarks on the surface. @param way  device pixels
     void nudge(const QPointF &way);
-    /// Says of how many selected landmarks that they stayed.
+    /// Reports how many selected landmarks could not be moved.
     void tellUnmoved(std::size_t count, const QPointF &at);
-    /// Shows a place large while landmarks are placed and dragged.
-    /// @param at  device pixels; nothing: no more
+    /// Shows a position in the loupe during placing and dragging.
+    /// @param at  device pixels; nothing: hides it
     void aimLoupe(const std::optional<geometry::DevicePoint> &at);
     /// The centre of the pixel under a position; nothing outside the view.
     std::optional<geometry::DevicePoint> pointedAt(const QPointF &local) const;
@@ -79,23 +82,23 @@ private:
     SceneDocument &m_document;
     SceneView &m_view;
     bool m_isPlacing = false;
-    std::optional<std::vector<LandmarkMark>> m_marks; ///< nothing: to be looked for
+    std::optional<std::vector<LandmarkMark>> m_marks; ///< nothing: must be computed
     Drag m_drag = Drag::None;
     QString m_mergeKey;        ///< of the drag
     std::size_t m_dragged = 0; ///< its index
-    QPointF m_dragStart;       ///< where its mark was at the press
-    /// The other selected landmarks in sight, and where their marks were.
+    QPointF m_dragStart;       ///< position of its mark at the press
+    /// The other selected visible landmarks, and the start positions of their marks.
     std::vector<std::pair<std::size_t, QPointF>> m_draggedWith;
-    std::size_t m_leftBehind = 0; ///< selected landmarks that the drag has not moved
-    bool m_isMoving = false;      ///< what changes now is what the hand does
+    std::size_t m_leftBehind = 0; ///< number of selected landmarks that the drag has not moved
+    bool m_isMoving = false;      ///< the tool itself is changing the document
     bool m_hasMoved = false;
     QPointF m_grab;        ///< from the pointer to the dragged mark
-    int m_stepAtPress = 0; ///< of undo, when the drag began
+    int m_stepAtPress = 0; ///< index in the undo stack when the drag began
     int m_axis = 0;
-    geometry::WorldPoint m_axisStart; ///< where the dragged landmark was
-    double m_axisFrom = 0.0;          ///< where along the axis it was grabbed, from there
+    geometry::WorldPoint m_axisStart; ///< start position of the dragged landmark
+    double m_axisFrom = 0.0;          ///< where along the axis it was grabbed, relative to m_axisStart
     std::optional<geometry::DevicePoint> m_loupeAt;
-    QImage m_loupe; ///< the pixels about it
+    QImage m_loupe; ///< the pixels around it
 };
 
 } // namespace unprojector::gui

@@ -62,7 +62,7 @@ private:
     void addSeriesActions(QMenu &menu);
     void addPlacingActions(QMenu &menu, QToolBar &bar);
     bool isPlaced(std::size_t index) const { return !m_document.landmarks()[index].isMissing(); }
-    /// Does something with the landmark that is selected, where it is placed.
+    /// Applies a function to the selected landmark, if it is placed.
     void withCurrent(void (*change)(SceneDocument &, std::size_t));
     void putSelectedOnSurface();
     void join(landmarks::CurveKind kind);
@@ -98,7 +98,7 @@ LandmarksFeature::LandmarksFeature(Window &window)
     connect(m_files, &LandmarkFiles::failed, &window, &Window::showFailure);
     connect(m_files, &LandmarkFiles::warned, &window, &Window::showMessage);
     connect(m_files, &LandmarkFiles::noticed, &session, &Session::noticed);
-    if (window.remembers()) // a user looks at the window and can wait
+    if (window.remembers()) // with a user at the window, waiting is possible
         m_document.curves().setWaiting([this] { return waitForCurves(m_window, m_document); });
 }
 
@@ -193,11 +193,11 @@ void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
     menu.addSection(tr("Points"));
     m_placing =
         addSwitch(menu, tr("&Place Points"), Qt::Key_P, tr("A click places a point; what is dragged turns the view"));
-    m_placing->setObjectName(QStringLiteral("place_points")); // by which lessons link to it
+    m_placing->setObjectName(QStringLiteral("place_points")); // for links in lessons
     connect(m_placing, &QAction::toggled, this, [this](bool isOn) {
         m_tool->setPlacing(isOn);
         if (isOn)
-            m_window.view().setFocus(); // arrow keys move the point
+            m_window.view().setFocus(); // arrow keys move the landmark
     });
     connect(m_tool, &LandmarkTool::placingChanged, m_placing, &QAction::setChecked);
     putOnBar(bar, *m_placing, Drawing::Points);
@@ -249,7 +249,7 @@ void LandmarksFeature::join(landmarks::CurveKind kind)
         m_window.notice(tr("Select two points or more first: their rows under Points, with Ctrl."));
         return;
     }
-    m_window.workspaces().show(Panel::Landmarks); // where the curve is listed, or why there is none
+    m_window.workspaces().show(Panel::Landmarks); // lists the curve, or tells why there is none
     m_panel->join(kind);
 }
 

@@ -5,7 +5,8 @@ namespace unprojector::gui {
 class Feature;
 class Window;
 
-/// Landmarks: placed, named, moved, measured, in files and over a series of scans.
+/// The feature for landmarks: placing, naming, moving and measuring them, files, and series of
+/// scans.
 /// @return owned by the window
 Feature *makeLandmarksFeature(Window &window);
 

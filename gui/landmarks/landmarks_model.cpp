@@ -50,7 +50,7 @@ LandmarksModel::LandmarksModel(SceneDocument &document, QObject *parent)
             endResetModel();
             return;
         }
-        // One that is dragged changes alone: what is not seen to change is not drawn again.
+        // A drag changes one landmark: rows without visible changes are not redrawn.
         std::vector<Landmark> before = std::exchange(m_landmarks, m_document.landmarks());
         for (std::size_t i = 0; i < m_landmarks.size(); ++i) {
             if (before[i] != m_landmarks[i])
@@ -86,7 +86,7 @@ QVariant LandmarksModel::certainLength(const Landmark &landmark, int axis) const
     if (!landmark.world)
         return {};
     if (!landmark.uncertainty)
-        return 0; // nobody knows how many are
+        return 0; // the uncertainty is unknown
     return static_cast<int>(landmarkNotation(landmark, axis, kCoordinateRoom, kMostCoordinateRoom)
                                 .certainLength((*landmark.world)[axis], (*landmark.uncertainty)[axis]));
 }
@@ -135,7 +135,7 @@ QString LandmarksModel::toolTip(const QModelIndex &index) const
 QVariant LandmarksModel::sortKey(const QModelIndex &index) const
 {
     const Landmark &landmark = this->point(index);
-    if (isCoordinate(index.column())) // those without a place come last
+    if (isCoordinate(index.column())) // missing landmarks come last
         return landmark.world ? (*landmark.world)[axisOf(index.column())] : std::numeric_limits<double>::infinity();
     if (index.column() == PlusMinus)
         return landmark.world && landmark.uncertainty ? length(*landmark.uncertainty)
@@ -250,7 +250,7 @@ bool LandmarksModel::setData(const QModelIndex &index, const QVariant &value, in
     if (role != Qt::EditRole)
         return false;
     const QString typed = value.toString();
-    if (typed == data(index, Qt::EditRole).toString()) { // a point stays held where nothing was typed
+    if (typed == data(index, Qt::EditRole).toString()) { // unchanged text keeps the anchor
         emit accepted();
         return true;
     }

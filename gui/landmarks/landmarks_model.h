@@ -12,20 +12,20 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// The placed points, one a row: number, name, where it is in the world and how far each coordinate can be off, its object, by
-/// what it is held there, its note. Names, notes and coordinates are edited in place; checking hides and shows; dragging a row
-/// puts the point elsewhere in the list. All of it is the document's.
+/// The landmarks, one a row: number, name, world position and uncertainty of each coordinate,
+/// object, anchor, note. Names, notes and coordinates are edited in place; checking hides and
+/// shows; dragging a row moves the landmark in the list. All changes go to the document.
 class LandmarksModel : public QAbstractTableModel {
     Q_OBJECT
 public:
     enum Column { Number, Name, X, Y, Z, PlusMinus, Object, HeldBy, Note, ColumnCount };
-    /// As CoordinatesModel has it, for what draws it: how many characters of a coordinate are certain.
+    /// The number of certain characters of a coordinate, for its delegate, as in CoordinatesModel.
     static constexpr int kCertainLengthRole = CoordinatesModel::kCertainLengthRole;
-    /// What a row is sorted by.
+    /// The sort key of a row.
     static constexpr int kSortRole = CoordinatesModel::kValueRole;
-    /// Characters of a coordinate as a rule, with its sign: "-123.456".
+    /// The usual number of characters of a coordinate, with its sign: "-123.456".
     static constexpr int kCoordinateRoom = 8;
-    /// The most of one that has more certain digits than that.
+    /// The largest number of characters, for a coordinate with more certain digits.
     static constexpr int kMostCoordinateRoom = 13;
 
     explicit LandmarksModel(SceneDocument &document, QObject *parent = nullptr);
@@ -44,9 +44,9 @@ public:
                       const QModelIndex &parent) override;
 
 signals:
-    /// What was typed is no coordinate, and why.
+    /// Emitted when the typed text is no coordinate, with the reason.
     void refused(const QString &reason);
-    /// What was typed counts.
+    /// Emitted when the typed text was accepted.
     void accepted();
 
 private:

@@ -37,7 +37,7 @@ namespace {
 
 using landmarks::Landmark;
 
-/// Told apart by the colour-blind too. Source: Okabe and Ito, Color Universal Design (2008).
+/// Distinguishable for the colour-blind too. Source: Okabe and Ito, Color Universal Design (2008).
 constexpr std::array<glm::u8vec3, 7> kColors{
     {{230, 159, 0}, {86, 180, 233}, {0, 158, 115}, {240, 228, 66}, {0, 114, 178}, {213, 94, 0}, {204, 121, 167}}};
 
@@ -118,7 +118,7 @@ LandmarksPanel::LandmarksPanel(SceneDocument &document, LandmarkTemplates &templ
     layout->addWidget(m_parts, 1);
     connect(m_parts, &QSplitter::splitterMoved, this, [this] { m_isPartedByUser = true; });
     connect(m_curves, &CurvesView::shownOrHidden, this, &LandmarksPanel::partHeight,
-            Qt::QueuedConnection); // the splitter takes notice first
+            Qt::QueuedConnection); // after the splitter has processed the change
     updateButtons();
 }
 
@@ -131,7 +131,7 @@ void LandmarksPanel::resizeEvent(QResizeEvent *event)
 void LandmarksPanel::partHeight()
 {
     if (!m_isPartedByUser)
-        m_parts->setSizes({2 * height(), height(), height()}); // what is hidden counts for nothing
+        m_parts->setSizes({2 * height(), height(), height()}); // hidden parts are ignored
 }
 
 QSize LandmarksPanel::minimumSizeHint() const
@@ -171,7 +171,7 @@ void LandmarksPanel::updateButtons()
     m_empty->setVisible(count == 0);
 }
 
-// ---- templates ---------------------------------------------------------------------------------------------------
+// ---- templates ----------------------------------------------------------------------------------
 
 void LandmarksPanel::fillTemplateMenu()
 {
@@ -257,7 +257,7 @@ void LandmarksPanel::saveTemplate()
         const QString called = QString::fromStdString(landmark.name);
         named.note = m_templates.hintFor(called).toStdString();
         if (const std::filesystem::path picture = m_templates.pictureFor(called); !picture.empty()) {
-            std::error_code error; // an absolute path does as well
+            std::error_code error; // on an error the absolute path is used
             const std::filesystem::path relative = std::filesystem::proximate(picture, file.parent_path(), error);
             named.extra.edit() = {{landmarks::kPictureColumn, files::utf8FromPath(error ? picture : relative)}};
         }
@@ -272,7 +272,7 @@ void LandmarksPanel::saveTemplate()
         emit warned(landmarkNotesText(pathText(file.filename()), *written));
 }
 
-// ---- what is done to the selected points -------------------------------------------------------------------------
+// ---- actions on the selection -------------------------------------------------------------------
 
 void LandmarksPanel::removeSelected()
 {
@@ -285,7 +285,7 @@ void LandmarksPanel::moveSelected(int by)
     if (selected.size() != 1)
         return;
     const std::size_t from = selected.front(), to = by < 0 ? from - 1 : from + 1;
-    if (to < m_document.landmarks().size()) // before the first is far behind the last
+    if (to < m_document.landmarks().size()) // an index below 0 wraps around to a large number
         static_cast<void>(m_document.sceneLandmarks().reorder(from, to));
 }
 
@@ -304,7 +304,8 @@ void LandmarksPanel::copySelected()
 void LandmarksPanel::chooseColor()
 {
     const QColor color = QColorDialog::getColor(Qt::white, this, tr("Colour of Points"));
-    // Of what is selected then: the list may have changed below the dialog, and the selection goes with it.
+    // The colour is for the present selection: the list may have changed during the dialog, and the
+    // selection follows it.
     if (color.isValid())
         static_cast<void>(m_document.sceneLandmarks().setColor(m_document.sceneLandmarks().selection(),
                                                                glm::u8vec3(color.red(), color.green(), color.blue())));
@@ -338,7 +339,8 @@ void LandmarksPanel::showMenu(const QPoint &place)
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("&Rename"), m_table, &LandmarksTable::renameCurrent);
-    // Each for what is selected when it is chosen: the selection goes with the points, their places do not.
+    // Each applies to the selection when triggered: the selection follows the landmarks, indices
+    // don't.
     menu->addAction(areHidden ? tr("&Show") : tr("&Hide"), this, [this, areHidden] {
         static_cast<void>(m_document.sceneLandmarks().setHidden(m_document.sceneLandmarks().selection(), !areHidden));
     });

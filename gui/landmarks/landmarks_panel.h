@@ -20,37 +20,37 @@ class LandmarksModel;
 class LandmarksTable;
 class SceneDocument;
 
-/// The placed points: a table of them, which one is placed next, and what can be done to them.
+/// The landmarks: a table, the one to place next, and actions on them.
 class LandmarksPanel : public QWidget {
     Q_OBJECT
 public:
     explicit LandmarksPanel(SceneDocument &document, LandmarkTemplates &templates, QWidget *parent = nullptr);
 
-    /// The names of a file are to be placed one after the other; those that are there already stay as they are.
+    /// Imports a file's names to be placed one after the other; present landmarks stay unchanged.
     void takeTemplate(const std::filesystem::path &file);
 
-    /// Whether a click in the view places a point, as a word for those who have none yet.
+    /// Sets whether a click in the view places a landmark, for the hint in an empty list.
     void setPlacing(bool isPlacing);
 
-    /// Leads a curve through the selected points, or says why not.
+    /// Joins the selected landmarks with a curve, or shows why it can't.
     void join(landmarks::CurveKind kind);
 
-    /// What is being typed counts, as if Enter were pressed.
+    /// Commits pending input, as Enter does.
     void applyTyped();
 
     QSize minimumSizeHint() const override;
 
 signals:
-    /// There are names to place now: the next click in the view is to place the first.
+    /// Emitted when there are names to place: the next click should place the first.
     void placingRequested();
-    /// What went wrong, or was lost, in words.
+    /// Emitted with an error or import notes.
     void warned(const QString &text);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    /// Gives the points half of the height, or two thirds of it, as long as the user has not parted it otherwise.
+    /// Gives the table half of the height, or two thirds, until the user moves the splitter.
     void partHeight();
     void fillTemplateMenu();
     void beginPlacing();

@@ -24,11 +24,11 @@
 namespace unprojector::gui {
 namespace {
 
-// Characters of a name to be seen: names give way to the digits and their ±.
+// The least visible characters of a name: names give way to digits and their ±.
 constexpr int kLeastNameRoom = 12;
 constexpr int kMostNameRoom = 19;
 
-/// Where a name has no room, its words lose their ends: those of a template differ in any of them.
+/// Shortens the words of a name without enough room: a template's names may differ in any word.
 class NameDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -65,7 +65,7 @@ LandmarksTable::LandmarksTable(SceneDocument &document, LandmarksModel *model, Q
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setAllColumnsShowFocus(true);
-    setTextElideMode(Qt::ElideMiddle); // notes and single words too may differ at their ends
+    setTextElideMode(Qt::ElideMiddle); // notes and single words may also differ at their ends
     setSelectionMode(ExtendedSelection);
     setEditTriggers(DoubleClicked | EditKeyPressed);
     setDragDropMode(InternalMove);
@@ -82,12 +82,12 @@ LandmarksTable::LandmarksTable(SceneDocument &document, LandmarksModel *model, Q
     useFonts();
 
     connect(this, &QTreeView::doubleClicked, this, [this](const QModelIndex &index) {
-        if (!(index.flags() & Qt::ItemIsEditable)) // what can be written is written
+        if (!(index.flags() & Qt::ItemIsEditable)) // an editable cell opens its editor instead
             goToLandmark(m_document, static_cast<std::size_t>(m_rows->mapToSource(index).row()));
     });
     connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &LandmarksTable::tellSelection);
     connect(selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex &current) {
-        if (selectionModel()->isSelected(current)) // else what is selected changes next
+        if (selectionModel()->isSelected(current)) // otherwise the selection is about to change
             tellSelection();
     });
     connect(m_rows, &QAbstractItemModel::modelReset, this, &LandmarksTable::showSelection);
@@ -160,7 +160,7 @@ void LandmarksTable::fitColumns()
     };
     const QScopedValueRollback<bool> fitting(m_isFitting, true);
     m_ownWidths.clear();
-    // As far as ± without scrolling in a panel of the usual width.
+    // Up to ± without scrolling in a panel of the usual width.
     fit(LandmarksModel::Number, 3);
     fit(LandmarksModel::Name, kMostNameRoom - 1);
     for (const int column : {LandmarksModel::X, LandmarksModel::Y, LandmarksModel::Z})
@@ -169,12 +169,12 @@ void LandmarksTable::fitColumns()
     fit(LandmarksModel::Object, 10);
     fit(LandmarksModel::HeldBy, 13);
     fit(LandmarksModel::Note, 16);
-    widenCoordinates(0, m_rows->sourceModel()->rowCount() - 1); // where more digits are certain than that
+    widenCoordinates(0, m_rows->sourceModel()->rowCount() - 1); // if more digits are certain
 }
 
 QSize LandmarksTable::sizeHint() const
 {
-    int width = 2 * frameWidth() + verticalScrollBar()->sizeHint().width() // which comes with many points
+    int width = 2 * frameWidth() + verticalScrollBar()->sizeHint().width() // appears with many landmarks
                 + kLeastNameRoom * QFontMetrics(font()).horizontalAdvance(u'0');
     for (int column = 0; column <= LandmarksModel::PlusMinus; ++column)
         width += column == LandmarksModel::Name ? 0 : header()->sectionSize(column);
@@ -220,7 +220,7 @@ void LandmarksTable::showSelection()
             scrollTo(current);
         }
     }
-    // The one that is placed next stays in sight, unless another one was gone to since.
+    // The next landmark to place stays visible, unless the user has scrolled to another one since.
     const std::optional<std::size_t> unplaced = landmarks.nextUnplaced();
     if (unplaced && static_cast<int>(*unplaced) < count && (isNew || unplaced != m_shownUnplaced))
         scrollTo(rowOf(*unplaced));
@@ -246,7 +246,7 @@ void LandmarksTable::renameCurrent()
 void LandmarksTable::applyTyped()
 {
     for (QLineEdit *editor : viewport()->findChildren<QLineEdit *>()) {
-        if (editor->isHidden()) // closed, it awaits its end
+        if (editor->isHidden()) // it is closed and about to be deleted
             continue;
         commitData(editor);
         closeEditor(editor, QAbstractItemDelegate::NoHint);
@@ -263,7 +263,7 @@ void LandmarksTable::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Delete: emit removeRequested(); return;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        if (state() != EditingState) // Enter that ends editing comes by as well
+        if (state() != EditingState) // the Enter that ends editing arrives here too
             renameCurrent();
         return;
     default: QTreeView::keyPressEvent(event);

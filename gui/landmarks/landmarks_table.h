@@ -14,19 +14,19 @@ namespace unprojector::gui {
 class LandmarksModel;
 class SceneDocument;
 
-/// The list of placed points. What is selected in it is what is selected in the document, both ways. It is sorted by a click on
-/// a head, which changes nothing but the view; by the third click it is in the points' own order again, the only one in which
-/// rows can be dragged.
+/// The list of landmarks. Its selection and the document's are the same. A click on a column head
+/// sorts the rows, but not the document; the third click restores the document's order, the only
+/// one in which rows can be dragged.
 class LandmarksTable : public QTreeView {
     Q_OBJECT
 public:
     LandmarksTable(SceneDocument &document, LandmarksModel *model, QWidget *parent = nullptr);
 
-    /// The places of the selected points, in the order of the rows.
+    /// The indices of the selected landmarks, in the order of the rows.
     std::vector<std::size_t> selectedIndices() const;
-    /// Edits the name of the current point.
+    /// Edits the name of the current landmark.
     void renameCurrent();
-    /// What is being typed counts, as if Enter were pressed.
+    /// Commits pending input, as Enter does.
     void applyTyped();
 
     QSize sizeHint() const override;
@@ -43,9 +43,10 @@ protected:
 private:
     void useFonts();
     void fitColumns();
-    /// Gives coordinates the room that those of some rows of the model need, but not to columns that the user has resized.
+    /// Gives coordinate columns the room that some rows of the model need, except columns that the
+    /// user has resized.
     void widenCoordinates(int first, int last);
-    /// Names have the room that the columns up to ± leave.
+    /// Gives the name column the room that the columns up to ± leave.
     void fitName();
     void showSelection();
     void tellSelection();
@@ -53,9 +54,9 @@ private:
     SceneDocument &m_document;
     QSortFilterProxyModel *m_rows;
     QSet<int> m_ownWidths;                      ///< columns that the user has resized
-    bool m_isFitting = false;                   ///< columns get the width that they need
-    bool m_isShowing = false;                   ///< the document's selection, which it need not be told of
-    std::optional<std::size_t> m_shownUnplaced; ///< the point that waited when the rows were shown last
+    bool m_isFitting = false;                   ///< column widths are being computed
+    bool m_isShowing = false;                   ///< the document's selection is being shown and must not be sent back
+    std::optional<std::size_t> m_shownUnplaced; ///< the next landmark to place when the rows were last shown
 };
 
 } // namespace unprojector::gui

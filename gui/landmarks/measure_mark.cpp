@@ -16,7 +16,7 @@ namespace {
 
 using Shape = ShownMeasure::Shape;
 
-/// Lines of the world in the picture.
+/// World lines in the view.
 class Drawing {
 public:
     explicit Drawing(const Setup &setup) : m_setup(setup), m_clipFromWorld(clipFromWorld(setup)) {}
@@ -48,7 +48,7 @@ private:
     std::vector<QLineF> m_lines;
 };
 
-/// Both legs of an angle, and an arc between them.
+/// Adds both legs of an angle, and an arc between them.
 /// @return the middle of the arc
 glm::dvec3 addAngle(Drawing &drawing, const std::vector<glm::dvec3> &at)
 {
@@ -71,7 +71,8 @@ glm::dvec3 addAngle(Drawing &drawing, const std::vector<glm::dvec3> &at)
     return onArc(0.5);
 }
 
-/// The triangle of the plane, the height over it, and from its foot to the middle of the triangle.
+/// Adds the triangle of the plane, the height over it, and a line from its foot to the middle of
+/// the triangle.
 /// @return the middle of the height
 glm::dvec3 addHeight(Drawing &drawing, const std::vector<glm::dvec3> &at)
 {
@@ -84,7 +85,7 @@ glm::dvec3 addHeight(Drawing &drawing, const std::vector<glm::dvec3> &at)
     return (at[3] + foot) / 2.0;
 }
 
-/// @return the middle of it, measured along it
+/// Adds a polyline. @return its middle, measured along it
 glm::dvec3 addPolyline(Drawing &drawing, const std::vector<glm::dvec3> &at)
 {
     std::vector<WorldPoint> path;
@@ -106,7 +107,7 @@ std::optional<MeasureMark> measureMark(const SceneDocument &document)
     std::vector<glm::dvec3> at;
     for (const std::size_t index : shown->points) {
         if (index >= document.landmarks().size() || document.landmarks()[index].isMissing())
-            return std::nullopt; // the list of measures follows at once
+            return std::nullopt; // the list of measures is updated right after
         at.push_back(document.landmarks()[index].world->coordinates());
     }
     Drawing drawing(document.setup());
@@ -130,7 +131,7 @@ std::optional<MeasureMark> measureMark(const SceneDocument &document)
     mark.lines = drawing.take();
     mark.label.at = *seen;
     mark.label.label = shown->text;
-    mark.label.isCurrent = true; // it finds its place before others
+    mark.label.isCurrent = true; // it is placed before others
     return mark;
 }
 
@@ -139,7 +140,7 @@ void drawMeasure(QPainter &painter, const MeasureMark &mark, const std::optional
     painter.setRenderHint(QPainter::Antialiasing);
     std::vector<QLineF> lines = mark.lines;
     if (label && label->hasLeader)
-        lines.emplace_back(mark.label.at, label->box.center()); // which the box hides the end of
+        lines.emplace_back(mark.label.at, label->box.center()); // the box hides its end
     for (const auto &[color, width] : {std::pair(QColor(0, 0, 0, 170), 3.5), std::pair(QColor(Qt::white), 1.5)}) {
         painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap));
         for (const QLineF &line : lines)

@@ -11,17 +11,17 @@ class QPainter;
 
 namespace unprojector::gui {
 
-/// Where a measure is seen in the picture.
+/// The drawing of a measure in the view.
 struct MeasureMark {
-    std::vector<QLineF>
-        lines;          ///< logical pixels of the surface; a way along the surface is drawn with the curves instead
-    LandmarkMark label; ///< stands for it where labels are placed: its text, and the place that it belongs to
+    std::vector<QLineF> lines; ///< logical pixels of the surface; a geodesic is drawn with the curves instead
+    LandmarkMark label;        ///< represents the measure in the label layout: its text and anchor position
 };
 
-/// The measure that the document shows; nothing where there is none, or it is behind the eye.
+/// The mark of the measure that the document shows; nothing if there is none, or it is behind the
+/// eye.
 std::optional<MeasureMark> measureMark(const SceneDocument &document);
 
-/// @param label  where its label stands; nothing: it has found no room
+/// @param label  the placement of its label; nothing: there is no room
 void drawMeasure(QPainter &painter, const MeasureMark &mark, const std::optional<PlacedLabel> &label);
 
 } // namespace unprojector::gui

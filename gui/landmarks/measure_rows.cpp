@@ -131,7 +131,7 @@ QString listOf(const LandmarkSet &set, const std::vector<std::size_t> &indices)
     return names.join(Measures::tr(", ", "between names"));
 }
 
-/// Which points a mirror plane is made from, and which of them leave its errors open.
+/// Rows for the landmarks of a mirror plane, and those without an uncertainty.
 std::vector<MeasureRow> madeFrom(const LandmarkSet &set, const std::vector<landmarks::Pair> &pairs,
                                  const std::vector<std::size_t> &counted)
 {
@@ -162,7 +162,7 @@ std::vector<MeasureRow> madeFrom(const LandmarkSet &set, const std::vector<landm
 std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
 {
     LandmarkSet set = whole;
-    for (Landmark &landmark : set.landmarks) { // what is hidden is not to be measured
+    for (Landmark &landmark : set.landmarks) { // hidden landmarks are not measured
         if (landmark.isHidden)
             landmark.world.reset();
     }
@@ -212,12 +212,12 @@ std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
             pair.left, pair.right);
     }
     for (std::size_t i = 0; i < isPaired.size(); ++i) {
-        if (isPaired[i] || whole.landmarks[i].isMissing()) // names that wait are listed above
+        if (isPaired[i] || whole.landmarks[i].isMissing()) // names to place are listed above
             continue;
         if (landmarks::isSided(set.landmarks[i].name))
             rows.push_back({Measures::tr("Left out"), nameOf(set, i), Measures::tr("no partner on the other side")});
         else
-            add(Measures::tr("Off the middle"), nameOf(set, i), i, i); // of itself and its image
+            add(Measures::tr("Off the middle"), nameOf(set, i), i, i); // between the landmark and its image
     }
     return rows;
 }

@@ -79,7 +79,7 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     layout->addLayout(line);
     layout->addWidget(m_empty);
     layout->addWidget(m_rows, 1);
-    layout->addStretch(); // what is less than a row
+    layout->addStretch(); // less than a row
     showUnit();
     showRows();
 }
@@ -120,7 +120,7 @@ void MeasuresView::showRows()
 {
     const bool isSides = m_what->choice() == OfSides;
     const QSignalBlocker blocker(m_rows);
-    constexpr int kPlaneRows = 2; // the plane, and what it is made from
+    constexpr int kPlaneRows = 2; // the plane, and its landmarks
     m_listed = rows();
     m_rows->clear();
     for (const MeasureRow &row : m_listed) {
@@ -189,7 +189,7 @@ void MeasuresView::showChosen()
     m_rows->clearSelection();
     if (m_chosen)
         m_rows->topLevelItem(*m_chosen)->setSelected(true);
-    m_isShowing = true; // what follows from it is no other measure
+    m_isShowing = true; // selecting it here is not the user's choice
     m_document.curves().showMeasure(std::move(shown));
     m_isShowing = false;
 }

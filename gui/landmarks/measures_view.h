@@ -17,14 +17,15 @@ namespace unprojector::gui {
 class SceneDocument;
 class SegmentedSwitch;
 
-/// What the selected points measure, each with the error that follows from how sure they are; or how alike left and right are.
-/// The measure that is chosen in the list is shown in the view, and so is its like when other points are selected.
+/// The measures of the selected landmarks, each with the error that follows from their
+/// uncertainties; or the symmetry of left and right. The view shows the chosen measure, and the
+/// corresponding one after another selection.
 class MeasuresView : public QWidget {
     Q_OBJECT
 public:
     explicit MeasuresView(SceneDocument &document, QWidget *parent = nullptr);
 
-    /// The rows that are shown, with all digits.
+    /// The shown rows, with all digits.
     QString csv() const;
 
 protected:
@@ -35,7 +36,7 @@ private:
 
     std::vector<MeasureRow> rows() const;
     void showRows();
-    /// The table is as high as its rows: none is cut off.
+    /// Makes the table as high as its rows, so that none is cut off.
     void showWholeRows();
     /// Shows the chosen row in the view.
     void showChosen();
@@ -49,8 +50,8 @@ private:
     QTreeWidget *m_rows;
     QLabel *m_empty;
     std::vector<MeasureRow> m_listed;
-    QString m_chosenKind;        ///< of what is shown in the view; empty: nothing is
-    std::optional<int> m_chosen; ///< the row of it, where there is one
+    QString m_chosenKind;        ///< of the measure in the view; empty: none
+    std::optional<int> m_chosen; ///< its row, if there is one
     bool m_isShowing = false;
 };
 

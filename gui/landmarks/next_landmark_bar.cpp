@@ -111,7 +111,7 @@ void NextLandmarkBar::refresh()
 {
     const std::vector<landmarks::Landmark> &landmarks = m_document.landmarks();
     const std::optional<std::size_t> unplaced = m_document.sceneLandmarks().nextUnplaced();
-    // Before it stands anywhere it would be a window of its own; what is not hidden comes with its parent.
+    // It would be a window of its own without a parent; a visible parent shows it later.
     if (!unplaced || parentWidget())
         setVisible(unplaced.has_value());
     if (!unplaced)
@@ -122,7 +122,7 @@ void NextLandmarkBar::refresh()
     const QString hint = m_hint(QString::fromStdString(landmarks[*unplaced].name));
     m_where->setText(hint);
     m_where->setVisible(!hint.isEmpty());
-    // Points of other names are none of the template's; where the one that waits is such, all of them count.
+    // Other names don't belong to the template; if the next one is such, all names count.
     const auto isOfTemplate = [&](const landmarks::Landmark &landmark) {
         return m_isOfTemplate(QString::fromStdString(landmark.name));
     };

@@ -12,25 +12,26 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// Which point is placed next, in large letters, where that is, and the template's picture of it. Only there while one waits.
+/// The landmark to place next: its name in large letters, its hint, and the template's image.
+/// Visible only while there is one.
 class NextLandmarkBar : public QWidget {
     Q_OBJECT
 public:
-    /// What is known of where a point of a name is; empty: nothing.
+    /// Returns the hint for a landmark name; empty: none.
     using Hint = std::function<QString(const QString &name)>;
 
-    /// The file of a picture of a point of a name; empty: none.
+    /// Returns the file of an image for a landmark name; empty: none.
     using Picture = std::function<std::filesystem::path(const QString &name)>;
 
-    /// Whether a point of a name is of the template that is gone through.
+    /// Returns whether a landmark name belongs to the chosen template.
     using IsOfTemplate = std::function<bool(const QString &name)>;
 
     NextLandmarkBar(SceneDocument &document, Hint hint, Picture picture, IsOfTemplate isOfTemplate,
                     QWidget *parent = nullptr);
 
-    /// Whether a click in the view places it; else it is said how.
+    /// Sets whether a click in the view places it; otherwise the bar explains how.
     void setPlacing(bool isPlacing);
-    /// Shows what waits now; to be called where hints have changed.
+    /// Shows the present next landmark. Call it after hints have changed.
     void refresh();
 
 protected:

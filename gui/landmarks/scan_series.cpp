@@ -37,13 +37,13 @@ std::string nameOrNumber(const LandmarkSet &set, std::size_t index)
     return set.landmarks[index].name.empty() ? std::to_string(index + 1) : set.landmarks[index].name;
 }
 
-/// A scan as its file has it.
+/// A scan as in its file.
 SceneObject asInItsFile(const std::filesystem::path &file, const SceneObject &shown)
 {
     return {files::utf8FromPath(file.filename()), file, shown.model, {}};
 }
 
-/// Whether a landmark is where it was, but for what rounding leaves of it.
+/// Returns whether a landmark kept its position, up to rounding.
 bool isStill(const Landmark &now, const Landmark &was)
 {
     constexpr double kRounding = 1e-12;
@@ -91,7 +91,7 @@ void readKept(Scan &scan, int placing)
 ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *parent)
     : QObject(parent), m_document(document), m_session(session)
 {
-    // Told before the points of the other scene are, which are not this scan's.
+    // Handled before the other scene's landmarks are reported, which are not this scan's.
     connect(&m_document, &SceneDocument::opened, this, [this] {
         if (m_inView)
             m_aside = SuspendedScan{*m_inView, m_shown.has_value(), m_placing};
@@ -118,17 +118,17 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
             emit changed();
         }
     });
-    // Given up: the scan that is shown still is, and its points are kept.
+    // Cancelled: the shown scan stays, and its landmarks are kept.
     connect(&m_session, &Session::loadingEnded, this, [this] {
         if (!std::exchange(m_isOpening, false))
             return;
         m_current = m_inView;
-        if (m_former && m_wasAsked) // somebody would rather have stayed
+        if (m_former && m_wasAsked) // the user did not want to leave the scene
             goBack();
         emit changed();
     });
     connect(&m_session, &Session::failed, this, [this](const QString &reason) {
-        if (!m_isOpening || !m_current || m_session.isLoading()) // while it is loaded, something else has failed
+        if (!m_isOpening || !m_current || m_session.isLoading()) // during loading, something else has failed
             return;
         m_isOpening = false;
         m_scans[*m_current].problem = reason;
@@ -141,7 +141,7 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (!(changes & Change::Landmarks) || !m_shown)
             return;
-        takeLandmarks(m_document.scene().landmarks); // what follows from them is waited for when they are kept
+        takeLandmarks(m_document.scene().landmarks); // saving waits for the curves
         emit this->changed();
     });
 }
@@ -177,7 +177,7 @@ bool ScanSeries::open(const std::filesystem::path &folder)
         readKept(scan, m_placing);
         m_names = landmarks::withTemplate(std::move(m_names), scan.points.landmarks);
     }
-    if (m_names.empty()) // those that wait in the scene are what is to be placed
+    if (m_names.empty()) // the scene's names to place define the series
         m_names = landmarks::withTemplate({}, m_document.landmarks());
     const auto unfinished = std::find_if(m_scans.begin(), m_scans.end(), [this](const Scan &scan) {
         return !scan.isKept || scan.placedCount() < m_names.size();
@@ -260,7 +260,7 @@ void ScanSeries::show(std::size_t index)
     m_former.reset();
     m_current = index;
     m_session.openFiles({m_scans[index].file});
-    if (m_session.isLoading()) { // what was loaded before it has been given up, and told so
+    if (m_session.isLoading()) { // the earlier loading was cancelled and reported
         m_isOpening = true;
         m_current = index;
     }
@@ -274,7 +274,7 @@ void ScanSeries::takeShown()
     Scan &scan = m_scans[*m_current];
     m_stamp = files::stampOf(landmarksBeside(scan.file, m_placing));
     readKept(scan, m_placing);
-    if (scan.isDamaged) { // not written over: somebody may want to mend it
+    if (scan.isDamaged) { // not overwritten: the user may want to repair it
         emit failed(
             scan.problem + u'\n'
             + tr("It is not written over: what is placed now is kept only by saving the scene. Mend the file, or "
@@ -295,7 +295,7 @@ void ScanSeries::takeShown()
             set.curves.push_back(curve);
     }
     const SceneObject inFile = asInItsFile(scan.file, m_object);
-    const auto tie = [&] { // they are this scan's, and go with it
+    const auto tie = [&] { // landmarks of this scan follow it
         for (Landmark &landmark : set.landmarks) {
             if (landmark.world && landmark.object.empty())
                 landmark.object = inFile.name;
@@ -309,7 +309,7 @@ void ScanSeries::takeShown()
     if (std::optional<landmarks::LandmarkSet> placed = transformed(set, inFile, m_object))
         set = std::move(*placed);
     static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Points of the scan")}));
-    // What was kept is where one begins: undoing leads no further back.
+    // The saved landmarks are the starting point: undo goes back no further.
     m_document.undoStack().clear();
     m_document.markSaved();
     m_shown = m_current;
@@ -328,7 +328,7 @@ void ScanSeries::comeBack()
             readKept(scan, m_placing);
     }
     m_inView = aside.inView;
-    if (!m_isOpening) // else it is back only to be saved
+    if (!m_isOpening) // else it is restored only to be saved
         m_current = m_inView;
     if (aside.isShown) {
         m_shown = m_inView;
@@ -351,7 +351,7 @@ bool ScanSeries::takeLandmarks(landmarks::LandmarkSet set)
         return false;
     for (std::size_t i = 0; i < std::min(points->landmarks.size(), m_kept.landmarks.size()); ++i) {
         Landmark &landmark = points->landmarks[i];
-        if (isStill(landmark, m_kept.landmarks[i])) { // there and back a turn leaves rounding
+        if (isStill(landmark, m_kept.landmarks[i])) { // a transform and its inverse leave rounding
             landmark.world = m_kept.landmarks[i].world;
             landmark.uncertainty = m_kept.landmarks[i].uncertainty;
         }
@@ -393,7 +393,7 @@ bool ScanSeries::keep()
     }
     const std::optional<std::size_t> shown = m_shown;
     geometry::Result<landmarks::LandmarkSet, QString> known = m_document.curves().withSemilandmarks();
-    if (m_shown != shown) // another scan came while they were waited for, and before it these were kept
+    if (m_shown != shown) // another scan arrived during the wait, after these were saved
         return true;
     if (!known) {
         emit failed(tr("The points of %1 are not kept yet: %2.")
@@ -408,7 +408,7 @@ bool ScanSeries::keep()
                 .arg(pathText(scan.file.filename())));
         return false;
     }
-    // A scan on which nothing is placed has nothing to keep, and gets no file.
+    // A scan without landmarks needs no file.
     if (scan.isKept ? scan.points != m_kept : scan.placedCount() > 0) {
         const std::filesystem::path file = landmarksBeside(scan.file, m_placing);
         std::error_code error;
@@ -430,7 +430,7 @@ bool ScanSeries::keep()
             emit warned(landmarkNotesText(pathText(file.filename()), *written));
         emit noticed(tr("Points of %1 kept beside it.").arg(pathText(scan.file.filename())));
     }
-    // Whoever did something to the scene is asked about it as ever.
+    // After other changes, the scene still asks about them.
     if (isScanAlone())
         m_document.markSaved();
     return true;
@@ -441,7 +441,7 @@ void ScanSeries::setPlacing(int placing)
     if (placing == m_placing || placing < 1 || placing > kMostPlacings)
         return;
     if (!mayPlaceAs(placing)) {
-        emit changed(); // whoever shows the placing has it as it is
+        emit changed(); // the field for the placing shows the present value again
         return;
     }
     m_placing = placing;
@@ -468,7 +468,7 @@ bool ScanSeries::mayPlaceAs(int placing)
                     + tr("Placing %1 is gone on with. Mend the file, or move it away.").arg(m_placing));
         return false;
     }
-    // What is not kept beside the scan would be gone.
+    // Changes that are not saved beside the scan would be lost.
     return m_shown || !m_document.isEdited() || m_session.mayLeave();
 }
 

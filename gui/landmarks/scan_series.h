@@ -19,29 +19,29 @@ namespace unprojector::gui {
 class SceneDocument;
 class Session;
 
-/// How often a series can be gone through.
+/// The largest number of placings of a series.
 inline constexpr int kMostPlacings = 99;
 
-/// A scan of a series, with its points.
+/// A scan of a series, with its landmarks.
 struct Scan {
     std::filesystem::path file;
-    landmarks::LandmarkSet points; ///< as they are kept, or as they are now; coordinates of the scan's own file
-    QString problem;               ///< why the scan or its points could not be read; empty: none
-    bool isKept = false;           ///< there is a file of its points
+    landmarks::LandmarkSet points; ///< saved or current, in coordinates of the scan's own file
+    QString problem;               ///< why the scan or its landmarks could not be read; empty: no error
+    bool isKept = false;           ///< it has a landmark file
     bool isDamaged = false;        ///< that file could not be read
     std::size_t placedCount() const;
 };
 
-/// Reads the points that are kept beside the scan, of one placing.
+/// Reads the landmarks of one placing that are saved beside the scan.
 void readKept(Scan &scan, int placing);
 
-/// A folder of scans on which the same points are placed, one scan after the other. The points of each are kept beside it, in
-/// "face.ply.points.csv": they are written when another scan is shown, when the scene is saved, and when it is left. What has no
-/// name there yet is taken from the scan before.
+/// A folder of scans with the same landmarks, shown one after the other. The landmarks of each are
+/// saved beside it, in "face.ply.points.csv": when another scan is shown, when the scene is saved,
+/// and when it is left. Names that a scan lacks are taken from the scan before.
 ///
-/// Their coordinates there, and in `scans` and the tables, are those of the scan's own file: however the scan is moved, turned or
-/// scaled in the scene, they stay what they are. A file that cannot be read, or that another program has changed since it was read,
-/// is not written over.
+/// Coordinates in these files, in `scans` and in the tables are in the space of the scan's own
+/// file: they don't change when the scan is moved, turned or scaled in the scene. A file that
+/// cannot be read, or that another program has changed since it was read, is never overwritten.
 class ScanSeries : public QObject {
     Q_OBJECT
 public:
@@ -50,73 +50,74 @@ public:
     /// @param document, session  outlive it
     ScanSeries(SceneDocument &document, Session &session, QObject *parent = nullptr);
 
-    /// Takes a folder's model files as a series, by name, and shows the first that has not all its points. Where somebody would
-    /// rather not leave the scene that is shown for it, the series before stays.
+    /// Opens a folder's model files as a series, sorted by name, and shows the first incomplete
+    /// one. If the user refuses to leave the present scene, the former series stays.
     /// @return false without any model file, after `failed`
     bool open(const std::filesystem::path &folder);
-    /// Keeps the points and forgets the series; what is shown stays.
+    /// Saves the landmarks and closes the series; the present scene stays.
     /// @return false after `failed`
     bool close();
     bool isOpen() const { return !m_scans.empty(); }
     const std::filesystem::path &folder() const { return m_folder; }
     const std::vector<Scan> &scans() const { return m_scans; }
-    /// The scan that is shown, or that could not be; nothing while another scene is.
+    /// The scan that is shown, or that could not be shown; nothing while another scene is shown.
     std::optional<std::size_t> current() const { return m_current; }
     bool hasNext() const { return isOpen() && (!index() || *index() + 1 < m_scans.size()); }
     bool hasPrevious() const { return isOpen() && index() != std::size_t(0); }
-    /// The names of all points of all scans, in the order in which they first appear.
+    /// The names of all landmarks of all scans, in the order of first appearance.
     QStringList landmarkNames() const;
 
-    /// Keeps the points of the scan that is shown and shows another one. @pre index < scans().size()
+    /// Saves the landmarks of the present scan and shows another one. @pre index < scans().size()
     void show(std::size_t index);
     void next() { step(1); }
     void previous() { step(-1); }
-    /// Which time the series is gone through, counted from 1: the points of each are kept by themselves.
+    /// The number of the present pass through the series, from 1: each has its own landmarks.
     int placing() const { return m_placing; }
-    /// Stays where the points of the scan that is shown cannot be kept, or those of the other placing cannot be read.
+    /// Changes the placing, unless the landmarks of the present scan cannot be saved, or the other
+    /// placing's cannot be read.
     void setPlacing(int placing);
-    /// Writes the points of the scan that is shown beside it, if they are other than there.
+    /// Saves the landmarks of the present scan beside it, if they have changed.
     /// @return false after `failed`
     bool keep();
     /// @return false after `failed`
     bool exportTable(const std::filesystem::path &file, Table table);
 
 signals:
-    /// The scans, or how far one of them is.
+    /// Emitted when the list of scans, or the progress of one, changes.
     void changed();
-    /// What could not be read or written, in words.
+    /// Emitted when a file could not be read or written, with the reason.
     void failed(const QString &reason);
-    /// What was left out of a file, or is not kept in it.
+    /// Emitted with import or export notes: what was left out.
     void warned(const QString &text);
     void noticed(const QString &text);
 
 private:
-    /// A scan that is shown, and was before a lesson.
+    /// The scan that was shown before a lesson.
     struct SuspendedScan {
         std::size_t inView = 0;
-        bool isShown = false; ///< its points are kept
+        bool isShown = false; ///< its landmarks are saved
         int placing = 1;
     };
 
-    /// Where next and previous count from: in a lesson from the scan that it is left for.
+    /// The index that next and previous start from; in a lesson the suspended scan's.
     std::optional<std::size_t> index() const { return m_current || !m_aside ? m_current : m_aside->inView; }
     void step(int by);
     bool mayPlaceAs(int placing);
-    /// The current scan is in the view: its points come to it.
+    /// Adds the landmarks of the current scan once it is in the view.
     void takeShown();
-    /// The scan that was shown before a lesson is again, as it was then. @pre m_aside
+    /// Restores the scan from before a lesson, in its former state. @pre m_aside
     void comeBack();
-    /// The scan that is shown gets the scene's points.
-    /// @return false where they have no finite coordinates in its file
+    /// Copies the scene's landmarks to the present scan.
+    /// @return false if they have no finite coordinates in its file
     bool takeLandmarks(landmarks::LandmarkSet set);
-    /// Whether the points of the scan that is shown are those that were kept. @pre m_shown
+    /// Returns whether the landmarks of the present scan are the saved ones. @pre m_shown
     bool isAsKept() const;
-    /// To the series before, whose scan is still in the view. @pre m_former
+    /// Returns to the former series, whose scan is still in the view. @pre m_former
     void goBack();
-    /// Whether the scene holds nothing but the scan that is shown, as its file has it, and its points.
+    /// Returns whether the scene has only the present scan, as in its file, and its landmarks.
     bool isScanAlone() const;
 
-    /// What was open before a series whose first scan is being loaded.
+    /// The state before a series whose first scan is being loaded.
     struct PreviousSeries {
         std::filesystem::path folder;
         std::vector<Scan> scans;
@@ -132,18 +133,19 @@ private:
     std::filesystem::path m_folder;
     std::vector<Scan> m_scans;
     std::optional<std::size_t> m_current;
-    std::vector<landmarks::Landmark> m_names; ///< that every scan gets
-    std::vector<landmarks::Curve> m_curves;   ///< the same, by the names of their points
+    std::vector<landmarks::Landmark> m_names; ///< given to every scan
+    std::vector<landmarks::Curve> m_curves;   ///< the same, by the names of their landmarks
     bool m_isOpening = false;                 ///< the current scan is being loaded
     std::optional<std::size_t> m_inView;      ///< the scan in the view
-    std::optional<std::size_t> m_shown;       ///< the same where its points are kept: not where their file is damaged
-    std::optional<SuspendedScan> m_aside;     ///< the scan in the view, while a lesson is there instead
-    scene::SceneObject m_object;              ///< it, as it was last in the scene
-    landmarks::LandmarkSet m_kept;            ///< its points as they were read or last written
-    files::FileStamp m_stamp;                 ///< of their file then
+    /// the same, but nothing if its landmark file is damaged: then they are not saved
+    std::optional<std::size_t> m_shown;
+    std::optional<SuspendedScan> m_aside; ///< the scan before the present lesson
+    scene::SceneObject m_object;          ///< the scan, as it was last in the scene
+    landmarks::LandmarkSet m_kept;        ///< its landmarks as last read or written
+    files::FileStamp m_stamp;             ///< of their file at that time
     int m_placing = 1;
     std::optional<PreviousSeries> m_former;
-    bool m_wasAsked = false; ///< whether the scene before may be left, since the current scan is being loaded
+    bool m_wasAsked = false; ///< leaving the former scene was asked about since this scan is loading
 };
 
 } // namespace unprojector::gui

@@ -60,7 +60,7 @@ QVariant SeriesModel::text(const QModelIndex &index) const
 
 QVariant SeriesModel::data(const QModelIndex &index, int role) const
 {
-    // Another folder may have fewer before the rows follow.
+    // Another folder may have fewer scans before the rows are updated.
     if (!index.isValid() || static_cast<std::size_t>(index.row()) >= m_series.scans().size())
         return {};
     const auto &scan = m_series.scans()[static_cast<std::size_t>(index.row())];

@@ -7,7 +7,7 @@ namespace unprojector::gui {
 
 class ScanSeries;
 
-/// The scans of a series, one a row: its name, how many of its points are placed, and which.
+/// The scans of a series, one a row: its name, the number of placed landmarks, and which ones.
 class SeriesModel : public QAbstractTableModel {
     Q_OBJECT
 public:

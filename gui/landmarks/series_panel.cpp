@@ -52,7 +52,7 @@ SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     connect(m_next, &QToolButton::clicked, &m_series, &ScanSeries::next);
     connect(m_export, &QToolButton::clicked, this, &SeriesPanel::exportTable);
     m_placing->setRange(1, kMostPlacings);
-    m_placing->setKeyboardTracking(false); // on the way to 12 nobody means 1
+    m_placing->setKeyboardTracking(false); // typing 12 must not switch to 1
     m_placing->setAccessibleName(tr("Placing"));
     m_placing->setToolTip(
         tr("Which time the series is gone through, or by which observer: the points of each are kept by "

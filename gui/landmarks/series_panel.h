@@ -13,16 +13,17 @@ class ElidedLabel;
 class ScanSeries;
 class SeriesModel;
 
-/// A series of scans: which points each has, going from one to the next, and a table of all of them in a file.
+/// A series of scans: the landmarks of each, buttons to go from one to the next, and export of a
+/// table of all of them.
 class SeriesPanel : public QWidget {
     Q_OBJECT
 public:
     explicit SeriesPanel(ScanSeries &series, QWidget *parent = nullptr);
 
     /// Asks for the folder of a series.
-    /// @return whether there is another series now
+    /// @return whether another series was opened
     bool chooseFolder();
-    /// Asks for a file for the repeats of all placings.
+    /// Asks for a file and exports the repeats of all placings.
     void exportRepeats();
 
     QSize minimumSizeHint() const override;

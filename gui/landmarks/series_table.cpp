@@ -29,7 +29,7 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::SeriesTable)
 };
 
-/// The points of each scan that has any, all in the same order, as tables of numbers have them.
+/// The landmarks of all scans with any, all in the same order, as tables of numbers need them.
 std::vector<LandmarkSet> alignedSets(const std::vector<Scan> &scans, std::vector<Landmark> names)
 {
     for (const Scan &scan : scans)
@@ -60,9 +60,9 @@ std::vector<LandmarkSet> alignedSets(const std::vector<Scan> &scans, std::vector
     return sets;
 }
 
-/// The scans with their points of every placing.
-/// @param problems  what could not be read
-/// @param said      of what the table is made
+/// The scans with their landmarks of every placing.
+/// @param problems  read errors
+/// @param said      the data in the table, in words
 std::vector<RepeatedSpecimen> repeatedScans(const std::vector<Scan> &scans, QStringList &problems, QString &said)
 {
     std::size_t repeated = 0;
@@ -74,7 +74,7 @@ std::vector<RepeatedSpecimen> repeatedScans(const std::vector<Scan> &scans, QStr
         std::error_code error;
         for (int placing = 1; placing <= kMostPlacings; ++placing) {
             if (!std::filesystem::exists(landmarksBeside(scan.file, placing), error))
-                continue; // an observer who has not come so far
+                continue; // an observer who has not placed this scan
             most = std::max(most, placing);
             Scan placed{scan.file, {}, {}};
             readKept(placed, placing);
@@ -97,7 +97,7 @@ std::vector<RepeatedSpecimen> repeatedScans(const std::vector<Scan> &scans, QStr
     return specimens;
 }
 
-/// What a table lacks.
+/// The data missing from a table.
 QStringList leftOut(const std::vector<Scan> &scans)
 {
     QStringList problems;
@@ -108,7 +108,7 @@ QStringList leftOut(const std::vector<Scan> &scans)
     return problems;
 }
 
-/// Whether a file is a scan of the series or has the points of one.
+/// Returns whether a file is a scan of the series or one of its landmark files.
 bool holds(const std::vector<Scan> &scans, const std::filesystem::path &file)
 {
     return std::any_of(scans.begin(), scans.end(), [&file](const Scan &scan) {

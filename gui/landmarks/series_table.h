@@ -12,24 +12,25 @@ namespace unprojector::gui {
 
 struct Scan;
 
-/// What the points of all scans of a series are written as.
+/// The export formats for the landmarks of all scans of a series.
 enum class SeriesTable {
-    Long, ///< a row a point
+    Long, ///< a row a landmark
     Wide, ///< a row a scan
     Tps,
     Nts,
-    Repeats ///< a row a point of each scan, of all placings: their mean and how far they scatter
+    Repeats ///< a row a landmark of each scan, over all placings: mean and scatter
 };
 
-/// What there is to say of a table that was written.
+/// The messages about an exported table.
 struct WrittenSeries {
-    QString warning; ///< what is left out of it, may be empty
+    QString warning; ///< what was left out, may be empty
     QString notice;
 };
 
-/// Writes the points of all scans into one file.
-/// @param names  of the points, in their order; those of the scans follow
-/// @return why it was not written: no point, a name that a file of the series has, a file that cannot be written
+/// Writes the landmarks of all scans into one file.
+/// @param names  of the landmarks, in order; other names in the scans follow
+/// @return why it was not written: no landmark, the name of a file of the series, a file that
+/// cannot be written
 geometry::Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, SeriesTable table,
                                                      const std::vector<Scan> &scans,
                                                      const std::vector<landmarks::Landmark> &names);

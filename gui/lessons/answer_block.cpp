@@ -19,12 +19,12 @@
 namespace unprojector::gui {
 namespace {
 
-/// Of the field.
+/// The least width of the field.
 constexpr int kLeastDigits = 8;
-/// Of the verdict.
+/// The height of the verdict.
 constexpr int kLines = 2;
 
-/// What it says, and little else: at large fonts the field beside it needs the room.
+/// Limits a button to the width of its text: at large fonts the field beside it needs the room.
 void makeNarrow(QPushButton &button)
 {
     QSizePolicy policy = button.sizePolicy();
@@ -64,7 +64,7 @@ AnswerBlock::AnswerBlock(LessonPlayer &player, QWidget *parent)
     connect(m_answer, &QLineEdit::returnPressed, this, &AnswerBlock::check);
     connect(m_check, &QPushButton::clicked, this, &AnswerBlock::check);
     connect(m_reveal, &QPushButton::clicked, this, &AnswerBlock::reveal);
-    m_verdict->setTextFormat(Qt::PlainText); // it repeats what was typed
+    m_verdict->setTextFormat(Qt::PlainText); // it repeats the typed text
     m_verdict->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_verdict->setAccessibleName(tr("Whether your answer is right"));
 
@@ -99,7 +99,7 @@ void AnswerBlock::showQuestion()
         const std::vector<lessons::CoveredPanel> covered = m_player.coveredPanels();
         const bool doAllOpen = std::all_of(covered.begin(), covered.end(),
                                            [this](const auto &one) { return one.until == m_player.index(); });
-        if (!covered.empty() && doAllOpen) // else their covers say when each opens
+        if (!covered.empty() && doAllOpen) // else the covers say when each opens
             note = coverText(covered.front(), m_player.index());
     }
     say(note);

@@ -10,17 +10,17 @@ namespace unprojector::gui {
 
 class LessonPlayer;
 
-/// The question of a lesson's step, the field for its answer and the verdict. The verdict has room of its own, so that nothing moves
-/// when it is shown; a long one scrolls.
+/// The question of a lesson's step, the field for its answer and the verdict. The verdict has
+/// reserved space, so that nothing moves when it appears; a long one scrolls.
 class AnswerBlock : public QWidget {
     Q_OBJECT
 public:
     /// @param player  outlives the block
     explicit AnswerBlock(LessonPlayer &player, QWidget *parent = nullptr);
 
-    /// Shows the question of the player's step, without an answer. Hidden where the step asks nothing.
+    /// Shows the question of the player's step, without an answer. Hidden if the step asks nothing.
     void showQuestion();
-    /// Plain.
+    /// The question as plain text.
     QString question() const;
 
 private:

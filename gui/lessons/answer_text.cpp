@@ -18,7 +18,7 @@ struct Answers {
     Q_DECLARE_TR_FUNCTIONS(Answers)
 };
 
-/// Of numbers that a sentence names.
+/// The digits of numbers in a sentence.
 constexpr int kDigits = 6;
 
 QString withMinus(QString number)
@@ -31,7 +31,7 @@ QString numberText(double number)
     return withMinus(writtenText(number, kDigits));
 }
 
-/// "313 = 500 − 187", where the difference is of whole numbers; else the number alone.
+/// The difference of whole numbers, "313 = 500 − 187"; else the number alone.
 QString differenceText(const Asked &asked, double given)
 {
     const double subtrahend = asked.height - given;

@@ -10,16 +10,16 @@
 
 namespace unprojector::gui {
 
-// All that a lesson says of answers.
+// The texts of a lesson about answers.
 
-/// An answer to as many decimals as count in it.
+/// An answer with as many decimals as are checked.
 QString answerText(const lessons::Asked &asked);
-/// What is wrong with a wrong answer.
+/// The explanation of a wrong answer.
 QString wrongAnswerText(const lessons::Asked &asked, double given);
-/// When a covered panel opens.
-/// @param index  of the step that is shown
+/// The text of a covered panel: when it opens.
+/// @param index  of the present step
 QString coverText(const lessons::CoveredPanel &covered, std::size_t index);
-/// The end of a lesson, as rich text: how its questions were answered, and what comes next.
+/// The summary of a lesson, as rich text: the results of its questions, and the next lesson.
 /// @param following  null after the last lesson
 QString summaryHtml(const LessonPlayer::Tally &tally, const Lesson *following);
 

@@ -9,7 +9,7 @@
 namespace unprojector::gui {
 namespace {
 
-/// Left free at its right where a figure is as wide as the page: what stands before it on its line.
+/// The margin at the right of a figure as wide as the page: for text before it in its line.
 constexpr double kMargin = 34.0;
 
 QString figureName(const QTextFormat &format)

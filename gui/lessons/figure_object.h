@@ -7,13 +7,14 @@ class QWidget;
 
 namespace unprojector::gui {
 
-/// Draws the figures of Help where the page has an image of that name, <img src="figure:frustum" alt="…">. They are drawn
-/// with the page and not stored as pictures, in its size and colours as they are at the moment.
+/// Draws a figure of the help for an image of that name in the page, <img src="figure:frustum"
+/// alt="…">. It is drawn with the page and not stored as an image, in the page's present size and
+/// colours.
 class FigureObject : public QObject, public QTextObjectInterface {
     Q_OBJECT
     Q_INTERFACES(QTextObjectInterface)
 public:
-    /// @param page  whose palette is used; outlives this
+    /// @param page  supplies the palette; outlives this
     explicit FigureObject(const QWidget &page);
 
     QSizeF intrinsicSize(QTextDocument *text, int position, const QTextFormat &format) override;

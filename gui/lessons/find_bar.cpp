@@ -18,7 +18,8 @@ namespace {
 constexpr int kFieldLetters = 28;
 constexpr int kMostHits = 9999;
 
-/// The words as they are typed, whatever their case; a typed hyphen and a straight quote find those of print.
+/// A pattern for the typed words in any case; a typed hyphen and a straight quote match typographic
+/// ones.
 QRegularExpression patternOf(const QString &words)
 {
     QString pattern = QRegularExpression::escape(words);
@@ -71,7 +72,7 @@ FindBar::FindBar(QTextEdit &page, QWidget *parent)
     hide();
 
     connect(m_field, &QLineEdit::textChanged, this, [this] {
-        if (isVisible()) // else the words are another window's, for when it is opened
+        if (isVisible()) // else another window has set the words, for the next opening
             search(m_start);
     });
     connect(m_previous, &QToolButton::clicked, this, &FindBar::findPrevious);
@@ -112,7 +113,7 @@ int FindBar::firstVisiblePosition() const
     return m_page.cursorForPosition({0, 0}).position();
 }
 
-/// @param from  a position of the text: the first hit from there on is shown, or the page's first
+/// @param from  a position of the text: shows the first hit from there on, or the page's first
 void FindBar::search(int from)
 {
     m_hits.clear();
@@ -159,7 +160,7 @@ void FindBar::showHit()
     QTextCursor place = m_hits[static_cast<std::size_t>(m_present)];
     place.setPosition(place.selectionStart());
     m_page.setTextCursor(place);
-    // With some of what stands before it, where it was out of sight.
+    // Scrolls with some context before the hit if it was out of view.
     const QRect rect = m_page.cursorRect(place);
     const int height = m_page.viewport()->height();
     if (rect.top() < rect.height() || rect.bottom() > height - rect.height())

@@ -12,24 +12,26 @@ class QToolButton;
 
 namespace unprojector::gui {
 
-/// Finds words in a page of text: all hits are marked, and one of them is the present one. Hidden until it is opened.
+/// Finds words in a page of text: marks all hits, one of them as the current one. Hidden until it
+/// is opened.
 class FindBar : public QWidget {
     Q_OBJECT
 public:
     /// @param page  outlives the bar
     explicit FindBar(QTextEdit &page, QWidget *parent = nullptr);
 
-    /// Shows the field with what was looked for before, selected.
+    /// Shows the field with the last search text, selected.
     void openField();
-    /// Takes the marks away; the present hit stays selected in the page.
+    /// Removes the marks; the current hit stays selected in the page.
     void closeField();
-    /// To the hit after the present one or before it, round the page's ends. Opens the bar where it is closed.
+    /// Goes to the hit after or before the current one, and wraps around. Opens the bar if it is
+    /// closed.
     void findNext() { step(1); }
     void findPrevious() { step(-1); }
-    /// After the page's text was set anew.
+    /// Repeats the search after the page's text was replaced.
     void searchAgain();
 
-    /// Of the hits in the page, in its order.
+    /// The hits in the page, in order.
     const std::vector<QTextCursor> &hits() const { return m_hits; }
 
 protected:
@@ -47,8 +49,8 @@ private:
     QLabel *m_count;
     QToolButton *m_previous, *m_next;
     std::vector<QTextCursor> m_hits;
-    int m_present = -1; ///< of them; -1 where there are none
-    int m_start = 0;    ///< where the search began: what is typed on is looked for from there
+    int m_present = -1; ///< index of the current hit; -1 without hits
+    int m_start = 0;    ///< where the search began: further typing searches from there
 };
 
 } // namespace unprojector::gui

@@ -9,13 +9,13 @@ class QLabel;
 
 namespace unprojector::gui {
 
-/// Three things to try, for a user who is new, in a corner of the view. Each is ticked once it is done.
+/// Three things to try for a new user, in a corner of the view. Each is ticked once it is done.
 class FirstSteps : public QFrame {
     Q_OBJECT
 public:
     enum Step { Click, Drag, Lesson, StepCount };
 
-    /// @param lesson  the title of the one that is offered
+    /// @param lesson  the title of the offered lesson
     explicit FirstSteps(const QString &lesson, QWidget *parent = nullptr);
 
     void setDone(Step step, bool isDone);

@@ -30,7 +30,7 @@ constexpr double kPointSize = 11.0;
 constexpr int kLeastPercent = 60;
 constexpr int kMostPercent = 300;
 constexpr int kStepPercent = 10;
-/// Of the column of text, in widths of the letter x at its size: longer lines are hard to read.
+/// The width of the text column, in widths of the letter x: longer lines are hard to read.
 constexpr double kColumnLetters = 104.0;
 
 /// One column in the middle of the window, as on paper.
@@ -49,11 +49,11 @@ public:
 protected:
     void resizeEvent(QResizeEvent *event) override
     {
-        fitColumn(); // before the text is laid out, which it is in the width that is left
+        fitColumn(); // before the layout, which uses the remaining width
         QTextBrowser::resizeEvent(event);
     }
 
-    /// The window keeps the zoom's limits; the text itself would not.
+    /// The window clamps the zoom; the text browser would not.
     void wheelEvent(QWheelEvent *event) override
     {
         if (event->modifiers() & Qt::ControlModifier) {
@@ -69,7 +69,7 @@ protected:
         QTextBrowser::wheelEvent(event);
     }
 
-    /// What a figure shows, in words.
+    /// Shows the description of a figure.
     bool viewportEvent(QEvent *event) override
     {
         if (event->type() != QEvent::ToolTip)
@@ -89,7 +89,7 @@ private:
     FigureObject m_figures;
 };
 
-/// The page with the colours that are not those of its text.
+/// The page with the colours that differ from its text.
 /// @param name  in the folder of the help: "formulas.html"
 QString pageText(const QString &name, const QColor &lines, const QColor &heading, const QColor &link,
                  const QColor &source)
@@ -152,7 +152,7 @@ FormulasWindow::FormulasWindow(QWidget *parent) : QDialog(parent), m_page(new Pa
     };
     addKeys(QKeySequence::FindNext, Qt::Key_F3, [this] { m_find->findNext(); });
     addKeys(QKeySequence::FindPrevious, Qt::SHIFT | Qt::Key_F3, [this] { m_find->findPrevious(); });
-    // A page without a caret has none of its own for these.
+    // A page without a caret doesn't handle these keys.
     QScrollBar *scroll = m_page->verticalScrollBar();
     addKeys(QKeySequence::MoveToStartOfDocument, Qt::CTRL | Qt::Key_Home, [scroll] { scroll->setValue(0); });
     addKeys(QKeySequence::MoveToEndOfDocument, Qt::CTRL | Qt::Key_End,
@@ -163,13 +163,13 @@ FormulasWindow::FormulasWindow(QWidget *parent) : QDialog(parent), m_page(new Pa
     layout->setSpacing(0);
     layout->addWidget(bar);
     layout->addWidget(m_page);
-    layout->addWidget(m_find); // below the page: the text stays where it is when the field comes
+    layout->addWidget(m_find); // below the page: the text stays in place when the field appears
     m_page->setFocus();
 }
 
 void FormulasWindow::showPage()
 {
-    // As on paper, or as the window is where that is dark.
+    // Paper's colours, or the window's if it is dark.
     QPalette colors = QGuiApplication::palette();
     const bool isDark = colors.color(QPalette::Window).lightnessF() < 0.5F;
     if (!isDark) {
@@ -210,7 +210,7 @@ void FormulasWindow::showFormula(const QString &anchor)
     m_page->scrollToAnchor(anchor);
     if (anchor.isEmpty())
         return;
-    // An anchor stands in a line of the formula: what of a fraction is above it is to be seen, too.
+    // An anchor is in a line of the formula: the part of a fraction above it must be visible, too.
     constexpr int kLinesAbove = 1;
     QScrollBar *bar = m_page->verticalScrollBar();
     bar->setValue(bar->value() - kLinesAbove * QFontMetrics(m_page->document()->defaultFont()).lineSpacing());

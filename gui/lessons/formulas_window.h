@@ -9,19 +9,20 @@ namespace unprojector::gui {
 
 class FindBar;
 
-/// All formulas, typeset as a handout, each with its source, and the errors found in the tutorials. Not modal.
+/// All formulas, typeset as a handout, each with its source, and the errors found in the tutorials.
+/// Not modal.
 class FormulasWindow : public QDialog {
     Q_OBJECT
 public:
     explicit FormulasWindow(QWidget *parent = nullptr);
 
-    /// Scrolls to a place of the page.
+    /// Scrolls to a position of the page.
     /// @param anchor  a name in formulas.html: "ortho", "errors"
     void showFormula(const QString &anchor);
 
-    /// The size of the text in percent of the usual one.
+    /// The size of the text in percent of the default.
     int zoomPercent() const;
-    /// @param percent  kept between 60 and 300
+    /// @param percent  clamped to 60 … 300
     void setZoomPercent(int percent);
 
     QTextBrowser &page() { return *m_page; }

@@ -39,10 +39,10 @@ void LessonLayout::end()
     QDockWidget &lesson = m_window.workspaces().dock(Panel::Lesson);
     if (lesson.isAncestorOf(m_window.focusWidget()))
         m_window.view()
-            .setFocus(); // as by the mouse: Qt would go on to the next widget as by Tab, which shows the crosshair
+            .setFocus(); // as by the mouse: Qt would otherwise go on to the next widget as by Tab, which shows the crosshair
     lesson.hide();
     m_window.restore(*m_before);
-    // The lesson's texts took more room, perhaps.
+    // The lesson's texts may have taken more room.
     for (const auto &[label, room] : m_rooms) {
         if (label)
             label->setRoom(room);
@@ -55,7 +55,7 @@ void LessonLayout::showStep()
     const std::string name = lesson ? lesson->name : std::string();
     const bool isAnother = name.empty() || name != m_lesson;
     if (isAnother) {
-        // A lesson begins as if none had been before it.
+        // The former lesson ends first, so that its layout is not kept for the next one.
         if (!m_lesson.empty())
             end();
         m_lesson = name;
@@ -66,7 +66,7 @@ void LessonLayout::showStep()
     }
     Workspaces &workspaces = m_window.workspaces();
     if (isAnother)
-        workspaces.hidePanels(false); // a lesson speaks of them
+        workspaces.hidePanels(false); // a lesson refers to them
     const lessons::Step &step = m_player.step();
     if (step.workspace != m_workspace) {
         m_workspace = step.workspace;
@@ -103,7 +103,7 @@ void LessonLayout::showAnswer()
 {
     coverAnswers();
     showPanels();
-    m_window.workspaces().show(Panel::Lesson); // which says why it is so, where they are tabs of one column
+    m_window.workspaces().show(Panel::Lesson); // it explains the situation, if the panels are tabs of one column
 }
 
 void LessonLayout::coverAnswers()
@@ -132,9 +132,9 @@ void LessonLayout::giveRoom(bool isAgain)
 {
     if (m_lesson.empty() || (!m_withRoom.insert(m_window.workspaces().current()).second && !isAgain))
         return;
-    // Once all stands where it will.
+    // After the layout.
     QTimer::singleShot(0, this, [this] {
-        constexpr double kShare = 0.6; // what stands above it is looked up, this is read
+        constexpr double kShare = 0.6; // the panel above is only looked up, this one is read
         QDockWidget &dock = m_window.workspaces().dock(Panel::Lesson);
         const int column = m_window.statusBar()->geometry().top() - m_window.frame().geometry().top();
         if (m_window.dockWidgetArea(&dock) == Qt::LeftDockWidgetArea && !dock.isFloating())

@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kWidth = 340;
 constexpr int kMostHeight = 620;
-/// Where the text has the answer.
+/// The anchor of the answer in the text.
 constexpr char kAnswer[] = "answer";
 
 QLabel *wrapped()
@@ -73,7 +73,7 @@ LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget 
     m_text->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_text->document()->setDocumentMargin(0.0);
     m_text->setAccessibleName(tr("What to look at"));
-    // The panel's own colour behind the text, not that of a field to type in.
+    // The text has the panel's background, unlike an input field.
     m_text->viewport()->setAutoFillBackground(false);
     connect(m_text, &QTextBrowser::anchorClicked, this, [this](const QUrl &url) { follow(url.toString()); });
 
@@ -102,7 +102,7 @@ LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget 
     layout->addLayout(head);
     layout->addWidget(m_steps);
     layout->addWidget(m_text, 1);
-    layout->addWidget(m_hint); // what comes and goes takes its room from the text: what is pressed stays where it is
+    layout->addWidget(m_hint); // it takes its room from the text, so that buttons don't move
     layout->addWidget(m_asking);
     layout->addLayout(way);
 
@@ -248,7 +248,7 @@ void LessonPanel::follow(const QString &link)
 void LessonPanel::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) { // links have the colour that they were set in
+    if (event->type() == QEvent::PaletteChange) { // the text contains the colour of links
         const int place = m_text->verticalScrollBar()->value();
         showText();
         m_text->verticalScrollBar()->setValue(place);
@@ -275,7 +275,7 @@ QSize LessonPanel::sizeHint() const
     const QMargins margins = layout()->contentsMargins();
     const int inner = kWidth - margins.left() - margins.right();
     QTextDocument *document = m_text->document()->clone();
-    // Room for a scroll bar, even where none is needed: once there it goes only if the text fits beside it.
+    // Reserves room for a scroll bar: once visible, it disappears only if the text fits beside it.
     document->setTextWidth(inner - m_text->verticalScrollBar()->sizeHint().width());
     const int text = static_cast<int>(document->size().height()) + 1;
     delete document;

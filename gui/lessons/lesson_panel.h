@@ -20,30 +20,30 @@ class AnswerBlock;
 class LessonPlayer;
 class SceneDocument;
 
-/// The step of the lesson that is shown: its text, whose links do what it speaks of, what it asks, and the way on; after the last
-/// step how the questions were answered, and the way to the next lesson. About 340 logical pixels wide; the text scrolls where
-/// it is taller than the panel, and what is below it stays in its place.
+/// The present step of a lesson: its text with links that act on the scene, its question, and the
+/// navigation. After the last step: the results, and a link to the next lesson. About 340 logical
+/// pixels wide; a text taller than the panel scrolls, and the widgets below it stay in place.
 class LessonPanel : public QWidget {
     Q_OBJECT
 public:
     /// @param player, document  outlive the panel
     LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget *parent = nullptr);
 
-    /// Where the frame around the panel has no button that closes it, the panel has one. At first it has none.
+    /// Gives the panel a close button of its own, for a frame without one. At first it has none.
     void setClosesItself(bool does);
-    /// Title, step, text, source and question, plain.
+    /// Title, step, text, source and question as plain text.
     QString text() const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 signals:
-    /// Its own button was pressed.
+    /// Emitted when the panel's own close button was pressed.
     void closeRequested();
-    /// The lesson is over, and its scene is to be left.
+    /// Emitted when the lesson is over, and its scene must be left.
     void finished();
     void lessonRequested(const std::string &name);
-    /// A link that leads out of the panel was followed.
+    /// Emitted when the user follows a link that leads out of the panel.
     void linkFollowed(const unprojector::lessons::Link &link);
 
 protected:
@@ -65,7 +65,7 @@ private:
     QToolButton *m_close;
     QComboBox *m_steps;
     QTextBrowser *m_text;
-    QLabel *m_hint; ///< where the scene or the view is not the step's
+    QLabel *m_hint; ///< tells that the scene or the view differs from the step's
     AnswerBlock *m_asking;
     QPushButton *m_back;
     QPushButton *m_leave; ///< at the end

@@ -39,7 +39,7 @@ LessonPlayer::LessonPlayer(SceneDocument &document, Session &session, QObject *p
 {
     connect(&session, &Session::opened, this, [this](const QString &lesson) {
         if (lesson.isEmpty())
-            end(); // another scene has taken its place, or the one before it is back
+            end(); // another scene has replaced it, or the one before it is back
     });
 }
 
@@ -109,7 +109,7 @@ bool LessonPlayer::goTo(std::size_t index)
 bool LessonPlayer::show(const Lesson &lesson, std::size_t index, bool isNew)
 {
     const lessons::Step &step = lesson.steps.at(index);
-    // What is done in a scene that the next step goes on with stays.
+    // Changes stay if the next step continues with the same scene.
     const bool goesOn = m_lesson == &lesson && this->step().scene == step.scene;
     if (!m_lesson)
         emit aboutToBegin();
@@ -176,7 +176,7 @@ bool LessonPlayer::hasViewOfStep() const
 
 std::optional<lessons::Asked> LessonPlayer::asked() const
 {
-    // Of the step as it is written, whatever was done to its scene.
+    // The step as written, independent of changes in its scene.
     const auto numbers = lessons::LessonNumbers::of(*m_lesson, m_document.setup().surface);
     return numbers ? lessons::askedIn(*numbers, step()) : std::nullopt;
 }
@@ -201,7 +201,7 @@ void LessonPlayer::reveal()
 
 void LessonPlayer::give(Answered how)
 {
-    m_given.emplace(m_index, how); // what was found first counts
+    m_given.emplace(m_index, how); // the first result counts
     emit revealed();
 }
 
@@ -244,7 +244,7 @@ std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const
     std::map<std::string, lessons::StepPoint> points;
     if (const auto found = step().points.find(point); found != step().points.end()) {
         points.insert(*found);
-        // A pixel is one of the step's own view. What it shows there may lie at another pixel of this one.
+        // A pixel belongs to the step's own view. Its content may be at another pixel of this view.
         if (std::holds_alternative<lessons::ClickedPixel>(found->second)) {
             const auto own = lessons::StepNumbers::of(*m_shown, lessons::surfaceOf(step(), surface), points);
             const std::vector<double> world = own ? own->at(point + ".world") : std::vector<double>();
@@ -253,7 +253,7 @@ std::optional<DevicePixel> LessonPlayer::pixelOf(const std::string &point) const
             points[point] = GivenPoint{WorldPoint(world[0], world[1], world[2])};
         }
     }
-    // In the picture as it is now.
+    // The numbers hold for the present view.
     const auto numbers = lessons::StepNumbers::of(m_document.scene(), surface, points);
     return numbers ? numbers->pixelOf(point) : std::nullopt;
 }

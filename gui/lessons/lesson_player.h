@@ -17,35 +17,36 @@
 namespace unprojector::gui {
 using lessons::Lesson;
 
-/// Which step of which lesson is shown, without a widget: opens the steps' scenes, checks and counts the answers to what they ask,
-/// and gives back at the end what was shown before.
+/// The present step of a lesson, without a widget: opens the steps' scenes, checks and counts the
+/// answers, and restores the former scene at the end.
 class LessonPlayer : public QObject {
     Q_OBJECT
 public:
     /// @param document, session  outlive the player
     LessonPlayer(SceneDocument &document, Session &session, QObject *parent = nullptr);
 
-    /// All lessons in their order, in the program's language; read when they are first asked for. One that cannot be read is
-    /// told by `failed` and left out.
+    /// All lessons in order, in the program's language; read on demand. Leaves out a lesson that
+    /// cannot be read, and emits `failed`.
     const std::vector<Lesson> &lessons();
 
-    /// Null while there is none.
+    /// The present lesson; null if there is none.
     const Lesson *lesson() const { return m_lesson; }
-    /// Of the step in the lesson.
+    /// The index of the step in the lesson.
     std::size_t index() const { return m_index; }
     /// @pre lesson()
     const lessons::Step &step() const { return m_lesson->steps[m_index]; }
 
-    // Nothing is asked about what was done in a step's scene, unless that was saved under a name: the steps tell to do it. Nor
-    // about the scene that was shown before, which comes back. Where the user stays, nothing has changed, and false is
-    // returned.
+    // Changes in a step's scene are dropped without a question, unless it was saved under a name:
+    // the steps ask for these changes. The scene before the lesson needs no question either,
+    // because it is restored. If the user cancels, nothing has changed, and the functions return
+    // false.
 
     /// Starts a lesson at its first step, without any answers.
     bool start(const std::string &name);
-    /// Starts a lesson by its name, and goes to a step behind a colon, from 1 on: "weng:3".
-    /// @return an error of the option --lesson where there is no such step; else empty
+    /// Starts a lesson by its name, optionally with a step after a colon, from 1: "weng:3".
+    /// @return an error of the option --lesson if there is no such step; else empty
     QString startAt(const QString &nameAndStep);
-    /// @pre lesson(), place < its number of steps
+    /// @pre lesson(), index < its number of steps
     bool goTo(std::size_t index);
     bool hasNext() const { return m_lesson && m_index + 1 < m_lesson->steps.size(); }
     bool hasPrevious() const { return m_lesson && m_index > 0; }
@@ -53,59 +54,59 @@ public:
     bool next() { return goTo(m_index + 1); }
     /// @pre hasPrevious()
     bool previous() { return goTo(m_index - 1); }
-    /// Ends the lesson and shows again what was shown before it, its unsaved changes included.
+    /// Ends the lesson and restores the scene before it, with its unsaved changes.
     bool leave();
-    /// Ends the lesson, if there is one, and leaves what is shown.
+    /// Ends the lesson, if there is one, and keeps the present scene.
     void end();
 
-    /// Whether camera, projection, viewport and objects are as the step has them.
+    /// Returns whether camera, projection, viewport and objects equal the step's.
     bool isAsTheStep() const;
-    /// Shows the step's scene as it was at first. `clickWanted` follows where a point of it had been clicked by a link.
+    /// Resets the step's scene. Emits `clickWanted` if a link had clicked a point of it.
     bool restart();
-    /// Whether the numbers of the step hold in the view as large as it is.
+    /// Returns whether the numbers of the step are valid for the view's size.
     bool hasViewOfStep() const;
 
-    /// What the step asks for, and its answer. @pre it asks
-    /// @return nothing where it cannot be computed, which is a mistake of ours
+    /// The step's question and its answer. @pre it has one
+    /// @return nothing if it cannot be computed, which is a bug
     std::optional<lessons::Asked> asked() const;
-    /// Checks an answer; the right one is found then. @pre the step asks
+    /// Checks an answer; a right one counts as found. @pre the step asks
     /// @return whether it is right
     bool check(double given);
-    /// Whether the answer was found or shown, since the lesson began.
+    /// Returns whether the answer was found or shown since the lesson began.
     bool isRevealed() const { return m_given.contains(m_index); }
     /// Shows the answer. @pre the step asks
     void reveal();
-    /// The panels that show an answer that is still to be given. @pre lesson()
+    /// The panels that show an answer that is not given yet. @pre lesson()
     std::vector<lessons::CoveredPanel> coveredPanels() const;
 
-    /// How many questions the lesson asks, and how they were answered.
+    /// The number of questions in the lesson, and how they were answered.
     struct Tally {
         int questions = 0;
-        int atOnce = 0; ///< right with the first answer
+        int atOnce = 0; ///< right at the first attempt
         int later = 0;  ///< right after a wrong answer
         int shown = 0;
     };
     /// @pre lesson()
     Tally tally() const;
-    /// The lesson after this one; null after the last. @pre lesson()
+    /// The next lesson; null after the last. @pre lesson()
     const Lesson *following() const;
 
-    /// Where to click for a point that the step names; nothing where it is not in the picture as it is now.
+    /// The pixel of a point that the step names; nothing if it is not in the present view.
     std::optional<geometry::DevicePixel> pixelOf(const std::string &point) const;
-    /// The same for somebody who clicks there: the click comes back where the picture is put back.
+    /// The same for a click: a reset of the scene repeats it.
     std::optional<geometry::DevicePixel> clickedPixel(const std::string &point);
 
-    /// Does what a link set:NAME of the step says, undoably.
-    /// @return false where it cannot, which `failed` tells
+    /// Applies the change of a link set:NAME of the step, undoably.
+    /// @return false if it cannot, after `failed`
     bool change(const std::string &name);
 
 signals:
-    /// A lesson is about to begin where there was none: what is shown is still what was shown before.
+    /// Emitted before a lesson begins: the former scene is still shown.
     void aboutToBegin();
-    /// Another step, another lesson, or none.
+    /// Emitted when another step or lesson is shown, or none.
     void changed();
     void revealed();
-    /// The point of the step that was clicked before the picture was put back.
+    /// Emitted to repeat the click on a point of the step after a reset.
     void clickWanted(const std::string &point);
     void failed(const QString &reason);
 
@@ -123,10 +124,10 @@ private:
     bool m_areRead = false;
     const Lesson *m_lesson = nullptr; ///< one of m_lessons
     std::size_t m_index = 0;
-    std::map<std::size_t, Answered> m_given; ///< by the indexes of the steps
-    std::set<std::size_t> m_tried;           ///< the steps that were answered wrongly
-    std::optional<scene::Scene> m_shown;     ///< the step's, as it was opened
-    std::string m_clicked;                   ///< by a link, in this scene, last; empty: nothing
+    std::map<std::size_t, Answered> m_given; ///< by the indices of the steps
+    std::set<std::size_t> m_tried;           ///< the steps with a wrong answer
+    std::optional<scene::Scene> m_shown;     ///< the step's scene as opened
+    std::string m_clicked;                   ///< the last point clicked by a link in this scene; empty: none
 };
 
 } // namespace unprojector::gui

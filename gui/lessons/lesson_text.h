@@ -7,9 +7,9 @@
 
 namespace unprojector::gui {
 
-/// A title of a lesson as it is read, without the sources of its numbers.
+/// The readable title of a lesson, without the sources of its numbers.
 QString lessonTitle(const std::string &title);
-/// Paragraphs of a lesson as rich text, as well.
+/// Paragraphs of a lesson as rich text, without those sources either.
 QString lessonHtml(const std::vector<std::string> &paragraphs);
 
 } // namespace unprojector::gui

@@ -56,14 +56,14 @@ private:
     void addToBar(QToolBar &bar);
     void connectWorkspaces();
     void leaveOrStay();
-    /// Leaves a lesson after its end: not to an empty view.
+    /// Leaves a lesson after its end: restores a scene, not an empty view.
     void finish();
     void click(const std::string &point);
     void change(const std::string &name);
     void trigger(const lessons::ActionLink &link);
     void showFormulas(const QString &anchor);
     void showFirstSteps(bool isShown);
-    /// They speak of the workspace Click, and are seen there.
+    /// Shows the first steps only in the workspace Click, to which they refer.
     void placeFirstSteps();
     void tick(FirstSteps::Step step);
     void keepFirstSteps() const;
@@ -76,10 +76,10 @@ private:
     LessonPanel *m_panel;
     LessonLayout *m_stage;
     QMenu *m_menu = nullptr;              ///< of the lessons
-    FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
+    FormulasWindow *m_formulas = nullptr; ///< created on demand
     FirstSteps *m_firstSteps = nullptr;   ///< the same
-    bool m_areFirstStepsShown = false;    ///< where they are seen
-    QPointF m_pressed;                    ///< where the left button went down in the view
+    bool m_areFirstStepsShown = false;    ///< whether the user wants them
+    QPointF m_pressed;                    ///< position of the left button's press in the view
 };
 
 LessonsFeature::LessonsFeature(Window &window)
@@ -101,7 +101,8 @@ LessonsFeature::LessonsFeature(Window &window)
     window.view().installEventFilter(this);
 }
 
-/// What the user does in the view, but not the pick that the program starts with, ticks the first steps.
+/// The user's own actions in the view tick the first steps, but not the pick at the program's
+/// start.
 bool LessonsFeature::eventFilter(QObject *watched, QEvent *event)
 {
     if (m_player->lesson())
@@ -165,12 +166,12 @@ void LessonsFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
             showFirstSteps(true);
             for (int step = 0; m_firstSteps && step < FirstSteps::StepCount; ++step)
                 m_firstSteps->setDone(static_cast<FirstSteps::Step>(step), false);
-        })->setObjectName(QStringLiteral("firstSteps")); // by which the preferences know it
+        })->setObjectName(QStringLiteral("firstSteps")); // for the preferences
         addToBar(bar);
     }
 }
 
-/// At the right of the bar.
+/// Puts the lessons at the right of the bar.
 void LessonsFeature::addToBar(QToolBar &bar)
 {
     auto *space = new QWidget;
@@ -228,7 +229,7 @@ void LessonsFeature::leaveOrStay()
 {
     if (m_player->leave())
         return;
-    // Once the dock, which is only about to close, has closed.
+    // After the dock, which is only about to close, has closed.
     QTimer::singleShot(0, this, [this] {
         if (m_player->lesson())
             m_window.workspaces().show(Panel::Lesson);
@@ -257,7 +258,7 @@ bool LessonsFeature::follow(const lessons::Link &link)
         trigger(*action);
     else if (const auto *size = std::get_if<lessons::ViewSizeLink>(&link))
         m_stage->viewResizer().want({size->size.x, size->size.y}, true);
-    // The others are another feature's, or the lesson's panel's.
+    // The others belong to another feature or to the lesson's panel.
     return true;
 }
 
@@ -283,7 +284,7 @@ void LessonsFeature::trigger(const lessons::ActionLink &link)
         return;
     for (QObject *owner = action->parent(); owner; owner = owner->parent()) {
         const auto panel = lessons::panelOf(owner->objectName().toStdString());
-        if (qobject_cast<QDockWidget *>(owner) && panel) { // where the switch stands
+        if (qobject_cast<QDockWidget *>(owner) && panel) { // the panel with the switch
             m_window.follow(lessons::PanelLink{*panel});
             m_window.workspaces().giveRoom(*panel, Panel::Observer);
         }
@@ -336,7 +337,8 @@ void LessonsFeature::placeFirstSteps()
 {
     if (!m_firstSteps)
         return;
-    // Not in a lesson either: it is one of them, and the view can be smaller without the note.
+    // Not in a lesson either: a lesson is one of them, and the view can be smaller without the
+    // note.
     m_firstSteps->setVisible(m_areFirstStepsShown && m_window.workspaces().current() == Workspace::Click
                              && !m_player->lesson());
     m_firstSteps->raise();

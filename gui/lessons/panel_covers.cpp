@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kMargin = 12;
 
-/// A text that asks for the room of the panel in whose place it stands.
+/// A text that takes over the size of the panel it replaces.
 class CoverLabel : public QLabel {
 public:
     explicit CoverLabel(const QWidget &panel) : m_panel(panel)

@@ -10,20 +10,20 @@ class QWidget;
 
 namespace unprojector::gui {
 
-/// Texts in the place of panels that would show the answer to a question. The docks stay where they are and keep their sizes, so
-/// nothing moves when a panel is covered or opened.
+/// Covers with a text for panels that would show the answer to a question. The docks keep their
+/// positions and sizes, so nothing moves when a panel is covered or opened.
 class PanelCovers {
 public:
     /// @param workspaces  outlive the covers
     explicit PanelCovers(Workspaces &workspaces) : m_workspaces(workspaces) {}
 
     /// Covers these panels, and opens all others.
-    /// @param texts  what the covers say, by their panels
+    /// @param texts  of the covers, by panel
     void set(const std::map<Panel, QString> &texts);
 
 private:
     struct Cover {
-        QWidget *panel; ///< what the dock shows without it
+        QWidget *panel; ///< the covered content of the dock
         QWidget *widget;
     };
     void open(Panel panel);

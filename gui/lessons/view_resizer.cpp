@@ -12,7 +12,7 @@ using namespace geometry;
 
 namespace {
 
-/// After which panels and window manager have done what a change of the window's size makes them do.
+/// The time that panels and window manager need after a change of the window's size.
 constexpr int kSettlingMilliseconds = 40;
 
 } // namespace
@@ -54,8 +54,8 @@ void ViewResizer::fit()
             tell(isFitted);
         return;
     }
-    // Qt lays panels out a little later. If the view is still too small then, a link that asks for a size makes the window
-    // larger.
+    // Qt lays panels out a little later. If the view is still too small then, a link that asks for
+    // a size enlarges the window.
     const QSize missing = (wanted - m_window.frame().size()).expandedTo(QSize(0, 0));
     if (m_isAskedFor && m_trials > 1 && !missing.isNull() && !m_window.isMaximized() && !m_window.isFullScreen()) {
         m_grown = Grown{m_grown ? m_grown->before : m_window.size(), {}};
@@ -75,7 +75,8 @@ void ViewResizer::tell(bool isFitted)
         return text.arg(there.width()).arg(there.height()).arg(m_size.width()).arg(m_size.height());
     };
     if (isFitted) {
-        //: Sizes in pixels: what the view has, then what it should have; the last is the scale of the screen, such as 1.75.
+        //: Sizes in pixels: what the view has, then what it should have;
+        //: the last is the scale of the screen, such as 1.75.
         m_window.showMessage(with(tr("The view is %1 × %2 now, and cannot be %3 × %4 on a screen that is scaled by %5: "
                                      "numbers differ a little from those of the text."))
                                  .arg(m_window.view().devicePixelRatioF()));

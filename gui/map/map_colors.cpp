@@ -7,7 +7,7 @@
 namespace unprojector::gui {
 namespace {
 
-using Polynomial = std::array<double, 7>; ///< from the constant on
+using Polynomial = std::array<double, 7>; ///< from the constant term on
 
 constexpr std::array<Polynomial, 3> kViridis{{
     {0.2777273272, 0.1050930431, -0.3308618287, -4.6342304985, 6.2282699363, 4.7763849977, -5.4354558559},

@@ -10,21 +10,21 @@ using namespace geometry;
 using namespace scene;
 using namespace unproject;
 
-/// What rays meet of a picture. Whoever has it has the models too.
+/// The ray hits of a setup. It keeps the models alive.
 struct MapMaker::Seen {
     std::vector<SceneObject> objects;
     Unprojector unprojector;
     ray::SceneRays rays;
-    std::optional<maps::SurfaceImage> surfaces; ///< once they are met
+    std::optional<maps::SurfaceImage> surfaces; ///< once computed
 };
 
 struct MapMaker::Answer {
-    std::shared_ptr<const Seen> seen;    ///< with surfaces, where they could be met
-    std::shared_ptr<const MadeMap> made; ///< null: it was cancelled, or there is none
+    std::shared_ptr<const Seen> seen;    ///< with surfaces, if they could be computed
+    std::shared_ptr<const MadeMap> made; ///< null: cancelled, or without a map
     std::optional<Error> error;
 };
 
-/// @param seen  without surfaces: to be met first
+/// @param seen  without surfaces: they are computed first
 MapMaker::Answer MapMaker::answerOf(const maps::Question &question, std::shared_ptr<const Seen> seen, Job &job)
 {
     const bool areMet = seen->surfaces.has_value();
@@ -53,7 +53,7 @@ MapMaker::MapMaker(const SceneDocument &document, QObject *parent) : QObject(par
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & kVisibleChanges) {
             cancel();
-            m_seen.reset(); // it holds the models of a scene that is gone, too
+            m_seen.reset(); // it also holds the models of a removed scene
         }
     });
 }

@@ -11,26 +11,27 @@
 
 namespace unprojector::gui {
 
-/// A map, with what belongs to it.
+/// A map, with its question and setup.
 struct MadeMap {
     maps::PixelMap map;
     maps::MapStatistics statistics;
     maps::Question question;
     geometry::Setup setup;
-    bool leavesPointsOut = false; ///< the scene has points of clouds, which maps are not of
+    bool leavesPointsOut = false; ///< the scene has points of clouds, which maps ignore
 };
 
-/// Makes maps of a document's picture on a thread of its own, one at a time: what is asked for later is what is wanted, and
-/// ends what is under way. What rays meet is kept, so that another question about the same picture is answered at once.
+/// Makes maps of a document's view on a separate thread, one at a time: a new question cancels the
+/// former one. Ray hits are cached, so that another question about the same setup is answered at
+/// once.
 class MapMaker : public QObject {
     Q_OBJECT
 public:
     explicit MapMaker(const SceneDocument &document, QObject *parent = nullptr);
 
-    /// Asks for a map of the picture as it is now.
-    /// @return false while the models are not prepared for rays; then nothing is under way
+    /// Requests a map of the present setup.
+    /// @return false while the models are not prepared for rays; then no request is under way
     bool ask(const maps::Question &question);
-    /// Nothing is wanted any more.
+    /// Cancels the request.
     void cancel() { m_background.cancel(); }
     bool isMaking() const { return m_background.isRunning(); }
 
@@ -38,9 +39,9 @@ signals:
     void made(const std::shared_ptr<const unprojector::gui::MadeMap> &map);
     /// @param share  of the map, in [0, 1]
     void progressed(double share);
-    /// There is none of this picture, for this reason.
+    /// Emitted when the setup has no map, with the reason.
     void failed(const unprojector::geometry::Error &error);
-    /// It could not be computed, and why.
+    /// Emitted when the map could not be computed, with the reason.
     void jobFailed(const unprojector::gui::JobFailure &failure);
 
 private:
@@ -50,8 +51,8 @@ private:
     static Answer answerOf(const maps::Question &question, std::shared_ptr<const Seen> seen, Job &job);
 
     const SceneDocument &m_document;
-    std::shared_ptr<const Seen> m_seen; ///< of the last map; nothing once the scene is another one
-    Background m_background{2};         ///< the next need not wait for the cancelled one
+    std::shared_ptr<const Seen> m_seen; ///< of the last map; nothing after the scene has changed
+    Background m_background{2};         ///< the next one need not wait for a cancelled one
 };
 
 } // namespace unprojector::gui

@@ -20,7 +20,7 @@ using namespace geometry;
 
 namespace {
 
-/// A picture that has not changed for so long is at rest.
+/// A view unchanged for so long is at rest.
 constexpr int kRestMilliseconds = 200;
 
 } // namespace
@@ -39,7 +39,7 @@ MapOverlay::MapOverlay(SceneDocument &document, SceneView &view)
             m_rest.start();
         }
     });
-    // Only now rays can be asked.
+    // Only now rays are available.
     connect(&m_document.picks().rayCasters(), &RayCasters::built, this, [this] {
         if (m_isShown && !m_map && !m_maker.isMaking())
             m_rest.start();
@@ -157,7 +157,7 @@ void MapOverlay::tellValue()
                                          : tr("here: %1").arg(significantText(static_cast<double>(number), 4)));
 }
 
-/// The colours with their scale and what they are below.
+/// The coloured map with its scale and title below.
 QImage MapOverlay::withScale() const
 {
     const qreal ratio = m_map->setup.surface.devicePixelRatio;

@@ -15,26 +15,28 @@ namespace unprojector::gui {
 class MapPanel;
 class SceneView;
 
-/// A map over the view, off at first. It goes as soon as the view shows anything else, and comes back when that rests.
+/// A map over the view, off at first. It disappears when the view changes, and returns when that
+/// rests.
 class MapOverlay : public QObject {
     Q_OBJECT
 public:
-    /// @param view  shows the document's picture; the colours are drawn in it, below points and crosshair
+    /// @param view  of the document; draws the colours below points and crosshair
     MapOverlay(SceneDocument &document, SceneView &view);
     ~MapOverlay() override;
 
     void setShown(bool isShown);
-    /// Stands in a corner over the view; hidden while no map is wanted. Whoever puts it somewhere owns it.
+    /// The panel for a corner of the view; hidden while the map is off. The caller makes it the
+    /// child of a widget that owns it.
     MapPanel &panel() { return *m_panel; }
-    /// The map that is on show; null while it is being made.
+    /// The shown map; null while it is being made.
     const MadeMap *map() const { return m_map.get(); }
-    /// The colours that are on show.
+    /// The shown colours.
     const QImage &image() const { return m_image; }
 
-    /// Tells the number under the pointer.
+    /// Shows the number under the pointer.
     void setPointer(const std::optional<geometry::WidgetPoint> &position);
-    /// Writes it, by the suffix as PFM or PNG.
-    /// @return what went wrong, or nothing
+    /// Writes the map as PFM or PNG, by the suffix.
+    /// @return the error, or nothing
     QString exportTo(const std::filesystem::path &file) const;
 
 signals:

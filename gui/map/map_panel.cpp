@@ -61,7 +61,7 @@ void ColorScale::paint(QPainter &painter, const QRect &area, const LogScale &sca
     for (int x = 0; x < bar.width(); ++x)
         painter.fillRect(QRect(bar.left() + x, bar.top(), 1, bar.height()),
                          colorAt(colors, static_cast<double>(x) / std::max(1, bar.width() - 1)));
-    int free = area.left() - 1; // right of the last number written
+    int free = area.left() - 1; // right of the last written number
     for (const double tick : scale.ticks()) {
         const int x = bar.left() + static_cast<int>(scale.share(tick) * (bar.width() - 1));
         painter.drawLine(x, bar.bottom(), x, bar.bottom() + 4);

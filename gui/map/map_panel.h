@@ -20,7 +20,7 @@ class ColorScale : public QWidget {
     Q_OBJECT
 public:
     explicit ColorScale(QWidget *parent = nullptr);
-    /// @param scale  nothing: no map is there
+    /// @param scale  nothing: there is no map
     void setScale(const std::optional<LogScale> &scale, ColorMap colors);
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
@@ -35,7 +35,7 @@ private:
     ColorMap m_colors = ColorMap::Viridis;
 };
 
-/// What a map over the view shows, in which colours, its scale, and its number under the pointer.
+/// The options of the map over the view, its scale, and its number under the pointer.
 class MapPanel : public QFrame {
     Q_OBJECT
 public:
@@ -43,11 +43,11 @@ public:
 
     maps::Question question() const;
     ColorMap colors() const;
-    /// What is asked, in words: "Displacement by MeshLab, world units".
+    /// The question in words: "Displacement by MeshLab, world units".
     QString title() const;
 
     void setScale(const std::optional<LogScale> &scale);
-    /// How the map is, or why there is none.
+    /// Shows a note on the map, or why there is none.
     void setNote(const QString &text);
     void setValue(const QString &text);
     void setExportable(bool isExportable);

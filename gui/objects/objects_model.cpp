@@ -67,7 +67,7 @@ QString ObjectsModel::toolTip(const SceneObject &object) const
     lines << (file.isEmpty() ? tr("comes with the program") : QDir::toNativeSeparators(file));
     if (object.isHidden)
         lines << tr("hidden: neither drawn nor clicked");
-    // A name may look like a page of HTML: it is shown as it is written.
+    // A name may look like HTML: it is shown literally.
     return QStringLiteral("<p style='white-space:pre-wrap'>%1</p>")
         .arg(lines.join(u'\n').toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")));
 }
@@ -125,7 +125,7 @@ bool ObjectsModel::setData(const QModelIndex &index, const QVariant &value, int 
     if (role != Qt::EditRole)
         return false;
     const QString name = value.toString().trimmed();
-    // What was left as it stood there is no other name.
+    // An unchanged text is not a new name.
     const std::string &own = m_document.objects()[place].name;
     switch (renameObject(m_document, place,
                          name == readName(own, m_document.objects()) ? QString::fromStdString(own) : name)) {

@@ -10,8 +10,9 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// The scene's objects, one a row: name, whether it is shown, number of triangles. Names are edited in place, checking hides
-/// and shows, dragging a row puts the object elsewhere in the list; all of it is the document's.
+/// The scene's objects, one a row: name, visibility, number of triangles. Names are edited in
+/// place, checking hides and shows, dragging a row moves the object in the list; all changes go to
+/// the document.
 class ObjectsModel : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -19,7 +20,7 @@ public:
 
     explicit ObjectsModel(SceneDocument &document, QObject *parent = nullptr);
 
-    /// The row that the object of a row before the last reset has now, -1 where it went.
+    /// The present row of an object from before the last reset, -1 if it was removed.
     int rowAfterReset(int row) const;
 
     int rowCount(const QModelIndex &parent = {}) const override;
@@ -36,9 +37,9 @@ public:
                       const QModelIndex &parent) override;
 
 signals:
-    /// What was typed is no name for an object, and why.
+    /// Emitted when the typed text is no valid name, with the reason.
     void nameRefused(const QString &reason);
-    /// What was typed is the object's name now.
+    /// Emitted when the typed name was accepted.
     void nameAccepted();
 
 private:
@@ -46,7 +47,7 @@ private:
 
     SceneDocument &m_document;
     std::vector<scene::SceneObject> m_listed; ///< as the rows show them
-    std::vector<scene::SceneObject> m_before; ///< the last reset
+    std::vector<scene::SceneObject> m_before; ///< before the last reset
 };
 
 } // namespace unprojector::gui

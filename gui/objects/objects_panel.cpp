@@ -41,7 +41,7 @@ ObjectsPanel::ObjectsPanel(SceneDocument &document, QWidget *parent)
     connect(m_list, &QWidget::customContextMenuRequested, this, &ObjectsPanel::showMenu);
 
     m_reason->setWordWrap(true);
-    m_reason->setTextFormat(Qt::PlainText); // it has the name in it
+    m_reason->setTextFormat(Qt::PlainText); // it contains the name
     m_reason->setAccessibleName(tr("Why the name was refused"));
     m_reason->hide();
     connect(m_model, &ObjectsModel::nameRefused, m_reason, [this](const QString &reason) {
@@ -64,7 +64,7 @@ ObjectsPanel::ObjectsPanel(SceneDocument &document, QWidget *parent)
     connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
         m_reason->hide();
         int row = m_model->rowAfterReset(m_rowBeforeReset);
-        if (row < 0) // it went: the next one, or the last
+        if (row < 0) // the row was removed: select the next one, or the last
             row = std::min(m_rowBeforeReset, m_model->rowCount() - 1);
         m_list->setCurrentIndex(m_model->index(row, ObjectsModel::Name));
         updateButtons();
@@ -99,7 +99,7 @@ int ObjectsPanel::current() const
 
 bool ObjectsPanel::eventFilter(QObject *watched, QEvent *event)
 {
-    // Keys of the editor in a row come by as well, where it has no use for them: Enter, which ends it.
+    // Unused keys of a row's editor arrive here as well, such as the Enter that ends it.
     const QWidget *focus = window()->focusWidget();
     const bool isEditing = focus && m_list->viewport()->isAncestorOf(focus);
     if (event->type() == QEvent::KeyPress && !isEditing) {
@@ -128,7 +128,8 @@ void ObjectsPanel::fitCurrent()
 void ObjectsPanel::removeCurrent()
 {
     if (current() >= 0)
-        static_cast<void>(removeObject(m_document, static_cast<std::size_t>(current()))); // fewer are always a picture
+        // fewer objects always give a valid setup
+        static_cast<void>(removeObject(m_document, static_cast<std::size_t>(current())));
 }
 
 void ObjectsPanel::renameCurrent()
@@ -142,7 +143,7 @@ void ObjectsPanel::applyTyped()
     auto *editor = m_list->viewport()->findChild<QLineEdit *>();
     if (!editor)
         return;
-    // Slots that the list keeps for its own editors.
+    // Slots that the list reserves for its own editors.
     QMetaObject::invokeMethod(m_list, "commitData", Q_ARG(QWidget *, editor));
     QMetaObject::invokeMethod(m_list, "closeEditor", Q_ARG(QWidget *, editor),
                               Q_ARG(QAbstractItemDelegate::EndEditHint, QAbstractItemDelegate::NoHint));

@@ -11,19 +11,19 @@ namespace unprojector::gui {
 class ObjectsModel;
 class SceneDocument;
 
-/// The objects of the scene: show and hide, rename, look at one, remove, bring into another order.
+/// The objects of the scene: show, hide, rename, fit, remove and reorder them.
 class ObjectsPanel : public QWidget {
     Q_OBJECT
 public:
     explicit ObjectsPanel(SceneDocument &document, QWidget *parent = nullptr);
 
-    /// The name that is being typed counts, as if Enter were pressed.
+    /// Commits pending input, as Enter does.
     void applyTyped();
 
     QSize minimumSizeHint() const override;
 
 protected:
-    /// The keys of the list.
+    /// Handles the keys of the list.
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:

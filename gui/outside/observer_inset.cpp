@@ -14,7 +14,7 @@ constexpr QSizeF kFirstShare(0.38, 0.45);
 constexpr double kLeastShare = 0.05;
 constexpr double kMostShare = 0.9;
 constexpr int kMargin = 8; ///< from the area's corner
-constexpr int kBorder = 5; ///< that the mouse takes hold of
+constexpr int kBorder = 5; ///< that the mouse can drag
 
 double bounded(double share)
 {
@@ -32,7 +32,7 @@ ObserverInset::ObserverInset(ObserverPanel &observer, QWidget &area, const QSize
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(kBorder, kBorder, 0, 0);
     layout->addWidget(&observer);
-    // All that is seen of it is the border; the observer keeps the pointer that it has anywhere else.
+    // Only the border is visible; the observer keeps its own pointer elsewhere.
     setCursor(Qt::SizeFDiagCursor);
     observer.setCursor(Qt::ArrowCursor);
     m_area.installEventFilter(this);

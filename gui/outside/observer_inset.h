@@ -6,15 +6,15 @@ namespace unprojector::gui {
 
 class ObserverPanel;
 
-/// The view from outside in a corner of the view: it stands over it and leaves its size and its aspect alone. Its own corner
-/// is drawn to make it larger. The observer goes with it, unless it was put elsewhere before.
+/// The view from outside in a corner of the view, which keeps its size and aspect. Dragging its own
+/// corner enlarges it. The observer adapts, unless the user has moved it before.
 class ObserverInset : public QFrame {
 public:
-    /// @param area  the corner of which it stands in
-    /// @param share  of the area's width and height; an empty one: as it is at first
+    /// @param area  in whose corner it is placed
+    /// @param share  of the area's width and height; empty: the default
     ObserverInset(ObserverPanel &observer, QWidget &area, const QSizeF &share);
 
-    /// What it was drawn to, of the area's width and height.
+    /// Its size as a share of the area's width and height.
     const QSizeF &share() const { return m_share; }
 
 protected:

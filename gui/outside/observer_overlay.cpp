@@ -123,7 +123,7 @@ void ObserverOverlay::drawVolume(const ObserverPicture &p, std::optional<ClipPla
     if (isPerspective(p.projection) && p.t < 1.0)
         drawLines(p, edgesFromEye(p.corners, 0.6f * eyeOpacity(p.projection, p.t)), clipFromEye, 1.2);
 
-    // The axes of NDC, from the cube's middle to a little outside of it.
+    // The axes of NDC, from the cube's centre to slightly outside it.
     if (const float opacity = cubeOpacity(p.t); opacity > 0.0f) {
         const glm::dmat4 drawnFromNdc = matrixOf(p.placement) * p.morph.morphedFromNdc;
         const glm::dvec3 origin(drawnFromNdc[3]);
@@ -173,7 +173,7 @@ void ObserverOverlay::drawPick(const ObserverPicture &p)
     const auto drawMark = [&](const WorldPoint &point, PickPainter::Mark mark) {
         m_points.draw(point, clipFromWorld, sizePixels(p), pixelRatio(p), mark);
     };
-    // The panel shows the given point outside the view volume, too.
+    // The panel shows the user's point outside the view volume, too.
     if (const std::optional<WorldPoint> given = givenWorld(m_document.scene(), m_document.setup());
         given && p.holds(*given)) {
         glDisable(GL_DEPTH_TEST);

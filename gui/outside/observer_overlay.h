@@ -13,11 +13,12 @@
 
 namespace unprojector::gui {
 
-/// World size of the camera's sign at a point of the picture: always as many pixels, because it is a sign, not a thing.
+/// The world size of the camera symbol at a point of the view: a constant number of pixels, because
+/// it is a symbol, not an object.
 double cameraSignSize(const geometry::Setup &observer, const geometry::WorldPoint &point);
 
-/// What View from Outside draws over the objects: ground, clip planes, the view volume, the camera's sign, the points and the
-/// ray. All calls need the OpenGL context current.
+/// Draws over the objects in View from Outside: ground, clip planes, the view volume, the camera
+/// symbol, the points and the ray. All calls need the OpenGL context current.
 class ObserverOverlay : protected QOpenGLExtraFunctions {
 public:
     /// @param document  outlives it
@@ -26,9 +27,10 @@ public:
     void initialize();
     void release();
 
-    /// Onto a framebuffer that has the objects' colours and depths; it leaves the depths as they are.
-    /// @param hotPlane       the plane that a hand drags or may drag
-    /// @param hasCameraAxes  whether the axes s, u and f stand at the camera's sign
+    /// Draws onto a framebuffer that has the objects' colours and depths; doesn't change the
+    /// depths.
+    /// @param hotPlane       the plane that is dragged or can be dragged
+    /// @param hasCameraAxes  whether the axes s, u and f are drawn at the camera symbol
     void draw(const ObserverPicture &p, std::optional<geometry::ClipPlane> hotPlane, bool hasCameraAxes);
 
 private:
@@ -38,7 +40,7 @@ private:
     void drawCamera(const ObserverPicture &p, bool hasAxes);
     void drawPick(const ObserverPicture &p);
     void drawWrong(const ObserverPicture &p);
-    /// Where they are hidden, the lines show faintly.
+    /// Draws lines, faint where they are hidden.
     void drawLines(const ObserverPicture &p, const std::vector<LineSegment> &lines, const glm::dmat4 &clipFromSource,
                    double widthLogical);
 

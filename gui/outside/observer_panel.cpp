@@ -31,7 +31,7 @@ namespace {
 
 constexpr int kSteps = 1000;
 
-/// A little square of the colour that a thing has in the view.
+/// A small square in the colour of an object in the view.
 class Swatch : public QWidget {
 public:
     explicit Swatch(const glm::vec4 &color) : m_color(QColor::fromRgbF(color.r, color.g, color.b))
@@ -78,7 +78,7 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     m_slider->setRange(0, kSteps);
     m_slider->setSingleStep(kSteps / 100);
     m_slider->setPageStep(kSteps / 10);
-    constexpr int kLeastHeights = 3; // a corner also leaves its handle a way to go
+    constexpr int kLeastHeights = 3; // a corner leaves room to drag its handle
     m_slider->setMinimumWidth(kLeastHeights * m_slider->sizeHint().height());
     m_slider->setAccessibleName(tr("From eye space to the canonical view volume"));
     m_slider->setToolTip(
@@ -96,7 +96,8 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     m_animation->setEasingCurve(QEasingCurve::InOutSine);
     auto *fit = new QPushButton(tr("F&it"));
     fit->setToolTip(tr("Show the eye and the view volume fully (F in the view)"));
-    // Narrower than a style would have them, so that the slider has room in a narrow dock; as wide as their longest text.
+    // Narrower than in the style, so that the slider has room in a narrow dock; as wide as their
+    // longest text.
     showAnimating(true);
     setTextWidth(*m_animate, 0);
     showAnimating(false);
@@ -108,7 +109,7 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     ends->addStretch();
     ends->addWidget(
         endLabel(tr("Canonical view volume"), tr("As the projection makes it: NDC, each coordinate from −1 to 1")));
-    m_help = new HelpLink({}); // the tools are the widest row, in a corner too
+    m_help = new HelpLink({}); // the row of tools is the widest, even in a corner
     ends->addWidget(m_help);
     auto *tools = new QHBoxLayout;
     tools->setSpacing(6);
@@ -201,7 +202,7 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
 void ObserverPanel::setIsInset(bool isInset)
 {
     m_legend->setVisible(!isInset);
-    m_close->setVisible(isInset); // a dock has one of its own
+    m_close->setVisible(isInset); // a dock has its own button
     const QString where = isInset ? tr("Into a panel of its own") : tr("Back into the corner of the view");
     m_toDock->setAccessibleName(where);
     m_toDock->setToolTip(where);
@@ -210,7 +211,7 @@ void ObserverPanel::setIsInset(bool isInset)
 void ObserverPanel::showMorph(double t)
 {
     m_percent->setText(tr("%1 %").arg(std::lround(t * 100.0)));
-    // The slider shows the view; it does not round its value.
+    // The slider displays the parameter; it must not round it.
     const QSignalBlocker blocker(m_slider);
     m_slider->setValue(static_cast<int>(std::lround(t * kSteps)));
 }

@@ -14,15 +14,15 @@ class HelpLink;
 class ObserverView;
 class SceneDocument;
 
-/// The view from outside with its tools: the slider that morphs it into the canonical view volume, and what its colours
-/// mean.
+/// The view from outside with its tools: the slider that morphs it into the canonical view volume,
+/// and a legend.
 class ObserverPanel : public QWidget {
     Q_OBJECT
 public:
     explicit ObserverPanel(SceneDocument &document, QWidget *parent = nullptr);
 
     ObserverView &view() { return *m_view; }
-    /// Over another view it is small and says less: the legend needs a dock.
+    /// Makes it small for use over another view: the legend needs a dock.
     void setIsInset(bool isInset);
 
 signals:

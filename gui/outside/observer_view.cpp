@@ -51,7 +51,7 @@ ObserverView::ObserverView(SceneDocument &document, QWidget *parent)
         tr("The camera and its view volume from outside. Arrow keys turn the view, plus and minus zoom, F fits it."));
     m_observer.projection() = Perspective{radiansFromDegrees(35.0), 1.0, 0.1, 100.0};
 
-    // A hidden view is told as well, and draws nothing.
+    // A hidden view is notified as well, but draws nothing.
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Objects) {
             m_isPlaced = m_isTouched = false;
@@ -152,7 +152,8 @@ void ObserverView::fit()
         for (const WrongPointMark &mark : m_document.picks().wrongPoints())
             framing.add(mark.got);
         m_observer.camera() = framing.setup().camera();
-        // The camera's sign has a constant size in the picture: how large it is follows from the first try.
+        // The camera symbol has a constant size in the view: its world size follows from a first
+        // fit.
         const double size = cameraSignSize(m_observer, frame->eye);
         for (const WorldVector &axis : {frame->side, frame->upward, frame->forward}) {
             for (const double sign : {-1.0, 1.0})
@@ -194,7 +195,7 @@ void ObserverView::paintGL()
     updateFrame(*p);
     if (!showFrame())
         return;
-    // A lesson that letters the same axes names them otherwise, and has another f.
+    // A lesson that labels the same axes uses other names, and has another f.
     m_overlay.draw(*p, m_hotPlane,
                    !m_highlights.contains(lessons::Highlight::Axes)
                        && !m_highlights.contains(lessons::Highlight::Volume));
@@ -206,8 +207,8 @@ void ObserverView::paintGL()
 
 std::vector<glm::dvec4> ObserverView::cuttingPlanes(const ObserverPicture &p) const
 {
-    // First the near plane, which keeps what is behind the eye from being folded over; then the scene's own planes; then
-    // as many of the volume's other sides as OpenGL has room for.
+    // First the near plane, so that points behind the eye are not folded over; then the scene's own
+    // planes; then as many other sides of the volume as OpenGL supports.
     constexpr std::size_t kRoom = 8;
     std::vector<glm::dvec4> planes;
     if (p.t > 0.0)
@@ -222,7 +223,7 @@ std::vector<glm::dvec4> ObserverView::cuttingPlanes(const ObserverPicture &p) co
 void ObserverView::updateFrame(const ObserverPicture &p)
 {
     const glm::dmat4 clipFromWorld = p.clipFromDrawn * p.drawnFromWorld;
-    // A frame that cannot be drawn is told of once, and tried again when there is something else to draw.
+    // A failed frame is reported once, and retried when something else is to be drawn.
     if (!m_isStale && m_drawnOn == p.observer.surface && m_drawnFrom == clipFromWorld)
         return;
     m_isStale = false;
@@ -284,7 +285,7 @@ void ObserverView::dragPlane(const QPointF &position)
         m_planeDrag->projectionAt(scene.projection, {position.x(), position.y()});
     if (!projection)
         return;
-    // A step that would leave no valid picture is not taken.
+    // A step without a valid setup is skipped.
     static_cast<void>(m_document.edit(
         {m_planeDrag->plane() == ClipPlane::Near ? tr("Near plane") : tr("Far plane"), m_gesture}, [&](Scene &changed) {
             changed.projection = *projection;
@@ -315,12 +316,12 @@ void ObserverView::zoom(const QPointF &position, double notches)
     const Result<EyeFrame> frame = eyeFrame(m_observer.camera());
     if (!frame)
         return;
-    // The point under the pointer at the depth of the centre keeps its place.
+    // Keeps the point under the pointer at the depth of the centre.
     const double scale = worldPerLogicalPixel(m_observer, m_observer.camera().center);
     const WorldPoint anchor = m_observer.camera().center + frame->side * ((position.x() - width() / 2.0) * scale)
                               - frame->upward * ((position.y() - height() / 2.0) * scale);
     Setup next = zoomed(m_observer, anchor, zoomFactor(notches));
-    // Closer than this the picture would lose its digits, farther off it shows nothing.
+    // Closer, the view would lose digits; farther, it shows nothing.
     const double away = distance(next.camera().center, next.camera().eye);
     if (away < 1e-3 * m_reference.scale || away > 1e3 * m_reference.scale || !check(next))
         return;
@@ -334,8 +335,8 @@ bool ObserverView::event(QEvent *event)
         return true;
     }
     const bool isHandled = QOpenGLWidget::event(event);
-    // Shown in another place of the window it has got a new, empty framebuffer, and Qt paints what lies over the window's
-    // own picture only when it is asked to.
+    // The view has a new, empty framebuffer in another part of the window, and Qt paints widgets
+    // over it only on request.
     if (event->type() == QEvent::Show)
         update();
     return isHandled;
@@ -379,7 +380,7 @@ void ObserverView::mouseReleaseEvent(QMouseEvent *event)
 
 void ObserverView::mouseDoubleClickEvent(QMouseEvent *event)
 {
-    mousePressEvent(event); // two quick drags are no double click
+    mousePressEvent(event); // two quick drags are not a double click
 }
 
 void ObserverView::wheelEvent(QWheelEvent *event)

@@ -12,34 +12,35 @@
 
 namespace unprojector::gui {
 
-/// The first view from outside: its camera, its view volume with the near and far planes, the ray through the clicked
-/// pixel, the point and the scene; all of it can be morphed into the canonical view volume. It has a camera of its own,
-/// which a hand turns and which stays where it is when the first one moves. The edges of the near and far planes can be
-/// dragged. It never unprojects.
+/// The first view from outside: its camera, its view volume with the near and far planes, the ray
+/// through the clicked pixel, the point and the scene; all of it can be morphed into the canonical
+/// view volume. Its own camera is turned by the user and stays when the first one moves. The edges
+/// of the near and far planes can be dragged. It never unprojects.
 class ObserverView : public FrameView {
     Q_OBJECT
 public:
     explicit ObserverView(SceneDocument &document, QWidget *parent = nullptr);
     ~ObserverView() override;
 
-    /// 0: eye space, as it is; 1: the canonical view volume. Between them it morphs.
+    /// The morph parameter. 0: eye space; 1: the canonical view volume.
     double morph() const { return m_t; }
     void setMorph(double t);
-    /// What a lesson letters in the picture.
+    /// Sets the lesson's labels in the view.
     void setHighlights(const std::set<lessons::Highlight> &highlights);
 
-    /// Shows the eye, the view volume and the points that another program got fully, from the direction that the observer looks in.
+    /// Fits the eye, the view volume and another program's points, keeping the observer's
+    /// direction.
     void fit();
 
     const geometry::LookAt &observer() const { return m_observer.camera(); }
-    /// Where a world point stands in this view's picture, logical pixels; nothing when it has no place in it.
+    /// The position of a world point in this view, logical pixels; nothing if it is not in it.
     std::optional<QPointF> placeOf(const geometry::WorldPoint &point) const;
-    /// What of a lesson is written into the picture as it is now.
+    /// The lesson's labels in the present view.
     HighlightMarks highlightMarks() const;
 
 signals:
     void morphChanged(double t);
-    /// Whether all points that another program got lie in the picture. Told while it is drawn.
+    /// Emitted with whether all points of another program are in the view, while it is drawn.
     void wrongPointsSeen(bool areSeen);
 
 protected:
@@ -61,38 +62,39 @@ private:
     enum class Drag { None, Orbit, Pan, Plane };
 
     void updateSurface();
-    /// Takes the default place once it is known how large the pictures are, and again until a hand has taken over.
+    /// Moves the observer to its default once the views' sizes are known, and again until the user
+    /// moves it.
     void placeObserver();
     std::optional<ObserverPicture> picture() const;
 
-    /// The planes that the objects are cut at, world space.
+    /// The planes that cut the objects, world space.
     std::vector<glm::dvec4> cuttingPlanes(const ObserverPicture &p) const;
-    /// Draws the objects into the frame where it does not show the document from here, as it is.
+    /// Draws the objects into the frame if it is out of date.
     void updateFrame(const ObserverPicture &p);
     void tellWrongPoints(const ObserverPicture &p);
     void drawHighlighted();
 
-    /// The plane whose edge is under the pointer, in the hand.
+    /// The plane whose edge is under the pointer, ready to be dragged.
     std::optional<geometry::ClipPlaneDrag> planeAt(const QPointF &position) const;
     void dragPlane(const QPointF &position);
     void setHotPlane(const std::optional<geometry::ClipPlaneDrag> &drag);
-    /// A hand moves the observer.
+    /// Moves the observer for the user.
     void setCamera(const geometry::LookAt &camera);
-    /// By steps of the arrow keys.
+    /// Turns by steps of the arrow keys.
     void turn(int right, int down);
     void zoom(const QPointF &position, double notches);
 
     SceneDocument &m_document;
     ObserverOverlay m_overlay;
 
-    glm::dmat4 m_drawnFrom{0.0}; ///< clipFromWorld of the frame, whether or not it could be drawn
-    geometry::Surface m_drawnOn; ///< the same of its surface
+    glm::dmat4 m_drawnFrom{0.0}; ///< clipFromWorld of the frame, even if drawing failed
+    geometry::Surface m_drawnOn; ///< the same for its surface
     double m_t = 0.0;
     std::set<lessons::Highlight> m_highlights;
     geometry::Setup m_observer;
-    geometry::Placement m_reference; ///< where the cube stands
+    geometry::Placement m_reference; ///< of the cube
     bool m_isPlaced = false;
-    bool m_isTouched = false; ///< a hand has moved the observer
+    bool m_isTouched = false; ///< the user has moved the observer
     bool m_areWrongPointsSeen = true;
     geometry::Surface m_placedFor; ///< the first view's surface when the observer was placed
 
@@ -100,7 +102,7 @@ private:
     std::optional<geometry::ClipPlaneDrag> m_planeDrag;
     std::optional<geometry::ClipPlane> m_hotPlane;
     QPointF m_lastPosition;
-    QString m_gesture; ///< the drag that is under way, undone as one
+    QString m_gesture; ///< merge key of the present drag, which is undone as one
     int m_gestureCount = 0;
 };
 

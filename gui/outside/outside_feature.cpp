@@ -43,27 +43,27 @@ public:
 
 private:
     void show(bool isShown);
-    /// In a dock or over the view, as it stood last.
+    /// Creates the panel in a dock or over the view, as it was last.
     void create();
-    /// Made, if it was not there.
+    /// The panel, created on demand.
     ObserverPanel &panel();
     void dock(bool isDocked);
-    /// Whether it stood in a dock when the user left it last.
+    /// Returns whether the user last left it in a dock.
     bool wasDocked() const
     {
         return m_window.remembers() && QSettings().value(QStringLiteral("observer/isDocked"), false).toBool();
     }
     void showStep(const lessons::Step *step);
-    /// Beside the view, where a lesson speaks of it.
+    /// Shows it beside the view when a lesson refers to it.
     void showInLesson();
 
     Window &m_window;
-    QWidget *m_home;                     ///< where the panel stands in its dock
-    ObserverPanel *m_panel = nullptr;    ///< made when it is first asked for
-    ObserverInset *m_inset = nullptr;    ///< where the panel stands over the view, if it does
-    QSizeF m_insetShare;                 ///< what it took of the view when it last stood there
+    QWidget *m_home;                     ///< the panel's container in its dock
+    ObserverPanel *m_panel = nullptr;    ///< created on demand
+    ObserverInset *m_inset = nullptr;    ///< the panel's container over the view, if it is there
+    QSizeF m_insetShare;                 ///< its last share of the view
     std::set<Highlight> m_highlights;    ///< of the step
-    std::optional<QVariantMap> m_before; ///< the state before steps of a lesson brought the panel
+    std::optional<QVariantMap> m_before; ///< the state before steps of a lesson showed the panel
     QAction *m_action = nullptr;
 };
 
@@ -165,10 +165,10 @@ void OutsideFeature::showStep(const lessons::Step *step)
     if (m_panel)
         m_panel->view().setHighlights(m_highlights);
     if (!step) {
-        m_before.reset(); // the window puts back what was before the lesson
+        m_before.reset(); // the window restores the state before the lesson
         return;
     }
-    // The panel shows what the step marks with letters.
+    // Shows what the step labels with letters.
     const bool hasCube = m_highlights.contains(Highlight::Cube);
     if (hasCube || m_highlights.contains(Highlight::Volume)
         || std::count(step->panels.begin(), step->panels.end(), Panel::Observer) > 0) {
@@ -188,13 +188,13 @@ void OutsideFeature::showInLesson()
     Workspaces &workspaces = m_window.workspaces();
     if (m_inset) {
         dock(true);
-        // Half of the height: what else there is below has less to show. Once all stands where it will.
+        // Half of the height: the panel below has less to show. After the layout.
         QTimer::singleShot(0, this, [this, &workspaces] {
             m_window.resizeDocks({&workspaces.dock(Panel::Observer)}, {m_window.height() / 2}, Qt::Vertical);
         });
     }
     workspaces.show(Panel::Observer);
-    workspaces.giveRoom(Panel::Pipeline, Panel::Observer); // but for that, where numbers stand one below the other
+    workspaces.giveRoom(Panel::Pipeline, Panel::Observer); // except the pipeline, which has columns of numbers
 }
 
 QVariantMap OutsideFeature::state() const

@@ -24,15 +24,15 @@ namespace {
 constexpr int kEquationDigits = 3;
 constexpr const char *kLetters = "ABCD";
 
-/// One line of the group: a plane of the scene that cuts or is switched off.
+/// One line of the group: an active or switched-off plane of the scene.
 struct Line {
     glm::dvec4 plane{0.0};
     bool isOn = true;
-    text::JsonValue extra = {}; ///< as of ClipPlaneOff
+    text::JsonValue extra = {}; ///< as in ClipPlaneOff
 };
 using Lines = std::vector<Line>;
 
-/// All planes of a scene in the order in which they are shown.
+/// All planes of a scene in display order.
 Lines linesOf(const Scene &scene)
 {
     Lines lines;
@@ -60,7 +60,7 @@ void editLines(Scene &scene, const Edit &edit)
     }
 }
 
-/// "x + 0.5 y − 2 ≥ 0": the side of a plane that is kept, its numbers with at most three digits.
+/// The kept side of a plane, its numbers with at most three digits: "x + 0.5 y − 2 ≥ 0".
 QString keptSideText(const glm::dvec4 &plane)
 {
     QString text;
@@ -106,7 +106,8 @@ void ClipGroup::addPlane(bool byKeyboard)
 {
     if (linesOf(document().scene()).size() >= kMostClipPlanes)
         return;
-    // Half of what there is goes, so that the plane is seen at once. A short number, as a hand would type it.
+    // The plane cuts half of the scene, so that it is visible at once. A short number, as a user
+    // would type it.
     const Box &bounds = document().bounds();
     const double middle = bounds.isEmpty() ? 0.0 : significantText(bounds.center().x, 3).toDouble();
     const auto add = [&](Lines &lines) { lines.push_back({{1.0, 0.0, 0.0, middle == 0.0 ? 0.0 : -middle}, true}); };

@@ -10,15 +10,15 @@
 namespace unprojector::gui {
 namespace {
 
-/// A plain number taken apart; places are indexes into the text.
+/// The parts of a plain number; positions are indices into the text.
 struct Parts {
-    int start = 0; ///< of the digits, behind the sign
+    int start = 0; ///< of the digits, after the sign
     int point = 0; ///< the decimal point or the end of the digits
     int end = 0;   ///< of the digits and decimals
 
     int decimals() const { return std::max(0, end - point - 1); }
     int placeOf(int index) const { return index < point ? point - 1 - index : point - index; }
-    /// Of the digit at that place; of the first or last one where there is none.
+    /// The index of the digit at a place; of the first or last digit if there is none.
     int indexOf(int place) const { return std::clamp(place >= 0 ? point - 1 - place : point - place, start, end - 1); }
 };
 
@@ -58,7 +58,7 @@ CaretText withDigitStepped(const CaretText &number, int place, double steps)
     QString digits = number.text.left(before.end).trimmed();
     digits.replace(QChar(0x2212), u'-').replace(u',', u'.');
     const double stepped = digits.toDouble() + steps * std::pow(10.0, place);
-    // The digits behind the stepped one stay as they are, and 0.1 + 0.2 is 0.3.
+    // The digits after the stepped one stay unchanged, and 0.1 + 0.2 is 0.3.
     CaretText after{fixedText(stepped, before.decimals()) + number.text.mid(before.end).trimmed(), 0};
     const Parts now = *partsOf(after.text);
     after.caret = now.indexOf(place) + (number.caret > index ? 1 : 0);

@@ -8,8 +8,9 @@ namespace unprojector::gui {
 
 class HelpLink;
 
-/// The heading of a folding group: a click, Space or Enter folds and unfolds it, Left folds, Right unfolds, Up and Down
-/// ask for another heading. At its end is a button that puts the group back to its defaults.
+/// The heading of a folding group: a click, Space or Enter folds and unfolds it, Left folds, Right
+/// unfolds, Up and Down ask for another heading. A button at its end resets the group to its
+/// defaults.
 class GroupHeading : public QWidget {
     Q_OBJECT
 public:
@@ -17,15 +18,15 @@ public:
 
     bool isOpen() const { return m_isOpen; }
     void setOpen(bool isOpen);
-    /// Where Help has the group's formulas; without it the heading has no link.
+    /// Sets the anchor of the group's formulas in the help; without it the heading has no link.
     void setHelp(const QString &anchor);
-    /// Where the keyboard reaches the heading.
+    /// The widget of the heading with the keyboard focus.
     QToolButton *button() const { return m_fold; }
 
 signals:
     void openChanged(bool isOpen);
     void resetRequested();
-    /// The heading before (-1) or behind (+1) this one is to get the keyboard.
+    /// Emitted when the previous (-1) or next (+1) heading should get the focus.
     void neighbourRequested(int direction);
 
 protected:

@@ -149,7 +149,7 @@ void ModelGroup::moveStep(std::size_t from, std::size_t to, bool byKeyboard)
     const bool isUp = to < from;
     if (changeSteps(tr("Reorder steps"), [&](auto &list) { std::swap(list[from], list[to]); }) && byKeyboard
         && to < m_rows.size()) {
-        // The focus goes with the step, on to the other button at the end of the list.
+        // The focus follows the step, at the end of the list to the other button.
         QToolButton *same = isUp ? m_rows[to].up : m_rows[to].down;
         (same->isEnabled() ? same : isUp ? m_rows[to].down : m_rows[to].up)->setFocus();
     }
@@ -173,14 +173,14 @@ void ModelGroup::removeObject()
     if (!shown)
         return;
     restoreFields();
-    static_cast<void>(gui::removeObject(document(), *shown)); // fewer objects are always a picture
+    static_cast<void>(gui::removeObject(document(), *shown)); // fewer objects always give a valid setup
 }
 
 void ModelGroup::showObjects()
 {
     const std::vector<SceneObject> &objects = document().objects();
     if (!m_shown->index()) {
-        // What was typed for the one that went is not meant for the one that takes its place.
+        // Pending text for the removed step must not apply to the one that replaces it.
         m_rowsOf.reset();
         if (!objects.empty())
             m_shown->choose(std::min(m_shown->lastIndex(), objects.size() - 1));
@@ -194,7 +194,7 @@ void ModelGroup::showObjects()
         m_object->clear();
         for (const QString &name : names) {
             m_object->addItem(name);
-            m_object->setItemData(m_object->count() - 1, plainToolTip(name), Qt::ToolTipRole); // it may be cut
+            m_object->setItemData(m_object->count() - 1, plainToolTip(name), Qt::ToolTipRole); // it may be cut off
         }
     }
     m_object->setCurrentIndex(shown);
@@ -222,7 +222,8 @@ void ModelGroup::showScene()
         rebuildRows();
     }
     for (std::size_t i = 0; i < m_rows.size(); ++i)
-        m_rows[i].call->setText(callText(steps()[i]).replace(u'(', QStringLiteral("(\u200b"))); // may be broken there
+        // allows a line break there
+        m_rows[i].call->setText(callText(steps()[i]).replace(u'(', QStringLiteral("(\u200b")));
 }
 
 void ModelGroup::rebuildRows()

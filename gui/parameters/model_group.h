@@ -10,7 +10,8 @@ class QToolButton;
 
 namespace unprojector::gui {
 
-/// How one object is placed: an ordered list of glTranslate, glRotate and glScale, in the order of the calls.
+/// The placement of one object: an ordered list of glTranslate, glRotate and glScale, in the order
+/// of the calls.
 class ModelGroup : public ParameterGroup {
     Q_OBJECT
 public:
@@ -31,7 +32,7 @@ private:
     };
 
     const std::vector<geometry::TransformStep> &steps() const;
-    /// Changes the steps of the object that is shown.
+    /// Changes the steps of the shown object.
     bool changeSteps(const QString &text, const std::function<void(std::vector<geometry::TransformStep> &)> &edit);
     void addStep(const geometry::TransformStep &step, const QString &text, bool byKeyboard);
     void moveStep(std::size_t from, std::size_t to, bool byKeyboard);
@@ -48,9 +49,9 @@ private:
     std::vector<QPushButton *> m_adds;
     std::vector<Row> m_rows;
     FollowedObject *m_shown;
-    QStringList m_names;                   ///< those in the combo box
-    std::vector<std::size_t> m_shownKinds; ///< of the steps that the rows were made for
-    std::optional<std::size_t> m_rowsOf;   ///< the object that the rows were made for
+    QStringList m_names;                   ///< the items of the combo box
+    std::vector<std::size_t> m_shownKinds; ///< of the steps that the rows were created for
+    std::optional<std::size_t> m_rowsOf;   ///< the object that the rows were created for
 };
 
 } // namespace unprojector::gui

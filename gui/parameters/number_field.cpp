@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kFewestDigits = 3;
 constexpr int kMostDigits = 17;
-constexpr double kFirstStep = 0.1;     // from 0, where nothing is relative
+constexpr double kFirstStep = 0.1;     // from 0, where no step can be relative
 constexpr int kWheelAngleOfStep = 120; // eighths of a degree
 constexpr double kStepsOfPage = 10.0;
 constexpr int kMarginOfText = 4; // QLineEdit's own, left and right
@@ -148,9 +148,9 @@ QString NumberField::shownText() const
     if (hasFocus())
         return shown;
     const int room = roomForText();
-    // In fractions: over a dozen digits, rounded widths are off by more than a pixel.
+    // Fractional widths: over a dozen digits, rounding exceeds a pixel.
     const QFontMetricsF metrics(font());
-    // Character by character: a number has no ligatures, and this is done while the camera moves.
+    // Character by character: a number has no ligatures, and this runs while the camera moves.
     const auto fits = [&] {
         double width = 0.0;
         for (const QChar character : shown)
@@ -167,7 +167,7 @@ void NumberField::stepBy(double steps)
 {
     const Result<double, text::ExpressionError> from = typed();
     if (!from) {
-        commit(); // tells what is wrong with it
+        commit(); // shows the error
         return;
     }
     if (!std::exchange(m_isStepping, true))
@@ -199,7 +199,7 @@ void NumberField::stepNumber(double from, double steps)
     double step = m_fixedStep > 0.0 ? m_fixedStep : kFirstStep;
     if (m_fixedStep == 0.0 && magnitude > 0.0) {
         const double place = std::pow(10.0, std::floor(std::log10(magnitude)));
-        // Towards 0 the steps from 1 are those of 0.9: 0 is never reached, nor passed.
+        // Steps towards 0 from 1 are as from 0.9: 0 is never reached or passed.
         const bool isTowardsZero = steps * from < 0.0;
         const bool leavesPlace = isTowardsZero && magnitude - std::abs(steps) * place / 10.0 < place * (1.0 - 1e-9);
         step = leavesPlace ? place / 100.0 : place / 10.0;
@@ -215,13 +215,13 @@ bool NumberField::event(QEvent *event)
 {
     switch (event->type()) {
     case QEvent::ToolTip:
-        // Made when it is asked for: keeping it up to date would cost more than the text.
+        // Created on demand: keeping it up to date would cost more than the text.
         setToolTip(
-            plainToolTip((isBad() ? m_reason : writtenText(m_value)) + u'\n' + m_help)); // it repeats what was typed
+            plainToolTip((isBad() ? m_reason : writtenText(m_value)) + u'\n' + m_help)); // it repeats the typed text
         break;
     case QEvent::ShortcutOverride: {
         const auto &key = *static_cast<QKeyEvent *>(event);
-        // Undo takes back what is being typed, else it is the document's.
+        // Undo reverts pending text; otherwise it is the document's.
         const bool isHistory = key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
         if ((isHistory && !isTyping()) || (key.key() == Qt::Key_Escape && (isTyping() || isBad()))) {
             event->setAccepted(!isHistory);
@@ -243,7 +243,7 @@ bool NumberField::event(QEvent *event)
 
 void NumberField::commitBeforeShortcut(const QKeyEvent &key)
 {
-    // Save is to save what was typed. AltGr, which is Ctrl and Alt, types characters.
+    // Save includes pending text. AltGr, which is Ctrl and Alt, types characters.
     const Qt::KeyboardModifiers held = key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
     const bool isModifierItself = key.key() >= Qt::Key_Escape;
     if (held != Qt::NoModifier && held != (Qt::ControlModifier | Qt::AltModifier) && !isModifierItself)
@@ -258,7 +258,7 @@ void NumberField::focusInEvent(QFocusEvent *event)
     m_isStepping = false;
     if (!isTyping())
         showText(shownText());
-    // Under the mouse the caret goes to where it is pressed.
+    // A mouse press sets the caret itself.
     if (event->reason() != Qt::MouseFocusReason)
         selectNumber();
 }
@@ -268,9 +268,9 @@ void NumberField::focusOutEvent(QFocusEvent *event)
     QLineEdit::focusOutEvent(event);
     const Qt::FocusReason reason = event->reason();
     if (reason == Qt::PopupFocusReason && m_opensMenu)
-        return; // Copy, Paste: the typing goes on
+        return; // Copy, Paste: the user is still typing
     if (reason == Qt::ActiveWindowFocusReason) {
-        // To another program the typing waits; to another window of this one it is finished.
+        // Another program leaves pending text; another window of this one commits it.
         QTimer::singleShot(0, this, [this, reason] {
             if (!hasFocus() && QApplication::activeWindow())
                 commitLeft(reason);
@@ -283,7 +283,7 @@ void NumberField::focusOutEvent(QFocusEvent *event)
 void NumberField::commitLeft(Qt::FocusReason reason)
 {
     commitUntried();
-    // A menu over the window does not end the look at the digits.
+    // A menu over the window keeps all digits visible.
     if (reason == Qt::PopupFocusReason)
         return;
     m_isStepping = false;

@@ -6,64 +6,66 @@
 
 namespace unprojector::gui {
 
-/// A line edit for one double. What is typed, a number or an expression such as 1/3 or 2*pi, counts when it is finished:
-/// on Enter, when the focus goes elsewhere, or before a shortcut such as Save. Until then it is only a text, and Esc or
-/// Undo takes it back. A text that is refused stays in red with its reason until it is corrected, until Esc, or until
-/// the document's value becomes another one.
+/// A line edit for one double. The text is a number or an expression such as 1/3 or 2*pi. It is
+/// committed on Enter, on loss of focus, or before a shortcut such as Save. Until then it is only a
+/// text, and Esc or Undo reverts it. A rejected text stays red with its reason until it is
+/// corrected, until Esc, or until the document's value changes.
 ///
-/// With the focus it shows all digits, else as many as fit; its head is always in sight.
+/// With the focus it shows all digits, else as many as fit; the first digits are always visible.
 ///
-/// Up and Down and the wheel step the digit right of the caret, or left of it where none is right of it: with the caret
-/// in "12.3|4" by 0.01. With the whole text selected, or an expression in the field, they step by a tenth of the leading
-/// digit's place or by `setFixedStep`. Page Up, Page Down and Shift step ten times as far. The wheel steps in a field
-/// with the focus, or with Ctrl in any.
+/// Up, Down and the wheel step the digit right of the caret, or left of it if none is right of it:
+/// with the caret in "12.3|4" by 0.01. If the whole text is selected, or the field has an
+/// expression, the step is a tenth of the leading digit's place or `setFixedStep`. Page Up, Page
+/// Down and Shift step ten times as far. The wheel steps in a field with the focus, or with Ctrl in
+/// any.
 class NumberField : public QLineEdit {
     Q_OBJECT
 public:
-    /// @param name  for people who do not see it: "Eye x"
-    /// @param help  what it is, with its unit
+    /// @param name  for screen readers: "Eye x"
+    /// @param help  its meaning, with its unit
     NumberField(const QString &name, const QString &help, QWidget *parent = nullptr);
 
-    /// How far one step goes that is of no digit; else it is relative to the value, and never reaches 0.
+    /// Sets the step without a digit; else it is relative to the value, and never reaches 0.
     void setFixedStep(double step) { m_fixedStep = step; }
 
     /// The document's value.
     double value() const { return m_value; }
-    /// The document's value may be another one. If it is it is shown, whatever was being typed.
+    /// Updates the document's value. If it changed, it replaces any pending text.
     void setValue(double value);
-    /// What was typed is taken: shows the document's value, good.
+    /// Accepts the typed text: shows the document's value without an error.
     void accept(double value);
 
-    /// Whether there is a text that is not the document's value, refused or not finished.
+    /// Returns whether there is a text other than the document's value, rejected or unfinished.
     bool isTyping() const { return text() != m_shown; }
-    /// What is typed, or the document's value to its last bit where nothing is.
+    /// The parsed text, or the document's exact value if no text is pending.
     geometry::Result<double, text::ExpressionError> typed() const;
-    /// Finishes the typing, if there is any.
+    /// Commits pending text.
     void commit();
-    /// Whether there is a text that was not committed as it is: neither taken nor refused.
+    /// Returns whether there is a text that is neither accepted nor rejected yet.
     bool isUntried() const { return isTyping() && text() != m_tried; }
-    /// Finishes the typing, unless it was refused already.
+    /// Commits pending text, unless it was rejected already.
     void commitUntried();
 
     bool isBad() const { return !m_reason.isEmpty(); }
     const QString &reason() const { return m_reason; }
-    /// Marks the field red with a reason; an empty one makes it good again.
+    /// Marks the field red with a reason; an empty one clears the error.
     void setReason(const QString &reason);
-    /// Back to the document's value, good again.
+    /// Restores the document's value and clears the error.
     void restore();
-    /// Selects all, with the head in sight.
+    /// Selects all and shows the first digits.
     void selectNumber();
 
-    /// Steps that follow each other have the same number: they are undone as one. A typed number has one of its own.
+    /// The number of an edit session: consecutive steps share one and are one step of undo. A typed
+    /// number has its own.
     quint64 session() const { return m_session; }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 signals:
-    /// `typed()` is to be taken or refused.
+    /// Emitted when `typed()` must be accepted or rejected.
     void committed();
-    /// The text of a bad field was changed.
+    /// Emitted when the text of a rejected field was edited.
     void retyped();
     void reasonChanged();
 
@@ -77,7 +79,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    /// The digit that is stepped, while the caret is where the last step put it.
+    /// The stepped digit, while the caret is where the last step left it.
     struct SteppedDigit {
         QString text;
         int caret = -1;
@@ -90,7 +92,7 @@ private:
     void commitLeft(Qt::FocusReason reason);
     void commitBeforeShortcut(const QKeyEvent &key);
     void showText(const QString &text);
-    /// The value with as many digits as are wanted now.
+    /// The value with the currently wanted digits.
     QString shownText() const;
     int widthFor(const QString &number) const;
     int roomForText() const;
@@ -98,7 +100,7 @@ private:
     QString m_help;
     QString m_reason;
     QString m_shown; ///< the value, as the field wrote it
-    QString m_tried; ///< what was refused: leaving the field does not ask again
+    QString m_tried; ///< the rejected text: leaving the field does not commit it again
     double m_value = 0.0;
     double m_fixedStep = 0.0; ///< 0: relative
     SteppedDigit m_stepped;

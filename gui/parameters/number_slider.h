@@ -4,25 +4,26 @@
 
 namespace unprojector::gui {
 
-/// A slider for a double, to try numbers with: evenly spaced ones, or so many steps in each power of ten.
+/// A slider for a double, to try numbers: evenly spaced, or with equal steps in each power of ten.
 class NumberSlider : public QSlider {
     Q_OBJECT
 public:
     enum class Scale { Linear, Logarithmic };
     NumberSlider(const QString &name, const QString &help, Scale scale, QWidget *parent = nullptr);
 
-    /// @param step  between two numbers where they are evenly spaced
-    /// @pre lowest < highest; both above 0 where it is logarithmic
+    /// @param step  between two numbers if they are evenly spaced
+    /// @pre lowest < highest; both above 0 if it is logarithmic
     void setNumbers(double lowest, double highest, double step = 1.0);
-    /// To be followed by setNumbers.
+    /// Sets the scale. Call setNumbers afterwards.
     void setScale(Scale scale) { m_scale = scale; }
-    /// Shows a number, at an end where it lies beyond. Not while the slider is held.
+    /// Shows a number, clamped to the ends. Ignored while the user holds the slider.
     void setNumber(double number);
-    /// Each drag has a number of its own, and so have the keys in between: it is undone as one.
+    /// The number of an edit session: each drag has its own, and so do the keys in between; a
+    /// session is one step of undo.
     quint64 session() const { return m_session; }
 
 signals:
-    /// The user moved it there; three digits that mean what they say.
+    /// Emitted when the user moved the slider; three significant digits.
     void moved(double number);
 
 protected:

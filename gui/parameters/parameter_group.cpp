@@ -20,7 +20,7 @@ using namespace scene;
 
 namespace {
 
-/// More fields than this are hardly ever refused at once; the sets of them are tried one by one.
+/// More rejected fields at once are rare; all their subsets are tried one by one.
 constexpr std::size_t kMostTriedTogether = 4;
 
 } // namespace
@@ -149,7 +149,7 @@ void ParameterGroup::removeFieldsIn(QWidget *container)
     std::erase_if(m_fields, [&](const FieldPointer &field) {
         if (!container->isAncestorOf(field->widget))
             return false;
-        // It may be the one whose signal brought us here.
+        // It may be the sender of the present signal.
         field->widget->disconnect(this);
         return true;
     });
@@ -171,10 +171,10 @@ void ParameterGroup::applyTyped()
     const auto isUntried = [](const FieldPointer &field) { return field->widget->isUntried(); };
     if (std::none_of(m_fields.begin(), m_fields.end(), isUntried))
         return;
-    // A group that was folded or hidden may have fields of objects and planes that are gone.
+    // A folded or hidden group may have fields of removed objects and planes.
     if (m_isStale)
         refresh();
-    const std::vector<FieldPointer> fields = m_fields; // a change may make others
+    const std::vector<FieldPointer> fields = m_fields; // a copy: a change may add or remove fields
     for (const FieldPointer &field : fields) {
         if (isThere(field))
             field->widget->commitUntried();
@@ -185,7 +185,7 @@ void ParameterGroup::bringUp(NumberField *field, bool byKeyboard)
 {
     if (byKeyboard)
         field->setFocus(Qt::TabFocusReason);
-    // Its place is known only after the layout.
+    // Its position is known only after the layout.
     QTimer::singleShot(0, field, [this, field] { emit bringUpRequested(field); });
 }
 
@@ -266,7 +266,7 @@ void ParameterGroup::apply(const FieldPointer &field)
     const std::vector<FieldPointer> refused = refusedBut(field);
     const std::optional<double> current = field->binding.read(m_document.scene());
     if (!current) {
-        field->widget->restore(); // what it stood for is gone
+        field->widget->restore(); // its number no longer exists
         return;
     }
     if (!typed || (field->binding.refusal && !field->binding.refusal(*typed).isEmpty())) {
@@ -303,7 +303,7 @@ void ParameterGroup::refuse(const FieldPointer &field)
     field->widget->setReason(refusalOf(*field));
     if (field->widget->hasFocus()) {
         QPointer<QWidget> row = field->widget->parentWidget();
-        // The reason's place is known only after the layout.
+        // The position of the reason is known only after the layout.
         QTimer::singleShot(0, this, [this, row] {
             if (row)
                 emit bringUpRequested(row);
@@ -314,7 +314,7 @@ void ParameterGroup::refuse(const FieldPointer &field)
 QString ParameterGroup::refusalOf(const Field &field) const
 {
     if (!field.binding.read(m_document.scene()))
-        return {}; // what it stood for is gone
+        return {}; // its number no longer exists
     const Result<double, text::ExpressionError> typed = field.widget->typed();
     if (!typed)
         return typed.error().code == text::ExpressionErrorCode::Empty

@@ -21,21 +21,24 @@ namespace unprojector::gui {
 
 class GroupHeading;
 
-/// What a number field stands for in the scene.
+/// The binding of a number field to the scene.
 struct NumberBinding {
-    QString name; ///< what the undo menu says: "Near"
-    QString help; ///< what it is, with its unit
-    /// Nothing where the scene has no such number: the near plane of no projection, a step that was removed.
+    QString name; ///< its name in the undo menu: "Near"
+    QString help; ///< its meaning, with its unit
+    /// Returns nothing if the scene has no such number: the near plane of no projection, a removed
+    /// step.
     std::function<std::optional<double>(const scene::Scene &)> read;
     std::function<void(scene::Scene &, double)> write;
-    /// Why a number is refused that core would take; empty where it is not. May be left out.
+    /// Returns why the group rejects a number that core would accept; empty if it doesn't.
+    /// Optional.
     std::function<QString(double)> refusal = {};
 };
 
 /// A folding group of the parameters: rows of fields bound to numbers of the scene.
 ///
-/// An edit is tried together with all numbers that were refused before: from near 1, far 100 to near 200, far 300 the
-/// near that came first is refused, then taken with the far. Where that fails, with as many of them as can be.
+/// An edit is tried together with all numbers rejected before. For example from near 1, far 100 to
+/// near 200, far 300: near is rejected first, then accepted with far. If that fails, with as many
+/// of them as possible.
 class ParameterGroup : public QWidget {
     Q_OBJECT
 public:
@@ -51,48 +54,48 @@ public:
     GroupHeading &heading() const { return *m_heading; }
     bool isOpen() const;
     void setOpen(bool isOpen);
-    /// The width that it needs, open or not.
+    /// The least width, folded or not.
     int leastWidth() const;
-    /// What is being typed counts, on the screen or not. What was refused already is not asked for again.
+    /// Commits pending input, even if hidden. Skips texts that were rejected already.
     void applyTyped();
-    /// All fields show the document's values again, whatever was typed into them.
+    /// Restores the document's values in all fields, and discards pending input.
     void restoreFields();
 
 signals:
-    /// This is to be scrolled into sight.
+    /// Emitted when this widget should be scrolled into view.
     void bringUpRequested(QWidget *widget);
-    /// There are other rows than before.
+    /// Emitted when rows were added or removed.
     void rowsChanged();
 
 protected:
-    /// A row of its own, at the end of a layout.
+    /// Appends a row to a layout.
     ParameterRow *addRow(QBoxLayout *layout, const QString &title);
     NumberField *addField(ParameterRow *row, const QString &letter, const QString &unit, NumberBinding binding);
-    /// Puts a slider beneath the field of a row. The group keeps its numbers and its place.
-    /// @param within  brings a number to the nearest one that the scene takes
+    /// Adds a slider beneath the field of a row. The group sets its range and value.
+    /// @param within  clamps a number to the nearest one that the scene accepts
     NumberSlider *addSlider(ParameterRow *row, NumberSlider::Scale scale,
                             std::function<double(const scene::Scene &, double)> within);
-    /// Forgets and deletes the fields inside a widget that is about to go.
+    /// Unbinds and deletes the fields inside a widget that is about to be removed.
     void removeFieldsIn(QWidget *container);
 
-    /// Shows everything of the scene but the fields' numbers. Called while the group is on the screen, or before what was
-    /// typed there counts.
+    /// Shows everything of the scene but the fields' numbers. Called while the group is visible, or
+    /// before its pending input is committed.
     virtual void showScene() = 0;
-    /// showScene and all numbers, now.
+    /// Calls showScene and updates all numbers, at once.
     void refresh();
-    /// Puts this group's numbers to what they are at first.
+    /// Resets this group's numbers to their defaults.
     virtual void setDefaults(scene::Scene &scene) const = 0;
-    /// Makes a change that no field made; its refusal is shown beneath the heading.
+    /// Applies a change that no field made; shows a rejection beneath the heading.
     bool change(const QString &text, const std::function<void(scene::Scene &)> &edit);
 
     SceneDocument &document() const { return m_document; }
     QVBoxLayout *content() const { return m_content; }
-    /// What a button does. Before it what is being typed counts. A click leaves the keyboard where it is; `act` learns
-    /// whether the button was pressed by the keyboard.
+    /// Sets a button's action. Pending input is committed first. A click keeps the keyboard focus;
+    /// `act` learns whether the keyboard pressed the button.
     void onClick(QAbstractButton *button, std::function<void(bool byKeyboard)> act);
-    /// Scrolls to a field that was just made; by the keyboard the cursor goes there as well.
+    /// Scrolls to a new field; if the keyboard created it, the field gets the focus.
     void bringUp(NumberField *field, bool byKeyboard);
-    /// A text that is wrapped rather than cut, and never widens the panel.
+    /// A text that wraps instead of being cut, and never widens the panel.
     static QLabel *wrappedLabel(const QString &text = {});
 
     // The units beside the fields.
@@ -112,17 +115,18 @@ private:
         NumberBinding binding;
         NumberSlider *slider = nullptr;
     };
-    /// Whoever hears of a change may remove fields: who goes on with one after it holds it.
+    /// Receivers of a change may remove fields: code that uses a field afterwards holds it.
     using FieldPointer = std::shared_ptr<Field>;
 
     bool isThere(const FieldPointer &field) const;
     void apply(const FieldPointer &field);
-    /// Writes the numbers in these fields into the scene, as one change.
+    /// Writes the numbers of these fields into the scene, as one change.
     geometry::Check changeTogether(const std::vector<FieldPointer> &fields, const EditLabel &label);
     void refuse(const FieldPointer &field);
-    /// Why the number in this field would be refused as the scene is now; empty if it would not.
+    /// The reason why this field's number would be rejected in the present scene; empty if it would
+    /// not.
     QString refusalOf(const Field &field) const;
-    /// Refused fields whose text is a number, without `other`.
+    /// The rejected fields with a number, without `other`.
     std::vector<FieldPointer> refusedBut(const FieldPointer &other) const;
     void updateReasons();
     void setReason(const QString &reason);

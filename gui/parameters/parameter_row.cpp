@@ -114,7 +114,7 @@ int ParameterRow::arrange(int width, Place place) const
     const int unitLeft = width - m_columns.unit;
     const int right = unitLeft - space;
 
-    // The first letter stands in the title's column, the others between the fields.
+    // The first letter is in the title's column, the others are between the fields.
     const int letter = letterWidth();
     const int count = static_cast<int>(m_cells.size());
     const int shared = (right - left - (count - 1) * (letter + 2 * space)) / count;
@@ -165,7 +165,7 @@ int ParameterRow::heightForWidth(int width) const
 QSize ParameterRow::minimumSizeHint() const
 {
     const int field = m_cells.empty() ? 0 : m_cells.front().field->minimumSizeHint().width();
-    // The least height is that of a wide row: a narrow one asks for more by its width.
+    // The least height is a wide row's: a narrow one gets more by heightForWidth.
     return {m_columns.title + m_columns.unit + 2 * gap() + field, heightForWidth(QWIDGETSIZE_MAX)};
 }
 
@@ -198,7 +198,7 @@ void ParameterRow::showReason(const Cell &cell)
 
 void ParameterRow::colourReasons()
 {
-    // Red on whatever the theme's ground is.
+    // Red on any background of the theme.
     QPalette reasons = palette();
     const QColor ink = reasons.color(QPalette::WindowText);
     reasons.setColor(QPalette::WindowText, QColor((ink.red() + 3 * 200) / 4, ink.green() / 2, ink.blue() / 2));

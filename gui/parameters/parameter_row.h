@@ -10,9 +10,9 @@ namespace unprojector::gui {
 
 class NumberField;
 
-/// A title and the numbers that belong to it, each with its unit and, right beneath it, the reason why it is refused.
-/// They stand beside each other where the row is wide enough, else beneath each other. Its columns are those of all
-/// rows of the panel; all lengths come from the font.
+/// A title and its numbers, each with its unit and, right beneath it, the reason why it is
+/// rejected. They are side by side if the row is wide enough, else stacked. Its columns are common
+/// to all rows of the panel; all lengths depend on the font.
 class ParameterRow : public QWidget {
     Q_OBJECT
 public:
@@ -24,15 +24,15 @@ public:
 
     explicit ParameterRow(const QString &title, QWidget *parent = nullptr);
 
-    /// @param letter  which of several it is: "x"; empty for one alone
+    /// @param letter  identifies one of several: "x"; empty for a single one
     void addField(NumberField *field, const QString &letter, const QString &unit);
-    /// Puts a slider beneath the field.
+    /// Adds a slider beneath the field.
     void setSlider(QWidget *slider);
     NumberField *firstField() const { return m_cells.front().field; }
-    /// Those that Tab reaches, from left to right and above to below.
+    /// The widgets that Tab reaches, from left to right and top to bottom.
     QWidgetList tabStops() const;
 
-    /// What its texts need.
+    /// The columns that its texts need.
     Columns ownColumns() const;
     void setColumns(const Columns &columns);
 
@@ -52,10 +52,10 @@ private:
         QLabel *unit;
         QLabel *reason;
     };
-    /// A place for a child, or for none of it.
+    /// Called for each child with its rectangle, or an empty one.
     using Place = void (*)(QWidget *child, const QRect &place);
 
-    /// Goes through the children with their places in a row of that width.
+    /// Visits the children with their rectangles in a row of that width.
     /// @return its height
     int arrange(int width, Place place) const;
     void showReason(const Cell &cell);

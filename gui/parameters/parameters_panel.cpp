@@ -20,7 +20,7 @@ namespace {
 constexpr char kStateName[] = "folded";
 constexpr int kFewestLines = 8; // of text, in the least height
 
-/// Those that Tab reaches, in the order of the layouts.
+/// Appends the widgets that Tab reaches, in layout order.
 void appendTabStops(const QLayout &layout, QWidgetList &stops)
 {
     for (int i = 0; i < layout.count(); ++i) {
@@ -53,7 +53,7 @@ ParametersPanel::ParametersPanel(SceneDocument &document, QWidget *parent) : QSc
     setFocusPolicy(Qt::NoFocus);
     setAccessibleName(tr("Parameters"));
     setWidget(column);
-    // The panel's own colour, not that of a list.
+    // The panel's own colour, not a list's.
     viewport()->setAutoFillBackground(false);
     column->setAutoFillBackground(false);
 
@@ -66,7 +66,7 @@ ParametersPanel::ParametersPanel(SceneDocument &document, QWidget *parent) : QSc
     alignRows();
     orderTabs();
     connect(&document, &SceneDocument::opened, this, [this] {
-        // What was typed for the numbers of one scene is not meant for those of another.
+        // Pending text for one scene must not apply to another.
         for (ParameterGroup *group : m_groups)
             group->restoreFields();
     });

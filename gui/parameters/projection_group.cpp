@@ -148,7 +148,7 @@ void ProjectionGroup::addNumber(Number number, const QString &name, const QStrin
                           return;
                       *place = isAngle(number) ? radiansFromDegrees(value) : value;
                       scene.projection = projection;
-                      // What follows something else would take the number back at once.
+                      // A number that follows something else would be reset at once.
                       if (number == Number::Left || number == Number::Right || number == Number::Aspect)
                           scene.projectionFollowsViewport = false;
                       if (number == Number::Near || number == Number::Far)
@@ -163,7 +163,7 @@ void ProjectionGroup::addNumber(Number number, const QString &name, const QStrin
 NumberSlider *ProjectionGroup::sliderFor(Number number, ParameterRow *row)
 {
     using Scale = NumberSlider::Scale;
-    constexpr double kApart = 0.01; // of one of them, what a slider leaves between near and far
+    constexpr double kApart = 0.01; // the share of one of them that a slider keeps between near and far
     if (number == Number::Fovy) {
         NumberSlider *slider = addSlider(row, Scale::Linear, [](const Scene &, double fovy) { return fovy; });
         slider->setNumbers(1.0, 179.0);
@@ -184,7 +184,7 @@ NumberSlider *ProjectionGroup::sliderFor(Number number, ParameterRow *row)
 
 void ProjectionGroup::rangeSliders()
 {
-    // By the size of what is looked at: it stays while the camera moves.
+    // Relative to the scene's size: the range stays while the camera moves.
     const Box &bounds = document().bounds();
     const double size = bounds.diagonal();
     const double unit = size > 0.0 && std::isfinite(size) ? std::pow(10.0, std::round(std::log10(size))) : 1.0;
@@ -197,7 +197,7 @@ void ProjectionGroup::rangeSliders()
             continue;
         const bool isNear = row.number == Number::Near;
         row.slider->setScale(isBox ? NumberSlider::Scale::Linear : NumberSlider::Scale::Logarithmic);
-        if (isBox) // which may begin, and even end, behind the eye
+        if (isBox) // near and far may be behind the eye
             row.slider->setNumbers(-10.0 * unit, (isNear ? 10.0 : 30.0) * unit, 0.05 * unit);
         else
             row.slider->setNumbers((isNear ? 1e-3 : 0.1) * unit, (isNear ? 10.0 : 1000.0) * unit);
@@ -208,7 +208,7 @@ void ProjectionGroup::choose(ProjectionKind kind)
 {
     if (kindOf(document().scene().projection) == kind)
         return;
-    restoreFields(); // a refused number of one kind means nothing to another
+    restoreFields(); // a rejected number of one kind is meaningless for another
     change(m_kind->currentText(),
            [&](Scene &scene) { scene.projection = converted(scene.projection, kind, centerDistance(scene.camera)); });
 }

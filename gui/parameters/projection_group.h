@@ -7,7 +7,8 @@ class QComboBox;
 
 namespace unprojector::gui {
 
-/// The projection: its kind and the arguments of glFrustum, gluPerspective, glOrtho or the sheared box.
+/// The projection: its kind and the arguments of glFrustum, gluPerspective, glOrtho or the sheared
+/// box.
 class ProjectionGroup : public ParameterGroup {
     Q_OBJECT
 public:
@@ -19,17 +20,18 @@ protected:
 
 private:
     enum class Number { Left, Right, Bottom, Top, Near, Far, Fovy, Aspect, Theta, Phi };
-    /// Where a projection keeps a number, angles in radians; null where it has none such.
+    /// The member of a projection for a number, angles in radians; null if it has none.
     static double *numberIn(geometry::Projection &projection, Number number);
     static bool isAngle(Number number);
 
     struct Row {
         Number number;
         ParameterRow *row;
-        NumberSlider *slider; ///< or none
+        NumberSlider *slider; ///< or null
     };
     void addNumber(Number number, const QString &name, const QString &objectName, const QString &help);
-    /// For what one explores: the field of view, near and far; null for the others.
+    /// The slider for a number that users explore: the field of view, near and far; null for the
+    /// others.
     NumberSlider *sliderFor(Number number, ParameterRow *row);
     void rangeSliders();
     void choose(geometry::ProjectionKind kind);
@@ -37,7 +39,7 @@ private:
     QComboBox *m_kind;
     std::vector<Row> m_rows;
     double m_sliderUnit = 0.0;
-    bool m_areBoxSliders = false; ///< whose near and far may be anything
+    bool m_areBoxSliders = false; ///< near and far of a box may be any number
     QCheckBox *m_followsViewport;
     QCheckBox *m_fitsObjects;
     std::optional<geometry::ProjectionKind> m_shownKind;

@@ -17,7 +17,7 @@ using namespace scene;
 
 namespace {
 
-/// What core says of a number that OpenGL does not take; that it is finite, every field asks for itself.
+/// Core's reason why OpenGL doesn't take a number; each field itself checks that it is finite.
 QString refusalText(const Check &check)
 {
     return check || check.error().code == ErrorCode::NotFinite ? QString() : errorText(check.error());
@@ -150,7 +150,7 @@ void ViewportGroup::choose(ViewportRule::Kind kind)
     change(m_kind->currentText(), [&](Scene &scene) {
         scene.viewport.kind = kind;
         if (kind == ViewportRule::Kind::Fixed)
-            scene.viewport.fixed = document().setup().viewport; // the picture stays; its numbers can now be edited
+            scene.viewport.fixed = document().setup().viewport; // the setup stays; its numbers become editable
     });
 }
 

@@ -7,14 +7,14 @@ class QLabel;
 
 namespace unprojector::gui {
 
-/// Which part of the window the picture takes (glViewport), and the depths it is given (glDepthRange).
+/// The part of the window that shows the scene (glViewport), and its depth range (glDepthRange).
 class ViewportGroup : public ParameterGroup {
     Q_OBJECT
 public:
     explicit ViewportGroup(SceneDocument &document, QWidget *parent = nullptr);
 
 signals:
-    /// The user wants to give the window another size.
+    /// Emitted when the user wants to resize the window.
     void sizeRequested();
 
 protected:
@@ -34,7 +34,7 @@ private:
     QLabel *m_call;
     QLabel *m_depthCall;
     geometry::Surface m_shownSurface;
-    bool m_isFixed = false; ///< the window's size, as it is shown
+    bool m_isFixed = false; ///< the displayed window size is fixed
     geometry::Viewport m_shownViewport;
     std::optional<scene::ViewportRule::Kind> m_shownKind;
 };

@@ -15,7 +15,7 @@ using namespace geometry;
 
 namespace {
 
-/// To a hundredth at the most.
+/// Two numbers, to a hundredth at most.
 QString pairText(const QString &x, const QString &y)
 {
     return QStringLiteral("(%1, %2)").arg(x, y);

@@ -9,10 +9,10 @@
 
 namespace unprojector::gui {
 
-/// The window's four corner pixels, the pixel at its centre and the one under the pointer, in widget, device, window and
-/// NDC coordinates. A row is what a click on that pixel stands for: the widget position and the device pixel name its
-/// upper left corner, the window and NDC positions its centre, where OpenGL samples. The pointer's widget position is
-/// the pointer's own.
+/// The window's four corner pixels, the centre pixel and the one under the pointer, in widget,
+/// device, window and NDC coordinates. A row describes a click on that pixel: the widget position
+/// and the device pixel name its upper left corner, the window and NDC positions its centre, where
+/// OpenGL samples. The pointer's row has the pointer's exact widget position.
 class CornersModel : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -22,9 +22,10 @@ public:
 
     explicit CornersModel(QObject *parent = nullptr);
 
-    /// @pre the geometry is valid
+    /// @pre the setup is valid
     void setSetup(const geometry::Setup &setup);
-    /// Nothing, or a position outside the window: the row is empty.
+    /// Sets the pointer's position. For nothing, or a position outside the window, the row is
+    /// empty.
     void setPointer(const std::optional<geometry::WidgetPoint> &position);
     /// The centre of the pointer's pixel, with the depth of the near plane.
     std::optional<geometry::WindowPoint> pointerWindow() const;

@@ -24,7 +24,7 @@ using namespace unproject;
 namespace {
 
 constexpr int kMargin = 8;
-/// Less than that many times as good is not worth a word.
+/// A smaller improvement is not worth mentioning.
 constexpr double kWorthwhile = 1.5;
 
 QString formatName(const DepthFormat &format)
@@ -46,16 +46,16 @@ QString timesText(double times)
     return writtenText(std::round(times / unit) * unit, 2);
 }
 
-/// Of the words before any click.
+/// The words before any click.
 QString assumedText()
 {
     return DepthPrecisionPanel::tr("24 bits are assumed: the first click tells what the depth buffer has.");
 }
 
-/// Where the words and the mark are about.
+/// The point that words and mark refer to.
 struct Place {
     double distance;
-    bool isPoint; ///< the clicked one; else the middle of the picture
+    bool isPoint; ///< the clicked one; else the middle of the view
 };
 
 Place placeOf(const SceneDocument &document, const DepthScale &scale)
@@ -79,7 +79,7 @@ DepthPrecisionPanel::DepthPrecisionPanel(const SceneDocument &document, QWidget 
     m_layout = new QBoxLayout(QBoxLayout::TopToBottom, this);
     m_layout->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
     m_layout->setSpacing(kMargin);
-    // The panel says itself how small it can be: what is shown now must not keep it from becoming narrow.
+    // The panel sets its own least size: the present contents must not prevent a narrower one.
     m_layout->setSizeConstraint(QLayout::SetNoConstraint);
     m_layout->addWidget(m_plot, 3);
     auto *words = new QHBoxLayout;
@@ -132,7 +132,7 @@ void DepthPrecisionPanel::refresh()
 {
     const Setup &setup = m_document.setup();
     const DepthScale scale = depthScaleOf(setup);
-    // Which format the driver has given is told by a click.
+    // A click reveals the format that the driver has given.
     const DepthFormat format = m_document.picks().pick() ? m_document.picks().pick()->sample.format : DepthFormat();
     const Place place = placeOf(m_document, scale);
     const double now = halfDepthStepAt(scale, format, place.distance);
@@ -170,7 +170,7 @@ void DepthPrecisionPanel::refresh()
         reversed.range = {1.0, 0.0};
         const DepthFormat floats = DepthFormat::floatingPoint();
         const double then = halfDepthStepAt(reversed, floats, place.distance);
-        // At another place they may be better than here: the curve stays.
+        // Reversed floats may be better at other distances than here: the curve stays.
         if (!(format == floats && scale == reversed))
             curves.push_back({tr("floats, reversed"), reversed, floats});
         if (now / then >= kWorthwhile) {

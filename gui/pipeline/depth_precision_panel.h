@@ -13,8 +13,9 @@ class HelpLink;
 class SceneDocument;
 class SteadyLabel;
 
-/// What the depth buffer leaves open at every distance for this near, far and format, with the clicked point; and what a farther
-/// near plane, or floats with the depth 1 at near, would make of it. Hidden, it does nothing; shown again, it catches up.
+/// The depth buffer's uncertainty at every distance for this near, far and format, with the clicked
+/// point. For comparison it shows a farther near plane and reversed float depths (1 at near). It
+/// does nothing while hidden and catches up when shown.
 class DepthPrecisionPanel : public QWidget {
     Q_OBJECT
 public:
@@ -29,7 +30,7 @@ protected:
 
 private:
     void refresh();
-    /// The words beside the plot where there is room, else below it.
+    /// Puts the words beside the plot if there is room, else below it.
     void arrange();
 
     const SceneDocument &m_document;

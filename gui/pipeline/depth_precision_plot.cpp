@@ -19,7 +19,7 @@ namespace {
 constexpr double kGap = 4.0; ///< logical pixels
 constexpr double kMarkRadius = 4.0;
 
-/// A power of ten as an axis has it.
+/// A power of ten as an axis label.
 QString tickText(double value)
 {
     return significantText(value, 1).replace(u'-', u'−');
@@ -27,7 +27,7 @@ QString tickText(double value)
 
 } // namespace
 
-/// Where on the widget a distance and an error are.
+/// The mapping of distances and errors to the widget.
 struct DepthPrecisionPlot::Axes {
     QRectF area;
     bool isLogarithmic = true;       ///< along x
@@ -83,7 +83,7 @@ DepthPrecisionPlot::Axes DepthPrecisionPlot::axes() const
     const DepthScale &scale = m_curves.front().scale;
     axes.isLogarithmic = scale.nearDistance > 0.0;
     axes.first = scale.nearDistance;
-    constexpr double kFarEnough = 1e3; // of a far plane at infinity
+    constexpr double kFarEnough = 1e3; // for a far plane at infinity
     axes.last = std::isinf(scale.farDistance) ? kFarEnough * scale.nearDistance : scale.farDistance;
     double least = std::numeric_limits<double>::infinity(), most = 0.0;
     for (const Curve &curve : m_curves) {
@@ -95,7 +95,8 @@ DepthPrecisionPlot::Axes DepthPrecisionPlot::axes() const
     }
     axes.lowest = static_cast<int>(std::floor(std::log10(least)));
     axes.highest = std::max(axes.lowest + 1, static_cast<int>(std::ceil(std::log10(most))));
-    // Reversed floats come to nothing at the far plane; they may leave the picture below.
+    // The error of reversed floats approaches 0 at the far plane; the curve may leave the plot
+    // below.
     constexpr int kMostDecades = 8;
     axes.lowest = std::max(axes.lowest, axes.highest - kMostDecades);
     // Numbers beside the axis, and a line of them and the axis' name below.
@@ -110,7 +111,8 @@ DepthPrecisionPlot::Axes DepthPrecisionPlot::axes() const
 
 QPen DepthPrecisionPlot::penOf(std::size_t index) const
 {
-    // Blue and orange are told apart by every kind of colour vision; these are bright enough on either ground.
+    // Blue and orange are distinguishable with every kind of colour vision; these are bright enough
+    // on both backgrounds.
     constexpr std::array kStyles{Qt::SolidLine, Qt::DashLine, Qt::DotLine};
     const bool isDark = palette().color(QPalette::Base).lightnessF() < 0.5F;
     const std::array colors{palette().color(QPalette::Text),
@@ -128,7 +130,7 @@ void DepthPrecisionPlot::paintAxes(QPainter &painter, const Axes &axes) const
     QColor grid = palette().color(QPalette::Text);
     grid.setAlphaF(0.15F);
     const QColor ink = palette().color(QPalette::WindowText);
-    // As many decades as have room for their numbers.
+    // The decades that have room for their numbers.
     const int decades = axes.highest - axes.lowest;
     const int step = std::max(1, static_cast<int>(std::ceil(decades * 1.3 * metrics.height() / area.height())));
     for (int decade = axes.lowest; decade <= axes.highest; decade += step) {
@@ -139,7 +141,7 @@ void DepthPrecisionPlot::paintAxes(QPainter &painter, const Axes &axes) const
         painter.drawText(QRectF(0.0, y - metrics.height() / 2.0, area.left() - kGap, metrics.height()),
                          Qt::AlignRight | Qt::AlignVCenter, tickText(value));
     }
-    // The ends, and between them what has room.
+    // The ends, and numbers between them that fit.
     std::vector<double> ticks{axes.first, axes.last};
     if (axes.isLogarithmic) {
         for (int decade = static_cast<int>(std::ceil(std::log10(axes.first))); std::pow(10.0, decade) < axes.last;
@@ -208,7 +210,7 @@ void DepthPrecisionPlot::paintMark(QPainter &painter, const Axes &axes) const
     painter.drawEllipse(at, kMarkRadius, kMarkRadius);
 }
 
-/// One beside the other above the curves, in as many lines as they need.
+/// Side by side above the curves, in as many lines as needed.
 std::vector<QPointF> DepthPrecisionPlot::namePlaces() const
 {
     const QFontMetricsF metrics(font());

@@ -10,9 +10,9 @@
 
 namespace unprojector::gui {
 
-/// What rounding a depth leaves open, over the distance in front of the eye: one curve for each way to keep depths. Both axes are
-/// logarithmic, but for a near plane at or behind the eye, as glOrtho may have it: then distances are not. Curves differ by their
-/// lines, not only by colours.
+/// The error from rounding a depth over the distance in front of the eye: one curve for each depth
+/// format. Both axes are logarithmic; for a near plane at or behind the eye, possible with glOrtho,
+/// distances are linear. Curves differ in line style, not only in colour.
 class DepthPrecisionPlot : public QWidget {
     Q_OBJECT
 public:
@@ -24,7 +24,7 @@ public:
 
     explicit DepthPrecisionPlot(QWidget *parent = nullptr);
 
-    /// @param curves  one to three; the first is how the picture is drawn
+    /// @param curves  one to three; the first is the view's
     /// @param marked  a distance to mark on the first curve
     void show(std::vector<Curve> curves, const std::optional<double> &marked);
     const std::vector<Curve> &curves() const { return m_curves; }

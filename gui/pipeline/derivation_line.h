@@ -13,26 +13,27 @@ class SceneDocument;
 class SteadyLabel;
 struct EntryDerivation;
 
-/// How the chosen coordinate is computed, with a link to Help. The numbers that it is computed from are marked in the model.
+/// The derivation of the chosen coordinate, with a link to the help. It marks the input numbers in
+/// the model.
 class DerivationLine : public QWidget {
     Q_OBJECT
 public:
     DerivationLine(const SceneDocument &document, PipelineModel &model, QWidget *parent = nullptr);
 
-    /// @param coordinate  of the space, as it is shown: 0 for x, 3 for w
+    /// @param coordinate  of the space, as shown: 0 for x, 3 for w
     void choose(PointModel::Space space, int coordinate);
-    /// No coordinate any more.
+    /// Clears the choice.
     void clear();
     struct Entry {
         PointModel::Space space;
-        int coordinate; ///< as it is shown: 0 for x, 3 for w
+        int coordinate; ///< as shown: 0 for x, 3 for w
         friend bool operator==(const Entry &, const Entry &) = default;
     };
     const std::optional<Entry> &chosen() const { return m_chosen; }
     /// The space of the chosen coordinate.
     std::optional<PointModel::Space> chosenSpace() const;
     void refresh();
-    /// Refreshes, and forgets how much room the texts so far have needed.
+    /// Refreshes, and forgets the room that earlier texts needed.
     void startOver();
 
 private:

@@ -17,14 +17,14 @@ namespace {
 
 using Space = PointModel::Space;
 
-/// As many as the grids show of a double.
+/// The digits that the grids show of a double.
 constexpr int kSignificantDigits = 9;
 
 struct Texts {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::EntryDerivation)
 };
 
-/// Numbers as the panel writes them.
+/// Formats numbers as the panel does.
 class Numbers {
 public:
     explicit Numbers(const MatrixView &view) : m_view(view) {}
@@ -35,13 +35,13 @@ public:
         return QString::fromStdString(
             numberText(value, m_view.digits, isWhole && significant >= kSignificantDigits ? 0 : significant));
     }
-    /// Behind another sign.
+    /// The number after another operator.
     QString factor(double value) const
     {
         const QString number = text(value);
         return number.startsWith(u'-') ? QStringLiteral("(%1)").arg(number) : number;
     }
-    /// " + 5" or " - 5"
+    /// The number as a summand: " + 5" or " - 5".
     QString summand(double value) const
     {
         const QString number = text(value);
@@ -58,7 +58,7 @@ struct Sum {
     double size = 0.0; ///< of all terms together, without their signs
 };
 
-/// The coordinate's own name and its space's: "clip y"; before the way back's division it is "y′".
+/// The names of coordinate and space: "clip y"; before the division on the way back "y′".
 QString entryName(const PointModel &point, int coordinate)
 {
     const QString axis = point.indexOf(coordinate).data(NumberGridModel::kLabelRole).toString();
@@ -76,7 +76,8 @@ Space spaceBefore(Space space, PipelineDirection direction)
     return static_cast<Space>(static_cast<int>(space) + (direction == PipelineDirection::Forward ? -1 : 1));
 }
 
-/// The stage between a space and the next one forward; none where it is a division or the way to the widget.
+/// The stage between a space and the next one forward; none for a division or the step to the
+/// widget.
 std::optional<PipelineStage> stageAfter(Space space)
 {
     switch (space) {
@@ -91,12 +92,13 @@ std::optional<PipelineStage> stageAfter(Space space)
     return std::nullopt;
 }
 
-/// What follows the equals sign after the terms: the number that is shown, or what is to be said beside it.
+/// The text after the equals sign and the terms: the shown number, or a remark on the difference.
 QString resultText(const Numbers &numbers, const Sum &sum, double shown)
 {
-    // Four products and three sums, each half a unit in the last place, and as much again in what they are made of.
+    // Four products and three sums, each half a unit in the last place, and as much again in their
+    // inputs.
     const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * sum.size;
-    // What nine digits can tell.
+    // The relative difference that nine digits show.
     constexpr double kSame = 1e-9;
     if (std::abs(sum.value - shown) > kSame * sum.size)
         return Texts::tr("%1; the number shown, %2, was given, and what leads to it was computed back from there")
@@ -146,7 +148,7 @@ QString viewportText(const Numbers &numbers, const Setup &setup, const PointMode
              numbers.summand(shift[i]));
 }
 
-/// What a position of the window or the widget becomes on the other side, of a name or of a number.
+/// The conversion of a position between window and widget, for a name or a number.
 QString flipText(const Numbers &numbers, const Setup &setup, const PipelineModel &model, bool isY,
                  const QString &position)
 {
@@ -211,7 +213,8 @@ std::optional<PipelineStage> stageOf(Space space, PipelineDirection direction)
         return std::nullopt;
     if (direction == PipelineDirection::Forward)
         return stageAfter(spaceBefore(space, direction));
-    // Before its division the way back's point stands in the place of the clip point: the projection leads there.
+    // The point before its division replaces the clip point on the way back: the projection leads
+    // there.
     if (space == Space::Clip)
         return PipelineStage::ProjectionMatrix;
     return space == Space::Eye ? std::nullopt : stageAfter(space);

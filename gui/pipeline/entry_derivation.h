@@ -9,7 +9,7 @@
 
 namespace unprojector::gui {
 
-/// How one coordinate of the pipeline comes about from the space before it, and of what.
+/// The computation of one coordinate of the pipeline from the space before it.
 struct EntryDerivation {
     QString text; ///< plain, lines with the numbers as the panel shows them
     std::optional<matrices::PipelineStage> stage;
@@ -18,34 +18,36 @@ struct EntryDerivation {
     std::vector<int> coordinates;            ///< of the source: 0 for x, 3 for w
 };
 
-/// The stage whose matrix makes a space's point; none where a division or the way to the widget does, and at the start.
+/// The stage whose matrix yields a space's point; none after a division or the step to the widget,
+/// and at the start.
 std::optional<matrices::PipelineStage> stageOf(PointModel::Space space, matrices::PipelineDirection direction);
 
-/// The space whose point a stage's matrix makes; none for a product.
+/// The space of the point that a stage's matrix yields; none for a product.
 std::optional<PointModel::Space> spaceMadeBy(matrices::PipelineStage stage, matrices::PipelineDirection direction);
 
-/// Where a direction starts: no step leads there.
+/// The first space of a direction: no step leads to it.
 PointModel::Space startOf(matrices::PipelineDirection direction);
 
 /// The numbers of one step:
 ///
-///   a matrix      row of the matrix times the vector (rows: the vector times a column); of OpenGL's viewport also
-///                 (x_n + 1) w/2 + vx
+///   a matrix      row of the matrix times the vector (rows: the vector times a column);
+///                 also (x_n + 1) w/2 + vx for OpenGL's viewport
 ///   the division  x_c / w_c, backward x' / w'
-///   the widget    the y flip, the pixel ratio and, of some conventions, half a pixel
+///   the widget    the y flip, the pixel ratio and, in some conventions, half a pixel
 ///
-/// A sum that is no more than what rounding leaves of its terms is said to be 0, and one that is not the number shown (that was
-/// given, and what leads to it computed back) is said to differ.
+/// The text says that a sum is 0 if it is only the rounding of its terms. It says that a sum
+/// differs if it is not the number shown. That happens if the user gave the number and the earlier
+/// ones were computed back from it.
 ///
-/// @param coordinate  of the space, as it is shown: 0 for x, 3 for w
+/// @param coordinate  of the space, as shown: 0 for x, 3 for w
 EntryDerivation entryDerivation(const PipelineModel &model, const geometry::Setup &setup, PointModel::Space space,
                                 int coordinate);
 
-/// The same text with blanks that keep a term together: lines break behind a sign, and nowhere else in a sum (behind a minus
-/// they could not be kept from it).
+/// The same text with non-breaking spaces inside terms: lines break only after a sign, in a sum (a
+/// minus cannot be kept from a break after it).
 QString unbrokenTerms(QString text);
 
-/// What there is to be said as long as no coordinate is chosen.
+/// The hint that is shown while no coordinate is chosen.
 QString entryHint();
 
 } // namespace unprojector::gui

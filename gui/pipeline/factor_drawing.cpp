@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array kLetters{'l', 'r', 'b', 't', 'n', 'f'};
 const QColor kNear(0x1c, 0x6c, 0xd4), kFar(0xd4, 0x6c, 0x10);
-constexpr double kAxis = 1.35; ///< the length of the axes, in cubes from the middle to a side
+constexpr double kAxis = 1.35; ///< the length of the axes, in half cube sides from the centre
 
 std::array<glm::dvec3, 8> cubeCorners()
 {
@@ -36,7 +36,8 @@ std::array<glm::dvec3, 3> axisEnds()
     return {glm::dvec3(kAxis, 0, 0), glm::dvec3(0, kAxis, 0), glm::dvec3(0, 0, kAxis)};
 }
 
-/// On the paper, y downwards: a parallel projection, in which lengths along z come out shorter.
+/// The projection to the paper, y downwards: a parallel one, in which lengths along z are
+/// shortened.
 QPointF onPaper(const glm::dvec3 &p)
 {
     constexpr double kAzimuth = 0.6, kElevation = 0.35; // radians
@@ -45,8 +46,8 @@ QPointF onPaper(const glm::dvec3 &p)
     return {across, -(std::cos(kElevation) * p.y - std::sin(kElevation) * towards)};
 }
 
-/// The corners of a side, around it.
-/// @param bit, value  of the corners' places
+/// The corners of a side, in order around it.
+/// @param bit, value  of the corners' indices
 std::array<std::size_t, 4> sideOf(std::size_t bit, bool value)
 {
     const std::size_t first = bit == 1 ? 2 : 1, second = bit == 4 ? 2 : 4, from = value ? bit : 0;
@@ -63,7 +64,7 @@ void drawEdges(QPainter &painter, const std::array<QPointF, 8> &corners)
     }
 }
 
-/// In a rim of the base's colour: to be read on any line.
+/// Draws a letter with a rim of the base's colour: readable on any line.
 void drawLetter(QPainter &painter, const QPointF &middle, const QString &letter, const QColor &ink, const QColor &base)
 {
     const QFontMetricsF metrics(painter.font());
@@ -126,7 +127,7 @@ void FactorDrawing::paintEvent(QPaintEvent *)
                  farInk = isDark ? kFar.lighter(140) : kFar.darker(160);
 
     const Paper paper = this->paper();
-    // The cube, and its axes where there is room for their letters.
+    // The cube, and its axes if there is room for their letters.
     const std::array<QPointF, 8> places = paper.placed(m_corners);
     painter.setPen(QPen(quiet, 1.0, Qt::DashLine));
     drawEdges(painter, paper.placed(cubeCorners()));
@@ -134,7 +135,7 @@ void FactorDrawing::paintEvent(QPaintEvent *)
     for (const glm::dvec3 &end : axisEnds())
         painter.drawLine(paper.placed(glm::dvec3(0.0)), paper.placed(end));
 
-    // The volume: the sides that have a colour, then its edges.
+    // The volume: the coloured sides, then its edges.
     for (const bool isFar : {true, false}) {
         QPolygonF side;
         for (const std::size_t corner : sideOf(4, isFar))
@@ -186,7 +187,7 @@ std::array<QPointF, 8> FactorDrawing::Paper::placed(const std::array<glm::dvec3,
 
 FactorDrawing::Paper FactorDrawing::paper() const
 {
-    // What is drawn, and how large that can be.
+    // The bounds of the drawing, and its largest scale.
     QRectF bounds(onPaper(glm::dvec3(0.0)), QSizeF(0.0, 0.0));
     const auto include = [&bounds](const auto &points) {
         for (const glm::dvec3 &point : points) {
@@ -229,11 +230,11 @@ std::array<QRectF, 6> FactorDrawing::letterBoxes() const
     const double half = metrics.xHeight() / 2.0 + 2.0;
     for (const QPointF &at : axisLetters(paper))
         taken.push_back(QRectF(at, QSizeF()).marginsAdded(QMarginsF(half, half, half, half)));
-    // A cube that a letter would cover, or nearly.
+    // A cube so small that a letter would cover it.
     const QRectF cube = cubeBox();
     if (std::max(cube.width(), cube.height()) < 3.0 * metrics.height())
         taken.push_back(cube);
-    // Each letter beside the middle of its side, away from the middle of all.
+    // Each letter is beside the middle of its side, away from the centre.
     const std::array<QPointF, 8> places = paper.placed(m_corners);
     QPointF center;
     for (const QPointF &place : places)
@@ -245,7 +246,7 @@ std::array<QRectF, 6> FactorDrawing::letterBoxes() const
             at += places[corner] / 4.0;
         const QPointF way = at - center;
         const double length = std::hypot(way.x(), way.y());
-        // A flat volume has two sides at one place.
+        // A flat volume has two sides at one position.
         const QPointF step =
             length > 1.0 ? way / length : QPointF(side % 2 == 1 ? 1.0 : -1.0, side % 2 == 1 ? -0.5 : 0.5);
         QRectF &box = boxes[side];

@@ -13,25 +13,27 @@
 
 namespace unprojector::gui {
 
-/// A view volume, carried by a matrix, beside the cube from −1 to 1 that it is to become: seen from the front, above and to the
-/// right. Its sides have the letters of glOrtho's and glFrustum's arguments. Both fit into the drawing, whatever their sizes.
+/// A view volume transformed by a matrix, beside the target cube from −1 to 1: seen from the front,
+/// above and to the right. Its sides have the letters of glOrtho's and glFrustum's arguments. Both
+/// fit into the drawing at any size.
 class FactorDrawing : public QWidget {
     Q_OBJECT
 public:
     explicit FactorDrawing(QWidget *parent = nullptr);
 
-    /// @param carried  for column vectors of eye space; divided by w, which is above 0 in the volume
+    /// @param carried  for column vectors of eye space; divided by w, which is above 0 in the
+    /// volume
     /// @pre the projection is valid
     void setVolume(const geometry::Projection &projection, const glm::dmat4 &carried);
-    /// From where to where the carried volume reaches along each axis.
+    /// The range of the transformed volume along each axis.
     struct Extent {
         glm::dvec3 least, most;
     };
     Extent extent() const;
 
-    /// Of l, r, b, t, n, f: none is on another, nor on the cube where that is small.
+    /// The boxes of l, r, b, t, n, f: they overlap neither each other nor a small cube.
     std::array<QRectF, 6> letterBoxes() const;
-    QRectF cubeBox() const; ///< what it takes of the drawing
+    QRectF cubeBox() const; ///< the cube's rectangle in the drawing
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -40,7 +42,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    /// The way onto the paper.
+    /// The projection onto the drawing.
     struct Paper {
         QPointF from, middle;
         double scale;
@@ -48,7 +50,7 @@ private:
         std::array<QPointF, 8> placed(const std::array<glm::dvec3, 8> &points) const;
     };
     Paper paper() const;
-    /// Those of the cube's axes; none where there is no room for them.
+    /// The letters of the cube's axes; none if there is no room.
     std::vector<QPointF> axisLetters(const Paper &paper) const;
 
     std::array<glm::dvec3, 8> m_corners{}; ///< in the order of viewVolumeCorners

@@ -95,7 +95,7 @@ FactorShares::FactorShares(QWidget *parent)
     grid->setAccessibleName(tr("The product of what acts"));
     m_said->setAccessibleName(tr("Whether it is the projection's matrix"));
     m_extent->setAccessibleName(tr("Where the view volume is"));
-    // Two lines each, so that nothing below them jumps while a slider is drawn.
+    // Two lines each, so that nothing below them jumps while a slider moves.
     for (QLabel *label : {m_said, m_extent}) {
         label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
         label->setMinimumHeight(2 * fontMetrics().lineSpacing() + 2);
@@ -111,7 +111,7 @@ void FactorShares::setFactors(const std::vector<MatrixFactor> &factors, const st
                               const Projection &projection, const glm::dmat4 &clipFromEye, const MatrixView &view)
 {
     Q_ASSERT(factors.size() <= m_rows.size() && told.size() == factors.size());
-    // The first ones are no others: the sliders may have been put for them.
+    // The first factors don't count as a change: the sliders may have been set for them.
     const bool areOthers =
         !m_factors.empty()
         && !std::equal(factors.begin(), factors.end(), m_factors.begin(), m_factors.end(),

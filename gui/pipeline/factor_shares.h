@@ -17,27 +17,29 @@ namespace unprojector::gui {
 class FactorDrawing;
 class MatrixModel;
 
-/// How much of each factor of a projection acts, from nothing to all of it, by sliders; the product of these parts, and what it
-/// makes of the view volume. The sliders stay where they are while the projection changes and has the same factors.
+/// Sliders for the share of each factor of a projection, from nothing to all of it; the product of
+/// these parts, and the view volume transformed by it. The sliders keep their values while the
+/// projection changes and has the same factors.
 class FactorShares : public QWidget {
     Q_OBJECT
 public:
     explicit FactorShares(QWidget *parent = nullptr);
 
-    /// A factor, as it is written and told.
+    /// A factor's letter and explanation.
     struct Told {
         QString letter;
         QString text;
     };
-    /// @param factors     OpenGL's own, of this projection, in the order in which they act; four at most
-    /// @param told        one of each
+    /// @param factors     OpenGL's own, of this projection, in the order in which they act; at most
+    /// four
+    /// @param told        one for each
     /// @param clipFromEye the projection's matrix
     void setFactors(const std::vector<matrices::MatrixFactor> &factors, const std::vector<Told> &told,
                     const geometry::Projection &projection, const glm::dmat4 &clipFromEye, const MatrixView &view);
 
-    /// How much of every factor acts, percent.
+    /// Sets the share of every factor, percent.
     void setAll(int percent);
-    /// The same of each, in the order of the factors.
+    /// The share of each factor, in order, percent.
     QList<int> percents() const;
     void setPercents(const QList<int> &percents);
 

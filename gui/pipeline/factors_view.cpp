@@ -17,7 +17,7 @@ using namespace matrices;
 
 namespace {
 
-/// As the formulas' product is written.
+/// The letter in the written product.
 QString letterOf(MatrixStep step)
 {
     switch (step) {
@@ -124,7 +124,7 @@ void FactorsView::setFactors(const std::vector<MatrixFactor> &factors, const glm
         const QString letter = letterOf(factors[i].step), text = textOf(factors[i].step);
         letters << letter;
         told.push_back({letter, text});
-        // The letter leads to where Help derives the step.
+        // The letter links to the derivation of the step in the help.
         const QString link = QStringLiteral("<a href=\"%1\">%2</a>").arg(helpAddress(helpOf(factors[i].step)), letter);
         part.text->setText(QStringLiteral("%1.&nbsp; %2&nbsp; %3").arg(i + 1).arg(link, text.toHtmlEscaped()));
         part.model->setVariableName(letter);
@@ -132,7 +132,7 @@ void FactorsView::setFactors(const std::vector<MatrixFactor> &factors, const glm
         part.model->setMatrix(factors[i].matrix, PipelineDirection::Forward, ProjectionKind::Perspective, false);
         part.grid->setAccessibleName(QStringLiteral("%1, %2").arg(letter, text));
     }
-    // A column vector stands to the right of what acts on it first.
+    // A column vector is to the right of the factor that acts first.
     if (view.layout == MatrixLayout::Column)
         std::reverse(letters.begin(), letters.end());
     const double off = differenceUlps(factors, matrix);

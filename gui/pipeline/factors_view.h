@@ -15,8 +15,8 @@ class FactorShares;
 class MatrixModel;
 class NumberGrid;
 
-/// The factors that a matrix is made of, in the order in which they act on a point, each with what it does; above them their
-/// product as it is written, and how far it is from the matrix; below a projection's, how much of each acts.
+/// The factors of a matrix, in the order in which they act on a point, each with its effect. Above
+/// them: their product and its residual. Below a projection's factors: sliders for their shares.
 class FactorsView : public QWidget {
     Q_OBJECT
 public:
@@ -24,12 +24,13 @@ public:
 
     /// @param matrix   that the factors' product is compared with
     /// @param isGiven  whether it is the conversion of one that was given as sixteen numbers
-    /// @param projection  whose factors they are: what a part of them does can be tried. Null: a view's.
+    /// @param projection  of the factors: the sliders then apply parts of them. Null: the factors
+    /// of a view.
     void setFactors(const std::vector<matrices::MatrixFactor> &factors, const glm::dmat4 &matrix,
                     const MatrixView &view, bool isGiven, const geometry::Projection *projection);
-    /// There is nothing to take apart, and why.
+    /// Shows that there is nothing to decompose, and why.
     void setNone(const QString &reason);
-    /// Where a part of each factor can be tried; hidden where that cannot be.
+    /// The sliders for the factors' shares; hidden if there are none.
     FactorShares &shares() const { return *m_shares; }
 
 private:
@@ -39,9 +40,9 @@ private:
         NumberGrid *grid;
     };
     QLabel *m_product;
-    std::array<Part, 6> m_parts{}; ///< a sheared box in another API's conventions has as many
+    std::array<Part, 6> m_parts{}; ///< the most factors: a sheared box in another API's conventions
     FactorShares *m_shares;
-    QLabel *m_noShares; ///< why they are not there
+    QLabel *m_noShares; ///< why there are no sliders
 };
 
 } // namespace unprojector::gui

@@ -23,7 +23,7 @@ FollowedPointRow::FollowedPointRow(const SceneDocument &document, PipelineModel 
     m_follow->setAccessibleName(tr("Which point to follow"));
     connect(m_follow, &QToolButton::clicked, this, [this] { m_model.followGiven(!m_model.followsGiven()); });
     connect(m_remove, &QToolButton::clicked, &m_model, &PipelineModel::removeGiven);
-    // The rows below stay where they are when these come.
+    // The rows below don't move when these buttons appear.
     for (QToolButton *button : {m_follow, m_remove}) {
         QSizePolicy policy = button->sizePolicy();
         policy.setRetainSizeWhenHidden(true);

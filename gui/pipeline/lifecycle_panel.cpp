@@ -33,7 +33,7 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     m_table->setAccessibleName(tr("Steps of the view's life"));
     m_table->setToolTip(tr("A row that stands for several steps can be opened: click its arrow, or press Right"));
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_table->setUniformRowHeights(true); // a call has one line; that of the current row stands below, whole
+    m_table->setUniformRowHeights(true); // a call has one line; the current row is shown in full below
     m_table->setAllColumnsShowFocus(true);
     m_table->setAlternatingRowColors(true);
     m_table->setTreePosition(LifecycleLog::Step);
@@ -43,7 +43,7 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     header->setSectionsMovable(false);
     header->setStretchLastSection(false);
     header->setSectionResizeMode(QHeaderView::Fixed);
-    // What is short stands before what may be long.
+    // Short columns come before columns that may be long.
     header->moveSection(LifecycleLog::Took, LifecycleLog::Step);
     m_table->viewport()->installEventFilter(this);
 
@@ -54,7 +54,7 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     m_calls->setAccessibleName(tr("The current step with all its calls"));
     m_calls->hide();
 
-    // A style makes push buttons far wider than these short words; the calls need the room more.
+    // Styles make push buttons far wider than these short words; the calls need the room.
     m_copy = new QToolButton;
     m_copy->setText(tr("&Copy"));
     m_copy->setToolTip(tr("Copy the selected steps, or all of them, as lines of text"));
@@ -113,7 +113,8 @@ void LifecyclePanel::useFont()
     placeButtons();
 }
 
-/// The widths of numbers are those of the longest to expect, so that the columns stand still; steps and calls share the rest.
+/// Number columns fit the longest expected number, so that they don't move; steps and calls share
+/// the rest.
 void LifecyclePanel::fitColumns()
 {
     const QFontMetrics metrics(m_table->font());
@@ -145,7 +146,8 @@ void LifecyclePanel::showCalls()
                          + current.siblingAtColumn(LifecycleLog::StandsFor).data().toString());
 }
 
-/// Beside the steps; below them, which then have the whole width, where that would leave too little room for the calls.
+/// Puts the buttons beside the steps, or below them if that would leave too little room for the
+/// calls.
 void LifecyclePanel::placeButtons()
 {
     const int least = 2 * kMargin + m_layout->spacing()
@@ -181,7 +183,7 @@ bool LifecyclePanel::eventFilter(QObject *watched, QEvent *event)
 
 LifecyclePanel::~LifecyclePanel()
 {
-    m_table->verticalScrollBar()->disconnect(this); // it moves while the table goes
+    m_table->verticalScrollBar()->disconnect(this); // it moves while the table is destroyed
 }
 
 QSize LifecyclePanel::sizeHint() const
@@ -200,7 +202,7 @@ void LifecyclePanel::showEvent(QShowEvent *event)
     follow();
 }
 
-/// Later, when the event loop runs: steps are reported while the view paints, when nothing may be scrolled.
+/// Deferred to the event loop: steps are reported during painting, when scrolling is not allowed.
 void LifecyclePanel::follow()
 {
     if (!m_follows || m_willFollow || !isVisible())
@@ -225,7 +227,7 @@ void LifecyclePanel::enableButtons()
 void LifecyclePanel::copy() const
 {
     QModelIndexList selected = m_table->selectionModel()->selectedRows();
-    // As they stand: a folded row before its steps.
+    // The order is the table's: a folded row before its steps.
     const auto place = [](const QModelIndex &index) {
         return index.parent().isValid() ? std::pair(index.parent().row(), index.row()) : std::pair(index.row(), -1);
     };

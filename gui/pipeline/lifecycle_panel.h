@@ -11,7 +11,8 @@ namespace unprojector::gui {
 
 class LifecycleLog;
 
-/// The log as a table, whose folded rows can be opened. It follows the newest row unless the user has scrolled up.
+/// The log as a table with folded rows that can be opened. It follows the newest row unless the
+/// user has scrolled up.
 class LifecyclePanel : public QWidget {
     Q_OBJECT
 public:
@@ -31,7 +32,7 @@ protected:
 private:
     void useFont();
     void fitColumns();
-    /// Shows the current row whole, below the table.
+    /// Shows the full text of the current row below the table.
     void showCalls();
     void placeButtons();
     void follow();
@@ -44,7 +45,7 @@ private:
     QToolButton *m_copy;
     QToolButton *m_clear;
     QBoxLayout *m_layout, *m_buttons;
-    int m_wholeWidth = 0; ///< of all columns, the calls as little as can be read
+    int m_wholeWidth = 0; ///< of all columns, with the least readable width of the calls
     bool m_follows = true;
     bool m_willFollow = false; ///< the scroll to the end is under way
 };

@@ -24,12 +24,12 @@ void MatrixFindingsView::setFindings(const std::vector<MatrixFinding> &findings,
     for (const MatrixFinding &finding : findings)
         texts << findingSentence(finding, role) << repairName(finding, order);
     m_findings = findings;
-    if (texts == m_texts) // the button that has the focus keeps it
+    if (texts == m_texts) // the focused button keeps the focus
         return;
     m_texts = texts;
     while (QLayoutItem *item = m_rows->takeAt(0)) {
         item->widget()->hide();
-        item->widget()->deleteLater(); // one of them may have asked for this
+        item->widget()->deleteLater(); // one of them may have emitted the signal
         delete item;
     }
     for (std::size_t i = 0; i < m_findings.size(); ++i) {

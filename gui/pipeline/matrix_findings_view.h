@@ -11,13 +11,13 @@ class QVBoxLayout;
 
 namespace unprojector::gui {
 
-/// What is to be seen of a matrix, each in a sentence with the button that does something about it.
+/// The findings about a matrix, each in a sentence with a button that fixes it.
 class MatrixFindingsView : public QWidget {
     Q_OBJECT
 public:
     explicit MatrixFindingsView(QWidget *parent = nullptr);
 
-    /// @param order  that the matrix is read in
+    /// @param order  in which the matrix is read
     void setFindings(const std::vector<matrices::MatrixFinding> &findings, matrices::MatrixRole role,
                      matrices::NumberOrder order);
 

@@ -6,31 +6,32 @@
 
 namespace unprojector::gui {
 
-/// The matrix of one stage: four by four, or its memory. A tooltip names the entry by the formula's symbols.
+/// The matrix of one stage: four by four, or its memory. A tooltip names the entry by the formula's
+/// symbols.
 class MatrixModel : public NumberGridModel {
     Q_OBJECT
 public:
     explicit MatrixModel(matrices::PipelineStage stage, QObject *parent = nullptr);
 
-    /// @param isNamed  whether its entries are those that the formulas' symbols stand for
+    /// @param isNamed  whether the formulas' symbols apply to its entries
     void setMatrix(const glm::dmat4 &matrix, matrices::PipelineDirection direction, geometry::ProjectionKind kind,
                    bool isNamed = true);
     void setView(const MatrixView &view);
-    /// In place of the one that the stage has.
+    /// Overrides the stage's variable name.
     void setVariableName(const QString &name) { m_variableName = name; }
 
     matrices::PipelineStage stage() const { return m_stage; }
     const MatrixView &view() const { return m_view; }
-    /// For column vectors.
+    /// The matrix for column vectors.
     const glm::dmat4 &matrix() const { return m_matrix; }
 
-    /// Where the entry of a row and a column of the matrix for column vectors stands.
+    /// The cell of a row and column of the matrix for column vectors.
     QModelIndex indexOf(int mathRow, int mathColumn) const;
 
-    /// The row of the matrix for column vectors whose entry stands in a cell.
+    /// The row of a cell in the matrix for column vectors.
     int mathRowOf(const QModelIndex &cell) const { return memoryIndex(cell.row(), cell.column()) % 4; }
 
-    /// "eyeFromWorld", as the matrix is named in code.
+    /// The variable name of the matrix in code: "eyeFromWorld".
     QString variableName() const;
     /// The matrix for the clipboard, in the layout and digits shown.
     QString copyText(matrices::MatrixSyntax syntax) const;
@@ -41,7 +42,7 @@ protected:
 
 private:
     void show();
-    /// Where in memory the entry of a cell lies: m[index].
+    /// The memory index of a cell: m[index].
     int memoryIndex(int row, int column) const;
 
     matrices::PipelineStage m_stage;

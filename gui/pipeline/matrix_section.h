@@ -12,33 +12,34 @@ class HelpLink;
 class MatrixModel;
 class NumberGrid;
 
-/// A matrix under its name, with a menu that copies it.
+/// A matrix under its name, with a copy menu.
 class MatrixSection : public QWidget {
     Q_OBJECT
 public:
     explicit MatrixSection(MatrixModel *model, QWidget *parent = nullptr);
 
     /// @param title    "View: world → eye"
-    /// @param name     the same in short: "View"
-    /// @param product  for a product its factors, else empty
+    /// @param name     the short form: "View"
+    /// @param product  the factors of a product, else empty
     void setTitle(const QString &title, const QString &name, const QString &product);
-    /// Where Help has the matrix; without it the heading has no link.
+    /// Sets the matrix's anchor in the help; without it the heading has no link.
     void setHelp(const QString &anchor);
 
-    /// Puts a widget directly below the numbers.
+    /// Inserts a widget directly below the numbers.
     void putBelowNumbers(QWidget *widget);
 
-    /// Adds a button that takes the matrix apart, and below the matrix its factors, folded at first.
+    /// Adds a button that decomposes the matrix, and below the matrix its factors, folded at first.
     FactorsView *addFactors();
     /// Shows the factors, or hides them. @pre addFactors()
     void setApart(bool isApart);
     bool isApart() const;
-    /// Whether the factors are to be seen while the section is; only then they need be kept up to date.
+    /// Returns whether the factors are visible whenever the section is; only then they must be kept
+    /// up to date.
     bool showsFactors() const;
 
 signals:
     void factorsOpened();
-    /// A number became the current one.
+    /// Emitted when a number becomes the current one.
     /// @param mathRow  its row in the matrix for column vectors
     void rowChosen(int mathRow);
 

@@ -18,7 +18,7 @@ struct MatrixText {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::MatrixText)
 };
 
-/// Of near in a matrix of single precision so many digits are left.
+/// The remaining digits of near in a single-precision matrix.
 constexpr int kDigits = 5;
 
 QString number(double value)
@@ -45,7 +45,7 @@ QString partName(PastedPart part)
     return MatrixText::tr("Model");
 }
 
-/// What the window does about a finding, or wants done, beside the button that repairs it.
+/// The window's action or advice about a finding, beside the button that repairs it.
 QString adviceFor(const MatrixFinding &finding)
 {
     switch (finding.fault) {

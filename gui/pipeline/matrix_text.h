@@ -12,18 +12,18 @@ namespace unprojector::gui {
 
 /// "Projection", "View or modelview", "Product (MVP)".
 QString roleName(matrices::MatrixRole role);
-/// What a matrix was taken for: "four rows".
+/// The form in which a matrix was recognized: "four rows".
 QString formName(matrices::MatrixForm form);
-/// What is to be seen of a matrix, in a sentence.
+/// A finding about a matrix, in a sentence.
 QString findingSentence(const matrices::MatrixFinding &finding, matrices::MatrixRole role);
-/// What its button says; empty where nothing is to be done.
-/// @param order  that the matrix is read in
+/// The text of its button; empty if there is nothing to fix.
+/// @param order  in which the matrix is read
 QString repairName(const matrices::MatrixFinding &finding, matrices::NumberOrder order);
-/// Why a text is no such matrix, with the place in it.
+/// Explains why a text is not such a matrix, with the position of the error.
 QString errorText(const matrices::PasteError &error, matrices::MatrixRole role);
-/// What projection and view mean: where the eye is, which way it looks, field of view, near and far.
+/// The meaning of projection and view: the eye, its direction, field of view, near and far.
 /// @param setup  by parameters
-/// @param lens   the matrix that its projection was read from, if it was
+/// @param lens   the matrix of its projection, if it was given as one
 QString cameraText(const geometry::Setup &setup, const std::optional<geometry::MatrixProjection> &lens);
 
 } // namespace unprojector::gui

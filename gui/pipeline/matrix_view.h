@@ -4,12 +4,12 @@
 
 namespace unprojector::gui {
 
-/// How all matrices and points of the pipeline are shown.
+/// The display options of all matrices and points of the pipeline.
 struct MatrixView {
     matrices::MatrixLayout layout = matrices::MatrixLayout::Column;
     bool isMemoryOrder = false; ///< m[0] to m[15] as glGetFloatv gives them, in two columns of eight
     matrices::Digits digits = matrices::Digits::Double;
-    bool isWhole = false; ///< all digits, whatever room they take
+    bool isWhole = false; ///< all digits, regardless of the room
     friend bool operator==(const MatrixView &, const MatrixView &) = default;
 };
 

@@ -131,7 +131,7 @@ void PasteMatricesDialog::repair(MatrixRole role, const MatrixFinding &finding)
         refresh();
         return;
     }
-    // Of one text that has both, each gets its own.
+    // A text with both matrices is split between them.
     const auto textOf = [this](MatrixRole one) {
         const PastedMatrix *pasted = m_paste.pasted(one);
         if (!pasted || !box(one)->text().trimmed().isEmpty())
@@ -205,7 +205,7 @@ void PasteMatricesDialog::refresh()
     bool isUsable = false;
     const QString text = meaning(camera(), isUsable);
     m_meaning->setText(text);
-    // What a text has wrong is not passed over.
+    // Errors in a text are not ignored.
     for (const MatrixRole role : kRoles) {
         if ((role == MatrixRole::Product) == isProduct() && m_paste.error(role))
             isUsable = false;

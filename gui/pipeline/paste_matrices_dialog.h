@@ -16,14 +16,15 @@ class PastedMatrixBox;
 class SceneDocument;
 class SegmentedSwitch;
 
-/// Takes the scene's camera from matrices of another program, pasted as text: projection and view, one of them, or their
-/// product. Says as they are typed what is to be seen of them and what they mean; the scene changes with OK, in one step.
+/// A dialog that sets the scene's camera from pasted matrices of another program: projection and
+/// view, one of them, or their product. Shows findings and the meaning during typing; OK changes
+/// the scene in one step.
 class PasteMatricesDialog : public QDialog {
     Q_OBJECT
 public:
     explicit PasteMatricesDialog(SceneDocument &document, QWidget *parent = nullptr);
 
-    /// Puts a text into the place of a matrix, and shows that place.
+    /// Sets the text of a matrix, and shows its field.
     void setText(matrices::MatrixRole role, const QString &text);
 
     /// Shows the dialog over a window; it deletes itself.
@@ -39,15 +40,15 @@ private:
     PastedMatrixBox *box(matrices::MatrixRole role) const { return m_boxes[std::size_t(role)]; }
     bool isProduct() const;
     void repair(matrices::MatrixRole role, const matrices::MatrixFinding &finding);
-    /// Puts a text where it belongs by its names, see MatrixPaste::namedRole.
+    /// Moves a text to the field that its names indicate, see MatrixPaste::namedRole.
     void moveText(matrices::MatrixRole role);
-    /// Shows everything as it is now.
+    /// Updates all fields.
     void refresh();
-    /// As high as shows all of it, as far as the screen allows.
+    /// Grows to show all content, as far as the screen allows.
     void growToContent();
-    /// What OK would take.
+    /// The camera that OK would apply.
     matrices::MatrixPaste::Camera camera() const;
-    /// What the camera means, or why it cannot be taken.
+    /// Describes the camera, or why it cannot be used.
     QString meaning(const matrices::MatrixPaste::Camera &camera, bool &isUsable) const;
 
     SceneDocument &m_document;

@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kTextLines = 5;
 
-/// In the order of the switch.
+/// The choices in the order of the switch.
 constexpr std::array<std::optional<NdcDepth>, 3> kNdcDepths{std::nullopt, NdcDepth::MinusOneToOne, NdcDepth::ZeroToOne};
 
 QString variableName(MatrixRole role)
@@ -85,7 +85,7 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
     depthLine->addWidget(new QLabel(tr("NDC depths:")));
     depthLine->addWidget(m_ndcDepth);
     depthLine->addStretch();
-    // A view has none; its grid stays beside that of the projection.
+    // A view has none; its grid stays aligned with the projection's.
     QSizePolicy keepsLine = depths->sizePolicy();
     keepsLine.setRetainSizeWhenHidden(true);
     depths->setSizePolicy(keepsLine);

@@ -18,7 +18,7 @@ class MatrixModel;
 class NumberGrid;
 class SegmentedSwitch;
 
-/// One of the matrices that are being pasted: its text, the matrix as it is read from it, and what is to be seen of that.
+/// A matrix that is being pasted: its text, the parsed matrix, and the findings about it.
 class PastedMatrixBox : public QWidget {
     Q_OBJECT
 public:
@@ -26,7 +26,7 @@ public:
 
     QString text() const;
     void setText(const QString &text);
-    /// Shows what came of the texts.
+    /// Shows the result of parsing the texts.
     void showPaste(const matrices::MatrixPaste &paste);
 
 signals:
@@ -34,13 +34,13 @@ signals:
     void orderChosen(unprojector::matrices::NumberOrder order);
     void ndcDepthChosen(const std::optional<unprojector::geometry::NdcDepth> &depth);
     void repairWanted(const unprojector::matrices::MatrixFinding &finding);
-    /// The text is to stand where it belongs by its names.
+    /// Emitted when the text must move to the field that its names indicate.
     void moveWanted();
-    /// All repairs are to be forgotten.
+    /// Emitted when the user discards all repairs.
     void asPastedWanted();
 
 private:
-    /// What the text was read as.
+    /// The descriptions of how the text was interpreted.
     QStringList saidOf(const matrices::MatrixPaste &paste) const;
 
     matrices::MatrixRole m_role;

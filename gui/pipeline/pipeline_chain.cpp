@@ -23,7 +23,7 @@ namespace {
 constexpr std::array kProducts{PipelineStage::ModelviewMatrix, PipelineStage::WholeMatrix};
 constexpr int kCoordinates = 4;
 
-/// As low as a line of numbers: seven of them are always in sight.
+/// A button as low as a line of numbers: seven of them are always visible.
 class LowButton : public QToolButton {
 public:
     QSize sizeHint() const override
@@ -54,7 +54,7 @@ PipelineChain::PipelineChain(PipelineModel &model, QWidget *parent)
         PointModel *point = m_model.point(static_cast<Space>(i));
         auto *grid = new NumberGrid(point);
         grid->hideScrollBar();
-        if (point->columnCount() < kCoordinates) // its numbers stand below the same letters as the others
+        if (point->columnCount() < kCoordinates) // its numbers are below the same letters as the others
             grid->setMinimumWidth(1);
         connect(grid, &NumberGrid::entered, this,
                 [this, point](const QModelIndex &index) { emit numberChosen(point->space(), index.column()); });
@@ -75,7 +75,7 @@ QToolButton *PipelineChain::createOpener(const ChainPart &part)
     button->setCheckable(true);
     button->setFocusPolicy(Qt::StrongFocus);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    // Checked is what is open, which the panel decides.
+    // The checked button is the open part, which the panel decides.
     connect(button, &QToolButton::clicked, this, [this, part] { emit partChosen(part); });
     return button;
 }
@@ -86,12 +86,12 @@ void PipelineChain::createScrollBar(int line)
     m_layout->addWidget(m_scrollBar, line, 1, 1, kCoordinates);
     connect(m_scrollBar, &QScrollBar::valueChanged, this, &PipelineChain::scrollAll);
     for (const Line &point : m_lines) {
-        // A number that the arrow keys go to comes into sight, and the other points go along.
+        // Scrolls to a number reached by the arrow keys; the other points scroll along.
         const QScrollBar *own = point.grid->horizontalScrollBar();
         connect(own, &QScrollBar::valueChanged, this, &PipelineChain::scrollAll);
         connect(own, &QScrollBar::rangeChanged, this, [this, own] {
             if (own->maximum() < m_scrollBar->maximum() && own->pageStep() < m_scrollBar->pageStep())
-                return; // the widget position, of half the numbers
+                return; // the widget position has only half the numbers
             m_scrollBar->setRange(0, own->maximum());
             m_scrollBar->setPageStep(own->pageStep());
         });
@@ -100,7 +100,7 @@ void PipelineChain::createScrollBar(int line)
 
 void PipelineChain::scrollAll(int value)
 {
-    if (m_isScrolling) // a shorter line that stops at its end stops no other
+    if (m_isScrolling) // a shorter line that reaches its end doesn't stop the others
         return;
     const QScopedValueRollback scrolling(m_isScrolling, true);
     m_scrollBar->setValue(value);
@@ -162,7 +162,7 @@ void PipelineChain::arrange()
         line.grid->setAccessibleName(tr("Point in %1 coordinates").arg(name));
     }
     for (std::size_t i = 0; i < kProducts.size(); ++i) {
-        const bool isWhole = kProducts[i] == PipelineStage::WholeMatrix; // whose name alone is none
+        const bool isWhole = kProducts[i] == PipelineStage::WholeMatrix; // its name alone is not a product
         m_products[i]->setText(isWhole ? stageTitle(kProducts[i], direction) : stageName(kProducts[i], direction));
         m_products[i]->setAccessibleName(tr("Product %1").arg(m_products[i]->text()));
         m_products[i]->setToolTip(tr("Show the matrix: %1").arg(stageTitle(kProducts[i], direction)));

@@ -16,25 +16,27 @@ namespace unprojector::gui {
 
 class NumberGrid;
 
-/// What can be opened below the chain: the step that leads to a space, or a product of several matrices.
+/// The part that can be opened below the chain: the step that leads to a space, or a product of
+/// several matrices.
 using ChainPart = std::variant<PointModel::Space, matrices::PipelineStage>;
 
-/// The point in every space, a line each, in the order of the direction. The name of a space opens the step that leads there;
-/// buttons below open the products of matrices, or all matrices at once.
+/// The point in every space, a line each, in the order of the direction. The name of a space opens
+/// the step that leads there; buttons below open the products of matrices, or all matrices at once.
 class PipelineChain : public QWidget {
     Q_OBJECT
 public:
     explicit PipelineChain(PipelineModel &model, QWidget *parent = nullptr);
 
-    /// Puts the lines into the order of the model's direction.
+    /// Arranges the lines in the order of the model's direction.
     void arrange();
-    /// Takes over how numbers are written: all digits need more room than there is, and one scroll bar moves all points.
+    /// Applies the number format: all digits need more room than there is, and one scroll bar
+    /// scrolls all points.
     void showView();
     void setOpened(const ChainPart &part);
     bool areAllOpen() const;
     void setAllOpen(bool areOpen);
 
-    /// What is being typed counts now.
+    /// Commits pending input.
     void applyTyped();
 
 signals:
@@ -42,7 +44,7 @@ signals:
     void allOpenChanged();
     /// @param coordinate  0 for x, 3 for w
     void numberChosen(unprojector::gui::PointModel::Space space, int coordinate);
-    /// The Tab key came to a number.
+    /// Emitted when the Tab key reaches a number.
     void numberReached(unprojector::gui::PointModel::Space space, int coordinate);
 
 private:

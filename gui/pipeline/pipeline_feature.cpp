@@ -58,7 +58,7 @@ PipelineFeature::PipelineFeature(Window &window)
     : Feature(&window), m_window(window), m_pipeline(new PipelinePanel(window.document())),
       m_inspector(new ViewportInspector(window.document())), m_log(new LifecycleLog(this))
 {
-    m_pipeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // up and down it scrolls by itself
+    m_pipeline->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // it scrolls vertically by itself
     connect(&window.session(), &Session::commitPendingEdits, m_pipeline, &PipelinePanel::applyTyped);
     connect(m_pipeline, &PipelinePanel::aboutToPaste, &window.session(), &Session::commitTyped);
     auto *recorder = new LifecycleRecorder(window.document(), *m_log, this);
@@ -122,7 +122,7 @@ bool PipelineFeature::follow(const lessons::Link &link)
 void PipelineFeature::showStep(const lessons::Step *step)
 {
     const bool isInLesson = step != nullptr;
-    // A lesson begins as if none had been before it, and leaves nothing taken apart.
+    // A lesson starts without traces of a former one, and leaves no decomposition open.
     if (std::exchange(m_isInLesson, isInLesson) != isInLesson)
         m_pipeline->startOver();
 }
@@ -142,7 +142,7 @@ QVariantMap PipelineFeature::state() const
 void PipelineFeature::restore(const QVariantMap &state)
 {
     m_pipeline->setDirection(static_cast<PipelineDirection>(state[QStringLiteral("direction")].toInt()));
-    // The conventions of another scene bring their own way to write vectors.
+    // The conventions of another scene set their own vector layout.
     const bool areSame =
         state[QStringLiteral("conventions")].toInt() == static_cast<int>(m_window.document().scene().conventions);
     m_pipeline->setMatrixView(

@@ -44,7 +44,7 @@ PipelineModel::PipelineModel(SceneDocument &document, QObject *parent)
         connect(point, &PointModel::typed, this,
                 [this, point](int coordinate, const QString &text) { take(point->space(), coordinate, text); });
     connect(&document, &SceneDocument::opened, this, [this] { m_isIdentity = false; });
-    // Also of what changes while nobody looks: the last of the two that came is the one to follow.
+    // Follows changes while hidden too: the later of the two is shown.
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::GivenPoint)
             m_followsGiven = m_document.scene().givenPoint.has_value();
@@ -136,7 +136,7 @@ void PipelineModel::take(Space space, int coordinate, const QString &typed)
         emit refused(errorText(taken.error()));
         return;
     }
-    followGiven(true); // also where the same numbers were given again
+    followGiven(true); // also for the same numbers again
 }
 
 std::optional<std::size_t> PipelineModel::shownObject() const
@@ -193,7 +193,7 @@ void PipelineModel::update()
     const glm::dmat4 model = object ? worldFromObject(m_document.objects()[*object].transform) : glm::dmat4(1.0);
     const Result<Pipeline> pipeline = matrices::pipeline(m_document.setup(), model);
     if (!pipeline) {
-        // The matrices stay as they last were good.
+        // The matrices keep their last valid values.
         clearPoints();
         m_status = errorText(pipeline.error());
         return;
@@ -266,7 +266,8 @@ void PipelineModel::showApi()
     m_apiNote = apiText(m_api);
     if (m_api != Api::OpenCv)
         return;
-    // Its own camera has no clip space and no buffer of depths: these rows are OpenGL's from OpenCV's eye.
+    // OpenCV's camera has no clip space and no depth buffer: these rows are OpenGL's from OpenCV's
+    // eye.
     const auto camera = apiCamera(m_document.setup(), m_api);
     m_apiNote =
         joinSentences({m_apiNote, tr("Here clip, NDC and depth stay OpenGL's; the view's matrix is [R t].")}) + u'\n';
@@ -344,8 +345,8 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
     } else {
         m_status = tr("Forward from the clicked point.");
     }
-    // What has changed since the click is said in the words of the comparison; only that the numbers of the other view are
-    // shown here, and not those of the click, is the pipeline's own.
+    // The changes since the click are worded as in the comparison. Only the pipeline shows numbers
+    // of the other view instead of the click's.
     const SinceClick since = m_document.picks().sinceClick();
     const bool isOutside = since.isOtherSetup && points.clip && !isInsideViewVolume(*points.clip);
     if (since.isObjectMoved || since.isObjectHidden || since.isCutAway || isOutside)
@@ -384,7 +385,7 @@ void PipelineModel::showAll(const PipelinePoints &points)
     show(Space::Eye, points.eye);
     if (m_direction == PipelineDirection::Forward)
         show(Space::Clip, points.clip);
-    else // the eye point, not divided yet
+    else // the eye point before the division
         point(Space::Clip)
             ->setUndivided(points.undividedEye ? std::optional(m_spaces.eye * *points.undividedEye) : std::nullopt);
     show(Space::Ndc, points.ndc);

@@ -18,78 +18,85 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// What the pipeline panel shows of a document: a point in every space, the picked one or one that the user gives in numbers;
-/// the matrices between them, and a sentence. It looks at the document when told to, so that a hidden panel costs nothing.
+/// The contents of the pipeline panel: a point in every space, picked or given by the user; the
+/// matrices between them, and a sentence. It reads the document only in update(), so that a hidden
+/// panel costs nothing.
 class PipelineModel : public QObject {
     Q_OBJECT
 public:
-    /// Whose object space: the index of one of the document's objects, or one of these.
-    static constexpr int kAutomaticObject = -1; ///< the one that was drawn at the picked pixel
+    /// The object whose space is shown: the index of one of the document's objects, or one of
+    /// these.
+    static constexpr int kAutomaticObject = -1; ///< the object that was drawn at the picked pixel
     static constexpr int kNoObject = -2;        ///< the identity: object coordinates are world coordinates
 
     explicit PipelineModel(SceneDocument &document, QObject *parent = nullptr);
 
-    /// Takes over the document as it is now.
+    /// Reads the current document.
     void update();
 
     matrices::PipelineDirection direction() const { return m_direction; }
     void setDirection(matrices::PipelineDirection direction);
-    /// A chosen object stays chosen while the list changes around it, until it is removed.
+    /// The chosen object stays chosen while the list changes, until it is removed.
     int object() const;
     void setObject(int object);
     const MatrixView &view() const { return m_view; }
     void setView(const MatrixView &view);
 
     MatrixModel *matrix(matrices::PipelineStage stage) const { return m_matrices[static_cast<std::size_t>(stage)]; }
-    /// The projection's matrix as the file gives it.
+    /// The projection's matrix as in the file.
     MatrixModel *given() const { return m_given; }
-    /// How it was read and what became of it; empty where the projection is not given as a matrix (any more).
+    /// Describes how it was interpreted and converted; empty if the projection is not given as a
+    /// matrix (any more).
     const QString &givenNote() const { return m_givenNote; }
-    /// The view's matrix as it is given.
+    /// The view's matrix as given.
     MatrixModel *givenView() const { return m_givenView; }
-    /// What is to be seen of the matrices that are given.
+    /// The findings about the given matrices.
     const std::vector<matrices::MatrixFinding> &givenFindings(matrices::MatrixRole role) const;
-    /// Does what a finding offers to the scene.
+    /// Applies a finding's fix to the scene.
     void repair(matrices::MatrixRole role, const matrices::MatrixFinding &finding);
-    /// The factors of the view's or the projection's matrix as it is shown forward.
-    /// @return nothing where it has none: of another stage, and backward
+    /// The factors of the view's or the projection's matrix in forward direction.
+    /// @return nothing for another stage, and backward
     std::optional<std::vector<matrices::MatrixFactor>> factors(matrices::PipelineStage stage) const;
     PointModel *point(PointModel::Space space) const { return m_points[static_cast<std::size_t>(space)]; }
 
-    /// Whether the given point is shown and not the picked one: since it was given, until the next click.
+    /// Returns whether the user's point is shown instead of the pick: from its entry until the next
+    /// click.
     bool followsGiven() const;
-    /// Shows the one or the other. The given point stays the document's.
+    /// Selects which of both is shown. The document keeps the user's point.
     void followGiven(bool follows);
     void removeGiven();
 
     /// The object whose space is shown; nothing for the identity.
     std::optional<std::size_t> shownObject() const;
-    /// Whose conventions points and matrices have: the scene's.
+    /// The conventions of points and matrices: the scene's.
     geometry::Api api() const { return m_api; }
-    /// Undoably.
+    /// Sets the conventions, undoably.
     void setApi(geometry::Api api);
-    /// What is otherwise there than in OpenGL, with the camera's numbers where they are no matrix; empty for OpenGL.
+    /// The differences from OpenGL, with the camera's numbers if they are no matrix; empty for
+    /// OpenGL.
     const QString &apiNote() const { return m_apiNote; }
-    /// Whether the window point's depth on the way back is the one that was read at the click; else it is computed.
+    /// Returns whether the window point's depth on the way back was read at the click; else it is
+    /// computed.
     bool isDepthRead() const;
-    /// Where the points come from, or why there are none.
+    /// The origin of the points, or why there are none.
     const QString &status() const { return m_status; }
     /// Points and matrices with all digits.
     QString text() const;
 
 signals:
-    /// Which point is shown, or whether there is a given one.
+    /// Emitted when another point is shown, or the user's point is added or removed.
     void followedChanged();
-    /// What was typed is no point, with the reason.
+    /// Emitted when the typed text is no point, with the reason.
     void refused(const QString &reason);
 
 private:
     void showGiven();
-    /// Makes what was typed for a coordinate of a space, or for all of them, the given point.
+    /// Parses the typed text for one coordinate of a space, or for all of them, as the user's
+    /// point.
     void take(PointModel::Space space, int coordinate, const QString &typed);
     void showGivenPoint(const matrices::Pipeline &pipeline);
     void showAll(const matrices::PipelinePoints &points);
-    /// How the coordinates of a space follow from those of this program.
+    /// The conversion of a space's coordinates from this program's.
     geometry::AxisChange changeOf(PointModel::Space space) const;
     void showApi();
     void showPoints(const matrices::Pipeline &pipeline);

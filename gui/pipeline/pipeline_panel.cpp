@@ -50,7 +50,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
     connect(m_chain, &PipelineChain::partChosen, this, &PipelinePanel::open);
     connect(m_chain, &PipelineChain::numberChosen, this, &PipelinePanel::explain);
     connect(m_chain, &PipelineChain::numberReached, this, [this](Space space, int coordinate) {
-        if (isOpen(space)) // else the Tab key could not leave the chain for the matrix that is open
+        if (isOpen(space)) // else the Tab key could not leave the chain for the open matrix
             explain(space, coordinate);
     });
     connect(m_chain, &PipelineChain::allOpenChanged, this, &PipelinePanel::showOpened);
@@ -72,7 +72,7 @@ PipelinePanel::PipelinePanel(SceneDocument &document, QWidget *parent)
 
 PipelinePanel::~PipelinePanel()
 {
-    // A row that goes while somebody types into it would commit that.
+    // Deleting a row during editing would commit its text.
     for (int i = 0; i < PointModel::kSpaces; ++i)
         m_model->point(static_cast<Space>(i))->disconnect(m_model);
 }
@@ -131,7 +131,7 @@ void PipelinePanel::createStages()
     m_scrollArea->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     m_scrollArea->setWidget(content);
     m_scrollArea->setSizePolicy(QSizePolicy::Expanding,
-                                QSizePolicy::Ignored); // it takes what is left, and asks for nothing
+                                QSizePolicy::Ignored); // it takes the remaining room, and asks for none
 }
 
 void PipelinePanel::arrange()
@@ -145,7 +145,7 @@ void PipelinePanel::arrange()
         rows << m_givenView << m_givenViewFindings << section(PipelineStage::ViewMatrix);
     else
         rows << section(PipelineStage::ViewMatrix) << m_givenViewFindings << m_givenView;
-    // The division comes after the projection on the way there, and after its inverse on the way back.
+    // The division comes after the projection forward, and after its inverse backward.
     if (isForward)
         rows << m_given << m_givenFindings << section(PipelineStage::ProjectionMatrix) << m_division->parentWidget();
     else
@@ -161,7 +161,7 @@ void PipelinePanel::arrange()
         m_rows->addWidget(row);
     m_rows->addStretch();
     m_chain->arrange();
-    // The Tab key follows the eye.
+    // The Tab order is the visual order.
     QWidget *last = nullptr;
     for (QWidget *row : std::as_const(rows)) {
         for (QWidget *child : row->findChildren<QWidget *>()) {
@@ -184,7 +184,7 @@ void PipelinePanel::followDirection()
     const PipelineDirection before =
         direction == PipelineDirection::Forward ? PipelineDirection::Backward : PipelineDirection::Forward;
     if (const auto *space = std::get_if<Space>(&m_opened); space && !m_derivation->chosenSpace()) {
-        // The same matrix leads to the other one of its two spaces now.
+        // The same matrix now leads to the other one of its two spaces.
         if (const std::optional<PipelineStage> stage = stageOf(*space, before))
             m_opened = spaceMadeBy(*stage, direction).value_or(*space);
     }
@@ -225,7 +225,7 @@ void PipelinePanel::explain(Space space, int coordinate)
 {
     const bool isSeen = m_derivation->chosenSpace() == space;
     m_derivation->choose(space, coordinate);
-    if (isSeen) // walking through its numbers scrolls nothing
+    if (isSeen) // walking through its numbers must not scroll
         m_opened = space;
     else
         showPart(space);
@@ -255,7 +255,7 @@ void PipelinePanel::showOpened()
             step->setVisible(isOpen(static_cast<Space>(i)));
     }
 
-    // The explanation, or before any number is chosen the hint that one can be.
+    // The derivation, or a hint before any number is chosen.
     std::optional<Space> of = m_derivation->chosenSpace();
     if (const auto *space = std::get_if<Space>(&m_opened); space && !of)
         of = *space;
@@ -265,7 +265,8 @@ void PipelinePanel::showOpened()
         if (auto *section = qobject_cast<MatrixSection *>(step))
             section->putBelowNumbers(m_derivation);
         else
-            m_rows->insertWidget(step ? m_rows->indexOf(step) + 1 : 0, m_derivation); // where a path starts, on top
+            // the start of a path is at the top
+            m_rows->insertWidget(step ? m_rows->indexOf(step) + 1 : 0, m_derivation);
     }
     m_derivation->setVisible(of && isOpen(*of));
     m_chain->setOpened(m_opened);
@@ -360,7 +361,7 @@ void PipelinePanel::showGiven()
     m_given->setVisible(!m_model->givenNote().isEmpty() && isOpen(PipelineStage::ProjectionMatrix));
     setTitle(m_givenView, PipelineStage::ViewMatrix, {});
     m_givenView->setVisible(m_document.scene().camera.matrix() && isOpen(PipelineStage::ViewMatrix));
-    // Of what the scene keeps, the order is that of columns.
+    // Matrices in the scene are stored by columns.
     m_givenFindings->setFindings(m_model->givenFindings(MatrixRole::Projection), MatrixRole::Projection,
                                  NumberOrder::ByColumns);
     m_givenViewFindings->setFindings(m_model->givenFindings(MatrixRole::View), MatrixRole::View,
@@ -374,7 +375,8 @@ void PipelinePanel::createActions()
         action->setObjectName(name);
         connect(action, &QAction::triggered, this, does);
     };
-    constexpr std::array kStages{"model", "view", "projection", "viewport", "modelview", "whole"}; // of PipelineStage
+    // in the order of PipelineStage
+    constexpr std::array kStages{"model", "view", "projection", "viewport", "modelview", "whole"};
     for (std::size_t i = 0; i < kStages.size(); ++i)
         add(QStringLiteral("open_") + QLatin1String(kStages[i]), [this, i] { openMatrix(kPipelineStages[i]); });
     for (const int percent : {0, 100}) {
@@ -408,11 +410,11 @@ void PipelinePanel::takeApart(PipelineStage stage)
 
 void PipelinePanel::scrollTo(const QWidget &row, const QWidget *tried)
 {
-    // Once all stands where it will.
+    // After the layout.
     QTimer::singleShot(0, this, [this, &row, tried] {
         const auto topOf = [this](const QWidget &one) { return one.mapTo(m_scrollArea->widget(), QPoint()).y(); };
         int top = topOf(row);
-        // From the heading on, unless what there is to try would be out of sight.
+        // Starts at the heading, unless the widget to try would be out of sight.
         if (tried && tried->isVisible()) {
             if (const int below = topOf(*tried); below >= top)
                 top = std::clamp(below + tried->height() - m_scrollArea->viewport()->height(), top, below);
@@ -455,7 +457,7 @@ void PipelinePanel::restore(const Kept &kept)
     else
         m_derivation->clear();
     showOpened();
-    // Once all stands where it will.
+    // After the layout.
     QTimer::singleShot(0, this, [this, top = kept.top] { m_scrollArea->verticalScrollBar()->setValue(top); });
 }
 

@@ -18,32 +18,33 @@ class MatrixSection;
 class PipelineSwitches;
 class SceneDocument;
 
-/// The picked point in object, world, eye, clip, NDC and window coordinates and as widget position, forward or backward, as a
-/// chain that is always in sight. Below it stands the matrix of one step, or all of them, each with how a chosen number is
-/// computed. In each of these spaces a point can be typed or pasted instead. Hidden, it does nothing; shown again, it catches up.
+/// The picked point in object, world, eye, clip, NDC and window coordinates and as widget position,
+/// forward or backward: a chain that is always visible. Below it is the matrix of one step, or all
+/// of them, each with the derivation of a chosen number. In each of these spaces the user can type
+/// or paste a point instead. It does nothing while hidden and catches up when shown.
 class PipelinePanel : public QWidget {
     Q_OBJECT
 public:
     explicit PipelinePanel(SceneDocument &document, QWidget *parent = nullptr);
-    /// What is being typed then counts no more: the document may be gone already.
+    /// Discards pending input: the document may no longer exist.
     ~PipelinePanel() override;
 
     const PipelineModel &model() const { return *m_model; }
 
-    // How it is shown, to be remembered.
+    // The display options, to be saved.
     matrices::PipelineDirection direction() const { return m_model->direction(); }
     void setDirection(matrices::PipelineDirection direction);
     const MatrixView &matrixView() const { return m_model->view(); }
     void setMatrixView(const MatrixView &view);
 
     const ChainPart &opened() const { return m_opened; }
-    /// Shows the step to a space, or a product, and no other step unless all are open. What was explained of another step no
-    /// longer is.
+    /// Opens the step to a space, or a product, and closes other steps unless all are open. Removes
+    /// the derivation of a number of another step.
     void open(const ChainPart &part);
     bool areAllOpen() const { return m_chain->areAllOpen(); }
     void setAllOpen(bool areOpen) { m_chain->setAllOpen(areOpen); }
 
-    /// What is open and chosen, to be put back after a lesson.
+    /// The open parts and choices, to be restored after a lesson.
     struct Kept {
         ChainPart opened = PointModel::Space::Clip;
         bool areAllOpen = false;
@@ -55,46 +56,48 @@ public:
     Kept kept() const;
     void restore(const Kept &kept);
 
-    /// Follows the point that is given, also where a click came after it.
+    /// Shows the user's point, even if a click came after it.
     void followGiven() { m_model->followGiven(true); }
 
-    /// Back to the first row; no number is explained and no matrix taken apart any more.
+    /// Scrolls to the first row, and closes derivations and decompositions.
     void startOver();
-    /// Shows the factors of the view's or the projection's matrix, forward, and what there is to try with them.
+    /// Shows the factors of the view's or the projection's matrix, forward, and their sliders.
     void takeApart(matrices::PipelineStage stage);
     /// Opens a matrix and scrolls to it.
     void openMatrix(matrices::PipelineStage stage);
 
-    /// What is being typed counts now.
+    /// Commits pending input.
     void applyTyped();
 
     QSize sizeHint() const override;
 
 signals:
-    /// Matrices are about to be pasted: what is being typed anywhere counts first, it was meant for this camera.
+    /// Emitted before matrices are pasted: pending input is committed first, because it belongs to
+    /// the present camera.
     void aboutToPaste();
 
 protected:
     void showEvent(QShowEvent *event) override;
-    /// Paste: sixteen numbers and more are matrices of another program, those on a section its own.
+    /// Paste: sixteen or more numbers are matrices of another program, those on a section its own.
     void keyPressEvent(QKeyEvent *event) override;
 
 private:
-    /// What lessons link to, by name: each matrix opened, the shares of the projection's factors.
+    /// Creates the actions that lessons link to, by name: each matrix opened, the shares of the
+    /// projection's factors.
     void createActions();
-    /// Opens the step that a matrix makes.
+    /// Opens the step of a matrix.
     void openStep(matrices::PipelineStage stage);
-    /// @param tried  what below the row is to be in sight as well, or null
+    /// @param tried  a widget below the row that must be visible too, or null
     void scrollTo(const QWidget &row, const QWidget *tried);
     void createStages();
-    /// The rows in the order of the direction, and their headings.
+    /// Arranges rows and headings in the order of the direction.
     void arrange();
-    /// Keeps the matrix open that is, or the explanation of the chosen number.
+    /// Keeps the open matrix, or the derivation of the chosen number, after a change of direction.
     void followDirection();
     void showPart(const ChainPart &part);
-    /// Opens the step to a space and explains the number below it.
+    /// Opens the step to a space and shows the derivation of a number below it.
     void explain(PointModel::Space space, int coordinate);
-    /// Hides what is not open, and puts the explanation below the step that it is of.
+    /// Hides closed parts, and moves the derivation below its step.
     void showOpened();
     /// The row below the chain that leads to a space; null for the start.
     QWidget *stepTo(PointModel::Space space) const;
@@ -104,7 +107,7 @@ private:
     void refresh();
     void showStatus();
     void showHelp();
-    /// Of the view's and the projection's matrix, where they are taken apart.
+    /// Shows the factors of the view's and the projection's matrix if they are open.
     void showFactors();
     void showGiven();
 
@@ -120,11 +123,11 @@ private:
     std::array<MatrixSection *, matrices::kPipelineStages.size()> m_sections{};
     FactorsView *m_viewFactors = nullptr;
     FactorsView *m_projectionFactors = nullptr;
-    MatrixSection *m_given = nullptr;     ///< before the projection, while that is given as a matrix
-    MatrixSection *m_givenView = nullptr; ///< the same of the view
+    MatrixSection *m_given = nullptr;     ///< before the projection, while it is given as a matrix
+    MatrixSection *m_givenView = nullptr; ///< the same for the view
     MatrixFindingsView *m_givenFindings = nullptr;
     MatrixFindingsView *m_givenViewFindings = nullptr;
-    QLabel *m_division;                           ///< in a row with its link to Help
+    QLabel *m_division;                           ///< in a row with its link to the help
     QLabel *m_flip;                               ///< the same
     ChainPart m_opened = PointModel::Space::Clip; ///< forward and backward the projection leads there
 };

@@ -28,11 +28,11 @@ using namespace scene;
 
 namespace {
 
-// Of the digits, whose first choice is the double as it fits.
+// The index among the digits' choices; the first is a double that fits.
 constexpr int kWholeChoice = 1;
 constexpr int kFloatChoice = 2;
 
-// Before the document's objects in the combo box.
+// The item before the document's objects in the combo box.
 constexpr int kAutomaticItem = 0;
 constexpr int kNoneItem = 1;
 constexpr int kFirstObjectItem = 2;

@@ -17,9 +17,9 @@ namespace unprojector::gui {
 class SceneDocument;
 class SegmentedSwitch;
 
-/// How the pipeline is shown: direction and object, and a menu with layout, arrangement, digits and conventions. Each choice goes
-/// into the model at once. Beside them stand the buttons that copy the pipeline and paste matrices. Lessons link to the choices
-/// by the names of actions.
+/// The display options of the pipeline: direction and object, and a menu with layout, arrangement,
+/// digits and conventions. Each choice is applied to the model at once. Buttons beside them copy
+/// the pipeline and paste matrices. Lessons link to the choices by the names of actions.
 class PipelineSwitches : public QWidget {
     Q_OBJECT
 public:
@@ -43,16 +43,16 @@ private:
         QString toolTip;
     };
     void createFormatMenu();
-    /// A group of the menu under its title: one choice of several.
+    /// A titled group of the menu: one choice of several.
     QActionGroup *addGroup(QMenu &menu, const QString &title, const QList<Choice> &choices);
     void createDirectionActions();
     void takeView();
     void showObjects();
     void showFormat();
     void takeConventions(geometry::Api api);
-    /// Takes over the document's conventions, seen or not: what is chosen after that stays.
+    /// Applies the document's conventions, even while hidden: later choices stay.
     void followConventions();
-    /// Vectors as the API writes them, until the user chooses otherwise.
+    /// Writes vectors in the API's layout, until the user chooses another one.
     void takeTheirLayout();
 
     SceneDocument &m_document;
@@ -65,7 +65,7 @@ private:
     QMenu *m_conventionsMenu;
     QActionGroup *m_conventions; ///< in the order of kApis
     QComboBox *m_object;
-    std::vector<std::string> m_objectNames; ///< as the combo box lists them
+    std::vector<std::string> m_objectNames; ///< the items of the combo box
 };
 
 } // namespace unprojector::gui

@@ -128,7 +128,7 @@ bool PointModel::setData(const QModelIndex &index, const QVariant &value, int ro
     if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable))
         return false;
     const QString text = value.toString().trimmed();
-    if (text == data(index, Qt::EditRole).toString()) // nothing was typed
+    if (text == data(index, Qt::EditRole).toString()) // the text is unchanged
         return false;
     emit typed(index.column(), text);
     return true;
@@ -169,7 +169,7 @@ QString PointModel::toolTip(int row, int column) const
     if (column >= m_own)
         return tr("w = %1\nof a point that needs no division").arg(number);
     const bool isOpenGl = m_api == Api::OpenGl || m_space == Space::Object || m_space == Space::Widget;
-    if (!isOpenGl) // the convention's words
+    if (!isOpenGl) // the convention's own terms
         return QStringLiteral("%1 = %2\n%3: %4")
             .arg(axis, number, QString::fromUtf8(conventionsOf(m_api).name), apiText(m_api));
     switch (m_space) {

@@ -13,12 +13,12 @@
 
 namespace unprojector::gui {
 
-/// One point of the pipeline: x, y, z and w in a line. w is 1 in every space but
-/// clip, and on the way back before the division; a widget position has no more than x and y.
+/// One point of the pipeline: x, y, z and w in a line. w is 1 in every space but clip, and on the
+/// way back before the division; a widget position has only x and y.
 class PointModel : public NumberGridModel {
     Q_OBJECT
 public:
-    /// The points of the panel, as the way forward meets them.
+    /// The spaces of the panel, in forward order.
     enum class Space { Object, World, Eye, Clip, Ndc, Window, Widget };
     static constexpr int kSpaces = 7;
 
@@ -38,32 +38,33 @@ public:
             coordinates[3] = 1.0;
         setCoordinates(coordinates);
     }
-    /// In place of the clip point on the way back: the eye point before the division by its w'.
+    /// Replaces the clip point on the way back: the eye point before the division by its w'.
     void setUndivided(const std::optional<glm::dvec4> &point);
-    /// No point: a dash for each coordinate.
+    /// Clears the point: a dash for each coordinate.
     void clearPoint();
     void setView(const MatrixView &view);
     void setDirection(matrices::PipelineDirection direction);
-    /// Whose the coordinates are, for what is said of them.
+    /// Sets the API of the coordinates, for their tooltips.
     void setApi(geometry::Api api) { m_api = api; }
 
     Space space() const { return m_space; }
-    /// How many coordinates a point of the space has.
+    /// The number of coordinates in the space.
     std::size_t ownCount() const { return static_cast<std::size_t>(m_own); }
     /// "world"
     static QString nameOf(Space space);
-    /// The same; of the numbers before the division on the way back "eye · w′".
+    /// The name; for the numbers before the division on the way back "eye · w′".
     QString name() const;
-    /// Where a coordinate stands: 0 for x, 3 for w.
+    /// The cell of a coordinate: 0 for x, 3 for w.
     QModelIndex indexOf(int coordinate) const;
-    /// The coordinates that the space has: without a w that is 1 by itself. Empty without a point.
+    /// The coordinates in the space, without an implied w of 1. Empty without a point.
     std::vector<double> coordinates() const;
     /// "(1, 2.5, 3)" with all digits; "–" without a point.
     QString fullText() const;
     Copyable copyable() const override;
 
     Qt::ItemFlags flags(const QModelIndex &index) const override;
-    /// What a user types for a coordinate, or for all of the space's at once: emits `typed`, and leaves the point as it is.
+    /// Emits `typed` for a user's text for one coordinate, or for all of the space at once, and
+    /// doesn't change the point.
     bool setData(const QModelIndex &index, const QVariant &value, int role = Qt::EditRole) override;
     bool isTypable() const override { return !isUndivided(); }
     void typeAll(const QString &text) override { emit typed(0, text); }
@@ -80,11 +81,11 @@ private:
     using Coordinates = std::array<std::optional<double>, 4>;
     void setCoordinates(const Coordinates &coordinates);
     void show();
-    /// Whether these are the four numbers before the division on the way back.
+    /// Returns whether these are the four numbers before the division on the way back.
     bool isUndivided() const;
 
     Space m_space;
-    int m_own;   ///< coordinates that a point in this space has
+    int m_own;   ///< number of coordinates in this space
     int m_shown; ///< with w
     Coordinates m_coordinates;
     MatrixView m_view;

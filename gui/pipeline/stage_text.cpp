@@ -71,7 +71,7 @@ QString productText(PipelineStage stage, PipelineDirection direction, MatrixLayo
                   PipelineStage::ModelMatrix};
     else
         return {};
-    // Both the inverse and the row vectors turn the order round.
+    // The inverse and row vectors each reverse the order.
     if ((direction == PipelineDirection::Backward) != (layout == MatrixLayout::Row))
         std::reverse(stages.begin(), stages.end());
     QStringList names;

@@ -6,7 +6,7 @@
 
 namespace unprojector::gui {
 
-// What the pipeline's panel writes at its stages.
+// The texts of the pipeline's stages.
 
 /// "eye → clip", backward "clip → eye".
 QString stageSpaces(matrices::PipelineStage stage, matrices::PipelineDirection direction);
@@ -14,13 +14,14 @@ QString stageSpaces(matrices::PipelineStage stage, matrices::PipelineDirection d
 QString stageTitle(matrices::PipelineStage stage, matrices::PipelineDirection direction);
 /// "View", backward "View⁻¹".
 QString stageName(matrices::PipelineStage stage, matrices::PipelineDirection direction);
-/// The factors of a combined matrix in the order they are written in; empty for a single one.
+/// The factors of a combined matrix in written order; empty for a single one.
 QString productText(matrices::PipelineStage stage, matrices::PipelineDirection direction,
                     matrices::MatrixLayout layout);
-/// Where Help has the matrix.
+/// The help anchor of the matrix.
 QString stageHelp(matrices::PipelineStage stage, matrices::PipelineDirection direction,
                   geometry::ProjectionKind projection);
-/// The step between window and widget: the y flip, the pixel ratio and, of some conventions, half a pixel.
+/// The step between window and widget: the y flip, the pixel ratio and, in some conventions, half a
+/// pixel.
 QString flipText(const PipelineModel &model, const geometry::Surface &surface);
 
 } // namespace unprojector::gui

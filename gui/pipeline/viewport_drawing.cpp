@@ -22,7 +22,7 @@ QString limitText(double value, int digits = 4)
     return writtenText(value, digits).replace(u'-', u'−');
 }
 
-/// The limits of an interval with as many digits as fit beside each other, four at most.
+/// The limits of an interval with as many digits as fit side by side, at most four.
 std::pair<QString, QString> limitTexts(double low, double high, const QFontMetricsF &metrics, double width)
 {
     for (int digits = 4; digits > 1; --digits) {
@@ -33,13 +33,13 @@ std::pair<QString, QString> limitTexts(double low, double high, const QFontMetri
     return {limitText(low, 1), limitText(high, 1)};
 }
 
-/// The longest that a limit is with few digits.
+/// The longest text of a limit with few digits.
 double longestLimit(const QFontMetricsF &metrics)
 {
     return metrics.horizontalAdvance(QStringLiteral("−8.8e+88"));
 }
 
-/// The largest rectangle of that size's shape in the middle of an area.
+/// The largest rectangle with this aspect in the middle of an area.
 QRectF fitted(const QSizeF &size, const QRectF &area)
 {
     QRectF rect(QPointF(0.0, 0.0), size.scaled(area.size(), Qt::KeepAspectRatio));
@@ -53,7 +53,7 @@ QColor faded(QColor color, double alpha)
     return color;
 }
 
-/// The share of its width and of its height that a circle takes in the projection window: as large as fits well.
+/// The share of width and height for the circle in the projection window: as large as fits well.
 QSizeF circleShare(const ProjectionWindow &w)
 {
     constexpr double kFill = 0.7;
@@ -69,7 +69,7 @@ QRectF circleIn(const QRectF &rect, const QSizeF &share)
     return circle;
 }
 
-/// A position by its shares of the width from the left and of the height from the bottom.
+/// The position at shares of the width from the left and of the height from the bottom.
 QPointF atShare(const QRectF &rect, double x, double y)
 {
     return {rect.left() + x * rect.width(), rect.bottom() - y * rect.height()};
@@ -121,7 +121,7 @@ QSize ViewportDrawing::sizeHint() const
 
 QSize ViewportDrawing::minimumSizeHint() const
 {
-    // Two limits beside each other in either half.
+    // Two limits side by side in each half.
     const double half = 2.0 * longestLimit(fontMetrics()) + kGap + 2.0;
     return {static_cast<int>(std::ceil(2.0 * half + 2.0 * kGap)), 7 * fontMetrics().height()};
 }
@@ -204,7 +204,7 @@ QRectF ViewportDrawing::paintWindow(QPainter &painter, const QRectF &area) const
     painter.drawText(QRectF(area.topLeft(), QSizeF(area.width(), captionHeight())), Qt::AlignHCenter | Qt::AlignTop,
                      tr("Window"));
 
-    // The viewport may reach over the window's edge: both are shown.
+    // The viewport may extend beyond the window: both are shown.
     const QRectF window(0.0, 0.0, s.widthPixels, s.heightPixels);
     const QRectF viewport(v.x, flippedY(s, v.y + v.height), v.width, v.height);
     const QRectF both = window.united(viewport);
@@ -256,7 +256,7 @@ QRectF ViewportDrawing::paintProjectionWindow(QPainter &painter, const QRectF &a
     painter.drawRect(rect);
 
     painter.setPen(palette().color(QPalette::WindowText));
-    // A narrow window has its limits beside it, not one over the other.
+    // A narrow window has its limits beside it instead of overlapping.
     const auto [left, right] = limitTexts(w.left, w.right, fontMetrics(), area.width());
     const double leftWidth = fontMetrics().horizontalAdvance(left), rightWidth = fontMetrics().horizontalAdvance(right);
     const double overlap = std::max(0.0, leftWidth + rightWidth + kGap - rect.width());

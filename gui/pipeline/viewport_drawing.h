@@ -9,15 +9,16 @@
 
 namespace unprojector::gui {
 
-/// Two drawings, each to scale: the window with the viewport in it, and the projection window [left, right] x
-/// [bottom, top]; the pointer in both, and a circle of the projection window as the viewport shows it. The projection
-/// window stands as it is seen: its left limit at the left, even where left > right.
+/// Two drawings, each to scale: the window with the viewport in it, and the projection window
+/// [left, right] x [bottom, top]; with the pointer in both, and a circle of the projection window
+/// as the viewport shows it. The projection window is drawn as in the view: its left limit at the
+/// left, even if left > right.
 class ViewportDrawing : public QWidget {
     Q_OBJECT
 public:
     explicit ViewportDrawing(QWidget *parent = nullptr);
 
-    /// @pre the geometry is valid
+    /// @pre the setup is valid
     void setSetup(const geometry::Setup &setup);
     /// Window position; nothing: no pointer.
     void setPointer(const std::optional<geometry::WindowPoint> &pointer);
@@ -33,11 +34,11 @@ protected:
 private:
     /// Everything but the pointer.
     void paintStill();
-    /// @return where the window is drawn
+    /// @return the rectangle of the drawn window
     QRectF paintWindow(QPainter &painter, const QRectF &area) const;
     QRectF paintProjectionWindow(QPainter &painter, const QRectF &area) const;
     void paintPointer(QPainter &painter, const QRectF &within, const QPointF &position) const;
-    /// What the pointer covers: little, so that following it is cheap.
+    /// The region that the pointer covers: small, so that following it is cheap.
     QRegion pointerRegion() const;
     QPointF pointerInWindow() const;
     QPointF pointerInProjectionWindow() const;
@@ -45,7 +46,7 @@ private:
 
     geometry::Setup m_geometry;
     std::optional<geometry::WindowPoint> m_pointer;
-    QPixmap m_still; ///< null: to be painted anew
+    QPixmap m_still; ///< null: must be repainted
     QRectF m_windowRect;
     QRectF m_projectionRect;
 };

@@ -26,7 +26,7 @@ namespace {
 constexpr int kCellPadding = 10;
 constexpr int kSpacing = 16; ///< between drawing, proportions and table
 
-/// The window and its projection are all that is shown: the camera may move without any work here.
+/// Only window and projection are shown: a camera move costs nothing here.
 bool isSameWindow(const Setup &a, const Setup &b)
 {
     return a.surface == b.surface && a.viewport == b.viewport && a.depthRange == b.depthRange && a.lens == b.lens;
@@ -75,7 +75,7 @@ ViewportInspector::ViewportInspector(SceneDocument &document, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 6);
     layout->setSpacing(4);
-    // The panel says itself how small it can be: what is shown now must not keep it from becoming narrow.
+    // The panel sets its own least size: the present contents must not prevent a narrower one.
     layout->setSizeConstraint(QLayout::SetNoConstraint);
     auto *head = new QHBoxLayout;
     head->addWidget(m_page);
@@ -154,7 +154,7 @@ void ViewportInspector::createTable()
     fixColumns();
 }
 
-/// The widths are those of the longest texts to expect, so that the columns stand still as the pointer moves.
+/// The widths fit the longest expected texts, so that columns don't move with the pointer.
 void ViewportInspector::fixColumns()
 {
     QHeaderView *rows = m_table->verticalHeader(), *columns = m_table->horizontalHeader();
@@ -195,7 +195,7 @@ void ViewportInspector::addCopyAction()
     setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-/// Of the proportions' longest line as it is with ordinary numbers; longer ones are broken.
+/// The width of the proportions' longest line with ordinary numbers; longer ones wrap.
 int ViewportInspector::proportionsWidth() const
 {
     constexpr int kCharacters = 60;
@@ -221,7 +221,7 @@ QSize ViewportInspector::minimumSizeHint() const
             layout()->minimumSize().height()};
 }
 
-/// What was chosen, and beside it what there is room for.
+/// Shows the chosen page, and others beside it if there is room.
 void ViewportInspector::arrange()
 {
     const QMargins margins = layout()->contentsMargins();
@@ -241,7 +241,7 @@ void ViewportInspector::arrange()
     }
     for (std::size_t i = 0; i < parts.size(); ++i)
         parts[i].first->setVisible(isShown[i]);
-    // The drawing and the proportions would otherwise have what the table needs.
+    // The drawing and the proportions would otherwise get the room that the table needs.
     m_table->setMinimumWidth(std::clamp(room, 0, m_table->maximumWidth()));
     m_page->setVisible(isShown != std::array{true, true, true});
 }
@@ -314,7 +314,8 @@ void ViewportInspector::showPointer()
     m_drawing->setPointer(m_corners->pointerWindow());
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
         const QString sides = sidesOf(proportionText(*m_shown, kAxes[i], m_corners->pointerWindow()));
-        // Rich text costs too much at every move of the pointer, and with it there is no symbol among the numbers.
+        // Rich text is too slow for every move of the pointer; with a pointer no symbol is among
+        // the numbers.
         if (m_corners->pointerWindow())
             m_numbers[i]->setText(sides);
         else

@@ -18,10 +18,10 @@ class SegmentedSwitch;
 class SteadyLabel;
 class ViewportDrawing;
 
-/// How window, viewport and projection window relate: drawn to scale, as the proportions (3) and (4) with their numbers,
-/// and as a table of the window's corners. It follows the pointer and every resize. Hidden, it does nothing; shown again,
-/// it catches up. Where it is too narrow for all three, a switch leads from one to the other. Its least width follows
-/// from fonts, never from numbers.
+/// The relation of window, viewport and projection window: drawn to scale, as the proportions (3)
+/// and (4) with their numbers, and as a table of the window's corners. It follows the pointer and
+/// every resize. It does nothing while hidden and catches up when shown. If it is too narrow for
+/// all three, a switch shows one at a time. Its least width depends on fonts, never on numbers.
 class ViewportInspector : public QWidget {
     Q_OBJECT
 public:
@@ -32,14 +32,14 @@ public:
     void clearPointer();
 
     const CornersModel &corners() const { return *m_corners; }
-    /// Everything the panel says, with all digits in the table.
+    /// The text of the whole panel, with all digits in the table.
     QString text() const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 signals:
-    /// The user wants to give the window another size.
+    /// Emitted when the user wants to resize the window.
     void sizeRequested();
 
 protected:
@@ -66,11 +66,11 @@ private:
     SteadyLabel *m_window;
     SteadyLabel *m_viewport;
     std::array<SteadyLabel *, 2> m_symbols; ///< of the proportions (3) and (4)
-    std::array<SteadyLabel *, 2> m_numbers; ///< that stand for the symbols
+    std::array<SteadyLabel *, 2> m_numbers; ///< the numbers of the symbols
     SteadyLabel *m_circle;
     QTableView *m_table;
     QHBoxLayout *m_contents;
-    std::optional<geometry::Setup> m_shown; ///< the picture that is on display
+    std::optional<geometry::Setup> m_shown; ///< the displayed setup
     std::optional<geometry::WidgetPoint> m_pointer;
 };
 

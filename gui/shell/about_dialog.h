@@ -4,15 +4,16 @@
 
 namespace unprojector::gui {
 
-/// What the program is, and what it runs on, in lines that can be copied into a report.
+/// A dialog with the program's name and version and its platform, in lines that can be copied into
+/// a report.
 class AboutDialog : public QDialog {
     Q_OBJECT
 public:
     /// @param openGL  version and renderer, as OpenGL names them; empty before there is a view
-    /// @param note  what is special on this machine, or nothing
+    /// @param note  a peculiarity of this machine, or empty
     AboutDialog(const QString &openGL, const QString &note, QWidget *parent);
 
-    /// What Copy copies.
+    /// The text that Copy copies.
     QString versions() const { return m_versions; }
 
 private:

@@ -22,7 +22,7 @@ constexpr NamedValues<Appearance, 3> kNames{
 
 const QString kFusion = QStringLiteral("fusion");
 
-/// Those with the Hanzi of China, of Windows, macOS and Linux.
+/// Fonts with Chinese glyphs on Windows, macOS and Linux.
 const QStringList kChineseFonts{QStringLiteral("Microsoft YaHei UI"), QStringLiteral("PingFang SC"),
                                 QStringLiteral("Noto Sans CJK SC"),   QStringLiteral("Noto Sans SC"),
                                 QStringLiteral("Source Han Sans SC"), QStringLiteral("WenQuanYi Micro Hei")};
@@ -33,7 +33,7 @@ Appearance &current()
     return appearance;
 }
 
-/// Fusion shortens "浅色(&L)" to the room of "浅色(L)", in which Qt's elision still counts the ampersand.
+/// Fusion shortens "浅色(&L)" to the room of "浅色(L)", but Qt's elision also counts the ampersand.
 class RoomyFusion : public QProxyStyle {
 public:
     RoomyFusion() : QProxyStyle(kFusion) {}
@@ -48,7 +48,7 @@ public:
     }
 };
 
-/// Fusion draws the edge of a check box darker than the window: on a dark one nobody sees it.
+/// Fusion draws the edge of a check box darker than the window: on a dark one it is invisible.
 class DarkFusion : public RoomyFusion {
 public:
     void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
@@ -114,10 +114,10 @@ void setAppearance(Appearance appearance)
             QApplication::setStyle(new RoomyFusion);
         else
             QApplication::setStyle(desktopStyle);
-        QApplication::setPalette(QPalette()); // none of ours: the desktop's is asked for
+        QApplication::setPalette(QPalette()); // resets to the desktop's palette
         return;
     }
-    // The one style that draws every control in any colours.
+    // The only style that draws every control in any colours.
     QApplication::setStyle(appearance == Appearance::Dark ? new DarkFusion : new RoomyFusion);
     QApplication::setPalette(
         appearance == Appearance::Dark
@@ -138,7 +138,7 @@ void preferHanziOfChina()
     if (found == kChineseFonts.end())
         return;
     QFont font = QApplication::font();
-    // By its own name: a family such as "Sans Serif" would be taken for one that is not there.
+    // The real name is needed: Qt would treat a family such as "Sans Serif" as missing.
     font.setFamilies({QFontInfo(font).family(), *found});
     QApplication::setFont(font);
 }

@@ -8,22 +8,23 @@ namespace unprojector::gui {
 
 /// The colours of the window.
 enum class Appearance {
-    Desktop, ///< as the desktop has them
+    Desktop, ///< the desktop's
     Light,
     Dark,
 };
 
-/// "desktop", "light", "dark"; nothing for any other.
+/// The appearance named "desktop", "light" or "dark"; nothing for any other name.
 std::optional<Appearance> appearanceOf(const QString &name);
 QString appearanceName(Appearance appearance);
 
-/// Gives all windows these colours, those that are open too.
+/// Applies these colours to all windows, including open ones.
 void setAppearance(Appearance appearance);
 Appearance currentAppearance();
 
-/// Hanzi in one font, in their shapes of China: on a desktop of another language each would come from whichever font has
-/// it, some from a Japanese one. What the desktop's own font has, it draws as before.
-/// @pre no window is there yet
+/// Makes Hanzi use one font with Chinese glyphs: on a desktop of another language each could come
+/// from a different font, some from a Japanese one. Characters of the desktop's own font are
+/// unaffected.
+/// @pre no window exists yet
 void preferHanziOfChina();
 
 } // namespace unprojector::gui

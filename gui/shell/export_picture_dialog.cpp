@@ -149,7 +149,7 @@ PictureOptions ExportPictureDialog::options() const
     marks.grid = m_grid->isChecked();
     marks.axes = m_axes->isChecked();
     marks.map = m_map->isChecked();
-    // The spin box rounds: the ratio of the view itself stays as it is.
+    // The spin box rounds: the view's exact ratio is kept.
     const bool isViews = std::abs(m_ratio->value() - m_view.devicePixelRatio) < 0.006;
     return {{m_width->value(), m_height->value(), isViews ? m_view.devicePixelRatio : m_ratio->value()},
             marks,

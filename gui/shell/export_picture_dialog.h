@@ -21,25 +21,25 @@ namespace unprojector::gui {
 class SceneView;
 class Window;
 
-/// Asks for the size of a picture of the view and for what it shows. At first as the view is.
+/// Asks for the size and the content of an image of the view. The defaults are the view's.
 class ExportPictureDialog : public QDialog {
     Q_OBJECT
 public:
     explicit ExportPictureDialog(const SceneView &view, QWidget *parent = nullptr);
 
     PictureOptions options() const;
-    /// Why there is no such picture and what to do; empty where there is one.
+    /// The reason why there is no such image, and what to do; empty if there is none.
     QString problem() const;
 
 private:
     void addSize(QFormLayout &form);
     void addMarks(QVBoxLayout &layout, bool hasMap);
-    /// Changes the other side and the pixel ratio with one side, where the proportions are kept.
+    /// Adapts the other side and the pixel ratio to one side, if the proportions are kept.
     void followSide(const QSpinBox &changed, QSpinBox &other, int changedOfView, int otherOfView);
     void showProblem();
 
     geometry::Surface m_view; ///< the view's own size
-    int m_largest;            ///< side that OpenGL draws here, pixels
+    int m_largest;            ///< longest side that OpenGL can draw here, pixels
     QSpinBox *m_width;
     QSpinBox *m_height;
     QDoubleSpinBox *m_ratio;
@@ -55,11 +55,11 @@ private:
     QPushButton *m_export;
 };
 
-/// Draws a picture and writes it as PNG.
-/// @return what went wrong, in words; empty where nothing did
+/// Draws an image and writes it as PNG.
+/// @return the error in words; empty on success
 QString writePicture(SceneView &view, const PictureOptions &options, const std::filesystem::path &file);
 
-/// Asks for a picture and for its file, and writes it.
+/// Asks for an image and for its file, and writes it.
 void exportPicture(Window &window);
 
 } // namespace unprojector::gui

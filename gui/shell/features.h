@@ -7,7 +7,8 @@ namespace unprojector::gui {
 class Feature;
 class Window;
 
-/// All features of the window, in the order in which they add to menus and tool bar. A new one is added here.
+/// All features of the window, in the order in which they add to menus and tool bar. A new one is
+/// added here.
 /// @return owned by the window
 std::vector<Feature *> makeFeatures(Window &window);
 

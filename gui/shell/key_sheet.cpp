@@ -22,7 +22,7 @@ QString heading(const QString &text)
         .arg(text.toHtmlEscaped());
 }
 
-/// "&File" is "File", and "文件(&F)" is "文件".
+/// The title without its mnemonic: "&File" is "File", and "文件(&F)" is "文件".
 QString withoutMnemonic(QString title)
 {
     static const QRegularExpression keyInParentheses(QStringLiteral("\\(&.\\)"));

@@ -6,8 +6,8 @@ class QMenuBar;
 
 namespace unprojector::gui {
 
-/// What the mouse and the keys do, on a sheet that can stay open beside the window. The keys are read from the menus, so none
-/// is missing.
+/// The functions of mouse and keys, on a sheet that can stay open beside the window. The keys are
+/// read from the menus, so none is missing.
 class KeySheet : public QDialog {
     Q_OBJECT
 public:

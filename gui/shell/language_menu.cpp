@@ -64,7 +64,7 @@ void fillLanguageMenu(QMenu &menu, Window &window, const Translation &translatio
             });
             if (shown.isEmpty() || isOfLanguage)
                 window.showMessage(whatComes);
-            else // which has not been read yet
+            else // the file has not been read yet
                 window.statusBar()->showMessage(whatComes);
         });
         action->setCheckable(true);

@@ -10,12 +10,12 @@ class MessageBar;
 class Translation;
 class Window;
 
-/// Says that the program would speak Chinese, had it a font for it, and where to get one.
+/// A text that Chinese needs a font, and where to get one.
 QString missingFontText();
-/// Says so in a window whose user has not been told before.
+/// Shows that text in a window, once for each user.
 void tellOfFont(Window &window, const Translation &translation);
 
-/// Fills the menu of languages; the choice counts at the next start.
+/// Fills the menu of languages; the choice applies at the next start.
 /// @param translation, messages  outlive the menu
 void fillLanguageMenu(QMenu &menu, Window &window, const Translation &translation, MessageBar &messages);
 

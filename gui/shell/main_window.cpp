@@ -42,7 +42,7 @@ namespace {
 
 constexpr char kGeometryKey[] = "window/geometry";
 
-/// As large as is comfortable, but within the screen with a frame and a title around it.
+/// A comfortable size, but within the screen including a frame and a title.
 QSize startSize()
 {
     constexpr QSize kComfortable(1280, 800), kFrame(16, 48);
@@ -71,9 +71,9 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
 
 MainWindow::~MainWindow()
 {
-    delete m_session; // the undo stack is emptied when it ends; unsaved changes must not be forgotten then
-    delete m_view;    // it tells a feature's log of its end
-    qDeleteAll(findChildren<QDockWidget *>()); // panels show what features own
+    delete m_session; // its undo stack is cleared at the end; unsaved changes must not be forgotten then
+    delete m_view;    // it reports its end to a feature's log
+    qDeleteAll(findChildren<QDockWidget *>()); // panels show objects that features own
     qDeleteAll(std::exchange(m_features, {}));
 }
 
@@ -138,7 +138,7 @@ void MainWindow::connectSession()
 
 void MainWindow::connectBars(LoadingBar &loading, RecoveryBar &recovery)
 {
-    // Queued: it may be told while the view is painted.
+    // Queued: it may be emitted while the view is painted.
     connect(m_view, &SceneView::drawingProgressed, &loading, &LoadingBar::setDrawn, Qt::QueuedConnection);
     connect(m_session, &Session::loadingStarted, &loading, &LoadingBar::start);
     connect(m_session, &Session::loadingProgressed, &loading, &LoadingBar::setProgress);
@@ -147,7 +147,7 @@ void MainWindow::connectBars(LoadingBar &loading, RecoveryBar &recovery)
 
     connect(m_session, &Session::offeredChanged, &recovery,
             [this, &recovery] { recovery.offer(m_session->offered()); });
-    // What is being recovered stays offered until it is shown, and is asked for once.
+    // The scene being recovered stays offered until it is shown, and can be chosen only once.
     connect(m_session, &Session::loadingStarted, &recovery, [&recovery] { recovery.setEnabled(false); });
     connect(m_session, &Session::loadingEnded, &recovery, [&recovery] { recovery.setEnabled(true); });
     connect(&recovery, &RecoveryBar::recoverRequested, m_session,
@@ -168,7 +168,8 @@ void MainWindow::setSmoothEdges(bool isSmooth)
 
 void MainWindow::setViewSize(const QSize &wanted)
 {
-    // The panels keep their sizes, so that what the window gains is the view's. At the edge of what they can, they do not.
+    // The panels keep their sizes, so that the view gets the window's growth. At the panels' limits
+    // they don't, so several trials are needed.
     constexpr int kTrials = 4;
     for (int trial = 0; trial < kTrials && m_view->size() != wanted; ++trial) {
         resize(size() + wanted - m_view->size());
@@ -284,7 +285,7 @@ void MainWindow::showEvent(QShowEvent *event)
 {
     Window::showEvent(event);
     m_workspaces->windowResized();
-    if (m_options.translation && message().isEmpty()) // not sooner: what is opened takes away what was said before
+    if (m_options.translation && message().isEmpty()) // not sooner: opening clears earlier messages
         tellOfFont(*this, *m_options.translation);
 }
 

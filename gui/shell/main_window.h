@@ -17,18 +17,19 @@ class Translation;
 class WindowMenus;
 class WindowQuestions;
 
-/// The window: a session's document in a view, with the panels and actions of its features around it. It knows the features by
-/// one interface alone: what each of them does is in its own folder, see makeFeatures.
+/// The window: a session's document in a view, with the panels and actions of its features around
+/// it. It knows the features only by their common interface: each is implemented in its own folder,
+/// see makeFeatures.
 class MainWindow : public Window {
     Q_OBJECT
 public:
     struct Options {
-        std::optional<bool> smoothEdges = {}; ///< nothing: as the user chose in the menu
-        bool remembers = true;                ///< layout, choices and recent files are read and kept
-        /// Where unsaved changes are kept in case of a crash; empty: with the user's data if it `remembers`, else nowhere.
+        std::optional<bool> smoothEdges = {}; ///< nothing: the user's choice in the menu
+        bool remembers = true;                ///< layout, choices and recent files are read and saved
+        /// Folder of recovery files; empty: the user's data folder if it `remembers`, else none.
         QString recoveryFolder = {};
         AutosaveTiming autosave = {};
-        /// What the menu of languages goes by, which is not there without it. Outlives the window.
+        /// Needed for the menu of languages; null: no such menu. Outlives the window.
         const Translation *translation = nullptr;
     };
     explicit MainWindow(const Options &options, QWidget *parent = nullptr);
@@ -50,16 +51,16 @@ public:
     State state() override;
     void restore(const State &state) override;
 
-    /// Makes the window as large or small as gives the view this size, logical pixels.
+    /// Resizes the window so that the view has this size, logical pixels.
     /// @pre the window is shown
     void setViewSize(const QSize &size);
-    /// The panels as a right click on the tool bar or on a panel's title offers them.
+    /// The menu of panels, for a right click on the tool bar or on a panel's title.
     QMenu *createPopupMenu() override;
-    /// The message that is on show, or nothing.
+    /// The shown message, or empty.
     QString message() const;
 
 signals:
-    /// What could not be opened, saved or drawn, in words.
+    /// Emitted when something could not be opened, saved or drawn, with the reason.
     void openFailed(const QString &reason);
 
 protected:

@@ -47,7 +47,7 @@ MessageBar::MessageBar(QWidget *parent)
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_text->setAccessibleName(tr("Message"));
-    m_close->setText(QStringLiteral("×")); // the desktop's icon takes long to find
+    m_close->setText(QStringLiteral("×")); // loading the desktop's icon is slow
     m_close->setAutoRaise(true);
     m_close->setToolTip(tr("Close this message"));
     m_close->setAccessibleName(tr("Close this message"));
@@ -84,7 +84,7 @@ void MessageBar::unfold(bool isUnfolded)
 {
     constexpr qsizetype kFolded = 3;
     const QStringList lines = m_full.split(u'\n');
-    const bool isLong = lines.size() > kFolded + 1; // one line more takes no more room than the word for it
+    const bool isLong = lines.size() > kFolded + 1; // one line more takes no more room than the button's text
     m_text->setText(isLong ? lines.mid(0, kFolded).join(u'\n') : m_full);
     m_text->setVisible(!isUnfolded);
     m_all->setVisible(isUnfolded);
@@ -101,7 +101,7 @@ RecoveryBar::RecoveryBar(QWidget *parent) : QFrame(parent), m_text(new QLabel), 
     m_text->setTextFormat(Qt::PlainText);
     m_choice->setAccessibleName(tr("Kept scene"));
     m_choice->setToolTip(tr("The kept scenes, the last one first"));
-    // A long name shall not hold the window open.
+    // A long name must not widen the window.
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_choice->setMinimumContentsLength(16);
     const auto button = [](const QString &text, const QString &tip) {
@@ -152,7 +152,7 @@ void RecoveryBar::offer(const std::vector<RecoveryInfo> &kept)
         m_text->setToolTip({});
     }
     show();
-    // It takes no focus from the view; who cannot see it hears of it.
+    // It takes no focus from the view; screen readers announce it.
     QAccessibleEvent alert(this, QAccessible::Alert);
     QAccessible::updateAccessibility(&alert);
 }
@@ -180,7 +180,7 @@ LoadingBar::LoadingBar(QWidget *parent)
         show();
         raise();
     });
-    constexpr int kHandMilliseconds = 700; // a hand that is on its way cannot be stopped sooner
+    constexpr int kHandMilliseconds = 700; // a click already under way cannot be stopped sooner
     m_emptyDelay->setSingleShot(true);
     m_emptyDelay->setInterval(kHandMilliseconds);
     connect(m_emptyDelay, &QTimer::timeout, this, [this] { m_emptyPlace->hide(); });
@@ -241,11 +241,11 @@ void LoadingBar::setDrawn(double share)
         return;
     }
     if (isVisible())
-        setMinimumWidth(width()); // shorter words do not make it narrower under a hand
+        setMinimumWidth(width()); // shorter texts don't shrink it under the pointer
     m_text->setText(tr("Drawing …"));
     m_progress->setAccessibleName(tr("Drawing"));
     m_progress->setValue(static_cast<int>(std::lround(share * 100.0)));
-    m_cancel->hide(); // what is opened already is not given up
+    m_cancel->hide(); // a file that is already open cannot be cancelled
     if (isHidden() && !m_delay->isActive())
         m_delay->start();
 }

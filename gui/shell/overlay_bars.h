@@ -16,18 +16,20 @@ namespace unprojector::gui {
 
 struct RecoveryInfo;
 
-/// Makes a frame a bar over the view, hidden at first. Its ground is light whatever the window's colours are.
+/// Makes a frame a bar over the view, hidden at first. Its background is light with any window
+/// colours.
 /// @param background, border  as in style sheets: "#f4f6f8"
 void makeOverlay(QFrame &frame, const char *background, const char *border);
 
-/// A message over the top of the view that stays until it is closed: it tells what went wrong and stops nothing. Of many lines it
-/// shows the first, so that the view stays in sight, and the rest when it is asked for.
+/// A message over the top of the view that stays until it is closed: it reports an error without
+/// blocking. Of many lines it shows the first, so that the view stays visible, and the rest on
+/// demand.
 class MessageBar : public QFrame {
     Q_OBJECT
 public:
     explicit MessageBar(QWidget *parent = nullptr);
     void showMessage(const QString &text);
-    /// All of it.
+    /// The whole text.
     QString text() const { return m_full; }
 
 private:
@@ -35,41 +37,42 @@ private:
 
     QString m_full;
     QLabel *m_text;
-    QPlainTextEdit *m_all; ///< scrolls, once somebody asks for all lines
+    QPlainTextEdit *m_all; ///< scrolls; shows all lines on demand
     QToolButton *m_more;
     QToolButton *m_close;
 };
 
-/// Asks over the top of the view what to do with unsaved changes that an unexpected end has left, and stops nothing.
+/// Asks over the top of the view, without blocking, what to do with unsaved changes after an
+/// unexpected end.
 class RecoveryBar : public QFrame {
     Q_OBJECT
 public:
     explicit RecoveryBar(QWidget *parent = nullptr);
-    /// Offers these, the first one at first; goes where there are none.
+    /// Offers these, the first one selected; hides if there are none.
     void offer(const std::vector<RecoveryInfo> &kept);
 
 signals:
-    // The index of the chosen one among those offered.
+    // Emitted with the index of the chosen one among those offered.
     void recoverRequested(int index);
     void discardRequested(int index);
     void laterRequested();
 
 private:
     QLabel *m_text;
-    QComboBox *m_choice; ///< shown where there are several
+    QComboBox *m_choice; ///< shown if there are several
 };
 
-/// What is being opened, how far it is, and a button to stop it; then how much of it is drawn, until it is. Shown after a
-/// moment, so that small files don't flash; where it stood, nothing is clicked for a moment once it is gone, so that what
-/// was meant for its button does not fall on what is behind.
+/// The progress of opening and then of drawing a file, with a cancel button. It appears after a
+/// moment, so that small files don't flash. After it disappears, its area ignores clicks for a
+/// moment: a click meant for its button must not hit the view behind.
 class LoadingBar : public QFrame {
     Q_OBJECT
 public:
     explicit LoadingBar(QWidget *parent = nullptr);
     void start();
     void setProgress(const QString &fileName, double share);
-    /// The opening has ended, in whatever way.
-    /// @param isDrawn  nothing is left to be told: else setDrawn(1.0) will come
+    /// Handles the end of an opening, in any way.
+    /// @param isDrawn  nothing is left to report; else setDrawn(1.0) follows
     void finish(bool isDrawn);
     /// @param share  1: it is drawn
     void setDrawn(double share);
@@ -79,7 +82,7 @@ signals:
 
 private:
     void goAway();
-    /// A button that is hidden can leave its place empty, so that the rest stays where it is.
+    /// Keeps the layout space of the hidden button, so that the rest doesn't move.
     void keepPlaceOfCancel(bool isKept);
 
     QLabel *m_text;
@@ -87,7 +90,7 @@ private:
     QPushButton *m_cancel;
     bool m_isOpening = false;
     QTimer *m_delay;
-    QWidget *m_emptyPlace = nullptr; ///< where the bar stood; made when it is first needed
+    QWidget *m_emptyPlace = nullptr; ///< in the bar's former area; created on demand
     QTimer *m_emptyDelay;
 };
 

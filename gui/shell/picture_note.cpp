@@ -12,7 +12,7 @@ using namespace scene;
 using namespace geometry;
 namespace {
 
-/// How far in front of the eye the objects begin and end, eye units.
+/// The nearest and farthest distance of the objects from the eye, eye units.
 struct Extent {
     double nearest = std::numeric_limits<double>::infinity();
     double farthest = -std::numeric_limits<double>::infinity();
@@ -33,7 +33,8 @@ Extent extentOf(const Box &bounds, const EyeFrame &frame)
     return extent;
 }
 
-/// Whether what lies at this distance is written into the depth buffer as the far plane is, although it is well before it.
+/// Returns whether the depth buffer stores this distance like the far plane's, although it is well
+/// in front of it.
 bool isLostInDepth(const ProjectionWindow &window, double distance)
 {
     constexpr double kHalfStep = 0.5 / double(1 << 24);

@@ -6,21 +6,22 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// Why there is nothing to be seen, or not all of it, where the reason is no fault of the picture's numbers: all objects are
-/// hidden, the viewport lies outside the window, none lies between near and far, or far is so many times near that the depth buffer takes surfaces for background.
-/// @return nothing where there is no such reason
+/// The reason why the view is empty or incomplete although its numbers are valid. All objects are
+/// hidden, the viewport lies outside the window, or no object lies between near and far. Or far /
+/// near is so large that the depth buffer takes surfaces for background.
+/// @return empty if there is no such reason
 QString emptyPictureText(const SceneDocument &document);
 
-/// Says so over the view, and lets the mouse through.
+/// Shows that reason over the view, transparent for the mouse.
 class PictureNote : public QLabel {
     Q_OBJECT
 public:
     /// @param document  outlives the note
     explicit PictureNote(const SceneDocument &document, QWidget *parent = nullptr);
 
-    /// In lines that are read at a glance.
+    /// Wide enough for short lines.
     QSize sizeHint() const override;
-    /// A small view stays small.
+    /// A small view can stay small.
     QSize minimumSizeHint() const override { return {1, 1}; }
 
 private:

@@ -4,8 +4,7 @@ class QAction;
 
 namespace unprojector::gui {
 
-/// Keeps the tool tip of an action as its text is, for one with names in it: what looks like markup there is shown as it is
-/// written.
+/// Makes the tooltip of an action plain text: markup in names is shown literally.
 void keepToolTipPlain(QAction *action);
 
 } // namespace unprojector::gui

@@ -15,7 +15,7 @@
 namespace unprojector::gui {
 namespace {
 
-/// "浅色" of "浅色(&L)".
+/// The text without its key: "浅色" of "浅色(&L)".
 QString withoutKey(QString text)
 {
     static const QRegularExpression keyInParentheses(QStringLiteral("\\(&.\\)"));

@@ -9,8 +9,8 @@ class QMenu;
 
 namespace unprojector::gui {
 
-/// The choices that last from one start of the program to the next, in one form. It shows the actions of the menus and triggers
-/// them: a choice counts at once, here as there.
+/// The choices that last from one start of the program to the next, in one form. It shows the
+/// actions of the menus and triggers them: a choice applies at once, as in the menus.
 class PreferencesDialog : public QDialog {
     Q_OBJECT
 public:
@@ -27,7 +27,7 @@ signals:
     void layoutResetRequested();
 
 private:
-    /// A box with the checkable actions of a menu.
+    /// A combo box with the checkable actions of a menu.
     QComboBox *boxOf(const QMenu &menu, const QString &name, const QString &toolTip);
 };
 

@@ -33,8 +33,8 @@ bool hasHanzi()
     return QFontDatabase::writingSystems().contains(QFontDatabase::SimplifiedChinese);
 }
 
-/// While it lives, Qt's abort where it cannot open a window, as on a display that does not answer, is a sentence and an exit
-/// code. Qt's other messages are printed when it ends.
+/// Converts Qt's abort when it cannot open a window, as on a display that does not answer, to a
+/// sentence and an exit code. Prints Qt's other messages when it is destroyed.
 class WindowsOrReason {
 public:
     /// @param sentence  with %1 for Qt's reason
@@ -57,7 +57,7 @@ private:
     static void hear(QtMsgType type, const QMessageLogContext &, const QString &message)
     {
         s_said << message;
-        if (type == QtFatalMsg) // the first is of the display, the last of plugins
+        if (type == QtFatalMsg) // the first concerns the display, the last plugins
             std::_Exit(failed(s_sentence.arg(s_said.front().section(u'\n', 0, 0).trimmed())));
     }
 
@@ -82,13 +82,13 @@ int Program::run()
 {
     if (const std::optional<int> exitCode = readOptions())
         return *exitCode;
-    // By this the desktop knows the window's menu entry and icon.
+    // The desktop finds the window's menu entry and icon by this name.
     QGuiApplication::setDesktopFileName(QStringLiteral("io.github.unprojector.unprojector"));
     createApplication();
     QString problem = openGLProblem();
 #ifdef Q_OS_WIN
     if (!problem.isEmpty() && hasSoftwareOpenGL()) {
-        // Only a new application chooses its OpenGL anew.
+        // Only a new application chooses its OpenGL again.
         QCoreApplication::setAttribute(Qt::AA_UseSoftwareOpenGL);
         createApplication();
         problem = openGLProblem();
@@ -117,7 +117,7 @@ std::optional<int> Program::readOptions()
         return failed(options.error());
     m_options = std::move(options).value();
     if (!m_options.textToPrint.isEmpty()) {
-        // A full disk is an error, not an answer.
+        // A full disk is an error.
         const std::string problem = print(printed(m_options.textToPrint).toStdString());
         return problem.empty()
                    ? 0
@@ -125,7 +125,7 @@ std::optional<int> Program::readOptions()
     }
     if (!hasDisplay())
         return failed(tr("There is no display. Set DISPLAY, or run under xvfb-run."));
-    // Qt and the drivers of OpenGL wait for ever for threads that do not start.
+    // Qt and OpenGL drivers wait for ever for threads that do not start.
     constexpr std::size_t kThreadsOfAWindow = 16;
     if (!threads::canStartThreads(kThreadsOfAWindow))
         return failed(tr("The system cannot start %1 more threads. Close other programs, then try again.")
@@ -142,7 +142,7 @@ void Program::createApplication()
         const WindowsOrReason windows(m_noWindow);
         m_application.emplace(m_argc, m_argv);
     }
-    // A script gets the same picture whatever language the user has chosen in the menu.
+    // A script gets the same image with any language chosen in the menu.
     const Language unlessSaid = m_options.isScreenshotRun() ? Language::System : keptLanguage();
     m_translation.emplace(languagesOf(m_options.language.value_or(unlessSaid)), hasHanzi());
     preferHanziOfChina();
@@ -158,7 +158,7 @@ int Program::runForUser()
     MainWindow window(options);
     if (const QString mistake = startWindow(window, m_options); !mistake.isEmpty())
         return failed(mistake);
-    m_console.reset(); // the shell that started the program has it back
+    m_console.reset(); // the calling shell gets it back
     return QApplication::exec();
 }
 
@@ -166,7 +166,7 @@ int Program::runForPicture()
 {
     if (m_options.appearance)
         setAppearance(*m_options.appearance);
-    if (m_options.language && m_translation->lacksFont()) // what was asked for is not what comes
+    if (m_options.language && m_translation->lacksFont()) // the requested language is replaced
         printMessage(missingFontText());
     ScreenshotRun run(m_options);
     QObject::connect(&run, &ScreenshotRun::ended, &*m_application, &QCoreApplication::exit, Qt::QueuedConnection);

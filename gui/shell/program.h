@@ -18,10 +18,11 @@ public:
     int run();
 
 private:
-    /// Reads the options before there is a window: --help and mistakes need no display.
-    /// @return the exit code where the program ends with that
+    /// Reads the options before there is a window: --help and errors need no display.
+    /// @return the exit code if the program ends now
     std::optional<int> readOptions();
-    /// Creates the application, in its language and fonts; ends the program with a message where no window can be opened.
+    /// Creates the application, in its language and fonts; ends the program with a message if no
+    /// window can be opened.
     void createApplication();
     int runForUser();
     int runForPicture();

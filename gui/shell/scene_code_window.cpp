@@ -28,7 +28,7 @@ using namespace scene_code;
 
 namespace {
 
-/// In the order of the switch.
+/// The dialects in the order of the switch.
 constexpr std::array kDialects{CodeDialect::Glu, CodeDialect::Glm, CodeDialect::Qt, CodeDialect::ThreeJs};
 
 } // namespace
@@ -50,7 +50,7 @@ SceneCodeWindow::SceneCodeWindow(const SceneDocument &document, const Session &s
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_text->setFont(digitsFont(font()));
     m_text->setAccessibleName(tr("The scene's code"));
-    // The keyboard reads it as well as the mouse does.
+    // The text can be selected by the keyboard too.
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
 
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
@@ -79,7 +79,7 @@ SceneCodeWindow::SceneCodeWindow(const SceneDocument &document, const Session &s
             refresh();
     });
     connect(&session, &Session::changed, this, [this] {
-        if (isVisible()) // where the models are is told from the scene's file
+        if (isVisible()) // paths of models are relative to the scene's file
             refresh();
     });
     connect(copies, &QPushButton::clicked, this, &SceneCodeWindow::copy);
@@ -111,7 +111,7 @@ void SceneCodeWindow::refresh()
     if (text == m_text->toPlainText())
         return;
     const int line = m_text->verticalScrollBar()->value(), column = m_text->horizontalScrollBar()->value();
-    m_said->clear(); // what was saved is another one
+    m_said->clear(); // the code has changed since it was saved
     m_text->setPlainText(text);
     m_text->verticalScrollBar()->setValue(line);
     m_text->horizontalScrollBar()->setValue(column);

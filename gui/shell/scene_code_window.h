@@ -13,7 +13,8 @@ class SceneDocument;
 class SegmentedSwitch;
 class Session;
 
-/// The scene as source code, as it is now, to be read, copied and saved. Hidden, it does nothing; shown again, it catches up.
+/// The present scene as source code, to be read, copied and saved. It does nothing while hidden and
+/// catches up when shown.
 class SceneCodeWindow : public QDialog {
     Q_OBJECT
 public:
@@ -24,7 +25,7 @@ public:
     QString code() const;
 
     /// Writes the code to a file.
-    /// @return what went wrong, in words; empty where nothing did
+    /// @return the error in words; empty on success
     QString exportTo(const std::filesystem::path &file);
 
 protected:
@@ -39,7 +40,7 @@ private:
     const Session &m_session;
     SegmentedSwitch *m_dialects;
     QPlainTextEdit *m_text;
-    QLabel *m_said; ///< that the code is saved
+    QLabel *m_said; ///< confirms that the code is saved
 };
 
 } // namespace unprojector::gui

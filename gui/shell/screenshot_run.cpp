@@ -60,7 +60,8 @@ void ScreenshotRun::start()
     connect(m_window.get(), &MainWindow::openFailed, this, &ScreenshotRun::fail);
     const auto finish = [this] { QTimer::singleShot(0, this, &ScreenshotRun::pressAndSave); };
     connect(&m_window->session(), &Session::loadingEnded, this, finish);
-    // The window is laid out and drawn into the picture alone: the run waits for no screen, and no window flashes up.
+    // The window is laid out and drawn only into the image: the run waits for no screen, and no
+    // window flashes up.
     m_window->setAttribute(Qt::WA_DontShowOnScreen);
     if (const QString mistake = startWindow(*m_window, m_options); !mistake.isEmpty())
         fail(mistake);
@@ -79,16 +80,16 @@ void ScreenshotRun::fail(const QString &reason)
 
 QString ScreenshotRun::savePicture()
 {
-    // Labels grow with what the clicks say: what stands below them finds its place first. A layout that grows asks the one
-    // around it, level by level.
+    // Labels grow with the clicks' texts and push other widgets down. A growing layout notifies its
+    // parent, level by level.
     constexpr int kLevels = 8;
     for (int level = 0; level < kLevels; ++level)
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-    // The whole picture is encoded first: a name that no picture format has must not cost the file of that name.
+    // The image is encoded first: a name without an image format must not overwrite its file.
     QByteArray bytes;
     QBuffer buffer(&bytes);
     const QByteArray format = QFileInfo(*m_options.picture).suffix().toLatin1();
-    // PNG loses nothing at any quality: at this one it takes a quarter of the time, and a few more bytes.
+    // PNG is lossless at any quality: this one takes a quarter of the time, and a few more bytes.
     const int quality = format.toLower() == "png" ? 75 : -1;
     if (!m_window->grab().save(&buffer, format.constData(), quality))
         return tr("%1 is no picture's name; let it end in .png.").arg(*m_options.picture);
@@ -123,7 +124,7 @@ void ScreenshotRun::pressAndSave()
         QTimer::singleShot(0, this, &ScreenshotRun::pressAndSave);
         return;
     }
-    // Rays say what a click meets, and which points are behind something.
+    // Clicks and the visibility of landmarks need rays.
     if (!m_options.clicks.empty() || !m_window->document().landmarks().empty())
         m_window->document().picks().rayCasters().complete(m_window->document().objects());
     m_window->document().curves().complete();
@@ -162,7 +163,7 @@ void ScreenshotRun::pressAndSave()
         return;
     }
     m_hasEnded = true;
-    m_window->setUpdatesEnabled(false); // nobody sees what would still be drawn
+    m_window->setUpdatesEnabled(false); // further drawing would be invisible
     emit ended(0);
 }
 

@@ -10,8 +10,8 @@
 
 namespace unprojector::gui {
 
-/// The program without a user: opens what it was given, presses the left button at each position, saves a picture of
-/// the whole window, prints the clicks as JSON, and quits.
+/// Runs the program without a user: opens the given files, presses the left button at each
+/// position, saves an image of the whole window, prints the clicks as JSON, and quits.
 class ScreenshotRun : public QObject {
     Q_OBJECT
 public:
@@ -26,15 +26,15 @@ signals:
     void ended(int exitCode);
 
 private:
-    /// Once the window has settled.
+    /// Called once the window has settled.
     void pressAndSave();
-    /// @return what is wrong, or nothing
+    /// @return the error, or empty
     QString savePicture();
     void fail(const QString &reason);
 
     StartOptions m_options;
     std::unique_ptr<MainWindow> m_window;
-    bool m_isSized = false; ///< the view has the size that was asked for
+    bool m_isSized = false; ///< the view has the requested size
     bool m_hasEnded = false;
 };
 

@@ -29,7 +29,7 @@ std::optional<geometry::WidgetPoint> parsedPosition(const QString &text)
     return isX && isY ? std::optional(position) : std::nullopt;
 }
 
-/// Reads the options; the first mistake is kept.
+/// Reads the options and keeps the first error.
 class OptionReader {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::StartOptions)
 public:
@@ -65,7 +65,7 @@ OptionReader::OptionReader()
     m_parser.setApplicationDescription(tr("Click a pixel of a 3-D view and get its world coordinate, computed twice."));
     m_parser.addVersionOption();
     m_parser.addOptions({
-        // Qt's own help option brings --help-all along, which here would be the same.
+        // Qt's own help option adds --help-all, which would be the same here.
         {{"h", "help"}, tr("Say how the program is called, and quit.")},
         {"screenshot", tr("Open, save a picture of the whole window, print the clicks as JSON, and quit."), "OUT.png"},
         {"size", tr("Size of the window in logical pixels (default 1280x800)."), "WxH", "1280x800"},

@@ -16,29 +16,30 @@
 
 namespace unprojector::gui {
 
-/// How the program starts, as the command line says.
+/// The start options from the command line.
 struct StartOptions {
     QString textToPrint;             ///< the help or the version, to print instead of a start; else empty
     std::optional<QString> picture;  ///< the file that a screenshot run writes; nothing: a window for a user
     std::optional<QSize> windowSize; ///< logical pixels; a screenshot run always has one
-    std::optional<QSize> viewSize;   ///< logical pixels; instead of the window's
+    std::optional<QSize> viewSize;   ///< logical pixels; overrides windowSize
     std::optional<lessons::Workspace> workspace;
     bool hasPanels = true;
     std::optional<Appearance> appearance;
     std::optional<Language> language;
     std::optional<bool> smoothEdges;
     std::vector<geometry::WidgetPoint> clicks; ///< of a screenshot run; logical pixels of the view
-    std::optional<QString> lesson;             ///< its name, and its step behind a colon, from 1 on
+    std::optional<QString> lesson;             ///< its name, optionally with a step after a colon, from 1
     std::vector<std::filesystem::path> files;  ///< none: the bundled scene
 
     bool isScreenshotRun() const { return picture.has_value(); }
 };
 
-/// The language that the words ask for, whatever else is wrong with them; nothing where they ask for none that the program has.
+/// The language that the words ask for, even if they have other errors; nothing if they ask for no
+/// supported language.
 std::optional<Language> languageIn(const QStringList &words);
 
 /// Parses the words of the command line, the program's name first.
-/// @return the mistake in a sentence where there is one
+/// @return the error in a sentence, if there is one
 geometry::Result<StartOptions, QString> startOptions(const QStringList &words);
 
 } // namespace unprojector::gui

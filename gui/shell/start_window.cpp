@@ -15,8 +15,8 @@
 namespace unprojector::gui {
 namespace {
 
-/// Picks a pixel of the bundled scene, so that the window shows what a click gives: on the teapot, in any window. Picks it
-/// again in a view of another size, until the user does something in the window.
+/// Picks a pixel of the bundled scene as an example: on the teapot, in any window. Picks again
+/// after a change of the view's size, until the user does something in the window.
 class ExamplePick : public QObject {
 public:
     explicit ExamplePick(MainWindow &window) : QObject(&window), m_window(window)
@@ -54,7 +54,7 @@ private:
     bool m_isOver = false;
 };
 
-/// At the very first start the view from outside shows the ray of the pick.
+/// Shows the ray of the pick in the view from outside, at the very first start.
 void showFromOutside(MainWindow &window)
 {
     if (!QSettings().contains(QStringLiteral("observer/isShown")))

@@ -20,7 +20,7 @@ StatusReadout::StatusReadout(Window &window)
 {
     m_pointed->setAccessibleName(tr("World coordinate under the pointer"));
     m_pointed->setToolTip(tr("World coordinate under the pointer, with the digits that its pixel leaves certain"));
-    // An empty label asks for another height than one with text, and the view would change its size with it.
+    // An empty label has another height than one with text, and would change the view's size.
     m_pointed->setMinimumHeight(
         std::max(m_pointed->sizeHint().height(), lineHeight(m_pointed->font(), tr("background, %1"))));
     m_projection->setAccessibleName(tr("Projection"));
@@ -73,7 +73,7 @@ QString StatusReadout::pointedText(const PixelClick &click) const
         return tr("background, %1").arg(pixel);
     if (m_areHidden)
         return pixel;
-    // All to the same place, as far as the least certain of them is.
+    // All to the same place: the least certain coordinate's.
     const WorldVector &open = pick->withinPixel.world;
     const double most = std::max({open.x, open.y, open.z});
     return tr("world %1, %2").arg(pointText(*pick->point.world[Method::Formula], WorldVector(most, most, most)), pixel);

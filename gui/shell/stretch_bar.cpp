@@ -36,7 +36,7 @@ bool isPictureStretched(const SceneDocument &document)
     const Setup &setup = document.setup();
     if (document.objects().empty() || !isDistorted(circleAspect(setup)))
         return false;
-    // A small window has no rectangle of whole pixels that comes closer.
+    // No rectangle of whole pixels is closer in a small window.
     const ViewportRule fitting{ViewportRule::Kind::KeepAspect, {}, projectionAspect(setup)};
     return !check(fitting) || viewportIn(fitting, setup.surface) != setup.viewport;
 }

@@ -8,20 +8,21 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// Whether the viewport stretches the picture although another one would not.
+/// Returns whether the viewport stretches the scene although another viewport would not.
 bool isPictureStretched(const SceneDocument &document);
 /// Gives the viewport the projection's aspect, as large as the window allows.
 void letterbox(SceneDocument &document);
 
-/// Tells over the view that a projection and its viewport have two aspects, and offers the viewport that fits. It goes where the
-/// aspects fit, and stays away once it is closed, until they have fitted or another scene is opened.
+/// A bar over the view that reports different aspects of projection and viewport, and offers a
+/// viewport that fits. It disappears when the aspects fit. Once closed, it stays hidden until they
+/// have fitted or another scene is opened.
 class StretchBar : public QFrame {
     Q_OBJECT
 public:
     /// @param document  outlives the bar
     explicit StretchBar(SceneDocument &document, QWidget *parent = nullptr);
 
-    /// Lessons stretch pictures to show it, and say so themselves.
+    /// Hides the bar in lessons, which stretch the view on purpose and explain it themselves.
     void setInLesson(bool isInLesson);
 
 private:

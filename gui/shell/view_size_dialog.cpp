@@ -24,7 +24,7 @@ using namespace geometry;
 
 namespace {
 
-/// Of a side, device pixels: what every graphics driver draws.
+/// The largest side, device pixels: every graphics driver supports it.
 constexpr int kMostPixels = 8192;
 constexpr double kLeastRatio = 0.25, kMostRatio = 8.0;
 
@@ -116,7 +116,7 @@ void ViewSizeDialog::setSize(const Surface &surface)
         const QSignalBlocker logicalIsQuiet(m_logical[i]), deviceIsQuiet(m_device[i]);
         m_logical[i]->setMaximum(std::max(1, static_cast<int>(kMostPixels / surface.devicePixelRatio)));
         m_logical[i]->setValue(logicalFromDevice(surface, pixels[i]));
-        // One step is a logical pixel, or stepping down would round to where it began.
+        // One step is a logical pixel: a smaller step down would be rounded back.
         m_device[i]->setSingleStep(std::max(1, static_cast<int>(std::ceil(surface.devicePixelRatio))));
         m_device[i]->setValue(pixels[i]);
     }

@@ -16,8 +16,9 @@ namespace unprojector::gui {
 class SceneDocument;
 class SceneView;
 
-/// Asks for the size of the view, in logical or in device pixels with the pixel ratio between them, and keeps it in the scene. What
-/// is larger than the view's room is drawn at that size and shown smaller.
+/// Asks for the size of the view, in logical or in device pixels with the pixel ratio between them,
+/// and saves it in the scene. A size larger than the available room is drawn in full and shown
+/// scaled down.
 class ViewSizeDialog : public QDialog {
     Q_OBJECT
 public:
@@ -30,11 +31,11 @@ private:
     QSpinBox *addNumber(QHBoxLayout &row, const QString &name, const QString &tip, const char *objectName);
     /// The size in the fields.
     geometry::Surface typed() const;
-    /// Shows a size in all fields.
+    /// Sets all fields to a size.
     void setSize(const geometry::Surface &surface);
-    /// The user has typed logical pixels or the ratio.
+    /// Handles typed logical pixels or a typed ratio.
     void takeLogical();
-    /// The user has typed device pixels: those of the nearest whole number of logical ones.
+    /// Handles typed device pixels: rounds to a whole number of logical ones.
     void takeDevice();
     void refresh();
 
@@ -44,10 +45,10 @@ private:
     std::array<QSpinBox *, 2> m_device;
     QDoubleSpinBox *m_ratio;
     QLabel *m_note;
-    bool m_isRounded = false; ///< what was typed cannot be had, and the user may not have seen yet what can
+    bool m_isRounded = false; ///< the typed size is impossible, and the user may not have seen the rounded one yet
 };
 
-/// The view's size follows the window again.
+/// Makes the view's size follow the window again.
 void fitWindow(SceneDocument &document);
 
 } // namespace unprojector::gui

@@ -53,7 +53,7 @@ WindowMenus::WindowMenus(Window &window, const std::vector<Feature *> &features,
 {
     m_bar->setObjectName(QStringLiteral("tools"));
     fitToolBar();
-    // The entered workspace stands first: a narrow window cuts the others off.
+    // The current workspace comes first: a narrow window cuts off the others.
     m_bar->addActions(window.workspaces().actions());
     m_bar->addSeparator();
     addFileMenu();
@@ -69,7 +69,7 @@ void WindowMenus::fitToolBar()
     const QFontMetrics metrics = m_window.fontMetrics();
     const int icon = std::min(metrics.height() * 3 / 2, std::max(m_window.width() / kShareOfWidth, metrics.ascent()));
     m_bar->setIconSize({icon, icon});
-    // Words beside the icons of workspaces and menus, as far as there is room for them.
+    // Text beside the icons of workspaces and menus, as far as there is room.
     const auto setStyle = [this](bool areMenus, Qt::ToolButtonStyle style) {
         const QList<QAction *> workspaces = m_window.workspaces().actions();
         for (QAction *action : m_bar->actions()) {
@@ -166,12 +166,12 @@ void WindowMenus::addEditMenu()
     m_edit = &menu;
     QUndoStack &stack = m_window.document().undoStack();
     QAction *undo = stack.createUndoAction(&menu, tr("&Undo"));
-    undo->setObjectName(QStringLiteral("undo")); // by which lessons link to it
+    undo->setObjectName(QStringLiteral("undo")); // for links in lessons
     undo->setShortcut(QKeySequence::Undo);
     QAction *redo = stack.createRedoAction(&menu, tr("&Redo"));
     QList<QKeySequence> redoKeys = QKeySequence::keyBindings(QKeySequence::Redo);
     if (const QKeySequence key(Qt::CTRL | Qt::Key_Y); !redoKeys.contains(key))
-        redoKeys << key; // not every desktop has it
+        redoKeys << key; // some desktops don't have it
     redo->setShortcuts(redoKeys);
     for (QAction *action : {undo, redo})
         keepToolTipPlain(action);
@@ -217,7 +217,7 @@ void WindowMenus::addLooks(QMenu &menu)
     menu.addSeparator();
     QAction *perspective = addSwitch(menu, tr("&Perspective"), Qt::Key_5,
                                      tr("Switch between perspective (glFrustum) and orthographic (glOrtho)"));
-    perspective->setObjectName(QStringLiteral("perspective")); // by which lessons link to it
+    perspective->setObjectName(QStringLiteral("perspective")); // for links in lessons
     connect(perspective, &QAction::triggered, this, [&document] { switchProjection(document); });
     putOnBar(*m_bar, *perspective, Drawing::Perspective);
     const auto show = [&document, perspective] {

@@ -18,15 +18,17 @@ class SceneCodeWindow;
 class Translation;
 class Window;
 
-/// The menus and the tool bar of the window: the window's own actions, and among them those of its features.
+/// The menus and the tool bar of the window: the window's own actions, and among them its features'
+/// actions.
 class WindowMenus : public QObject {
     Q_OBJECT
 public:
-    /// @param translation  what the menu of languages goes by; null: without that menu. It and the others outlive the menus
+    /// @param translation  for the menu of languages; null: no such menu. All arguments outlive the
+    /// menus
     WindowMenus(Window &window, const std::vector<Feature *> &features, MessageBar &messages,
                 const Translation *translation);
 
-    /// Makes the drawings on the tool bar so small that a narrow window has room for all of them.
+    /// Shrinks the drawings on the tool bar so that a narrow window has room for all of them.
     void fitToolBar();
 
 signals:
@@ -38,7 +40,7 @@ private:
     void addFileMenu();
     void addEditMenu();
     void addViewMenu();
-    /// Edit > Preferences…, once the menus have the choices that it shows.
+    /// Adds Edit > Preferences…, once the menus have the choices that it shows.
     void addPreferences();
     void addLooks(QMenu &menu);
     void addSizeActions(QMenu &menu);
@@ -59,7 +61,7 @@ private:
     QMenu *m_recent = nullptr;
     QMenu *m_edit = nullptr;
     PreferencesDialog::Choices m_choices;
-    KeySheet *m_keys = nullptr;        ///< made when it is first asked for
+    KeySheet *m_keys = nullptr;        ///< created on demand
     SceneCodeWindow *m_code = nullptr; ///< the same
 };
 

@@ -8,7 +8,7 @@
 namespace unprojector::gui {
 namespace {
 
-/// Names come from files: whatever looks like markup in them is text.
+/// Asks in a message box. Names come from files: markup in them is shown literally.
 QMessageBox::StandardButton ask(QWidget &window, const QString &title, const QString &text,
                                 QMessageBox::StandardButtons buttons, QMessageBox::StandardButton proposed)
 {

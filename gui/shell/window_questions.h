@@ -8,7 +8,8 @@ class QWidget;
 
 namespace unprojector::gui {
 
-/// Warns in a message box and waits until it is closed. Names in the text may look like markup: it is shown as it is.
+/// Shows a warning in a message box and waits until it is closed. Names in the text may look like
+/// markup: the text is shown literally.
 void warn(QWidget &window, const QString &title, const QString &text);
 
 /// Asks the questions of the session in message boxes over a window.

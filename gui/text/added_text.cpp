@@ -19,7 +19,7 @@ struct AddedText {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::AddedText)
 };
 
-/// From here on one of two things is a speck beside the other.
+/// The size ratio from which one of two objects is a speck beside the other.
 constexpr double kMuchLarger = 100.0;
 
 QString trianglesText(std::size_t count)
@@ -28,10 +28,10 @@ QString trianglesText(std::size_t count)
                       : AddedText::tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(count)));
 }
 
-/// Of those that are much larger or smaller than the rest the one that is so most.
+/// The object whose size differs most from the rest.
 struct Misfit {
     const SceneObject *object;
-    double ratio; ///< of its size to that of the rest
+    double ratio; ///< its size : size of the rest
 };
 
 std::optional<Misfit> misfitAmong(const std::vector<SceneObject> &objects, std::size_t added)
@@ -52,7 +52,7 @@ std::optional<Misfit> misfitAmong(const std::vector<SceneObject> &objects, std::
     return misfit;
 }
 
-/// Whether each that is seen is a speck in the picture of all.
+/// Returns whether each visible object is a speck in the view of all.
 bool areFarApart(const std::vector<SceneObject> &objects)
 {
     Box all;

@@ -6,10 +6,10 @@
 
 namespace unprojector::gui {
 
-/// What an API does otherwise than OpenGL; of OpenGL, what its conventions are.
+/// The differences of an API from OpenGL; for OpenGL, its conventions.
 QString apiText(geometry::Api api);
 
-/// OpenCV's camera matrix as a line: "K = [724.26 0 499.5; 0 724.26 359.5; 0 0 1]".
+/// OpenCV's camera matrix in one line: "K = [724.26 0 499.5; 0 724.26 359.5; 0 0 1]".
 QString intrinsicsText(const glm::dmat3 &intrinsics);
 
 } // namespace unprojector::gui

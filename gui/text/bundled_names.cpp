@@ -9,7 +9,7 @@ namespace unprojector::gui {
 namespace {
 
 constexpr char kContext[] = "BundledNames";
-/// Of core/scene/bundled_scene and the models of the lessons.
+/// The names of core/scene/bundled_scene and the models of the lessons.
 constexpr std::array kNames{QT_TRANSLATE_NOOP("BundledNames", "Teapot"),
                             QT_TRANSLATE_NOOP("BundledNames", "Cube"),
                             QT_TRANSLATE_NOOP("BundledNames", "Torus"),

@@ -9,15 +9,14 @@
 
 namespace unprojector::gui {
 
-/// What objects that come with the program are called in the language that it speaks, numbered or not ("Cube (2)"); any
-/// other name is left as it is. Scenes and their files know them by the English one, and so are the same in all
-/// languages.
+/// The translated name of a bundled object, numbered or not ("Cube (2)"); any other name unchanged.
+/// Scenes and their files contain the English name, and so are the same in all languages.
 QString readName(const std::string &name);
 
-/// The name of an object as the user reads it. One of a file has its own: it is called so in every table and by the
-/// `unproject` command. So has one of the program where another object bears its name in this language, given in
-/// another one: two lines of a list never look the same.
-/// @param name  of one of the objects; any other is left as it is
+/// The name of an object as the user reads it. A file's object keeps its own name, in every table
+/// and in the `unproject` command. So does a bundled object if another one already has its
+/// translated name: two lines of a list never look the same.
+/// @param name  of one of the objects; any other is returned unchanged
 QString readName(const std::string &name, const std::vector<scene::SceneObject> &objects);
 
 } // namespace unprojector::gui

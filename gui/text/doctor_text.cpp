@@ -19,7 +19,7 @@ struct DoctorText {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::DoctorText)
 };
 
-/// The mistake, and those that cannot be told from it.
+/// The mistake, and others that cannot be distinguished from it.
 QString mistakesText(const Diagnosis &diagnosis)
 {
     QString text = QString::fromStdString(mistakeSentence(diagnosis.verdict));
@@ -62,7 +62,7 @@ qsizetype explainedLength(double coordinate, double lastDigit, int digits)
     const QString text = coordinateText(coordinate, lastDigit);
     if (digits >= digitsOf(coordinate, lastDigit))
         return text.size();
-    // As the digits are counted: those before the first that is not 0 are none.
+    // Leading zeros don't count as digits.
     int left = digits;
     bool hasBegun = false;
     for (qsizetype i = 0; i < text.size() && left > 0; ++i) {

@@ -6,17 +6,19 @@
 
 namespace unprojector::gui {
 
-// What a diagnosis says, in the language of the window.
+// Diagnoses in words, in the language of the window.
 
-/// Its sentences: the mistake, that the point is right, or why neither can be said.
+/// The sentences of a diagnosis: the mistake, that the point is right, or why neither can be
+/// decided.
 QString verdictText(const doctor::Diagnosis &diagnosis);
 
-/// With the decimals that the last digit allows.
+/// The value with the decimals of its last digit.
 QString coordinateText(double value, double lastDigit);
-/// @param lastDigit  units of the last digits, of each coordinate
+/// @param lastDigit  units of the last digit of each coordinate
 QString pointText(const glm::dvec3 &point, const glm::dvec3 &lastDigit);
-/// How much of coordinateText(coordinate, lastDigit) an answer explains: characters from its beginning.
-/// @param digits  that it explains, see Candidate::digitsOfFirst
+/// The number of leading characters of coordinateText(coordinate, lastDigit) that an answer
+/// explains.
+/// @param digits  number of explained digits, see Candidate::digitsOfFirst
 qsizetype explainedLength(double coordinate, double lastDigit, int digits);
 
 } // namespace unprojector::gui

@@ -9,19 +9,19 @@
 
 namespace unprojector::gui {
 
-/// What core says is wrong, as sentences of the window.
+/// Core's errors as sentences for the window.
 QString errorText(const geometry::Error &error);
 QString errorText(const mesh::ImportError &error);
-/// Names the file and the place in it.
+/// Names the file and the position in it.
 QString errorText(const scene_file::SceneFileError &error);
-/// Why a text typed for a number is none, with the place in it.
+/// Explains why a typed text is not a number, with the position of the error.
 QString errorText(const text::ExpressionError &error, const QString &typed);
 
-/// A path as people read it.
+/// A path in readable form.
 QString pathText(const std::filesystem::path &path);
-/// A tooltip that shows this text as it is, whatever looks like markup in it; empty for none.
+/// A tooltip that shows this text without interpreting markup; empty for an empty text.
 QString plainToolTip(const QString &text);
-/// The suffixes of models, as a filter of a file dialog: "Models (*.obj *.stl …)".
+/// The suffixes of models as a filter of a file dialog: "Models (*.obj *.stl …)".
 QString modelFileFilter();
 /// The same with scenes: "Models and scenes (*.obj … *.json)".
 QString openableFileFilter();

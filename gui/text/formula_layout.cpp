@@ -13,10 +13,10 @@ namespace {
 
 using Box = FormulaLayout::Box;
 
-/// Beyond that type cannot be read.
+/// Smaller type is illegible.
 constexpr double kLeastScale = 0.55;
 constexpr double kScaleStep = 0.94;
-/// Of sub- and superscripts.
+/// The scale of sub- and superscripts.
 constexpr double kIndexScale = 0.72;
 
 bool isLatinLetter(QChar c)
@@ -31,12 +31,12 @@ Box textBox(const QString &text, const QFont &font, double spaceBefore = 0.0, do
     box.kind = Box::Kind::Text;
     box.text = text;
     box.font = font;
-    // Some fonts' parentheses reach below their descent, where a fraction's bar may be.
+    // Some fonts' parentheses extend below their descent, where a fraction's bar may be.
     const QRectF ink = metrics.tightBoundingRect(text);
     box.ascent = std::max(metrics.ascent(), -ink.top());
     box.descent = std::max(metrics.descent(), ink.bottom());
     box.width = spaceBefore + metrics.horizontalAdvance(text) + spaceAfter;
-    box.axis = spaceBefore; // of a text: where it begins
+    box.axis = spaceBefore; // for a text: its start
     return box;
 }
 
@@ -81,7 +81,7 @@ public:
                     box.breakBefore = sign == u'×' || sign == u'·' ? Box::Break::Late : Box::Break::Early;
                 row.parts.push_back(std::move(box));
                 m_at += 3;
-            } else if (c == u'=' && row.parts.empty()) { // a line that goes on
+            } else if (c == u'=' && row.parts.empty()) { // a line that continues the equation
                 row.parts.push_back(textBox(QStringLiteral("="), m_style, 0.0, 0.22 * em));
                 m_at += m_markup.mid(m_at + 1, 1) == u" " ? 2 : 1;
             } else if (c == u' ') {
@@ -92,7 +92,7 @@ public:
                 row.parts.push_back(readWord());
             }
         }
-        // Blanks around a bar are not part of what stands on it.
+        // Blanks around a bar are not part of its operands.
         while (!row.parts.empty() && row.parts.back().kind == Box::Kind::Text && row.parts.back().text.isEmpty())
             row.parts.pop_back();
         placeInRow(row);
@@ -106,7 +106,7 @@ private:
                && QStringView(u"=+−×·").contains(m_markup[at + 1]);
     }
 
-    /// A run of letters, of which a single one is a quantity's, or of what is no letter.
+    /// A run of letters, of which a single one is a symbol, or of other characters.
     Box readWord()
     {
         const qsizetype start = m_at;
@@ -115,7 +115,7 @@ private:
                && !QStringView(u"{}|;< ").contains(m_markup[m_at])) {
             ++m_at;
             if (!isWord && (m_markup[m_at - 1] == u'(' || m_markup[m_at - 1] == u')'))
-                break; // they are counted one by one
+                break; // parentheses are counted one by one
         }
         QFont font = m_style;
         font.setItalic(isWord && m_at - start == 1 && !m_isUpright);
@@ -286,8 +286,9 @@ QFont formulaFont(double pointSize)
                       QStringLiteral("Linux Libertine O"), QStringLiteral("Noto Serif"),
                       QStringLiteral("Liberation Serif"), QStringLiteral("Times New Roman"),
                       QStringLiteral("DejaVu Serif"),
-                      // None of these has Chinese characters. What stands below is taken for them only; left to itself,
-                      // the system may choose a font without serifs or the Japanese forms.
+                      // None of the fonts above has Chinese characters. Those below are used only
+                      // for them; otherwise the system may choose a font without serifs or with
+                      // Japanese forms.
                       QStringLiteral("Noto Serif CJK SC"), QStringLiteral("Noto Serif SC"),
                       QStringLiteral("Source Han Serif SC"), QStringLiteral("Songti SC"), QStringLiteral("SimSun")});
     font.setStyleHint(QFont::Serif);
@@ -298,7 +299,8 @@ QFont formulaFont(double pointSize)
 FormulaLayout::FormulaLayout(const QString &markup, const QFont &font) : m_markup(markup), m_font(font)
 {
     build(1.0);
-    // In one line; its own width, summed in another order, would break it now and then.
+    // The formula stays in one line; its own width, summed in another order, would sometimes break
+    // it.
     breakLines(std::numeric_limits<double>::infinity(), false);
 }
 

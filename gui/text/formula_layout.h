@@ -11,12 +11,13 @@ class QPainter;
 
 namespace unprojector::gui {
 
-/// The serif that formulas are set in, at the size of the window's text.
+/// The serif font of formulas, at the size of the window's text.
 QFont formulaFont(double pointSize);
 
-/// A formula set in lines of a width: fractions on their bars, columns in brackets, single letters in italics. The markup is
-/// that of formula_markup with terms in it, `<t n>…</t>`. Lines are broken before =, + and −, outside parentheses; where
-/// that is not enough before ×, and then the type gets smaller.
+/// A formula typeset in lines of a given width: fractions on their bars, columns in brackets,
+/// single letters in italics. The markup is formula_markup's with terms in it, `<t n>…</t>`. Lines
+/// break before =, + and −, outside parentheses; if that is not enough, before ×; finally the font
+/// gets smaller.
 class FormulaLayout {
 public:
     FormulaLayout(const QString &markup, const QFont &font);
@@ -24,18 +25,18 @@ public:
     /// @param width  logical pixels
     void setWidth(double width);
     QSizeF size() const { return m_size; }
-    /// What the letters and bars cover, one rectangle each: italics reach beyond their advance.
+    /// The rectangles covered by letters and bars, one each: italics extend beyond their advance.
     std::vector<QRectF> inkRects() const;
 
     struct Colors {
         QColor ink;
         QColor mark; ///< behind the term
     };
-    /// @param marked  a term, all over the formula; empty: none
+    /// @param marked  a term, marked wherever it occurs; empty: none
     void paint(QPainter &painter, const QPointF &topLeft, const Colors &colors, const QString &marked) const;
-    /// The innermost term at a position, counted from the top left; empty where there is none.
+    /// The innermost term at a position, relative to the top left; empty if there is none.
     QString termAt(const QPointF &position) const;
-    /// All of a term's places, for tests and tooltips.
+    /// The rectangles of all occurrences of a term, for tests and tooltips.
     std::vector<QRectF> placesOf(const QString &term) const;
 
     struct Box {
@@ -45,9 +46,9 @@ public:
         QFont font;
         QString term;
         std::vector<Box> parts;
-        QPointF origin; ///< of the baseline's start in the box around it
+        QPointF origin; ///< start of the baseline, in the enclosing box
         double width = 0.0, ascent = 0.0, descent = 0.0;
-        double axis = 0.0; ///< of fractions' bars above the baseline
+        double axis = 0.0; ///< height of fractions' bars above the baseline
         enum class Break { No, Late, Early };
         Break breakBefore = Break::No;
 
@@ -61,8 +62,8 @@ private:
 
     QString m_markup;
     QFont m_font;
-    Box m_whole;              ///< what was read
-    std::vector<Box> m_lines; ///< of it
+    Box m_whole;              ///< as parsed
+    std::vector<Box> m_lines; ///< of m_whole
     QSizeF m_size;
 };
 

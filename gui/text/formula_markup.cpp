@@ -6,7 +6,7 @@
 namespace unprojector::gui {
 namespace {
 
-/// Where the brace that opens at `open` is closed; the end of the text where it is not.
+/// The position of the brace that closes the one at `open`; the end of the text if there is none.
 qsizetype closingBrace(const QString &text, qsizetype open)
 {
     int depth = 0;
@@ -19,7 +19,7 @@ qsizetype closingBrace(const QString &text, qsizetype open)
     return text.size();
 }
 
-/// At the separators that stand outside all braces.
+/// The parts between the separators outside all braces.
 QStringList splitOutsideBraces(const QString &text, QChar separator)
 {
     QStringList parts{QString()};
@@ -34,7 +34,7 @@ QStringList splitOutsideBraces(const QString &text, QChar separator)
     return parts;
 }
 
-/// Single Latin letters in italics, but for indices and vectors.
+/// Sets single Latin letters in italics, except indices and vectors.
 QString withItalics(const QString &text)
 {
     static const QRegularExpression letter(

@@ -16,20 +16,21 @@ using namespace unproject;
 namespace {
 
 constexpr int kDigits = 6;
-/// Of what people compare with their own numbers: pixels, the viewport.
+/// The digits of numbers that users compare with their own: pixels, the viewport.
 constexpr int kPixelDigits = 10;
 
 struct Formulas {
     Q_DECLARE_TR_FUNCTIONS(Formulas)
 };
 
-/// With the typographic minus, as the paper has it.
+/// The number with the typographic minus, as in the paper.
 QString number(double value, int digits = kDigits)
 {
     return writtenText(value, digits).replace(u'-', u'−');
 }
 
-/// Far from zero with more digits than other numbers: down to thousandths, where those are certain.
+/// A coordinate; far from zero with more digits than other numbers: down to thousandths, if those
+/// are certain.
 QString coordinate(double value, double uncertainty)
 {
     constexpr int kDecimals = 3;
@@ -52,7 +53,7 @@ FormulaTerm vector(const char *symbol, const QString &name, const Components<3> 
             {v.x, v.y, v.z}};
 }
 
-/// All that the formulas of a surface pick name.
+/// All terms in the formulas of a surface pick.
 FormulaTerms termsOf(const Pick &pick, const EyePoint &eye, const WorldPoint &world, double depth,
                      const EyeFrame &frame)
 {

@@ -13,7 +13,7 @@ QString withoutTags(QString markup)
     return markup.remove(tag);
 }
 
-/// How the parts of a template are written.
+/// The notation for the parts of a template.
 struct Writing {
     std::function<QString(const QString &term, bool isAfterParenthesis)> term;
     QString product;     ///< for `*`
@@ -22,7 +22,8 @@ struct Writing {
     bool hasSlashes;     ///< fractions as a / b
 };
 
-/// Whether a sum stands outside all parentheses and braces; with `orProduct` a product or a fraction too.
+/// Returns whether a sum is outside all parentheses and braces; with `orProduct` also for a product
+/// or a fraction.
 bool isComposed(const QString &expression, bool orProduct)
 {
     int depth = 0;

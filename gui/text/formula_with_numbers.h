@@ -8,30 +8,30 @@
 
 namespace unprojector::gui {
 
-/// A quantity that formulas name.
+/// A term of a formula.
 struct FormulaTerm {
     QString symbol;            ///< markup: "v<sub>x</sub>"
     QString name;              ///< "Distance of the near plane, eye units"
-    QStringList value;         ///< as it is put in: one number, or the three of a column; empty: the symbol stays
-    std::vector<double> exact; ///< the same with all digits; empty where that is no number
+    QStringList value;         ///< the inserted value: one number, or the three of a column; empty: the symbol stays
+    std::vector<double> exact; ///< the same with all digits; empty if it is not a number
 };
 
-/// By the short name that templates have for them.
+/// The terms by their short names in templates.
 using FormulaTerms = std::map<QString, FormulaTerm>;
 
-/// A formula and the same with its numbers put in, both from one template:
+/// A formula in symbols and with its numbers, both from one template:
 ///
 ///   {([px] − [vx])*([r] − [l])*[z] | [width] · [n]} + {[l]*[z] | [n]}
 ///
-/// `[n]` is a term, `*` a product (a space between symbols, × between numbers), `{a | b}` a fraction. Negative numbers are
-/// put in parentheses where a sign would run into an operator. In the markup, which is that of formula_markup, a term
-/// stands in `<t n>…</t>`, and a column is written `{x; y; z}`.
+/// `[n]` is a term, `*` a product (a space between symbols, × between numbers), `{a | b}` a
+/// fraction. Negative numbers get parentheses if their sign would follow an operator. In the
+/// markup, the same as formula_markup's, a term is written `<t n>…</t>`, and a column `{x; y; z}`.
 class FormulaWithNumbers {
 public:
     /// @param number  "(9)", or empty
     /// @param result  the term on the left
-    /// @param condition  what follows the symbols: ", 0 ≤ t ≤ 1"
-    /// @pre the terms named are among those given
+    /// @param condition  text after the symbols: ", 0 ≤ t ≤ 1"
+    /// @pre all named terms are given
     FormulaWithNumbers(const QString &number, const QString &result, const QString &expression,
                        const FormulaTerms &terms, const QString &condition = {});
 
@@ -40,7 +40,7 @@ public:
     const QString &symbols() const { return m_symbols; }
     /// "= … = 5", markup.
     const QString &numbers() const { return m_numbers; }
-    /// Both for the clipboard, a line each, fractions as a / b and columns as (x, y, z).
+    /// Both lines for the clipboard, fractions as a / b and columns as (x, y, z).
     const QString &text() const { return m_text; }
 
 private:

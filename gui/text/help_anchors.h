@@ -6,17 +6,17 @@
 
 namespace unprojector::gui {
 
-/// Where Help has a formula of the paper or one of those numbered on from it.
-/// @param number  "(9)"; empty: a formula without one, whose place is the chapter of the way back
+/// The anchor in the help of a formula with a number of the paper or one that continues them.
+/// @param number  "(9)"; empty: a formula without one, found in the chapter on unprojection
 QString helpAnchorOf(const QString &number);
 
-/// Where Help has the matrix of a kind of projection.
+/// The anchor of the matrix of a kind of projection.
 QString helpAnchorOf(geometry::ProjectionKind kind);
 
-/// Where Help derives it step by step.
+/// The anchor of that matrix's derivation, step by step.
 QString helpAnchorOfSteps(geometry::ProjectionKind kind);
 
-/// The link to a place of Help, for a label and QDesktopServices: "formulas:w9".
+/// The link to an anchor of the help, for a label and QDesktopServices: "formulas:w9".
 QString helpAddress(const QString &anchor);
 
 } // namespace unprojector::gui

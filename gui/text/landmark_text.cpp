@@ -23,7 +23,8 @@ struct Cases : Fs... {
 template <class... Fs>
 Cases(Fs...) -> Cases<Fs...>;
 
-/// A value to the last digit of its error: what a length is off by hardly ever is all of its last certain digit.
+/// Rounds a value to the last digit of its error: the error of a length is hardly ever all of its
+/// last certain digit.
 QString toLastDigitOf(const QString &error, double value, double exactError)
 {
     if (error.contains(u'×')) // a power of ten
@@ -32,10 +33,10 @@ QString toLastDigitOf(const QString &error, double value, double exactError)
     return fixedText(value, point < 0 ? 0 : static_cast<int>(error.size() - point - 1));
 }
 
-/// A value and how far it may be off.
+/// A value with its error.
 QString measureText(double value, const std::optional<double> &error, const QString &unit)
 {
-    constexpr int kDigits = 7; // of what is off by nobody knows how much
+    constexpr int kDigits = 7; // for a value with unknown uncertainty
     const QString behind = unit.isEmpty() || unit == QStringLiteral("°") ? unit : QChar(QChar::Nbsp) + unit;
     const QString inner = unit == QStringLiteral("°") ? unit : QString();
     if (!error)

@@ -10,24 +10,27 @@
 
 namespace unprojector::gui {
 
-// Placed points in words.
+// Landmarks in words.
 
-/// What holds a point, in a word: "triangle 7", "vertex 3", "edge 1–2", "free"; "missing" for one without a place.
+/// The anchor of a landmark in one or two words: "triangle 7", "vertex 3", "edge 1–2", "free";
+/// "missing" for one without a position.
 QString heldByText(const landmarks::Landmark &landmark);
 /// The same in a sentence.
 QString heldByExplanation(const landmarks::Landmark &landmark);
-/// How far a point can be off: the length of its uncertainty, "0.05"; "?" where that is not known.
+/// The uncertainty of a landmark: its length, "0.05"; "?" if unknown.
 QString plusMinusText(const landmarks::Landmark &landmark);
-/// How a point's coordinates are written: with two digits below what is certain where that many characters have room for them, and
-/// with all that are certain where `most` of them have; with thousandths where that is not known.
+/// The notation of a landmark's coordinates: two digits below the uncertainty if they fit into
+/// `characters`; else only the certain ones if they fit into `most`; thousandths if the uncertainty
+/// is unknown.
 Notation landmarkNotation(const landmarks::Landmark &landmark, int axis, int characters, int most);
 
-/// "12.34 ± 0.05 mm"; the value with the digits that its error leaves certain. "12.34567 ± ? mm" where that is not known.
+/// "12.34 ± 0.05 mm", rounded to its certain digits. "12.34567 ± ? mm" if the uncertainty is
+/// unknown.
 QString lengthText(const landmarks::Measure &measure, const QString &unit);
 /// The same in degrees: "91.2° ± 0.4°".
 /// @param measure  radians
 QString angleText(const landmarks::Measure &measure);
-/// Why there is no such measure.
+/// The reason why a measure doesn't exist.
 QString measureErrorText(const landmarks::MeasureError &error);
 
 } // namespace unprojector::gui

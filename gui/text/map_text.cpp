@@ -113,7 +113,7 @@ QString conventionName(const NamedConvention &convention)
 {
     if (const auto *program = std::get_if<OtherProgram>(&convention.other))
         return programName(*program);
-    constexpr std::string_view kNoMistake = "single-precision"; // of the doctor's
+    constexpr std::string_view kNoMistake = "single-precision"; // among the doctor's
     return convention.key == kNoMistake ? MapText::tr("single precision")
                                         : QString::fromStdString(doctor::mistakeName(convention.key));
 }

@@ -9,11 +9,11 @@
 
 namespace unprojector::gui {
 
-/// The values of an enumeration by the names that settings and the command line have for them.
+/// The values of an enumeration with their names in settings and on the command line.
 template <class Value, std::size_t count>
 using NamedValues = std::array<std::pair<Value, const char *>, count>;
 
-/// Empty where none has the name.
+/// The value of this name; nothing if there is none.
 template <class Value, std::size_t count>
 std::optional<Value> valueNamed(const QString &name, const NamedValues<Value, count> &values)
 {
@@ -24,7 +24,7 @@ std::optional<Value> valueNamed(const QString &name, const NamedValues<Value, co
     return std::nullopt;
 }
 
-/// Empty where the value has none.
+/// The name of this value; empty if there is none.
 template <class Value, std::size_t count>
 QString nameAmong(const NamedValues<Value, count> &values, Value value)
 {

@@ -9,9 +9,9 @@
 
 namespace unprojector::gui {
 
-/// What a model does not show as its file has it: core's sentences, the file's name before them; empty without any.
+/// A model's import notes: core's sentences after the file's name; empty without any.
 QString notesText(const QString &fileName, const std::vector<mesh::ModelNote> &notes);
-/// What a file of points does not have as it was given: core's words, a line each, the file's name before them.
+/// The import notes of a landmark file: core's words, a line each, after the file's name.
 QString landmarkNotesText(const QString &fileName, const std::vector<landmark_files::LandmarkNote> &notes);
 
 } // namespace unprojector::gui

@@ -10,7 +10,7 @@ using namespace geometry;
 
 namespace {
 
-/// What is written out whatever its digits.
+/// The least value that is written out with any digits.
 constexpr double kLeastWrittenOut = 1e-4;
 constexpr int kMostExponent = 9;
 constexpr double kTooLarge = 1e10; // 10 to the power of one more
@@ -36,16 +36,16 @@ QString withoutTrailingZeros(QString text)
 }
 
 constexpr int kNothingUncertain = -20;
-/// Decimals that are written out.
+/// The most decimals that are written out.
 constexpr int kMostZeros = 9;
 
-/// Of the first digit.
+/// The exponent of the first digit.
 int exponentOf(double value)
 {
     return QString::number(value, 'e', 16).section(u'e', 1).toInt();
 }
 
-/// To so many places before the decimal point.
+/// The value rounded at a place before the decimal point.
 double roundedTo(double value, int place)
 {
     const double unit = std::pow(10.0, place);
@@ -135,9 +135,9 @@ QString boundText(double bound)
     if (!(bound > 0.0) || !std::isfinite(bound))
         return readableText(bound);
     const double power = std::pow(10.0, std::floor(std::log10(bound)));
-    // As many digits as readableText has: one more where the first is a one.
+    // The digits are as in readableText: one more if the first is 1.
     const double unit = bound < 2.0 * power ? power / 10.0 : power;
-    constexpr double kRounding = 1e-9; // of the quotient: what is whole stays so
+    constexpr double kRounding = 1e-9; // of the quotient: a whole number stays whole
     return readableText(std::ceil(bound / unit - kRounding) * unit);
 }
 
@@ -146,7 +146,8 @@ int decimalsFor(const Components<3> &point, int digits)
     const double largest = std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     if (!(largest > 0.0) || !std::isfinite(largest))
         return digits - 1;
-    // The 0 before the point of a number between 0.1 and 1 counts as a digit: its column is no wider than others.
+    // The 0 before the point of a number between 0.1 and 1 counts as a digit: its column is no
+    // wider than others.
     const int exponent = std::max(static_cast<int>(std::floor(std::log10(largest))), largest < 0.1 ? -20 : 0);
     return std::clamp(digits - 1 - exponent, 0, 20);
 }
@@ -192,7 +193,8 @@ qsizetype Notation::certainLength(double value, double uncertainty) const
     const qsizetype sign = whole.startsWith(u'-') ? 1 : 0;
     if (length > sign)
         return std::min(length, power);
-    // No digit stands at the certain place or before it: one that rounds up to it is seen by its first.
+    // All digits are below the certain place; a value that rounds up to it is represented by its
+    // first digit.
     return std::abs(value) >= 0.5 * std::pow(10.0, last) ? sign + 1 : 0;
 }
 
@@ -208,7 +210,7 @@ Notation notationOf(const Components<3> &point, double coordinate, int digits, i
     if (!(largest > 0.0) || !std::isfinite(largest))
         return {std::max(0, std::min(digits - 1, characters - 3)), false};
     const int exponent = exponentOf(largest);
-    // -1 where a number without a point still fits
+    // -1 if a number without a point still fits
     const auto roomBehind = [characters](int ofFirstDigit) {
         return characters - kSignAndPoint - (std::max(ofFirstDigit, 0) + 1);
     };

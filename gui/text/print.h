@@ -13,8 +13,8 @@
 
 namespace unprojector::gui {
 
-/// A text for people as the standard streams take it: in the locale's letters, on Windows in UTF-8, as `unproject` writes
-/// there; control characters are written out.
+/// Readable text for the standard streams: in the locale's encoding, on Windows in UTF-8, as
+/// `unproject` writes there; control characters are escaped.
 inline QByteArray printed(const QString &text)
 {
     const std::string shown = text::printableLines(text.toStdString());
@@ -32,7 +32,7 @@ inline void printMessage(const QString &text)
 }
 
 /// Writes to standard output at once.
-/// @return what went wrong, in the system's words, as where the disk is full; empty when all is written
+/// @return the system's error text, as for a full disk; empty when all is written
 inline std::string print(std::string_view text)
 {
     errno = 0;

@@ -18,7 +18,7 @@ struct ProportionTexts {
     Q_DECLARE_TR_FUNCTIONS(ProportionTexts)
 };
 
-/// With the typographic minus, as the paper has it.
+/// The text with the typographic minus, as in the paper.
 QString typographic(QString text)
 {
     return text.replace(u'-', u'−');
@@ -29,7 +29,7 @@ QString limit(double value)
     return typographic(writtenText(value, 5));
 }
 
-/// In parentheses where a sign would run into an operator.
+/// The text in parentheses if its sign would follow an operator.
 QString term(const QString &text)
 {
     return text.startsWith(u'−') ? u'(' + text + u')' : text;

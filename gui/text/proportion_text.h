@@ -9,7 +9,7 @@
 
 namespace unprojector::gui {
 
-/// The proportion (3) or (4) in symbols, both of its sides with their numbers, and the share that they make.
+/// The proportion (3) or (4) in symbols, both sides with their numbers, and their common value.
 struct ProportionText {
     QString symbols; ///< "(3) (x_w − left) / (right − left) = (x_v − vx) / width"
     QString left;    ///< "(0.0259 − (−0.83)) / (0.83 − (−0.83))"
@@ -22,19 +22,20 @@ struct ProportionText {
 
 enum class Axis { X, Y };
 
-/// What changes with the pointer is padded with blanks to one width, so that a text does not jump.
-/// @param pointer  window position; nothing: x_w and x_v (y_w and y_v) stand as symbols
-/// @pre the geometry is valid
+/// Numbers that change with the pointer are padded with blanks to a fixed width, so that the text
+/// does not jump.
+/// @param pointer  window position; nothing: x_w and x_v (y_w and y_v) stay symbols
+/// @pre the setup is valid
 ProportionText proportionText(const geometry::Setup &setup, Axis axis,
                               const std::optional<geometry::WindowPoint> &pointer);
 
-/// Lines of proportions as rich text: the indexes of x_w, x_v and vx are set as such, and blanks are kept.
+/// Lines of proportions as rich text: x_w, x_v and vx get subscripts, and blanks are kept.
 QString proportionMarkup(const QString &plain);
 
-/// A circle's shape is told apart from a circle's from about half a percent on.
+/// Returns whether a circle looks distorted: from about half a percent on.
 bool isDistorted(double circleAspect);
 
-/// Two aspects, width to height, as texts that differ where the aspects do: "4 : 3" and "1.11 : 1".
+/// Two aspects, width to height, as texts that differ if the aspects do: "4 : 3" and "1.11 : 1".
 std::pair<QString, QString> aspectTexts(double one, double other);
 
 /// "A circle would be drawn 1.33 : 1, wider than high." or "A circle is drawn as a circle."

@@ -23,13 +23,13 @@ using Kind = RayComparison::Kind;
 
 constexpr qsizetype kMostOfName = 14;
 
-/// A name that leaves the sentence its room.
+/// A name shortened so that the sentence fits.
 QString shortName(const QString &name)
 {
     return name.size() <= kMostOfName ? name : name.left(kMostOfName - 1) + u'…';
 }
 
-/// Below a thousandth of a step nobody asks.
+/// Less than a thousandth of a step is irrelevant.
 QString stepsText(double steps)
 {
     const double size = std::abs(steps);
@@ -41,7 +41,7 @@ QString numbered(std::uint32_t number)
     return QString::number(number);
 }
 
-/// "0.6 x − 0.8 y + 0 z = 1.5", the plane of a face.
+/// The plane of a face: "0.6 x − 0.8 y + 0 z = 1.5".
 QString planeText(const SceneHit &hit)
 {
     constexpr int kDigits = 7;

@@ -7,13 +7,13 @@
 
 namespace unprojector::gui {
 
-/// What core says, with the full stop that its texts do not have.
+/// A text of core with the full stop that core omits.
 QString ended(const std::string &said);
-/// The same with a capital letter: for what begins with a word, not with the name of a file.
+/// The same with a capital letter: for a text that begins with a word, not with a file name.
 QString sentence(const std::string &said);
 
-/// Sentences one after the other: with a blank between them, and with none where the one before ends as Chinese ones do, whose
-/// full stop has its own room. Empty ones are left out.
+/// Joins sentences with blanks, but without one after a Chinese sentence, whose full stop includes
+/// its space. Skips empty ones.
 QString joinSentences(const QStringList &said);
 
 } // namespace unprojector::gui

@@ -18,7 +18,7 @@ std::optional<QString> shortName(const QString &name, const QFontMetrics &metric
     std::vector<qsizetype> kept;
     for (const QString &word : words)
         kept.push_back(word.size());
-    // One letter is no more than the point in its stead.
+    // A single letter is as wide as the point that replaces it.
     const auto shortened = [&](std::size_t i) {
         return kept[i] - (kept[i] == words[static_cast<qsizetype>(i)].size() ? 2 : 1);
     };
@@ -35,7 +35,7 @@ std::optional<QString> shortName(const QString &name, const QFontMetrics &metric
         for (std::size_t i = 0; i < kept.size(); ++i) {
             const QString &word = words[static_cast<qsizetype>(i)];
             QString part = word.left(kept[i]);
-            if (part.back().isHighSurrogate()) // half a letter is none
+            if (part.back().isHighSurrogate()) // keeps surrogate pairs together
                 part.chop(1);
             parts << (part.size() < word.size() ? part + u'.' : part);
         }

@@ -7,10 +7,11 @@
 
 namespace unprojector::gui {
 
-/// A name of several words in less room: words lose their ends, the longest first, and keep three letters at least; those of four stay. Names that
-/// differ in the middle or at the end stay apart: "palp. sup. right", "palp. inf. right".
+/// Shortens a name of several words: words lose their ends, the longest first, and keep at least
+/// three letters; words of four stay. Names that differ in the middle or at the end stay different:
+/// "palp. sup. right", "palp. inf. right".
 /// @param width  logical pixels
-/// @return the name itself where it has room; nothing where it is one word, or where that is not enough
+/// @return the name itself if it fits; nothing if it is one word or cannot be shortened enough
 std::optional<QString> shortName(const QString &name, const QFontMetrics &metrics, int width);
 
 } // namespace unprojector::gui

@@ -59,8 +59,8 @@ void Translation::install(const QLocale &locale)
     QCoreApplication::installTranslator(&m_program);
     if (locale.language() == QLocale::Chinese)
         text::setLanguage(text::Language::Chinese);
-    // Qt's own texts are where Qt is, or where the program was packed with it. Some that pack it put all its modules into
-    // one file, "qt".
+    // Qt's own texts are in Qt's folder, or packed with the program. Some packagers put all modules
+    // into one file, "qt".
     const auto loadsQt = [&](const QString &folder) {
         return m_qt.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), folder)
                || m_qt.load(locale, QStringLiteral("qt"), QStringLiteral("_"), folder);

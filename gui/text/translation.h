@@ -9,34 +9,34 @@
 
 namespace unprojector::gui {
 
-/// What the user can choose as the language of the program.
+/// The user's choice of the program's language.
 enum class Language {
-    System, ///< the first of the user's languages that the program has
+    System, ///< the first of the user's languages that the program supports
     English,
     Chinese,
 };
 
-/// "system", "en", "zh_CN"; nothing for any other.
+/// The choice named "system", "en" or "zh_CN"; nothing for any other name.
 std::optional<Language> languageOf(const QString &name);
-/// The choice in the settings, which the next start of the program follows; System where they have none.
+/// The saved choice, which applies at the next start; System if none is saved.
 Language keptLanguage();
 void keepLanguage(Language language);
-/// What Translation takes: the names of the languages that a choice means, the preferred one first.
+/// The languages of a choice for Translation, the preferred one first.
 QStringList languagesOf(Language choice);
 
-/// While it lives, the program, the texts of core and Qt's own dialogs use the first of these languages that they have; the
-/// texts of the source are English. Made before the first widget, which keeps the texts that it is made with. The
-/// application must live longer.
+/// Translates the program, the texts of core and Qt's dialogs while it lives: to the first of these
+/// languages that they support; the texts in the source are English. Create it before the first
+/// widget, because widgets keep their initial texts. The application must outlive it.
 class Translation {
 public:
-    /// @param hasHanzi  whether Chinese can be shown: without it, English takes its place
+    /// @param hasHanzi  whether Chinese can be displayed: without it, English replaces Chinese
     explicit Translation(const QStringList &languages = QLocale().uiLanguages(), bool hasHanzi = true);
     ~Translation();
     Translation(const Translation &) = delete;
     Translation &operator=(const Translation &) = delete;
 
     bool hasHanzi() const { return m_hasHanzi; }
-    /// Whether the language that comes first is passed over because its letters cannot be shown.
+    /// Returns whether the preferred language is skipped because its letters cannot be displayed.
     bool lacksFont() const { return m_lacksFont; }
 
 private:

@@ -7,10 +7,10 @@
 
 namespace unprojector::gui {
 
-/// The coordinates of a point, all at once, as a person types them or copies them from a program: "1.5 2 -3", "1.5, 2, -3",
-/// "vec3(1.500000, 2.000000, -3.000000)", "[1.5 2. -3.]", "{1.5f, 2, -3}", "QVector3D(1.5, 2, -3)". Each may be an expression
-/// without blanks. A further 1, the w of a point, may stand behind them.
-/// @return nothing where the text is something else, such as one number or "1 / 3"
+/// Parses the coordinates of a point, typed or copied from a program: "1.5 2 -3", "1.5, 2, -3",
+/// "vec3(1.500000, 2.000000, -3.000000)", "[1.5 2. -3.]", "{1.5f, 2, -3}", "QVector3D(1.5, 2, -3)".
+/// Each may be an expression without blanks. An additional 1, the w of a point, may follow.
+/// @return nothing for any other text, such as one number or "1 / 3"
 /// @pre count >= 3
 std::optional<std::vector<double>> typedNumbers(const QString &text, std::size_t count);
 

@@ -18,9 +18,9 @@
 namespace unprojector::gui {
 namespace {
 
-constexpr int kSize = 32; ///< of the picture, pixels
+constexpr int kSize = 32; ///< of the test image, pixels
 
-/// A framebuffer with nothing but depths, bound while this lives.
+/// A depth-only framebuffer, bound while this lives.
 class DepthPicture {
 public:
     explicit DepthPicture(QOpenGLExtraFunctions &gl) : m_gl(gl)

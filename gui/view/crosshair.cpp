@@ -14,7 +14,7 @@ DevicePixel Crosshair::pixel() const
         return *m_pixel;
     const DevicePoint middle = deviceFromWindow(
         surface, WindowPoint(viewport.x + viewport.width / 2.0, viewport.y + viewport.height / 2.0, 0.0));
-    // A viewport may reach beyond the view.
+    // A viewport may extend beyond the view.
     const auto inside = [](double place, int count) {
         return static_cast<int>(std::clamp(std::floor(place), 0.0, count - 1.0));
     };

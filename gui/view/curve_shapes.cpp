@@ -18,7 +18,7 @@ using landmarks::Landmark;
 
 const glm::vec4 kUsualColor(1.0f, 0.76f, 0.18f, 1.0f), kMeasureColor(1.0f, 1.0f, 1.0f, 1.0f);
 
-/// Pulls a line off its surface, towards the eye.
+/// Moves a line off its surface, towards the eye.
 class Lifted {
 public:
     Lifted(const Setup &setup, const EyeFrame &frame)
@@ -29,7 +29,7 @@ public:
     }
     glm::dvec3 operator()(const WorldPoint &point) const
     {
-        constexpr double kPixels = 4.0; // logical; enough for lines on what is seen at an angle
+        constexpr double kPixels = 4.0; // logical; enough for lines on surfaces seen at an angle
         const glm::dvec3 toEye = (m_eye - point).coordinates();
         const glm::dvec3 way = m_isPerspective && glm::length(toEye) > 0.0 ? glm::normalize(toEye) : m_backward;
         return point.coordinates() + kPixels * worldPerLogicalPixel(m_setup, point) * way;
@@ -49,7 +49,7 @@ void addPath(std::vector<LineSegment> &lines, const std::vector<WorldPoint> &pat
         lines.push_back({lifted(path[i - 1]), lifted(path[i]), color});
 }
 
-/// Of its first point; nothing where one of them is hidden.
+/// The colour of its first landmark; nothing if one of them is hidden.
 std::optional<glm::vec4> colorOf(const Curve &curve, const std::vector<Landmark> &landmarks)
 {
     glm::vec4 color = kUsualColor;
@@ -91,7 +91,8 @@ CurveShapes curveShapes(const SceneDocument &document)
         const std::vector<WorldPoint> semilandmarks =
             curve.points.empty() ? curve.semilandmarks : unprojector::curves::resampled(line.line->path, curve.count);
         for (const WorldPoint &place : semilandmarks) {
-            // A line as long as it is wide is a dot; without any length it would have no direction.
+            // A line of equal length and width is a dot; without any length it would have no
+            // direction.
             const glm::dvec3 at = lifted(place);
             const glm::dvec3 half = 3.5 * worldPerLogicalPixel(setup, place) * frame->upward.coordinates();
             shapes.dots.push_back({at - half, at + half, *color});

@@ -8,13 +8,14 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// How curves are drawn, world space: a little in front of the surface that they lie on, so that it does not hide them.
+/// The drawn shapes of curves, world space: slightly in front of their surface, so that it does not
+/// hide them.
 struct CurveShapes {
-    std::vector<LineSegment> lines;  ///< as they go now, in the colour of their first point
-    std::vector<LineSegment> former; ///< as they went before their points moved: they are being worked out
-    std::vector<LineSegment> dots;   ///< semilandmarks, a line hardly longer than a point each
+    std::vector<LineSegment> lines;  ///< up-to-date lines, in the colour of their first landmark
+    std::vector<LineSegment> former; ///< lines from before their landmarks moved; new ones are being computed
+    std::vector<LineSegment> dots;   ///< semilandmarks, each a line hardly longer than a point
 };
-/// Curves of which a point is hidden are left out; the way along the surface that is measured is among them.
+/// Curves with a hidden landmark are left out; the measured geodesic is included.
 CurveShapes curveShapes(const SceneDocument &document);
 
 } // namespace unprojector::gui

@@ -22,7 +22,7 @@ std::optional<QPointF> widgetOf(const Setup &setup, const glm::dvec3 &point)
 {
     const Result<glm::dmat4> matrix = clipFromWorld(setup);
     const Result<WindowPoint> window = windowFromWorld(setup, WorldPoint(point));
-    if (!matrix || !window || !((*matrix * glm::dvec4(point, 1.0)).w > 0.0)) // else it lies behind the eye
+    if (!matrix || !window || !((*matrix * glm::dvec4(point, 1.0)).w > 0.0)) // it lies behind the eye
         return std::nullopt;
     const WidgetPoint widget = widgetFromDevice(setup.surface, deviceFromWindow(setup.surface, *window));
     return QPointF(widget.x, widget.y);
@@ -50,7 +50,7 @@ std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &fo
     const double unit = std::pow(10.0, -decimalsFor(*point, kDigits));
     const QFontMetricsF metrics(font);
     const std::vector<LineSegment> lines = dropLines(*point, document.ground().box);
-    constexpr double kMark = 9.0; // half of the mark of the pick
+    constexpr double kMark = 9.0; // half of the pick's mark
     std::vector<QRectF> boxes = taken;
     boxes.emplace_back(*start - QPointF(kMark, kMark), QSizeF(2.0 * kMark, 2.0 * kMark));
     for (int axis = 0; axis < 3; ++axis) {
@@ -65,8 +65,9 @@ std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &fo
         const QSizeF size(metrics.horizontalAdvance(text) + metrics.height() / 2.0, metrics.height());
         const double length = std::hypot(way.x(), way.y());
         if (length < size.height())
-            continue; // the line is hardly to be seen
-        // At the middle of the line, else further along or behind its foot, where nothing else stands.
+            continue; // the line is hardly visible
+        // The label is at the middle of the line, else further along or beyond its foot, where
+        // there is room.
         const double behind = 1.0 + (size.width() / 2.0 + kMark) / length;
         for (const double share : {0.5, 0.75, 1.0, behind}) {
             QRectF box(QPointF(), size);
@@ -86,7 +87,7 @@ void drawDropLabels(QPainter &painter, const std::vector<DropLabel> &labels)
     painter.setRenderHint(QPainter::Antialiasing);
     for (const DropLabel &label : labels) {
         painter.setPen(Qt::NoPen);
-        painter.setBrush(QColor(255, 255, 255, 225)); // axis colours are read on white, by day and by night
+        painter.setBrush(QColor(255, 255, 255, 225)); // axis colours are readable on white, in both themes
         painter.drawRoundedRect(label.box, 3.0, 3.0);
         painter.setPen(label.color.darker(115));
         painter.drawText(label.box, Qt::AlignCenter | Qt::TextSingleLine | Qt::TextDontClip, label.text);

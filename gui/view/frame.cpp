@@ -35,7 +35,7 @@ void Frame::initialize()
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &buffer);
     m_largestSide = std::min({viewport[0], viewport[1], texture, buffer});
-    // The smallest framebuffer tells what the driver has.
+    // A minimal framebuffer shows what the driver supports.
     m_ids = ObjectIds::Integers;
     if (qgetenv("UNPROJECTOR_OBJECT_IDS") == "colors" || !allocate(1, 1))
         m_ids = ObjectIds::Colors;
@@ -89,7 +89,8 @@ bool Frame::allocate(int widthPixels, int heightPixels)
     m_objects = m_ids == ObjectIds::Integers
                     ? attached(GL_COLOR_ATTACHMENT1, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, GL_NEAREST)
                     : attached(GL_COLOR_ATTACHMENT1, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST);
-    // The format of QOpenGLWidget's own framebuffer, so that depths can be copied there as they are.
+    // The format of QOpenGLWidget's own framebuffer, so that depths can be copied there as they
+    // are.
     m_depths =
         attached(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, GL_NEAREST);
     glBindTexture(GL_TEXTURE_2D, 0);
@@ -99,13 +100,13 @@ bool Frame::allocate(int widthPixels, int heightPixels)
     if (isComplete) {
         glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE,
                                               &depthBits);
-        // More than was asked for may come, as floats.
+        // The driver may give more than requested, as floats.
         glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
                                               GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &depthType);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(boundBefore));
     if (!isComplete || glGetError() != GL_NO_ERROR) {
-        releaseTextures(); // one that cannot be drawn into is not kept
+        releaseTextures(); // a framebuffer that cannot be drawn into is not kept
         clearErrors(*this);
         return false;
     }
@@ -118,14 +119,14 @@ bool Frame::allocate(int widthPixels, int heightPixels)
     return true;
 }
 
-/// Binds the frame and sets all that drawing into it needs; what else is drawn in between sets its own.
+/// Binds the frame and sets all state for drawing into it; other drawing in between sets its own.
 void Frame::bind()
 {
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &m_boundBefore);
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
-    glDisable(GL_DITHER); // an object's number must come out as it went in
+    glDisable(GL_DITHER); // dithering would change object ids
     glDepthMask(GL_TRUE);
     glViewport(m_begun->x, m_begun->y, m_begun->width, m_begun->height);
     glDepthRangef(m_begun->depthAtNear, m_begun->depthAtFar);
@@ -193,7 +194,7 @@ Frame::Block Frame::blockAround(const DevicePixel &pixel) const
     return block;
 }
 
-/// The targets are addresses, or places in the buffer that is bound to GL_PIXEL_PACK_BUFFER.
+/// The targets are addresses, or offsets in the buffer bound to GL_PIXEL_PACK_BUFFER.
 void Frame::readBlock(const Block &block, void *depths, void *objects)
 {
     GLint boundBefore = 0;
@@ -240,7 +241,8 @@ DepthSample Frame::decoded(const Raw &raw, const Block &block) const
     if (id == 0)
         return {range.atFar, std::nullopt, m_depthFormat};
     const double depth = depthOf(raw.depths[middle]);
-    // The steeper of both sides: a triangle smaller than a pixel is no less steep than the way to the next pixel.
+    // The steeper of both sides: a triangle smaller than a pixel is at least as steep as the step
+    // to the next pixel.
     const auto slopeTo = [&](bool isBefore, bool isAfter, std::size_t step) {
         std::optional<double> slope;
         const auto add = [&](std::size_t index) {
@@ -257,7 +259,8 @@ DepthSample Frame::decoded(const Raw &raw, const Block &block) const
     const std::size_t column = middle % width, row = middle / width;
     const std::optional<double> alongX = slopeTo(column > 0, column + 1 < width, 1),
                                 alongY = slopeTo(row > 0, row + 1 < height, width);
-    // Rounding to whole steps can lead out of the range, where no surface was drawn: its end is nearer to the truth.
+    // Rounding to whole steps can leave the range, where no surface was drawn: clamping is more
+    // accurate.
     const auto [lowest, highest] = std::minmax(range.atNear, range.atFar);
     DepthSample sample{std::clamp(depth, lowest, highest), static_cast<std::size_t>(id - 1), m_depthFormat};
     if (alongX && alongY)
@@ -266,7 +269,7 @@ DepthSample Frame::decoded(const Raw &raw, const Block &block) const
     return sample;
 }
 
-/// Not before somebody asks for a depth: a program that only shows a picture need not wait for it.
+/// Deferred until a depth is needed: a program that only shows an image need not wait for it.
 void Frame::measureCorners()
 {
     if (!m_cornerShift)
@@ -308,7 +311,7 @@ void Frame::request(const DevicePixel &pixel)
     if (glGetError() != GL_NO_ERROR)
         return;
     m_fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    glFlush(); // or the fence would never be reached
+    glFlush(); // the fence would otherwise never be reached
 }
 
 std::optional<DepthSample> Frame::takeRequested()

@@ -13,37 +13,38 @@
 
 namespace unprojector::gui {
 
-/// A framebuffer of our own: the colour, the depth and the object of every pixel, one sample each, and the picture that
-/// they were drawn with. Whether there is a surface under a pixel is told by the object, never by comparing depths.
-/// All calls need the OpenGL context current.
+/// A framebuffer with the colour, the depth and the object of every pixel, one sample each, and the
+/// setup they were drawn with. The object, never a depth comparison, decides whether there is a
+/// surface under a pixel. All calls need the OpenGL context current.
 ///
-/// The environment variable UNPROJECTOR_OBJECT_IDS=colors makes it take the way back of drivers that have no framebuffers
-/// of integers.
+/// The environment variable UNPROJECTOR_OBJECT_IDS=colors forces the fallback for drivers without
+/// integer framebuffers.
 class Frame : protected QOpenGLExtraFunctions {
 public:
     void initialize();
     void release();
 
-    /// How objects are written into the frame: valid from initialize() on.
+    /// The encoding of objects in the frame: valid from initialize() on.
     ObjectIds ids() const { return m_ids; }
 
-    /// The longest side that OpenGL draws, pixels: valid from initialize() on.
+    /// The longest side that OpenGL can draw, pixels: valid from initialize() on.
     int largestSide() const { return m_largestSide; }
 
-    /// Makes the frame as large as the picture, clears it and binds it for drawing. Until beginObjects() only colours are
-    /// written: what is drawn lies behind every object and is no surface to click. The depth is cleared to that of the far
-    /// plane.
-    /// @param around  the colour of what the viewport leaves of the surface
-    /// @return false when OpenGL gives no such framebuffer; then nothing is bound, and there is nothing to end
+    /// Resizes the frame to the view, clears it and binds it for drawing. Until beginObjects() only
+    /// colours are written: they are behind every object and not clickable. The depth is cleared to
+    /// the far plane's.
+    /// @param around  the colour of the surface outside the viewport
+    /// @return false if OpenGL cannot create such a framebuffer; then nothing is bound, and end()
+    /// must not be called
     bool begin(const geometry::Drawable &drawable, const QColor &around = QColor(0xcc, 0xd1, 0xd6));
-    /// From now on objects are drawn: colour, depth and object id. After pause() they are drawn on.
+    /// Starts the drawing of objects: colour, depth and object id. Continues after pause().
     void beginObjects();
-    /// What was bound before is drawn into for a while; nothing of the frame is to be read yet.
+    /// Binds the former framebuffer for a while; the frame must not be read yet.
     void pause();
-    /// What was bound before is drawn into again.
+    /// Ends the drawing and binds the former framebuffer.
     void end();
 
-    /// The picture that was drawn; nothing before the first.
+    /// The setup of the drawn frame; nothing before the first.
     const std::optional<geometry::Setup> &setup() const { return m_setup; }
     unsigned framebuffer() const { return m_framebuffer; }
     unsigned colors() const { return m_colors; }
@@ -51,32 +52,33 @@ public:
 
     /// DepthSample::cornerShiftPixels of this renderer; the context must be current.
     double cornerShiftPixels();
-    /// What was drawn at a pixel, with the slope that the same object's pixels beside it show. Waits until it is drawn.
-    /// @pre the pixel lies inside the picture, if there is one
-    /// @return nothing without a picture, and when OpenGL reports an error
+    /// The sample at a pixel, with the slope from neighbouring pixels of the same object. Waits
+    /// until the frame is drawn.
+    /// @pre the pixel lies inside the frame, if there is one
+    /// @return nothing without a frame, and if OpenGL reports an error
     std::optional<unproject::DepthSample> sample(const geometry::DevicePixel &pixel);
 
-    /// Asks for a sample without waiting. There is one request at a time: another one, or another picture, drops it.
-    /// @pre the pixel lies inside the picture, if there is one
+    /// Requests a sample without waiting. A new request or a new frame drops the former request.
+    /// @pre the pixel lies inside the frame, if there is one
     void request(const geometry::DevicePixel &pixel);
-    /// Nobody waits for the sample any more: nothing is requested.
+    /// Drops the request.
     void dropRequest();
     bool isRequested() const { return m_fence != nullptr; }
-    /// The sample that was asked for, once it has come; then nothing is requested any more. When OpenGL reports an
-    /// error, nothing comes, and nothing is requested any more.
+    /// The requested sample, once it has arrived; this ends the request. If OpenGL reports an
+    /// error, there is no sample, and the request ends too.
     std::optional<unproject::DepthSample> takeRequested();
 
 private:
-    static constexpr std::size_t kBlock = 3; ///< pixels are read with those around them
-    /// As glReadPixels writes them, one after the other.
+    static constexpr std::size_t kBlock = 3; ///< pixels are read with their neighbours
+    /// The values as glReadPixels writes them, one after the other.
     struct Raw {
         std::array<std::uint32_t, kBlock * kBlock> depths{}; ///< of 2^32 - 1, or the bits of floats
         std::array<std::uint32_t, kBlock * kBlock> objects{};
     };
-    /// The part of a block that lies in the picture, framebuffer rows counted from the bottom.
+    /// The part of a block inside the frame, framebuffer rows counted from the bottom.
     struct Block {
         int column = 0, row = 0, width = 0, height = 0;
-        std::size_t middle = 0; ///< place of the pixel itself
+        std::size_t middle = 0; ///< index of the pixel itself
     };
 
     void bind();

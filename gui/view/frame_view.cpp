@@ -24,7 +24,7 @@ using namespace scene;
 
 namespace {
 
-/// A frame that has not been drawn anew for so long is at rest.
+/// A frame unchanged for so long is at rest.
 constexpr int kRestMilliseconds = 120;
 
 bool isDark(const QPalette &palette)
@@ -32,20 +32,20 @@ bool isDark(const QPalette &palette)
     return palette.color(QPalette::Window).lightnessF() < 0.5F;
 }
 
-/// Behind the objects, at the bottom and at the top: light or dark as the window is.
+/// The background colours at the bottom and at the top: light or dark like the window.
 std::array<QColor, 2> backgroundOf(const QPalette &palette)
 {
     return isDark(palette) ? std::array{QColor(0x25, 0x27, 0x2a), QColor(0x36, 0x39, 0x3e)}
                            : std::array{QColor(0xd4, 0xd9, 0xde), QColor(0xf2, 0xf5, 0xf7)};
 }
 
-/// Beside the viewport: darker than any background, so that its edges are seen.
+/// The colour beside the viewport: darker than any background, so that its edges are visible.
 QColor aroundOf(const QPalette &palette)
 {
     return isDark(palette) ? QColor(0x17, 0x18, 0x1a) : QColor(0xcc, 0xd1, 0xd6);
 }
 
-/// Mesa's, Windows' and Chromium's OpenGL for machines without a graphics card, by their names.
+/// The names of Mesa's, Windows' and Chromium's OpenGL for machines without a graphics card.
 bool isSoftwareRenderer(const QString &name)
 {
     constexpr std::array kNames{"llvmpipe", "softpipe", "Software Rasterizer", "SWR", "SwiftShader", "Basic Render"};
@@ -91,7 +91,7 @@ void FrameView::setSmoothEdges(bool smooth)
 
 bool FrameView::awaitPicture()
 {
-    // What is on no screen is painted for whoever grabs it, and never by itself.
+    // A widget that is not on a screen is painted only for a grab, and never by itself.
     const QWindow *screenWindow = window()->windowHandle();
     const bool isOnAScreen = isVisible() && screenWindow && screenWindow->isExposed();
     m_isTelling = m_isTelling || (m_isCreated && m_isStale && isOnAScreen);
@@ -145,7 +145,7 @@ bool FrameView::beginFrame(Frame &frame, const FrameContents &contents, bool isT
     return true;
 }
 
-/// @return whether OpenGL gives such a frame
+/// @return whether OpenGL can create such a frame
 bool FrameView::beginFrame(Frame &frame)
 {
     if (!beginFrame(frame, m_contents, false)) {
@@ -189,7 +189,7 @@ QImage FrameView::drawnPicture(const FrameContents &contents, bool isTransparent
     return picture;
 }
 
-/// The graphics memory holds the models that are shown, and their stand-ins.
+/// Keeps only the shown models, and their stand-ins, in the graphics memory.
 void FrameView::keepModels()
 {
     std::set<const Model *> models;
@@ -237,7 +237,7 @@ FrameView::Drawn FrameView::drawFrame(FrameContents contents)
         if (!standIns) {
             m_isTelling = true;
             tellDrawn(0.0);
-            // What is gone is not left standing under the name of what comes.
+            // A new scene's name must not appear with the image of the old one.
             if (isAnotherScene && beginFrame(frame()))
                 frame().end();
             return Drawn::Nothing;
@@ -266,7 +266,7 @@ FrameView::Drawn FrameView::drawFrame(FrameContents contents)
     return m_isCoarse ? Drawn::StandIns : Drawn::Objects;
 }
 
-/// Draws on into the frame that is not shown, and shows it when all is in it.
+/// Continues drawing into the hidden frame, and shows it when complete.
 void FrameView::refine(const Deadline &deadline)
 {
     QElapsedTimer timer;
@@ -278,7 +278,7 @@ void FrameView::refine(const Deadline &deadline)
         m_place = {};
         m_refineMilliseconds = 0.0;
         if (!beginFrame(next)) {
-            m_isCoarse = false; // it is not tried again before there is something else to draw
+            m_isCoarse = false; // no retry before something else is drawn
             tellDrawn(1.0);
             return;
         }
@@ -308,17 +308,17 @@ void FrameView::refine(const Deadline &deadline)
 void FrameView::paintOver(double devicePixelRatio, const std::function<void(QPainter &)> &paint)
 {
     {
-        // Not onto the widget itself: while that is grabbed, what is painted on it goes elsewhere.
+        // Not onto the widget itself: while it is grabbed, painting on it goes elsewhere.
         const Surface surface = currentSurface();
         QOpenGLPaintDevice device(surface.widthPixels, surface.heightPixels);
         device.setDevicePixelRatio(devicePixelRatio);
         QPainter painter(&device);
-        QFont letters = font(); // in pixels, since this device has no points of its own
+        QFont letters = font(); // in pixels, because this device has no points of its own
         letters.setPixelSize(QFontInfo(font()).pixelSize());
         painter.setFont(letters);
         paint(painter);
     }
-    // What a QPainter leaves switched on, what is drawn next does not expect.
+    // QPainter leaves these enabled, which later drawing does not expect.
     for (const GLenum what : {GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_TEST})
         glDisable(what);
 }
@@ -350,7 +350,7 @@ bool FrameView::showFrame()
     if (!m_isOnScreen)
         completeFrame();
     if (!frame().setup()) {
-        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); // why has been told
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); // the reason was reported
         return false;
     }
     if (!place().isWidget() && !m_canvas.begin()) {
@@ -390,8 +390,8 @@ SurfacePlace FrameView::place() const
 
 void FrameView::paintEvent(QPaintEvent *event)
 {
-    // A view that has been resized is painted by QOpenGLWidget at once, and then again with the window: once is enough,
-    // and what has not been laid out to its end, as a window that opens, is not painted at every step of it.
+    // QOpenGLWidget paints a resized view at once, and then again with the window. Once is enough,
+    // and a window in layout, such as one that opens, is not painted at every step.
     if (m_isResizing)
         return;
     const QScopedValueRollback onScreen(m_isOnScreen, true);
@@ -413,7 +413,7 @@ void FrameView::resizeEvent(QResizeEvent *event)
         const QScopedValueRollback resizing(m_isResizing, true);
         QOpenGLWidget::resizeEvent(event);
     }
-    update(); // one whose height alone changes is not painted by the window once more
+    update(); // the window doesn't repaint a view if only its height changes
 }
 
 WidgetPoint FrameView::widgetPosition(const QPointF &local) const
@@ -484,7 +484,7 @@ QImage FrameView::pixelsIn(const QRect &wanted)
         uchar *to = pixels.scanLine(there.top() - wanted.top() + row) + 4 * beside;
         for (std::ptrdiff_t i = 0; i < there.width(); ++i) {
             std::copy_n(from + 4 * i, 3, to + 4 * i);
-            to[4 * i + 3] = 255; // whatever the framebuffer has there
+            to[4 * i + 3] = 255; // ignores the framebuffer's alpha
         }
     }
     return pixels;

@@ -23,7 +23,7 @@ using Tips = HighlightMarks::Tips;
 
 const std::array<QColor, 3> kAxisColors{QColor(0xb4, 0x1c, 0x20), QColor(0x1b, 0x74, 0x2a), QColor(0x1c, 0x48, 0xb8)};
 const QColor kDark(0x18, 0x1a, 0x1c), kRim(0xff, 0xff, 0xff, 225);
-// Of the planes in View from Outside, as text.
+// The text colours of the planes in View from Outside.
 const QColor kNear(0x0c, 0x4c, 0x9c), kFar(0x9c, 0x4a, 0x00);
 constexpr double kHead = 8.0;
 
@@ -34,7 +34,7 @@ double axisLength(const Setup &setup)
                                       / setup.surface.devicePixelRatio);
 }
 
-/// @param origin, tip  clip space of the picture
+/// @param origin, tip  clip space of the setup
 void addAxis(HighlightMarks &marks, const Setup &setup, const glm::dvec4 &origin, const glm::dvec4 &tip,
              std::size_t axis, const std::string &name)
 {
@@ -45,7 +45,7 @@ void addAxis(HighlightMarks &marks, const Setup &setup, const glm::dvec4 &origin
     constexpr double kMostShare = 8.0;
     if (!(line.length() < kMostShare * axisLength(setup)))
         return;                     // it ends beside the eye
-    constexpr double kLeast = 10.0; // shorter, it is seen end-on
+    constexpr double kLeast = 10.0; // a shorter axis counts as end-on
     Tips tips = Tips::End;
     if (line.length() < kLeast)
         tips = tip.z / tip.w < origin.z / origin.w ? Tips::Towards : Tips::Away;
@@ -65,7 +65,7 @@ void addAxis(HighlightMarks &marks, const Setup &setup, const glm::dvec4 &origin
     marks.arrows.push_back({line, tips, kAxisColors[axis]});
 }
 
-/// What of a line is in front of the eye, logical pixels.
+/// The part of a line in front of the eye, logical pixels.
 std::optional<QLineF> lineInPicture(const Setup &setup, glm::dvec4 from, glm::dvec4 to)
 {
     const double least = 1e-3 * std::max(from.w, to.w);
@@ -158,7 +158,7 @@ HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Hi
     const Result<glm::dmat4> clip = clipFromWorld(g);
     if (highlights.contains(Highlight::Axes) && eye && clip) {
         const auto clipOf = [&](const WorldPoint &point) { return *clip * glm::dvec4(point.coordinates(), 1.0); };
-        // The eye of a perspective has the depth 0, but for rounding.
+        // The eye of a perspective has the depth 0, up to rounding.
         const double least = isPerspective(g.projection()) ? 1e-3 * projectionWindow(g.projection()).nearDistance : 0.0;
         for (const lessons::NamedAxes &axes : lessons::namedAxes(document.scene(), *eye)) {
             const glm::dvec4 origin = clipOf(axes.origin);
@@ -244,7 +244,7 @@ HighlightMarks highlightsFromOutside(const SceneDocument &document, const Observ
         for (std::size_t i = 0; i < letters.size(); ++i)
             add(drawnFromNdc * glm::dvec4(letters[i].at.coordinates(), 1.0), letters[i].letter, kAxisColors[i / 2]);
     }
-    // The camera's sign: a body behind the eye.
+    // The camera symbol: a body behind the eye.
     if (const std::optional<WorldPoint> eye = picture.drawnPoint(EyePoint());
         eye && eyeOpacity(picture.projection, picture.t) > 0.0f) {
         constexpr double kMiddle = 18.0, kHalf = 18.0; // logical pixels

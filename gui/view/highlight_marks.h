@@ -21,13 +21,14 @@ namespace unprojector::gui {
 using lessons::Highlight;
 using lessons::Letter;
 
-/// What a step of a lesson writes into a picture, in logical pixels of its surface, origin top-left.
+/// The labels and arrows that a step of a lesson draws over an image, in logical pixels of its
+/// surface, origin top-left.
 struct HighlightMarks {
     enum class Tips {
         End,     ///< of an axis
         Both,    ///< of a length
-        Towards, ///< the axis is seen end-on and points to the viewer: a ring with a dot, as in drawings on paper
-        Away     ///< the same, pointing away: a ring with a cross
+        Towards, ///< the axis points to the viewer: a ring with a dot, as in drawings on paper
+        Away     ///< the axis points away from the viewer: a ring with a cross
     };
     struct Arrow {
         QLineF line;
@@ -35,45 +36,47 @@ struct HighlightMarks {
         QColor color;
     };
     struct Text {
-        QPointF at; ///< beside this: of an axis its tip, of a length its middle
+        QPointF at; ///< beside this: the tip of an axis, the middle of a length
         Letter letter;
         QColor color;
-        std::optional<std::size_t> arrow = std::nullopt; ///< its place among the arrows
+        std::optional<std::size_t> arrow = std::nullopt; ///< its index among the arrows
     };
-    std::vector<Arrow> arrows; ///< those of axes that are seen upon each other are one, which has the names of all
+    std::vector<Arrow> arrows; ///< axes that coincide in the view are one arrow with all their names
     std::vector<Text> texts;
-    std::vector<QLineF> lines;  ///< of the scene: no letter stands on them while there is room elsewhere
-    std::vector<QRectF> things; ///< such as marks: the same
+    std::vector<QLineF> lines;  ///< of the scene: letters avoid them while there is room elsewhere
+    std::vector<QRectF> things; ///< such as marks: letters avoid them too
 
     bool isEmpty() const { return arrows.empty() && texts.empty(); }
 };
 
-/// Those of the view: axes and viewport. Axes whose origin or end is behind the eye or in it, as the eye's own are in a perspective,
-/// are not in it.
+/// The marks of the view: axes and viewport. Axes with their origin or end at or behind the eye,
+/// such as the eye's own in a perspective, are left out.
 HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Highlight> &highlights);
 
-/// Those of View from Outside: axes, the volume's sides, and the numbers at the cube once the volume has nearly become it.
+/// The marks of View from Outside: axes, the volume's sides, and the numbers at the cube once the
+/// volume has nearly become it.
 HighlightMarks highlightsFromOutside(const SceneDocument &document, const ObserverPicture &picture,
                                      const std::set<Highlight> &highlights);
 
-/// How far View from Outside has come to show the normalised cube, 0 to 1, at a place of its morph.
+/// The opacity of the normalised cube in View from Outside, 0 to 1, at a position of its morph.
 float cubeOpacity(double t);
 
-/// Where the letters stand: none overlaps another nor an arrow nor leaves the area. One of an axis is at its tip, outwards where that
-/// is free, and nearer to it than to any other tip; where there is no such place, farther away with a leader. One of a length is
-/// beside it, outside of the middle of the area. One that finds no room is null.
+/// The boxes of the letters: they overlap neither each other nor an arrow and stay in the area. An
+/// axis letter is at its tip, outwards if that is free, and nearer to it than to any other tip;
+/// without room there, farther away with a leader. A length's letter is beside it, outside the
+/// middle of the area. A letter without room has a null box.
 /// @param font   of the widget, its size in pixels
-/// @param taken  what is there already
+/// @param taken  occupied rectangles
 std::vector<QRectF> boxesOf(const HighlightMarks &marks, const QFont &font, const QRectF &area,
                             const std::vector<QRectF> &taken);
 
-/// The line from what a letter is of to its box, where the box is not right beside it.
+/// The leader line from a letter's object to its box, if the box is not right beside it.
 std::optional<QLineF> leaderOf(const HighlightMarks &marks, std::size_t text, const QRectF &box);
 
-/// Draws arrows, leaders and letters, dark or coloured in a light rim: to be seen on any surface.
+/// Draws arrows, leaders and letters, dark or coloured with a light rim: visible on any surface.
 void drawHighlights(QPainter &painter, const HighlightMarks &marks, const std::vector<QRectF> &boxes);
 
-/// The logical pixels that a clip-space point of a picture is seen at; nothing behind the eye.
+/// The logical pixel position of a clip-space point; nothing behind the eye.
 std::optional<QPointF> placeInPicture(const geometry::Setup &setup, const glm::dvec4 &clip);
 
 } // namespace unprojector::gui

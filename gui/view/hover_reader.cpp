@@ -59,7 +59,7 @@ void HoverReader::takeAnswer()
     constexpr int kPollMilliseconds = 2;
     Frame *frame = m_frame();
     if (!frame || !m_requested)
-        return; // the answer would be of a picture that is past
+        return; // the answer would belong to an old frame
     m_view.makeCurrent();
     const std::optional<DepthSample> sample = frame->takeRequested();
     m_view.doneCurrent();

@@ -14,33 +14,36 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// The sample with the size of the dot that a point is drawn as, where its object is a cloud.
+/// The sample with the drawn size of a point, if its object is a point cloud.
 unproject::DepthSample withDot(const SceneDocument &document, unproject::DepthSample sample);
 
-/// Reads what is under the pointer without waiting for the GPU: asks it, and reports the sample when the GPU has it. A
-/// request under way is not overtaken, or a pointer that never rests would never be answered.
+/// Reads the pixel under the pointer without waiting for the GPU, and reports the sample when it
+/// arrives. A new position doesn't replace a pending request: a pointer that never rests would
+/// otherwise never get an answer.
 class HoverReader : public QObject {
     Q_OBJECT
 public:
-    /// Returns the frame while it shows the document as it is, otherwise null: the reader draws nothing, and asks again at
-    /// the next picture.
+    /// Returns the frame if it is up to date, otherwise null: the reader draws nothing, and asks
+    /// again at the next frame.
     using ReadableFrame = std::function<Frame *()>;
 
     /// @param view  makes the OpenGL context current; view and document outlive the reader
     HoverReader(QOpenGLWidget &view, const SceneDocument &document, ReadableFrame frame);
 
-    /// Reads a position, and reads it again in every new picture.
+    /// Reads a position, and reads it again in every new frame.
     void follow(const geometry::WidgetPoint &position);
     /// Reads a position once.
     void readOnce(const geometry::WidgetPoint &position);
-    /// Asks for the position that waits. To be called after every picture.
+    /// Requests the waiting position. Call it after every frame.
     void request();
-    /// A new picture is about to be drawn: the position that was asked of the last one is asked of the new one.
-    /// @param mayFollow  whether the followed position is read again: the pointer rests, and another place is under it
+    /// Call it before a new frame is drawn: a position requested from the last frame is requested
+    /// again from the new one.
+    /// @param mayFollow  whether the followed position is read again: the pointer rests, and the
+    /// scene under it has changed
     void renew(bool mayFollow);
-    /// The OpenGL context is about to go, and its request with it.
+    /// Drops the request, before its OpenGL context goes.
     void forgetRequest() { m_requested.reset(); }
-    /// Reads nothing any more, and follows no position.
+    /// Stops reading, and follows no position.
     void stop();
 
 signals:

@@ -14,7 +14,8 @@ namespace {
 
 using Tips = HighlightMarks::Tips;
 
-/// From a tip, or the line of a length, to the box; the last of them is the most without a leader.
+/// The gaps from a tip, or the line of a length, to the box; the last is the largest without a
+/// leader.
 constexpr std::array kGaps{5.0, 9.0, 14.0};
 
 double lengthOf(const QPointF &way)
@@ -60,10 +61,10 @@ double distanceOf(const QRectF &box, const QLineF &line)
     return least;
 }
 
-/// The ways of candidates from a tip, degrees from the way that they are tried first.
+/// The directions of candidates from a tip, degrees from the preferred direction.
 constexpr std::array kTurns{0.0, 35.0, -35.0, 70.0, -70.0, 105.0, -105.0, 140.0, -140.0, 180.0};
 
-/// A box whose nearest side is so far from a point, in a way from it.
+/// A box whose nearest side is at this distance from a point, in a direction from it.
 QRectF boxAt(const QPointF &point, const QPointF &way, double gap, const QSizeF &size)
 {
     const double across = size.width() / 2.0 + gap, down = size.height() / 2.0 + gap;
@@ -80,7 +81,7 @@ QPointF turned(const QPointF &way, double degrees)
             way.x() * std::sin(angle) + way.y() * std::cos(angle)};
 }
 
-/// Places letters one by one, each clear of those before.
+/// Places letters one by one, each clear of those placed before.
 class Placer {
 public:
     Placer(const HighlightMarks &marks, const QFont &font, const QRectF &area, const std::vector<QRectF> &taken)
@@ -92,7 +93,7 @@ public:
             else
                 m_lines.push_back(arrow.line);
         }
-        // The middle of the picture is what a step is about.
+        // The middle of the view is the subject of a step.
         m_middle = QRectF(area.topLeft() + QPointF(area.width(), area.height()) / 4.0, area.size() / 2.0);
     }
 
@@ -109,7 +110,8 @@ public:
         return box;
     }
 
-    /// How close the next other tip is: the letter of the closest has the fewest places.
+    /// The distance to the next tip: the letter with the closest neighbour has the fewest
+    /// positions.
     double roomOf(std::size_t text) const
     {
         double least = std::numeric_limits<double>::infinity();
@@ -121,7 +123,7 @@ public:
     }
 
 private:
-    /// What a place has to be besides free.
+    /// The conditions on a position, in addition to being free.
     struct Wish {
         double nearer;          ///< so many times farther from any other than from its own
         bool isClear;           ///< of the scene's lines and marks
@@ -170,15 +172,15 @@ private:
         return std::none_of(m_marks.lines.begin(), m_marks.lines.end(), isOn)
                && std::none_of(m_marks.things.begin(), m_marks.things.end(), isOn);
     }
-    /// Of a length its line, else a tip or a point.
+    /// The distance to the line of a length, else to the tip or point.
     double distanceTo(std::size_t text, const QRectF &box) const
     {
         return isLength(text) ? distanceOf(box, arrowOf(text)->line) : distanceOf(box, m_marks.texts[text].at);
     }
-    /// Whether nobody takes it for another's.
+    /// Returns whether the letter cannot be attributed to another tip.
     bool isItsOwn(std::size_t text, const QRectF &box, double nearer) const
     {
-        constexpr double kSamePlace = 4.0; // there no letter could be nearer to one than to the other
+        constexpr double kSamePlace = 4.0; // closer tips cannot be told apart by distance
         const double own = distanceTo(text, box);
         const HighlightMarks::Text &mine = m_marks.texts[text];
         for (std::size_t other = 0; other < m_marks.texts.size(); ++other) {
@@ -187,7 +189,7 @@ private:
             const HighlightMarks::Text &one = m_marks.texts[other];
             if (!isLength(text) && lengthOf(one.at - mine.at) > kSamePlace && distanceOf(box, one.at) < nearer * own)
                 return false;
-            // Nor beside the shaft of another arrow of its kind.
+            // Also not beside the shaft of another arrow of its kind.
             const HighlightMarks::Arrow *arrow = arrowOf(other);
             if (arrow && (isLength(text) || (one.letter.letter == mine.letter.letter && !isEndOn(*arrow)))
                 && distanceOf(arrow->line, mine.at) > kSamePlace && distanceOf(box, arrow->line) < own)
@@ -287,7 +289,7 @@ private:
     QFont m_letter, m_index;
     QRectF m_area, m_middle;
     std::vector<QRectF> m_taken;
-    std::vector<QLineF> m_lines; ///< that no letter covers
+    std::vector<QLineF> m_lines; ///< that no letter may cover
 };
 
 } // namespace

@@ -2,15 +2,15 @@
 
 #include <QFont>
 
-// Where the letters of a step stand: boxesOf and leaderOf of highlight_marks.h.
+// The layout of a step's letters: boxesOf and leaderOf of highlight_marks.h.
 
 namespace unprojector::gui {
 
-/// Of an axis that is seen end-on, the radius; of an arrow's head, half its width.
+/// The radius of an end-on axis; half the width of an arrow's head.
 constexpr double kRing = 5.0, kHalfHead = 3.5;
 
 QFont letterFont(QFont usual);
-/// Of an index.
+/// The font of an index.
 /// @param letter  the letterFont
 QFont letterIndexFont(QFont letter);
 

@@ -5,8 +5,8 @@
 
 namespace unprojector::gui {
 
-/// One step of a view's life, under the names of the paper's MFC view (Weng et al. 2008, section 4), or a parameter of the
-/// picture that changed before it was drawn.
+/// One step of a view's life, under the names of the paper's MFC view (Weng et al. 2008, section
+/// 4), or a parameter of the setup that changed before a frame was drawn.
 struct LifecycleEvent {
     enum class Kind {
         PreCreateWindow,
@@ -19,14 +19,14 @@ struct LifecycleEvent {
         Projection,
         Camera
     };
-    /// Whether it is a parameter, which takes no time of its own.
+    /// Returns whether it is a parameter, which takes no time of its own.
     bool isParameter() const { return kind == Kind::Viewport || kind == Kind::Projection || kind == Kind::Camera; }
 
     Kind kind = Kind::OnDraw;
     QString arguments;         ///< as in a call: "1024, 768"
     QString calls;             ///< the OpenGL calls it stands for: "glViewport(0, 0, 1024, 768)"
-    double milliseconds = 0.0; ///< how long it took
-    bool hasStandIns = false;  ///< of a picture: large models were drawn coarse
+    double milliseconds = 0.0; ///< duration
+    bool hasStandIns = false;  ///< of a frame: large models were drawn coarse
 };
 
 } // namespace unprojector::gui

@@ -74,7 +74,7 @@ void LifecycleLog::append(const LifecycleEvent &event)
 void LifecycleLog::fold()
 {
     const int end = rowCount();
-    int first = end - 1; // of this picture
+    int first = end - 1; // of this frame
     while (first > 0 && m_rows[std::size_t(first - 1)].event().isParameter())
         --first;
     const int steps = end - first;

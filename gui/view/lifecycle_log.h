@@ -9,21 +9,22 @@
 
 namespace unprojector::gui {
 
-/// The steps of a view's life in the order they happened. A picture that repeats the steps of the one before it (OnDraw alone, or
-/// OnDraw behind the same parameters) is folded into these rows; a folded row has the single steps as its children.
+/// The steps of a view's life, in order. A frame that repeats the steps of the one before it
+/// (OnDraw alone, or OnDraw after the same parameters) is folded into these rows; a folded row has
+/// the single steps as its children.
 class LifecycleLog : public QAbstractItemModel {
     Q_OBJECT
 public:
     enum Column { Time, Step, StandsFor, Took, ColumnCount };
-    /// Where there are more rows, the oldest go.
+    /// The largest number of rows; the oldest are dropped.
     static constexpr int kMostRows = 2000;
-    /// Of the steps in a folded row, so many of the newest are kept.
+    /// The number of newest steps that a folded row keeps.
     static constexpr int kMostRepeats = 200;
 
     explicit LifecycleLog(QObject *parent = nullptr);
 
     void append(const LifecycleEvent &event);
-    /// Empties the log. Its clock runs on.
+    /// Clears the log. Its clock runs on.
     void clear();
 
     /// The rows from `first` to `last`, one a line, tab-separated.
@@ -49,22 +50,21 @@ private:
         std::deque<Happened> steps; ///< at least one; the newest last
         double firstSeconds = 0.0;
         int count = 1;
-        int standIns = 0; ///< of these pictures, those with coarse models
+        int standIns = 0; ///< number of these frames with coarse models
         double totalMilliseconds = 0.0;
     };
-    /// Of the row that an index stands for, or in which its step is folded.
+    /// The row of an index, or the row that its step is folded into.
     const Row &rowOf(const QModelIndex &index) const;
     QString stepText(const QModelIndex &index) const;
     QString callsText(const QModelIndex &index) const;
     QString toolTip(const QModelIndex &index) const;
-    /// Folds the last picture into the one before it, if it repeats that one's steps.
+    /// Folds the last frame into the one before it, if it repeats that one's steps.
     void fold();
     void foldInto(int row, const Happened &step);
 
     QElapsedTimer m_clock; ///< since the first step
     std::deque<Row> m_rows;
-    quintptr m_gone =
-        0; ///< rows that went: indexes of steps have the number of their row counted from the first one ever
+    quintptr m_gone = 0; ///< dropped rows: a step's index holds its row number, counted from the first row ever
 };
 
 } // namespace unprojector::gui

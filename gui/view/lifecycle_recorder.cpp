@@ -26,7 +26,7 @@ QString call(const char *name, std::initializer_list<double> arguments)
     return QStringLiteral("%1(%2)").arg(QLatin1String(name), numbers.join(QStringLiteral(", ")));
 }
 
-/// In memory order: by columns.
+/// The numbers in memory order: column by column.
 QString matrixCall(const glm::dmat4 &m)
 {
     QStringList numbers;
@@ -79,7 +79,7 @@ LifecycleRecorder::LifecycleRecorder(const SceneDocument &document, LifecycleLog
 void LifecycleRecorder::record(const LifecycleEvent &event)
 {
     if (event.kind == LifecycleEvent::Kind::OnSize)
-        m_viewport = m_document.setup().viewport; // it is in that step
+        m_viewport = m_document.setup().viewport; // that step contains it
     if (event.kind == LifecycleEvent::Kind::OnDraw)
         recordParameters();
     m_log.append(event);

@@ -12,8 +12,8 @@ namespace unprojector::gui {
 class LifecycleLog;
 class SceneDocument;
 
-/// Writes a view's steps into the log, and before each picture the calls that its parameters cause, where these changed since
-/// the picture before: glViewport, the projection's and gluLookAt.
+/// Logs a view's steps and, before each frame, the calls of its parameters if these have changed
+/// since the last frame: glViewport, the projection's and gluLookAt.
 class LifecycleRecorder : public QObject {
     Q_OBJECT
 public:
@@ -27,7 +27,7 @@ private:
     const SceneDocument &m_document;
     LifecycleLog &m_log;
     std::optional<geometry::Viewport> m_viewport;
-    QString m_projection, m_camera; ///< the calls of the last picture
+    QString m_projection, m_camera; ///< the calls of the last frame
 };
 
 } // namespace unprojector::gui

@@ -10,18 +10,19 @@ class QSurfaceFormat;
 
 namespace unprojector::gui {
 
-/// Measures a step of the view's life from its beginning, and describes it at its end: arguments, OpenGL calls, time.
+/// Measures a step of the view's life from its beginning, and describes it at its end: arguments,
+/// OpenGL calls, time.
 class LifecycleTimer {
 public:
     LifecycleTimer() { m_timer.start(); }
 
-    /// Takes no time: the formats are asked for before the window exists.
+    /// Has no duration: the format is requested before the window exists.
     static LifecycleEvent preCreateWindow(const QSurfaceFormat &wanted, const QSurfaceFormat &given);
     LifecycleEvent onCreate() const;
     LifecycleEvent onSize(const geometry::Drawable &drawn) const;
-    /// Objects are drawn into the frame, which nothing shows yet.
+    /// The objects were drawn into the frame, which is not shown yet.
     LifecycleEvent onDrawFrame() const;
-    /// The frame is shown.
+    /// The frame was shown.
     /// @param hasObjects  whether objects were drawn into it
     LifecycleEvent onDraw(bool hasObjects, bool hasStandIns) const;
     LifecycleEvent onLButtonDown(const geometry::Surface &surface, const unproject::PixelClick &click) const;

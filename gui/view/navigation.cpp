@@ -84,8 +84,8 @@ void Navigation::press(const ViewKey &key, const WidgetPoint &position, int view
 
 WorldPoint Navigation::pivotAt(const WidgetPoint &position)
 {
-    // Steps can come faster than pictures. What is turned about or zoomed to stays in its place, so nothing is drawn to
-    // read it again.
+    // Steps can be faster than frames. The pivot stays in place, so no frame is drawn to read it
+    // again.
     return m_stillPivot && m_stillPosition == position ? *m_stillPivot : m_lookup(position);
 }
 

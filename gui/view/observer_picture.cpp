@@ -63,7 +63,7 @@ std::optional<ObserverPicture> observerPicture(const Setup &watched, const Box &
     for (glm::dvec4 &plane : picture.planes)
         plane = planeInSource(plane, eyeWorld);
 
-    // Clip distances around a ball that holds the scene, the volume and the eye.
+    // Clip distances around a ball that contains the scene, the volume and the eye.
     const WorldPoint middle(placement.position);
     double radius = 2.0 * placement.scale;
     for (int corner = 0; corner < 8 && !extent.isEmpty(); ++corner) {
@@ -145,11 +145,11 @@ std::optional<ClipPlaneDrag> clipPlaneAt(const ObserverPicture &picture, const g
             const double distance = glm::length(pointer - pixelA - along * share);
             if (!(distance < closest))
                 continue;
-            // Back from the share of the edge in the picture to that of the edge itself.
+            // Converts the share along the edge in the view to the share along the edge itself.
             const double s = share * a.w / (share * a.w + (1.0 - share) * b.w);
             const ClipPlaneDrag drag(picture.projection, plane, EyePoint(from * (1.0 - s) + to * s), widgetFromEye,
                                      pointer);
-            // Seen from straight ahead a plane does not move in the picture.
+            // Seen head-on, a plane does not move in the view.
             constexpr double kLeastPixels = 12.0;
             const ProjectionWindow w = projectionWindow(picture.projection);
             if (glm::length(drag.pixelsPerUnit()) * (w.farDistance - w.nearDistance) < kLeastPixels)

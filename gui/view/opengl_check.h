@@ -6,17 +6,17 @@ class QOpenGLContext;
 
 namespace unprojector::gui {
 
-/// Whether the views can be drawn here, asked before there is one: Qt's own views end the program where there is no
+/// Checks, before a view exists, that views can be drawn: Qt's own views end the program without
 /// OpenGL. Needs a QGuiApplication.
-/// @return what is missing, and what to do; empty where nothing is
+/// @return what is missing, and what to do; empty if nothing is
 QString openGLProblem();
 
-/// As above, of a context that is current.
+/// The same for a current context.
 QString openGLProblem(QOpenGLContext &context);
 
 #ifdef Q_OS_WIN
-/// Whether an OpenGL that needs no graphics driver lies in the program's folder: Mesa's opengl32sw.dll. Qt takes it by
-/// itself where Windows has nothing but its own OpenGL 1.1, and where Qt::AA_UseSoftwareOpenGL is set.
+/// Returns whether a software OpenGL lies in the program's folder: Mesa's opengl32sw.dll. Qt uses
+/// it automatically if Windows has only its own OpenGL 1.1, or if Qt::AA_UseSoftwareOpenGL is set.
 bool hasSoftwareOpenGL();
 #endif
 

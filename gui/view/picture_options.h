@@ -4,21 +4,22 @@
 
 namespace unprojector::gui {
 
-/// What is drawn over the objects. The crosshair and the mark under the pointer are the hand's: no picture has them.
+/// The marks drawn over the objects. The crosshair and the snap mark belong to the pointer: no
+/// image has them.
 struct PictureMarks {
-    bool pick = true;      ///< the picked point, the point that is followed and those of other programs
+    bool pick = true;      ///< the pick, the user's point and the points of other programs
     bool landmarks = true; ///< with their names and the chosen measure
     bool curves = true;
     bool grid = true; ///< the ground and the clip planes
-    bool axes = true; ///< of the world and in the corner, with the letters of a lesson
-    bool map = true;  ///< where the view shows one
+    bool axes = true; ///< the world's and the corner's, with the letters of a lesson
+    bool map = true;  ///< if the view shows one
 };
 
-/// A picture of the scene, to be drawn at a size of its own.
+/// An image of the scene, drawn at a size of its own.
 struct PictureOptions {
-    geometry::Surface surface; ///< its pixels; lines, marks and letters are as many pixels large as its ratio says
+    geometry::Surface surface; ///< its pixels; lines, marks and letters scale with its pixel ratio
     PictureMarks marks;
-    bool isTransparent = false; ///< nothing is drawn behind the objects
+    bool isTransparent = false; ///< without a background behind the objects
 };
 
 } // namespace unprojector::gui

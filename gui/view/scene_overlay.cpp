@@ -119,7 +119,7 @@ void SceneOverlay::drawPick(const SceneDocument &document, const glm::dmat4 &cli
     glDisable(GL_DEPTH_TEST);
     drawWrongPoints(document.picks().wrongPoints(), clipFromWorld, viewportPixels(g), pixelRatio(g), m_lines, m_pick);
     const std::optional<Pick> &pick = document.picks().pick();
-    if (pick && !pick->hit()) { // no surface there, but a ray: its far end lies under the click
+    if (pick && !pick->hit()) { // no surface, but a ray: its far end is under the click
         if (const Result<WorldPoint> &end = pick->rayFar.world[Method::Formula])
             m_pick.draw(*end, clipFromWorld, viewportPixels(g), pixelRatio(g), PickPainter::Mark::Background);
         return;
@@ -150,7 +150,7 @@ void SceneOverlay::drawMark(const SnapMark &mark, const Setup &g, const glm::dma
     const glm::dvec4 clip = clipFromWorld * glm::dvec4(shape.point->coordinates(), 1.0);
     if (!(clip.w > 0.0))
         return;
-    // A square about it, as large at every distance.
+    // A square around it, of the same size at every distance.
     constexpr double kHalfLogical = 5.0;
     const glm::dvec2 middle = glm::dvec2(clip) / clip.w;
     const glm::dvec2 half = 2.0 * kHalfLogical * g.surface.devicePixelRatio / glm::dvec2(viewportPixels(g));
@@ -165,10 +165,10 @@ void SceneOverlay::drawMark(const SnapMark &mark, const Setup &g, const glm::dma
 int SceneOverlay::axesSide(const Drawable &drawn)
 {
     constexpr double kMostLogical = 84.0, kLeastLogical = 40.0;
-    constexpr double kMostShare = 0.25; // of the viewport: the scene is what is looked at
+    constexpr double kMostShare = 0.25; // of the viewport: the scene has priority
     const double ratio = drawn.setup.surface.devicePixelRatio;
     const double side = std::min(kMostLogical * ratio, kMostShare * std::min(drawn.width, drawn.height));
-    return side < kLeastLogical * ratio ? 0 // its letters could not be read
+    return side < kLeastLogical * ratio ? 0 // its letters would be illegible
                                         : static_cast<int>(std::lround(side));
 }
 
@@ -203,7 +203,7 @@ void SceneOverlay::drawCrosshair(const DevicePixel &pixel, const Surface &surfac
         return;
     const glm::vec2 size(surface.widthPixels, surface.heightPixels);
     glViewport(0, 0, surface.widthPixels, surface.heightPixels);
-    // Dark around light: to be seen on any surface. The pixel itself stays free.
+    // Dark around light: visible on any surface. The pixel itself stays free.
     const auto draw = [&](double rim, const glm::vec4 &color, double width) {
         std::vector<LineSegment> arms;
         for (const glm::dvec3 &way :

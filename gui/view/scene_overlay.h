@@ -17,36 +17,39 @@
 
 namespace unprojector::gui {
 
-/// What a click at a position would take of the meshes; nothing where that is the surface itself.
+/// The mesh element that a click at a position would snap to; nothing if that is the surface
+/// itself.
 std::optional<SnapMark> snapMarkAt(const SceneDocument &document, const geometry::WidgetPoint &position);
 
-/// What is drawn over the objects and cannot be clicked: ground, axes, clip planes, curves, the picked point, what a click would take,
-/// the directions of the axes in the corner and the crosshair of the keys. All calls need the OpenGL context current.
+/// Draws what lies over the objects and cannot be clicked: ground, axes, clip planes, curves, the
+/// pick, the snap mark, the directions of the axes in the corner and the crosshair of the keys. All
+/// calls need the OpenGL context current.
 class SceneOverlay : protected QOpenGLExtraFunctions {
 public:
     void initialize();
     void release();
 
-    /// Onto a framebuffer that has the objects' colours and depths; it leaves the depths as they are.
+    /// Draws onto a framebuffer that has the objects' colours and depths; doesn't change the
+    /// depths.
     /// @param marks      which of these are drawn
-    /// @param crosshair  the pixel that keys pick at, where it is to be shown
-    /// @param mark       what a click would take, where that is to be shown
+    /// @param crosshair  the pixel that keys pick at, if it is shown
+    /// @param mark       the snap mark, if it is shown
     void draw(const SceneDocument &document, const PictureMarks &marks,
               const std::optional<geometry::DevicePixel> &crosshair, const std::optional<SnapMark> &mark);
 
-    /// The side of the square, in device pixels, that the directions of the axes take in the lower left corner of the viewport; 0
-    /// where that is too small.
+    /// The side of the square, in device pixels, for the directions of the axes in the lower left
+    /// corner of the viewport; 0 if that is too small.
     static int axesSide(const geometry::Drawable &drawn);
-    /// The same square, logical pixels of the view.
+    /// The same square in logical pixels of the view.
     static QRectF axesBox(const geometry::Drawable &drawn);
 
 private:
     void drawClipPlanes(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
-    /// The curves between placed points: where they are in sight, and faintly behind.
+    /// The curves between landmarks: solid where visible, faint behind surfaces.
     void drawCurves(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
     void drawPick(const SceneDocument &document, const glm::dmat4 &clipFromWorld);
     void drawMark(const SnapMark &mark, const geometry::Setup &g, const glm::dmat4 &clipFromWorld);
-    /// In the corner of the viewport, where that is large enough.
+    /// Draws the axes in the corner of the viewport, if it is large enough.
     void drawAxes(const geometry::EyeFrame &frame, const geometry::Drawable &drawn);
     void drawCrosshair(const geometry::DevicePixel &pixel, const geometry::Surface &surface);
 
@@ -55,8 +58,9 @@ private:
     PickPainter m_pick;
 };
 
-/// What letters keep clear of: the axes in the corner, and a widget over the upper right corner. Logical pixels.
-/// @param corner  that the widget takes; empty: there is none
+/// The rectangles that letters avoid: the axes in the corner, and a widget over the upper right
+/// corner. Logical pixels.
+/// @param corner  of the widget; empty: there is none
 std::vector<QRectF> takenCorners(const SceneDocument &document, const QRectF &corner);
 
 } // namespace unprojector::gui

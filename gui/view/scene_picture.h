@@ -9,9 +9,10 @@ namespace unprojector::gui {
 
 class SceneView;
 
-/// The picture of a view's scene at another size, drawn as the view draws it. The view and the document stay as they are.
+/// The view's scene as an image of another size, drawn as in the view. View and document stay
+/// unchanged.
 /// @pre the view is ready, and no side is larger than SceneView::largestPicture()
-/// @return the errors of setupOf; an image without pixels where OpenGL has no memory for it
+/// @return the errors of setupOf; an image without pixels if OpenGL has no memory for it
 geometry::Result<QImage> scenePicture(SceneView &view, const PictureOptions &options);
 
 } // namespace unprojector::gui

@@ -29,7 +29,7 @@ using namespace unproject;
 
 namespace {
 
-/// A hand that only clicks trembles: it drags from the desktop's distance on.
+/// A clicking hand trembles: a drag starts at the desktop's drag distance.
 bool isDrag(const QPointF &way)
 {
     return std::abs(way.x()) + std::abs(way.y()) >= QApplication::startDragDistance();
@@ -51,7 +51,7 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
            "pointer or the crosshair. Arrow keys turn, with Shift they move, with Ctrl they move the "
            "crosshair; plus and minus zoom"));
 
-    // Its pixel says nothing of another scene, and what a hand turns or is about to place is not there any more.
+    // Its pixel is meaningless in another scene, and the dragged or picked object no longer exists.
     connect(&m_document, &SceneDocument::opened, this, [this] {
         m_crosshair.reset();
         setCrosshairShown(false);
@@ -59,7 +59,7 @@ SceneView::SceneView(SceneDocument &document, QWidget *parent)
         m_toolTakesClick = false;
     });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
-        if (changes & Change::Objects) // the former pick may be on one that went
+        if (changes & Change::Objects) // the former pick may be on a removed object
             m_formerPick.reset();
         if (changes & Change::Setup)
             setFixedSurface(m_document.scene().windowSize);
@@ -224,8 +224,7 @@ void SceneView::drawMap()
 {
     const Surface surface = currentSurface();
     const QSize size(surface.widthPixels, surface.heightPixels);
-    const QSize same =
-        m_map.size().scaled(size, Qt::KeepAspectRatio); // in another shape it would lie beside the objects
+    const QSize same = m_map.size().scaled(size, Qt::KeepAspectRatio); // another shape would not align with the objects
     if (!m_map.isNull() && std::abs(size.width() - same.width()) + std::abs(size.height() - same.height()) <= 1)
         paintOver(1.0, [&](QPainter &painter) { painter.drawImage(QRect(QPoint(), size), m_map); }); // pixel on pixel
 }
@@ -288,7 +287,7 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     if (pans || m_toolTakesClick || pressed == ViewTool::Press::Navigates) {
         m_navigation.grab(position);
     } else {
-        m_navigation.setPivot(m_document.setup().camera().center); // where nothing can be read
+        m_navigation.setPivot(m_document.setup().camera().center); // if nothing can be read
         m_formerPick = m_document.picks().keptPick();
         pickAt(position);
     }
@@ -303,7 +302,8 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     if (m_drag != Drag::None && !m_hasMoved) {
         if (!isDrag(delta))
             return;
-        // A drag it is and not a click: what the press has picked goes, and what was picked before comes back.
+        // It is a drag and not a click: the press's pick is dropped, and the former one is
+        // restored.
         if (const std::optional<KeptPick> former = std::exchange(m_formerPick, std::nullopt))
             m_document.picks().putBack(*former);
     }
@@ -362,7 +362,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent *event)
 {
     if (m_drag != Drag::None || event->button() != Qt::LeftButton)
         return;
-    if (m_tool && m_tool->takesClicks()) { // two clicks, one soon after the other
+    if (m_tool && m_tool->takesClicks()) { // two quick clicks
         mousePressEvent(event);
         return;
     }
@@ -423,7 +423,7 @@ void SceneView::contextMenuEvent(QContextMenuEvent *event)
 {
     event->accept();
     if (event->reason() == QContextMenuEvent::Mouse)
-        return; // at the release, where it was no drag
+        return; // opens on release, if it was no drag
     setCrosshairShown(true);
     const WidgetPoint position = m_crosshair.position();
     showViewMenu(*this, m_document, position, mapToGlobal(localPosition(position)).toPoint());
@@ -477,7 +477,7 @@ void SceneView::keyPressEvent(QKeyEvent *event)
         return;
     }
     if (m_drag != Drag::None)
-        return; // a hand is turning already
+        return; // the mouse is already turning the view
     setCrosshairShown(true);
     switch (key->kind) {
     case ViewKey::Kind::Turn:
@@ -490,7 +490,8 @@ void SceneView::keyPressEvent(QKeyEvent *event)
         return;
     case ViewKey::Kind::Pick:
         onLButtonDown(m_crosshair.position());
-        // Reported like what is under the mouse: the panel with the numbers may be behind another.
+        // Reported like the pixel under the mouse: the panel with the numbers may be behind
+        // another.
         m_hover.readOnce(m_crosshair.position());
         return;
     }
@@ -499,7 +500,7 @@ void SceneView::keyPressEvent(QKeyEvent *event)
 void SceneView::focusInEvent(QFocusEvent *event)
 {
     FrameView::focusInEvent(event);
-    // A user who came by a key goes on with keys: the crosshair shows the focus.
+    // A user who came by a key continues with keys: the crosshair shows the focus.
     if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
         setCrosshairShown(true);
 }

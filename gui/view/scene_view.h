@@ -30,14 +30,15 @@ class SceneOverlay;
 class SceneView;
 class ViewTool;
 
-/// What a frame of the document's scene is drawn of; nothing where there is no valid setup.
+/// The content of a frame of the document's scene; nothing if there is no valid setup.
 std::optional<FrameContents> frameContentsOf(const SceneDocument &document);
 /// See gui/view/scene_picture.h.
 geometry::Result<QImage> scenePicture(SceneView &view, const PictureOptions &options);
 
-/// The picture of a document's scene. Its life mirrors the paper's MFC view (Weng et al. 2008, section 4) by name:
-/// preCreateWindow, onCreate, onSize, onDraw, onLButtonDown, onDestroy, called from Qt's own hooks. It reads depths
-/// and asks the document what is there; it never unprojects. Clicks are read from its frame; what is drawn over that cannot be clicked.
+/// The view of a document's scene. Its functions mirror the paper's MFC view (Weng et al. 2008,
+/// section 4) by name: preCreateWindow, onCreate, onSize, onDraw, onLButtonDown, onDestroy, called
+/// from Qt's own hooks. It reads depths and lets the document unproject them. Clicks are read from
+/// its frame; marks over the frame cannot be clicked.
 class SceneView : public FrameView {
     Q_OBJECT
     friend geometry::Result<QImage> scenePicture(SceneView &view, const PictureOptions &options);
@@ -46,47 +47,51 @@ public:
     explicit SceneView(SceneDocument &document, QWidget *parent = nullptr);
     ~SceneView() override;
 
-    /// The left button pressed at a widget position in logical pixels: the depth there is read and picked. Where a drag
-    /// follows, what was picked before comes back. A position outside the view is ignored.
+    /// Handles the left button pressed at a widget position in logical pixels: reads the depth
+    /// there and picks. If a drag follows, the former pick is restored. Ignores positions outside
+    /// the view.
     void onLButtonDown(const geometry::WidgetPoint &position);
 
-    /// Puts the crosshair there and picks.
+    /// Moves the crosshair there and picks.
     void pickAt(const geometry::WidgetPoint &position);
-    /// Puts the crosshair onto a pixel and picks there, as Enter does. One outside the view is ignored.
+    /// Moves the crosshair to a pixel and picks there, as Enter does. Ignores pixels outside the
+    /// view.
     void pickPixel(const geometry::DevicePixel &pixel);
 
-    /// Colours over the objects, below points, picks and crosshair; device pixels, null: none.
+    /// Sets colours over the objects, below points, picks and crosshair; device pixels, null: none.
     void setMap(const QImage &map);
     bool hasMap() const { return !m_map.isNull(); }
-    /// How far this renderer moves corners, see DepthSample.
+    /// The distance by which this renderer moves corners, see DepthSample.
     double cornerShiftPixels();
-    /// A widget over the upper right corner: while it is seen, the loupe stands beside it.
+    /// Sets a widget over the upper right corner: while it is visible, the loupe is beside it.
     void setCornerWidget(QWidget *widget) { m_corner = widget; }
 
-    /// What a lesson letters in the picture.
+    /// Sets the lesson's labels in the view.
     void setHighlights(const std::set<lessons::Highlight> &highlights);
 
-    /// Whether the coordinates of the picked point stand beside its lines along the axes.
+    /// Sets whether the coordinates of the picked point are shown beside its lines along the axes.
     void setHasDropLabels(bool hasThem);
 
-    /// What a hand does besides navigating and picking. It lives as long as the view.
+    /// Sets the tool that gets mouse and keys before navigation and picking. It lives as long as
+    /// the view.
     void setTool(ViewTool &tool) { m_tool = &tool; }
 
-    // For the tool.
+    // Functions for the tool.
 
-    /// What is under a position in a picture that is up to date; nothing outside of it, and where OpenGL cannot read it.
+    /// The click at a position of an up-to-date frame; nothing outside the view, and if OpenGL
+    /// cannot read it.
     std::optional<unproject::PixelClick> clickAt(const geometry::WidgetPoint &position);
-    /// Reports what is at a position, as it does where the pointer is.
+    /// Reports a position as if the pointer were there.
     void reportHover(const geometry::WidgetPoint &position) { m_hover.follow(position); }
-    /// The drag of the tool is over, whatever buttons are down.
+    /// Ends the tool's drag, even with buttons pressed.
     void endToolDrag();
-    /// How much of the surface's width the widget over the upper right corner takes, logical pixels.
+    /// The width of the surface under the widget over the upper right corner, logical pixels.
     int cornerWidth() const { return qRound(cornerBox().width()); }
 
 signals:
     void hovered(const unprojector::unproject::PixelClick &click);
     void pointerLeft();
-    /// A step of the view's life has been taken; for a log.
+    /// Emitted after each step of the view's life; for a log.
     void happened(const unprojector::gui::LifecycleEvent &event);
     void filesDropped(const QList<QUrl> &urls);
 
@@ -118,26 +123,26 @@ private:
     void onDraw();
     void onDestroy();
 
-    /// Draws the objects into the frame where it does not show the document as it is.
+    /// Draws the objects into the frame if it is out of date.
     /// @return what it drew
     Drawn updateFrame();
     void redraw();
 
-    /// The point to turn about, to move with and to zoom to at a position.
+    /// The pivot at a position: to turn about, to pan with and to zoom to.
     geometry::WorldPoint pivotAt(const geometry::WidgetPoint &position);
-    /// Marks what a click at a position would take of the meshes, and reports what is there.
+    /// Shows the snap mark of a position, and reports what is there.
     void lookAt(const geometry::WidgetPoint &position);
-    /// The pointer is over nothing any more.
+    /// Handles that the pointer has left the surface.
     void leaveSurface();
     /// Shows a mark, or none.
     void setMark(const std::optional<SnapMark> &mark);
 
-    /// Draws what lies over the objects.
+    /// Draws the marks over the objects.
     void drawOver(const PictureMarks &marks);
-    /// What the widget over the upper right corner takes of the surface.
+    /// The part of the surface under the widget over the upper right corner.
     QRectF cornerBox() const;
     void drawMap();
-    /// The letters of a lesson, and what the tool draws.
+    /// Draws the letters of a lesson and the tool's marks.
     void drawTexts(const PictureMarks &marks);
     void setCrosshairShown(bool isShown);
 
@@ -154,11 +159,11 @@ private:
     Crosshair m_crosshair;
 
     ViewTool *m_tool = nullptr;
-    bool m_toolTakesClick = false; ///< the press was none of the tool's own, and its release may be a click
+    bool m_toolTakesClick = false; ///< the tool passed the press, but its release may be a click for the tool
     Drag m_drag = Drag::None;
     bool m_hasMoved = false;               ///< far enough from the press to be a drag
-    std::optional<QPointF> m_menuPosition; ///< where the right button was pressed and has not dragged yet
-    std::optional<KeptPick> m_formerPick;  ///< the press has picked; a drag puts this back
+    std::optional<QPointF> m_menuPosition; ///< where the right button was pressed, until it drags
+    std::optional<KeptPick> m_formerPick;  ///< the pick before the press; a drag restores it
     QPointF m_lastPosition;
 };
 

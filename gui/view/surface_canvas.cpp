@@ -7,8 +7,9 @@ bool SurfaceCanvas::begin()
 {
     const QSize size(fixedSurface->widthPixels, fixedSurface->heightPixels);
     if (!m_pixels || m_pixels->size() != size) {
-        m_pixels.reset(); // its memory goes first
-        // The format of QOpenGLWidget's own framebuffer, so that depths can be copied there as they are.
+        m_pixels.reset(); // frees its memory first
+        // The format of QOpenGLWidget's own framebuffer, so that depths can be copied there as they
+        // are.
         m_pixels = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::CombinedDepthStencil);
     }
     return m_pixels->isValid() && m_pixels->bind();
@@ -24,7 +25,8 @@ void SurfaceCanvas::show(unsigned widgetFramebuffer, const Surface &widget, cons
     glDisable(GL_SCISSOR_TEST);
     glClearColor(around.redF(), around.greenF(), around.blueF(), 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    // A line around it shows where the surface ends, also where its viewport leaves bars of the same colour.
+    // A line around it shows where the surface ends, even if its viewport leaves bars of the same
+    // colour.
     glEnable(GL_SCISSOR_TEST);
     glScissor(shown.left() - 1, bottom - 1, shown.width() + 2, shown.height() + 2);
     glClearColor(0.5f, 0.5f, 0.5f, 1.0f);

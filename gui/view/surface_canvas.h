@@ -11,21 +11,22 @@
 
 namespace unprojector::gui {
 
-/// A framebuffer for a surface that is not as large as its widget: everything is drawn into it as onto a widget of its size,
-/// and then it is shown where its SurfacePlace is. All calls need the OpenGL context current.
+/// A framebuffer for a surface whose size differs from the widget's: everything is drawn into it as
+/// onto a widget of that size, then shown at its SurfacePlace. All calls need the OpenGL context
+/// current.
 class SurfaceCanvas : protected QOpenGLExtraFunctions {
 public:
-    /// The surface's size; nothing: that of the widget, and the canvas is not used.
+    /// The surface's size; nothing: the widget's, and the canvas is not used.
     std::optional<geometry::Surface> fixedSurface;
 
     void initialize() { initializeOpenGLFunctions(); }
     void release() { m_pixels.reset(); }
 
-    /// Binds the canvas, for drawing.
+    /// Binds the canvas for drawing.
     /// @pre there is a fixed surface
-    /// @return false when OpenGL gives no such framebuffer; then nothing is bound
+    /// @return false if OpenGL cannot create such a framebuffer; then nothing is bound
     bool begin();
-    /// Puts the canvas onto the widget's framebuffer, which is bound then.
+    /// Copies the canvas to the widget's framebuffer and leaves that bound.
     /// @param around  the colour beside it
     void show(unsigned widgetFramebuffer, const geometry::Surface &widget, const SurfacePlace &place,
               const QColor &around);

@@ -64,7 +64,7 @@ void showViewMenu(SceneView &view, SceneDocument &document, const WidgetPoint &p
         [&document, object] { static_cast<void>(setObjectHidden(document, *object, true)); });
     add("showAll", SceneView::tr("Show All Objects"), {}, SceneView::tr("Those that are hidden as well"),
         hasHiddenObjects(document.scene()), [&document] { static_cast<void>(showAllObjects(document)); });
-    // It speaks of objects by their places, and of a point that is picked.
+    // The menu refers to objects by index, and to the pick.
     QObject::connect(&document, &SceneDocument::changed, menu, [menu](Changes changes) {
         if (changes & (Change::Objects | Change::Pick))
             menu->close();

@@ -9,8 +9,9 @@ namespace unprojector::gui {
 class SceneDocument;
 class SceneView;
 
-/// Opens the menu of what can be done with the pixel at a position: picked, copied, looked at; its object fitted, hidden.
-/// @param global  where the menu opens
+/// Opens the context menu of the pixel at a position: pick it, copy it, look at it; fit or hide its
+/// object.
+/// @param global  the menu's position
 void showViewMenu(SceneView &view, SceneDocument &document, const geometry::WidgetPoint &position,
                   const QPoint &global);
 

@@ -9,7 +9,7 @@ namespace unprojector::gui {
 void drawWrongPoints(std::span<const WrongPointMark> points, const glm::dmat4 &clipFromWorld,
                      const glm::vec2 &viewportPixels, float pixelRatio, LinePainter &lines, PickPainter &marks)
 {
-    // Light around dark: to be seen on any surface.
+    // Light around dark: visible on any surface.
     std::vector<LineSegment> ways, rims;
     for (const WrongPointMark &point : points) {
         if (!point.right)

@@ -9,8 +9,8 @@
 
 namespace unprojector::gui {
 
-/// Draws what other programs have got, with the right points and the way from each to its wrong one, over everything. The
-/// OpenGL context is current, no depth is tested.
+/// Draws the points computed by other programs, with the right points and the lines between them,
+/// over everything. The OpenGL context is current, and there is no depth test.
 /// @param viewportPixels  width and height of the current viewport
 void drawWrongPoints(std::span<const WrongPointMark> points, const glm::dmat4 &clipFromWorld,
                      const glm::vec2 &viewportPixels, float pixelRatio, LinePainter &lines, PickPainter &marks);

@@ -5,22 +5,22 @@
 
 namespace unprojector::gui {
 
-/// What text on a surface needs to be read with ease (WCAG 2.1, 1.4.3).
+/// The contrast that easily readable text needs (WCAG 2.1, 1.4.3).
 constexpr double kReadableContrast = 4.5;
 
 /// The contrast of two opaque colours, from 1 (none) to 21 (black on white).
 /// Source: WCAG 2.1, relative luminance.
 double contrast(const QColor &a, const QColor &b);
 
-/// As quiet as text can be and still be read on a base: ink mixed with the base down to kReadableContrast; the ink itself
-/// where that has no more.
+/// The quietest readable ink on a base: ink mixed with the base down to kReadableContrast; the ink
+/// itself if its contrast is not higher.
 QColor quietInk(const QColor &ink, const QColor &base);
 
 /// @param shareOfB  0: a, 1: b
 QColor mixed(const QColor &a, const QColor &b, double shareOfB);
 
-/// Of a field whose text cannot be taken: reddish, mixed from the theme's own colours, so that it is readable on a dark one as
-/// well.
+/// The palette of a field with invalid text: reddish, mixed from the theme's own colours, so that
+/// it is readable on dark themes too.
 QPalette refusedPalette();
 
 } // namespace unprojector::gui

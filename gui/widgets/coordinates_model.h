@@ -7,25 +7,27 @@
 
 namespace unprojector::gui {
 
-/// Coordinates, a row for each of x, y, z of a point: what a CoordinatesTable shows.
+/// The coordinates of a point, one row each for x, y, z: the model of a CoordinatesTable.
 class CoordinatesModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    /// Number of leading characters of a coordinate that are certain; the rest is below what is known of it.
+    /// The number of leading certain characters of a coordinate; the rest lies below the
+    /// uncertainty.
     static constexpr int kCertainLengthRole = Qt::UserRole;
-    /// The double itself; of what is certain the rounded one.
+    /// The double itself; for certain digits only, the rounded one.
     static constexpr int kValueRole = Qt::UserRole + 1;
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// The point that a cell belongs to, by the method of its column: x, y, z as far as there is an answer.
+    /// The point that a cell belongs to, by the method of its column: x, y, z; empty without an
+    /// answer.
     virtual std::vector<double> pointAt(const QModelIndex &index) const = 0;
-    /// What that point is called in code: "world", "worldDifference".
+    /// The variable name of that point in code: "world", "worldDifference".
     virtual QString pointNameAt(const QModelIndex &index) const = 0;
 
-    /// A cell as it is copied: all digits; of what is certain those that are.
+    /// The text of a cell to copy: all digits, or the certain ones where only those are shown.
     virtual QString copied(const QModelIndex &index) const;
-    /// The whole table so, tab-separated.
+    /// The whole table in that form, tab-separated.
     QString text() const;
 };
 

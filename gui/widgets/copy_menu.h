@@ -15,19 +15,20 @@ namespace unprojector::gui {
 
 /// A number or a point that a menu copies, with all its digits.
 struct Copyable {
-    QString name; ///< as a variable in code: "world"
+    QString name; ///< its variable name in code: "world"
     std::vector<double> numbers;
 };
 
-/// Fills a menu with one entry for the number, where there is one, and with the point as text, C, GLM, NumPy, LaTeX and CSV.
-/// @param number  what lies under the pointer; empty: nothing there is a number
+/// Adds a menu entry for the number, if there is one, and entries for the point as text, C, GLM,
+/// NumPy, LaTeX and CSV.
+/// @param number  under the pointer; empty: none
 /// @param whole   the point that it belongs to; empty: none
 void addCopyActions(QMenu &menu, const Copyable &number, const Copyable &whole);
 
-/// Shows such a menu there. It is gone when it closes.
+/// Shows such a menu at this position and deletes it when it closes.
 void showCopyMenu(QWidget &parent, const QPoint &globalPosition, const Copyable &number, const Copyable &whole);
 
-/// The selected cells, a row a line, tab-separated; those without data are left out.
+/// The text of the selected cells, a row a line, tab-separated, without empty cells.
 /// @param textOf  a cell with all its digits
 QString selectedCells(const QItemSelectionModel &selection, const std::function<QString(const QModelIndex &)> &textOf);
 

@@ -4,12 +4,13 @@
 
 namespace unprojector::gui {
 
-/// The font of columns of numbers that stand beside a text: each digit as wide as the other.
+/// The font for columns of numbers beside a text: all digits have the same width.
 QFont digitsFont(const QFont &text);
-/// The text's own font inside a table that is set in digits: every property is given, so that none is inherited.
+/// The text's own font inside a table in digitsFont: every property is set, so that none is
+/// inherited.
 QFont headsFont(const QFont &text);
-/// What one line of a text needs, with the fonts that stand in for characters that the font has not: ideographs are higher
-/// than the letters of most fonts.
+/// The height of one line of text, including fallback fonts: ideographs are higher than the letters
+/// of most fonts.
 int lineHeight(const QFont &font, const QString &text);
 
 } // namespace unprojector::gui

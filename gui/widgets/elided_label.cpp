@@ -29,7 +29,7 @@ void ElidedLabel::elide()
 {
     const QString shown = fontMetrics().elidedText(m_fullText, Qt::ElideRight, contentsRect().width());
     setText(shown);
-    setToolTip(shown == m_fullText ? QString() : plainToolTip(m_fullText)); // it may have names in it
+    setToolTip(shown == m_fullText ? QString() : plainToolTip(m_fullText)); // it may contain names
 }
 
 } // namespace unprojector::gui

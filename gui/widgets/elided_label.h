@@ -4,7 +4,7 @@
 
 namespace unprojector::gui {
 
-/// A line of text that ends in "…" where there is no room for all of it; the tooltip then has it.
+/// A line of text that ends in "…" if there is no room for all of it; the tooltip then shows all.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 public:

@@ -5,7 +5,7 @@
 
 namespace unprojector::gui {
 
-/// A figure of Help, as wide as there is room for, up to its own size.
+/// A figure of the help, as wide as the available room, up to its own size.
 class FigureView : public QWidget {
     Q_OBJECT
 public:

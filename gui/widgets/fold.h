@@ -7,7 +7,7 @@ class QToolButton;
 
 namespace unprojector::gui {
 
-/// A heading that opens and closes what stands below it. Closed at first.
+/// A heading that opens and closes the content below it. Closed at first.
 class Fold : public QWidget {
     Q_OBJECT
 public:

@@ -21,7 +21,7 @@ constexpr double kMargin = 6.0;
 /// A serif looks smaller than the window's own type.
 constexpr double kTypeScale = 1.12;
 
-/// Of a formula's link: one without a number has a "?" as everything else.
+/// The text of a formula's link: one without a number has a "?", like other links.
 QString linkText(const FormulaWithNumbers &formula)
 {
     return formula.number().isEmpty() ? QStringLiteral("?") : formula.number();
@@ -236,7 +236,7 @@ void FormulaView::contextMenuEvent(QContextMenuEvent *event)
     menu->popup(event->globalPos());
 }
 
-/// To the formula under the pointer; from the keyboard to each.
+/// Adds links to the formula under the pointer; from the keyboard, to each formula.
 void FormulaView::addHelpActions(QMenu &menu, const QPoint &position, bool isOfAll) const
 {
     const double y = position.y();
@@ -247,7 +247,7 @@ void FormulaView::addHelpActions(QMenu &menu, const QPoint &position, bool isOfA
             continue;
         const QString name =
             line.number.isEmpty() ? tr("This formula in Help") : tr("Formula %1 in Help").arg(line.number);
-        if (name != before) // (15) stands twice
+        if (name != before) // (15) occurs twice
             menu.addAction(name, this, [anchor = helpAnchorOf(line.number)] { openHelp(anchor); });
         before = name;
     }

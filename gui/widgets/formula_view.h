@@ -11,8 +11,9 @@ class QMenu;
 
 namespace unprojector::gui {
 
-/// Formulas as on paper, each in symbols with its numbers below. A term under the pointer is marked wherever it stands, and
-/// a tooltip names it. They are set to the view's width, and the view is as high as they are.
+/// Typeset formulas, each in symbols with its numbers below. Hovering a term marks all its
+/// occurrences, and a tooltip names it. The formulas are wrapped to the view's width, and the view
+/// is as high as they are.
 class FormulaView : public QAbstractScrollArea {
     Q_OBJECT
 public:
@@ -21,15 +22,16 @@ public:
     void setFormulas(PickFormulas formulas);
     const PickFormulas &formulas() const { return m_formulas; }
 
-    /// What is marked, by its short name.
+    /// The short name of the marked term.
     const QString &markedTerm() const { return m_marked; }
-    /// Where a term stands in the viewport.
+    /// The rectangles of a term in the viewport.
     std::vector<QRectF> placesOf(const QString &term) const;
-    /// What its tooltip says of a term: "n = 2" and its name.
+    /// The tooltip of a term: "n = 2" and its name.
     QString toolTipOf(const QString &term) const;
-    /// Where a formula's number stands in the viewport: a link to its place in Help. Empty where there is no such number.
+    /// The rectangle of a formula's number in the viewport: a link to its place in the help. Empty
+    /// if there is no such number.
     QRectF placeOfNumber(const QString &number) const;
-    /// Of all that is set, logical pixels.
+    /// The size of all formulas, logical pixels.
     QSizeF contentSize() const { return m_content.size; }
 
     QSize sizeHint() const override;
@@ -52,13 +54,13 @@ private:
         FormulaLayout layout;
         QPointF place; ///< top left in the content
         QString number;
-        QRectF numberPlace; ///< in the content; empty where the line has none
+        QRectF numberPlace; ///< in the content; empty if the line has none
     };
     struct Content {
         std::vector<Line> lines;
         QSizeF size;
     };
-    /// The formulas set to a width of the viewport, logical pixels.
+    /// The formulas wrapped to a width of the viewport, logical pixels.
     Content contentFor(double viewportWidth) const;
     void set();
     QString termAt(const QPoint &position) const;

@@ -10,7 +10,7 @@
 namespace unprojector::gui {
 namespace {
 
-/// Only compared: who may be gone.
+/// Only compared, because it may be deleted already.
 const HelpOpener *current = nullptr;
 
 } // namespace
@@ -39,7 +39,7 @@ HelpOpener::HelpOpener(std::function<void(const QString &)> open, QObject *paren
 
 HelpOpener::~HelpOpener()
 {
-    if (current == this) // else another one has taken over
+    if (current == this) // else another one has replaced it
         QDesktopServices::unsetUrlHandler(QUrl(helpAddress({})).scheme());
 }
 

@@ -9,7 +9,7 @@ class QUrl;
 
 namespace unprojector::gui {
 
-/// A small "?" beside what is computed: it opens Help where its formulas are.
+/// A small "?" beside a computed value: it opens the help at its formulas.
 class HelpLink : public QToolButton {
     Q_OBJECT
 public:
@@ -23,14 +23,15 @@ private:
     QString m_anchor;
 };
 
-/// Shows a place of Help, through whoever has taken it over.
+/// Opens the help at an anchor, by the current HelpOpener.
 void openHelp(const QString &anchor);
 
-/// Takes over the links to Help, those of labels too (helpAddress), for as long as it lives or until another one does.
+/// Handles the links to the help, in labels too (helpAddress), while it lives or until another one
+/// is created.
 class HelpOpener : public QObject {
     Q_OBJECT
 public:
-    /// @param open  given the anchor
+    /// @param open  receives the anchor
     HelpOpener(std::function<void(const QString &)> open, QObject *parent);
     ~HelpOpener() override;
 

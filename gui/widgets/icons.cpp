@@ -11,7 +11,7 @@
 namespace unprojector::gui {
 namespace {
 
-// All drawings stand on a sheet of 24 x 24, y down.
+// All drawings use a sheet of 24 x 24, y down.
 constexpr double kSheet = 24.0;
 constexpr double kPen = 1.7;
 
@@ -144,7 +144,7 @@ Sheet sheetOf(Drawing drawing)
         return {frame, eye};
     }
     case Drawing::Surface: {
-        // A patch that is bent, and the ray that meets it.
+        // A curved patch, and the ray that hits it.
         QPainterPath patch;
         patch.moveTo(3, 15);
         patch.cubicTo(8, 9, 12, 20, 17, 13);
@@ -198,7 +198,7 @@ Sheet sheetOf(Drawing drawing)
     return {};
 }
 
-/// Draws when it is asked to: in the colours and with the pixels of the moment.
+/// Draws on demand: with the present colours and pixels.
 class DrawnIconEngine : public QIconEngine {
 public:
     explicit DrawnIconEngine(Drawing drawing) : m_drawing(drawing) {}

@@ -4,8 +4,8 @@
 
 namespace unprojector::gui {
 
-/// The drawings on the tool bar, in the colour of the text beside them: sharp at every size and pixel ratio, light on a dark
-/// desktop.
+/// The drawings on the tool bar, in the colour of the text beside them: sharp at every size and
+/// pixel ratio, light on a dark desktop.
 enum class Drawing {
     Click,
     Pipeline,
@@ -31,7 +31,7 @@ enum class Drawing {
 
 QIcon drawnIcon(Drawing drawing);
 
-/// The program's own sign: a view volume, the pixel that is clicked and the point that its ray meets.
+/// The program's icon: a view volume, the clicked pixel and the point that its ray hits.
 QIcon programIcon();
 
 } // namespace unprojector::gui

@@ -23,12 +23,13 @@
 namespace unprojector::gui {
 namespace {
 
-/// Left and right of a number, logical pixels.
+/// The margin left and right of a number, logical pixels.
 constexpr int kCellMargin = 4;
 constexpr int kBracketWidth = 5;
-/// Of a column of its own: "-0.123456789" and a little.
+/// The width of a single column: "-0.123456789" and a little more.
 constexpr int kCharactersInColumn = 14;
-/// Of the selection's colour in the ground of a marked number, on which the text's own colour stays readable.
+/// The share of the selection's colour in the background of a marked number, on which the text
+/// stays readable.
 constexpr double kMarkedShare = 0.3;
 
 } // namespace
@@ -42,7 +43,7 @@ NumberGrid::NumberGrid(NumberGridModel *model, QWidget *parent) : QTableView(par
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setTabKeyNavigation(false);
-    setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed); // of what the model lets be edited
+    setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed); // of cells that the model makes editable
     horizontalHeader()->hide();
     verticalHeader()->hide();
     horizontalHeader()->setMinimumSectionSize(1);
@@ -74,7 +75,7 @@ void NumberGrid::hideScrollBar()
     fit();
 }
 
-/// Characters of the longest label and a blank.
+/// The characters of the longest label and a blank.
 int NumberGrid::labelLength() const
 {
     if (!m_showsLabels)
@@ -122,13 +123,13 @@ QSize NumberGrid::minimumSizeHint() const
     return {kColumns * widthOf(kShortest), height()};
 }
 
-/// Only text: what a table and its style do for each cell would cost ten times the rest of the panel, with every step of
-/// the mouse that turns the view.
+/// Draws only text: a table with a style needs ten times as long as the rest of the panel, at every
+/// mouse move that turns the view.
 void NumberGrid::paintEvent(QPaintEvent *)
 {
     QPainter painter(viewport());
     const QFontMetricsF metrics(font());
-    // All digits are equally wide, so that no text has to be laid out to know where it begins.
+    // All digits are equally wide, so that the start is known without a text layout.
     const double digitWidth = metrics.horizontalAdvance(u'0');
     const int rowHeight = verticalHeader()->defaultSectionSize();
     const double ascent = (rowHeight - metrics.height()) / 2.0 + metrics.ascent();
@@ -178,7 +179,7 @@ void NumberGrid::resizeEvent(QResizeEvent *event)
 
 void NumberGrid::wheelEvent(QWheelEvent *event)
 {
-    event->ignore(); // it is the panel that scrolls
+    event->ignore(); // the panel scrolls
 }
 
 void NumberGrid::changeEvent(QEvent *event)
@@ -192,8 +193,9 @@ void NumberGrid::changeEvent(QEvent *event)
 bool NumberGrid::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
-        // What is typed here is a number, or would be where one could be typed; it may begin with a letter, as sqrt(2) does.
-        // It turns no camera and changes nothing in the view. Nor does Home, which goes to the first number.
+        // Keys typed here are for the grid, even if it is read-only: a number may begin with a
+        // letter, as sqrt(2) does. They must not turn the camera or change the view. Home goes to
+        // the first number.
         const auto &key = *static_cast<QKeyEvent *>(event);
         const bool isPlain = !(key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier));
         const bool isTyped = !key.text().isEmpty() && key.text().front().isPrint();
@@ -208,7 +210,7 @@ bool NumberGrid::event(QEvent *event)
 void NumberGrid::applyTyped()
 {
     for (QLineEdit *editor : viewport()->findChildren<QLineEdit *>()) {
-        if (editor->isHidden()) // closed, it awaits its end
+        if (editor->isHidden()) // it is closed and about to be deleted
             continue;
         commitData(editor);
         closeEditor(editor, QAbstractItemDelegate::NoHint);
@@ -275,7 +277,8 @@ void NumberGrid::focusInEvent(QFocusEvent *event)
 {
     const bool isByTab = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
     {
-        const QScopedValueRollback reaching(m_isReached, isByTab); // a first focus makes the first number current
+        // the first focus sets the first number as the current one
+        const QScopedValueRollback reaching(m_isReached, isByTab);
         QTableView::focusInEvent(event);
     }
     const bool isNew = event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason;
@@ -290,7 +293,7 @@ void NumberGrid::focusInEvent(QFocusEvent *event)
 void NumberGrid::focusOutEvent(QFocusEvent *event)
 {
     QTableView::focusOutEvent(event);
-    // One selection among all the grids of a panel is enough; a menu takes the focus only for a while.
+    // A panel's grids have one selection together; a menu takes the focus only for a while.
     if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason)
         clearSelection();
 }

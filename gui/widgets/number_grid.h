@@ -8,35 +8,38 @@ namespace unprojector::gui {
 
 class NumberGridModel;
 
-/// Numbers under each other in columns of equal width, as a matrix is printed, in brackets. It is as high as its rows; one
-/// column is no wider than its numbers. Where whole numbers need more room than there is, it scrolls sideways. Arrow keys walk
-/// through the numbers, Copy takes the selected ones with all their digits. Where the model can be typed into, a double-click,
-/// F2, Enter or the number itself does, and Paste takes all numbers at once.
+/// Numbers in columns of equal width, in brackets like a printed matrix. It is as high as its rows;
+/// a single column is no wider than its numbers. If whole numbers need more room, it scrolls
+/// sideways. Arrow keys move through the numbers; Copy copies the selected ones with all digits. If
+/// the model is editable, a double-click, F2, Enter or a digit starts editing, and Paste sets all
+/// numbers at once.
 class NumberGrid : public QTableView {
     Q_OBJECT
 public:
     explicit NumberGrid(NumberGridModel *model, QWidget *parent = nullptr);
 
-    /// The number at a place of the grid, or none.
+    /// The number at a position of the grid, or none.
     Copyable numberAt(const QPoint &globalPosition) const;
 
     /// The selected numbers with all digits, a row a line, tab-separated.
     QString selectedText() const;
 
-    /// @param areShown  whether the model's labels stand before the numbers, or something above the columns names them
+    /// @param areShown  whether the model's labels stand before the numbers; else the headings
+    /// above the columns name them
     void setLabelsShown(bool areShown);
-    /// Another scroll bar than its own moves it sideways.
+    /// Hides the scroll bar: another one scrolls the grid sideways.
     void hideScrollBar();
 
-    /// What is being typed counts now.
+    /// Commits pending input.
     void applyTyped();
 
     QSize minimumSizeHint() const override;
 
 signals:
-    /// A number became the current one, or came into the focus again; not by the Tab key.
+    /// Emitted when a number becomes the current one or gets the focus again, except by the Tab
+    /// key.
     void entered(const QModelIndex &index);
-    /// The Tab key brought the focus to a number.
+    /// Emitted when the Tab key moves the focus to a number.
     void reached(const QModelIndex &index);
 
 protected:
@@ -61,7 +64,7 @@ private:
     NumberGridModel *m_model;
     bool m_showsLabels = true;
     bool m_hasScrollBar = true;
-    bool m_isReached = false; ///< while the Tab key brings the focus
+    bool m_isReached = false; ///< while the Tab key moves the focus
 };
 
 } // namespace unprojector::gui

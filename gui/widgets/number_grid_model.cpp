@@ -7,10 +7,10 @@ using namespace matrices;
 
 namespace {
 
-/// Of a double: no fewer than of a float, which is shown whole, as the debugger's watch window shows it.
+/// The digits of a double: as many as of a whole float in the debugger's watch window.
 constexpr int kSignificantDigits = 9;
-/// Room kept after the decimal points, so that they stand still while the numbers change: ".1234567", and ".12345"
-/// where a number has a line for itself.
+/// Room after the decimal points, so that they don't move while the numbers change: ".1234567", and
+/// ".12345" if a number has its own line.
 constexpr std::size_t kRoomInColumn = 8;
 constexpr std::size_t kRoomInLine = 6;
 
@@ -27,7 +27,7 @@ std::string fittedText(double value, Digits digits, bool isWhole, std::size_t ca
 
 QString shown(const std::string &text)
 {
-    // Ordinary blanks at the end of a line are left out when text is aligned.
+    // Ordinary blanks at the end of a line are dropped when text is aligned.
     return QString::fromLatin1(text.data(), static_cast<qsizetype>(text.size())).replace(u' ', QChar::Nbsp);
 }
 
@@ -97,7 +97,7 @@ void NumberGridModel::makeTexts() const
         std::vector<std::string> aligned = texts;
         const std::size_t point = alignAtDecimalPoint(aligned);
         const std::size_t length = aligned.front().size();
-        // Where there is no room to align them, they end under each other.
+        // Numbers are right-aligned if there is no room to align their points.
         if (length <= capacity) {
             const std::size_t room = m_rows > 1 ? kRoomInColumn : kRoomInLine;
             for (std::string &text : aligned)

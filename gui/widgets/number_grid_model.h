@@ -10,47 +10,49 @@
 
 namespace unprojector::gui {
 
-/// Numbers in rows and columns, shown with as many digits as there is room for and copied with all of them. Texts are
-/// made when they are asked for, so that a grid nobody sees costs nothing.
+/// Numbers in rows and columns, shown with as many digits as fit and copied with all of them. Texts
+/// are made on demand, so that a hidden grid costs nothing.
 class NumberGridModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    /// The double itself (in float digits: the value rounded to float); invalid where there is no number.
+    /// The double itself (in float digits: the value rounded to float); invalid if there is no
+    /// number.
     static constexpr int kValueRole = Qt::UserRole;
-    /// What stands before the number: "m[12]".
+    /// The label before the number: "m[12]".
     static constexpr int kLabelRole = Qt::UserRole + 1;
-    /// Whether the number is marked.
+    /// True if the number is marked.
     static constexpr int kMarkedRole = Qt::UserRole + 2;
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Characters that a number has room for: longer ones lose digits, not places.
+    /// Sets the characters that a number has room for: longer ones lose digits, not decimal places.
     void setCapacity(int characters);
-    /// The room that each column needs at least: that of a whole double where all digits are to be seen, else none.
+    /// The least room for each column: a whole double's if all digits are shown, else 0.
     int leastCapacity() const { return m_isWhole ? kWholeDouble : 0; }
 
     int rowCount(const QModelIndex &parent = {}) const override;
     int columnCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
 
-    /// Marks these numbers and no others, until their arrangement changes.
+    /// Marks only these numbers, until their arrangement changes.
     void setMarked(const QModelIndexList &marked);
 
-    /// What a menu copies besides a number: the point, or nothing.
+    /// The point that a menu copies in addition to a number, or nothing.
     virtual Copyable copyable() const { return {}; }
 
-    /// Whether a user can type other numbers, or paste them all at once.
+    /// Returns whether a user can type other numbers, or paste all at once.
     virtual bool isTypable() const { return false; }
     virtual void typeAll([[maybe_unused]] const QString &text) {}
 
-    /// A number with all its digits, "–" where there is none.
+    /// A number with all its digits, "–" if there is none.
     QString fullText(int row, int column) const;
 
 protected:
     using Numbers = std::vector<std::optional<double>>;
 
-    /// Row by row. The views keep their shape unless the numbers of rows and columns or `isWhole` change.
-    /// @param isWhole  all digits, instead of those that there is room for
+    /// Sets the numbers, row by row. The views keep their shape unless the numbers of rows and
+    /// columns or `isWhole` change.
+    /// @param isWhole  all digits, not only as many as fit
     void setNumbers(int rows, int columns, Numbers numbers, matrices::Digits digits, bool isWhole);
 
     virtual QString label(int row, int column) const;

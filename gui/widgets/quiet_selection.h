@@ -4,8 +4,9 @@ class QAbstractItemView;
 
 namespace unprojector::gui {
 
-/// Selected rows keep their black and grey digits apart: on the colour of the desktop's selections there is hardly a grey
-/// that can be read, so that rows are selected with a tint of it. Follows when the desktop changes its colours.
+/// Tints selected rows lightly, so that black and grey digits stay distinguishable: on the
+/// desktop's selection colour hardly any grey is readable. Follows changes of the desktop's
+/// colours.
 void useQuietSelection(QAbstractItemView &view);
 
 } // namespace unprojector::gui

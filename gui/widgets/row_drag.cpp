@@ -19,10 +19,11 @@ std::optional<RowMove> droppedRow(const QMimeData &data, Qt::DropAction action, 
     if (action != Qt::MoveAction || !data.hasFormat(type))
         return std::nullopt;
     const int from = data.data(type).toInt();
-    // Before that row as the rows stand now; onto a row means before it, onto nothing means behind the last.
+    // Inserts before that row in the present order; a drop onto a row means before it, beside the
+    // rows after the last.
     int to = row >= 0 ? row : parent.isValid() ? parent.row() : rows;
     if (to > from)
-        --to; // the row itself is gone from there
+        --to; // the row itself is removed from there
     if (from < 0 || from >= rows || to < 0 || to >= rows)
         return std::nullopt;
     return RowMove{static_cast<std::size_t>(from), static_cast<std::size_t>(to)};

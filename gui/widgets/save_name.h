@@ -9,14 +9,14 @@ class QWidget;
 
 namespace unprojector::gui {
 
-/// A file to write to, and as what.
+/// A file to write to, and its format.
 struct SaveName {
     std::filesystem::path file; ///< empty: none was chosen
-    int filter = 0;             ///< the place of the filter that was chosen
+    int filter = 0;             ///< index of the chosen filter
 };
 
-/// Asks for the name of a file to write to. A name without a suffix gets that of the filter before it is asked whether a file that is
-/// there is to be replaced.
+/// Asks for the name of a file to write to. A name without a suffix gets the filter's before the
+/// question whether to replace an existing file.
 /// @param filters  "Table (*.csv)", each with one suffix
 /// @param proposed  a name; may be empty
 SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &filters, const QString &proposed = {});

@@ -9,8 +9,8 @@
 namespace unprojector::gui {
 namespace {
 
-/// A choice that is taken has the colour of a selection: styles tell a button that is down by too little, on a dark
-/// desktop by nothing.
+/// A selected choice has the selection's colour: styles show a pressed button too faintly, on a
+/// dark desktop not at all.
 class Segment : public QToolButton {
 public:
     QSize sizeHint() const override

@@ -7,7 +7,7 @@ class QButtonGroup;
 
 namespace unprojector::gui {
 
-/// A few choices side by side, one of which is taken. The arrow keys move between them.
+/// A few choices side by side, one of which is selected. The arrow keys move between them.
 class SegmentedSwitch : public QWidget {
     Q_OBJECT
 public:
@@ -22,7 +22,7 @@ public:
     void setChoiceEnabled(int index, bool isEnabled);
 
 signals:
-    /// By the user or by setChoice.
+    /// Emitted when the user or setChoice selects a choice.
     void chosen(int index);
 
 private:

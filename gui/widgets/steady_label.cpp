@@ -16,7 +16,7 @@ SteadyLabel::SteadyLabel(QWidget *parent) : QLabel(parent)
     setWordWrap(true);
     setAlignment(Qt::AlignLeft | Qt::AlignTop);
     setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    // The height follows from the width, which is the layout's to say.
+    // The height follows from the width, which the layout decides.
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     keepRoom();
 }
@@ -103,7 +103,7 @@ void SteadyLabel::contextMenuEvent(QContextMenuEvent *event)
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     QString copied = hasSelectedText() ? selectedText() : textFormat() == Qt::RichText ? m_plain : text();
-    copied.replace(QChar::Nbsp, u' '); // there to keep lines from breaking
+    copied.replace(QChar::Nbsp, u' '); // they only keep lines from breaking
     menu->addAction(hasSelectedText() ? tr("Copy the &selection") : tr("Copy the &words"), menu,
                     [copied] { copyToClipboard(copied); });
     if (!m_value.numbers.empty())

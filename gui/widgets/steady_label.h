@@ -8,35 +8,36 @@
 
 namespace unprojector::gui {
 
-/// A text over several lines that keeps the room it once needed: the label grows with its texts and never shrinks, so that
-/// what stands around it does not move with every value. Texts can be selected.
+/// A multi-line text that keeps the room it once needed: the label grows with its texts and never
+/// shrinks, so that its surroundings don't move with every value. Texts can be selected.
 class SteadyLabel : public QLabel {
     Q_OBJECT
 public:
     explicit SteadyLabel(QWidget *parent = nullptr);
 
-    /// Shows a text as it is.
+    /// Shows a plain text.
     void setText(const QString &text);
-    /// Shows a text with its indexes set as such. What is copied is the plain text.
+    /// Shows a text with subscripts. Copying gives the plain text.
     void setMarkup(const QString &markup, const QString &plain);
-    /// Forgets the texts so far and keeps room for the one that is shown.
+    /// Forgets earlier texts and keeps room for the present one only.
     void startOver();
 
     /// The text that the label keeps room for.
     struct Room {
-        QString tallest; ///< of the texts so far, the one that needs the most room
+        QString tallest; ///< the largest text so far
         Qt::TextFormat format = Qt::PlainText;
     };
     const Room &room() const { return m_room; }
-    /// Keeps room for that text and the one that is shown, as if no other had been shown.
+    /// Keeps room for that text and the present one, and forgets all others.
     void setRoom(const Room &room);
 
-    /// What its menu copies besides the text.
+    /// Sets the value that the context menu copies in addition to the text.
     void setValue(Copyable value) { m_value = std::move(value); }
 
     QSize minimumSizeHint() const override;
     QSize sizeHint() const override;
-    /// The height is fixed. A label that wraps would lay out each new text several times to tell one.
+    /// The height is fixed. A wrapping label would lay out each new text several times to compute
+    /// it.
     bool hasHeightForWidth() const override { return false; }
     int heightForWidth(int) const override { return -1; }
 
@@ -50,7 +51,7 @@ private:
     int heightOf(const QString &text, Qt::TextFormat format) const;
 
     Room m_room;
-    QString m_plain; ///< of the markup
+    QString m_plain; ///< plain text of the markup
     Copyable m_value;
 };
 

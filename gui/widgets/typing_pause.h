@@ -4,7 +4,7 @@
 
 namespace unprojector::gui {
 
-/// What is typed may be half a number; that long after the last key it is taken for all that is meant to be there.
+/// The pause after the last key that ends typing: before it, the text may be half a number.
 constexpr std::chrono::milliseconds kTypingPause(900);
 
 } // namespace unprojector::gui

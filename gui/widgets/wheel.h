@@ -4,7 +4,8 @@ class QWidget;
 
 namespace unprojector::gui {
 
-/// The wheel scrolls what a widget lies in, unless the widget has the focus: nothing is changed in passing.
+/// Makes the wheel scroll the surrounding area unless the widget has the focus, so that scrolling
+/// changes no values.
 void ignoreWheelWithoutFocus(QWidget *widget);
 
 } // namespace unprojector::gui

@@ -4,13 +4,14 @@
 
 namespace unprojector::gui {
 
-/// A table to read, as high as its rows: the panel around it scrolls, not the table. Its columns are as wide as their texts.
+/// A read-only table, as high as its rows: the panel around it scrolls, not the table. Its columns
+/// are as wide as their texts.
 class WholeTable : public QTableWidget {
     Q_OBJECT
 public:
     WholeTable(int rows, int columns, QWidget *parent = nullptr);
 
-    /// Takes the height and the widths that the cells need now.
+    /// Adapts height and widths to the current cells.
     void fit();
 
 protected:

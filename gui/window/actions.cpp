@@ -19,7 +19,7 @@ QAction *addAction(QMenu &menu, const QString &text, const QKeySequence &key, co
                    std::function<void()> slot)
 {
     QAction *action = menu.addAction(text);
-    // On a button of the tool bar, "打开(&O)…" is "打开…".
+    // Buttons of the tool bar have no key in parentheses: "打开(&O)…" is "打开…".
     static const QRegularExpression keyInParentheses(QStringLiteral("\\(&.\\)"));
     action->setIconText(QString(text).remove(keyInParentheses).remove(u'&'));
     action->setShortcut(key);

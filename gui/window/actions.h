@@ -15,18 +15,18 @@ class QToolBar;
 
 namespace unprojector::gui {
 
-/// The name of the action that asks for the view's size: panels that show the size lead to it.
+/// The name of the action that asks for the view's size: panels that show the size link to it.
 inline constexpr QLatin1String kViewSizeAction("viewSize");
 
-/// Triggers the action of this name, wherever it stands.
+/// Triggers the action of this name, in any menu.
 void trigger(const QObject &window, QLatin1String name);
 
-/// An action at the end of a menu, with its tip and its key in the tool tip and its tip in the status bar.
+/// Appends an action to a menu, with its tip and key in the tooltip and its tip in the status bar.
 QAction *addAction(QMenu &menu, const QString &text, const QKeySequence &key, const QString &tip,
                    std::function<void()> slot = {});
-/// The same for one that can be on and off.
+/// The same for a checkable action.
 QAction *addSwitch(QMenu &menu, const QString &text, const QKeySequence &key, const QString &tip);
-/// Puts an action onto the tool bar too, as a drawing with its name in the tool tip.
+/// Adds an action to the tool bar too, as a drawing with its name in the tooltip.
 void putOnBar(QToolBar &bar, QAction &action, Drawing drawing);
 
 } // namespace unprojector::gui

@@ -20,8 +20,8 @@ class ViewTool;
 /// The menus that features add to.
 enum class MenuKind { File, Edit, View, Help };
 
-/// What the window knows of a feature: Click, Pipeline, Landmarks and the others, each in a folder of its own. A feature knows the
-/// window by gui/window/window.h, and no other feature.
+/// The window's interface to a feature: Click, Pipeline, Landmarks and the others, each in its own
+/// folder. A feature knows the window by gui/window/window.h, and no other feature.
 class Feature : public QObject {
 public:
     using QObject::QObject;
@@ -30,20 +30,20 @@ public:
     virtual std::vector<PanelSpec> panels() { return {}; }
     /// The workspace of the feature, if it has one; called once.
     virtual std::optional<WorkspaceSpec> workspace() { return {}; }
-    /// Adds actions to the end of a menu and of the tool bar; called once a menu, feature after feature, once the panels are in
-    /// the window.
+    /// Appends actions to a menu and to the tool bar. Called once a menu, feature after feature,
+    /// once the panels are in the window.
     virtual void addActions(MenuKind, QMenu &, QToolBar &) {}
-    /// What does the feature's work in the view, if anything does.
+    /// The feature's tool in the view, or null.
     virtual ViewTool *tool() { return nullptr; }
-    /// Does what a link of a lesson says.
-    /// @return false where the link is none of the feature's
+    /// Follows a link of a lesson.
+    /// @return false if the link belongs to another feature
     virtual bool follow(const lessons::Link &) { return false; }
 
-    /// The switches that a lesson may change, as they are now.
+    /// The current state of the switches that a lesson may change.
     virtual QVariantMap state() const { return {}; }
     /// @param state  of state()
     virtual void restore(const QVariantMap &) {}
-    // What lasts from one start of the program to the next.
+    // Saves the settings that last from one start of the program to the next.
     virtual void keep(QSettings &) const {}
     virtual void restore(const QSettings &) {}
 };

@@ -9,7 +9,7 @@ QByteArray checkSum(const QByteArray &bytes, const QByteArray &purpose)
 {
     QCryptographicHash hash(QCryptographicHash::Sha256);
     hash.addData(purpose);
-    hash.addData(QByteArrayView("\0", 1)); // no purpose runs into the bytes
+    hash.addData(QByteArrayView("\0", 1)); // separates the purpose from the bytes
     hash.addData(bytes);
     return hash.result();
 }

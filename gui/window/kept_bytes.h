@@ -5,16 +5,17 @@
 
 namespace unprojector::gui {
 
-// Qt's layouts are kept as bytes that Qt reads back without doubt: damaged ones can end the program. With a check sum before
-// them only bytes are read back that were written here, whole, and for this purpose.
+// Seals Qt's layouts with a checksum: Qt reads their bytes without checks, and damaged ones can
+// crash the program. Only bytes are read back that were written here, complete, and for this
+// purpose.
 
-/// The bytes as they are kept.
-/// @param purpose  of these bytes: what is kept for one purpose is not taken for another
+/// The bytes with their checksum.
+/// @param purpose  of these bytes: bytes of another purpose are rejected
 QByteArray sealed(const QByteArray &bytes, const QByteArray &purpose);
 
-/// What was sealed for this purpose.
-/// @param kept  as read from a file that anything may have happened to
-/// @return empty where it is damaged, not sealed at all, or for another purpose
+/// The bytes that were sealed for this purpose.
+/// @param kept  as read from a file, possibly damaged
+/// @return empty if it is damaged, not sealed, or for another purpose
 QByteArray unsealed(const QVariant &kept, const QByteArray &purpose);
 
 } // namespace unprojector::gui

@@ -24,8 +24,8 @@ QSize PanelScroll::minimumSizeHint() const
     return {kLeastDigits * fontMetrics().horizontalAdvance(u'0'), kLeastLines * fontMetrics().lineSpacing()};
 }
 
-/// Where the panel has its least width there is no bar below it: Qt can otherwise leave both bars standing, each there for the
-/// room that the other takes.
+/// Hides the horizontal bar at the panel's least width: Qt can otherwise keep both bars, each for
+/// the room that the other takes.
 void PanelScroll::resizeEvent(QResizeEvent *event)
 {
     const int least = std::max(widget()->minimumWidth(), widget()->minimumSizeHint().width())

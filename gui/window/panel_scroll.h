@@ -4,7 +4,8 @@
 
 namespace unprojector::gui {
 
-/// On a small window the panel within scrolls, instead of holding the window open; a bar beside it takes nothing of its width.
+/// A scroll area for a panel: in a small window the panel scrolls instead of keeping the window
+/// large; the scroll bar takes no width from it.
 class PanelScroll : public QScrollArea {
 public:
     explicit PanelScroll(QWidget *panel);

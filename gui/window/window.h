@@ -19,7 +19,7 @@ class SceneView;
 class Session;
 class ViewFrame;
 
-/// The window as its features know it: what all of them share.
+/// The window's interface to its features: everything they share.
 class Window : public QMainWindow {
     Q_OBJECT
 public:
@@ -28,30 +28,31 @@ public:
     virtual SceneDocument &document() = 0;
     virtual Session &session() = 0;
     virtual SceneView &view() = 0;
-    /// The view with what stands over it.
+    /// The view with the widgets over it.
     virtual ViewFrame &frame() = 0;
-    /// @pre all features are made
+    /// @pre all features exist
     virtual Workspaces &workspaces() = 0;
-    /// Whether choices of the user last from one start to the next: not where the window is only made for a picture.
+    /// Returns whether choices of the user last from one start to the next: false if the window
+    /// only renders an image.
     virtual bool remembers() const = 0;
 
     /// Shows a message over the view, until the user closes it.
     virtual void showMessage(const QString &text) = 0;
-    /// The same of what could not be done, which fails a run that nobody looks at.
+    /// The same for a failure; it also fails an unattended run.
     virtual void showFailure(const QString &reason) = 0;
-    /// Shows in the status bar for a moment what needs no answer.
+    /// Shows a message briefly in the status bar; it needs no answer.
     virtual void notice(const QString &text) = 0;
-    /// Whether an export may go to a file; where it may not, a message gives the reason.
+    /// Returns whether an export may write to a file; otherwise a message gives the reason.
     virtual bool mayExportTo(const std::filesystem::path &file) = 0;
 
-    /// Lets the feature that a link belongs to follow it.
+    /// Passes a link to the feature that it belongs to.
     virtual void follow(const lessons::Link &link) = 0;
-    /// Another step of a lesson, or none (null): the view and features show what it speaks of.
+    /// Sets the step of a lesson, or none (null): the view and features show what it refers to.
     virtual void showStep(const lessons::Step *step) = 0;
-    /// Whether edges are drawn without steps.
+    /// Returns whether edges are smoothed.
     virtual bool hasSmoothEdges() const = 0;
 
-    /// Everything that a lesson may change around the view.
+    /// Everything around the view that a lesson may change.
     struct State {
         Workspaces::Layout layout;
         std::vector<QVariantMap> features;
@@ -60,14 +61,15 @@ public:
     virtual void restore(const State &state) = 0;
 
 signals:
-    /// The pointer is over a pixel of the view, or over none.
+    /// Emitted when the pointer is over another pixel of the view, or over none.
     void pointed(const std::optional<unprojector::unproject::PixelClick> &click);
     void smoothEdgesChanged(bool isSmooth);
-    /// The window closes for good, and is about to keep its layout.
+    /// Emitted when the window closes for good, before it saves its layout.
     void closing();
-    /// Whether the world coordinate under the pointer would give away the answer to a lesson's question.
+    /// Emitted when the world coordinate under the pointer must be hidden, because it would reveal
+    /// the answer to a lesson's question, or shown again.
     void coordinatesHidden(bool areHidden);
-    /// See showStep.
+    /// Emitted by showStep.
     void stepShown(const unprojector::lessons::Step *step);
 };
 

@@ -18,19 +18,21 @@
 namespace unprojector::gui {
 namespace {
 
-/// Raised when docks or tool bars change, so that an old layout is not put onto a new window.
+/// Incremented when docks or tool bars change, so that an old layout is not applied to a new
+/// window.
 constexpr int kLayoutVersion = 4;
 
 // Sizes in digits and lines of the window's font.
 constexpr int kWideWindow = 150;
 constexpr int kHighWindow = 40;
 constexpr int kLeftDigits = 34;
-constexpr int kNoteDigits = 41; // on the left, where only a text is read there
+constexpr int kNoteDigits = 41; // on the left, if it has only text
 constexpr int kRightDigits = 54;
-/// Of a panel, pixels: more comes of a damaged file.
+/// The limit for a panel, pixels: a damaged file may have more.
 constexpr int kMostKeptSize = 1 << 14;
 constexpr int kBottomLines = 16;
-/// What the panels of both sides, or those above and below, may take of the window together, and one side at first.
+/// The largest share of the window for the panels of both sides, or for those above and below, and
+/// of one side at first.
 constexpr double kMostOfTheWindow = 0.62;
 constexpr double kMostOfOneSide = 0.38;
 constexpr double kMostOfANarrowWindow = 0.48;
@@ -64,7 +66,7 @@ Workspaces::Workspaces(QMainWindow &window, std::vector<PanelSpec> panels, std::
         auto *dock = new QDockWidget(panel.title, &m_window);
         dock->setObjectName(QLatin1String(nameOf(panel.id)));
         dock->setWidget(panel.widget);
-        dock->hide(); // until it has a place
+        dock->hide(); // until it is placed
         QAction *toggle = dock->toggleViewAction();
         toggle->setShortcut(panel.key);
         dock->installEventFilter(this);
@@ -73,7 +75,7 @@ Workspaces::Workspaces(QMainWindow &window, std::vector<PanelSpec> panels, std::
         connect(toggle, &QAction::toggled, this, &Workspaces::settle, Qt::QueuedConnection);
         connect(toggle, &QAction::triggered, dock, [dock](bool isShown) {
             if (isShown)
-                dock->raise(); // whoever asks for a panel does not want a tab behind another
+                dock->raise(); // a requested panel must not be a hidden tab
         });
         m_panels.push_back({std::move(panel), dock});
     }
@@ -92,11 +94,10 @@ Workspaces::Workspaces(QMainWindow &window, std::vector<PanelSpec> panels, std::
     }
     m_current = m_workspaces.front().spec.id;
     m_workspaces.front().action->setChecked(true);
-    // Not animated: the sizes of panels are read, and given, as soon as one was
-    // dropped.
+    // Not animated: panel sizes are read, and set, right after a drop.
     m_window.setDockOptions(QMainWindow::AllowNestedDocks | QMainWindow::AllowTabbedDocks);
     m_window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    // The sides keep their full height: numbers stand in columns there.
+    // The side areas keep the full height: they contain columns of numbers.
     m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     m_window.installEventFilter(this);
@@ -166,7 +167,7 @@ void Workspaces::show(Panel panel)
 
 void Workspaces::giveRoom(Panel panel, Panel other)
 {
-    // Once all stands where it will.
+    // After the layout.
     QTimer::singleShot(0, this, [this, &own = dock(panel), &beside = dock(other)] {
         constexpr double kShare = 0.6;
         const int wanted = static_cast<int>(kShare * m_window.height());
@@ -261,7 +262,7 @@ void Workspaces::arrange()
     settle();
 }
 
-/// Of the other workspaces, which have the same; 0 where none was entered yet.
+/// The right width of the other workspaces, which is common; 0 if none was entered yet.
 int Workspaces::rightWidth() const
 {
     for (auto sizes = m_wanted.cbegin(); sizes != m_wanted.cend(); ++sizes) {
@@ -293,7 +294,8 @@ Workspaces::Sizes Workspaces::firstSizes(bool isWide) const
     for (const Docked &docked : m_panels) {
         const PanelSpec &panel = docked.spec;
         hasLeft = hasLeft || (panel.area == Qt::LeftDockWidgetArea && shown.contains(panel.id));
-        // What is on the right shows numbers, and says what room they need. Every workspace leaves as much to the view.
+        // Panels on the right show numbers and know their width. Every workspace leaves the same
+        // width to the view.
         const bool isInAny = std::any_of(m_workspaces.begin(), m_workspaces.end(),
                                          [&panel](const Entered &one) { return one.spec.panels.contains(panel.id); });
         if (panel.area == Qt::RightDockWidgetArea && isInAny)
@@ -328,8 +330,7 @@ bool Workspaces::isFront(const QDockWidget &dock) const
 {
     if (!dock.isVisible() || dock.isFloating() || dock.window() != &m_window)
         return false;
-    // Not by its visible region: what the opaque widgets inside cover of the dock
-    // is left out of that.
+    // The visible region cannot be used: it excludes what opaque child widgets cover.
     const QWidget *there = m_window.childAt(dock.mapTo(&m_window, dock.rect().center()));
     return there && (there == &dock || dock.isAncestorOf(there));
 }
@@ -359,7 +360,7 @@ void Workspaces::applySizes()
 {
     if (!m_isArranged || !m_window.isVisible())
         return;
-    m_window.layout()->activate(); // what was shown a moment ago has its place only then
+    m_window.layout()->activate(); // a panel shown just now gets its position only here
     Sizes &wanted = m_wanted[name()];
     const Sizes now = sizesNow();
     for (const bool isAcross : {true, false}) {
@@ -384,7 +385,7 @@ void Workspaces::applySizes()
             const Qt::DockWidgetArea area = m_window.dockWidgetArea(panel.dock);
             if (isSide(area) != isAcross || !isFront(*panel.dock))
                 continue;
-            // Those that stand side by side in an area share its width as they did.
+            // Panels side by side in an area keep their shares of its width.
             const int own = isAcross ? panel.dock->width() : panel.dock->height();
             docks << panel.dock;
             sizes << static_cast<int>(wanted[area] * share * own / std::max(now[area], 1));
@@ -399,14 +400,14 @@ void Workspaces::windowResized()
     if (m_isArranged)
         applySizes();
     else if (m_window.isVisible())
-        arrange(); // only now the window has the size that the arrangement goes by
+        arrange(); // only now the window has its final size
 }
 
 bool Workspaces::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == &m_window) {
-        // The separators between docks belong to the window itself: an area that
-        // has another size after one was let go has it as the user wants it.
+        // The separators between docks belong to the window itself: an area with another size after
+        // a separator was released has the size that the user wants.
         if (event->type() == QEvent::MouseButtonPress)
             m_pressed = sizesNow();
         else if (event->type() == QEvent::MouseButtonRelease)
@@ -432,7 +433,7 @@ void Workspaces::settle()
     applySizes();
 }
 
-/// A tab has the panel's name already.
+/// A tab already has the panel's name.
 void Workspaces::setTitleBars()
 {
     for (const Docked &panel : m_panels) {
@@ -471,7 +472,7 @@ bool Workspaces::restore(const QSettings &settings)
     if (layout.isEmpty())
         return false;
     const Sizes sizes = m_wanted.value(name());
-    arrange(); // every dock needs a place before a kept one can be given to it
+    arrange(); // every dock needs a position before a saved layout can be restored
     m_isArranged = m_window.restoreState(layout, kLayoutVersion);
     if (m_isArranged) {
         m_wanted[name()] = sizes;

@@ -12,12 +12,12 @@
 namespace unprojector::gui {
 namespace {
 
-/// In heights of the type.
+/// Lengths in multiples of the font height.
 constexpr double kStroke = 0.07;
 constexpr double kHeadLength = 0.55, kHeadWidth = 0.36;
 constexpr double kDotRadius = 0.17;
 constexpr double kLabelGap = 0.22;
-/// Between a label's ink and the middle of a line, and beside another label's ink.
+/// The least distances of a label's ink from the middle of a line, and from another label's ink.
 constexpr double kLineRoom = 0.08, kLabelRoom = 0.45;
 constexpr double kRightAngle = 0.5;
 
@@ -29,14 +29,14 @@ QColor mixed(const QColor &one, const QColor &other, double share)
     return {part(one.red(), other.red()), part(one.green(), other.green()), part(one.blue(), other.blue())};
 }
 
-/// In the direction of the other point, as long as is wanted.
+/// A vector in the direction of the other point, with this length.
 QPointF towards(const QPointF &from, const QPointF &to, double length)
 {
     const double distance = QLineF(from, to).length();
     return from + (to - from) * (distance > 0.0 ? length / distance : 0.0);
 }
 
-/// From a label's anchor to its side; none for Center.
+/// The direction from a label's anchor to its side; none for Center.
 QPointF wayOf(Drawing::Side side)
 {
     switch (side) {
@@ -49,7 +49,8 @@ QPointF wayOf(Drawing::Side side)
     Q_UNREACHABLE();
 }
 
-/// Moves to try in turn, the least disturbing first: short ones, and those that keep a label on its side of the anchor.
+/// Moves to try in order, the least disturbing first: short moves, and moves that keep a label on
+/// its side of the anchor.
 std::vector<QPointF> movesOf(Drawing::Side side)
 {
     constexpr double kStep = 0.05, kTurn = 360.0;
@@ -68,7 +69,7 @@ std::vector<QPointF> movesOf(Drawing::Side side)
     return moves;
 }
 
-/// Whether a piece of the line lies in the rectangle.
+/// Returns whether a part of the line lies in the rectangle.
 bool isIn(const QRectF &rect, const QLineF &line)
 {
     // Clipped by each pair of edges (Liang and Barsky).
@@ -234,7 +235,7 @@ bool Drawing::isClear(const Label &label, const QPointF &corner) const
 
 bool Drawing::isBeside(const QRectF &ink, const Label &other) const
 {
-    // Words that are closer than that read as one label.
+    // Closer words look like one label.
     const double apart = kLabelRoom * m_em, room = kLineRoom * m_em;
     const QRectF around = ink.adjusted(-apart, -room, apart, room);
     return std::any_of(other.ink.begin(), other.ink.end(),

@@ -16,52 +16,53 @@ class QPolygonF;
 
 namespace unprojector::gui {
 
-/// What a figure is drawn with, those of the page around it.
+/// The colours of a figure, taken from the page around it.
 struct FigureColors {
     QColor ink;
-    QColor quiet;  ///< axes, measures, what is only a help
-    QColor accent; ///< what the figure is about
-    QColor second; ///< what it is compared with
+    QColor quiet;  ///< axes, measures, auxiliary lines
+    QColor accent; ///< the subject of the figure
+    QColor second; ///< what the subject is compared with
     QColor paper;
 
-    /// @param link  stands out from the text
+    /// @param link  contrasts with the text
     static FigureColors of(const QColor &text, const QColor &link, const QColor &paper);
 };
 
-/// Lines, arrows and lettering of a figure. Coordinates are in heights of its type from the top left corner, x to the right
-/// and y down, so that a figure grows with its text. Labels are in the markup of FormulaLayout. They wait for paintLabels():
-/// how wide and slanted letters are depends on the font, so a label stands clear only when all lines are known.
+/// Lines, arrows and labels of a figure. Coordinates are in multiples of the font height, so that a
+/// figure grows with its text: from the top left corner, x to the right and y down. Labels use the
+/// markup of FormulaLayout. They wait for paintLabels(): width and slant of letters depend on the
+/// font, so free positions are known only after all lines.
 class Drawing {
 public:
     enum class Stroke { Ink, Quiet, Dashed, Accent, Second, SecondDashed };
-    /// The side of a label's anchor that it stands on; Center is on it.
+    /// The side of its anchor on which a label stands; Center is on it.
     enum class Side { Center, Left, Right, Above, Below };
 
-    /// @param place  of the figure, in the painter's units
+    /// @param place  the figure's rectangle, in the painter's units
     Drawing(QPainter &painter, const QRectF &place, const QFont &font, const FigureColors &colors);
 
     void line(const QPointF &from, const QPointF &to, Stroke stroke = Stroke::Ink);
     void path(const std::vector<QPointF> &points, Stroke stroke = Stroke::Ink);
     void outline(std::vector<QPointF> corners, Stroke stroke = Stroke::Ink);
-    /// A light tint, that what lies below shows through.
+    /// A light, transparent tint.
     void area(const std::vector<QPointF> &corners, Stroke stroke = Stroke::Accent);
     void arrow(const QPointF &from, const QPointF &to, Stroke stroke = Stroke::Ink);
     void dot(const QPointF &at, Stroke stroke = Stroke::Ink);
-    /// @param side  a label that has to move prefers this way
+    /// @param side  preferred direction for a label that has to move
     void label(const QPointF &at, const QString &markup, Side side = Side::Center, Stroke stroke = Stroke::Ink);
-    /// How far it is from one point to the other: a line with a head at each end, and its name at the middle.
+    /// A dimension line: with an arrow head at each end, and its name at the middle.
     void measure(const QPointF &from, const QPointF &to, const QString &markup, Side side);
-    /// The sign of 90° at a corner between the ways to two points.
+    /// The sign of 90° at a corner between the directions to two points.
     void rightAngle(const QPointF &corner, const QPointF &one, const QPointF &other);
-    /// An arc at a corner between the ways to two points, with its name outside.
+    /// An arc at a corner between the directions to two points, with its name outside.
     void angle(const QPointF &corner, const QPointF &one, const QPointF &other, double radius, const QString &markup);
-    /// Moves each label off all lines and other labels, as little as that takes, and paints them.
+    /// Moves each label off all lines and other labels, by the shortest way, and paints them.
     void paintLabels();
 
 private:
     struct Label {
         FormulaLayout text;
-        std::vector<QRectF> ink; ///< from its corner
+        std::vector<QRectF> ink; ///< relative to its corner
         QPointF corner;
         Side side;
         Stroke stroke;
@@ -80,18 +81,18 @@ private:
     QFont m_font;
     FigureColors m_colors;
     double m_em;
-    std::vector<QLineF> m_lines; ///< those drawn, in the painter's units
+    std::vector<QLineF> m_lines; ///< drawn so far, in the painter's units
     std::vector<Label> m_labels;
 };
 
-/// A point of the line between two others: 0 at the first, 1 at the second.
+/// A point on the line between two others: 0 at the first, 1 at the second.
 QPointF between(const QPointF &from, const QPointF &to, double share);
 
 namespace figures {
 
-/// A label's markup that is the same in all languages, in UTF-8.
+/// A label's markup, which is the same in all languages, in UTF-8.
 QString text(const char *markup);
-/// Its corners, from the upper left one clockwise.
+/// The corners of a rectangle, clockwise from the upper left one.
 std::vector<QPointF> rectangle(double left, double top, double right, double bottom);
 
 } // namespace figures

@@ -8,7 +8,7 @@ class Drawing;
 
 namespace figures {
 
-/// For the few words in the figures.
+/// The translation context of the words in the figures.
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::HelpFigures)
 };

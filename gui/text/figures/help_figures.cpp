@@ -16,7 +16,7 @@ using namespace figures;
 
 struct Figure {
     const char *name;
-    double width, height; ///< in heights of its type
+    double width, height; ///< in multiples of the font height
     void (*draw)(Drawing &);
 };
 
@@ -81,7 +81,7 @@ void drawHelpFigure(QPainter &painter, const QRectF &place, const QString &name,
     if (!figure)
         return;
     painter.save();
-    // Where it has to be smaller than its text would have it, all of it is: lines and lettering.
+    // Everything shrinks, lines and labels, if the figure must be smaller than its text requires.
     const QSizeF size = helpFigureSize(name, font);
     const double scale = std::min(1.0, place.width() / size.width());
     painter.translate(place.topLeft());

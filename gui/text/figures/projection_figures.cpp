@@ -13,7 +13,8 @@ using Side = Drawing::Side;
 
 } // namespace
 
-/// A section along z: the box is moved to the origin, scaled, and its near end comes to be the other one.
+/// A section along z: the box is moved to the origin, scaled, and its near end becomes the other
+/// one.
 void drawOrtho(Drawing &d)
 {
     constexpr double kAxis = 5.4, kPitch = 10.7, kHalf = 1.7, kTopOfAxis = 1.2, kEnd = 8.6;
@@ -91,7 +92,7 @@ void drawFrustum(Drawing &d)
     d.label(at(0, 2.5, 0), text("y"), Side::Left);
     d.dot(eye);
     d.dot(at(0, 0, kNear), Stroke::Second);
-    // Where none of the lines from the eye passes.
+    // The label is at a position that no line from the eye crosses.
     const auto edge = [&](std::size_t one, std::size_t other, double share, const char *name, Side side) {
         d.label(between(nearEnd[one], nearEnd[other], share), text(name), side, Stroke::Second);
     };
@@ -126,7 +127,7 @@ void drawFrustumSteps(Drawing &d)
         d.outline(corners);
         d.line(corners[2], corners[3], Stroke::Second);
         d.line(corners[2] + QPointF(0.04, 0.0), corners[3] + QPointF(0.04, 0.0), Stroke::Second);
-        const double aside = corners[1].y() > corners[2].y() ? 0.8 : 0.0; // of the edge that comes down there
+        const double aside = corners[1].y() > corners[2].y() ? 0.8 : 0.0; // of the edge that ends there
         d.label({corners[2].x() + aside, std::max(corners[2].y(), corners[3].y())}, Words::tr("near"), Side::Below,
                 Stroke::Second);
     };
@@ -228,7 +229,7 @@ void drawDepth(Drawing &d)
     d.label(at(half, -1.06) + QPointF(0.2, 0.0), text("{2 n f | f + n}"), Side::Below);
 }
 
-/// From the side and from above: half the window's height and width on the near plane.
+/// Half the window's height and width on the near plane, from the side and from above.
 void drawPerspective(Drawing &d)
 {
     const auto view = [&d](double left, double half, const char *angle, const char *upper, const char *lower) {

@@ -1,4 +1,4 @@
-// Spaces and the ways between them.
+// Spaces and the transformations between them.
 
 #include "gui/text/figures/drawing.h"
 #include "gui/text/figures/figures.h"
@@ -18,7 +18,7 @@ using Side = Drawing::Side;
 void drawPipeline(Drawing &d)
 {
     constexpr double kBox = 4.0, kPitch = 6.2, kLeft = 0.2, kTop = 4.5, kBottom = 7.3, kMiddle = (kTop + kBottom) / 2.0;
-    constexpr double kClipping = 5.0; // what the station between clip and NDC takes
+    constexpr double kClipping = 5.0; // the room of the station between clip and NDC
     constexpr int kClip = 3;
     const auto left = [](int space) { return kLeft + kPitch * space + (space > kClip ? kClipping : 0.0); };
     struct Space {
@@ -69,7 +69,7 @@ void drawPipeline(Drawing &d)
         for (const char *call : calls)
             d.label({middle, line += kLine}, text(call));
     }
-    // Back: from below one box to below another one on its left.
+    // The way back: from below one box to below another one on its left.
     const auto back = [&](double from, double to, double y, const char *name) {
         d.path({{from, kBottom}, {from, y}, {to, y}, {to, kBottom + 0.5}}, Stroke::Second);
         d.arrow({to, y}, {to, kBottom}, Stroke::Second);
@@ -134,8 +134,8 @@ void drawLookAt(Drawing &d)
     d.area({eye, upwards, upwards + QPointF(3.4, -0.44), between(eye, center, 0.24)}, Stroke::Second);
 }
 
-/// From above, x to the right and z towards the reader: the world with its axes is moved, then turned, until those of the eye
-/// are x and -z.
+/// The steps of the view, from above, x to the right and z towards the reader: the world with its
+/// axes is moved, then turned, until the eye's axes are x and -z.
 void drawViewSteps(Drawing &d)
 {
     const QPointF eye(3.4, 2.0), center(-0.8, -1.6);
@@ -198,10 +198,10 @@ void drawNormals(Drawing &d)
         d.line(at(0, 1), at(stretch, 0));
         const QPointF middle = at(stretch / 2.0, 0.5);
         const QPointF tangent = at(stretch * 0.8, 0.2);
-        // Perpendicular to (stretch, -1): (1, stretch) / stretch, as the normal matrix has it.
+        // Perpendicular to (stretch, -1): (1, stretch) / stretch, by the normal matrix.
         const QPointF normal = middle + QPointF(kUnit * 0.62 / stretch, -kUnit * 0.62);
         d.arrow(middle, normal, Stroke::Accent);
-        // Scaled, the other's name stands beside it.
+        // The name of the other one is beside it if scaled.
         d.label(normal - QPointF(isScaled ? 0.7 : 0.0, 0.0), isScaled ? text("(½, 1, 0)") : text("n = (1, 1, 0)"),
                 Side::Above, Stroke::Accent);
         d.rightAngle(middle, normal, tangent);

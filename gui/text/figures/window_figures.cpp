@@ -9,12 +9,13 @@ namespace {
 using Stroke = Drawing::Stroke;
 using Side = Drawing::Side;
 
-/// Of the window that a viewport lies in, in drawViewport.
+/// The rectangle of the window around the viewport in drawViewport.
 constexpr double kWindowLeft = 19.6, kWindowTop = 1.8, kWindowRight = 36.0, kWindowBottom = 11.6;
 constexpr double kViewLeft = 23.4, kViewTop = 3.4, kViewRight = 33.8, kViewBottom = 9.6;
 
-/// @param up     how far higher than there
-/// @param share  of the viewport's width and height from its lower left corner, where a point is marked
+/// @param up     distance by which it is higher than there
+/// @param share  of the viewport's width and height from its lower left corner, where a point is
+/// marked
 QPointF drawViewportInWindow(Drawing &d, double up, const QPointF &share)
 {
     const double top = kWindowTop - up, bottom = kWindowBottom - up, viewTop = kViewTop - up,
@@ -146,7 +147,7 @@ void drawScales(Drawing &d)
     }
     for (std::size_t i = 0; i < scales.size(); ++i) {
         d.dot(places[i], scales[i].stroke);
-        const bool isFromLeft = i > 0 && places[i - 1].x() < places[i].x(); // its line
+        const bool isFromLeft = i > 0 && places[i - 1].x() < places[i].x(); // the line to this point
         d.label(places[i] + QPointF(isFromLeft ? 0.7 : -0.5, 0.0), text(scales[i].at), Side::Above);
     }
 }
@@ -198,7 +199,7 @@ void drawHalfPixel(Drawing &d)
     d.label(at(1.5, kRows) + QPointF(0.0, 0.1), text("glReadPixels(i, H − 1 − j)"), Side::Below, Stroke::Accent);
 }
 
-/// A click's pixel, the ray through it, and how far along the depth says that the point is.
+/// The pixel of a click, the ray through it, and the distance along it given by the depth.
 void drawRay(Drawing &d)
 {
     constexpr double kNear = 8.0, kFar = 26.0, kPoint = 17.0;
@@ -219,7 +220,7 @@ void drawRay(Drawing &d)
     d.area(window(kNear), Stroke::Second);
     d.outline(window(kNear), Stroke::Second);
     d.label(window(kNear)[0], text("d = 0"), Side::Above);
-    // The surface that is met, a piece of it.
+    // A piece of the hit surface.
     const QPointF met = onRay(kPoint);
     const std::vector<QPointF> surface{met + QPointF(-1.5, 2.5), met + QPointF(1.9, 1.5), met + QPointF(1.5, -2.5),
                                        met + QPointF(-1.9, -1.5)};
@@ -242,7 +243,7 @@ void drawRay(Drawing &d)
     d.measure({eye.x(), kMeasure - 0.3}, {met.x(), kMeasure - 0.3}, text("z"), Side::Above);
 }
 
-/// What one pixel and one step of the depth leave open, from the side.
+/// The uncertainty from one pixel and one step of the depth, from the side.
 void drawCertainty(Drawing &d)
 {
     const QPointF eye(0.8, 5.0);

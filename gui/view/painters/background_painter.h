@@ -10,7 +10,7 @@
 
 namespace unprojector::gui {
 
-/// A vertical gradient over the viewport. It leaves the depth buffer as it is.
+/// A vertical gradient over the viewport. It doesn't change the depth buffer.
 class BackgroundPainter : protected QOpenGLExtraFunctions {
 public:
     void initialize();
@@ -20,7 +20,8 @@ public:
 
 private:
     std::unique_ptr<QOpenGLShaderProgram> m_program;
-    QOpenGLVertexArrayObject m_vertexArray; ///< empty: the shader makes its three corners; core profile wants one
+    /// empty: the shader makes its three corners; the core profile requires one
+    QOpenGLVertexArrayObject m_vertexArray;
 };
 
 } // namespace unprojector::gui

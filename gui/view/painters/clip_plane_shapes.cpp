@@ -11,7 +11,7 @@ namespace {
 
 constexpr glm::vec4 kFaceColor{0.45f, 0.30f, 0.70f, 0.09f};
 constexpr glm::vec4 kBorderColor{0.45f, 0.30f, 0.70f, 0.60f};
-/// Of the box's half diagonal: a little more than the box, whatever the plane's direction.
+/// Relative to the box's half diagonal: slightly more than the box, for any direction of the plane.
 constexpr double kReach = 1.1;
 
 std::vector<glm::dvec3> squareOf(const glm::dvec4 &plane, const Box &box)
@@ -54,7 +54,7 @@ ClipPlaneShape clipPlaneShape(const glm::dvec4 &plane, const Box &box, const std
         polygon = cut(polygon, bound);
     for (std::size_t i = 0; i < polygon.size(); ++i)
         shape.border.push_back({polygon[i], polygon[(i + 1) % polygon.size()], kBorderColor});
-    // A fan; a face has four corners, of which two coincide.
+    // A triangle fan; a face has four corners, of which two coincide.
     for (std::size_t i = 2; i < polygon.size(); ++i)
         shape.faces.push_back({{polygon[0], polygon[i - 1], polygon[i], polygon[i]}, kFaceColor});
     return shape;

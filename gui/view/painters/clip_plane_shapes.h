@@ -8,16 +8,16 @@
 
 namespace unprojector::gui {
 
-/// How a user clip plane is shown: a faint square with a border. World space.
+/// The shape of a user clip plane: a faint square with a border. World space.
 struct ClipPlaneShape {
     std::vector<Face> faces;
     std::vector<LineSegment> border;
 };
 
-/// A square of the plane as large as the box, where the plane is nearest to the box's middle.
+/// A square of the plane, as large as the box, at the plane's closest point to the box's centre.
 /// @param plane   (A, B, C, D) with a normal
-/// @param box     of the scene; without any there is nothing to show
-/// @param bounds  planes that the shape ends at: what lies on the negative side of one is left out
+/// @param box     of the scene; if empty, nothing is shown
+/// @param bounds  planes that cut the shape: the part on their negative side is left out
 ClipPlaneShape clipPlaneShape(const glm::dvec4 &plane, const geometry::Box &box,
                               const std::vector<glm::dvec4> &bounds = {});
 

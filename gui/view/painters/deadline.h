@@ -7,8 +7,8 @@
 
 namespace unprojector::gui {
 
-/// Until when something may be gone on with, or for ever. Whoever asks gets something done: the first answer is that it is
-/// not over.
+/// The end of a time slice, or never. Each slice makes progress: the first answer is always "not
+/// over".
 class Deadline {
 public:
     explicit Deadline(std::optional<int> milliseconds)

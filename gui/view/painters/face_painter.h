@@ -15,7 +15,8 @@
 
 namespace unprojector::gui {
 
-/// A flat four-cornered face with one colour (red, green, blue, opacity; 0 to 1), its corners in order around it.
+/// A flat four-cornered face with one colour (red, green, blue, opacity; 0 to 1), its corners in
+/// order around it.
 struct Face {
     std::array<glm::dvec3, 4> corners;
     glm::vec4 color;
@@ -27,7 +28,7 @@ public:
     void initialize();
     void release();
 
-    /// @param clipFromSource  of the space the corners are in; applied in double on the processor
+    /// @param clipFromSource  from the space of the corners; applied in double on the processor
     void draw(const std::vector<Face> &faces, const glm::dmat4 &clipFromSource);
 
 private:

@@ -10,7 +10,7 @@
 namespace unprojector::gui {
 namespace {
 
-/// Into the framebuffer that is bound.
+/// Copies into the bound framebuffer.
 /// @param from  a framebuffer of the frame's size
 void copyPixels(QOpenGLExtraFunctions &gl, unsigned from, const FrameTextures &frame, GLbitfield what)
 {
@@ -66,16 +66,16 @@ unsigned FramePainter::smoothed(const FrameTextures &frame)
     GLint boundBefore = 0;
     glGetIntegerv(GL_FRAMEBUFFER_BINDING, &boundBefore);
     if (!m_smooth || m_smooth->size() != size) {
-        m_smooth.reset(); // its memory goes first
+        m_smooth.reset(); // frees its memory first
         m_smooth = std::make_unique<QOpenGLFramebufferObject>(size);
     }
     m_isSmoothed = m_smooth->isValid() && m_smooth->bind();
     if (m_isSmoothed) {
-        // Built when it is first needed: that takes longer than all the other programs together.
+        // Built on demand: that takes longer than all the other programs together.
         if (!m_smoothing)
             m_smoothing = loadPictureProgram(QStringLiteral("smooth_edges"));
-        // The first pictures are waited for, to see what smoothing costs here; a driver may still build the program while
-        // it draws the very first.
+        // Waits for the first frames to measure smoothing; a driver may still compile the program
+        // during the very first.
         constexpr int kMeasured = 3;
         const bool isMeasured = m_measuredCount < kMeasured;
         QElapsedTimer timer;
@@ -97,14 +97,15 @@ unsigned FramePainter::smoothed(const FrameTextures &frame)
     return m_isSmoothed ? m_smooth->texture() : frame.colors;
 }
 
-/// @return whether OpenGL copies between these framebuffers: depths of two formats it does not
+/// @return whether OpenGL copies between these framebuffers: it does not for different depth
+/// formats
 bool FramePainter::copied(const FrameTextures &frame, bool isSmooth)
 {
     if (m_canCopy == false)
         return false;
     if (!m_canCopy)
         clearErrors(*this);
-    // With the stencil, of which nothing is used: only what is copied whole is copied fast.
+    // Includes the unused stencil: only complete copies are fast.
     constexpr GLbitfield kDepths = GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
     copyPixels(*this, frame.framebuffer, frame, isSmooth ? kDepths : kDepths | GL_COLOR_BUFFER_BIT);
     if (isSmooth)
@@ -124,12 +125,12 @@ void FramePainter::draw(const FrameTextures &frame, bool smoothEdges)
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glDepthRangef(0.0f, 1.0f);
-    // On the processor this takes a tenth of what a program takes that does it pixel by pixel.
+    // This takes a tenth of the time of a per-pixel program on software renderers.
     if (copied(frame, colors != frame.colors))
         return;
     if (!m_copying)
         m_copying = loadPictureProgram(QStringLiteral("frame"));
-    // Every depth is taken over; that takes a test which nothing fails, because without one no depth is written.
+    // The depth test always passes: without a test no depth is written.
     glDepthFunc(GL_ALWAYS);
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D, frame.depths);

@@ -10,33 +10,33 @@
 
 namespace unprojector::gui {
 
-/// What a frame was drawn as: textures of one size, and the framebuffer that they belong to.
+/// The textures of a drawn frame, all of one size, and the framebuffer that they belong to.
 struct FrameTextures {
     unsigned framebuffer = 0;
     unsigned colors = 0, depths = 0;
     int widthPixels = 0, heightPixels = 0;
 };
 
-/// Puts a frame that was drawn before onto the framebuffer that is bound and has its size, pixel by pixel: its colours,
-/// with smooth edges if wanted, and its depths, so that what is drawn next is hidden by the frame's surfaces. Smoothing
-/// goes by the colours alone (FXAA), once for each frame; the depths are copied as they are. All calls need the OpenGL
-/// context current.
+/// Copies a drawn frame pixel by pixel to the bound framebuffer of the same size: its colours,
+/// smoothed if wanted, and its depths, so that the frame's surfaces hide what is drawn next.
+/// Smoothing uses colours only (FXAA), once for each frame; depths are copied unchanged. All calls
+/// need the OpenGL context current.
 class FramePainter : protected QOpenGLExtraFunctions {
 public:
     void initialize();
     void release();
 
-    /// The frame has been drawn anew: what was smoothed was another one.
+    /// Invalidates the smoothed copy: the frame was drawn again.
     void setStale() { m_isSmoothed = false; }
     void draw(const FrameTextures &frame, bool smoothEdges);
 
-    /// Whether smoothing takes so long that a picture in motion had better do without: it does on renderers that use the
-    /// processor (some tens of milliseconds), and does not on graphics cards. Known after the first pictures; until then
+    /// Returns whether smoothing is too slow for a moving view: it is on software renderers (some
+    /// tens of milliseconds), but not on graphics cards. Known after the first frames; until then
     /// it counts as slow.
     bool isSmoothingSlow() const;
 
 private:
-    /// @return the texture with smooth edges, or the frame's own where OpenGL gives none
+    /// @return the texture with smooth edges, or the frame's own if OpenGL cannot create one
     unsigned smoothed(const FrameTextures &frame);
     bool copied(const FrameTextures &frame, bool isSmooth);
     void drawTriangle(QOpenGLShaderProgram &program);
@@ -44,10 +44,11 @@ private:
     std::unique_ptr<QOpenGLShaderProgram> m_copying, m_smoothing;
     std::unique_ptr<QOpenGLFramebufferObject> m_smooth;
     bool m_isSmoothed = false;
-    std::optional<bool> m_canCopy; ///< known after the first picture
+    std::optional<bool> m_canCopy; ///< known after the first frame
     int m_measuredCount = 0;
     std::optional<double> m_smoothingMilliseconds; ///< of the fastest so far
-    QOpenGLVertexArrayObject m_vertexArray; ///< empty: the shader makes its three corners; core profile wants one
+    /// empty: the shader makes its three corners; the core profile requires one
+    QOpenGLVertexArrayObject m_vertexArray;
 };
 
 } // namespace unprojector::gui

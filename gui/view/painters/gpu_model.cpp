@@ -16,7 +16,7 @@ namespace {
 /// Copied in a few milliseconds.
 constexpr std::size_t kBytesAtOnce = std::size_t{8} << 20;
 
-/// Scaled down to what fits into a square of so many pixels.
+/// The image scaled down to fit into a square of this size.
 QImage fitting(const Image &image, int mostPixels)
 {
     const QImage whole(image.rgba.data(), image.widthPixels, image.heightPixels, QImage::Format_RGBA8888);
@@ -136,7 +136,7 @@ bool GpuModel::copyOn(Copy &copy)
 {
     clearErrors(*this);
     const std::size_t bytes = std::min(kBytesAtOnce, copy.count - copy.done);
-    // Not into the target of indices, which belongs to a vertex array.
+    // Not the index target, which belongs to a vertex array.
     glBindBuffer(GL_COPY_WRITE_BUFFER, copy.buffer->bufferId());
     glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(copy.done), static_cast<GLsizeiptr>(bytes),
                     copy.bytes + copy.done);
@@ -156,7 +156,7 @@ double GpuModel::uploadedShare() const
     }
     double share = all > 0 ? static_cast<double>(there) / static_cast<double>(all) : 1.0;
     if (m_begun && all > 0) {
-        // Of its buffers those that are there already are not known any more: it is told a little too low.
+        // Ignores buffers that are already uploaded, so progress is slightly too low.
         const double ofMesh = static_cast<double>(m_begun->elementCount) / static_cast<double>(all);
         const double left = m_begun->buffers.empty()
                                 ? 0.0

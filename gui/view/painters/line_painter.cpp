@@ -16,7 +16,7 @@ struct Vertex {
     glm::vec2 corner; // along the line: 0 or 1; across it: -1 or 1
 };
 
-/// Cuts the part behind the near plane off, where a divide by w would fold the line over.
+/// Cuts off the part behind the near plane, which a division by w would fold over.
 bool clipAtNearPlane(glm::dvec4 &from, glm::dvec4 &to)
 {
     const double a = from.z + from.w;

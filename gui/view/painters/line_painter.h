@@ -22,14 +22,14 @@ struct LineSegment {
     glm::vec4 color;
 };
 
-/// Lines of any width with smooth edges. OpenGL 3.3 core need not draw lines wider than one pixel, so each becomes
-/// two triangles. All calls need the OpenGL context current.
+/// Lines of any width with smooth edges. OpenGL 3.3 core may not draw lines wider than one pixel,
+/// so each becomes two triangles. All calls need the OpenGL context current.
 class LinePainter : protected QOpenGLExtraFunctions {
 public:
     void initialize();
     void release();
 
-    /// @param clipFromSource  of the space the segments are in; applied in double on the processor
+    /// @param clipFromSource  from the space of the segments; applied in double on the processor
     /// @param viewportPixels  width and height of the current viewport
     /// @param widthPixels     of the lines, device pixels
     void draw(const std::vector<LineSegment> &segments, const glm::dmat4 &clipFromSource,

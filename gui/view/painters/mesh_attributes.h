@@ -4,7 +4,7 @@
 
 namespace unprojector::gui {
 
-/// Where the shader of meshes takes its values from: the locations in mesh.vert.
+/// The attribute locations of the mesh shader, as in mesh.vert.
 struct MeshAttribute {
     static constexpr GLuint Position = 0;
     static constexpr GLuint Normal = 1;

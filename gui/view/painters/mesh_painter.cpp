@@ -26,7 +26,7 @@ using namespace scene;
 
 namespace {
 
-// OpenGL's name; QOpenGL's headers stop at those of OpenGL ES.
+// OpenGL's name; QOpenGL's headers contain only the names of OpenGL ES.
 #ifndef GL_CLIP_DISTANCE0
 #define GL_CLIP_DISTANCE0 0x3000
 #endif
@@ -34,16 +34,17 @@ namespace {
 #define GL_PROGRAM_POINT_SIZE 0x8642
 #endif
 
-/// OpenGL guarantees as many.
+/// The number that OpenGL guarantees.
 constexpr std::size_t kClipDistances = 8;
 
-/// Drawn in a few milliseconds without a graphics card. Whole triangles.
+/// Drawn in a few milliseconds by a software renderer. Whole triangles.
 constexpr std::size_t kElementsAtOnce = 3 * 50'000;
 
-/// Of which those that cover a pixel's centre are gathered at once, and by one task.
+/// The numbers of elements from which triangles that cover a pixel's centre are gathered: at once,
+/// and in one task.
 constexpr std::size_t kGatheredAtOnce = 3 * 1'000'000, kGatheredInTask = 3 * 20'000;
 
-/// The largest size of each coordinate of a mesh's positions, by the box around its whole model.
+/// The largest absolute value of each coordinate of a mesh, from the box around its whole model.
 glm::dvec3 reachOf(const Mesh &mesh, const Box &bounds)
 {
     return glm::max(glm::abs(bounds.lowest - mesh.origin), glm::abs(bounds.highest - mesh.origin));
@@ -63,8 +64,8 @@ double largestEntry(const glm::dmat3 &m)
     return largest;
 }
 
-/// Clip coordinates mean the same times any number: by a power of two those of meshes as large or as small as singles can
-/// be are brought to where products of them stay singles. Others stay as they are.
+/// Scales clip coordinates, which are homogeneous, by a power of two: products for very large or
+/// very small meshes then stay in the range of single precision. Other meshes stay unchanged.
 glm::mat4 withinSingles(const glm::dmat4 &clipFromUploaded, const glm::dvec3 &reach)
 {
     double size = 0.0;
@@ -83,7 +84,7 @@ glm::mat4 withinSingles(const glm::dmat4 &clipFromUploaded, const glm::dvec3 &re
 } // namespace
 
 struct MeshPainter::Entry {
-    std::shared_ptr<const Model> source; ///< keeps the key of the map alive
+    std::shared_ptr<const Model> source; ///< keeps the map's key alive
     GpuModel uploaded;
 };
 
@@ -145,14 +146,15 @@ void MeshPainter::bindProgram(unsigned traits)
     m_program->bind();
 }
 
-/// Cuts the model at the planes. Which distances are enabled is not enough: Mesa's software renderers were seen to go by
-/// an older set of them. So the distances that no plane needs are those of a plane that cuts nothing.
+/// Cuts the model at the planes. Disabling distances is not enough: Mesa's software renderers
+/// sometimes use an older set. So unused distances get a plane that cuts nothing.
 void MeshPainter::setClipPlanes(const std::vector<glm::dvec4> &planes, const glm::dmat4 &worldFromUploaded)
 {
     std::array<glm::vec4, kClipDistances> distances;
     distances.fill(glm::vec4(0.0f, 0.0f, 0.0f, 1.0f));
     for (std::size_t i = 0; i < std::min(planes.size(), kClipDistances); ++i) {
-        // In double, and about the mesh's origin, so that a plane cuts where it says far from the origin too.
+        // The plane is computed in double, relative to the mesh's origin, so that it cuts exactly
+        // far from the origin too.
         const glm::dvec4 plane = planeInSource(planes[i], worldFromUploaded);
         const double length = glm::length(glm::dvec3(plane));
         distances[i] = glm::vec4(length > 0.0 ? plane / length : plane);
@@ -184,7 +186,7 @@ bool MeshPainter::drawOn(const FrameContents &contents, Place &place, const Dead
 
 double MeshPainter::shareDone(const FrameContents &contents, const Place &place) const
 {
-    // By what it takes without a graphics card.
+    // Shares of the time with a software renderer.
     constexpr double kUpload = 0.25, kDraw = 1.0 - kUpload;
     double all = 0.0, done = 0.0;
     for (std::size_t number = 0; number < contents.objects.size(); ++number) {
@@ -235,20 +237,21 @@ bool MeshPainter::drawObject(const FrameContents &contents, const SceneObject &o
         return false;
     const glm::dmat4 placement = worldFromObject(object.transform);
     const glm::dmat3 eyeFromObject(contents.eyeFromWorld * placement);
-    // A mirror swaps a triangle's sides, and the shader turns the normals of back sides: they must swap along.
+    // A mirror swaps a triangle's sides, and the shader flips the normals of back sides: both must
+    // agree.
     const double handedness = glm::determinant(eyeFromObject) < 0.0 ? -1.0 : 1.0;
     const glm::dmat3 eyeNormalFromObject = handedness * glm::transpose(glm::inverse(eyeFromObject));
-    // Only their directions count, and squares of their lengths are to be singles.
+    // Only directions matter, and squares of lengths must stay in single precision.
     const glm::mat3 normalMatrix(eyeNormalFromObject / powerAt(largestEntry(eyeNormalFromObject)));
     const bool areBackSidesHidden = hidesBackSides(contents, object);
-    // Which way round triangles come out in the picture: a mirror swaps that, be it the object's or the projection's.
+    // The winding of triangles in the view: a mirror in object or projection swaps it.
     const glm::dmat4 clipFromEye = contents.clipFromWorld * glm::inverse(contents.eyeFromWorld);
     const double turn = handedness * glm::determinant(glm::dmat2(clipFromEye));
     for (; place.mesh < model.meshes().size(); ++place.mesh, place.element = 0) {
         const GpuMesh &mesh = *model.meshes()[place.mesh];
         const bool isPoints = mesh.primitives == GL_POINTS;
         const glm::dvec3 reach = reachOf(*mesh.source, object.model->bounds);
-        // Distances to planes cost a fifth of the time without a graphics card, enabled or not.
+        // A software renderer spends a fifth of the time on clip distances, enabled or not.
         unsigned traits = isPoints ? unsigned{Points} : mesh.isFlat ? unsigned{Flat} : 0U;
         traits |= contents.clipPlanes.empty() ? 0U : unsigned{Clipped};
         traits |= mesh.isColored ? unsigned{Colored} : 0U;
@@ -260,15 +263,15 @@ bool MeshPainter::drawObject(const FrameContents &contents, const SceneObject &o
             glUniform1f(location("pointPixels"), static_cast<float>(pointPixels(contents.drawn.setup.surface)));
         else if (mesh.isFlat) {
             const double size = largestEntry(eyeFromObject) * std::max({reach.x, reach.y, reach.z});
-            // Neither the matrix nor what it makes of the positions leaves the range of singles.
+            // Keeps the matrix and its products with positions in the range of single precision.
             const double wanted = size > 1.0 ? 0x1p30 : 1.0;
             const glm::mat3 eyeMatrix(eyeFromObject * (wanted / powerAt(size)));
             glUniformMatrix3fv(location("eyeFromObject"), 1, GL_FALSE, glm::value_ptr(eyeMatrix));
         } else
             glUniformMatrix3fv(location("eyeNormalFromObject"), 1, GL_FALSE, glm::value_ptr(normalMatrix));
-        // Products in double: only the final matrix is rounded to what the GPU takes, which multiplies in float. A mesh
-        // far from its object's origin would lose its digits there, and the depths with them; about its own origin it
-        // keeps them.
+        // Products in double: only the final matrix is rounded to float, in which the GPU
+        // multiplies. A mesh far from its object's origin would lose digits, and its depths with
+        // them; relative to its own origin it keeps them.
         const glm::dmat4 worldFromUploaded = glm::translate(placement, mesh.origin);
         const glm::mat4 clipFromUploaded = withinSingles(contents.clipFromWorld * worldFromUploaded, reach);
         glUniformMatrix4fv(location("clipFromObject"), 1, GL_FALSE, glm::value_ptr(clipFromUploaded));
@@ -286,9 +289,10 @@ bool MeshPainter::drawObject(const FrameContents &contents, const SceneObject &o
             && !object.model->bounds.isEmpty())
             covering.emplace(*mesh.source, clipFromUploaded, glm::ivec4(drawn.x, drawn.y, drawn.width, drawn.height),
                              reach);
-        if (covering && mesh.isIndexed && deadline.isNever()) // else all of them would be placed for a few triangles
+        // else all vertices would be transformed for a few triangles
+        if (covering && mesh.isIndexed && deadline.isNever())
             covering->placeVertices();
-        // More than half the time of a closed mesh goes into back sides, without a graphics card.
+        // A software renderer spends more than half the time of a closed mesh on back sides.
         const bool isHalfDrawn = areBackSidesHidden && mesh.source->isClosed && turn != 0.0;
         if (isHalfDrawn) {
             glEnable(GL_CULL_FACE);
@@ -303,7 +307,7 @@ bool MeshPainter::drawObject(const FrameContents &contents, const SceneObject &o
     return true;
 }
 
-/// Draws those of a bound mesh's triangles.
+/// Draws these triangles of a bound mesh.
 /// @param begin, end  corners
 void MeshPainter::drawCovering(const CoveringTriangles &covering, std::size_t begin, std::size_t end)
 {
@@ -332,7 +336,7 @@ bool MeshPainter::drawMesh(const GpuMesh &mesh, const CoveringTriangles *coverin
         if (deadline.isOver())
             break;
         const std::size_t left = mesh.elementCount - place.element;
-        // Whoever waits for all of it waits less for large pieces.
+        // Large pieces are faster without a deadline.
         const std::size_t count = std::min(left, !deadline.isNever() ? kElementsAtOnce
                                                  : covering          ? kGatheredAtOnce
                                                                      : mesh.elementCount);
@@ -344,11 +348,11 @@ bool MeshPainter::drawMesh(const GpuMesh &mesh, const CoveringTriangles *coverin
         else
             glDrawArrays(mesh.primitives, static_cast<GLint>(place.element), static_cast<GLsizei>(count));
         if (!deadline.isNever())
-            glFinish(); // or the pieces would only be queued, and be waited for all together
+            glFinish(); // the pieces would otherwise only be queued and run together later
         place.element += count;
     }
     if (covering)
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indexBuffer); // it belongs to the vertex array
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indexBuffer); // it is part of the vertex array
     return place.element >= mesh.elementCount;
 }
 

@@ -2,8 +2,8 @@
 
 namespace unprojector::gui {
 
-/// How the object of a pixel is written: as an integer, or, where a driver has no framebuffers of integers, as the four
-/// bytes of a colour.
+/// The encoding of a pixel's object: an integer, or the four bytes of a colour if a driver has no
+/// integer framebuffers.
 enum class ObjectIds { Integers, Colors };
 
 } // namespace unprojector::gui

@@ -40,7 +40,7 @@ glm::vec4 withOpacity(glm::vec4 color, float opacity)
     return color;
 }
 
-/// Corner i of a box, with the bits of i saying which side.
+/// Corner i of a box; the bits of i select the sides.
 glm::dvec3 boxCorner(std::size_t i, const glm::dvec3 &lowest, const glm::dvec3 &highest)
 {
     return {i & 1 ? highest.x : lowest.x, i & 2 ? highest.y : lowest.y, i & 4 ? highest.z : lowest.z};
@@ -71,7 +71,7 @@ std::vector<Face> cameraFaces(float opacity)
         face.color = {side.shade * 0.94f, side.shade * 0.98f, side.shade * 1.06f, opacity};
         faces.push_back(face);
     }
-    // The lens: a hood that opens towards the scene, with the eye in its mouth.
+    // The lens: a hood that opens towards the scene, with the eye in its opening.
     constexpr std::array<glm::dvec2, 4> kAround{{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}};
     for (std::size_t i = 0; i < 4; ++i) {
         const glm::dvec2 a = kAround[i], b = kAround[(i + 1) % 4];
@@ -94,7 +94,7 @@ std::vector<LineSegment> cameraLines(float opacity)
                     {boxCorner(i, kBodyLowest, kBodyHighest), boxCorner(i | bit, kBodyLowest, kBodyHighest), color});
         }
     }
-    // The mark on top that says which way is up.
+    // The mark on top that shows the up direction.
     const double y = kBodyHighest.y, z = (kBodyLowest.z + kBodyHighest.z) / 2.0;
     const glm::dvec3 left(-0.22, y, z), right(0.22, y, z), tip(0.0, y + 0.34, z);
     for (const auto &[from, to] : {std::pair(left, right), std::pair(right, tip), std::pair(tip, left)})

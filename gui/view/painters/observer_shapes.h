@@ -10,7 +10,8 @@
 
 namespace unprojector::gui {
 
-// What the second view draws besides the scene: the first view's camera and its view volume.
+// The shapes of the second view in addition to the scene: the first view's camera and its view
+// volume.
 
 /// Red, green, blue, opacity.
 namespace observer_color {
@@ -25,23 +26,23 @@ std::vector<Face> cameraFaces(float opacity);
 std::vector<LineSegment> cameraLines(float opacity);
 
 /// Three lines from the origin with a letter at each tip; the letters face the observer.
-/// @param tips      where the lines end
+/// @param tips      the ends of the lines
 /// @param letters   of "sufxyz"
-/// @param side, upward  the observer's axes in the space of the tips, as long as half a letter's height
+/// @param side, upward  the observer's axes in the space of the tips, half a letter's height long
 std::vector<LineSegment> letteredAxes(const glm::dvec3 &origin, const std::array<glm::dvec3, 3> &tips,
                                       const char *letters, const glm::dvec3 &side, const glm::dvec3 &upward,
                                       float opacity);
 
 /// The four edges from the near to the far plane.
 std::vector<LineSegment> sideEdges(const std::array<geometry::EyePoint, 8> &corners);
-/// From the eye to the corners of the projection window.
+/// The edges from the eye to the corners of the projection window.
 std::vector<LineSegment> edgesFromEye(const std::array<geometry::EyePoint, 8> &corners, float opacity);
 
 /// The corners of the near (0) or far (4) plane in order around it.
 std::array<glm::dvec3, 4> planeCorners(const std::array<geometry::EyePoint, 8> &corners, std::size_t first);
 std::vector<LineSegment> outline(const std::array<glm::dvec3, 4> &corners, const glm::vec4 &color);
 
-/// The parts of the lines that the planes hold.
+/// The parts of the lines inside the planes.
 std::vector<LineSegment> clippedLines(const std::vector<LineSegment> &lines, const std::array<glm::dvec4, 6> &planes,
                                       float opacity);
 

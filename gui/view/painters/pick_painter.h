@@ -13,8 +13,8 @@
 
 namespace unprojector::gui {
 
-/// The marks of points, of constant size: of the picked one a ring with a dot at the point itself, of a click on the background
-/// the ring alone, of the given one a square on its corner, of a wrong one a cross, of the right one to that a square.
+/// The marks of points, of constant size. Picked: a ring with a dot. Background: the ring alone.
+/// Given, the user's point: a square on its corner. Wrong: a cross. Right: a square.
 class PickPainter : protected QOpenGLExtraFunctions {
 public:
     enum class Mark { Picked, Given, Wrong, Right, Background };

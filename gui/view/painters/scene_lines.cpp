@@ -37,7 +37,7 @@ std::vector<LineSegment> groundLines(const Box &ground, double spacing)
         return index % 10 == 0 ? glm::vec4(0.35f, 0.38f, 0.42f, 0.55f) : glm::vec4(0.45f, 0.48f, 0.52f, 0.28f);
     };
     const double y = ground.lowest.y;
-    // Whole multiples counted as integers: adding the spacing up would drift.
+    // The positions are integer multiples of the spacing: adding it up would drift.
     for (long long i = std::llround(ground.lowest.x / spacing); i <= std::llround(ground.highest.x / spacing); ++i)
         lines.push_back({{i * spacing, y, ground.lowest.z}, {i * spacing, y, ground.highest.z}, color(i)});
     for (long long i = std::llround(ground.lowest.z / spacing); i <= std::llround(ground.highest.z / spacing); ++i)

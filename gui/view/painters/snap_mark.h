@@ -6,11 +6,11 @@
 
 namespace unprojector::gui {
 
-/// What a click would take, to be marked.
+/// The point, edge or face that a click would snap to, to be marked.
 struct SnapMark {
     ray::Snap snap = ray::Snap::Surface;
     ray::SceneHit hit;
-    std::array<geometry::WorldPoint, 3> corners; ///< of its triangle; of a point of a cloud they mean nothing
+    std::array<geometry::WorldPoint, 3> corners; ///< of its triangle; meaningless for a point of a cloud
 };
 
 } // namespace unprojector::gui

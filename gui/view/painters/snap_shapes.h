@@ -9,7 +9,7 @@
 
 namespace unprojector::gui {
 
-/// How a mark is drawn, world space: a face with its rim, an edge, a point.
+/// The shape of a snap mark, world space: a face with its rim, an edge, a point.
 struct SnapShape {
     std::vector<Face> faces;
     std::vector<LineSegment> lines;
@@ -18,7 +18,7 @@ struct SnapShape {
 SnapShape snapShape(const SnapMark &mark);
 
 extern const glm::vec4 kSnapColor;
-/// The same lines, dark: the rim around them, so that they show on any colour.
+/// The same lines in a dark colour: a rim that makes them visible on any colour.
 std::vector<LineSegment> dark(std::vector<LineSegment> lines);
 
 } // namespace unprojector::gui
