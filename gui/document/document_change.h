@@ -23,14 +23,11 @@ enum class Change {
     Ray = 0x100,               ///< what the picked point's ray hits, found after the pick was reported
     Landmarks = 0x400,         ///< the landmarks: their list, positions and descriptions
     LandmarkSelection = 0x800, ///< the selected landmarks, and the one that is placed next
-    Curves =
-        /// the lines of curves between landmarks: computed after the landmarks were reported, or
-    /// about to be computed again
-    0x1000,
-    GivenPoint = 0x2000,  ///< the point that the user entered
-    Conventions = 0x4000, ///< the conventions of the shown matrices and points
-    WrongPoints = 0x8000, ///< the wrong points that are marked beside the right ones
-    History = 0x20        ///< undo steps and saved state: isModified and isEdited may have changed
+    Curves = 0x1000,           ///< the lines of curves: computed, or about to be computed again
+    GivenPoint = 0x2000,       ///< the point that the user entered
+    Conventions = 0x4000,      ///< the conventions of the shown matrices and points
+    WrongPoints = 0x8000,      ///< the wrong points that are marked beside the right ones
+    History = 0x20             ///< undo steps and saved state: isModified and isEdited may have changed
 };
 Q_DECLARE_FLAGS(Changes, Change)
 
