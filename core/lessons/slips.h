@@ -10,7 +10,7 @@
 /// The classic wrong answers to the questions of lessons, recognised from the numbers of the step.
 namespace unprojector::lessons {
 
-/// What a question asks for, as far as wrong answers differ by it.
+/// The kind of number that a question asks for, as far as wrong answers depend on it.
 enum class AskedKind {
     Other,
     WindowX,
@@ -24,7 +24,7 @@ enum class AskedKind {
     Distance, ///< in front of the eye: -z of the eye
 };
 
-/// The question of a step, and the numbers that a wrong answer is recognised by.
+/// The question of a step, and the numbers by which a wrong answer is recognised.
 struct Asked {
     AskedKind kind = AskedKind::Other;
     double answer = 0.0;
@@ -39,7 +39,7 @@ struct Asked {
     std::vector<double> anglesDegrees{}; ///< of the projection, as they enter a tangent: half a field of view, θ, φ
 };
 
-/// What went wrong on the way to a wrong answer.
+/// The slip that leads to a wrong answer.
 enum class SlipKind {
     LeftEdge, ///< of the pixel, half a pixel left of its centre
     RightEdge,
@@ -67,10 +67,11 @@ AskedKind askedKind(std::string_view source);
 /// @return nothing where the step asks nothing, or its answer cannot be computed
 std::optional<Asked> askedIn(const LessonNumbers &numbers, const Step &step);
 
-/// Whether an answer is right, within the question's tolerance.
+/// Returns whether an answer is right within the question's tolerance.
 bool isRight(const Asked &asked, double given);
 
-/// The slip that a wrong answer comes from; the first in the order of SlipKind where several lead to it.
+/// The slip that a wrong answer comes from; the first in the order of SlipKind where several lead
+/// to it.
 /// @return nothing where none does, or the answer is right
 std::optional<SlipKind> slipOf(const Asked &asked, double given);
 
