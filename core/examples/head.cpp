@@ -109,8 +109,7 @@ glm::dvec3 surfaceTowards(const glm::dvec3 &direction)
 glm::dvec3 direction(int ring, int around)
 {
     const double share = double(ring) / kRings;
-    const double fromAhead =
-        std::numbers::pi * (0.7 * share + 0.3 * share * share * share); // rings are denser at the face
+    const double fromAhead = std::numbers::pi * (0.7 * share + 0.3 * share * share * share); // rings crowd at the face
     const double turn = 2.0 * std::numbers::pi * around / kAround;
     return {std::sin(fromAhead) * std::cos(turn), std::sin(fromAhead) * std::sin(turn), std::cos(fromAhead)};
 }

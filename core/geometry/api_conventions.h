@@ -23,7 +23,7 @@ inline constexpr std::array kApis{Api::OpenGl,  Api::Vulkan, Api::Direct3d, Api:
 /// Where an API leaves a choice, the usual one is taken:
 ///
 ///   Vulkan       GLM's perspectiveRH_ZO with its second row negated
-///   Direct3d     10 and later; XMMatrixPerspectiveFovLH. The world stays, the view negates z, as in
+///   Direct3d     10 and later; XMMatrixPerspectiveFovLH. The world stays, the view negates z: see
 ///                the SDK's notes on porting from right-handed worlds
 ///   Metal        the right-handed functions of Apple's samples
 ///   WebGpu       wgpu-matrix
