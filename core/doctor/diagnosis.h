@@ -139,11 +139,10 @@ struct Diagnosis {
     double depthUnsure = 0.0; ///< change of that depth when the point moves within its last digits; 0: unknown
     ErrorKind wrong = ErrorKind::Right;
     DepthKnown depthKnown = DepthKnown::Given;
-    std::optional<glm::dvec3>
-        right; ///< right answer to the first click, in its space; the nearest if its depth is unknown
+    std::optional<glm::dvec3> right; ///< right answer to the first click; nearest one if its depth is unknown
     /// The unit of the last digit of `right`, a power of ten. It follows from rounding and the
-    /// depth's last digit. Seven digits of the greatest coordinate are enough, or as many as were
-    /// given.
+    /// depth's last digit. It is at most as fine as seven digits of the greatest coordinate, or as
+    /// the given digits if those are finer.
     double rightLastDigit = 1.0;
     int digitsGiven = 0;                       ///< maximum of Candidate::digits: the significant ones
     int digitsWritten = 0;                     ///< all given digits, including insignificant ones

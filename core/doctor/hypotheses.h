@@ -27,9 +27,9 @@ struct Target {
 constexpr double kRounded = 0.6;
 constexpr double kCutOff = 1.1;
 
-/// The difference between a coordinate and an answer, in units of its last digit. Digits are
-/// truncated towards zero. So a difference in the other direction that rounding cannot explain is
-/// at least two units.
+/// The difference between a coordinate and an answer, in units of its last digit. Truncation moves
+/// a number towards zero. So an answer nearer to zero than rounding explains counts as at least two
+/// units off, provided that all given digits count.
 double unitsOff(const Target &target, int axis, const glm::dvec3 &answer);
 
 /// The answer closest to the given point.

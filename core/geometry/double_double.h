@@ -86,7 +86,8 @@ struct DoubleDouble {
     }
 
 private:
-    /// high + low, with `value` the double nearest to the sum. @pre |low| <= |high|, or high is 0
+    /// The sum high + low, with `value` the double nearest to the sum. @pre |low| <= |high|, or
+    /// high is 0
     static DoubleDouble renormalised(double high, double low)
     {
         const double sum = high + low;

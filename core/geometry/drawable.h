@@ -6,7 +6,7 @@
 
 namespace unprojector::geometry {
 
-/// The limit of glViewport on current graphics cards. Beyond its own limit a driver silently clips
+/// The limit of glViewport on current graphics cards. Beyond its own limit a driver silently clamps
 /// sizes.
 constexpr int kMostDrawnPixels = 16384;
 

@@ -50,7 +50,7 @@ NdcDepth ndcDepthOf(const Setup &setup);
 Result<glm::dmat4> clipFromEye(const Setup &setup);
 /// @return the errors of eyeFrame; NotFinite for a matrix (other: its index among the 16)
 Result<glm::dmat4> eyeFromWorld(const Setup &setup);
-/// clipFromEye * eyeFromWorld
+/// The product clipFromEye * eyeFromWorld.
 /// @return the errors of both
 Result<glm::dmat4> clipFromWorld(const Setup &setup);
 

@@ -11,21 +11,21 @@
 
 namespace unprojector::geometry {
 
-/// glTranslated(x, y, z)
+/// The step glTranslated(x, y, z).
 struct Translate {
     glm::dvec3 offset{0.0};
     friend bool operator==(const Translate &, const Translate &) = default;
 };
 
-/// glRotated(angle, x, y, z): degrees, counter-clockwise when the axis points to the viewer. The
-/// axis may have any length but 0.
+/// The step glRotated(angle, x, y, z): degrees, counter-clockwise when the axis points to the
+/// viewer. The axis may have any length but 0.
 struct Rotate {
     double degrees = 0.0;
     glm::dvec3 axis{0.0, 0.0, 1.0};
     friend bool operator==(const Rotate &, const Rotate &) = default;
 };
 
-/// glScaled(x, y, z). A factor of 0 is an error because it has no inverse.
+/// The step glScaled(x, y, z). A factor of 0 is an error because it has no inverse.
 struct Scale {
     glm::dvec3 factors{1.0};
     friend bool operator==(const Scale &, const Scale &) = default;

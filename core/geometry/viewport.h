@@ -21,8 +21,8 @@ struct Surface {
 /// rounded to whole pixels (halves up), as Qt sizes the framebuffer of an OpenGL widget.
 Surface surfaceFromWidget(int widthLogical, int heightLogical, double devicePixelRatio);
 
-/// glViewport(x, y, width, height), device pixels, origin at the bottom-left corner of the
-/// framebuffer. It need not fill the window.
+/// The arguments of glViewport(x, y, width, height), device pixels, origin at the bottom-left
+/// corner of the framebuffer. It need not fill the window.
 struct Viewport {
     double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
     friend bool operator==(const Viewport &, const Viewport &) = default;
@@ -34,8 +34,8 @@ int logicalFromDevice(const Surface &surface, int pixels);
 
 Viewport wholeSurface(const Surface &surface);
 
-/// glDepthRange(atNear, atFar): the window depths of the near and far planes. They may be reversed,
-/// not equal.
+/// The arguments of glDepthRange(atNear, atFar): the window depths of the near and far planes. They
+/// may be reversed, not equal.
 struct DepthRange {
     double atNear = 0.0;
     double atFar = 1.0;
@@ -99,8 +99,11 @@ DevicePoint deviceFromWindow(const Surface &surface, const WindowPoint &point);
 
 // ---- NDC <-> window -----------------------------------------------------------------------------
 
-/// x_w = vx + (x_n + 1) w / 2, y_w = vy + (y_n + 1) h / 2, d = dn + (z_n + 1) (df - dn) / 2;
-/// where NDC depths go from 0 to 1, d = dn + z_n (df - dn)
+/// The viewport transform:
+///
+///   x_w = vx + (x_n + 1) w / 2, y_w = vy + (y_n + 1) h / 2, d = dn + (z_n + 1) (df - dn) / 2;
+///
+/// If NDC depths go from 0 to 1, d = dn + z_n (df - dn).
 /// @pre the viewport and the depth range are valid
 WindowPoint windowFromNdc(const Viewport &viewport, const DepthRange &range, const NdcPoint &point,
                           NdcDepth ndcDepth = NdcDepth::MinusOneToOne);

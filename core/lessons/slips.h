@@ -16,7 +16,7 @@ enum class AskedKind {
     WindowX,
     WindowY,     ///< from the bottom
     DeviceX,     ///< device or widget coordinates, from the upper left corner
-    DeviceY,     ///< the same, downwards
+    DeviceY,     ///< like DeviceX, downwards
     Row,         ///< a row of pixels, counted from the bottom, as glReadPixels counts
     WindowDepth, ///< window z
     NdcZ,
@@ -30,7 +30,7 @@ struct Asked {
     double answer = 0.0;
     double tolerance = 0.0;
     double height = 0.0; ///< of the view, device pixels
-    double ratio = 1.0;  ///< device pixels to a logical one
+    double ratio = 1.0;  ///< device pixels per logical one
     std::optional<double> nearDistance{};
     std::optional<double> farDistance{};
     bool isPerspective = false;
@@ -54,17 +54,19 @@ enum class SlipKind {
     DistanceForZ, ///< without the sign of −z
     Sign,
     NearFarSwapped,
-    NdcForDepth,       ///< z in [−1, 1] stands for the depth
-    DepthForNdc,       ///< the depth stands for z in [−1, 1]
+    NdcForDepth,       ///< z in [−1, 1] given for the depth
+    DepthForNdc,       ///< the depth given for z in [−1, 1]
     EvenDepth,         ///< a perspective's depth taken for an even scale
     DegreesForRadians, ///< the tangent of the degrees as if they were radians, or the whole answer
     RadiansForDegrees,
 };
 
+/// The kind of number that a source gives.
 /// @param source  an expression of StepNumbers, as Question::answer
 AskedKind askedKind(std::string_view source);
 
-/// @return nothing where the step asks nothing, or its answer cannot be computed
+/// The question of a step with its numbers.
+/// @return empty if the step has no question, or if its answer cannot be computed
 std::optional<Asked> askedIn(const LessonNumbers &numbers, const Step &step);
 
 /// Returns whether an answer is right within the question's tolerance.
@@ -72,7 +74,7 @@ bool isRight(const Asked &asked, double given);
 
 /// The slip that a wrong answer comes from; the first in the order of SlipKind where several lead
 /// to it.
-/// @return nothing where none does, or the answer is right
+/// @return empty if no slip does, or if the answer is right
 std::optional<SlipKind> slipOf(const Asked &asked, double given);
 
 } // namespace unprojector::lessons

@@ -23,7 +23,7 @@ struct OpenedScene {
 /// A model's file and the files that the model names.
 InputFiles filesOf(const std::filesystem::path &file, const mesh::Model &model);
 
-/// See opening::isMeantAsScene.
+/// True if a file is meant as a scene, see opening::isMeantAsScene.
 /// @param file  UTF-8; "-" is a scene
 bool isMeantAsScene(const std::string &file);
 
