@@ -134,12 +134,12 @@ struct Diagnosis {
     std::vector<KnownPoint> known;
     std::vector<Candidate> candidates; ///< the best first, each id once; at least five
     /// x', y' (device pixels from the top-left corner) and depth of the first wrong point, by the
-    /// right answer to the first click, in its space; nearest one if the depth is unknown
+    /// right matrices. Empty in the plane of the eye.
     std::optional<glm::dvec3> projected;
     double depthUnsure = 0.0; ///< change of that depth when the point moves within its last digits; 0: unknown
     ErrorKind wrong = ErrorKind::Right;
     DepthKnown depthKnown = DepthKnown::Given;
-    std::optional<glm::dvec3> right; ///< right answer to the first click; nearest one if its depth is unknown
+    std::optional<glm::dvec3> right; ///< answer to the first click, in its space; nearest if of unknown depth
     /// The unit of the last digit of `right`, a power of ten. It follows from rounding and the
     /// depth's last digit. It is at most as fine as seven digits of the greatest coordinate, or as
     /// the given digits if those are finer.
