@@ -19,7 +19,7 @@ namespace unprojector::cli {
 using text::tr;
 namespace {
 
-/// An option or positional as it was given: "--at 1,2".
+/// An option or positional as the user wrote it: "--at 1,2".
 std::string asGiven(const CLI::App &command, const std::string &name)
 {
     std::string words = name;
@@ -30,7 +30,8 @@ std::string asGiven(const CLI::App &command, const std::string &name)
     return words;
 }
 
-/// What is wrong with the words. The library's own sentence does not always name the value and never says what to do.
+/// The error in the command's words. The library's own sentence does not always name the value and
+/// never gives a remedy.
 std::string mistakeText(const CLI::App &app, const CLI::ParseError &error)
 {
     const std::vector<const CLI::App *> commands = app.get_subcommands([](const CLI::App *) { return true; });
@@ -38,19 +39,19 @@ std::string mistakeText(const CLI::App &app, const CLI::ParseError &error)
         std::find_if(commands.begin(), commands.end(), [](const CLI::App *command) { return command->parsed(); });
     const CLI::App &command = parsed == commands.end() ? app : **parsed;
     const std::string called = parsed == commands.end() ? "unproject" : "unproject " + command.get_name();
-    // A word that is an option's by its looks may be why something else is missing.
+    // A word that looks like an option may explain why something else is missing.
     const std::vector<std::string> left = command.remaining();
     const auto unknown = std::find_if(left.begin(), left.end(),
                                       [](const std::string &word) { return word.size() > 1 && word.front() == '-'; });
     if (unknown != left.end())
         return tr("%1 is no option of '%2'; '%2 --help' names them", *unknown, called);
     std::string what = error.what();
-    // Behind -- the words do not come to the command; the library's sentence ends with them.
+    // Words behind -- do not reach the command; the library's sentence ends with them.
     if (dynamic_cast<const CLI::ExtrasError *>(&error) != nullptr)
         return tr("\"%1\" is one word too many for '%2'; '%2 --help' says what it takes",
                   left.empty() ? what.substr(what.find_last_of(" :") + 1) : left.back(), called);
 
-    // The library's sentence is English: the names are taken out of it.
+    // The library's sentence is English, so the names are extracted from it.
     const auto parts = [&what](std::string_view between) -> std::optional<std::pair<std::string, std::string>> {
         const std::size_t at = what.find(between);
         if (at == what.npos)
@@ -65,7 +66,7 @@ std::string mistakeText(const CLI::App &app, const CLI::ParseError &error)
         return tr("%1: give a number",
                   asGiven(command, what.substr(kNoNumber.size(), what.find(" = ") - kNoNumber.size())));
     if (dynamic_cast<const CLI::ValidationError *>(&error) != nullptr)
-        return what; // by our own checks, which speak the user's language
+        return what; // from this program's own checks, which use the user's language
     if (const auto both = parts(" requires "); both && dynamic_cast<const CLI::RequiresError *>(&error) != nullptr)
         return tr("%1 requires %2; '%3 --help' says more", both->first, both->second, called);
     if (dynamic_cast<const CLI::RequiredError *>(&error) != nullptr) {
@@ -113,7 +114,7 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
     addLandmarks(app, run);
     addDoctor(app, run);
     nameGroups(app);
-    // The library would only say that a command is missing.
+    // The library would only report that a command is missing.
     if (arguments.size() > 1 && !arguments[1].starts_with('-')) {
         std::string names;
         bool isKnown = false;
@@ -134,7 +135,7 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
         app.parse(static_cast<int>(words.size()), words.data());
     } catch (const CLI::ParseError &error) {
         std::ostringstream output, errors;
-        const bool isDone = app.exit(error, output, errors) == 0; // help and version come this way too
+        const bool isDone = app.exit(error, output, errors) == 0; // help and version arrive here too
         if (!errors.str().empty())
             complain(mistakeText(app, error));
         ByteSink sink("-", {});

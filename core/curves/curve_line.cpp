@@ -23,7 +23,7 @@ CurveError errorOf(PathError error, std::size_t point)
     return {CurveError::Code::Stopped, point};
 }
 
-/// The direction from one place to another, of length 1; none where they are one.
+/// The unit direction from one point to another; 0 if they coincide.
 glm::dvec3 wayFrom(const WorldPoint &a, const WorldPoint &b)
 {
     const glm::dvec3 way = b.coordinates() - a.coordinates();
@@ -74,7 +74,7 @@ Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh, std::span<con
 
 std::vector<WorldPoint> resampled(std::span<const WorldPoint> path, std::size_t count)
 {
-    std::vector<double> reached{0.0}; // along the path, at each of its places
+    std::vector<double> reached{0.0}; // distance along the path, at each of its points
     for (std::size_t i = 1; i < path.size(); ++i)
         reached.push_back(reached.back() + glm::distance(path[i - 1].coordinates(), path[i].coordinates()));
     std::vector<WorldPoint> places;

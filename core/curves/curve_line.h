@@ -9,38 +9,39 @@
 
 namespace unprojector::curves {
 
-/// How a curve goes.
+/// A computed curve.
 struct CurveLine {
     std::vector<geometry::WorldPoint> path;
-    /// Along the surface. Its error follows from how far each point can be off, to first order: a path as short as it can be grows by
-    /// the way that its end moves along it; at a point between, by what both pieces grow together.
+    /// The length along the surface. Its uncertainty follows from each point's, to first order. A
+    /// shortest path grows by the component of its end's motion along it. At a point between two
+    /// pieces, the sum of both changes counts.
     landmarks::Measure length;
 };
 
-/// Why a curve does not go.
+/// The reason why a curve cannot be computed.
 struct CurveError {
     enum class Code {
-        TooFew,       ///< of two points
-        Missing,      ///< point: has no place
-        NotOnSurface, ///< point: is held by nothing, or by what the surface does not have
-        NotConnected, ///< point: where the piece ends that the surface has no way for
-        NoSection,    ///< point: the same of a plane
+        TooFew,       ///< fewer than two points
+        Missing,      ///< point: is not placed
+        NotOnSurface, ///< point: has no anchor, or one that the surface lacks
+        NotConnected, ///< point: the end of the piece for which the surface has no path
+        NoSection,    ///< point: the end of the piece for which there is no plane section
         Stopped,
     };
     Code code = Code::TooFew;
-    std::size_t point = 0; ///< place among those given
+    std::size_t point = 0; ///< index among the given points
 };
 
-/// The line through landmarks that lie on one object, in their order.
+/// The line through landmarks on one object, in their order.
 /// @param goesOn  may be empty
 geometry::Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh,
                                                     std::span<const landmarks::Landmark *const> points,
                                                     landmarks::CurveKind kind, const glm::dmat4 &worldFromObject,
                                                     const GoesOn &goesOn);
 
-/// Places in equal steps along a path, both its ends included: the steps are measured along it.
+/// Points in equal steps along a path, including both its ends.
 /// @param count  at least 2
-/// @pre the path has at least one place
+/// @pre the path has at least one point
 std::vector<geometry::WorldPoint> resampled(std::span<const geometry::WorldPoint> path, std::size_t count);
 
 } // namespace unprojector::curves

@@ -20,7 +20,8 @@ bool isSameEdge(const Edge &a, const Edge &b)
     return a == b || (a[0] == b[1] && a[1] == b[0]);
 }
 
-/// Takes out triangles that are left by the edge they were entered by, and those before the last one that an end lies in.
+/// Removes triangles that are left by the edge they were entered by, and triangles before the last
+/// one that contains the start. Does the same at the other end.
 void shorten(TriangleStrip &strip, const PathEnd &from, const PathEnd &to)
 {
     TriangleStrip kept;
@@ -64,14 +65,14 @@ double angleAt(const PlacedMesh &mesh, std::uint32_t triangle, std::uint32_t cor
     return std::atan2(glm::length(glm::cross(legs[0], legs[1])), glm::dot(legs[0], legs[1]));
 }
 
-/// The triangles around a corner on the other side of it than a strip passes it.
+/// The triangles around a corner on the side that a strip does not pass.
 struct OtherSide {
-    std::vector<std::uint32_t> triangles; ///< between those where the strip comes and goes
-    std::vector<Edge> edges;              ///< one more
-    double angle = 0.0;                   ///< of the corner in all, on both sides
+    std::vector<std::uint32_t> triangles; ///< between the strip's first and last triangle at the corner
+    std::vector<Edge> edges;              ///< one more than triangles
+    double angle = 0.0;                   ///< angle at the corner in total, on both sides
 };
 
-/// @return nothing where the surface has a rim there, or is no single sheet
+/// @return empty where the surface has a boundary there, or is no single sheet
 std::optional<OtherSide> otherSideOf(const StripPath::Bend &bend, const TriangleStrip &strip, const PlacedMesh &mesh)
 {
     OtherSide side;
@@ -100,7 +101,7 @@ std::optional<OtherSide> otherSideOf(const StripPath::Bend &bend, const Triangle
     return std::nullopt;
 }
 
-/// Leads a strip around the other side of a corner.
+/// Reroutes a strip around the other side of a corner.
 void leadAround(TriangleStrip &strip, const StripPath::Bend &bend, const OtherSide &side)
 {
     const auto way = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
@@ -115,9 +116,9 @@ void leadAround(TriangleStrip &strip, const StripPath::Bend &bend, const OtherSi
 /// @return whether anything was changed
 bool leadAroundBends(TriangleStrip &strip, const StripPath &path, const PlacedMesh &mesh)
 {
-    constexpr double kStraight = 1e-9; // what is that close to half a turn gains nothing that a double could hold
+    constexpr double kStraight = 1e-9; // an angle that close to half a turn gains nothing in double precision
     bool isChanged = false;
-    std::size_t free = strip.triangles.size(); // triangles from here on have been replaced already
+    std::size_t free = strip.triangles.size(); // triangles from here on are replaced already
     for (std::size_t i = path.bends.size(); i-- > 0;) {
         const StripPath::Bend &bend = path.bends[i];
         if (bend.last + 1 >= free)
@@ -149,7 +150,7 @@ Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePl
             return PathError::Stopped;
         shorten(strip, start, goal);
         StripPath path = shortestIn(strip, placed, start, goal);
-        // Every pass makes it shorter, until rounding says otherwise.
+        // Every pass shortens the path until rounding dominates.
         if (best && !(path.length < best->length))
             break;
         best = std::move(path);

@@ -23,8 +23,8 @@ glm::dvec3 normalAt(const PlacedMesh &mesh, const PathEnd &end)
     return length > 0.0 ? sum / length : sum;
 }
 
-/// Walks from triangle to triangle where a plane cuts them. A corner on the plane counts as above it: so the section never passes
-/// through a corner, and always goes on.
+/// Walks from triangle to triangle where a plane cuts them. A corner on the plane counts as above
+/// it, so that the section never passes through a corner and always continues.
 class SectionWalk {
 public:
     SectionWalk(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const glm::dvec3 &normal)
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kAsking = 1 << 12; ///< steps from asking to asking
+    static constexpr std::uint32_t kAsking = 1 << 12; ///< steps between calls of goesOn
 
     double above(std::uint32_t corner) const { return glm::dot(m_normal, m_mesh[corner] - m_from.place()); }
     bool isCut(std::uint32_t a, std::uint32_t b) const { return (above(a) >= 0.0) != (above(b) >= 0.0); }
@@ -82,14 +82,14 @@ private:
                 return path;
             }
             if (m_from.isIn(triangle))
-                break; // around and back
+                break; // back at the start
             const std::array<std::uint32_t, 3> &corners = m_mesh.mesh().corners(triangle);
             const std::uint32_t third = *std::find_if(corners.begin(), corners.end(),
                                                       [&](std::uint32_t corner) { return corner != a && corner != b; });
             (isCut(a, third) ? b : a) = third;
             triangle = m_mesh.mesh().onlyAcross(triangle, a, b);
             if (triangle == SurfaceMesh::kNone)
-                break; // at the rim
+                break; // at the boundary
         }
         return PathError::NoSection;
     }
@@ -114,7 +114,7 @@ Result<SurfacePath, PathError> planeSection(const SurfaceMesh &mesh, const Surfa
     const glm::dvec3 way = goal.place() - start.place(), up = normalAt(placed, start) + normalAt(placed, goal);
     const glm::dvec3 normal = glm::cross(way, up);
     const double length = glm::length(normal);
-    constexpr double kParallel = 1e-6; // the sine of an angle below which rounding decides where the plane is
+    constexpr double kParallel = 1e-6; // the sine of an angle below which rounding determines the plane
     if (!(length > kParallel * glm::length(way)))
         return PathError::NoSection;
     return SectionWalk(placed, start, goal, normal / length).shortest(goesOn);

@@ -1,4 +1,5 @@
-// The shortest path in a strip of triangles that is unfolded into the plane: by the funnel (Lee and Preparata, 1984).
+// The shortest path in a strip of triangles unfolded into the plane, by the funnel algorithm (Lee
+// and Preparata, 1984).
 
 #include "core/curves/triangle_strip.h"
 
@@ -21,7 +22,7 @@ double angleBetween(const glm::dvec2 &a, const glm::dvec2 &b)
     return std::atan2(std::abs(cross2(a, b)), glm::dot(a, b));
 }
 
-/// An edge in the plane, as it is seen by who walks through it.
+/// An edge in the plane, with left and right in walking direction.
 struct Gate {
     std::uint32_t left = 0, right = 0; ///< corners
     glm::dvec2 atLeft{0.0}, atRight{0.0};
@@ -36,8 +37,8 @@ std::uint32_t thirdOf(const std::array<std::uint32_t, 3> &corners, std::uint32_t
     return a;
 }
 
-/// Where a corner is in the plane, beside an edge.
-/// @param side  1: ahead of who walks through it, -1: behind
+/// The position of a corner in the plane, beside an edge.
+/// @param side  1: ahead in walking direction, -1: behind
 glm::dvec2 unfolded(const PlacedMesh &mesh, const Gate &gate, std::uint32_t corner, double side)
 {
     const glm::dvec3 base = mesh[gate.right];
@@ -82,10 +83,10 @@ Unfolding unfolding(const TriangleStrip &strip, const PlacedMesh &mesh, const Pa
     return plane;
 }
 
-/// A place where the path bends, or one of its ends.
+/// A bend of the path, or one of its ends.
 struct Knot {
     glm::dvec2 at{0.0};
-    std::size_t gate = 0; ///< one that it passes there; of the end one behind the last
+    std::size_t gate = 0; ///< index of the gate at the knot; for the end one past the last
     bool isLeft = false;
 };
 
@@ -104,7 +105,7 @@ std::vector<Knot> funnel(const Unfolding &plane)
             ofLeft = ofRight = gate;
             i = gate;
         };
-        if (i == count) { // the end has no sides that could narrow
+        if (i == count) { // the end has no sides to narrow
             if (left != apex && cross2(left - apex, l - apex) > 0.0)
                 restart(left, ofLeft, true);
             else if (right != apex && cross2(right - apex, l - apex) < 0.0)
@@ -153,7 +154,7 @@ StripPath shortestIn(const TriangleStrip &strip, const PlacedMesh &mesh, const P
     for (std::size_t k = 0; k < knots.size(); ++k) {
         const Knot &knot = knots[k];
         path.length += glm::distance(before, knot.at);
-        for (; gate < std::min(knot.gate, gates.size()); ++gate) { // where it crosses the edges on its way
+        for (; gate < std::min(knot.gate, gates.size()); ++gate) { // the crossings of the edges in between
             const Gate &g = gates[gate];
             const glm::dvec2 along = knot.at - before, side = g.atLeft - g.atRight;
             const double across = cross2(along, side);

@@ -1,4 +1,4 @@
-// A* from place to place on the edges: the strip of triangles that a geodesic begins with.
+// A* from point to point on the edges: finds the strip of triangles with which a geodesic starts.
 
 #include "core/curves/triangle_strip.h"
 
@@ -43,7 +43,7 @@ public:
             Node &node = m_nodes[number];
             if (std::exchange(node.isDone, true))
                 continue;
-            const Node from = node; // the others are moved when more come
+            const Node from = node; // a copy, because adding nodes moves them
             const TriangleStrip::Edge edge = m_edges[number / kPlaces];
             const glm::dvec3 place = placeOf(number);
             m_mesh.mesh().across(from.via, edge[0], edge[1],
@@ -53,13 +53,13 @@ public:
     }
 
 private:
-    static constexpr std::uint32_t kPlaces = 3;     ///< on an edge
-    static constexpr std::size_t kAsking = 1 << 10; ///< steps from asking to asking
+    static constexpr std::uint32_t kPlaces = 3;     ///< per edge
+    static constexpr std::size_t kAsking = 1 << 10; ///< steps between calls of goesOn
 
     struct Node {
         double cost = std::numeric_limits<double>::infinity();
         std::uint32_t parent = kNone; ///< none: the start
-        std::uint32_t via = kNone;    ///< the triangle that the way from there goes through
+        std::uint32_t via = kNone;    ///< the triangle that the step from the parent crosses
         bool isDone = false;
     };
 
@@ -82,7 +82,7 @@ private:
         return kPlaces * found->second;
     }
 
-    /// What a triangle leads to, from a place of its rim or in it.
+    /// Relaxes the neighbours in a triangle, from a point of its boundary or inside.
     void enter(std::uint32_t triangle, std::uint32_t parent, const glm::dvec3 &place, double cost)
     {
         if (m_to.isIn(triangle)) {
@@ -125,11 +125,11 @@ private:
     const PlacedMesh &m_mesh;
     const PathEnd &m_from, &m_to;
     const GoesOn &m_goesOn;
-    std::vector<Node> m_nodes; ///< kPlaces an edge
+    std::vector<Node> m_nodes; ///< kPlaces per edge
     std::vector<TriangleStrip::Edge> m_edges;
-    std::unordered_map<std::uint64_t, std::uint32_t> m_numbers; ///< of edges
+    std::unordered_map<std::uint64_t, std::uint32_t> m_numbers; ///< edge indices
     Node m_end;
-    using Open = std::pair<double, std::uint32_t>; ///< the least that a whole way through it can be; kNone: the end
+    using Open = std::pair<double, std::uint32_t>; ///< lower bound of a whole path through the node; kNone: the end
     std::priority_queue<Open, std::vector<Open>, std::greater<>> m_open;
 };
 

@@ -11,7 +11,7 @@
 
 namespace unprojector::curves {
 
-/// A surface as it stands in the world.
+/// A surface in world space.
 class PlacedMesh {
 public:
     PlacedMesh(const SurfaceMesh &mesh, const glm::dmat4 &worldFromObject)
@@ -29,10 +29,10 @@ private:
     glm::dmat4 m_worldFromObject;
 };
 
-/// An end of a path: by the corners that hold it, one of a vertex, two of an edge, three inside a triangle.
+/// An end of a path, by its corners: one for a vertex, two for an edge, three inside a triangle.
 class PathEnd {
 public:
-    /// The place in another space, by where the corners are there.
+    /// The weighted position in another space, from the corners' positions there.
     template <class Where>
     auto mixed(const Where &where) const
     {
@@ -59,7 +59,7 @@ public:
     }
 
     const glm::dvec3 &place() const { return m_place; }
-    /// Those that the place lies in or on.
+    /// The triangles that the end lies in or on.
     const std::vector<std::uint32_t> &triangles() const { return m_triangles; }
     bool isIn(std::uint32_t triangle) const
     {

@@ -13,7 +13,7 @@ using namespace mesh;
 
 namespace {
 
-/// How often progress is asked.
+/// Triangles between calls of progress.
 constexpr std::size_t kStep = 1 << 16;
 
 std::size_t hashOf(const glm::dvec3 &place)
@@ -27,7 +27,7 @@ std::size_t hashOf(const glm::dvec3 &place)
     return static_cast<std::size_t>(hash);
 }
 
-/// Numbers places as they come, the same place always the same.
+/// Numbers positions in order of arrival; equal positions get the same number.
 class PlaceNumbers {
 public:
     PlaceNumbers(std::vector<glm::dvec3> &places, std::size_t most)
@@ -101,7 +101,8 @@ std::shared_ptr<const SurfaceMesh> SurfaceMesh::build(const Model &model, const 
     }
     if (!goesOn(0.7))
         return nullptr;
-    // A triangle whose corners are not three places lies in its own side: its neighbours touch each other without it.
+    // Triangles without three distinct corners are skipped; their neighbours are adjacent to each
+    // other.
     std::vector<std::uint32_t> &starts = surface->m_starts;
     starts.assign(surface->m_places.size() + 1, 0);
     const auto eachCorner = [&](const auto &visit) {
@@ -156,7 +157,7 @@ std::optional<SurfacePlace> placeOf(const Anchor &anchor, const SurfaceMesh &mes
             return std::nullopt;
         if (!mesh.isFlat(on->triangle))
             return SurfacePlace{on->triangle, on->barycentric};
-        // On the side that it has, which a neighbour has too.
+        // Use its edge, which a neighbour has too.
         const std::array<std::uint32_t, 3> &c = mesh.corners(on->triangle);
         const glm::dvec3 &w = on->barycentric;
         return c[0] == c[1] ? onTriangleWith(mesh, c[0], c[2], w[2]) : onTriangleWith(mesh, c[0], c[1], w[1]);

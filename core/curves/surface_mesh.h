@@ -15,30 +15,32 @@
 namespace unprojector::curves {
 using ray::Progress;
 
-/// The triangles of a model as one surface: corners at the very same coordinates are one corner, whether the file has them once
-/// or, as STL and split normals do, once a triangle. Made once a model, for paths; then immutable, and any thread may ask.
+/// The triangles of a model as one surface. Corners with identical coordinates are one corner, even
+/// where the file repeats them per triangle, as STL and split normals do. Built once per model, for
+/// paths; then immutable and safe for all threads.
 class SurfaceMesh {
 public:
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-    /// Some 28 bytes a triangle.
+    /// Builds the surface, with some 28 bytes per triangle.
     /// @param progress  may be empty
-    /// @return null when progress says stop. Throws std::bad_alloc.
+    /// @return null if progress requests a stop. Throws std::bad_alloc.
     static std::shared_ptr<const SurfaceMesh> build(const mesh::Model &model, const Progress &progress);
 
-    /// As the model counts them; one whose corners are not three places has a side of no length, and no neighbours.
+    /// The model's triangle count. A triangle without three distinct corners has an edge of length
+    /// 0 and no neighbours.
     std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(m_corners.size()); }
     std::size_t cornerCount() const { return m_places.size(); }
     const std::array<std::uint32_t, 3> &corners(std::uint32_t triangle) const { return m_corners[triangle]; }
     bool isFlat(std::uint32_t triangle) const;
-    /// Object space.
+    /// The position of a corner, object space.
     const glm::dvec3 &place(std::uint32_t corner) const { return m_places[corner]; }
-    /// The corner of a vertex by its number, see Model::vertexNumber; kNone where no triangle uses it.
+    /// The corner of a vertex by its number, see Model::vertexNumber; kNone if no triangle uses it.
     std::uint32_t cornerOfVertex(std::uint32_t vertex) const;
-    /// The triangles that have a corner.
+    /// The triangles that share a corner.
     std::pair<const std::uint32_t *, const std::uint32_t *> around(std::uint32_t corner) const;
 
-    /// Calls visit(other) for every other triangle that has both corners.
+    /// Calls visit(other) for every other triangle with both corners.
     template <class Visit>
     void across(std::uint32_t triangle, std::uint32_t a, std::uint32_t b, const Visit &visit) const
     {
@@ -49,24 +51,27 @@ public:
                 visit(*other);
         }
     }
-    /// The only other triangle that has both corners; kNone at a rim, and where three or more meet.
+    /// The only other triangle with both corners; kNone at a boundary, and where three or more
+    /// meet.
     std::uint32_t onlyAcross(std::uint32_t triangle, std::uint32_t a, std::uint32_t b) const;
 
 private:
     std::vector<glm::dvec3> m_places;
     std::vector<std::array<std::uint32_t, 3>> m_corners;
-    std::vector<std::uint32_t> m_starts, m_around; ///< of each corner, the triangles that have it
+    std::vector<std::uint32_t> m_starts, m_around; ///< for each corner, the triangles that share it
     std::vector<std::uint32_t> m_ofVertex;
 };
 
-/// A place of a surface: in a triangle, with weights of its corners; those that are 0 do not hold it.
+/// A position on a surface: in a triangle, with weights of its corners. A corner of weight 0 has no
+/// influence.
 struct SurfacePlace {
     std::uint32_t triangle = 0;
     glm::dvec3 barycentric{0.0};
 };
 
-/// Where a hold is on a surface.
-/// @return nothing where it is free, no triangle has it, or no corner has a weight, as files may have it
+/// The position of an anchor on a surface.
+/// @return empty if it is free, if its triangle or vertex is missing, or if no corner has a weight,
+///         as files may have it
 std::optional<SurfacePlace> placeOf(const landmarks::Anchor &anchor, const SurfaceMesh &mesh);
 
 } // namespace unprojector::curves

@@ -12,27 +12,29 @@ namespace unprojector::curves {
 
 /// A line that stays on the surface: straight within each triangle.
 struct SurfacePath {
-    std::vector<geometry::WorldPoint> places; ///< from, where it crosses edges and passes corners, to
+    std::vector<geometry::WorldPoint> places; ///< start, crossings of edges and passed corners, end
     double length = 0.0;                      ///< world units
 };
 
-/// Why there is no path.
+/// The reason why there is no path.
 enum class PathError {
-    NotConnected, ///< the surface between both is not in one piece
-    NoSection,    ///< the plane's section from one does not lead to the other, or there is no such plane
+    NotConnected, ///< the surface between both is not connected
+    NoSection,    ///< the plane's section from one does not lead to the other, or no such plane exists
     Stopped,
 };
 
-/// Asked again and again; false ends the work.
+/// Called repeatedly; returns false to stop the work.
 using GoesOn = std::function<bool()>;
 
-/// A geodesic: the path that cannot be made shorter by moving it a little, as a thread pulled tight. It is exact to rounding for
-/// the triangles; which of several such there are, left or right around a hole, is that of the shortest way over a net of places on
-/// the edges, which is at most some percent longer than the shortest path.
+/// A geodesic: a path that no small change shortens, like a thread pulled tight. It is exact to
+/// rounding for the triangles. Where several exist, left or right around a hole, it follows the
+/// shortest path in a graph of points on the edges. That one is at most some percent longer than
+/// the shortest path.
 ///
-///   A* over three places an edge gives a strip of triangles. Unfolded into the plane, the shortest path in it is found by the
-///   funnel (Lee and Preparata, 1984). Wherever that bends about a corner which has less than half a turn on its other side, the
-///   strip is led around there instead, until it bends no more so (Xin and Wang, 2007).
+/// A* over three points per edge gives a strip of triangles. The funnel algorithm finds the
+/// shortest path in the unfolded strip (Lee and Preparata, 1984). If that path bends about a corner
+/// with less than half a turn on its other side, the strip is rerouted around that side. This
+/// repeats until no such bend remains (Xin and Wang, 2007).
 ///
 /// @param worldFromObject  the length is measured in the world
 /// @param goesOn           may be empty
@@ -40,8 +42,8 @@ geometry::Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const
                                                   const SurfacePlace &to, const glm::dmat4 &worldFromObject,
                                                   const GoesOn &goesOn);
 
-/// Where a plane cuts the surface: the one through both places along the mean of the normals there. Of the two ways around that
-/// lead from one to the other the shorter one.
+/// The section of the surface by a plane through both points, along the mean of their normals. Of
+/// its two ways from one point to the other, it is the shorter one.
 geometry::Result<SurfacePath, PathError> planeSection(const SurfaceMesh &mesh, const SurfacePlace &from,
                                                       const SurfacePlace &to, const glm::dmat4 &worldFromObject,
                                                       const GoesOn &goesOn);

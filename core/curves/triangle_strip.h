@@ -10,22 +10,22 @@
 
 namespace unprojector::curves {
 
-/// Triangles, each next to the one before it across an edge.
+/// Triangles, each adjacent to the previous one across an edge.
 struct TriangleStrip {
     using Edge = std::array<std::uint32_t, 2>; ///< its corners, in any order
 
     std::vector<std::uint32_t> triangles;
-    std::vector<Edge> edges; ///< one fewer
+    std::vector<Edge> edges; ///< one fewer than triangles
 };
 
-/// A strip that a short way from one end to the other goes through, found by A* over places on the edges.
+/// A strip around a short path from one end to the other, found by A* over points on the edges.
 /// @return NotConnected, Stopped
 geometry::Result<TriangleStrip, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
                                                         const GoesOn &goesOn);
 
 /// The shortest path within a strip.
 struct StripPath {
-    /// Where it bends: about a corner, while it passes the edges from `first` to `last`.
+    /// A bend: about a corner, while the path crosses the edges from `first` to `last`.
     struct Bend {
         std::uint32_t corner = 0;
         std::size_t first = 0, last = 0;

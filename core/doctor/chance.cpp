@@ -7,7 +7,7 @@
 namespace unprojector::doctor {
 namespace {
 
-/// More would count what is far away, where nothing is spread as here.
+/// The range of m. A larger m would include distant hypotheses, whose density differs.
 constexpr std::size_t kFewest = 4, kMost = 64;
 
 bool isSameMistakes(const Hypothesis &a, const Hypothesis &b)

@@ -6,15 +6,17 @@
 
 namespace unprojector::doctor {
 
-/// The chance that a point which comes from none of the hypotheses is met by one of them all the same.
+/// The chance that one of the hypotheses explains a point that comes from none of them.
 ///
-/// It is counted where the point is, not assumed: with m hypotheses within a distance R of it, evenly spread, one of them
-/// comes as close as t by a chance of m (t / R)^k. Taken is the greatest of these for m = 4, 8, … 64. k is the number of
-/// numbers that had to agree: three coordinates; two of a point that has the right depth or whose depth is not known; one of
-/// a point on the right ray, since the answers of all mistakes of the depth lie on it. Several points multiply k.
+/// It is measured near the point, not assumed. Let m hypotheses lie within a distance R of it,
+/// evenly spread. Then one of them comes as close as t with a chance of m (t / R)^k. The result is
+/// the greatest of these for m = 4, 8, … 64. k counts the numbers that had to agree: three
+/// coordinates; two for a point with the right depth or an unknown depth. It is one for a point on
+/// the right ray, because the answers of all depth mistakes lie on it. Several points multiply k.
 ///
-/// @param all       that were tried
-/// @param best      what explains the point; only what is no more complicated counts, and nothing that has its answer
+/// @param all       all hypotheses tried
+/// @param best      the one that explains the point; more complicated ones and ones with its answer
+///         do not count
 /// @param within    t, units of the last digit
 /// @param agreeing  k
 double chanceOf(std::span<const Hypothesis> all, const Hypothesis &best, double within, int agreeing);

@@ -2,7 +2,8 @@
 
 #include "core/doctor/remedies.h"
 
-/// The lines of code to change for mistakes of the pixel, the viewport and the lens, for the table of remedies.cpp.
+/// The code changes for mistakes of the pixel, the viewport and the lens, for the table of
+/// remedies.cpp.
 namespace unprojector::doctor {
 
 inline constexpr CodeChange kYNotFlipped[] = {

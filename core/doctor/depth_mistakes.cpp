@@ -14,10 +14,10 @@ using namespace geometry;
 using text::marked;
 namespace {
 
-/// What near and far are off by where they are another frustum's.
+/// The factors by which another frustum's near and far differ.
 constexpr std::array kClipFactors{0.1, 10.0, 0.01, 100.0};
 
-/// The unit depth of what is read as a depth in the depth range.
+/// The unit depth of a number that the program takes for a depth in the depth range.
 double unitDepth(const Run &run, double depth)
 {
     const auto &[atNear, atFar] = run.given.depthRange;
@@ -67,7 +67,8 @@ void addMeaningOfDepth(VariantList &list)
     });
 }
 
-/// The depth entries of the projection matrix for other clip distances: both planes keep their NDC depths.
+/// Sets the depth entries of the projection matrix for other clip distances; both planes keep their
+/// NDC depths.
 void setClipDistances(Run &run, double nearDistance, double farDistance)
 {
     glm::dmat4 &m = run.clipFromEye;

@@ -20,18 +20,19 @@ using namespace geometry;
 
 namespace {
 
-/// How likely it may be that chance explains a point, for its explanation to be the verdict. One mistake is what most
-/// wrong points come from; two are seldom, and there are thousands of pairs.
+/// The greatest chance of coincidence at which an explanation becomes the verdict. Most wrong
+/// points come from one mistake. Two mistakes are rare, and there are thousands of pairs.
 constexpr double kChanceOfOne = 0.2;
 constexpr double kChanceOfTwo = 0.02;
 
 constexpr std::size_t kFewestCandidates = 5;
 constexpr std::size_t kMostCandidates = 10;
-/// What the next click tries to tell apart.
+/// Limits for the next click: the number of hypotheses to distinguish, and of hypotheses tried.
 constexpr std::size_t kMostToldApart = 4;
 constexpr std::size_t kMostTried = 20;
 
-/// Depths on a mesh are those of its triangles, not of what a depth buffer rounds them to.
+/// The step of a depth buffer. Depths on a mesh are computed from its triangles, without the
+/// buffer's rounding.
 constexpr double kDepthBufferStep = 1.0 / 16777215.0;
 
 Check checkPoint(const Case &scene, const WrongPoint &point)
@@ -46,10 +47,10 @@ Check checkPoint(const Case &scene, const WrongPoint &point)
     return std::monostate{};
 }
 
-/// A point prepared, with how its depth was known.
+/// A prepared point, with the source of its depth.
 struct Prepared {
     Target target;
-    Target right; ///< what the right program may answer: of an unknown depth, anything between near and far
+    Target right; ///< the right program's possible answers: for an unknown depth, anything between near and far
     Click click;
     DepthKnown depthKnown = DepthKnown::Given;
     std::optional<glm::dvec3> projected;
@@ -71,8 +72,8 @@ Click clickOf(const Case &scene, const Given &given, const WrongPoint &point, do
     return click;
 }
 
-/// The ends of what is right on a ray whose depth is not known. On the planes themselves lie the points of programs whose depth
-/// was not read; a surface is there by a rare chance only.
+/// The ends of the right answers on a ray of unknown depth. They lie inside the clip planes: points
+/// exactly on the planes come from programs that did not read the depth; a surface is rarely there.
 std::vector<Click> betweenPlanes(const Case &scene, const Given &given, const WrongPoint &point)
 {
     constexpr double kFromPlane = 4.0; // last digits
@@ -90,9 +91,9 @@ std::vector<Click> betweenPlanes(const Case &scene, const Given &given, const Wr
     return {first, last};
 }
 
-/// What numbers of so many digits leave open of an answer: some roundings of the numbers that meet in it, and of the depth,
-/// which moves it along the ray.
-/// @param epsilon  from 1 to the next number
+/// The rounding error of an answer at a given precision: some roundings of the numbers that
+/// contribute to it. It includes the depth's, which moves the answer along the ray.
+/// @param epsilon  difference between 1 and the next number
 glm::dvec3 roundingOf(const Given &given, const Click &click, double epsilon)
 {
     constexpr double kRoundings = 32.0, kStep = 1e-6;
@@ -105,12 +106,12 @@ glm::dvec3 roundingOf(const Given &given, const Click &click, double epsilon)
     const std::optional<glm::dvec3> there = answer(given, moved, {});
     const glm::dvec3 byDepth = there ? glm::abs(*there - *right) / kStep : glm::dvec3(0.0);
     const double size = glm::length(given.eyePosition) + glm::length(click.eye) + glm::length(*right);
-    // Were more left open, anything would explain the point.
+    // A larger tolerance would let anything explain the point.
     const double most = 1e-4 * glm::length(click.eye);
     return glm::min(kRoundings * epsilon * (byDepth + size), glm::dvec3(most));
 }
 
-/// The units of the last digits that count.
+/// The units of the last significant digits.
 glm::dvec3 countedDigit(const Given &given, const Click &click, const glm::dvec3 &lastDigit, double epsilon)
 {
     const glm::dvec3 counted = glm::max(lastDigit, roundingOf(given, click, epsilon));
@@ -140,7 +141,7 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
     } else {
         result.depthKnown = DepthKnown::ByRay;
         result.target.isLine = true;
-        // Two depths about that of the point, where digits suffice to make a line of them.
+        // Two depths: the point's, and one far enough from it to define a line.
         Click anywhere = clickOf(scene, given, point, low);
         const std::optional<glm::dvec3> there = projected(given, anywhere, point.got);
         const double at = there ? std::clamp(there->z, low, high) : (low + high) / 2.0;
@@ -175,7 +176,7 @@ double rightLastDigit(const Given &given, const Prepared &point, const glm::dvec
     if (a && b)
         unsure = std::max(unsure, greatestOf(*b - *a));
     const double least = std::max(unsure, std::min(greatestOf(lastDigitGiven), kSevenDigits * greatestOf(right)));
-    return least > 0.0 ? std::pow(10.0, std::ceil(std::log10(least) - 1e-9)) : 1.0; // 1e-4 stays itself
+    return least > 0.0 ? std::pow(10.0, std::ceil(std::log10(least) - 1e-9)) : 1.0; // 1e-4 stays 1e-4
 }
 
 Hypothesis rightHypothesis(const Given &given, std::span<const Prepared> points)
@@ -192,7 +193,7 @@ Hypothesis rightHypothesis(const Given &given, std::span<const Prepared> points)
     return right;
 }
 
-/// How far the place in the picture moves when the point does, within its last digits.
+/// The change of the projected position when the point moves within its last digits.
 std::optional<glm::dvec3> unsureOf(const Given &given, const Prepared &point)
 {
     glm::dvec3 sum(0.0);
@@ -215,7 +216,8 @@ ErrorKind wrongOf(const Given &given, const Prepared &point)
     const glm::dvec3 right(point.click.pixel.coordinates(), point.click.depth);
     const glm::dvec3 off = glm::abs(*point.projected - right);
     const bool isPixelRight = off.x <= unsure->x + 1e-6 && off.y <= unsure->y + 1e-6;
-    // Of a depth that is not known, `click` has that of the point, unless it is none of the picture's.
+    // The click of an unknown depth has the point's depth, unless that lies outside the depth
+    // range.
     double depthUnsure = unsure->z + 1e-9;
     if (point.target.clicks.size() > 1 && !point.target.isLine)
         depthUnsure += std::abs(point.target.clicks[1].depth - point.target.clicks[0].depth);
@@ -225,7 +227,7 @@ ErrorKind wrongOf(const Given &given, const Prepared &point)
     return isDepthRight && !point.target.isLine ? ErrorKind::Pixel : ErrorKind::Matrix;
 }
 
-/// How many numbers had to agree for an explanation, see chanceOf.
+/// The count of numbers that had to agree for an explanation, see chanceOf.
 int agreeing(std::span<const Prepared> points, std::span<const ErrorKind> wrongs)
 {
     int sum = 0;
@@ -260,7 +262,7 @@ Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::spa
     return candidate;
 }
 
-/// Whether a hypothesis says at which depth the point lies, though the depth is not known.
+/// True if a hypothesis determines the depth of a point whose depth is unknown.
 bool saysDepth(const Hypothesis &hypothesis, const Given &given, const Prepared &point)
 {
     const auto a = hypothesis.answerTo(given, point.target.clicks[0]);
@@ -268,7 +270,8 @@ bool saysDepth(const Hypothesis &hypothesis, const Given &given, const Prepared 
     return a && b && glm::distance(*a, *b) <= 1e-9 * (1.0 + glm::length(*a));
 }
 
-/// By the ray alone all mistakes of the depth explain a point on it; one that says where on the ray, and is right, goes first.
+/// Puts a mistake that determines the depth first. With rays alone all depth mistakes explain a
+/// point on the ray, so one that also fits in depth is the best.
 void putDepthFirst(std::vector<Hypothesis> &best, const Given &given, std::span<const Prepared> points)
 {
     const bool isByRay = std::all_of(points.begin(), points.end(), [](const Prepared &p) { return p.target.isLine; });
@@ -290,7 +293,7 @@ std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, 
         return "right";
     if (chance > (best.count == 1 ? kChanceOfOne : kChanceOfTwo))
         return "unknown";
-    // By the ray alone the mistakes of the depth are all alike.
+    // All depth mistakes are alike with rays alone.
     const bool isByRay = std::any_of(points.begin(), points.end(), [](const Prepared &p) { return p.target.isLine; });
     const auto next = std::find_if(list.begin() + 1, list.end(), [&](const Hypothesis &other) {
         return other.worst > kCutOff || !isSameHere(given, targets, best, other);
@@ -300,13 +303,13 @@ std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, 
     return idOf(best);
 }
 
-/// Whether the points are rather what a single mistake, or none, gives than a point of the scene.
+/// True if no mistake, or a single one, explains the points better than a point of the scene.
 bool explainsAsWell(const Hypothesis &best, const Diagnosis &diagnosis)
 {
     return diagnosis.verdict == "right" || (diagnosis.namesMistake() && best.count == 1 && best.worst <= kRounded);
 }
 
-/// Sets the known points that the points are, and the verdict where nothing explains them as well.
+/// Sets the known points, and the verdict if no mistake explains the points as well.
 void lookAtKnown(Diagnosis &diagnosis, const Hypothesis &best, const Given &given, const Case &scene,
                  std::span<const Target> targets)
 {
@@ -368,7 +371,8 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
         for (int axis = 0; axis < 3; ++axis)
             diagnosis.digitsWritten += digitsOf(point.got[axis], point.lastDigit[axis]);
     }
-    // Of those that say where on the ray, when the best one does; the others go through every point of it.
+    // Compare only with others that determine the depth, if the best hypothesis does. The rest
+    // match any point of the ray.
     if (points.front().target.isLine && best.front().count > 0 && saysDepth(best.front(), *input, points.front()))
         std::erase_if(all, [&](const Hypothesis &each) { return !saysDepth(each, *input, points.front()); });
     diagnosis.chance =
@@ -389,7 +393,8 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
             if (alike == Alike::Here || alike == Alike::Always)
                 candidate.shared = sharedOf(*input, targets.front().clicks.front(), best.front(), hypothesis);
         }
-        // What another click can tell from the first goes before what is told from it already.
+        // Candidates that another click can distinguish from the first come before ones that are
+        // distinct already.
         if (isFirst || alike == Alike::Here || alike == Alike::InDigits)
             told.push_back(hypothesis);
         else if (others.size() < kMostToldApart)
@@ -404,7 +409,7 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     const glm::dvec3 &lastDigit = points.front().target.lastDigit;
     const double tellable = std::max({lastDigit.x, lastDigit.y, lastDigit.z});
     auto next = nextClick(*input, points.front().click, told, scene.depthOnMesh, tellable);
-    // Where those are one answer everywhere, the first that is another one.
+    // Use the first hypothesis with another answer if theirs are the same everywhere.
     for (std::size_t i = 1; !next && i < std::min(best.size(), kMostTried); ++i) {
         const Hypothesis two[] = {best.front(), best[i]};
         next = nextClick(*input, points.front().click, two, scene.depthOnMesh, tellable);
@@ -422,7 +427,7 @@ bool isSame(const WrongPoint &a, const WrongPoint &b)
            && a.space == b.space && a.model == b.model;
 }
 
-/// What is said twice is no further evidence.
+/// The points without repetitions, which are no further evidence.
 std::vector<WrongPoint> withoutRepetitions(std::span<const WrongPoint> points)
 {
     std::vector<WrongPoint> different;

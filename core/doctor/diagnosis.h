@@ -17,96 +17,100 @@
 #include <utility>
 #include <vector>
 
-/// Which mistake makes this wrong coordinate: every mistake is a function from what the wrong program was given to what it
-/// answers; all of them and all pairs of them are tried, and ranked by how far their answers are from the point that was got.
+/// Finds the mistake behind a wrong coordinate. Every mistake is a function from the wrong
+/// program's input to its answer. All mistakes and all pairs of them are tried, and ranked by the
+/// distance of their answers from the given point.
 namespace unprojector::doctor {
 
-/// In which space the program says that its point lies.
+/// The space of a program's point, as the program states it.
 enum class PointSpace { World, Eye, Object };
 
-/// A model of the scene, for programs that leave its matrix in, or out.
+/// A model of the scene, for programs that wrongly keep or omit its matrix.
 struct PlacedModel {
     std::string name;
     glm::dmat4 worldFromObject{1.0};
 };
 
-/// A point of the scene that programs answer whatever was clicked.
+/// A point of the scene that a program returns independently of the click.
 struct KnownPoint {
     enum class Kind {
         Eye,
-        ViewTranslation, ///< the view matrix's last column, given for a point
-        CameraCentre,    ///< what gluLookAt looks at
+        ViewTranslation, ///< the view matrix's last column, taken for a point
+        CameraCentre,    ///< the center of gluLookAt
         WorldOrigin,
         ObjectOrigin,
         Vertex
     };
     Kind kind = Kind::Eye;
-    glm::dvec3 point{0.0};  ///< of Case::verticesIn in world space, of a diagnosis in that of the points
-    std::string object;     ///< of an object's origin and a vertex: its name
-    std::size_t vertex = 0; ///< its number in the file, see Model::vertexNumber
+    glm::dvec3 point{0.0};  ///< from Case::verticesIn in world space; in a diagnosis in the points' space
+    std::string object;     ///< for an object's origin and a vertex: the object's name
+    std::size_t vertex = 0; ///< vertex number in the file, see Model::vertexNumber
 };
 
-/// What the program was looking at.
+/// The scene and the setup of the wrong program.
 struct Case {
     geometry::Setup setup;
-    std::vector<PlacedModel> models; ///< those that the mistakes of the model matrix are tried with
-    /// Another size that the program may still go by: the window's before, or that of another framebuffer.
+    std::vector<PlacedModel> models; ///< models with which the mistakes of the model matrix are tried
+    /// Another size that the program may still use: a former size of the window, or another
+    /// framebuffer's.
     std::optional<geometry::Surface> otherSize;
-    /// The depth of what is seen at a position, in the picture's depth range; nothing on the background. Empty where the
-    /// scene has no mesh.
+    /// The depth of the surface at a position, in the setup's depth range; no value on the
+    /// background. Null if the scene has no mesh.
     std::function<std::optional<double>(const geometry::DevicePoint &)> depthOnMesh;
-    /// The meshes' vertices in a box of world space, a few of them where there are many. Empty where the scene has no mesh.
+    /// The meshes' vertices in a box of world space, or a few of them where there are many. Null if
+    /// the scene has no mesh.
     std::function<std::vector<KnownPoint>(const geometry::Box &)> verticesIn;
 };
 
-/// A point that a program answered, as it was given.
+/// A program's answer, as the user gave it.
 struct WrongPoint {
     geometry::DevicePoint pixel; ///< continuous device pixels from the framebuffer's top-left corner
-    std::optional<double> depth; ///< the right one, in the picture's depth range
+    std::optional<double> depth; ///< the right depth, in the setup's depth range
     glm::dvec3 got{0.0};         ///< the wrong coordinate
-    glm::dvec3 lastDigit{1e-4};  ///< > 0: the unit of the last digit given, of each coordinate
+    glm::dvec3 lastDigit{1e-4};  ///< > 0: for each coordinate, the unit of its last given digit
     PointSpace space = PointSpace::World;
-    std::size_t model = 0;       ///< of Case::models, for object space
+    std::size_t model = 0;       ///< index in Case::models, for object space
     double depthLastDigit = 0.0; ///< the unit of the depth's last digit; 0: the depth is exact
 };
 
-/// In which of several ways a mistake is made.
+/// The variant of a mistake that has several.
 struct VariantName {
-    const char *words = nullptr; ///< marked for text::tr, %1 is the value: "ratio %1"; null: the value says it all
+    const char *words = nullptr; ///< marked for text::tr, %1 is the value: "ratio %1"; null: the value alone
     std::string value;
 
     VariantName() = default;
     VariantName(const char *marked, std::string ofIt = {}) : words(marked), value(std::move(ofIt)) {}
-    bool isEmpty() const { return words == nullptr && value.empty(); } ///< there are no others
+    bool isEmpty() const { return words == nullptr && value.empty(); } ///< the mistake has no other variant
 };
 
-/// How far a mistake cannot be told from the first of the candidates.
+/// The extent to which a mistake cannot be distinguished from the first candidate.
 enum class Alike {
     No,
-    InDigits, ///< both explain all digits given; their answers differ in further ones
-    Here,     ///< both give the same answer to these clicks, and another one to others
+    InDigits, ///< both explain all given digits; their answers differ in further digits
+    Here,     ///< both give the same answer to these clicks, but not to others
     Always    ///< both give the same answer to every click in this scene
 };
 
-/// What two mistakes have in common, that the right program has otherwise: the first of these that it is.
+/// The first quantity in which two mistakes agree with each other but not with the right program.
 enum class Shared { Window, Depth, Projection, View, Ndc, Matrix, Point };
 
-/// One mistake, or two of them, and what it answers.
+/// One or two mistakes, and their answer.
 struct Candidate {
-    std::string id;                ///< "right", "y-not-flipped", …, of two "a+b"
-    std::vector<VariantName> ways; ///< of those of its mistakes that are made in several; see waysText
+    std::string id;                ///< "right", "y-not-flipped", …; for two "a+b"
+    std::vector<VariantName> ways; ///< of its mistakes that have several variants; see waysText
     glm::dvec3 point{0.0};         ///< its answer to the first point, in that point's space
     double distance =
         0.0;        ///< the greatest difference of a coordinate, in units of its last digit; mean over the points
-    int digits = 0; ///< how many of the digits that count it explains, all coordinates of all points
-    std::array<int, 3> digitsOfFirst{}; ///< of these, those of each coordinate of the first point
-    bool explains = false; ///< all digits that count, of all points; the last of them may be cut off instead of rounded
-    bool isCutOff = false; ///< explains, and some of the last ones are
+    int digits = 0; ///< number of significant digits that it explains, all coordinates of all points
+    std::array<int, 3> digitsOfFirst{}; ///< the part of `digits` for each coordinate of the first point
+    bool explains = false; ///< all significant digits of all points; the last ones may be truncated instead of rounded
+    bool isCutOff = false; ///< explains, and some of the last digits are truncated
     Alike alike = Alike::No;
-    std::optional<Shared> shared; ///< where it is alike here or always
+    std::optional<Shared> shared; ///< set if alike is Here or Always
 };
 
-/// Where the wrong point lands with the right matrices: what is wrong there sorts the mistakes.
+/// The error of the wrong point after projection with the right matrices; it classifies the
+/// mistakes.
 enum class ErrorKind {
     Right,
     Pixel,  ///< the depth is right, x' and y' are not: pixel, viewport or lens
@@ -114,61 +118,66 @@ enum class ErrorKind {
     Matrix, ///< neither is right
 };
 
-/// How the points' own depths were known.
+/// The source of the points' depths.
 enum class DepthKnown {
     Given,
-    FromMesh, ///< of the scene's mesh, where the ray meets it
-    ByRay,    ///< not at all: answers are rays, and mistakes of the depth cannot be told from each other
+    FromMesh, ///< from the scene's mesh, where the ray hits it
+    ByRay,    ///< unknown: answers are rays, and depth mistakes cannot be distinguished
 };
 
 struct Diagnosis {
-    /// An id; "right"; "known-point" where no mistake explains the points as well as that they are a point of the scene; "unknown"
-    /// where nothing explains them, or anything might.
+    /// A mistake's id; "right"; "known-point" if no mistake explains the points as well as a point
+    /// of the scene does; "unknown" if nothing explains them, or anything might.
     std::string verdict;
-    /// The points of the scene that the first point is, if all points are such ones; several may lie in one place. A vertex
-    /// only where it is the verdict.
+    /// The points of the scene that equal the first point, if all points equal one; several may
+    /// coincide. Contains a vertex only if that is the verdict.
     std::vector<KnownPoint> known;
     std::vector<Candidate> candidates; ///< the best first, each id once; at least five
-    /// x', y' (device pixels from the top-left corner) and depth of the first wrong point, by the right matrices; nothing in
-    /// the plane of the eye.
+    /// x', y' (device pixels from the top-left corner) and depth of the first wrong point, by the
+    /// right matrices. Empty in the plane of the eye.
     std::optional<glm::dvec3> projected;
-    double depthUnsure = 0.0; ///< how far that depth moves when the point does, within its last digits; 0: not known
+    double depthUnsure = 0.0; ///< change of that depth when the point moves within its last digits; 0: unknown
     ErrorKind wrong = ErrorKind::Right;
     DepthKnown depthKnown = DepthKnown::Given;
-    std::optional<glm::dvec3> right; ///< what the first click gives, in its space; of an unknown depth, the nearest
-    /// The unit of the last digit that `right` has, a power of ten: what rounding and the depth's last digit leave to the click,
-    /// and of that seven digits of the greatest coordinate, or as many as were given.
+    std::optional<glm::dvec3> right; ///< answer to the first click, in its space; nearest if of unknown depth
+    /// The unit of the last digit of `right`, a power of ten. It follows from rounding and the
+    /// depth's last digit. It is at most as fine as seven digits of the greatest coordinate, or as
+    /// the given digits if those are finer.
     double rightLastDigit = 1.0;
-    int digitsGiven = 0;                       ///< what Candidate::digits is at most: those that count
-    int digitsWritten = 0;                     ///< all that were given, those that say nothing too
-    std::optional<geometry::DevicePoint> next; ///< the pixel whose answers tell the first candidates apart best
-    double nextApart = 0.0;                    ///< how far apart those of the first two are there, units of the space
-    std::size_t tried = 0;                     ///< mistakes and pairs, with all their variants
-    /// More digits were given than single precision holds, and only within what that leaves open is the verdict found.
+    int digitsGiven = 0;                       ///< maximum of Candidate::digits: the significant ones
+    int digitsWritten = 0;                     ///< all given digits, including insignificant ones
+    std::optional<geometry::DevicePoint> next; ///< the pixel whose answers distinguish the first candidates best
+    double nextApart = 0.0;                    ///< distance of the first two answers there, units of the space
+    std::size_t tried = 0;                     ///< number of mistakes and pairs, with all their variants
+    /// True if more digits were given than single precision holds, and the verdict holds only
+    /// within that precision.
     bool isSinglePrecision = false;
-    double chance = 0.0; ///< that a point without any such reason is explained as well as the first candidate does
+    double chance = 0.0; ///< chance that an unrelated point is explained as well as by the first candidate
 
-    /// Whether the verdict is a mistake, or two of them.
+    /// True if the verdict is one mistake or two.
     bool namesMistake() const { return verdict != "right" && verdict != "unknown" && verdict != "known-point"; }
-    /// Whether `wrong` tells what is wrong. A point of the scene is not computed from the click; and a mistake whose digits are too
-    /// few to tell the answer from the right one lands where that does.
+    /// True if `wrong` describes the error. A point of the scene is not computed from the click.
+    /// And if the digits are too few, a mistake's answer looks like the right one.
     bool tellsWrong() const { return verdict != "known-point" && !(namesMistake() && wrong == ErrorKind::Right); }
-    /// The candidates that cannot be told from the first one, at most three; none where the verdict is no mistake.
+    /// The candidates that cannot be distinguished from the first one, at most three; none if the
+    /// verdict is no mistake.
     std::vector<Candidate> alike() const;
-    /// The best of those that can be; null where there is none.
+    /// The best candidate that can be distinguished; null if there is none.
     const Candidate *runnerUp() const;
-    /// Whether `next` only tells the runner-up from the first candidate: those that are alike are so everywhere.
+    /// True if `next` only distinguishes the runner-up from the first candidate, because the alike
+    /// ones are alike everywhere.
     bool isNextFromRunnerUp() const;
 };
 
-/// Digits beyond what double precision leaves of a click's answer count for nothing; where no verdict is found, those beyond single
-/// precision do neither. No digit counts for more than the distance from the eye, as the 1 of 1e9 would.
-/// @param given  at least one, of one program; one that is given several times counts once
-/// @return the errors of check(setup), check(otherSize) and clipFromWorld; DepthOutsideRange; NotFinite (pixel, point);
-///         SingularMatrix
+/// Diagnoses wrong points. Digits beyond the double precision of a click's answer do not count. If
+/// no verdict is found, digits beyond single precision do not count either. No digit counts if its
+/// unit exceeds the distance from the eye, as the 1 of 1e9 would.
+/// @param given  at least one point, all of one program; repetitions count once
+/// @return the errors of check(setup), check(otherSize) and clipFromWorld; DepthOutsideRange;
+///         NotFinite (pixel, point); SingularMatrix
 geometry::Result<Diagnosis> diagnose(const Case &scene, std::span<const WrongPoint> given);
 
-/// The ids of all mistakes, by the way of a click.
+/// The ids of all mistakes, in the order of the stages from a click to a point.
 std::vector<std::string> mistakeIds();
 
 } // namespace unprojector::doctor

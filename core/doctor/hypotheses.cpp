@@ -10,7 +10,7 @@
 namespace unprojector::doctor {
 namespace {
 
-/// Answers whose coordinates differ by less than this, in units of the last digit, are one answer.
+/// Answers whose coordinates differ by less than this, in units of the last digit, count as equal.
 constexpr double kSameAnswer = 1e-3;
 
 double largest(const glm::dvec3 &v)
@@ -18,7 +18,7 @@ double largest(const glm::dvec3 &v)
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Tries a hypothesis on all points; nothing where one of them has no answer.
+/// Tries a hypothesis on all points; returns empty if one of them has no answer.
 std::optional<Hypothesis> tried(const Given &given, std::span<const Target> points, Hypothesis hypothesis)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -33,7 +33,7 @@ std::optional<Hypothesis> tried(const Given &given, std::span<const Target> poin
     return hypothesis;
 }
 
-/// Whether a mistake changes no answer that could be told from the right one.
+/// True if a mistake changes no answer distinguishably.
 bool isWithoutEffect(const Given &given, std::span<const Target> points, const Variant &variant)
 {
     const Variant *const parts[] = {&variant};
@@ -52,7 +52,7 @@ bool isRatio(const Variant &variant)
     return mistakes()[variant.mistake].id.starts_with("ratio-");
 }
 
-/// Whether a mistake is one of the view matrix, which closed formulas have too.
+/// True for a mistake of the view matrix, which closed formulas use too.
 bool isOfView(const Variant &variant)
 {
     return mistakes()[variant.mistake].id.starts_with("view-") && variant.stage == Stage::Factors;
@@ -68,7 +68,8 @@ bool hasOtherWay(const Variant &a, const Variant &b)
 double unitsOff(const Target &target, int axis, const glm::dvec3 &answer)
 {
     const double got = target.got[axis], off = (answer[axis] - got) / target.lastDigit[axis];
-    // Where fewer digits count than were given, the last that counts is not where the number was cut off.
+    // The number was not truncated at its last significant digit if fewer digits count than were
+    // given.
     const bool isAllThatWasGiven = target.lastDigit[axis] == target.writtenDigit[axis];
     const bool isNearerToZero = (got > 0.0 && off < -kRounded) || (got < 0.0 && off > kRounded);
     return isAllThatWasGiven && isNearerToZero ? std::max(2.0, std::abs(off)) : std::abs(off);
@@ -104,7 +105,7 @@ std::optional<Nearest> Hypothesis::nearest(const Given &given, const Target &tar
         const std::optional<glm::dvec3> second = answerTo(given, target.clicks[1]);
         if (!second)
             return std::nullopt;
-        // In units of the last digits, so that a coordinate counts by how well it is known.
+        // The units are the last digits', so that each coordinate counts by its precision.
         const glm::dvec3 way = (*second - *first) / target.lastDigit;
         const glm::dvec3 toGot = (target.got - *first) / target.lastDigit;
         const double length = glm::dot(way, way);
@@ -131,7 +132,7 @@ std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Target> p
     for (std::size_t i = 0; i < effective.size(); ++i) {
         for (std::size_t j = i + 1; j < effective.size(); ++j) {
             const Variant &a = *effective[i], &b = *effective[j];
-            // A program has one pixel ratio, and makes a mistake in one way.
+            // A program has one pixel ratio, and makes a mistake in one variant.
             if (a.mistake == b.mistake || (isRatio(a) && isRatio(b)))
                 continue;
             if (const auto two = tried(given, points, {{&a, &b}, 2}))

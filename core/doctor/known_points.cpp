@@ -14,9 +14,9 @@ namespace {
 
 using Kind = KnownPoint::Kind;
 
-/// The part of the distance from the eye that a last digit may be.
+/// The largest unit of a last digit, as a share of the distance from the eye.
 constexpr double kCoarsestDigit = 0.25;
-/// No other vertex may be as close as so many units of the last digit.
+/// The least distance of the next vertex, in units of the last digit.
 constexpr double kAlone = 5.0;
 
 glm::dvec3 transformed(const glm::dmat4 &m, const glm::dvec3 &point)
@@ -47,12 +47,12 @@ bool isFineEnough(const Target &target)
     return std::max({digit.x, digit.y, digit.z}) <= kCoarsestDigit * distance;
 }
 
-/// In the space of a click's point.
+/// The fixed points of the scene in the space of a click's point.
 std::vector<KnownPoint> fixedPoints(const Given &given, const Case &scene, const Click &click)
 {
     const glm::dmat4 spaceFromWorld = glm::inverse(worldFromSpace(given, click));
     std::vector<KnownPoint> all{{Kind::Eye, transformed(spaceFromWorld, given.eyePosition), {}}};
-    // In eye space that is the world's origin.
+    // This is the world's origin in eye space.
     if (click.space != PointSpace::Eye)
         all.push_back({Kind::ViewTranslation, glm::dvec3(given.eyeFromWorld[3]) / given.eyeFromWorld[3].w, {}});
     if (const auto *camera = std::get_if<LookAt>(&scene.setup.pose))
@@ -65,7 +65,7 @@ std::vector<KnownPoint> fixedPoints(const Given &given, const Case &scene, const
     return all;
 }
 
-/// The one vertex that a point is, in the point's space.
+/// The only vertex that equals a point, in the point's space.
 std::optional<KnownPoint> vertexOf(const Given &given, const Case &scene, const Target &target)
 {
     const glm::dmat4 worldFromPoint = worldFromSpace(given, target.clicks.front());

@@ -10,7 +10,7 @@ using namespace geometry;
 using text::marked;
 namespace {
 
-/// Of the half angle that spans the height, as a symmetric frustum has it.
+/// The tangent of half the vertical angle of a symmetric frustum.
 double tangentOf(const Run &run)
 {
     return 1.0 / run.clipFromEye[1][1];
@@ -26,7 +26,7 @@ double aspectOf(const Run &run)
     return run.clipFromEye[1][1] / run.clipFromEye[0][0];
 }
 
-/// Both axes wider by a factor.
+/// Widens both axes by a factor.
 void widen(Run &run, double factor)
 {
     run.clipFromEye[0][0] /= factor;
@@ -44,7 +44,7 @@ void setAspect(Run &run, double aspect)
     run.clipFromEye[0][0] = run.clipFromEye[1][1] / aspect;
 }
 
-/// Those that windows and pictures have, and programs start with.
+/// The usual aspects of windows and images, and of a program's initial window.
 constexpr Surface kUsualSizes[] = {{4, 3}, {16, 9}, {16, 10}, {3, 2}, {5, 4}, {21, 9}};
 
 void addPerspective(VariantList &list)
@@ -83,7 +83,7 @@ void addPerspective(VariantList &list)
         run.eye.x *= factor;
         run.eye.y *= factor;
     });
-    // Each axis between the angles of the frustum's edges.
+    // Each axis interpolates between the angles of the frustum's edges.
     list.add("linear-angle", Stage::Eye, [](Run &run, const Variant &) {
         const glm::dmat4 &m = run.clipFromEye;
         const double z = run.distance();

@@ -21,7 +21,7 @@ std::vector<KnownPoint> verticesIn(std::span<const scene::SceneObject> objects, 
                 const glm::dvec3 at(worldFromModel * glm::dvec4(own.position(vertex), 1.0));
                 if (glm::clamp(at, world.lowest, world.highest) != at)
                     continue;
-                // Of a soup many vertices lie in one place.
+                // Many vertices coincide in a triangle soup.
                 if (std::any_of(found.begin(), found.end(), [&at](const KnownPoint &one) { return one.point == at; }))
                     continue;
                 if (found.size() == kMost)

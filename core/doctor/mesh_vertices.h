@@ -8,8 +8,9 @@
 
 namespace unprojector::doctor {
 
-/// The vertices of the objects in sight that lie in a box of world space, its faces included, for Case::verticesIn. Every vertex
-/// is looked at: no tree is needed. One a place, at most a thousand.
+/// The vertices of the visible objects in a box of world space, including its faces, for
+/// Case::verticesIn. It tests every vertex, so no tree is needed. One per position, at most a
+/// thousand.
 std::vector<KnownPoint> verticesIn(std::span<const scene::SceneObject> objects, const geometry::Box &world);
 
 } // namespace unprojector::doctor

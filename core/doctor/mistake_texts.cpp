@@ -22,7 +22,7 @@ std::string nameOf(const KnownPoint &known)
     return tr("vertex %1 of \"%2\"", known.vertex, known.object);
 }
 
-/// What it usually comes from, in a clause.
+/// The usual cause, as a clause.
 std::string reasonOf(const KnownPoint &known)
 {
     switch (known.kind) {

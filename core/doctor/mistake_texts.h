@@ -8,24 +8,25 @@
 
 namespace unprojector::doctor {
 
-// What is said of mistakes, in the language of text::tr(), for the command and the window. Ids are those of a candidate, of two
-// mistakes "a+b".
+// Texts about mistakes, in the language of text::tr(), for the command and the window. Ids are
+// candidates' ids; two mistakes are "a+b".
 
-/// The mistakes of an id: one or two; none of "right", "unknown", "known-point" and "".
+/// The mistakes of an id: one or two; none for "right", "unknown", "known-point" and "".
 std::vector<std::string> partsOf(std::string_view id);
-/// In a few words: "y not flipped", of two "y not flipped + not divided by w".
+/// A short name: "y not flipped", or for two "y not flipped + not divided by w".
 std::string mistakeName(std::string_view id);
-/// What the program does, a sentence for each of its mistakes.
+/// The program's behaviour, one sentence for each of its mistakes.
 std::string mistakeSentence(std::string_view id);
-/// In which ways mistakes are made: "ratio 1.5; x only"; empty for none.
+/// The variants of the mistakes: "ratio 1.5; x only"; empty for none.
 std::string waysText(const std::vector<VariantName> &ways);
 
-/// "the world's origin and the camera's centre".
+/// The names of known points: "the world's origin and the camera's centre".
 std::string knownPointName(const std::vector<KnownPoint> &known);
-/// That the point is these, and what that usually comes from.
+/// The sentence that the point equals these, and the usual cause.
 std::string knownPointSentence(const std::vector<KnownPoint> &known);
 
-/// What a candidate that cannot be told from the first one shares with it, and what would tell them apart.
+/// The sentence about a candidate that cannot be distinguished from the first one: what both share,
+/// and what would distinguish them.
 std::string alikeSentence(const Candidate &candidate);
 
 } // namespace unprojector::doctor

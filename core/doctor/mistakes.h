@@ -10,13 +10,14 @@ namespace unprojector::doctor {
 
 struct Mistake {
     std::string_view id;
-    int reports = 0; ///< public threads found on its kind; decides between equals
+    int reports = 0; ///< public threads found about this kind; ranks equal candidates
 };
 
-/// Every mistake that is known, by the way of a click; in this order the ids of two are put together.
+/// All known mistakes, in the order of the stages from a click to a point. The id of two mistakes
+/// follows this order.
 std::span<const Mistake> mistakes();
 
-/// Every way to make each of them on what was given, by mistake.
+/// All variants of all mistakes for this input, sorted by mistake.
 std::vector<Variant> variants(const Given &given, const Case &scene);
 
 } // namespace unprojector::doctor

@@ -25,7 +25,7 @@ std::optional<DevicePoint> cellAt(const Given &given, int column, int row)
     return DevicePoint(std::floor(x) + kHalfPixel, std::floor(y) + kHalfPixel);
 }
 
-/// How far apart the answers of two hypotheses are, click by click; 0 where one has none.
+/// The distance of two hypotheses' answers, click by click; 0 where one has none.
 std::vector<double> apartOf(const Given &given, std::span<const Click> clicks, const Hypothesis &a, const Hypothesis &b)
 {
     std::vector<double> apart;

@@ -48,14 +48,14 @@ void addRatio(VariantList &list, double ratio)
              ratio, {marked("ratio %1, flipped in logical pixels"), value});
 }
 
-/// A place in the pixel other than the one clicked, device pixels to the right and up.
+/// Moves the position within the pixel, by device pixels to the right and up.
 template <int RightHalves, int UpHalves>
 void shift(Run &run, const Variant &)
 {
     run.position += glm::dvec2(0.5 * RightHalves, -0.5 * UpHalves);
 }
 
-/// The lower left or upper left corner of the pixel that the position lies in, wherever in it.
+/// Moves the position to the lower left or upper left corner of its pixel.
 template <int Down>
 void toCorner(Run &run, const Variant &)
 {

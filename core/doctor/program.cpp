@@ -22,7 +22,7 @@ bool isFinite(const glm::dvec3 &v)
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// What a projection's matrix does not say by itself.
+/// Sets what a projection's matrix alone does not contain.
 void readLens(Given &given, const Lens &lens)
 {
     if (const auto *projection = std::get_if<Projection>(&lens)) {
@@ -81,7 +81,7 @@ glm::dvec4 product(const glm::dmat4 &m, glm::dvec4 v, bool isInPlace)
     return v;
 }
 
-/// Works through the mistakes in the order of the stages.
+/// Applies the mistakes in the order of the stages.
 class Mistakes {
 public:
     Mistakes(Run &run, std::span<const Variant *const> mistakes) : m_run(run), m_mistakes(mistakes) {}
@@ -107,7 +107,8 @@ private:
     std::span<const Variant *const> m_mistakes;
 };
 
-/// The mistakes of closed formulas, made on the eye point; the matrices then get what would lead there.
+/// Applies the mistakes of closed formulas to the eye point. The matrices then get the input that
+/// leads there.
 void throughEye(Run &run, Mistakes &mistakes)
 {
     const glm::dvec4 undivided = glm::inverse(run.clipFromEye) * glm::dvec4(run.ndc, 1.0);
@@ -172,7 +173,7 @@ std::optional<Run> ran(const Given &given, const Click &click, std::span<const V
     run.nearDistance = given.nearDistance;
     run.farDistance = given.farDistance;
     run.clipFromEye = given.clipFromEye;
-    // Who answers in eye space has no view matrix to get wrong.
+    // A program that answers in eye space uses no view matrix.
     run.eyeFromWorld = click.space == PointSpace::Eye ? glm::dmat4(1.0) : given.eyeFromWorld;
     mistakes.make(Stage::Lens);
     run.ndc = glm::dvec3(ndcXy(run.viewport, run.window), ndcZ(given, run.depth));

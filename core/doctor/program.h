@@ -11,17 +11,18 @@
 
 namespace unprojector::doctor {
 
-/// What the wrong program was given, whatever it made of it: the picture as plain numbers, worked out once.
+/// The input of the wrong program: the setup as plain numbers, computed once.
 struct Given {
     geometry::Surface surface;
     geometry::Viewport viewport;
     geometry::DepthRange depthRange;
     geometry::NdcDepth ndcDepth = geometry::NdcDepth::MinusOneToOne;
     bool isPerspective = true;
-    bool isFrustum = false; ///< by the arguments of glFrustum, whose window stands on the near plane
+    bool isFrustum = false; ///< given by the arguments of glFrustum, whose window is on the near plane
     bool isReversed = false;
-    double side = -1.0; ///< of eye space, into which the camera looks: z_eye = side * distance
-    /// Eye units; NaN where the projection is a matrix that says nothing about them, infinity for a far plane there.
+    double side = -1.0; ///< direction of view in eye space: z_eye = side * distance
+    /// Eye units. NaN if the projection is a matrix without them; infinity for a far plane at
+    /// infinity.
     double nearDistance = 1.0, farDistance = 100.0;
     glm::dmat4 clipFromEye{1.0};
     glm::dmat4 eyeFromWorld{1.0};
@@ -31,32 +32,32 @@ struct Given {
     static geometry::Result<Given> of(const geometry::Setup &setup);
 };
 
-/// One click of the program, and what is right about it.
+/// One click of the program, and its right answer.
 struct Click {
     geometry::DevicePoint pixel;
     double depth = 0.0;
     PointSpace space = PointSpace::World;
-    glm::dmat4 worldFromObject{1.0}; ///< of the object whose space the answer is in; the identity for others
+    glm::dmat4 worldFromObject{1.0}; ///< of the object in whose space the answer is; the identity for other spaces
     glm::dvec3 eye{0.0};             ///< the right point, eye space
-    /// Depths of the pixels above and below, where the scene has a mesh there.
+    /// Depths of the pixels above and below, if the scene has a mesh there.
     std::optional<double> depthAbove, depthBelow;
 };
 
-/// The stages of the way from a click to a point. A mistake belongs to one of them, so that two mistakes go together by
-/// themselves; where both belong to the same stage, either may come first.
+/// The stages from a click to a point. Each mistake belongs to one stage, so two mistakes of
+/// different stages combine in a fixed order. Two of the same stage may come in either order.
 enum class Stage {
-    Pixel,   ///< where in the framebuffer, which flip, which viewport
+    Pixel,   ///< position in the framebuffer, flip, viewport
     Window,  ///< the window point's x and y
     Depth,   ///< the depth mapped back to [0, 1]
     Lens,    ///< the numbers of the projection matrix
-    Eye,     ///< the eye point, as closed formulas have it
+    Eye,     ///< the eye point of closed formulas
     Factors, ///< projection and view matrix
-    Product, ///< how the two become one inverse
-    Divide,  ///< the product of that with the point in NDC, and the division by w
+    Product, ///< the combination of both into one inverse
+    Divide,  ///< the product of the inverse with the NDC point, and the division by w
     Point,   ///< the answer itself
 };
 
-/// A program on its way: each stage reads what is there and leaves it for the next.
+/// The state of a program between stages: each stage reads it and updates it.
 struct Run {
     Run(const Given &toAll, const Click &clicked) : given(toAll), click(clicked) {}
 
@@ -69,7 +70,7 @@ struct Run {
     geometry::Viewport viewport;
 
     glm::dvec2 window{0.0};
-    double depth = 0.0; ///< 0 on the plane of the depth range's near end, 1 on the other
+    double depth = 0.0; ///< 0 at the depth range's near end, 1 at the far end
     double nearDistance = 0.0, farDistance = 0.0;
     glm::dmat4 clipFromEye{1.0}, eyeFromWorld{1.0};
     glm::dvec3 ndc{0.0}; ///< set after Lens
@@ -77,51 +78,52 @@ struct Run {
 
     enum class Order { InverseOfProduct, InverseOfTransposed, InversesInTheOrderOfTheFactors, NotInverted };
     Order order = Order::InverseOfProduct;
-    bool isInPlace = false; ///< each coordinate of the product overwrites that of the vector
+    bool isInPlace = false; ///< each coordinate of the product overwrites the vector's
     int divisions = 1;      ///< by w
-    /// The eye point goes straight through the inverse of the view, as closed formulas have it: no projection matrix, and
-    /// no division.
+    /// The eye point passes through the inverse of the view only, as in closed formulas: no
+    /// projection matrix and no division.
     bool isClosedForm = false;
 
-    glm::dmat4 spaceFromClip{1.0}; ///< set after Product, but for closed formulas
+    glm::dmat4 spaceFromClip{1.0}; ///< set after Product, except for closed formulas
     glm::dvec3 point{0.0};
-    bool isLost = false; ///< such a program has no answer here
+    bool isLost = false; ///< the program has no answer here
 
-    /// The share of the way from the near plane to the far one, of a depth in [0, 1].
+    /// The share of the distance from the near plane to the far plane, for a depth in [0, 1].
     double shareFromNear(double unitDepth) const { return given.isReversed ? 1.0 - unitDepth : unitDepth; }
-    /// The eye point at another distance on its ray.
+    /// Moves the eye point to another distance on its ray.
     void setDistance(double distance);
     double distance() const { return given.side * eye.z; }
 };
 
-/// One way to make a mistake.
+/// A variant of a mistake.
 struct Variant {
-    std::size_t mistake = 0; ///< its place in the list of mistakes
+    std::size_t mistake = 0; ///< index in the list of mistakes
     Stage stage = Stage::Pixel;
     void (*apply)(Run &, const Variant &) = nullptr;
     double parameter = 0.0, second = 0.0;
     glm::dmat4 matrix{1.0}; ///< of a model
-    VariantName name;       ///< empty where the mistake has one
+    VariantName name;       ///< empty if the mistake has one variant
 };
 
-/// A program with these mistakes at its end, with what each stage left; nothing where it has no finite answer.
-/// @param given, click  must outlive what is returned
-/// @param mistakes      in the order in which those of the same stage are made
-/// @param isClosedForm  see Run::isClosedForm; the mistakes are of the stages up to Factors
+/// The program with these mistakes after its last stage, with each stage's result; empty if it has
+/// no finite answer.
+/// @param given, click  must outlive the result
+/// @param mistakes      in the order of application within a stage
+/// @param isClosedForm  see Run::isClosedForm; the mistakes belong to stages up to Factors
 std::optional<Run> ran(const Given &given, const Click &click, std::span<const Variant *const> mistakes,
                        bool isClosedForm = false);
-/// What it answers.
+/// The answer of that program.
 std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::span<const Variant *const> mistakes,
                                  bool isClosedForm = false);
 
-/// Takes the space that a click's point is answered in to the world's.
+/// The transform from the space of a click's answer to world space.
 glm::dmat4 worldFromSpace(const Given &given, const Click &click);
 
 /// Sets the right eye point of a click's pixel and depth.
 void setRightEye(const Given &given, Click &click);
 
-/// Where a point of a space lies in the picture, by the right matrices: x, y in device pixels from the top-left corner,
-/// depth in the depth range. Nothing in the plane of the eye.
+/// The projection of a point with the right matrices: x, y in device pixels from the top-left
+/// corner, depth in the depth range. Empty in the plane of the eye.
 std::optional<glm::dvec3> projected(const Given &given, const Click &click, const glm::dvec3 &point);
 
 } // namespace unprojector::doctor

@@ -23,7 +23,7 @@ double reportsOf(const Hypothesis &hypothesis)
     return product;
 }
 
-/// Mistakes by their places, as a key.
+/// The indices of mistakes, as a key.
 using Key = std::array<std::size_t, 2>;
 constexpr std::size_t kNone = ~std::size_t{0};
 
@@ -98,7 +98,7 @@ std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
 
 int digitsOf(double coordinate, double lastDigit)
 {
-    // More than a double holds are none.
+    // Digits beyond a double's precision do not count.
     const double units = std::min(std::round(std::abs(coordinate) / lastDigit), 1e17);
     return units < 1.0 ? 1 : int(std::floor(std::log10(units) + 1e-9)) + 1;
 }
@@ -108,7 +108,7 @@ int digitsExplained(double coordinate, double lastDigit, double off)
     const int given = digitsOf(coordinate, lastDigit);
     if (off <= kCutOff)
         return given;
-    // An error of 5 units of a digit takes the digit after it, too.
+    // An error of 5 units of a digit spoils the next digit too.
     const double lost = std::ceil(std::log10(2.0 * off));
     return lost >= given ? 0 : given - int(lost);
 }

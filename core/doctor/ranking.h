@@ -8,22 +8,27 @@
 
 namespace unprojector::doctor {
 
-/// The id of a hypothesis: "right", that of its mistake, or those of both with a plus.
+/// The id of a hypothesis: "right", its mistake's, or both mistakes' joined by a plus.
 std::string idOf(const Hypothesis &hypothesis);
-/// In which ways its mistakes are made, where there are several.
+/// The variants of its mistakes that have several.
 std::vector<VariantName> waysOf(const Hypothesis &hypothesis);
 
-/// Hypotheses by how well they explain the points, the best first, each pair of mistakes once, by its best variant.
+/// Hypotheses ranked by how well they explain the points, the best first. Each pair of mistakes
+/// occurs once, with its best variant.
 ///
-/// First come those that explain all digits as rounded, then those that do as cut off, each by their simplicity and then by
-/// how often such mistakes are reported; then the others by their distance. A pair is left
-/// out where one of its mistakes, or none at all, explains the points as well.
+/// The order is:
+/// - hypotheses that explain all digits as rounded,
+/// - hypotheses that explain all digits as truncated,
+/// - the others by their distance.
+///
+/// The first two groups are sorted by simplicity and then by the number of reports of such
+/// mistakes. A pair is omitted if one of its mistakes, or none at all, explains the points as well.
 std::vector<Hypothesis> ranked(std::span<const Hypothesis> hypotheses);
 
-/// How many digits a coordinate was given with, those before the first that is not 0 left out; at least 1.
+/// The number of digits of a given coordinate, without leading zeros; at least 1.
 int digitsOf(double coordinate, double lastDigit);
-/// How many of them an answer explains.
-/// @param off  as unitsOff()
+/// The number of those digits that an answer explains.
+/// @param off  see unitsOff()
 int digitsExplained(double coordinate, double lastDigit, double off);
 
 } // namespace unprojector::doctor

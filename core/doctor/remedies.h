@@ -5,18 +5,19 @@
 
 namespace unprojector::doctor {
 
-/// A line of code as it stands where the mistake is made, and as it should.
+/// A line of code with the mistake, and the corrected line.
 struct CodeChange {
     std::string_view library; ///< GLU, GLM, Qt, three.js, NumPy
     std::string_view wrong, right;
 };
 
-/// What to say of a mistake and to do about it. In the code x, y are the pixel in device pixels from the top-left corner, i, j
-/// its whole column and row, W, H the framebuffer's size, d the depth, (vx, vy, w, h) the viewport.
+/// The description and the remedy of a mistake. In the code x, y are the pixel in device pixels
+/// from the top-left corner; i, j its integer column and row; W, H the framebuffer's size; d the
+/// depth; (vx, vy, w, h) the viewport.
 struct Remedy {
     std::string_view id;
-    const char *name;     ///< of the mistake, in a few words, marked for text::tr
-    const char *sentence; ///< what the program does, with its full stop; marked too
+    const char *name;     ///< short name of the mistake, marked for text::tr
+    const char *sentence; ///< the program's behaviour, with a full stop; marked too
     std::span<const CodeChange> code;
 };
 

@@ -30,7 +30,7 @@ bool isSame(const glm::dmat4 &a, const glm::dmat4 &b)
     return off <= 1e-9 * size;
 }
 
-/// Clicks all over the viewport, each at another depth.
+/// Clicks all over the viewport, each at a different depth.
 std::vector<Click> clicksEverywhere(const Given &given, const Click &like)
 {
     constexpr double kGoldenShare = 0.6180339887498949, kFromPlane = 0.05;
@@ -67,7 +67,7 @@ Alike alikeOf(const Given &given, std::span<const Target> points, const Hypothes
 {
     if (isSameHere(given, points, best, other))
         return isSameEverywhere(given, points.front().clicks.front(), best, other) ? Alike::Always : Alike::Here;
-    // By the ray alone all mistakes of the depth explain a point on it.
+    // All depth mistakes explain a point on the ray if only rays are known.
     if (std::any_of(points.begin(), points.end(), [](const Target &target) { return target.isLine; }))
         return Alike::No;
     const double allowed = best.worst <= kRounded ? kRounded : kCutOff;

@@ -7,18 +7,18 @@
 
 namespace unprojector::doctor {
 
-/// Whether two hypotheses give the same answers to all clicks that the points were sought with.
+/// True if two hypotheses give the same answers to all clicks of the targets.
 bool isSameHere(const Given &given, std::span<const Target> points, const Hypothesis &a, const Hypothesis &b);
 
-/// How far a hypothesis cannot be told from the best one.
+/// The extent to which a hypothesis cannot be distinguished from the best one.
 /// @param best  of ranked(), explains all points
 Alike alikeOf(const Given &given, std::span<const Target> points, const Hypothesis &best, const Hypothesis &other);
 
-/// Whether a pair is the best mistake said in other words: two mistakes of one stage, of which one undoes a part of the other, as
-/// depth 0 turned round is depth 1.
+/// True if a pair is equivalent to the best mistake: two mistakes of one stage, one of which undoes
+/// part of the other. Example: depth 0, reversed, is depth 1.
 bool isRestated(const Given &given, std::span<const Target> points, const Hypothesis &best, const Hypothesis &pair);
 
-/// What two hypotheses that give the same answer have in common on their way there.
+/// The common intermediate result of two hypotheses that give the same answer.
 Shared sharedOf(const Given &given, const Click &click, const Hypothesis &a, const Hypothesis &b);
 
 } // namespace unprojector::doctor

@@ -10,26 +10,26 @@
 
 namespace unprojector::doctor {
 
-/// Collects the ways to make mistakes, each under the mistake that it is one of.
+/// Collects the variants of mistakes, each under its mistake.
 class VariantList {
 public:
     using Apply = void (*)(Run &, const Variant &);
 
-    /// @param name  where there are several
+    /// @param name  needed if there are several
     void add(std::string_view id, Stage stage, Apply apply, double parameter = 0.0, VariantName name = {});
-    /// One of another size of the window; its parameters are width and height.
+    /// Adds a variant with another size of the window; its parameters are width and height.
     void add(std::string_view id, Stage stage, Apply apply, const geometry::Surface &size, VariantName name = {});
-    /// One of a model's matrix.
+    /// Adds a variant with a model's matrix.
     void add(std::string_view id, Apply apply, const PlacedModel &model);
 
-    /// By their mistakes, those of one in the order in which they were added.
+    /// The variants sorted by mistake; variants of one mistake stay in the order of addition.
     std::vector<Variant> sorted() &&;
 
 private:
     std::vector<Variant> m_variants;
 };
 
-// Each family's, as they can be made on what was given.
+// Each adds the variants of one family that are possible with the input.
 void addPixelMistakes(VariantList &list, const Given &given, const std::optional<geometry::Surface> &otherSize);
 void addDepthMistakes(VariantList &list, const Given &given);
 void addLensMistakes(VariantList &list, const Given &given, const std::optional<geometry::Surface> &otherSize);

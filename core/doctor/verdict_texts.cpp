@@ -61,7 +61,8 @@ std::string verdictSentence(const Diagnosis &diagnosis)
 
 std::string digitsText(const Candidate &candidate, const Diagnosis &diagnosis)
 {
-    // Digits to which rounding leaves no meaning are written in the point, but no candidate explains them.
+    // Digits without significance after rounding are part of the point, but no candidate explains
+    // them.
     const int counted = diagnosis.digitsGiven;
     const bool countAll = counted == diagnosis.digitsWritten;
     const bool hasAll = candidate.digits == counted;
@@ -79,7 +80,7 @@ std::string projectedText(const Diagnosis &diagnosis)
         return tr("in the plane of the eye, by the right matrices");
     const glm::dvec3 &at = *diagnosis.projected;
     constexpr int kPixelDigits = 7;
-    constexpr double kShare = 0.1; // what a depth is short of may not show in the point's last digit
+    constexpr double kShare = 0.1; // the depth's missing part must not show in the point's last digit
     const std::string x = significantText(at.x, kPixelDigits), y = significantText(at.y, kPixelDigits),
                       depth = shortestText(at.z, kShare * diagnosis.depthUnsure);
     return diagnosis.tellsWrong()

@@ -6,28 +6,33 @@
 
 namespace unprojector::doctor {
 
-// The sentences about a diagnosis, for the command and the window, in the language of text::tr().
+// Sentences about a diagnosis, for the command and the window, in the language of text::tr().
 
-/// "y not flipped", and which of several ways to make it: "pixel corner (x only)".
+/// The candidate's name: "y not flipped", with the variant if there are several: "pixel corner (x
+/// only)".
 std::string candidateName(const Candidate &candidate);
-/// A headline: "right", "right, as far as the ray tells", "unknown", or the points of the scene that the point is.
+/// A headline: "right", "right, as far as the ray tells", "unknown", or the names of the known
+/// points.
 /// @pre no mistake is named
 std::string verdictName(const Diagnosis &diagnosis);
-/// That the point is right, that it is one of the scene, or why neither this nor a mistake can be said.
+/// The sentence that the point is right, that it equals a point of the scene, or why neither this
+/// nor a mistake is certain.
 /// @pre no mistake is named
 std::string verdictSentence(const Diagnosis &diagnosis);
-/// "all 11 digits given", "all 9 digits that count of the 12 given, the last not rounded but cut off".
+/// The explained digits: "all 11 digits given", "all 9 digits that count of the 12 given, the last
+/// not rounded but cut off".
 std::string digitsText(const Candidate &candidate, const Diagnosis &diagnosis);
-/// Where the first point lies in the picture, by the right matrices, and what of that is wrong.
+/// The first point projected with the right matrices, and the part of it that is wrong.
 std::string projectedText(const Diagnosis &diagnosis);
-/// "less than 0.0001 % that an unrelated point is explained as well".
+/// The chance in words: "less than 0.0001 % that an unrelated point is explained as well".
 std::string chanceText(double chance);
-/// That digits were given which single precision does not hold.
+/// The sentence that more digits were given than single precision holds.
 std::string precisionSentence();
-/// What tells the candidates apart: "by a click at 125.5 635.5: the answers are 5.1 or more apart there".
-/// @pre there is such a click
+/// The click that distinguishes the candidates: "by a click at 125.5 635.5: the answers are 5.1 or
+/// more apart there".
+/// @pre such a click exists
 std::string nextClickText(const Diagnosis &diagnosis);
-/// How the code of two mistakes is to be read, which are named.
+/// The instruction for combining the code changes of two named mistakes.
 std::string twoChangesSentence(const std::string &first, const std::string &second);
 
 } // namespace unprojector::doctor

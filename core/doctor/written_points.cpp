@@ -21,12 +21,12 @@ using text::CsvRow;
 
 constexpr std::size_t kDepth = 2;
 
-constexpr std::string_view kMinusSign = "\xe2\x88\x92"; // U+2212, which typeset numbers have for the sign
+constexpr std::string_view kMinusSign = "\xe2\x88\x92"; // U+2212, the minus sign of typeset numbers
 
 struct Replacement {
     std::string_view from, to;
 };
-/// What typeset text has for characters of programs: signs, blanks, commas, brackets.
+/// Typeset characters and the programs' equivalents: signs, blanks, commas, brackets.
 constexpr Replacement kReplacements[] = {{kMinusSign, "-"},     {"\xc2\xa0", " "},     {"\xe2\x80\xaf", " "},
                                          {"\xef\xbc\x8c", ","}, {"\xef\xbc\x88", "("}, {"\xef\xbc\x89", ")"}};
 
@@ -45,14 +45,14 @@ bool isLetter(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-/// A word that names something, as vec3 and x do; no number that is none.
+/// True for a word that is a name, such as vec3 and x, and no failed number.
 bool isName(std::string_view word)
 {
     const std::string small = landmark_files::lowerCase(word);
     return isLetter(word.front()) && small != "nan" && small != "inf" && small != "infinity";
 }
 
-/// Where each of kPointColumns stands in a header; its size where there is none.
+/// The index of each of kPointColumns in a header; the header's size if it is missing.
 using Places = std::array<std::size_t, kPointColumns.size()>;
 
 bool isHeader(const CsvRow &row)
@@ -105,9 +105,9 @@ std::optional<WrittenNumber> writtenNumber(std::string_view text)
             exponent.remove_prefix(1);
         int power = 0;
         std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
-        place += std::clamp(power, -400, 400); // as far as doubles go
+        place += std::clamp(power, -400, 400); // up to a double's range
     }
-    // More digits than a double has say nothing more.
+    // Digits beyond a double's precision have no meaning.
     const double least = std::max(std::abs(number.value), 1.0) * 1e-15;
     number.lastDigit = std::max(std::pow(10.0, place), least);
     if (!std::isfinite(number.lastDigit))
@@ -169,7 +169,7 @@ Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view
         isBehindComma = false;
         numbers.push_back(*number);
     }
-    // 1,500.5 2 3 are no four numbers.
+    // 1,500.5 2 3 are not four numbers.
     if (commas != 0 && commas + 1 != numbers.size())
         return NumbersFault{{}, numbers.size(), true};
     if (count == 3 && numbers.size() == 4 && numbers.back().value == 1.0)

@@ -9,55 +9,56 @@
 #include <string_view>
 #include <vector>
 
-/// Wrong points as people have them: printed by their program, one at a time or as a table.
+/// Wrong points as text: a program's output, one point at a time or as a table.
 namespace unprojector::doctor {
 
-/// A number with the digits it was written with.
+/// A number with its written digits.
 struct WrittenNumber {
     double value = 0.0;
-    double lastDigit = 1.0; ///< its unit: 0.01 of 1.50, 1000 of 3e3
+    double lastDigit = 1.0; ///< the unit of its last digit: 0.01 for 1.50, 1000 for 3e3
 };
 
-/// A number with ASCII's minus or U+2212, with the f of a C float behind it or not.
-/// @return nothing for what is no finite number
+/// Parses a number with ASCII's minus or U+2212, with or without the f of a C float.
+/// @return empty if it is no finite number
 std::optional<WrittenNumber> writtenNumber(std::string_view text);
 
-/// So many numbers as programs print them: "1.5 2 -3", "1.5, 2, -3", "vec3(1.5, 2, -3)", "[1.5 2. -3.]", "x=1.5 y=2 z=-3". Between
-/// all of them stand commas, or between none. A further 1, the w of a point, may stand behind three.
-/// @return nothing where there are others, or anything that is no number
+/// Parses `count` numbers as programs print them: "1.5 2 -3", "1.5, 2, -3", "vec3(1.5, 2, -3)",
+/// "[1.5 2. -3.]", "x=1.5 y=2 z=-3". Commas separate all of them or none. A further 1, the w of a
+/// point, may follow three.
+/// @return empty if the count differs, or if the text has anything else
 std::optional<std::vector<WrittenNumber>> writtenNumbers(std::string_view text, std::size_t count);
 
-/// Why a text is not so many numbers.
+/// The reason why a text is not the expected numbers.
 struct NumbersFault {
-    std::string word;            ///< the first that is no finite number; empty: their count or their commas are wrong
-    std::size_t found = 0;       ///< numbers
-    bool areCommasMixed = false; ///< between some of them and not between others, as decimal commas make it
-    /// Whether the word is what programs print for no number or an infinite one: nan, -inf, 1.#IND.
+    std::string word;            ///< the first word that is no finite number; empty: the count or the commas are wrong
+    std::size_t found = 0;       ///< count of numbers
+    bool areCommasMixed = false; ///< some are separated by commas and others are not, as with decimal commas
+    /// True if the word is a program's output for NaN or infinity: nan, -inf, 1.#IND.
     bool isNotFinite() const;
 };
-/// What is wrong with numbers that were given, and what to do, in the language of text::tr().
+/// The error in the given numbers and the remedy, in the language of text::tr().
 /// @param wanted  "the three coordinates as the program has printed them"
 std::string faultText(const NumbersFault &fault, const std::string &wanted);
-/// As writtenNumbers.
+/// Parses like writtenNumbers, but returns the reason of a failure.
 geometry::Result<std::vector<WrittenNumber>, NumbersFault> numbersOrFault(std::string_view text, std::size_t count);
 
-/// The unit of a depth's last digit, see WrongPoint. One of fewer than four decimals is taken for exact, as 0.5 is; one of
-/// more for rounded.
+/// The unit of a depth's last digit, see WrongPoint. A depth of fewer than four decimals counts as
+/// exact, as 0.5 does; one with more counts as rounded.
 double depthLastDigit(const WrittenNumber &depth);
 
-/// That a depth lies outside the range of a picture's depths, and what to do.
+/// The message that a depth lies outside the depth range, and the remedy.
 std::string depthOutsideText(const std::string &depth, const geometry::DepthRange &range);
 
-/// The columns of a table of wrong points, by their names.
+/// The column names of a table of wrong points.
 constexpr std::array<std::string_view, 6> kPointColumns{"px", "py", "depth", "x", "y", "z"};
 
-/// A row of it as it is written.
+/// A row of the table, as written.
 struct PointRow {
-    std::array<std::string, kPointColumns.size()> cells; ///< as kPointColumns; the depth's may be empty
-    std::size_t line = 0;                                ///< counted from 1, where it begins
-    bool isTooLong = false; ///< there is no header, and it has more cells than columns, as decimal commas make
+    std::array<std::string, kPointColumns.size()> cells; ///< in the order of kPointColumns; the depth's may be empty
+    std::size_t line = 0;                                ///< line where it begins, counted from 1
+    bool isTooLong = false; ///< no header exists, and the row has more cells than columns, as with decimal commas
 };
-/// Why a table cannot be read.
+/// The reason why a table cannot be read.
 struct PointTableError {
     enum class Kind {
         NoColumn,      ///< the header lacks `column`
@@ -68,11 +69,13 @@ struct PointTableError {
     std::size_t line = 0;
     std::string_view column;
 };
-/// The rows of a table, CSV as RFC 4180 has it. With a header, whose names are found in any order and capitals; without, its columns
-/// are those of kPointColumns.
+/// Parses the rows of a table, CSV as in RFC 4180. A header's names may be in any order and case.
+/// Without a header, the columns are kPointColumns.
 geometry::Result<std::vector<PointRow>, PointTableError> pointRows(std::string_view text);
 
-/// @return the place, in kPointColumns, of the first cell that is no number; their number where the row is too long
+/// Converts a row to a point.
+/// @return index, in kPointColumns, of the first cell that is no number; the number of columns if
+///         the row is too long
 geometry::Result<WrongPoint, std::size_t> pointOf(const PointRow &row);
 
 } // namespace unprojector::doctor

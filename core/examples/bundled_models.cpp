@@ -15,7 +15,7 @@ std::map<std::string, std::shared_ptr<const Model>> builtModels()
     std::map<std::string, std::shared_ptr<const Model>> models;
     const auto add = [&models](const std::vector<SceneObject> &objects) {
         for (const SceneObject &object : objects)
-            models.try_emplace(object.model->name, object.model); // the first of a name is it
+            models.try_emplace(object.model->name, object.model); // the first model of a name is used
     };
     add(bundledScene());
     const auto head = std::make_shared<Model>();

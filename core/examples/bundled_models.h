@@ -8,8 +8,8 @@
 
 namespace unprojector::examples {
 
-/// The models that the program brings along, by the names that scene files know them by. Built by the first call, from
-/// whatever thread it comes; all scenes share them.
+/// The program's bundled models, by their names in scene files. The first call builds them, in any
+/// thread; all scenes share them.
 const std::map<std::string, std::shared_ptr<const mesh::Model>> &bundledModels();
 
 } // namespace unprojector::examples

@@ -20,7 +20,7 @@ namespace {
 
 using Color = glm::u8vec4;
 
-// Muted, after the palette of Tableau 10.
+// Muted colours, based on the palette of Tableau 10.
 constexpr Color kBlue{78, 121, 167, 255};
 constexpr Color kClay{222, 150, 84, 255};
 constexpr Color kRed{225, 87, 89, 255};

@@ -28,14 +28,14 @@ constexpr Color kYellow{237, 201, 72, 255};
 constexpr Color kTeal{118, 183, 178, 255};
 constexpr Color kPurple{176, 122, 161, 255};
 constexpr Color kGrey{150, 152, 158, 255};
-// As the tutorials have them.
+// The tutorials' colours.
 constexpr Color kPureRed{255, 0, 0, 255};
 constexpr Color kPureGreen{0, 255, 0, 255};
 constexpr Color kPureBlue{0, 0, 255, 255};
 constexpr Color kWhite{255, 255, 255, 255};
 constexpr Color kFanColor{204, 204, 153, 255};
 
-// ---- shapes ------------------------------------------------------------------------------------------------------
+// ---- shapes -------------------------------------------------------------------------------------
 
 Mesh colored(Mesh mesh, const Color &color)
 {
@@ -43,7 +43,7 @@ Mesh colored(Mesh mesh, const Color &color)
     return mesh;
 }
 
-/// Triangles with a normal each; every corner keeps the colour of its place. Empty colours: white.
+/// Triangles with a normal each; every corner keeps the colour of its vertex. Empty colours: white.
 Mesh flatMesh(const std::vector<glm::vec3> &places, const std::vector<Color> &colors,
               const std::vector<std::array<std::size_t, 3>> &triangles)
 {
@@ -62,7 +62,7 @@ Mesh flatMesh(const std::vector<glm::vec3> &places, const std::vector<Color> &co
     return mesh;
 }
 
-/// In the plane z = 0, facing +z.
+/// A rectangle in the plane z = 0, facing +z.
 Mesh rectangle(const glm::vec2 &low, const glm::vec2 &high, const Color &color)
 {
     return colored(
@@ -71,7 +71,7 @@ Mesh rectangle(const glm::vec2 &low, const glm::vec2 &high, const Color &color)
         color);
 }
 
-/// A square plate in the plane z = 0: a point that a click can hit.
+/// A square plate in the plane z = 0: a mark that a click can hit.
 Mesh mark(const glm::vec2 &middle, float halfSide)
 {
     return rectangle(middle - halfSide, middle + halfSide, kYellow);
@@ -84,7 +84,7 @@ std::vector<Mesh> axes(float length, float width)
     return {rectangle({-half, -half}, {length, half}, kRed), rectangle({-half, half}, {half, length}, kGreen)};
 }
 
-/// What letters are drawn with: strokes in a box 1 high, whose width follows.
+/// A letter as strokes in a box of height 1 and its own width.
 struct Letter {
     float width;
     std::vector<glm::vec2> strokes; ///< from point to point
@@ -109,9 +109,9 @@ Letter letterOf(char name)
     }
 }
 
-/// Letters in the plane z = 0 from their lower left corner on.
-/// @param heights  of a letter along x and y: negative where that axis goes to the left or down in the picture, so that the
-///                 letters can be read there
+/// Letters in the plane z = 0, starting at their lower left corner.
+/// @param heights  of a letter along x and y: negative where that axis points left or down in the
+///         view, so that the letters stay readable
 Mesh label(std::string_view letters, const glm::vec2 &corner, const glm::vec2 &heights)
 {
     constexpr float kHalfStroke = 0.07f, kGap = 0.3f;
@@ -168,7 +168,7 @@ Mesh facesColored(Mesh cube)
     return cube;
 }
 
-// ---- scenes ------------------------------------------------------------------------------------------------------
+// ---- scenes -------------------------------------------------------------------------------------
 
 SceneObject object(std::string name, std::vector<Mesh> meshes, std::vector<TransformStep> transform = {})
 {
@@ -223,7 +223,7 @@ LookAt fromFive()
     return {WorldPoint(0, 0, 5), WorldPoint(0, 0, 0), {0, 1, 0}};
 }
 
-/// The camera that OpenGL starts with: eye coordinates are world coordinates.
+/// OpenGL's initial camera: eye coordinates are world coordinates.
 LookAt fromOrigin()
 {
     return {WorldPoint(0, 0, 0), WorldPoint(0, 0, -1), {0, 1, 0}};
@@ -240,15 +240,16 @@ Ortho zhangciOrtho()
     return {-10, 10, -10, 10, -10, 10};
 }
 
-// ---- zhangci-pipeline --------------------------------------------------------------------------------------------
+// ---- zhangci-pipeline ---------------------------------------------------------------------------
 
-/// Figures 2.3 to 2.5 in the plane z = 0. MC = [-1 0 4; 0 1 3; 0 0 1] is a mirror and a step. VC = [1 0 5; 0 -1 2; 0 0 1]
-/// is a mirror in the plane; in space it is a half turn about x: the camera looks along +z with its up downwards, so
-/// that (x, y, z) comes to (x - 5, 2 - y, -z) in eye coordinates.
+/// Figures 2.3 to 2.5 in the plane z = 0. MC = [-1 0 4; 0 1 3; 0 0 1] is a mirror and a
+/// translation. VC = [1 0 5; 0 -1 2; 0 0 1] is a mirror in the plane. In space it is a half turn
+/// about x: the camera looks along +z with its up downwards. Thus (x, y, z) becomes (x - 5, 2 - y,
+/// -z) in eye coordinates.
 Scene twoDimensional()
 {
     constexpr float kLength = 2.0f, kWidth = 0.12f, kLetter = 0.55f;
-    // In this picture the world's y goes down, and so do its letters.
+    // The world's y points down in this view, and so do its letters.
     const auto named = [](std::string_view name, float left, float low, float right, float up) {
         return joined(axes(kLength, kWidth), label(name, {left, low}, {right * kLetter, up * kLetter}));
     };
@@ -263,7 +264,7 @@ Scene twoDimensional()
                object("VC", named("VC", 0.3f, 1.45f, 1.0f, 1.0f), {movedBy(5, 2, 0), Scale{glm::dvec3(1, -1, 1)}})}));
 }
 
-/// Figures 2.6 and 2.7; the program draws the one point (1, 1, 0).
+/// Figures 2.6 and 2.7; the program draws only the point (1, 1, 0).
 Scene modelView()
 {
     constexpr auto kOwn = "MC, with the point (1, 1, 0)";
@@ -272,7 +273,7 @@ Scene modelView()
                            {object(kOwn, joined(axes(5.0f, 0.3f), mark({1.0f, 1.0f}, 0.5f)), {movedBy(0, 0, -3)})}));
 }
 
-/// Figure 2.10, with a cube of the side that the tutorial gives the volume by mistake.
+/// Figure 2.10, with a cube of the side length that the tutorial assigns to the volume by mistake.
 Scene orthographic()
 {
     return scene(fromFive(), zhangciOrtho(), keepingAspect(1.0),
@@ -298,11 +299,11 @@ Scene viewportTransform(const ViewportRule &viewport)
                            {object("Plate and outline", joined(squareOutline(8.0f, 0.6f), mark({0.0f, 0.0f}, 2.0f)))}));
 }
 
-// ---- projection-derivation ---------------------------------------------------------------------------------------
+// ---- projection-derivation ----------------------------------------------------------------------
 
 constexpr double kDerivationNear = 5.0, kDerivationFar = 80000.0;
 
-/// @param projection  of the three programs, in their window of 800 x 600
+/// @param projection  projection of the three programs, in their window of 800 x 600
 Scene derivation(const Projection &projection)
 {
     const Mesh fan = flatMesh({{0, 0, -20}, {30, 20, -40}, {40, 10, -30}}, {}, {{0, 1, 2}});
@@ -311,15 +312,16 @@ Scene derivation(const Projection &projection)
                   object("Circle of radius 5", disc(5.0, kTeal), {movedBy(-8, 0, -20)})});
 }
 
-/// left = -near tan(ViewAngleV / 2), bottom = -near tan(ViewAngleH / 2) with ViewAngleH = 90 degrees and
-/// tan(ViewAngleV / 2) = height / width. The two names are swapped: the angle across is V.
+/// left = -near tan(ViewAngleV / 2), bottom = -near tan(ViewAngleH / 2) with ViewAngleH = 90
+/// degrees and tan(ViewAngleV / 2) = height / width. The two names are swapped: the horizontal
+/// angle is V.
 Frustum derivationFrustum()
 {
     constexpr double kAcross = kDerivationNear * 600.0 / 800.0;
     return {-kAcross, kAcross, -kDerivationNear, kDerivationNear, kDerivationNear, kDerivationFar};
 }
 
-/// What ReSize writes into an array of sixteen numbers, with the same two angles.
+/// The sixteen numbers that ReSize writes into an array, with the same two angles.
 MatrixProjection derivationMatrix()
 {
     constexpr double kAspectRatio = 600.0 / 800.0; // height / width
@@ -334,7 +336,7 @@ MatrixProjection derivationMatrix()
     return {m, NdcDepth::MinusOneToOne};
 }
 
-/// @param given  one of glFrustum's form
+/// @param given  a matrix of glFrustum's form
 Scene derivation(const MatrixProjection &given)
 {
     Scene made = derivation(std::get<Frustum>(recognised(given).value().parameters));
@@ -347,10 +349,10 @@ Perspective derivationPerspective()
     return {std::numbers::pi / 2.0, 800.0 / 600.0, kDerivationNear, kDerivationFar};
 }
 
-// ---- opencascade-transforms --------------------------------------------------------------------------------------
+// ---- opencascade-transforms ---------------------------------------------------------------------
 
-/// Figure 4.1: the start of a line, the world's origin, in a window of 300 x 300. The article does not print its camera;
-/// with this one a unit is a pixel.
+/// Figure 4.1: the start of a line, the world's origin, in a window of 300 x 300. The article does
+/// not print its camera. With this camera a unit is a pixel.
 Scene roundTrip()
 {
     const LookAt camera{WorldPoint(0, 0, 100), WorldPoint(0, 0, 0), {0, 1, 0}};
@@ -363,7 +365,7 @@ Scene roundTrip()
                            {object("Line", {mark({0.0f, 0.0f}, 5.0f), colored(line, kGrey)})}));
 }
 
-// ---- parallel-projection -----------------------------------------------------------------------------------------
+// ---- parallel-projection ------------------------------------------------------------------------
 
 /// Program 1. `const int SIZE = 4.5` is 4.
 Scene parallelOrthographic()

@@ -15,7 +15,7 @@ using namespace mesh;
 
 namespace {
 
-constexpr int kRings = 144; ///< from the foremost point to the hindmost
+constexpr int kRings = 144; ///< from the foremost point to the rearmost
 constexpr int kAround = 160;
 
 /// 1 in the middle, 0.6 at one width from it.
@@ -30,7 +30,7 @@ double bell(double x, double y, double widthX, double widthY)
     return bell(x, widthX) * bell(y, widthY);
 }
 
-/// Grows from the root of the nose to its tip, where it ends at once.
+/// The nose's height: it grows from the root to the tip, where it ends at once.
 /// @param x, y  as in faceHeight
 double noseHeight(double x, double y)
 {
@@ -63,7 +63,7 @@ double mouthHeight(double x, double y)
     return 0.06 * bell(x, y + 0.48, 0.24, 0.17) + lips - groove - philtrum;
 }
 
-/// How far the face stands out of the egg, along z.
+/// The face's height above the egg, along z.
 /// @param x  of the left or the right half; y upwards
 double faceHeight(double x, double y)
 {
@@ -74,7 +74,7 @@ double faceHeight(double x, double y)
     return brows + cheek + chin + eyeHeight(x, y) + noseHeight(x, y) + mouthHeight(x, y);
 }
 
-/// How far the ear stands out, along x: a rim and a little of what it surrounds.
+/// The ear's height, along x: a rim and part of the inside.
 double earHeight(double y, double z)
 {
     const double fromMiddle = std::hypot((y - 0.08) / 0.22, (z + 0.02) / 0.13);
@@ -105,7 +105,7 @@ glm::dvec3 surfaceTowards(const glm::dvec3 &direction)
     return p;
 }
 
-/// @param ring  0 ahead … kRings behind
+/// @param ring  0 at the front … kRings at the back
 glm::dvec3 direction(int ring, int around)
 {
     const double share = double(ring) / kRings;

@@ -17,7 +17,8 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The i-th of n directions around a circle. Whole quarters are exact, so that extremes come out as given.
+/// The i-th of n directions around a circle. Quarter turns are exact, so that extremes are exact
+/// too.
 glm::dvec2 directionOnCircle(int i, int n)
 {
     constexpr std::array<glm::dvec2, 4> kQuarters{{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}}};
@@ -94,7 +95,8 @@ Mesh torusMesh(double ringRadius, double tubeRadius, int ringSegments, int tubeS
 Mesh sphereMesh(double radius, int subdivisions)
 {
     assert(radius > 0.0 && subdivisions >= 0);
-    // The icosahedron's corners are those of three golden rectangles, one in each coordinate plane.
+    // The icosahedron's vertices are the corners of three golden rectangles, one in each coordinate
+    // plane.
     const double g = std::numbers::phi;
     std::vector<glm::dvec3> directions{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                                        {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
@@ -144,7 +146,8 @@ Mesh coneMesh(double baseRadius, double height, int segments)
     };
     const auto count = static_cast<std::uint32_t>(segments);
     Mesh mesh;
-    // The apex has no normal of its own: each side triangle brings a vertex with the normal of its middle.
+    // The apex has no normal of its own: each side triangle has its own apex vertex with the normal
+    // of its middle.
     for (int i = 0; i < segments; ++i)
         addVertex(mesh, onBase(i), sideNormal(directionOnCircle(i, segments)));
     for (int i = 0; i < segments; ++i)

@@ -10,17 +10,18 @@ using namespace mesh;
 
 namespace {
 
-// The published list repeats itself: six bands are turned around the axis by quarters, and the spout and the handle
-// are the mirror images of their own halves. What is left is this.
+// The published list is redundant: six bands are rotated around the axis by quarters, and the spout
+// and the handle are mirror images of their own halves. This is the rest.
 
-/// One ring of control points. A quarter of it runs (radius, 0), (radius, bend), (bend, radius), (0, radius).
+/// One ring of control points. A quarter of it runs (radius, 0), (radius, bend), (bend, radius),
+/// (0, radius).
 struct Ring {
     double radius;
     double height;
     double bend;
 };
 
-/// One cross-section of a tube half: control points on two sides of the mirror plane's width.
+/// One cross-section of half a tube: control points on two sides of the mirror plane's width.
 struct Section {
     double innerX, innerHeight;
     double outerX, outerHeight;
@@ -54,7 +55,7 @@ constexpr Half kSpoutMouth{{{2.7, 2.4, 3.3, 2.4, 0.25},
                             {2.9, 2.475, 3.45, 2.5125, 0.15},
                             {2.8, 2.4, 3.2, 2.4, 0.15}}};
 
-/// A quarter turn from +x to +z.
+/// Rotates a quarter turn from +x to +z.
 glm::dvec3 turned(const glm::dvec3 &point)
 {
     return {-point.z, point.y, point.x};
@@ -65,8 +66,8 @@ glm::dvec3 mirrored(const glm::dvec3 &point)
     return {point.x, point.y, -point.z};
 }
 
-/// Four patches around the axis. The bands run downwards and outwards, so that turning from +x to +z makes the normals
-/// point out; the bottom runs outwards and up and has to turn the other way.
+/// Adds four patches around the axis. The bands run downwards and outwards, so that turning from +x
+/// to +z makes the normals point out. The bottom runs outwards and up and must turn the other way.
 void addBand(std::vector<BezierPatch> &patches, const Band &band, bool backwards = false)
 {
     BezierPatch patch;
@@ -89,7 +90,7 @@ void addBand(std::vector<BezierPatch> &patches, const Band &band, bool backwards
     }
 }
 
-/// The half of a tube with z > 0, and its mirror image.
+/// Adds half a tube with z > 0, and its mirror image.
 void addTube(std::vector<BezierPatch> &patches, const Half &half)
 {
     BezierPatch front;
@@ -107,7 +108,8 @@ void addTube(std::vector<BezierPatch> &patches, const Half &half)
     patches.push_back(back);
 }
 
-/// The cubic Bernstein polynomials at t, exact at 0 and 1: there patches that share an edge have to agree.
+/// The cubic Bernstein polynomials at t, exact at 0 and 1, where patches that share an edge must
+/// agree.
 std::array<double, 4> weights(double t)
 {
     const double s = 1.0 - t;
@@ -139,7 +141,7 @@ glm::dvec3 normalAt(const BezierPatch &patch, double u, double v)
     constexpr double kNoLength = 1e-12;
     if (v > 0.0 || glm::length(alongU) > kNoLength)
         return glm::normalize(normal);
-    // Near v = 0 dP/du is v d2P/dudv there, and the positive v leaves the direction alone.
+    // Near v = 0 dP/du is v d2P/dudv there, and the positive v does not change the direction.
     return glm::normalize(glm::cross(combined(patch, weightDerivatives(u), weightDerivatives(v)), alongV));
 }
 

@@ -7,8 +7,8 @@
 namespace unprojector::files {
 namespace {
 
-// FNV-1a: fast, and enough to notice a change that was not made to go unnoticed. It is no protection against a file that
-// somebody made on purpose with the same hash and length.
+// FNV-1a: fast, and sufficient to detect ordinary changes. It does not protect against a file made
+// on purpose with the same hash and length.
 constexpr std::uint64_t kHashStart = 14695981039346656037u;
 
 std::uint64_t hashed(std::uint64_t hash, std::string_view bytes)
@@ -25,7 +25,7 @@ FileStamp stampOf(const std::filesystem::path &file)
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
     FileStamp stamp{std::filesystem::exists(status)};
-    if (!std::filesystem::is_regular_file(status)) // a pipe would be waited for
+    if (!std::filesystem::is_regular_file(status)) // reading a pipe would block
         return stamp;
     std::ifstream stream(file, std::ios::binary);
     if (!stream)

@@ -6,7 +6,7 @@
 
 namespace unprojector::files {
 
-/// A path as UTF-8 with '/' between its parts, whatever the system's own encoding.
+/// A path as UTF-8 with '/' between its parts, in any system encoding.
 inline std::string utf8FromPath(const std::filesystem::path &path)
 {
     const std::u8string text = path.generic_u8string();

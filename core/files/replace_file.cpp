@@ -22,7 +22,7 @@ Written checked(const std::error_code &error)
     return std::monostate{};
 }
 
-/// What stands at the target, before anything is written.
+/// Checks the target before anything is written.
 Written checkTarget(const std::filesystem::path &target)
 {
     std::error_code error;
@@ -37,7 +37,8 @@ Written checkTarget(const std::filesystem::path &target)
             return FileError{FileErrorCode::NoFolder, {}};
         return std::monostate{};
     }
-    // To an administrator nothing is closed, but somebody took the permission away from all, and meant it.
+    // An administrator may write anything. But a file without any write permission was protected on
+    // purpose.
     using std::filesystem::perms;
     if ((status.permissions() & (perms::owner_write | perms::group_write | perms::others_write)) == perms::none)
         return FileError{FileErrorCode::IsReadOnly, {}};
@@ -65,7 +66,7 @@ std::string fileErrorText(const FileError &error)
 
 Result<ReplacingFile, FileError> ReplacingFile::open(const std::filesystem::path &file)
 {
-    if (isOwnDescriptor(file)) // behind that link there may be a file, but it is open already
+    if (isOwnDescriptor(file)) // the link may lead to a file, but that file is already open
         return FileError{FileErrorCode::NotAFile, {}};
     std::error_code error;
     ReplacingFile replacing;

@@ -10,23 +10,24 @@
 
 namespace unprojector::files {
 
-/// Writes a file by way of a new one beside it, which takes its place when all is written: whatever happens meanwhile, a
-/// full disk or a crash, what was there stays as it was. Of a link it is the file behind it that is replaced; the
-/// permissions stay, but for those of a group that the new file cannot have.
+/// Writes a file through a new one beside it, which replaces it when all is written. After a full
+/// disk or a crash the old file is unchanged. For a link, the file behind it is replaced. The
+/// permissions stay, except a group's where the new file cannot have that group.
 class ReplacingFile {
 public:
-    /// Makes the new file; nothing of the old one is touched before commit().
+    /// Creates the new file; the old one stays unchanged until commit().
     /// @return IsDirectory; NotAFile, see isStream; IsReadOnly; NoFolder; System
     static geometry::Result<ReplacingFile, FileError> open(const std::filesystem::path &file);
 
     /// @return System
     Written write(std::string_view bytes);
-    /// Waits for the disk and puts the new file in the old one's place. Without it, or where it fails, the new file goes
-    /// away with this object.
-    /// @param onlyIf  what the old file must still hold, so that nobody else's work is overwritten unseen
+    /// Waits for the disk and replaces the old file with the new one. Without this call, or if it
+    /// fails, the destructor removes the new file.
+    /// @param onlyIf  the expected stamp of the old file, so that no other program's work is
+    ///         overwritten unnoticed
     /// @return ChangedMeanwhile; System
     Written commit(const std::optional<FileStamp> &onlyIf = std::nullopt);
-    /// The new file, for whoever must remove it where this object cannot; empty after commit().
+    /// The path of the new file, for cleanup where this object cannot do it; empty after commit().
     const std::filesystem::path &freshFile() const { return m_fresh.path(); }
 
 private:
@@ -36,12 +37,13 @@ private:
     FreshFile m_fresh;
 };
 
-/// Writes a whole file by way of a ReplacingFile.
+/// Writes a whole file through a ReplacingFile.
 Written replaceFile(const std::filesystem::path &file, std::string_view contents,
                     const std::optional<FileStamp> &onlyIf = std::nullopt);
 
-/// Whether two names mean the same regular file, by whatever links and ways they lead there: an output that is the same
-/// file as an input would destroy it. False of devices, pipes and folders: writing to a device destroys no input.
+/// True if two names mean the same regular file, through any links and paths. An output that is the
+/// same file as an input would destroy it. False for devices, pipes and folders: writing to a
+/// device destroys no input.
 bool isSameFile(const std::filesystem::path &a, const std::filesystem::path &b);
 
 } // namespace unprojector::files

@@ -12,7 +12,8 @@ namespace unprojector::files {
 #ifdef _WIN32
 namespace {
 
-/// What a standard stream leads to: FILE_TYPE_DISK, _PIPE, _CHAR (a console or a device) or, for nothing, _UNKNOWN.
+/// The kind of a standard stream: FILE_TYPE_DISK, _PIPE, _CHAR (a console or a device) or, for
+/// none, _UNKNOWN.
 DWORD kindOf(DWORD stream)
 {
     const HANDLE handle = GetStdHandle(stream);
@@ -43,7 +44,8 @@ ParentConsole::ParentConsole()
 {
 #ifdef _WIN32
     const auto isRedirected = [](DWORD kind) { return kind == FILE_TYPE_DISK || kind == FILE_TYPE_PIPE; };
-    // Attaching may give the process standard handles of the console's: what it was started with is asked before.
+    // Attaching may give the process the console's standard handles, so the original ones are
+    // examined first.
     const DWORD output = kindOf(STD_OUTPUT_HANDLE), errors = kindOf(STD_ERROR_HANDLE);
     m_isAttached = !(isRedirected(output) && isRedirected(errors)) && AttachConsole(ATTACH_PARENT_PROCESS) != 0;
     if (m_isAttached && output == FILE_TYPE_UNKNOWN)

@@ -2,11 +2,12 @@
 
 #include <optional>
 
-// What the programs ask of the system for what they print.
+// System functions for the programs' output.
 
 namespace unprojector::files {
 
-/// While it lives, what the program writes to a Windows console is taken for UTF-8. Elsewhere it is anyway.
+/// Makes a Windows console interpret the program's output as UTF-8 while it lives. Other systems do
+/// so anyway.
 class Utf8Console {
 public:
     Utf8Console();
@@ -15,11 +16,12 @@ public:
     Utf8Console &operator=(const Utf8Console &) = delete;
 
 private:
-    [[maybe_unused]] unsigned m_before = 0; ///< on Windows: 0, nothing to put back
+    [[maybe_unused]] unsigned m_before = 0; ///< on Windows; 0: nothing to restore
 };
 
-/// While it lives, a program with windows writes into the console that it was started from, in UTF-8. Windows gives such a
-/// program no console; streams that go to a file or a pipe stay as they are. Elsewhere they all do.
+/// Connects a program with windows to the console that it was started from, in UTF-8, while it
+/// lives. Windows gives such a program no console. Streams to a file or a pipe stay unchanged; on
+/// other systems all streams do.
 class ParentConsole {
 public:
     ParentConsole();

@@ -25,9 +25,10 @@
 namespace unprojector::files {
 namespace {
 
-constexpr int kMostLinks = 40; // as Linux has it
+constexpr int kMostLinks = 40; // as on Linux
 
-// Of a fresh file's name. It is short, so that it fits beside the longest name, and hidden where a dot hides.
+// Parts of a fresh file's name. It is short, to fit where the target's name has the greatest
+// length, and hidden where a dot hides.
 constexpr std::string_view kNameStart = ".unprojector-", kNameEnd = ".tmp", kDigits = "0123456789abcdef";
 constexpr std::size_t kNameDigits = 16;
 
@@ -42,7 +43,7 @@ std::string randomName()
 
 bool isRandomName(const std::filesystem::path &path)
 {
-    const std::filesystem::path::string_type name = path.filename().native(); // which need not be Unicode
+    const std::filesystem::path::string_type name = path.filename().native(); // may be invalid Unicode
     if (name.size() != kNameStart.size() + kNameDigits + kNameEnd.size())
         return false;
     const auto digits = name.begin() + static_cast<std::ptrdiff_t>(kNameStart.size());
@@ -55,7 +56,7 @@ bool isRandomName(const std::filesystem::path &path)
 
 constexpr std::chrono::minutes kAbandonedAfter{10};
 
-/// Where a link points to; nothing where there is no link.
+/// The target of a link; empty if there is no link.
 std::optional<std::filesystem::path> linkTarget(const std::filesystem::path &file)
 {
     std::error_code error;
@@ -84,8 +85,8 @@ std::error_code lastError()
     return {errno, std::system_category()};
 }
 
-/// What of a replaced file's permissions the new one may have: none that were meant for an owner or a group that it does
-/// not have.
+/// The permissions of a replaced file that the new one may have: none for an owner or a group that
+/// it did not get.
 mode_t permissionsAfter(mode_t before, bool isOwnerKept, bool isGroupKept)
 {
     mode_t refused = 0;
@@ -101,7 +102,8 @@ mode_t permissionsAfter(mode_t before, bool isOwnerKept, bool isGroupKept)
 void removeUnlessHeld(const std::filesystem::path &file)
 {
 #ifdef _WIN32
-    // A program that still writes the file holds it open for writing, and this call does not share that.
+    // A program that still writes the file has it open for writing, and this call does not share
+    // that access.
     HANDLE handle = CreateFileW(file.c_str(), DELETE, 0, nullptr, OPEN_EXISTING,
                                 FILE_FLAG_DELETE_ON_CLOSE | FILE_FLAG_OPEN_REPARSE_POINT, nullptr);
     if (handle != INVALID_HANDLE_VALUE)
@@ -252,7 +254,8 @@ std::error_code FreshFile::create(const std::filesystem::path &folder, const std
 {
     struct stat before {};
     const bool isReplacing = ::stat(replaced.c_str(), &before) == 0;
-    // A new one is made with the permissions that the folder and the user's mask give it, which say what it gets in its place.
+    // A new file is created with the permissions from the folder and the user's mask; they are
+    // restored when it is moved.
     const mode_t mode = isReplacing ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
     for (int i = 0; i < 100 && m_descriptor < 0; ++i) {
         const std::filesystem::path path = folder / randomName();
@@ -269,8 +272,9 @@ std::error_code FreshFile::create(const std::filesystem::path &folder, const std
     ::flock(m_descriptor, LOCK_EX | LOCK_NB);
     m_permissions = made.st_mode & mode_t{07777};
     if (isReplacing) {
-        // Who may not give files away keeps them. The group comes first, as another's file cannot be given to one; the
-        // permissions last, as a change of owner may clear some.
+        // A user who may not give files away stays the owner. The group comes first, because
+        // another user's file cannot be given to a group. The permissions come last, because a
+        // change of owner may clear some.
         const bool isGroupKept = ::fchown(m_descriptor, static_cast<uid_t>(-1), before.st_gid) == 0;
         const bool isOwnerKept = ::fchown(m_descriptor, before.st_uid, static_cast<gid_t>(-1)) == 0;
         m_permissions = permissionsAfter(before.st_mode, isOwnerKept, isGroupKept);
@@ -313,11 +317,13 @@ std::error_code FreshFile::moveTo(const std::filesystem::path &target)
     if ((now.st_mode & mode_t{07777}) != m_permissions
         && ::fchmod(m_descriptor, static_cast<mode_t>(m_permissions)) != 0)
         return lastError();
-    // The lock is held until the file has its name, so that no other program removes it. sync() has put all of it on the disk.
+    // The lock is held until the file has its name, so that no other program removes it. sync() has
+    // put all its data on the disk.
     if (::rename(m_path.c_str(), target.c_str()) != 0)
         return lastError();
     close();
-    // The new name is on the disk when its folder is. Some file systems cannot be told so, and the file is there anyway.
+    // The new name is on the disk when its folder is. Some file systems cannot sync a folder; the
+    // file is there anyway.
     const std::filesystem::path folder = m_path.parent_path();
     m_path.clear();
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Windows' own header without what it adds that hurts: macros named min and max, sockets, OLE. Included only where the
-// system is Windows.
+// The Windows header without its harmful additions: macros named min and max, sockets, OLE. Include
+// it only on Windows.
 
 #ifndef NOMINMAX
 #define NOMINMAX

@@ -12,8 +12,8 @@ constexpr double radiansFromDegrees(double degrees)
     return degrees * kRadiansPerDegree;
 }
 
-/// The degrees with the fewest digits that give the same radians again, so that 45 stays 45; where no double does, the
-/// nearest one.
+/// The degrees with the fewest digits that convert back to exactly these radians, so that 45 stays
+/// 45. Where no double does, the nearest one.
 inline double degreesFromRadians(double radians)
 {
     const double degrees = radians / kRadiansPerDegree;

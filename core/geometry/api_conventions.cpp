@@ -14,7 +14,8 @@ constexpr ApiConventions named(const char *key, const char *name)
     return conventions;
 }
 
-/// NDC depths in [0, 1], pixels from the top: what all but OpenGL have since Direct3D.
+/// NDC depths in [0, 1], pixels from the top: the conventions of all APIs since Direct3D except
+/// OpenGL.
 constexpr ApiConventions modern(const char *key, const char *name)
 {
     ApiConventions conventions = named(key, name);
@@ -47,7 +48,7 @@ constexpr std::array<ApiConventions, kApis.size()> allConventions()
     return {openGl, vulkan, direct3d, metal, webGpu, threeJs, unity, openCv, openCascade};
 }
 
-/// In the order of Api.
+/// The conventions in the order of Api.
 constexpr std::array kApiConventions = allConventions();
 
 constexpr double sign(bool isTurned)
@@ -60,13 +61,13 @@ AxisChange worldChange(const ApiConventions &api)
     return {{1.0, 1.0, sign(api.isWorldMirrored)}, {}};
 }
 
-/// @param looksAlongPlusZ  whether the eye space to come from does
+/// @param looksAlongPlusZ  whether the source eye space looks along +z
 AxisChange eyeChange(const ApiConventions &api, bool looksAlongPlusZ)
 {
     return {{1.0, sign(api.isEyeYDown), sign(api.looksAlongPlusZ != looksAlongPlusZ)}, {}};
 }
 
-/// @param depth  of the clip space to come from
+/// @param depth  NDC depths of the source clip space
 AxisChange clipChange(const ApiConventions &api, NdcDepth depth)
 {
     AxisChange change{{1.0, sign(api.isNdcYDown), 1.0}, {}};
@@ -78,7 +79,7 @@ AxisChange clipChange(const ApiConventions &api, NdcDepth depth)
     return change;
 }
 
-/// windowFromNdc, also for NDC depths in [0, 1].
+/// windowFromNdc as an axis change, also for NDC depths in [0, 1].
 AxisChange viewportChange(const Setup &setup)
 {
     const Viewport &v = setup.viewport;
@@ -95,7 +96,8 @@ std::optional<RecognisedProjection> formOf(const Setup &setup)
     return form ? std::optional(*form) : std::nullopt;
 }
 
-/// K of a projection that divides by the z of OpenCV's eye space: positions are (first two rows of clip) / z.
+/// K of a projection that divides by the z of OpenCV's eye space: positions are (first two rows of
+/// clip) / z.
 std::optional<glm::dmat3> intrinsicsOf(const glm::dmat4 &clipFromEye, const glm::dmat4 &windowFromNdc)
 {
     const glm::dmat4 m = windowFromNdc * clipFromEye; // homogeneous pixels
@@ -149,7 +151,7 @@ ApiSpaces apiSpaces(const Setup &setup, Api which)
         window.scale.y = -1.0;
         window.shift.y = setup.surface.heightPixels;
     }
-    constexpr double kCentre = 0.5; // of our own pixels
+    constexpr double kCentre = 0.5; // of this program's pixels
     window.shift += glm::dvec3(api.pixelCentre - kCentre, api.pixelCentre - kCentre, 0.0);
     if (api.areLogicalPixels) {
         const glm::dvec3 ratio(setup.surface.devicePixelRatio, setup.surface.devicePixelRatio, 1.0);
@@ -212,7 +214,7 @@ MatrixProjection apiFromOurs(const MatrixProjection &projection, Api which)
     AxisChange clip = clipChange(api, ndcDepthOf(projection));
     if (api.hasOnlyThatDepth) {
         result.ndcDepth = api.ndcDepth;
-    } else { // what the matrix goes by is said beside it
+    } else { // result.ndcDepth tells the matrix's depth convention
         clip.scale.z = 1.0;
         clip.shift.z = 0.0;
     }
@@ -239,7 +241,7 @@ glm::dmat4 viewFromOurs(const glm::dmat4 &eyeFromWorld, Api which)
 
 glm::dmat4 oursFromView(const glm::dmat4 &eyeFromWorld, Api api)
 {
-    return viewFromOurs(eyeFromWorld, api); // signs, which undo themselves
+    return viewFromOurs(eyeFromWorld, api); // sign changes are their own inverse
 }
 
 } // namespace unprojector::geometry

@@ -8,7 +8,8 @@
 namespace unprojector::geometry {
 namespace {
 
-/// v times the power of two that brings its largest component into [1, 2): exact, and its square cannot overflow.
+/// v times the power of two that brings its largest component into [1, 2). The scaling is exact,
+/// and the square cannot overflow.
 DoubleDouble3 scaledToOne(const DoubleDouble3 &v)
 {
     const double largest = std::max({std::abs(v[0].value), std::abs(v[1].value), std::abs(v[2].value)});

@@ -16,7 +16,8 @@ struct LookAt {
     friend bool operator==(const LookAt &, const LookAt &) = default;
 };
 
-/// The eye's position and its orthonormal axes in world space: s points right, u up, f into the scene.
+/// The eye's position and its orthonormal axes in world space: s points right, u up, f into the
+/// scene.
 struct EyeFrame {
     WorldPoint eye;
     WorldVector side;
@@ -36,24 +37,25 @@ struct PreciseEyeFrame {
 ///
 ///   f = unit(center - eye), s = unit(f x up), u = s x f
 ///
-/// @return NotFinite; EyeEqualsCenter; UpIsZero; UpParallelToView (up within 1e-10 of the view direction: a direction
-///         that close is none that anybody chose)
-/// Source: gluLookAt; Weng et al. 2008, section 2.1, whose world x axis points left by mistake: it points right.
+/// @return NotFinite; EyeEqualsCenter; UpIsZero; UpParallelToView (up within 1e-10 of the view
+///         direction; no user chooses a direction that close)
+/// Source: gluLookAt; Weng et al. 2008, section 2.1. Its world x axis points left by mistake; the
+///         axis points right.
 Result<PreciseEyeFrame> preciseEyeFrame(const LookAt &view);
 Result<EyeFrame> eyeFrame(const LookAt &view);
 
-/// Rows s, u, -f and the translation that takes the eye to the origin.
+/// The matrix with rows s, u, -f and the translation that moves the eye to the origin.
 glm::dmat4 eyeFromWorld(const EyeFrame &frame);
 
-/// The rigid inverse of eyeFromWorld in closed form, no matrix is inverted:
+/// The rigid inverse of eyeFromWorld in closed form, without a matrix inversion:
 ///
 ///   p = eye + x s + y u + z f,  z = -z_eye
 ///
-/// Near the world's origin the eye and the way from it cancel; nothing is rounded before the sum is whole.
+/// Near the world's origin the eye and the offset from it cancel, so only the whole sum is rounded.
 WorldPoint worldFromEye(const PreciseEyeFrame &frame, const PrecisePoint<EyeSpace> &point);
 WorldPoint worldFromEye(const EyeFrame &frame, const EyePoint &point);
 
-/// The way forward, as dot products with the axes.
+/// The projection direction: dot products with the axes.
 EyePoint eyeFromWorld(const EyeFrame &frame, const WorldPoint &point);
 
 } // namespace unprojector::geometry

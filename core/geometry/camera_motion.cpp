@@ -13,7 +13,7 @@ namespace unprojector::geometry {
 namespace {
 
 constexpr WorldVector kWorldUp{0.0, 1.0, 0.0};
-/// The turntable stops this far from looking straight up or down.
+/// The turntable stops at this angle from looking straight up or down.
 constexpr double kPoleMarginRadians = 0.01;
 
 /// Rodrigues' rotation of v about a unit axis.
@@ -27,7 +27,7 @@ double centerDistance(const LookAt &camera)
     return distance(camera.center, camera.eye);
 }
 
-/// A camera's own frame. Callers hold a valid geometry, so it exists.
+/// A camera's own frame. Callers hold a valid setup, so it exists.
 EyeFrame frameOf(const LookAt &camera)
 {
     const Result<EyeFrame> frame = eyeFrame(camera);
@@ -35,8 +35,8 @@ EyeFrame frameOf(const LookAt &camera)
     return *frame;
 }
 
-/// A camera with these axes; its up is world up wherever that is the same camera, because that is what people
-/// expect to read and to pass to gluLookAt.
+/// A camera with these axes. Its up is world up wherever that gives the same camera, because users
+/// expect to read it and to pass it to gluLookAt.
 LookAt fromAxes(const WorldPoint &eye, const WorldVector &forward, const WorldVector &upward, double distance)
 {
     const WorldVector side = cross(forward, upward);
@@ -63,8 +63,9 @@ Window scaledAbout(Window w, double x, double y, double scale)
 LookAt orbited(const LookAt &camera, const WorldPoint &pivot, double yawRadians, double pitchRadians)
 {
     const EyeFrame frame = frameOf(camera);
-    // Tipping the scene towards the viewer lowers the view direction. The poles bound it; a camera that stands at one
-    // already (a top view) may leave it, not pass it. One that hangs upside down has no such bounds.
+    // Tipping the scene towards the viewer lowers the view direction, limited by the poles. A
+    // camera that is at a pole already (a top view) may leave it but not pass it. An upside-down
+    // camera has no limit.
     double pitch = -pitchRadians;
     if (dot(frame.upward, kWorldUp) > -1e-9) {
         const double elevation = std::asin(std::clamp(dot(frame.forward, kWorldUp), -1.0, 1.0));
@@ -120,14 +121,14 @@ Setup zoomed(const Setup &setup, const WorldPoint &anchor, double factor)
     if (isPerspective(setup.projection())) {
         result.camera().eye = frame.eye + (anchor - frame.eye) * (1.0 - 1.0 / factor);
     } else {
-        // The eye of a box comes along: that changes nothing in the picture of a glOrtho, and a perspective that is
-        // switched to later has the field of view it had.
+        // The eye of a box moves too. That changes nothing in the view of a glOrtho, and a
+        // perspective that is selected later has the same field of view as before.
         const double step = distance * (1.0 - 1.0 / factor);
         result.camera().eye = frame.eye + frame.forward * step;
         if (auto *ortho = std::get_if<Ortho>(&result.projection()))
             *ortho = scaledAbout(*ortho, inEye.x, inEye.y, 1.0 / factor);
         else if (auto *oblique = std::get_if<Oblique>(&result.projection())) {
-            // A sheared picture shifts as the eye steps forward.
+            // A sheared view shifts as the eye steps forward.
             const glm::dvec2 slope(cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians));
             const glm::dvec2 onWindow = glm::dvec2(inEye.x, inEye.y) + slope * inEye.z;
             const glm::dvec2 shift = slope * step;
@@ -144,7 +145,8 @@ LookAt recentered(const Setup &setup, const WorldPoint &point)
 {
     const EyeFrame frame = frameOf(setup.camera());
     const EyePoint inEye = eyeFromWorld(frame, point);
-    // The middle of the picture is the middle of the projection's window, which need not be on the view axis.
+    // The middle of the view is the middle of the projection's window, which need not be on the
+    // view axis.
     const ProjectionWindow w = projectionWindow(setup.projection());
     const double scale = isPerspective(setup.projection()) ? -inEye.z / w.nearDistance : 1.0;
     glm::dvec2 middle((w.left + w.right) / 2.0 * scale, (w.bottom + w.top) / 2.0 * scale);

@@ -8,8 +8,9 @@
 
 namespace unprojector::geometry {
 
-/// The numbers of a point or a vector, without its space. They come from GLM and go to GLM by name only: as
-/// `WorldPoint(v)` and as `point.coordinates()`, so that every place where a space is given or given up can be read.
+/// The numbers of a point or a vector, without its space. They convert from and to GLM by name
+/// only, as `WorldPoint(v)` and as `point.coordinates()`, so that the source shows each change of
+/// space.
 template <int Dimension>
 struct Components;
 
@@ -19,7 +20,7 @@ struct Components<2> {
 
     constexpr Components() = default;
     constexpr Components(double ofX, double ofY) : x(ofX), y(ofY) {}
-    template <std::same_as<glm::dvec2> Exactly> // or GLM would shorten a longer vector without a word
+    template <std::same_as<glm::dvec2> Exactly> // GLM would silently shorten a longer vector
     explicit constexpr Components(const Exactly &v) : x(v.x), y(v.y)
     {
     }

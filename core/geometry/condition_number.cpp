@@ -31,8 +31,8 @@ double largestEntry(const glm::dmat4 &matrix)
     return largest;
 }
 
-/// Row echelon by the largest pivot tells a singular matrix apart from one whose determinant is merely small:
-/// a determinant scales with the fourth power of the units.
+/// Row echelon by the largest pivot distinguishes a singular matrix from one whose determinant is
+/// merely small: a determinant scales with the fourth power of the units.
 bool isSingular(const glm::dmat4 &matrix)
 {
     glm::dmat4 m = matrix;

@@ -7,11 +7,11 @@ namespace unprojector::geometry {
 /// The greatest absolute value of an entry.
 double largestEntry(const glm::dmat4 &matrix);
 
-/// Whether a matrix has no inverse, told by its pivots.
+/// True if a matrix has no inverse, judged by its pivots.
 bool isSingular(const glm::dmat4 &matrix);
 
-/// How much inverting can amplify a relative error: |M| |M^-1| in the largest-row-sum norm, at least 1; infinity for a
-/// singular matrix.
+/// The greatest factor by which inverting amplifies a relative error: |M| |M^-1| in the
+/// largest-row-sum norm, at least 1. Infinity for a singular matrix.
 double conditionNumber(const glm::dmat4 &matrix);
 
 } // namespace unprojector::geometry

@@ -2,7 +2,8 @@
 
 namespace unprojector::geometry {
 
-// By Taylor's series of a 64th of the angle, doubled six times: sin 2x = 2 sin x cos x, 1 - cos 2x = 2 sin^2 x.
+// Taylor's series for a 64th of the angle, doubled six times: sin 2x = 2 sin x cos x, 1 - cos 2x =
+// 2 sin^2 x.
 SineCosine preciseSineCosine(const DoubleDouble &radians)
 {
     constexpr int kDoublings = 6;

@@ -8,7 +8,7 @@
 
 namespace unprojector::geometry {
 
-/// What the double nearest to a + b leaves out, exactly (Knuth's two-sum).
+/// The rounding error of a + b in double, exactly (Knuth's two-sum).
 inline double lostBySum(double a, double b)
 {
     const double sum = a + b;
@@ -32,22 +32,23 @@ struct Halves {
     }
 };
 
-/// What the double nearest to a b leaves out, exactly unless it underflows (Dekker). std::fma would do it in one step, but
-/// not every library rounds it as it should: that of MinGW goes through 64 bits.
+/// The rounding error of a b in double, exactly unless it underflows (Dekker). std::fma would do it
+/// in one step, but not every library rounds it correctly: MinGW's goes through 64 bits.
 inline double lostByProduct(double a, double b)
 {
     const Halves x(a), y(b);
     return x.low * y.low - (((a * b - x.high * y.high) - x.low * y.high) - x.high * y.low);
 }
 
-/// A number as the unevaluated sum of the double nearest to it and of what that double leaves out: about 32 digits, at the
-/// cost of some twenty operations of the processor for each of its own. For what happens once a click, where digits
-/// that cancel later must not be dropped on the way.
+/// A number as the unevaluated sum of the nearest double and its rounding error: about 32 digits.
+/// Each operation costs some twenty processor operations. Use it for work done once per click,
+/// where rounding must not drop digits that are needed after a later cancellation.
 ///
-/// Within 2^-100 of the result for sums of one sign, products, quotients and roots; a difference is within 2^-100 of the
-/// larger operand. The range is that of a double: beyond it `value` is infinite or NaN.
-/// Source: Dekker 1971; Joldes, Muller, Popescu 2017, "Tight and rigorous error bounds for basic building blocks of
-///         double-word arithmetic".
+/// Within 2^-100 of the result for sums of one sign, products, quotients and roots. A difference is
+/// within 2^-100 of the larger operand. The range is the same as a double's: beyond it `value` is
+/// infinite or NaN.
+/// Source: Dekker 1971; Joldes, Muller, Popescu 2017, "Tight and rigorous error bounds for basic
+///         building blocks of double-word arithmetic".
 struct DoubleDouble {
     double value = 0.0;
     double rest = 0.0; ///< at most half a unit in the last place of `value`
@@ -85,7 +86,8 @@ struct DoubleDouble {
     }
 
 private:
-    /// high + low with `value` the double nearest to it. @pre |low| <= |high|, or high is 0
+    /// The sum high + low, with `value` the double nearest to the sum. @pre |low| <= |high|, or
+    /// high is 0
     static DoubleDouble renormalised(double high, double low)
     {
         const double sum = high + low;
@@ -120,7 +122,7 @@ inline DoubleDouble length(const DoubleDouble3 &v)
     return sqrt(dot(v, v));
 }
 
-/// A point that goes on to another space before it is rounded.
+/// A point before rounding, for a further step to another space.
 template <class Space>
 struct PrecisePoint {
     DoubleDouble x, y, z;

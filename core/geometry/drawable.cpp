@@ -6,8 +6,8 @@ namespace unprojector::geometry {
 
 namespace {
 
-/// A number of single precision as a double. Read back from memory, because GCC 12 at -O3 takes two such conversions beside
-/// each other for none at all and leaves the digits that were rounded away.
+/// A single-precision number as a double. It is read back from memory because GCC 12 at -O3 removes
+/// two adjacent conversions and so keeps the digits that were rounded away.
 double exactDouble(float number)
 {
     const volatile float stored = number;

@@ -13,7 +13,7 @@
 
 namespace unprojector::geometry {
 
-/// The first NaN or infinity among numbers; nothing when there is none.
+/// The first NaN or infinity among numbers; empty if all are finite.
 inline std::optional<double> firstNotFinite(std::initializer_list<double> values)
 {
     for (const double value : values) {
@@ -33,7 +33,7 @@ std::optional<double> firstNotFinite(const double (&values)[Count])
     return std::nullopt;
 }
 
-/// The same of the components of GLM's vectors.
+/// The first NaN or infinity among the components of a GLM vector.
 template <class Vector>
 requires requires(const Vector &v)
 {
@@ -49,14 +49,14 @@ std::optional<double> firstNotFinite(const Vector &v)
     return std::nullopt;
 }
 
-/// The same of a point or a vector.
+/// The first NaN or infinity among the components of a point or a vector.
 template <int Dimension>
 std::optional<double> firstNotFinite(const Components<Dimension> &components)
 {
     return firstNotFinite(components.coordinates());
 }
 
-/// The same of a matrix, column by column.
+/// The first NaN or infinity in a matrix, column by column.
 inline std::optional<double> firstNotFinite(const glm::dmat4 &m)
 {
     for (int column = 0; column < 4; ++column) {
@@ -66,7 +66,8 @@ inline std::optional<double> firstNotFinite(const glm::dmat4 &m)
     return std::nullopt;
 }
 
-/// NotFinite with the place among the 16, column by column.
+/// Checks that all entries are finite.
+/// @return NotFinite with the index of the entry among the 16, column by column
 inline Check checkFinite(const glm::dmat4 &m)
 {
     for (int i = 0; i < 16; ++i) {

@@ -22,8 +22,8 @@ EyeFrame frameOf(const LookAt &camera)
     return *frame;
 }
 
-/// A needle that points at the eye has no width to fill the picture with: what is closer than this, in sizes of all that
-/// is shown, and what is smaller, counts as this.
+/// The smallest distance and size that count, as a share of the size of all that is shown. A needle
+/// that points at the eye has no width to fill the view with.
 constexpr double kLeastShare = 0.02;
 
 } // namespace
@@ -40,10 +40,11 @@ Framing::Framing(const Setup &setup) : m_setup(setup), m_frame(frameOf(setup.cam
     if (const auto *oblique = std::get_if<Oblique>(&projection))
         m_shear = {cotangent(oblique->thetaRadians), cotangent(oblique->phiRadians)};
 
-    // From the world's origin, not from the eye: where the camera is now does not matter.
+    // Measured from the world's origin, not from the eye: the camera's present position does not
+    // matter.
     const auto along = [](const WorldVector &axis) { return glm::dvec4(axis.coordinates(), 0.0); };
     const glm::dvec4 side = along(m_frame.side), upward = along(m_frame.upward), forward = along(m_frame.forward);
-    // A point seen at a rim: its place across is the rim's at its distance.
+    // A point seen at an edge: its lateral position is the edge's at its distance.
     const bool recedes = isPerspective(projection);
     m_planes[Side] = side;
     m_planes[Upward] = upward;
@@ -81,7 +82,8 @@ void Framing::add(const glm::dmat4 &worldFromSource, std::span<const glm::vec3> 
     std::vector<std::uint8_t> isNamed(indices.empty() ? 0 : positions.size());
     for (const std::uint32_t index : indices)
         isNamed[index] = 1;
-    // Of most points that are close to each other none is at a rim: the box around them tells so at once.
+    // Most groups of neighbouring points contain none at an edge. Their bounding box tells so
+    // without a test of each point.
     const auto reachesOut = [&](const glm::vec3 &lowest, const glm::vec3 &highest) {
         const glm::dvec3 middle = (glm::dvec3(lowest) + glm::dvec3(highest)) / 2.0;
         const glm::dvec3 half = glm::dvec3(highest) - middle;
@@ -103,7 +105,8 @@ void Framing::add(const glm::dmat4 &worldFromSource, std::span<const glm::vec3> 
         add(measures);
     };
     constexpr std::size_t kTogether = 256;
-    // With one of each the rims are nearly where they come to lie: then few reach out.
+    // One point of each group puts the edges near their final position, so that few groups reach
+    // out.
     for (std::size_t first = 0; first < positions.size(); first += kTogether)
         addAt(first);
     for (std::size_t first = 0; first < positions.size(); first += kTogether) {
@@ -147,15 +150,16 @@ Setup Framing::framed() const
 {
     Setup result = m_setup;
     LookAt &camera = result.camera();
-    const double depth = middle(Forward); // of what is shown; the camera's centre comes there
-    glm::dvec2 across(0.0);               // of the eye, along the picture's axes
+    const double depth = middle(Forward); // the depth of what is shown and of the camera's new centre
+    glm::dvec2 across(0.0);               // the eye's offset along the view's axes
     double along = 0.0;
     if (isPerspective(m_setup.projection())) {
-        // Where the points that touch opposite rims do so both at once: closer than that is too close.
+        // The eye is where the points at opposite edges touch both of them. Any closer is too
+        // close.
         along = std::min((m_lowest[FromLeft] - m_highest[FromRight]) / (m_high.x - m_low.x),
                          (m_lowest[FromBottom] - m_highest[FromTop]) / (m_high.y - m_low.y));
         along = std::min(along, m_lowest[Forward] - kLeastShare * size());
-        // Across, the other pair of rims leaves room on both sides: as much on the one as on the other.
+        // The other pair of edges leaves room on both sides; the eye divides it equally.
         across.x = (m_lowest[FromLeft] + m_low.x * along + m_highest[FromRight] + m_high.x * along) / 2.0;
         across.y = (m_lowest[FromBottom] + m_low.y * along + m_highest[FromTop] + m_high.y * along) / 2.0;
     } else {
@@ -175,7 +179,8 @@ Setup Framing::framed() const
             *ortho = scaled(*ortho);
         else if (auto *oblique = std::get_if<Oblique>(&result.projection()))
             oblique->box = scaled(oblique->box);
-        // The eye of a box comes along, so that a perspective that is switched to later has the field of view it had.
+        // The eye of a box moves too, so that a perspective that is selected later has the same
+        // field of view as before.
         along = depth - distance(m_setup.camera().center, m_setup.camera().eye) * scale;
         across = glm::dvec2(middle(FromLeft), middle(FromBottom)) + m_shear * along - windowMiddle;
     }

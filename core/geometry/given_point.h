@@ -7,10 +7,11 @@
 
 namespace unprojector::geometry {
 
-/// A point in numbers that somebody gives, in the space that they have it in. From there it is followed both ways.
+/// A point that the user gives in numbers, in a space of their choice. It is followed from there in
+/// both directions.
 struct GivenPoint {
     std::variant<ObjectPoint, WorldPoint, EyePoint, ClipPoint, NdcPoint, WindowPoint> point = WorldPoint();
-    std::string object = {}; ///< whose space an object point is in, by name; empty: worldFromObject is the identity
+    std::string object = {}; ///< name of the object that an object point belongs to; empty: worldFromObject = identity
     friend bool operator==(const GivenPoint &, const GivenPoint &) = default;
 };
 

@@ -19,7 +19,8 @@ Error entryError(const glm::dmat4 &m, int column, int row)
     return {ErrorCode::MatrixNotAProjection, m[column][row], double(column * 4 + row)};
 }
 
-/// The places, as column and row, that are 0 in every matrix of these forms, and in one of the two.
+/// The entries (column, row) that are 0 in every matrix of these forms, and further ones in a
+/// perspective.
 constexpr std::array<std::pair<int, int>, 6> kZeros{{{1, 0}, {0, 1}, {0, 2}, {1, 2}, {0, 3}, {1, 3}}};
 constexpr std::array<std::pair<int, int>, 3> kZerosOfPerspective{{{3, 0}, {3, 1}, {3, 3}}};
 
@@ -58,7 +59,8 @@ Result<ProjectionCoefficients> coefficientsOf(const glm::dmat4 &m)
     c.xScale = m[0][0];
     c.yScale = m[1][1];
     c.zOffset = m[3][2];
-    // A far plane behind infinity is one at infinity that was rounded, by as much as single precision does.
+    // A far plane behind infinity is one at infinity after rounding, by at most as much as single
+    // precision does.
     constexpr double kBehindInfinity = 0x1p-21;
     if (c.perspective && c.zOffset < 0.0 && c.zScale > -c.w && c.zScale <= -c.w * (1.0 - kBehindInfinity))
         c.zScale = -c.w;
@@ -74,7 +76,8 @@ ProjectionCoefficients scaledToOne(ProjectionCoefficients c)
     return c;
 }
 
-/// Whether the whole depth range lies in front of the eye; a far plane at infinity is in front of it.
+/// True if the whole depth range lies in front of the eye; a far plane at infinity counts as in
+/// front.
 bool isInFront(const ProjectionCoefficients &c, NdcDepth depth)
 {
     if (!c.perspective)
@@ -91,7 +94,7 @@ double roundedTo(double value, int digits)
     return rounded;
 }
 
-/// Replaces two numbers by those with the fewest digits that still fit, and says whether any do.
+/// Replaces two numbers by the ones with the fewest digits that still fit. Returns whether any do.
 template <class Fits>
 bool shorten(double &a, double &b, const Fits &fits)
 {
@@ -110,7 +113,7 @@ bool shorten(double &a, double &b, const Fits &fits)
     return fits(a, b);
 }
 
-/// Compares with a number of a matrix in the precision that the matrix was made in.
+/// Compares with a number of a matrix in the precision in which the matrix was computed.
 struct Same {
     bool single;
     bool operator()(double computed, double entry) const
@@ -129,7 +132,7 @@ Same sameAs(const glm::dmat4 &m)
     return {true};
 }
 
-/// Near and far of a perspective; far may be infinite.
+/// Sets the near and far of a perspective; far may be infinite.
 void readDistances(const ProjectionCoefficients &c, RecognisedProjection &result, double &n, double &f,
                    const Same &same)
 {
@@ -166,7 +169,7 @@ void readDistances(const ProjectionCoefficients &c, RecognisedProjection &result
     result.exact &= shorten(n, f, fits);
 }
 
-/// Left and right (or bottom and top) on the near plane of a perspective, or of a box.
+/// Sets left and right (or bottom and top) on the near plane of a perspective, or of a box.
 void readEdges(double scale, double offset, double n, double &low, double &high, bool perspective, const Same &same,
                bool &exact)
 {
@@ -220,7 +223,7 @@ RecognisedProjection readBox(const ProjectionCoefficients &c, NdcDepth depth, co
         result.parameters = box;
         return result;
     }
-    // An angle is found again only as well as its cotangent tells it.
+    // An angle is only as exact as its cotangent.
     const double cotTheta = c.xShear / c.xScale, cotPhi = c.yShear / c.yScale;
     constexpr double kQuarterTurn = 1.5707963267948966;
     const Oblique oblique{box, cotTheta == 0.0 ? kQuarterTurn : std::atan2(1.0, cotTheta),
@@ -238,7 +241,8 @@ DoubleDouble centredAndScaled(double position, double origin, double size, doubl
     return (w * centred / size + offset) / scale;
 }
 
-/// What of a depth range can be in front of the eye; chosen, where nothing is said, as the header tells.
+/// The depth convention that puts the depth range in front of the eye. Where none is given, it is
+/// chosen as MatrixProjection::ndcDepth describes.
 Result<NdcDepth> chosenDepth(const MatrixProjection &projection, const ProjectionCoefficients &c)
 {
     if (projection.ndcDepth) {

@@ -16,7 +16,7 @@ constexpr WorldVector kWorldUp{0.0, 1.0, 0.0};
 constexpr double kElevationRadians = radiansFromDegrees(35.0);
 constexpr double kAzimuthRadians = radiansFromDegrees(60.0); // from straight behind
 
-/// Rounded to the power of ten that is not above `step`, without leaving noise digits behind.
+/// Rounded to the largest power of ten up to `step`, without noise digits.
 double roundedTo(double value, double step)
 {
     const double power = std::floor(std::log10(step));
@@ -47,7 +47,7 @@ Placement placementOf(const EyeFrame &frame, const ViewVolumeMorph &morph)
 
 LookAt observerOf(const EyeFrame &watched, const WorldPoint &center)
 {
-    // Level ahead; a camera that looks straight up or down has its upper edge there.
+    // The level direction ahead; for a camera that looks straight up or down, its up direction.
     WorldVector ahead = watched.forward - kWorldUp * dot(watched.forward, kWorldUp);
     constexpr double kSteep = 1e-3;
     if (length(ahead) < kSteep)

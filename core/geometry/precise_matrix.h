@@ -9,12 +9,12 @@
 
 namespace unprojector::geometry {
 
-/// A 4x4 matrix of double-doubles, stored column by column, for products whose terms cancel: a translation by 1e8 that another
-/// one takes back would leave eight wrong digits in doubles.
+/// A 4x4 matrix of double-doubles, stored column by column, for products whose terms cancel. In
+/// doubles, a translation by 1e8 and its inverse would leave eight wrong digits.
 struct PreciseMatrix {
     std::array<std::array<DoubleDouble, 4>, 4> columns; ///< columns[c][r] is row r of column c
 
-    /// The matrix of these very doubles.
+    /// The matrix with exactly these doubles.
     explicit PreciseMatrix(const glm::dmat4 &exact);
 
     /// Rounds each number to the nearest double.

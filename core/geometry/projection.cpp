@@ -10,7 +10,7 @@
 namespace unprojector::geometry {
 namespace {
 
-/// Of both angles of an oblique projection that another kind turns into.
+/// Both angles of an oblique projection converted from another kind.
 constexpr double kFirstShearRadians = kPi / 4.0;
 
 Check checkWindow(const ProjectionWindow &w)
@@ -227,7 +227,7 @@ Projection converted(const Projection &projection, ProjectionKind kind, double d
     if (kindOf(projection) == kind)
         return projection;
 
-    // Everything goes by the window at `distance`, where both pictures are to agree.
+    // The window at `distance` is the reference, because both views must agree there.
     const ProjectionWindow w = projectionWindow(projection);
     const bool wasPerspective = isPerspective(projection);
     const double magnified = wasPerspective ? distance / w.nearDistance : 1.0;
@@ -241,7 +241,7 @@ Projection converted(const Projection &projection, ProjectionKind kind, double d
     if (kind == ProjectionKind::Ortho)
         return box;
     if (kind == ProjectionKind::Oblique) {
-        // A shear that is to be seen; 45 degrees moves a point by as much as it lies deep.
+        // A shear large enough to see; 45 degrees shifts a point by its depth.
         const double shift = cotangent(kFirstShearRadians) * distance;
         box = {box.left - shift, box.right - shift, box.bottom - shift,
                box.top - shift,  box.nearDistance,  box.farDistance};
@@ -250,7 +250,7 @@ Projection converted(const Projection &projection, ProjectionKind kind, double d
 
     Frustum frustum{w.left, w.right, w.bottom, w.top, w.nearDistance, w.farDistance};
     if (!wasPerspective) {
-        constexpr double kNearShare = 0.01; // of the distance, where a box begins behind the eye
+        constexpr double kNearShare = 0.01; // share of the distance, where a box begins behind the eye
         const double n = box.nearDistance > 0.0 ? box.nearDistance : distance * kNearShare;
         const double k = n / distance;
         frustum = {box.left * k, box.right * k, box.bottom * k, box.top * k, n, std::max(box.farDistance, 2.0 * n)};

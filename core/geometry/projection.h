@@ -10,15 +10,16 @@
 
 namespace unprojector::geometry {
 
-/// The arguments of glFrustum: the window [left, right] x [bottom, top] on the plane z_eye = -near, eye units.
-/// It may be off-centre, and mirrored (left > right). 0 < near < far.
+/// The arguments of glFrustum: the window [left, right] x [bottom, top] on the plane z_eye = -near,
+/// eye units. It may be off-centre, and mirrored (left > right). 0 < near < far.
 struct Frustum {
     double left = -1.0, right = 1.0, bottom = -1.0, top = 1.0;
     double nearDistance = 1.0, farDistance = 100.0;
     friend bool operator==(const Frustum &, const Frustum &) = default;
 };
 
-/// The arguments of glOrtho, eye units. near and far are distances in front of the eye; either may be negative.
+/// The arguments of glOrtho, eye units. near and far are distances in front of the eye; either may
+/// be negative.
 struct Ortho {
     double left = -1.0, right = 1.0, bottom = -1.0, top = 1.0;
     double nearDistance = 1.0, farDistance = 100.0;
@@ -33,8 +34,8 @@ struct Perspective {
     friend bool operator==(const Perspective &, const Perspective &) = default;
 };
 
-/// A sheared glOrtho box: x += cot(theta) z_eye, y += cot(phi) z_eye before the box is normalised. An angle of
-/// pi/2 leaves its axis unsheared.
+/// A sheared glOrtho box: x += cot(theta) z_eye, y += cot(phi) z_eye before the box is normalised.
+/// An angle of pi/2 leaves its axis unsheared.
 struct Oblique {
     Ortho box;
     double thetaRadians = radiansFromDegrees(90.0);
@@ -44,62 +45,64 @@ struct Oblique {
 
 using Projection = std::variant<Frustum, Ortho, Perspective, Oblique>;
 
-/// What is wrong with the parameters: NotFinite; LeftEqualsRight; BottomEqualsTop; NearNotPositive (frustum and
-/// perspective); NearNotBeforeFar; FieldOfViewOutOfRange; AspectNotPositive; ShearAngleOutOfRange.
+/// Checks the parameters.
+/// @return NotFinite; LeftEqualsRight; BottomEqualsTop; NearNotPositive (frustum and perspective);
+///         NearNotBeforeFar; FieldOfViewOutOfRange; AspectNotPositive; ShearAngleOutOfRange
 Check check(const Projection &projection);
 
-/// The symmetric frustum of gluPerspective: top = n tan(fovy/2), right = top * aspect. The tangent is our own, so that
-/// the digits do not depend on the system's library.
+/// The symmetric frustum of gluPerspective: top = n tan(fovy/2), right = top * aspect. The program
+/// computes the tangent itself, so the digits do not depend on the system's library.
 Frustum frustumFromPerspective(const Perspective &perspective);
 
-/// The window and clip distances that a projection uses on its near plane. For Oblique it is the unsheared box.
-/// Whether it is a frustum or a box is told by `isPerspective`.
+/// The window on the near plane and the clip distances of a projection. For Oblique it is the
+/// unsheared box. `isPerspective` distinguishes a frustum from a box.
 struct ProjectionWindow {
     double left, right, bottom, top, nearDistance, farDistance;
 };
 ProjectionWindow projectionWindow(const Projection &projection);
-/// The edges of that window before they are rounded: a perspective's hang on a tangent.
+/// The edges of that window before rounding: a perspective's edges depend on a tangent.
 struct PreciseEdges {
     DoubleDouble left, right, bottom, top;
 };
 PreciseEdges preciseEdges(const Projection &projection);
 bool isPerspective(const Projection &projection);
 
-/// The projection matrix as glFrustum, glOrtho and gluPerspective make it; for Oblique ortho * shear.
-/// The third row of the frustum is (0, 0, -(f+n)/(f-n), -2fn/(f-n)).
+/// The projection matrix as glFrustum, glOrtho and gluPerspective build it; for Oblique ortho *
+/// shear. The third row of the frustum is (0, 0, -(f+n)/(f-n), -2fn/(f-n)).
 /// @return the errors of `check`
-/// Source: OpenGL 2.1 reference; `parallel-projection` for the shear. (The zhangci tutorial prints the ortho
-///         matrix with a garbled third row.)
+/// Source: OpenGL 2.1 reference; `parallel-projection` for the shear. (The zhangci tutorial prints
+///         the ortho matrix with a garbled third row.)
 Result<glm::dmat4> clipFromEye(const Projection &projection);
 
 enum class ProjectionKind { Frustum, Perspective, Ortho, Oblique };
 ProjectionKind kindOf(const Projection &projection);
 
-/// The projection of another kind whose picture is as close as it can be: a frustum and a perspective exchange exactly
-/// (an off-centre frustum is centred, with its height); between frustum and box, and where a shear is dropped, what lies
-/// at `distance` in front of the eye keeps its place. The angles of a new oblique are 45 degrees, so that
-/// the shear is seen.
+/// The projection of another kind whose view is as similar as possible. A frustum and a perspective
+/// convert exactly (an off-centre frustum is centred and keeps its height). Between frustum and
+/// box, and where a shear is dropped, points at `distance` in front of the eye keep their position
+/// in the view. A new oblique gets angles of 45 degrees, so that the shear is visible.
 /// @param distance  > 0, eye units
 /// @pre the projection is valid
 Projection converted(const Projection &projection, ProjectionKind kind, double distance);
 
-/// The angle that radians stand for. Angles are given in degrees: where such of at most 12 digits give these radians, it is theirs
-/// before they were rounded, which the tangent of a field of view of 179 degrees would magnify a hundredfold; else it is what
-/// the double says.
+/// The exact angle behind rounded radians. Users give angles in degrees. If degrees of at most 12
+/// digits give these radians, the angle is those degrees, unrounded; otherwise it is the double. A
+/// rounded angle matters: the tangent of a field of view of 179 degrees magnifies its error a
+/// hundredfold.
 DoubleDouble preciseRadians(double radians);
 
-/// cot, exactly 0 at pi/2: an unsheared axis of an oblique projection stays unsheared.
+/// The cotangent, exactly 0 at pi/2: an unsheared axis of an oblique projection stays unsheared.
 DoubleDouble preciseCotangent(double radians);
 double cotangent(double radians);
 
-/// The same projection for a viewport of another aspect (width / height), so that a circle stays a circle: bottom
-/// and top stay; a frustum's left and right are scaled, which keeps the view axis at the same share of the width;
-/// a box is widened about its centre.
+/// The projection for a viewport of another aspect (width / height), in which a circle stays a
+/// circle. bottom and top stay. A frustum's left and right are scaled, which keeps the view axis at
+/// the same share of the width. A box is widened about its centre.
 /// @pre the projection is valid and aspect > 0
 Projection withAspect(const Projection &projection, double aspect);
 
-/// The same picture with other clip distances: a frustum's window is scaled along with its near plane.
-/// @pre 0 < nearDistance < farDistance where the projection is a perspective
+/// The same view with other clip distances: a frustum's window is scaled with its near plane.
+/// @pre 0 < nearDistance < farDistance if the projection is a perspective
 Projection withClipDistances(const Projection &projection, double nearDistance, double farDistance);
 
 } // namespace unprojector::geometry

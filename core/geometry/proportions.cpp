@@ -9,7 +9,7 @@ Proportions proportions(const Setup &setup, const WindowPoint &window)
     const ProjectionWindow w = projectionWindow(setup.projection());
     const Viewport &v = setup.viewport;
     const glm::dvec2 share((window.x - v.x) / v.width, (window.y - v.y) / v.height);
-    // Both ends come out exactly, which left + share (right - left) would not give.
+    // Both ends come out exactly; left + share (right - left) would not guarantee that.
     return {share, {w.left * (1.0 - share.x) + w.right * share.x, w.bottom * (1.0 - share.y) + w.top * share.y}};
 }
 

@@ -6,32 +6,33 @@
 
 namespace unprojector::geometry {
 
-/// Where a window position lies in the viewport and, by the same shares, in the projection window.
+/// A window position as shares of the viewport and, equally, of the projection window.
 struct Proportions {
     glm::dvec2 share; ///< of the viewport's width and height, 0 at the left and bottom edge; beyond [0, 1] outside it
-    glm::dvec2 position; ///< x_w and y_w in [left, right] x [bottom, top], eye units; of a frustum on its near plane
+    glm::dvec2 position; ///< x_w and y_w in [left, right] x [bottom, top], eye units; for a frustum on its near plane
 };
 
-/// Equal shares on both sides:
+/// The position by equal shares on both sides:
 ///
 ///   (x_w - left) / (right - left) = (x_v - vx) / width          (3)
 ///   (y_w - bottom) / (top - bottom) = (y_v - vy) / height       (4)
 ///
 /// @param window  device pixels, origin bottom-left; its depth is not used
-/// @pre the geometry is valid
-/// Source: Weng et al. 2008, section 2.2. An oblique projection's x_w and y_w are those of the sheared box.
+/// @pre the setup is valid
+/// Source: Weng et al. 2008, section 2.2. An oblique projection's x_w and y_w belong to the sheared
+///         box.
 Proportions proportions(const Setup &setup, const WindowPoint &window);
 
-/// How many times as wide as high a circle parallel to the projection plane is drawn:
+/// The ratio of width to height with which a circle parallel to the projection plane is drawn:
 ///
 ///   (width / |right - left|) / (height / |top - bottom|)
 ///
-/// 1 where the projection window has the viewport's aspect. Pixels are taken as square.
-/// @pre the geometry is valid
+/// 1 where the projection window has the viewport's aspect. Pixels are assumed square.
+/// @pre the setup is valid
 double circleAspect(const Setup &setup);
 
-/// Width and height of a pixel at a distance: (r-l) z / (n width) by (t-b) z / (n height) in perspective, (r-l) / width by
-/// (t-b) / height in a box.
+/// Width and height of a pixel at a distance: (r-l) z / (n width) by (t-b) z / (n height) in a
+/// perspective, (r-l) / width by (t-b) / height in a box.
 /// @param distance  z > 0 in front of the eye (any z for a box), eye units
 /// @return world units
 /// @pre the setup is valid and by parameters

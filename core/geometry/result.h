@@ -8,8 +8,8 @@
 
 namespace unprojector::geometry {
 
-/// What is wrong with an input. The wording is the caller's (core/text/error_text, gui/text/error_text); `Error` carries
-/// the offending values for it.
+/// The kinds of errors in an input. The caller words the message (core/text/error_text,
+/// gui/text/error_text); `Error` carries the offending values for it.
 enum class ErrorCode {
     NotFinite,             ///< value: the NaN or infinity given
     NearNotPositive,       ///< value: near; only a perspective needs near > 0
@@ -33,15 +33,15 @@ enum class ErrorCode {
     ScaleIsZero,           ///< value: 0
     RotationAxisIsZero,    ///< the axis has no length
     ClipPlaneHasNoNormal,  ///< A = B = C = 0
-    MatrixNotAProjection,  ///< value: the entry that fits no known form; other: its place, column by column from 0
+    MatrixNotAProjection,  ///< value: the entry that fits no known form; other: its index, column by column from 0
     ViewportNotWhole,      ///< value: the number with a fraction; OpenGL takes whole pixels
-    ViewportTooLarge,      ///< value: the number of pixels, other: the most that is drawn
+    ViewportTooLarge,      ///< value: the number of pixels, other: the largest number that is drawn
     FramebufferTooLarge,   ///< value: width, other: height, of a window that no driver draws
-    DepthRangeNotDrawable, ///< value: an end outside [0, 1], where OpenGL would cut it
-    ObjectTooFar,   ///< value: the coordinate that its transform gives it, an infinity or NaN where that overflows
-    ObjectTooSmall, ///< value: the size that its transform leaves of it
-    ViewNotRigid,   ///< value: how far the axes are from orthonormal; with other, the entry at that place
-    ViewMirrored,   ///< its axes are left-handed: no eye, center and up give it
+    DepthRangeNotDrawable, ///< value: an end outside [0, 1], where OpenGL would clamp it
+    ObjectTooFar,          ///< value: the coordinate after its transform, an infinity or NaN where that overflows
+    ObjectTooSmall,        ///< value: the size after its transform
+    ViewNotRigid,          ///< value: deviation of the axes from orthonormal; with other, the entry at that index
+    ViewMirrored,          ///< its axes are left-handed: no eye, center and up give it
 };
 
 struct Error {
@@ -50,7 +50,8 @@ struct Error {
     double other = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// A value, or the reason why there is none. There are no sentinel values: "no answer" is always an error.
+/// A value, or an error that explains why there is none. There are no sentinel values: "no answer"
+/// is always an error.
 template <class T, class E = Error>
 class [[nodiscard]] Result {
 public:
@@ -65,7 +66,8 @@ public:
         assert(hasValue());
         return *std::get_if<0>(&m_state);
     }
-    /// Of a temporary, a value and no reference: `const T &kept = f().value()` would dangle otherwise.
+    /// Returns a value, not a reference, because `const T &kept = f().value()` would dangle
+    /// otherwise.
     T value() &&
     {
         assert(hasValue());
@@ -78,7 +80,7 @@ public:
     T operator*() const && = delete;
 
     const T *operator->() const & { return &value(); }
-    const T *operator->() const && = delete; // it would point into the temporary: say f().value().member
+    const T *operator->() const && = delete; // it would point into the temporary: write f().value().member
 
     const E &error() const &
     {
@@ -96,7 +98,7 @@ private:
     std::variant<T, E> m_state;
 };
 
-/// The result of a check: nothing, or the reason for the refusal.
+/// The result of a check: nothing, or the error.
 using Check = Result<std::monostate>;
 
 } // namespace unprojector::geometry

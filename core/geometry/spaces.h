@@ -6,7 +6,7 @@
 
 #include <concepts>
 
-/// The coordinate spaces, stated once. Everything else in the project uses these names.
+/// The coordinate spaces. The whole project uses these names.
 ///
 ///   object  a mesh's own coordinates
 ///   world   the scene
@@ -14,13 +14,13 @@
 ///   clip    homogeneous, after the projection matrix, before the divide by w
 ///   NDC     [-1, 1]^3, left-handed: z grows away from the eye
 ///   window  device pixels, origin at the bottom-left corner, y up, depth in the depth range
-///   device  device pixels, origin at the top-left corner, y down (what a screenshot's row numbers count)
+///   device  device pixels, origin at the top-left corner, y down (as a screenshot counts its rows)
 ///   widget  logical pixels, origin at the top-left corner, y down; times the pixel ratio = device
 ///
-/// Vectors are columns, `M * v`. A transform is named targetFromSource, so that in a product the inner
-/// names meet: `clipFromWorld = clipFromEye * eyeFromWorld`.
+/// Vectors are columns, `M * v`. A transform is named targetFromSource, so that in a product the
+/// inner names match: `clipFromWorld = clipFromEye * eyeFromWorld`.
 ///
-/// Pixel (i, j) covers [i, i+1) x [j, j+1); its centre is (i + 1/2, j + 1/2), which is where OpenGL samples
+/// Pixel (i, j) covers [i, i+1) x [j, j+1). Its centre is (i + 1/2, j + 1/2), where OpenGL samples
 /// colour and depth.
 namespace unprojector::geometry {
 
@@ -49,25 +49,26 @@ struct WidgetSpace {
     static constexpr int kDimension = 2;
 };
 
-/// A point says where something is in its space: an eye, a pixel, a corner of a model. A new one is the origin.
+/// A position in a space: an eye, a pixel, a vertex of a model. The default is the origin.
 template <class Space>
 struct Point : Components<Space::kDimension> {
     using Components<Space::kDimension>::Components;
 };
 
-/// A space that has vectors: all but clip space, whose points are homogeneous. What lies between two of those nobody can
-/// say before they are divided by their w, and then they are in NDC.
+/// A space with vectors: all but clip space, whose points are homogeneous. Their difference is
+/// defined only after the divide by w, in NDC.
 template <class Space>
 concept Affine = !std::same_as<Space, ClipSpace>;
 
-/// A vector says how far and which way, from wherever one starts: an offset, an axis, "up". Were the origin of the space
-/// moved, all its points would get new coordinates, and its vectors would keep theirs. A new one has length 0.
+/// A displacement, independent of the start: an offset, an axis, "up". If the origin of the space
+/// moved, its points would get new coordinates and its vectors would keep theirs. The default has
+/// length 0.
 template <Affine Space>
 struct Vector : Components<Space::kDimension> {
     using Components<Space::kDimension>::Components;
 };
 
-// What can be done with them, all of it within one space:
+// The operations, all within one space:
 //
 //   point - point = vector       from the second to the first
 //   point + vector = point       -, +=, -=
@@ -76,7 +77,8 @@ struct Vector : Components<Space::kDimension> {
 //   point == point, vector == vector
 //   distance of two points; dot, cross, length and normalized of vectors
 //
-// Nothing else compiles: no sum or multiple of points, no length of a point, nothing between two spaces.
+// Nothing else compiles: no sum or multiple of points, no length of a point, nothing between two
+// spaces.
 
 template <Affine Space>
 constexpr Vector<Space> operator-(const Point<Space> &to, const Point<Space> &from)

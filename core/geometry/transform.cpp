@@ -16,7 +16,7 @@ Check checkFinite(const glm::dvec3 &v)
     return std::monostate{};
 }
 
-/// Exact at multiples of 90 degrees, where cos(pi/2) would leave 6e-17.
+/// Sine and cosine, exact at multiples of 90 degrees, where cos(pi/2) would leave 6e-17.
 SineCosine sineCosineOf(double degrees)
 {
     const double turn = std::remainder(degrees, 360.0);

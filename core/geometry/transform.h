@@ -11,21 +11,21 @@
 
 namespace unprojector::geometry {
 
-/// glTranslated(x, y, z)
+/// The step glTranslated(x, y, z).
 struct Translate {
     glm::dvec3 offset{0.0};
     friend bool operator==(const Translate &, const Translate &) = default;
 };
 
-/// glRotated(angle, x, y, z): degrees, counter-clockwise when the axis points to the viewer. The axis may have any
-/// length but 0.
+/// The step glRotated(angle, x, y, z): degrees, counter-clockwise when the axis points to the
+/// viewer. The axis may have any length but 0.
 struct Rotate {
     double degrees = 0.0;
     glm::dvec3 axis{0.0, 0.0, 1.0};
     friend bool operator==(const Rotate &, const Rotate &) = default;
 };
 
-/// glScaled(x, y, z). A factor of 0 would leave no inverse and is refused.
+/// The step glScaled(x, y, z). A factor of 0 is an error because it has no inverse.
 struct Scale {
     glm::dvec3 factors{1.0};
     friend bool operator==(const Scale &, const Scale &) = default;
@@ -36,12 +36,14 @@ using TransformStep = std::variant<Translate, Rotate, Scale>;
 /// @return NotFinite; RotationAxisIsZero; ScaleIsZero
 Check check(const TransformStep &step);
 
-/// The matrix that the OpenGL call of this step multiplies onto the current one. Quarter turns are exact.
+/// The matrix that the OpenGL call of this step multiplies onto the current one. Quarter turns are
+/// exact.
 /// @pre the step is valid
 glm::dmat4 matrixOf(const TransformStep &step);
 
-/// The product of the steps in the order of the calls: the last one is applied to the object first, as OpenGL does. It is
-/// computed in 32 digits and rounded at the end: translations far away that cancel leave no wrong digits.
+/// The product of the steps in the order of the calls: the last one is applied to the object first,
+/// as in OpenGL. It is computed with 32 digits and rounded at the end: large translations that
+/// cancel leave no wrong digits.
 /// @pre every step is valid
 glm::dmat4 worldFromObject(const std::vector<TransformStep> &steps);
 

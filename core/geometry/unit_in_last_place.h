@@ -5,9 +5,9 @@
 
 namespace unprojector::geometry {
 
-/// A unit in the last place: how far the next larger number of the same precision is.
+/// A unit in the last place: the distance to the next larger number of the same precision.
 /// @param size  0 or above
-/// @return above 0; infinite at the largest number, NaN of infinity and NaN
+/// @return above 0; infinite at the largest number, NaN for infinity and NaN
 template <class Real>
 Real unitInLastPlace(Real size)
 {

@@ -12,11 +12,13 @@
 namespace unprojector::geometry {
 namespace {
 
-/// A rotation of numbers in single precision, printed with six digits: 2e-6. What is off by more was meant to be.
+/// The tolerance for a rigid matrix. A rotation in single precision, printed with six digits, is
+/// off by 2e-6. A larger deviation is assumed to be intended.
 constexpr double kRigid = 1e-5;
 
-/// What is left of a last row (0, 0, 0, w) by elimination with full pivoting is at most the rounding of the numbers that
-/// it was done in, relative to the translation; cofactors and partial pivoting leave zeros. In doubles 1.4e-16.
+/// The tolerance for the last row (0, 0, 0, w), relative to the translation. Elimination with full
+/// pivoting leaves at most the rounding error of its precision, 1.4e-16 in doubles. Cofactors and
+/// partial pivoting leave zeros.
 constexpr double kRounding = 0x1p-50;
 
 Error notRigid(double value, int column, int row)

@@ -62,8 +62,9 @@ glm::dmat4 morphedFromEye(const ViewVolumeMorph &morph, double t)
 
 std::array<glm::dvec4, 6> closingPlanes(const ViewVolumeMorph &morph, double t)
 {
-    // clip.w +- clip.axis >= 0 with a slack of (1 - t) k. For the near plane of a perspective this reads
-    // z > near - (1 - t) k (f - n) / (2 f t), with z in front of the eye; w is 0 only at z = -(1 - t) k / t.
+    // clip.w +- clip.axis >= 0 with a slack of (1 - t) k. For a perspective's near plane this is
+    //   z > near - (1 - t) k (f - n) / (2 f t), with z in front of the eye.
+    // w is 0 only at z = -(1 - t) k / t.
     const glm::dmat4 rows = glm::transpose(morph.clipFromEye);
     const glm::dvec4 slack(0.0, 0.0, 0.0, (1.0 - t) * morph.weight);
     const auto plane = [&](int axis, double sign) { return (rows[3] + rows[axis] * sign) * t + slack; };

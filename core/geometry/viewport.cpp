@@ -8,7 +8,7 @@
 namespace unprojector::geometry {
 namespace {
 
-/// floor, but a value that rounding left just below a whole number counts as that number.
+/// floor, but a value that rounding put just below a whole number counts as that number.
 double floorSnapped(double value)
 {
     constexpr double kSnapPixels = 1e-6;
@@ -16,7 +16,7 @@ double floorSnapped(double value)
     return std::abs(value - nearest) < kSnapPixels ? nearest : std::floor(value);
 }
 
-/// The edge of device pixels that an edge in logical pixels comes to lie on; halves go up, as Qt rounds them.
+/// The edge of device pixels to which Qt rounds an edge in logical pixels; halves go up.
 double deviceEdge(double logical, double devicePixelRatio)
 {
     return std::floor(logical * devicePixelRatio + 0.5);

@@ -15,19 +15,20 @@ using DoubleDouble4 = std::array<DoubleDouble, 4>;
 
 DoubleDouble3 precise(const glm::dvec3 &v);
 
-/// m (p, 1), the last row left out.
+/// The product m (p, 1), without the last row.
 DoubleDouble3 product(const glm::dmat4 &m, const DoubleDouble3 &p);
 
-/// A point's stages on its way to the window, before they are rounded.
+/// A point in each space on its way to the window, before rounding.
 struct PreciseStages {
     DoubleDouble3 eye;
     DoubleDouble4 clip;
     DoubleDouble3 ndc, window; ///< not finite where clip[3] is 0: in the plane of the eye
 };
 
-/// From world space forward to the window, with 32 digits: far from the world's origin the digits of the point and of the
-/// eye cancel, and those of its pixel are what is left. Nothing is rounded before a stage is told. Prepared once for a
-/// picture; a point beyond the range of doubles is not finite.
+/// Projects from world space to the window with 32 digits. Far from the world's origin the digits
+/// of the point and of the eye cancel, and the remaining ones determine the pixel. Nothing is
+/// rounded before a stage is returned. Prepared once for a setup. A point beyond the range of
+/// doubles is not finite.
 class WayForward {
 public:
     /// @return the errors of clipFromWorld and check(viewport)
@@ -43,7 +44,7 @@ private:
     static DoubleDouble4 product(const Rows &rows, const DoubleDouble4 &v);
     PreciseStages fromHomogeneousEye(const DoubleDouble4 &eye) const;
 
-    glm::dvec3 m_origin{0.0}; ///< of the world, for m_eyeFromWorld: a camera's eye
+    glm::dvec3 m_origin{0.0}; ///< origin of the world, for m_eyeFromWorld: a camera's eye
     Rows m_eyeFromWorld, m_clipFromEye;
     Viewport m_viewport;
     DepthRange m_depthRange;

@@ -1,4 +1,5 @@
-// .landmarkAscii of Amira and Avizo: "# Avizo 3D ASCII 2.0", declarations, then sections of numbers, "@1" and so on.
+// .landmarkAscii of Amira and Avizo: "# Avizo 3D ASCII 2.0", declarations, then sections of
+// numbers, "@1" and so on.
 
 #include "core/landmark_files/lines.h"
 #include "core/text/text_scanner.h"
@@ -15,7 +16,7 @@ using text::marked;
 using text::tr;
 namespace {
 
-/// "Markers { float[3] Coordinates } @1"
+/// A declaration: "Markers { float[3] Coordinates } @1".
 struct Declaration {
     std::string type, name, section;
 };
@@ -64,8 +65,8 @@ ReadLandmarks readAmira(std::string_view text)
     ReadLandmarks read;
     Notes notes;
     std::optional<std::uint32_t> count;
-    std::map<std::string, std::string, std::less<>> sections; ///< of coordinates that are not read yet
-    bool isOther = false;                                     ///< the numbers of a section that says no places
+    std::map<std::string, std::string, std::less<>> sections; ///< coordinates that are not read yet, by section
+    bool isOther = false;                                     ///< the numbers belong to a section without coordinates
     while (lines.nextFilled()) {
         const std::vector<std::string_view> words = wordsOf(lines.text());
         if (words.size() == 3 && words[0] == "define" && words[1] == "Markers") {

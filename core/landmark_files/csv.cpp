@@ -1,4 +1,5 @@
-// Writing of our own table: name,x,y,z,object,face,u,v,w,note and, where a landmark has more, the columns for it.
+// Writes this program's table: name,x,y,z,object,face,u,v,w,note and the columns for other data
+// that a landmark has.
 
 #include "core/landmark_files/csv_columns.h"
 #include "core/landmark_files/lines.h"
@@ -74,7 +75,7 @@ std::array<std::string, kWrittenCount> cellsOf(const LandmarkSet &set, const Lan
     return cells;
 }
 
-/// The rows of a curve: one a semilandmark, or one without a place where they are not known.
+/// The rows of a curve: one per semilandmark, or one without coordinates if they are unknown.
 std::vector<std::array<std::string, kWrittenCount>> rowsOf(const LandmarkSet &set, const Curve &curve,
                                                            const std::string &name)
 {
@@ -98,7 +99,7 @@ std::vector<std::array<std::string, kWrittenCount>> rowsOf(const LandmarkSet &se
     return rows;
 }
 
-/// The name of a column as people write it.
+/// The name of a column in its usual spelling.
 std::string titleOf(std::size_t column)
 {
     switch (column) {
@@ -114,12 +115,12 @@ std::string titleOf(std::size_t column)
 
 using Row = std::array<std::string, kWrittenCount>;
 
-/// Calls a function with each row of a table, and the landmark that it is of, none of a semilandmark's. The rows of all
-/// landmarks at once would take a kilobyte each.
+/// Calls a function with each row of a table and its landmark, null for a semilandmark. All rows at
+/// once would need a kilobyte per landmark.
 template <class Take>
 void forEachRow(std::span<const LandmarkSet> sets, Notes &notes, const Take &take)
 {
-    PlainNames specimens("", true, notes); // rows of one name are one specimen's
+    PlainNames specimens("", true, notes); // rows of one name belong to one specimen
     for (std::size_t i = 0; i < sets.size(); ++i) {
         const LandmarkSet &set = sets[i];
         const std::string specimen = sets.size() > 1 ? specimens.of(set.name, std::to_string(i + 1)) : set.name;
@@ -130,7 +131,7 @@ void forEachRow(std::span<const LandmarkSet> sets, Notes &notes, const Take &tak
             row[Specimen] = specimen;
             take(row, &landmark);
         }
-        PlainNames curves("", true, notes); // rows of one name are one curve's
+        PlainNames curves("", true, notes); // rows of one name belong to one curve
         for (std::size_t k = 0; k < set.curves.size(); ++k) {
             const Curve &curve = set.curves[k];
             for (Row &row : rowsOf(set, curve, curves.of(nameOf(curve, k)))) {
@@ -155,7 +156,7 @@ std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, No
     std::array<bool, kWrittenCount> isUsed{};
     std::vector<std::string> others;
     std::set<std::string> known;
-    const auto isOurs = [](const std::string &key) { // a column of that name would be read as ours
+    const auto isOurs = [](const std::string &key) { // a column of that name would be read as this program's
         return std::find(kColumnNames.begin(), kColumnNames.end(), lowerCase(trimmed(key))) != kColumnNames.end();
     };
     std::fill(isUsed.begin() + Name, isUsed.begin() + Vertex, true);
@@ -185,10 +186,10 @@ std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, No
         appendCell(text, other, texts);
     }
     text += '\n';
-    Notes said; // the first time
+    Notes said; // notes of the first pass
     forEachRow(sets, said, [&](const Row &row, const Landmark *landmark) {
         separator = "";
-        // A row of nothing but commas would be a spreadsheet's padding.
+        // A row of commas only would look like a spreadsheet's padding.
         const bool isEmpty = std::all_of(row.begin(), row.end(), [](const std::string &cell) { return cell.empty(); });
         for (std::size_t column = 0; column < kWrittenCount; ++column) {
             if (!isUsed[column])

@@ -5,7 +5,7 @@
 
 namespace unprojector::landmark_files::csv {
 
-/// All columns that mean something here, in the order in which they are written.
+/// All known columns, in the order in which they are written.
 enum Column : std::size_t {
     Specimen,
     Name,
@@ -29,11 +29,11 @@ enum Column : std::size_t {
     Hidden,
     Mesh,
     Unit,
-    CurveName, ///< of the curve that a row is a semilandmark of
+    CurveName, ///< name of the curve whose semilandmark the row is
     CurvePoints,
     CurveWay,
     CurveCount,
-    Defined, ///< this and the rest: of 3D Slicer's tables, read only
+    Defined, ///< this and the rest: from 3D Slicer's tables, read only
     Visible,
     Selected,
     Locked

@@ -1,4 +1,4 @@
-// Reading of tables: our own, and those of other programs that name their columns.
+// Reads tables: this program's, and other programs' with named columns.
 
 #include "core/landmark_files/csv_table.h"
 #include "core/landmark_files/lines.h"
@@ -29,18 +29,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A cell without quotes in which R or a spreadsheet says that there is nothing.
+/// True for a cell without quotes that means "missing" in R or a spreadsheet.
 bool isNothing(const CsvCell &cell)
 {
     return cell.text.empty() || (!cell.isQuoted && (cell.text == "NA" || cell.text == "#N/A"));
 }
 
-/// The cells of a row by what they mean.
+/// The cells of a row by column.
 class Cells {
 public:
     Cells(const Table &table, const CsvRow &row) : m_table(table), m_row(row) {}
 
-    /// A name may be "NA", the short form of a nasion.
+    /// The text of a cell. A name may be "NA", which is short for nasion.
     std::string_view operator[](Column column) const
     {
         if (!m_table.header.has(column))
@@ -56,7 +56,7 @@ public:
         return numberOf(m_table.mark.withPoint((*this)[column]), line(), titleOf(column));
     }
 
-    /// Three numbers; nothing where all are empty or say that they are missing.
+    /// Three numbers; empty if all cells are empty or mean "missing".
     std::optional<glm::dvec3> numbers(Column first) const
     {
         constexpr int kCount = 3;
@@ -81,7 +81,7 @@ public:
         return v;
     }
 
-    /// 0 or 1, or the words for them.
+    /// Parses 0 or 1, or the words for them.
     bool flag(Column column, bool usual) const
     {
         const std::string word = lowerCase((*this)[column]);
@@ -99,14 +99,15 @@ private:
         return m_table.header.has(column) ? std::string_view(m_row.cells[m_table.header.places[column]].text)
                                           : std::string_view();
     }
-    /// As the table itself calls it.
+    /// The table's own name of the column.
     const std::string &titleOf(Column column) const { return m_table.header.titles[column]; }
 
     const Table &m_table;
     const CsvRow &m_row;
 };
 
-/// How much the sum of barycentric coordinates may miss 1: what single precision and six digits leave.
+/// The tolerance of the sum of barycentric coordinates, which must be 1: the error of single
+/// precision and six digits.
 constexpr double kBarycentricSum = 1e-3; // other programs write few digits
 
 Anchor anchorOf(const Cells &cells)
@@ -121,7 +122,7 @@ Anchor anchorOf(const Cells &cells)
         const double sum = barycentric->x + barycentric->y + barycentric->z;
         if (!(std::abs(sum - 1.0) <= kBarycentricSum))
             throw Failure{cells.line(), tr("the sum of u, v and w is %1; it must be 1", text::shortestText(sum))};
-        OnTriangle held; // in one piece GCC 12 calls its padding uninitialized
+        OnTriangle held; // GCC 12 reports uninitialized padding if it is built in one expression
         held.triangle = countOf(cells[Face], cells.line(), "face");
         held.barycentric = *barycentric;
         return held;
@@ -135,7 +136,7 @@ Anchor anchorOf(const Cells &cells)
     return Free{};
 }
 
-/// "#ff8000"
+/// Parses "#ff8000".
 std::optional<glm::u8vec3> colorOf(std::string_view text, std::size_t line)
 {
     if (text.empty())
@@ -149,10 +150,10 @@ std::optional<glm::u8vec3> colorOf(std::string_view text, std::size_t line)
     return glm::u8vec3(value >> 16, (value >> 8) & 0xff, value & 0xff);
 }
 
-/// A cell in a column of another program: a JSON value where the cell is written as one, otherwise a text.
+/// A cell in another program's column: a JSON value if it is written as one, otherwise a text.
 Json jsonOf(const std::string &cell)
 {
-    const auto json = scene_file::parseStrictJson(cell); // no deeper than what writes it has stack for
+    const auto json = scene_file::parseStrictJson(cell); // limits the nesting to what the JSON writer's stack allows
     const bool isJson = json && !json->is_string() && scene_file::compactJson(*json) == cell;
     return isJson ? *json : Json(cell);
 }
@@ -210,16 +211,16 @@ std::vector<std::string> namesOf(std::string_view text, std::size_t line)
 /// The rows of one curve.
 struct CurveRows {
     struct Row {
-        std::size_t line = 0, number = 0; ///< the second: of the semilandmark, from 1; 0: the row's name gives none
+        std::size_t line = 0, number = 0; ///< `number`: the semilandmark's, from 1; 0: the row's name has none
         std::optional<WorldPoint> place;
     };
-    std::size_t set = 0; ///< the specimen's place
-    Curve curve;         ///< without its semilandmarks; its count is 0 as long as no row gives it
+    std::size_t set = 0; ///< index of the specimen
+    Curve curve;         ///< without its semilandmarks; its count is 0 until a row gives it
     bool hasKind = false;
     std::vector<Row> rows;
 };
 
-/// The number of "NAME:03"; 0 of an empty name and of the curve's own. Throws Failure.
+/// The number in "NAME:03"; 0 for an empty name and for the curve's own. Throws Failure.
 std::size_t semilandmarkNumber(std::string_view name, const std::string &curve, std::size_t line)
 {
     if (name.empty() || name == curve)
@@ -238,7 +239,7 @@ std::size_t semilandmarkNumber(std::string_view name, const std::string &curve, 
     return number;
 }
 
-/// Throws Failure where a row of a curve says something else than the rows before it.
+/// Throws Failure if a row of a curve contradicts the rows before it.
 void checkSame(bool isSame, std::size_t line, const char *column, const std::string &curve)
 {
     if (!isSame)
@@ -247,7 +248,7 @@ void checkSame(bool isSame, std::size_t line, const char *column, const std::str
                          column, curve)};
 }
 
-/// Takes a row that says of a curve what it is, and where one of its semilandmarks.
+/// Adds a row with the properties of a curve and the position of one of its semilandmarks.
 void addToCurve(CurveRows &known, const Cells &cells, Axes axes)
 {
     Curve &curve = known.curve;
@@ -278,7 +279,8 @@ void addToCurve(CurveRows &known, const Cells &cells, Axes axes)
         row.place = turned(WorldPoint(*place), axes);
 }
 
-/// The rows of a curve in the order of their numbers, or where none has one in that of the table. Throws Failure.
+/// Sorts the rows of a curve by number. If none has a number, they keep the table's order. Throws
+/// Failure.
 void sortRows(CurveRows &known)
 {
     std::vector<CurveRows::Row> &rows = known.rows;
@@ -305,7 +307,7 @@ void sortRows(CurveRows &known)
     }
 }
 
-/// A curve of which all semilandmarks are given, or none. Throws Failure.
+/// A curve with all its semilandmarks, or none. Throws Failure.
 Curve curveOf(CurveRows known)
 {
     sortRows(known);
@@ -319,7 +321,7 @@ Curve curveOf(CurveRows known)
                          "all of them, or none",
                          curve.name)};
     const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(rows.size(), kMostSemilandmarks));
-    const bool isCounted = hasPlaces || rows.front().number > 0; // else one row says what the curve is
+    const bool isCounted = hasPlaces || rows.front().number > 0; // otherwise one row holds the curve's properties
     if (isCounted && count != (curve.count > 0 ? curve.count : std::max(count, std::uint32_t{2})))
         throw Failure{
             rows.back().line,
@@ -341,7 +343,7 @@ Curve curveOf(CurveRows known)
     return curve;
 }
 
-/// Whether a row of a curve has what is kept of landmarks only.
+/// True if a row of a curve has data that only landmarks keep.
 bool saysMore(const Cells &cells, const Header &header, const CsvRow &row)
 {
     const auto isOther = [&](const auto &other) { return !isNothing(row.cells[other.first]); };
@@ -352,7 +354,8 @@ bool saysMore(const Cells &cells, const Header &header, const CsvRow &row)
     return std::any_of(header.others.begin(), header.others.end(), isOther);
 }
 
-/// How many texts of a row had blanks around them: numbers lose nothing by that.
+/// The number of a row's texts with blanks around them. Numbers do not count, because they lose
+/// nothing.
 std::size_t trimmedTexts(const Header &header, const CsvRow &row)
 {
     constexpr std::array kTexts{Specimen, Name, Object, Note, Mesh, Unit, CurveName};
@@ -369,7 +372,8 @@ std::size_t trimmedTexts(const Header &header, const CsvRow &row)
     return count;
 }
 
-/// Whether a table has all columns that ours always have: there an apostrophe before a formula is no part of a text.
+/// True if a table has all columns that this program always writes. In such a table an apostrophe
+/// before a formula is not part of a text.
 bool isOurs(const Header &header)
 {
     for (std::size_t column = Name; column <= Note; ++column) {
@@ -379,7 +383,7 @@ bool isOurs(const Header &header)
     return true;
 }
 
-/// What is not kept of a table as a whole.
+/// Adds notes about losses of the whole table.
 void addTableNotes(Notes &notes, const Table &table)
 {
     if (table.header.isGuessed)
@@ -427,7 +431,7 @@ ReadLandmarks readCsv(std::string_view text)
                                            "so give it in each of its rows",
                                            kColumnNames[column], cells[column], *known)};
         }
-        if (header.rowNames) { // row numbers say nothing
+        if (header.rowNames) { // row numbers have no meaning
             const std::string &name = row.cells[*header.rowNames].text;
             rowNames += name.find_first_not_of("0123456789") == name.npos ? 0u : 1u;
         }

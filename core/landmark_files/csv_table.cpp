@@ -1,4 +1,5 @@
-// How a table is written: its separator, its columns, its decimal mark, and where its rows end.
+// Detects the format of a table: its separator, its columns, its decimal mark, and the end of its
+// rows.
 
 #include "core/landmark_files/csv_table.h"
 
@@ -22,8 +23,8 @@ constexpr std::array<Column, 10> kNumberColumns{X, Y, Z, U, V, W, Dx, Dy, Dz, Ed
     throw Failure{error.line, error.text};
 }
 
-/// Those that keep spreadsheets from taking texts for formulas.
-/// @return how many
+/// Removes apostrophes that keep spreadsheets from taking texts for formulas.
+/// @return number of apostrophes removed
 std::size_t takeApostrophesOff(CsvRow &row)
 {
     std::size_t count = 0;
@@ -61,7 +62,7 @@ bool isHeader(const CsvRow &row)
     return hasAll(row, kPlain) || hasAll(row, kLps) || hasAll(row, kRas);
 }
 
-/// The columns that 3D Slicer's table names otherwise.
+/// Assigns the columns that 3D Slicer's table names differently.
 void takeSlicerColumns(Header &header, const CsvRow &row)
 {
     header.axes = hasAll(row, kLps) ? Axes::Lps : Axes::Ras;
@@ -93,10 +94,10 @@ Header headerOf(const CsvRow &row)
     }
     if (!hasAll(row, kPlain) && (hasAll(row, kLps) || hasAll(row, kRas)))
         takeSlicerColumns(header, row);
-    // Without what our tables say of a curve, a column of that name is something of another program's.
+    // A column of that name without the other curve columns belongs to another program.
     if (!header.has(CurvePoints) && !header.has(CurveWay) && !header.has(CurveCount))
         header.places[CurveName] = Header::npos;
-    for (const char *name : {"label", "landmark", "point", "marker"}) { // other words for a name
+    for (const char *name : {"label", "landmark", "point", "marker"}) { // synonyms of "name"
         if (!header.has(Name))
             header.places[Name] = placeOf(row, name);
     }
@@ -110,7 +111,7 @@ Header headerOf(const CsvRow &row)
     return header;
 }
 
-/// CloudCompare's first line is "//X Y Z".
+/// Removes the slashes of CloudCompare's first line "//X Y Z".
 void takeSlashesOff(CsvRow &row)
 {
     std::string &cell = row.cells.front().text;
@@ -128,9 +129,10 @@ bool isWholeNumber(std::string_view cell)
     return !cell.empty() && cell.find_first_not_of("0123456789") == cell.npos;
 }
 
-/// The columns of a table without a header: a name and three numbers, or three numbers. Four numbers are that only where
-/// the first are whole and some of the others are not: else the fourth may be what a scanner measured.
-/// @return nothing where the rows are something else
+/// The columns of a table without a header: a name and three numbers, or three numbers. Four
+/// numbers count as a name and three only if the first are whole and some of the others are not;
+/// otherwise the fourth may be a scanner's measurement.
+/// @return empty if the rows have another form
 std::optional<Header> guessedHeader(std::string_view text, char separator)
 {
     text::DecimalMark mark(separator);
@@ -179,7 +181,7 @@ std::optional<Header> guessedHeader(std::string_view text, char separator)
 void readHeader(Table &table, std::optional<char> separator)
 {
     std::optional<CsvRow> first;
-    std::optional<text::CsvError> error; ///< with another separator quotes may be right
+    std::optional<text::CsvError> error; ///< with another separator the quotes may be valid
     for (const char candidate : text::kCsvSeparators) {
         CsvReader reader(table.text, candidate);
         if (separator.value_or(candidate) != candidate)
@@ -223,7 +225,7 @@ void readHeader(Table &table, std::optional<char> separator)
     }
 }
 
-/// Takes a column in front of all others, which has no name in the header.
+/// Adds an unnamed column before all others.
 void shift(Header &header)
 {
     for (std::size_t &index : header.places)
@@ -234,9 +236,9 @@ void shift(Header &header)
     ++header.count;
 }
 
-/// What the rows together say of a table.
+/// Properties of all rows of a table.
 struct Survey {
-    std::size_t rows = 0, filledRows = 0; ///< the second: up to the last row that is no padding
+    std::size_t rows = 0, filledRows = 0; ///< filledRows: up to the last row that is no padding
     bool isEachOneLonger = true, areFirstsWhole = true;
 };
 
@@ -262,7 +264,7 @@ Survey surveyOf(Table &table)
     return survey;
 }
 
-/// Looks at the numbers, of which every column is known now.
+/// Examines the numbers, now that every column is known.
 void seeNumbers(Table &table)
 {
     table.mark = text::DecimalMark(table.separator);
@@ -286,13 +288,14 @@ Table tableOf(std::string_view text)
     table.rowCount = survey.filledRows;
     table.paddingCount = survey.rows - survey.filledRows;
     Header &header = table.header;
-    // In a table with commas a comma too many, as in "Smith, John", would shift the names.
+    // A surplus comma in a table with commas, as in "Smith, John", would shift the names.
     const bool mayShift = table.separator == '\t' || table.separator == ' ';
     if (mayShift && survey.filledRows > 0 && survey.isEachOneLonger && !header.isGuessed)
         shift(header);
     if (!header.others.empty() && header.others.front() == std::pair(std::size_t{0}, std::string())) {
         header.others.erase(header.others.begin());
-        // Row numbers of a table of several specimens are no names: those of each begin elsewhere.
+        // Row numbers in a table of several specimens are not names, because each specimen's begin
+        // with another number.
         if (!header.has(Name) && !(header.has(Specimen) && survey.areFirstsWhole))
             header.places[Name] = 0;
         else

@@ -14,15 +14,15 @@
 
 namespace unprojector::landmark_files::csv {
 
-/// What a table's first line says of its columns, and its rows together of how they are written.
+/// The columns that a table's first line names, and properties of all its rows.
 struct Header {
-    std::array<std::size_t, kColumnCount> places;            ///< npos: there is no such column
-    std::array<std::string, kColumnCount> titles;            ///< as the table calls them
+    std::array<std::size_t, kColumnCount> places;            ///< index of each column; npos: it is missing
+    std::array<std::string, kColumnCount> titles;            ///< the table's own names for them
     std::vector<std::pair<std::size_t, std::string>> others; ///< columns of other programs
-    std::optional<std::size_t> rowNames; ///< a first column without a name that holds R's row names, which are dropped
+    std::optional<std::size_t> rowNames; ///< index of an unnamed first column with R's row names, which are dropped
     std::size_t count = 0;
     landmarks::Axes axes = landmarks::Axes::Lps;
-    bool isGuessed = false; ///< there is no header; the columns are name, x, y, z or x, y, z
+    bool isGuessed = false; ///< the header is missing; the columns are name, x, y, z or x, y, z
 
     static constexpr std::size_t npos = std::size_t(-1);
     bool has(Column column) const { return places[column] != npos; }
@@ -32,22 +32,23 @@ struct Table {
     std::string_view text;
     char separator = ',';
     Header header;
-    std::size_t rowCount = 0; ///< without the header, and without padding behind the last row
+    std::size_t rowCount = 0; ///< without the header, and without padding after the last row
     std::size_t paddingCount = 0;
     text::DecimalMark mark{','};
 };
 
-/// Looks through a table once. Throws Failure.
+/// Examines a table once. Throws Failure.
 Table tableOf(std::string_view text);
 
-/// The rows of a table behind its header, each with as many cells as the header has.
+/// The rows of a table after its header, each with as many cells as the header.
 class TableRows {
 public:
     explicit TableRows(const Table &table);
-    /// @return false behind the last row. Throws Failure.
+    /// Moves to the next row.
+    /// @return false after the last row. Throws Failure.
     bool next();
     const text::CsvRow &row() const { return m_reader.row(); }
-    /// How many cells of the row had an apostrophe before a formula, which is taken off.
+    /// The number of the row's cells in which an apostrophe before a formula was removed.
     std::size_t apostropheCount() const { return m_apostrophes; }
 
 private:

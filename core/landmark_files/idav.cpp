@@ -1,4 +1,4 @@
-// .pts of IDAV Landmark: "Version 1.0", the number of points, then one a line.
+// .pts of IDAV Landmark: "Version 1.0", the number of points, then one point per line.
 
 #include "core/landmark_files/lines.h"
 #include "core/text/number_text.h"
@@ -22,7 +22,8 @@ bool isVersion(std::string_view line)
     return words.size() == 2 && lowerCase(words[0]) == "version" && text::doubleFromWord(words[1]) == 1.0;
 }
 
-/// Whether a word stands for no number. Our own writer gives a coordinate that really is 9999 an exponent.
+/// True if a word means "no number". This program writes a coordinate of exactly 9999 with an
+/// exponent.
 bool isMissing(std::string_view word)
 {
     return isMissingWord(word) || (text::doubleFromWord(word) == kMissing && word.find_first_of("eE") == word.npos);
@@ -34,7 +35,7 @@ Landmark landmarkOf(std::string_view row, std::size_t line)
     const std::vector<std::string_view> words = wordsOf(row);
     if (words.size() < 4)
         throw Failure{line, tr("%1 is no point; write its name, x, y and z", text::quoted(row))};
-    // A name with blanks in it is one all the same: the coordinates are the last three.
+    // A name may contain blanks: the coordinates are the last three words.
     const std::string_view lastOfName = words[words.size() - 4];
     if (words.size() > 4 && text::doubleFromWord(lastOfName))
         throw Failure{line,
@@ -100,7 +101,7 @@ std::string idavText(const LandmarkSet &set, Notes &notes)
 {
     addLosses(notes, {&set, 1}, {.names = true});
     std::string text = "Version 1.0\n" + std::to_string(set.landmarks.size()) + '\n';
-    // What reads these files in R takes '#' for a comment, quotes for quotes, and wants each name once.
+    // Readers in R take '#' for a comment and quotes as quotes, and need unique names.
     PlainNames names(" #\"'\\", true, notes);
     for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
         const Landmark &landmark = set.landmarks[i];
@@ -111,7 +112,7 @@ std::string idavText(const LandmarkSet &set, Notes &notes)
         for (int axis = 0; axis < 3; ++axis) {
             text += ' ';
             if (landmark.world && v[axis] == kMissing)
-                text += "9.999e3"; // "9999" would be missing
+                text += "9.999e3"; // "9999" would mean missing
             else
                 text::appendNumber(text, v[axis]);
         }

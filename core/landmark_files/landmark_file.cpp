@@ -92,7 +92,8 @@ Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, F
             throw Failure{0, {}, LandmarkFileError::Code::TooLarge};
         if (text.find('\0') != text.npos || text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
             throw Failure{0, tr("this is no text in UTF-8; save it as UTF-8")};
-        // Written on as it is, a name in Latin-1 would make an XML or JSON file that others refuse.
+        // A name in Latin-1, if written unchanged, would make an XML or JSON file that other
+        // programs reject.
         if (const std::size_t end = text::firstNotUtf8(text); end != text.npos)
             throw Failure{static_cast<std::size_t>(std::count(text.begin(), text.begin() + end, '\n')) + 1,
                           tr("this is not UTF-8; save the file as UTF-8")};
@@ -118,7 +119,7 @@ Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, F
 
 namespace {
 
-/// The only one of several.
+/// The only set; throws Failure if there are several.
 const LandmarkSet &onlyOf(std::span<const LandmarkSet> sets, Format format)
 {
     if (sets.size() == 1)
@@ -146,10 +147,10 @@ std::string textOf(std::span<const LandmarkSet> sets, Format format, text::CellT
     return {};
 }
 
-/// A point of .mrk.json takes more than this.
+/// The least number of bytes of a point in .mrk.json.
 constexpr std::size_t kLeastJsonBytes = 200;
 
-/// What is written shall be read again.
+/// Checks that the text is small enough to be read again.
 void checkSize(std::size_t bytes)
 {
     if (bytes > kMostLandmarkBytes)
@@ -174,7 +175,7 @@ Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const Landma
             plain = withCurvesAsPoints(sets, notes);
             sets = plain;
         }
-        if (format == Format::SlicerJson) { // before gigabytes are laid out
+        if (format == Format::SlicerJson) { // check before gigabytes are built
             std::size_t points = 0;
             for (const LandmarkSet &set : sets)
                 points += set.landmarks.size();
@@ -202,7 +203,7 @@ Result<ReadLandmarks, LandmarkFileError> readLandmarkFile(const std::filesystem:
     if (std::filesystem::is_directory(status))
         return failed(LandmarkFileError::Code::IsDirectory);
     std::ifstream stream;
-    if (std::filesystem::is_regular_file(status)) // opening a named pipe may wait for ever
+    if (std::filesystem::is_regular_file(status)) // opening a named pipe may block forever
         stream.open(file, std::ios::binary);
     if (!stream.is_open())
         return failed(LandmarkFileError::Code::NotReadable);

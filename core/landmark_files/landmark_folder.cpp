@@ -17,13 +17,13 @@ using namespace landmarks;
 using namespace files;
 namespace {
 
-/// Whether a name without its last suffix ends in ".mrk", in whatever case.
+/// True if a name without its last suffix ends in ".mrk", in any case.
 bool isMarkup(const std::filesystem::path &stem)
 {
     return lowerCase(utf8FromPath(stem.extension())) == ".mrk";
 }
 
-/// ".points", ".points-2"
+/// True for ".points" and ".points-2".
 bool isPlacing(const std::string &suffix)
 {
     constexpr std::string_view kWord = ".points";
@@ -41,7 +41,7 @@ bool isModel(const std::string &suffix)
     return std::find(kSuffixes.begin(), kSuffixes.end(), lowerCase(suffix)) != kSuffixes.end();
 }
 
-/// Sorted.
+/// The landmark files of a folder, sorted.
 std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, std::error_code &error)
 {
     std::vector<std::filesystem::path> found;
@@ -49,7 +49,7 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, 
         std::error_code ignored;
         const std::filesystem::path &file = it->path();
         const std::optional<Format> format = formatOf(file);
-        // Other JSON is no file of landmarks.
+        // Other JSON contains no landmarks.
         const bool isOther = format == Format::SlicerJson && !isMarkup(file.stem());
         if (format && !isOther && it->is_regular_file(ignored))
             found.push_back(file);
@@ -58,7 +58,7 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, 
     return found;
 }
 
-/// A name as a table has it whose format allows no blanks in names.
+/// A name in the form of a table format without blanks in names.
 std::string withoutBlanks(std::string name)
 {
     std::replace_if(
@@ -66,8 +66,8 @@ std::string withoutBlanks(std::string name)
     return name;
 }
 
-/// Whether a file is more than an earlier table of a folder: it has a specimen that the folder's other files lack, or that
-/// is named after it.
+/// True if a file is more than an earlier table of the folder: it has a specimen that the other
+/// files lack, or one with the name of the file.
 bool holdsMore(const std::filesystem::path &table, const std::vector<LandmarkSet> &others)
 {
     const auto read = readLandmarkFile(table);

@@ -9,31 +9,32 @@
 
 namespace unprojector::landmark_files {
 
-/// Where the landmarks of a scan are kept beside it: "face.ply.points.csv" of "face.ply".
-/// @param placing  counted from 1: a later one, of a scan that was gone through again, is "face.ply.points-2.csv"
+/// The landmark file beside a scan: "face.ply.points.csv" for "face.ply".
+/// @param placing  counted from 1: a later one, for a repeated placement, is
+///         "face.ply.points-2.csv"
 std::filesystem::path landmarksBeside(const std::filesystem::path &scan, int placing = 1);
 
-/// What a file calls its specimen: its name without what says its format, "face" of "face.mrk.json" and of
-/// "face.ply.points.csv". UTF-8.
+/// The specimen's name according to a file name: the name without the format's suffixes, "face" for
+/// "face.mrk.json" and "face.ply.points.csv". UTF-8.
 std::string specimenOf(const std::filesystem::path &file);
 
-/// All that a folder's files of landmarks hold.
+/// The content of all landmark files in a folder.
 struct LandmarkFolder {
-    std::vector<landmarks::LandmarkSet> sets; ///< each with a name of its own
-    std::vector<std::string>
-        reports;               ///< what was not kept as it was and what was not read, each a sentence with its file
-    std::size_t fileCount = 0; ///< of landmarks, those that could not be read among them
-    std::vector<std::string> badFiles; ///< that could not be read
-    bool isTableInput = false; ///< the table to be made would replace landmarks that no other file of the folder has
+    std::vector<landmarks::LandmarkSet> sets; ///< each with a distinct name
+    std::vector<std::string> reports;         ///< changes, losses and read errors, each a sentence with its file
+    std::size_t fileCount = 0;                ///< number of landmark files, including unreadable ones
+    std::vector<std::string> badFiles;        ///< the unreadable ones
+    bool isTableInput = false; ///< the new table would replace landmarks that no other file of the folder has
 };
 
-/// Reads the files of a folder, by name. Templates are left out; JSON that is not 3D Slicer's is none of them.
-/// @param error  why the folder could not be read
-/// @param table  the file that is to be made of them: an earlier one is none of them; may be empty
+/// Reads the landmark files of a folder, by name. Skips templates, and JSON that is not 3D
+/// Slicer's.
+/// @param error  the reason if the folder could not be read
+/// @param table  the file to be made from them: an earlier one is not read; may be empty
 LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std::filesystem::path &table,
                                   std::error_code &error);
 
-/// Names the folder, and why it cannot be read.
+/// The message with the folder's name and the reason why it cannot be read.
 std::string folderErrorText(const std::filesystem::path &folder, const std::error_code &error);
 
 } // namespace unprojector::landmark_files

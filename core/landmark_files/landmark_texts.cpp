@@ -1,4 +1,4 @@
-// All wording of the notes and errors but what a reader says of a line.
+// All wording of notes and errors, except a reader's messages about a line.
 
 #include "core/landmark_files/landmark_file.h"
 
@@ -12,13 +12,13 @@ using text::marked;
 using text::tr;
 namespace {
 
-/// A sentence with its number, of one or of several.
+/// A sentence with a number, in singular or plural.
 std::string counted(std::size_t count, const char *one, const char *many)
 {
     return count == 1 ? tr(one, count) : tr(many, count);
 }
 
-/// ".csv, .pp or .tps"
+/// The suffixes of formats: ".csv, .pp or .tps".
 template <class Is>
 std::string suffixList(const Is &is)
 {

@@ -1,4 +1,5 @@
-// .ljson of landmarker.io and menpo, versions 1 to 3: points without names of their own, in groups with labels.
+// .ljson of landmarker.io and menpo, versions 1 to 3: points without names of their own, in groups
+// with labels.
 
 #include "core/landmark_files/lines.h"
 #include "core/scene_file/json_text.h"
@@ -24,7 +25,7 @@ using Json = nlohmann::ordered_json;
     throw Failure{0, what};
 }
 
-/// @param key  where the point stands, for the message
+/// @param key  key of the point, for the message
 Landmark landmarkOf(const Json &point, const std::string &key)
 {
     Landmark landmark;
@@ -60,7 +61,8 @@ std::string labelOf(const Json &object, const std::string &key)
     return object["label"].get<std::string>();
 }
 
-/// The name of a point of a label: the label where it has one point, else with the point's number.
+/// The name of a point of a label: the label if it has one point, else the label with the point's
+/// number.
 std::string nameOf(const std::string &label, std::size_t index, std::size_t count)
 {
     return count == 1 ? label : label + '_' + std::to_string(index + 1);
@@ -72,7 +74,8 @@ void noteLinks(const Json &object, Notes &notes)
         notes.add(LandmarkNote::Kind::LinksLeftOut, object["connectivity"].size());
 }
 
-/// {"labels": [{"label": "eye", "mask": [0, 1]}], "landmarks": {"points": [[x, y, z]], "connectivity": […]}}
+/// Parses {"labels": [{"label": "eye", "mask": [0, 1]}], "landmarks": {"points": [[x, y, z]],
+/// "connectivity": […]}}.
 LandmarkSet setOf(const Json &group, const std::string &key, Notes &notes)
 {
     LandmarkSet set;
@@ -84,7 +87,8 @@ LandmarkSet setOf(const Json &group, const std::string &key, Notes &notes)
         set.landmarks.push_back(landmarkOf(points[i], key + "landmarks.points[" + std::to_string(i) + ']'));
     if (!group.contains("labels"))
         return set;
-    // A point may have several labels, "all" among them: the one with fewest points says most of it.
+    // A point may have several labels, including "all". The one with the fewest points is the most
+    // specific.
     std::vector<std::size_t> fewest(points.size(), points.size() + 1);
     const Json &labels = listOf(group, "labels", key + "labels");
     for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -106,7 +110,7 @@ LandmarkSet setOf(const Json &group, const std::string &key, Notes &notes)
     return set;
 }
 
-/// {"groups": [{"label": "eye", "landmarks": [{"point": [x, y, z]}], "connectivity": […]}]}
+/// Parses {"groups": [{"label": "eye", "landmarks": [{"point": [x, y, z]}], "connectivity": […]}]}.
 LandmarkSet firstVersion(const Json &groups, Notes &notes)
 {
     LandmarkSet set;

@@ -106,7 +106,7 @@ void Notes::add(LandmarkNote::Kind kind, std::size_t count, const std::string &d
 
 namespace {
 
-/// The keys of several things, each once.
+/// Collects the keys of several objects, each once.
 class Keys {
 public:
     void add(const nlohmann::ordered_json &extra)
@@ -219,7 +219,7 @@ std::size_t takeSemilandmarks(LandmarkSet &set)
         if (colon == last.npos || colon == 0)
             break;
         const std::string name = last.substr(0, colon);
-        // The last one's number is how many there are.
+        // The number of the last one is the count.
         std::size_t count = 0;
         for (const char c : std::string_view(last).substr(colon + 1))
             count = c >= '0' && c <= '9' && count <= kMostSemilandmarks ? 10 * count + std::size_t(c - '0')

@@ -16,12 +16,12 @@
 
 namespace unprojector::landmark_files {
 
-// What the readers and the writers of all formats share.
+// Shared parts of the readers and writers of all formats.
 
-/// Thrown by a reader at a place that it cannot go on from.
+/// Thrown by a reader where it cannot continue.
 struct Failure {
     std::size_t line; ///< counted from 1; 0: no line
-    std::string text; ///< what is wrong and what to do
+    std::string text; ///< the error and its remedy
     LandmarkFileError::Code code = LandmarkFileError::Code::Malformed;
 };
 
@@ -35,7 +35,7 @@ public:
     bool next();
     /// Moves to the next line that is not blank.
     bool nextFilled();
-    /// Without blanks around it.
+    /// The line without blanks around it.
     std::string_view text() const { return m_line; }
     std::size_t number() const { return m_number; }
 
@@ -49,20 +49,19 @@ std::string lowerCase(std::string_view text);
 /// The words of a line.
 std::vector<std::string_view> wordsOf(std::string_view line);
 
-/// A finite number.
-/// @param what  it is, for the message
-/// Throws Failure.
+/// Parses a finite number. Throws Failure.
+/// @param what  name of the number, for the message
 double numberOf(std::string_view word, std::size_t line, std::string_view what);
-/// A whole number from 0 to 4294967295. Throws Failure.
+/// Parses a whole number from 0 to 4294967295. Throws Failure.
 std::uint32_t countOf(std::string_view word, std::size_t line, std::string_view what);
 
 /// Appends numbers, each after a separator.
 void appendNumbers(std::string &text, const glm::dvec3 &v, char separator);
 
-/// To and from the axes of the file: in RAS x and y have the other sign.
+/// Converts to or from the axes of the file: in RAS x and y have the opposite sign.
 geometry::WorldPoint turned(const geometry::WorldPoint &point, landmarks::Axes axes);
 
-/// Notes, each kind with each detail once, its counts added.
+/// Collects notes: each kind and detail once, with the sum of its counts.
 class Notes {
 public:
     void add(LandmarkNote::Kind kind, std::size_t count = 1, const std::string &detail = {});
@@ -73,29 +72,29 @@ private:
     std::map<std::pair<LandmarkNote::Kind, std::string>, std::size_t> m_places;
 };
 
-/// What a format has a place for.
+/// The properties that a format can hold.
 struct FormatCapabilities {
     bool names = false, positions = true, objects = false, anchors = false, uncertainties = false, notes = false,
          colors = false, hidden = false, keys = false;
     bool specimenKeys = false, specimenName = false, mesh = false, unit = false;
 };
-/// Notes what sets have that the format has no place for.
+/// Adds notes about properties of the sets that the format cannot hold.
 void addLosses(Notes &notes, std::span<const landmarks::LandmarkSet> sets, const FormatCapabilities &format);
 
-/// Sets as a format has them that knows no curves: semilandmarks are further points, "NAME:01".
+/// The sets in the form of a format without curves: semilandmarks are further points, "NAME:01".
 std::vector<landmarks::LandmarkSet> withCurvesAsPoints(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
-/// The name of a curve, "curve 1" of the first without one.
+/// The name of a curve; "curve 1" for the first one without a name.
 std::string nameOf(const landmarks::Curve &curve, std::size_t index);
-/// "NAME:03" of the third of at most 99 semilandmarks. @param index  from 0
+/// The name of a semilandmark: "NAME:03" for the third of at most 99. @param index  from 0
 std::string semilandmarkName(const std::string &curve, std::size_t index, std::size_t count);
 
-/// Names as a format can have them: without some characters, and each once where that is asked for.
+/// Converts names to a format's limits: without certain characters, and unique if requested.
 class PlainNames {
 public:
-    /// @param bad  characters that are replaced by '_', as all below the blank are
+    /// @param bad  characters replaced by '_', as are all below the blank
     PlainNames(std::string_view bad, bool isUnique, Notes &notes) : m_bad(bad), m_isUnique(isUnique), m_notes(notes) {}
 
-    /// @param instead  of an empty name
+    /// @param instead  replaces an empty name
     std::string of(const std::string &name, const std::string &instead = {});
 
 private:
@@ -103,21 +102,22 @@ private:
     bool m_isUnique;
     Notes &m_notes;
     std::set<std::string> m_given;
-    std::map<std::string, std::size_t> m_next; ///< number behind a name that was given before
+    std::map<std::string, std::size_t> m_next; ///< next number for a name that was used before
 };
 
-/// Whether a word stands for "no number": NA, NaN, N/A, #N/A, null or none, in whatever case.
+/// True if a word means "no number": NA, NaN, N/A, #N/A, null or none, in any case.
 bool isMissingWord(std::string_view word);
 
-/// A cell, in quotes where it needs them: without them NA is nothing.
+/// Appends a cell, in quotes where it needs them: without quotes NA means missing.
 void appendCell(std::string &text, std::string_view cell);
-/// The same of a table of ours, whose reader takes an apostrophe before a formula off: one that is a name's own is doubled.
+/// Appends a cell of this program's table. Its reader removes an apostrophe before a formula, so an
+/// apostrophe of the name itself is doubled.
 void appendCell(std::string &text, const std::string &cell, text::CellTexts texts);
 
-/// An error of a JSON document: its place is the key, or line and column.
+/// The failure for an error of a JSON document: its position is the key, or line and column.
 Failure failureOf(scene_file::SceneFileError error);
 
-// One pair a format. Readers throw Failure.
+// One pair per format. Readers throw Failure.
 ReadLandmarks readCsv(std::string_view text);
 ReadLandmarks readMeshLab(std::string_view text, bool isTemplate);
 ReadLandmarks readSlicerJson(std::string_view text);

@@ -26,13 +26,14 @@ constexpr const char *kDocumentData = "DocumentData";
 constexpr const char *kFileName = "DataFileName";
 constexpr const char *kTemplateName = "templateName";
 
-// ---- reading ----------------------------------------------------------------------------------------------------
+// ---- reading ------------------------------------------------------------------------------------
 
-/// What the XML library does not tell of a text: on which lines its points begin, and where it can be cut into pieces.
-/// Elements lie in each other no deeper than the library, which calls itself for each level, has stack for.
+/// Data that the XML library does not provide: the lines on which points begin, and where the text
+/// can be cut into pieces. It also limits the nesting of elements, because the library recurses for
+/// each level.
 class Outline {
 public:
-    /// The beginning of a piece, and its line, counted from 1.
+    /// The start of a piece, and its line, counted from 1.
     struct Cut {
         std::size_t offset = 0, line = 1;
     };
@@ -74,9 +75,9 @@ public:
         }
     }
 
-    /// The line of a point, counted from 0; 0 where it is not known.
+    /// The line of a point, whose index counts from 0; 0 if unknown.
     std::size_t lineOf(std::size_t point) const { return point < m_points.size() ? m_points[point] : 0; }
-    /// Places between two children of the root, rising.
+    /// Positions between two children of the root, ascending.
     const std::vector<Cut> &cuts() const { return m_cuts; }
 
 private:
@@ -94,7 +95,7 @@ private:
         const std::size_t end = text.find(what, from);
         return end == text.npos ? text.size() : end + what.size();
     }
-    /// Of the '>' that ends a tag, not one in quotes.
+    /// The position of the '>' that ends a tag, ignoring quotes.
     static std::size_t tagEnd(std::string_view text, std::size_t from)
     {
         char quote = '\0';
@@ -114,7 +115,7 @@ private:
     std::size_t m_at = 0, m_line = 1;
 };
 
-/// @param firstLine  of the text in its file
+/// @param firstLine  line of the text in its file
 Tree treeOf(const std::string &text, std::size_t firstLine)
 {
     try {
@@ -127,7 +128,8 @@ Tree treeOf(const std::string &text, std::size_t firstLine)
     }
 }
 
-/// Calls a function with the root of each piece of a document: the tree of all of it would take kilobytes a point.
+/// Calls a function with the root of each piece of a document. A tree of the whole document would
+/// need kilobytes per point.
 template <class Take>
 void forEachPiece(std::string_view text, const std::string &root, const Outline &outline, const Take &take)
 {
@@ -239,7 +241,7 @@ ReadLandmarks readMeshLab(std::string_view text, bool isTemplate)
     return read;
 }
 
-// ---- writing ----------------------------------------------------------------------------------------------------
+// ---- writing ------------------------------------------------------------------------------------
 
 namespace {
 
@@ -261,7 +263,8 @@ void appendAttribute(std::string &text, const std::string &name, std::string_vie
     text += '"';
 }
 
-/// Without an exponent, whose letter a reader by lines takes for a part of a name; still the fewest digits that read back.
+/// A number without an exponent, because line-based readers take its letter for a part of a name.
+/// It has the fewest digits that read back.
 std::string fixedNumber(double value)
 {
     std::array<char, 512> digits;
@@ -277,7 +280,7 @@ bool isXmlName(const std::string &name)
               });
 }
 
-/// What XML cannot hold, not even escaped.
+/// Replaces characters that XML cannot hold even escaped.
 class XmlNames {
 public:
     explicit XmlNames(Notes &notes) : m_notes(notes) {}
@@ -297,7 +300,8 @@ private:
     Notes &m_notes;
 };
 
-/// The elements of DocumentData besides the mesh's name, as they were read; what does not fit is told.
+/// The elements of DocumentData other than the mesh's name, as they were read. Elements that do not
+/// fit get a note.
 std::string documentData(const LandmarkSet &set, Notes &notes)
 {
     std::string text;

@@ -1,4 +1,5 @@
-// .nts and .dta of NTSYS: a matrix, a row a specimen, or without labels a row a landmark of one specimen.
+// .nts and .dta of NTSYS: a matrix with one row per specimen, or without labels one row per
+// landmark of one specimen.
 
 #include "core/landmark_files/lines.h"
 #include "core/text/number_text.h"
@@ -17,10 +18,11 @@ using text::marked;
 using text::tr;
 namespace {
 
-/// "1 12L 63L 1 9999 DIM=3": the kind of matrix, rows, columns, whether values are missing and what stands for them.
+/// The parameter line "1 12L 63L 1 9999 DIM=3": kind of matrix, rows, columns, whether values are
+/// missing and the number that marks them.
 struct Parameters {
     std::uint32_t rows = 0, columns = 0, dimensions = 3;
-    char rowLabels = 0; ///< 'L': all before the numbers; 'B', 'E': each at the begin or end of its row; 0: none
+    char rowLabels = 0; ///< 'L': all before the numbers; 'B', 'E': at the beginning or end of each row; 0: none
     bool hasColumnLabels = false;
     std::optional<double> missing;
 
@@ -35,7 +37,7 @@ std::string upperCase(std::string_view text)
     return upper;
 }
 
-/// Takes the letter off a count that has one.
+/// Removes the letter of a count and returns it, if there is one.
 char takeLetter(std::string_view &word, std::string_view letters)
 {
     if (word.empty() || letters.find(word.back()) == letters.npos)
@@ -75,12 +77,12 @@ Parameters parametersOf(std::string_view line, std::size_t number)
     return parameters;
 }
 
-/// The words behind the parameters, with their lines.
+/// The words after the parameters, with their lines.
 class Words {
 public:
     Words(Lines &lines, Notes &notes) : m_lines(lines), m_notes(notes) {}
 
-    /// Nothing at the end.
+    /// The next word; empty at the end.
     std::optional<std::string_view> next()
     {
         while (m_at == m_words.size()) {
@@ -135,7 +137,8 @@ Landmark landmarkOf(Words &words, const Parameters &parameters)
     return landmark;
 }
 
-/// What the labels of a point's columns have in common: "Nasion" of "Nasion_x", "Nasion_y" and "Nasion_z".
+/// The common part of the labels of a point's columns: "Nasion" for "Nasion_x", "Nasion_y" and
+/// "Nasion_z".
 std::string nameOf(const std::vector<std::string> &labels, std::size_t first, std::size_t axes)
 {
     constexpr std::string_view kAxes = "xyz";
@@ -180,7 +183,7 @@ ReadLandmarks readNts(std::string_view text)
         rowLabels.emplace_back(words.need());
     for (std::uint32_t i = 0; parameters.hasColumnLabels && i < parameters.columns; ++i)
         columnLabels.emplace_back(words.need());
-    // geomorph's digit.fixed: the rows are the landmarks of one specimen, whose name is the comment.
+    // geomorph's digit.fixed: the rows are the landmarks of one specimen; the comment is its name.
     const bool isOneSpecimen = parameters.rowLabels == 0 && parameters.columns == parameters.dimensions;
     if (isOneSpecimen && comments == 1) {
         read.sets.emplace_back().name = title;
@@ -239,7 +242,7 @@ std::string ntsText(std::span<const LandmarkSet> sets, Notes &notes)
                 coordinates.insert((*landmark.world)[axis]);
         }
     }
-    double missing = 9999.0; // which stands for it in most files
+    double missing = 9999.0; // the usual mark of a missing value
     while (hasMissing && coordinates.contains(missing))
         missing += 10000.0;
     std::string text = "1 " + std::to_string(sets.size()) + "L " + std::to_string(3 * points);

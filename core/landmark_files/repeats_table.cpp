@@ -14,13 +14,13 @@ using landmarks::RepeatedLandmark;
 using text::tr;
 namespace {
 
-/// "mm" and " MM" are one unit.
+/// True for equal units; "mm" and " MM" are equal.
 bool isSameUnit(const std::string &a, const std::string &b)
 {
     return lowerCase(trimmed(a)) == lowerCase(trimmed(b));
 }
 
-/// A mean of coordinates in several units would be in none. Throws Failure.
+/// Checks the units, because a mean of coordinates in several units has none. Throws Failure.
 void checkUnits(const RepeatedSpecimen &specimen, Notes &notes)
 {
     const auto unitOf = [&specimen](std::size_t i) { return specimen.placings[i].unit; };

@@ -14,12 +14,14 @@ namespace unprojector::landmark_files {
 struct RepeatedSpecimen {
     std::string name; ///< UTF-8
     std::vector<landmarks::LandmarkSet> placings;
-    std::vector<std::string> files; ///< that the placings are of, UTF-8; one a placing
+    std::vector<std::string> files; ///< files of the placings, UTF-8; one per placing
 };
 
-/// A table of comma-separated values with a row a landmark: specimen,name,placings,x,y,z,error,farthest. The mean of its
-/// placings, the standard deviation of one of them and how far the farthest is from the mean, as landmarks::repeatsOf says;
-/// what cannot be said of so few stays empty. Placings without a unit are noted, and taken to be in that of the others.
+/// A table of comma-separated values with one row per landmark:
+/// specimen,name,placings,x,y,z,error,farthest. It has the mean of the placings, the standard
+/// deviation of one, and the distance of the farthest from the mean, see landmarks::repeatsOf.
+/// Values that too few placings cannot give stay empty. Placings without a unit get a note, and are
+/// assumed to have the others' unit.
 /// @return CannotHold: placings of one specimen in several units
 geometry::Result<WrittenLandmarks, LandmarkFileError> repeatsTable(std::span<const RepeatedSpecimen> specimens,
                                                                    text::CellTexts texts = text::CellTexts::AsTheyAre);

@@ -1,4 +1,5 @@
-// .fcsv of 3D Slicer: comments that say version and axes, then id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID.
+// .fcsv of 3D Slicer: comments with version and axes, then
+// id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID.
 
 #include "core/landmark_files/lines.h"
 #include "core/scene_file/json_text.h"
@@ -41,10 +42,11 @@ enum Field : std::size_t {
     AutoCreated
 };
 constexpr std::size_t kFieldCount = AutoCreated + 1, kOldFieldCount = 6;
-/// Of newer files, the fifteenth field.
+/// Values of the fifteenth field, in newer files.
 constexpr std::string_view kDefined = "2", kPreview = "1";
 
-/// What follows a key in a comment: "# CoordinateSystem = LPS". A spreadsheet pads it with separators.
+/// The value of a key in a comment: "# CoordinateSystem = LPS". A spreadsheet pads it with
+/// separators.
 std::optional<std::string_view> valueOf(std::string_view comment, std::string_view key)
 {
     const std::size_t equals = comment.find('=');
@@ -57,8 +59,8 @@ std::optional<std::string_view> valueOf(std::string_view comment, std::string_vi
 constexpr std::string_view kColumns = "id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID",
                            kOldColumns = "label,x,y,z,sel,vis";
 
-/// How many columns a comment names: the first of those that are known, in their order. A spreadsheet separates them
-/// otherwise. Throws Failure.
+/// The number of columns that a comment names. It must name the first of the known ones, in their
+/// order; a spreadsheet uses another separator. Throws Failure.
 std::size_t columnCount(std::string_view names, bool hasVersion, std::size_t line)
 {
     std::string list = lowerCase(names);
@@ -92,7 +94,7 @@ bool flagOf(const CsvCell &cell, bool usual, std::size_t line, const char *what)
                            text::quoted(cell.text))};
 }
 
-/// Nothing where the row says NA.
+/// The position; empty if the row has NA.
 std::optional<WorldPoint> positionOf(const text::CsvRow &row, std::size_t first, Axes axes,
                                      const text::DecimalMark &mark)
 {
@@ -107,13 +109,13 @@ std::optional<WorldPoint> positionOf(const text::CsvRow &row, std::size_t first,
     return turned(WorldPoint(v), axes);
 }
 
-/// A text that R wrote: NA where there is none.
+/// A text written by R: empty for NA.
 std::string textOf(const CsvCell &cell)
 {
     return !cell.isQuoted && cell.text == "NA" ? std::string() : cell.text;
 }
 
-/// label,x,y,z,sel,vis: 3D Slicer 3, always in RAS.
+/// Parses label,x,y,z,sel,vis: 3D Slicer 3, always in RAS.
 Landmark oldLandmarkOf(text::CsvRow &row, const text::DecimalMark &mark)
 {
     row.cells.resize(kOldFieldCount);
@@ -164,7 +166,7 @@ Landmark landmarkOf(text::CsvRow &row, Axes axes, std::size_t number, const text
     return landmark;
 }
 
-/// The text of a comment, which a spreadsheet may have put in quotes; nothing of another row.
+/// The text of a comment, which a spreadsheet may have quoted; empty for another row.
 std::optional<std::string_view> commentOf(const text::CsvRow &row)
 {
     const std::string_view first = row.cells.front().text;
@@ -173,13 +175,13 @@ std::optional<std::string_view> commentOf(const text::CsvRow &row)
     return row.cells.front().isQuoted ? first : trimmed(row.source);
 }
 
-/// How the rows of points are written.
+/// The format of the rows of points.
 struct Dialect {
     char separator = ',';
     text::DecimalMark mark{','};
 };
 
-/// Whether a row divided so has coordinates where they belong.
+/// True if a row, split by a separator, has coordinates in their columns.
 bool hasPlace(std::string_view source, char separator)
 {
     text::CsvReader reader(source, separator);
@@ -194,7 +196,7 @@ bool hasPlace(std::string_view source, char separator)
     });
 }
 
-/// The first separator by which a row is a point: a label may hold more of the others.
+/// The first separator that makes a row a point. A label may contain other separators more often.
 char separatorOf(std::string_view source)
 {
     for (const char separator : text::kCsvSeparators) {
@@ -204,7 +206,7 @@ char separatorOf(std::string_view source)
     return text::csvSeparatorOf(source);
 }
 
-/// By the first row that is no comment.
+/// The format according to the first row that is no comment.
 Dialect dialectOf(std::string_view text)
 {
     Dialect dialect;
@@ -223,7 +225,7 @@ Dialect dialectOf(std::string_view text)
     return dialect;
 }
 
-/// Whether a row ends where the text does, without a line end.
+/// True if a row ends with the text, without a line end.
 bool isLastLine(std::string_view row, std::string_view text)
 {
     return row.data() + row.size() == text.data() + text.size();
@@ -236,7 +238,7 @@ ReadLandmarks readSlicerCsv(std::string_view text)
     ReadLandmarks read;
     Notes notes;
     LandmarkSet &set = read.sets.emplace_back();
-    set.axes = Axes::Ras; // of files that do not say
+    set.axes = Axes::Ras; // for files that do not name it
     bool hasVersion = false;
     std::optional<Axes> said;
     std::size_t fewest = 0; ///< cells of a row so far, or of the columns' names
@@ -262,7 +264,7 @@ ReadLandmarks readSlicerCsv(std::string_view text)
         }
         if (row.isPadding())
             continue;
-        // Of a single row only the end of the description and of the node may be left out.
+        // A single row may lack only the end of the description and of the node.
         const std::size_t whole = hasVersion ? Label + 1 : std::size_t{4};
         if (row.cells.size() < (set.landmarks.empty() ? std::min(fewest, whole) : fewest)
             && isLastLine(row.source, text))
@@ -302,7 +304,7 @@ ReadLandmarks readSlicerCsv(std::string_view text)
 
 std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
 {
-    // These have their fields.
+    // These keys have fields of their own.
     LandmarkSet others = set;
     for (Landmark &landmark : others.landmarks) {
         if (!landmark.extra.json().is_object())
@@ -314,8 +316,8 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
     std::string text = "# Markups fiducial file version = 5.8\n# CoordinateSystem = ";
     text += set.axes == Axes::Ras ? "RAS" : "LPS";
     text += "\n# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n";
-    PlainNames names("#", false, notes); // readers count the lines that hold one
-    // Rows of one length: one that is shorter is cut off.
+    PlainNames names("#", false, notes); // readers count the lines that contain '#'
+    // All rows have the same length, so a shorter one is a sign of truncation.
     const bool hasStatus = std::any_of(set.landmarks.begin(), set.landmarks.end(), [](const Landmark &landmark) {
         const Json &extra = landmark.extra.json();
         return landmark.isMissing() || (extra.is_object() && extra.contains("autoCreated"));

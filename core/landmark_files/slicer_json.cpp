@@ -27,7 +27,7 @@ constexpr const char *kSchema = "https://raw.githubusercontent.com/slicer/slicer
                                 "Resources/Schema/markups-schema-v1.0.3.json#";
 constexpr const char *kUnits = "coordinateUnits";
 
-/// A control point as the file has it.
+/// A control point as in the file.
 struct Point {
     enum class Status { Undefined, Preview, Defined, Missing };
 
@@ -77,13 +77,13 @@ void describe(Fields &json, T &document)
     json.list("markups", document.markups);
 }
 
-/// How 3D Slicer writes a point that is not turned.
+/// The orientation that 3D Slicer writes for a point that is not rotated.
 Json usualOrientation(Axes axes)
 {
     return axes == Axes::Lps ? Json{-1, 0, 0, 0, -1, 0, 0, 0, 1} : Json{1, 0, 0, 0, 1, 0, 0, 0, 1};
 }
 
-/// What of a point's keys says nothing that is not so without them.
+/// Removes the keys of a point that have their default values.
 void removeUsual(Json &extra, Axes axes, std::size_t number)
 {
     if (!extra.is_object())
@@ -124,7 +124,7 @@ LandmarkSet setOf(Markup &&markup, Notes &notes)
     set.axes = markup.axes;
     set.extra = std::move(markup.extra);
     if (Json &extra = set.extra.edit(); extra.is_object()) {
-        if (extra.contains(kUnits) && extra[kUnits].is_string()) { // else a code, which is kept as it is
+        if (extra.contains(kUnits) && extra[kUnits].is_string()) { // otherwise a code, which stays unchanged
             set.unit = extra[kUnits].get<std::string>();
             extra.erase(kUnits);
         }
@@ -140,7 +140,7 @@ LandmarkSet setOf(Markup &&markup, Notes &notes)
     return set;
 }
 
-/// Whether a value is how programs write the position of a point that is not placed: "", "NA", [] or three of null.
+/// True if a value is a program's position of a missing point: "", "NA", [] or three times null.
 bool isNoPosition(const Json &value)
 {
     const auto isNothing = [](const Json &each) {
@@ -152,7 +152,7 @@ bool isNoPosition(const Json &value)
     return isNothing(value) || (value.is_array() && std::all_of(value.begin(), value.end(), isNothing));
 }
 
-/// Makes null of each such position.
+/// Replaces each such position by null.
 void clearNoPositions(Json &document)
 {
     if (!document.is_object() || !document.contains("markups") || !document["markups"].is_array())

@@ -1,4 +1,4 @@
-// .tps of tpsDig and geomorph, many specimens a file.
+// .tps of tpsDig and geomorph, many specimens per file.
 
 #include "core/geometry/finite.h"
 #include "core/landmark_files/lines.h"
@@ -17,7 +17,7 @@ using namespace landmarks;
 using text::tr;
 namespace {
 
-/// "KEY=value", the key in capitals; nothing where a line is no such thing.
+/// A line "KEY=value", the key in capitals; empty for another line.
 struct KeyValue {
     std::string key;
     std::string_view value;
@@ -34,7 +34,8 @@ std::optional<KeyValue> keyValueOf(std::string_view line)
     return KeyValue{key, trimmed(line.substr(equals + 1))};
 }
 
-/// Whether a row is tpsDig's "-1 -1", a missing point. Our own writer gives a point that really is there an exponent.
+/// True for tpsDig's "-1 -1", a missing point. This program writes a point that really is there
+/// with an exponent.
 bool isMinusOnes(const std::vector<std::string_view> &words)
 {
     return std::all_of(words.begin(), words.end(), [](std::string_view word) {
@@ -42,8 +43,9 @@ bool isMinusOnes(const std::vector<std::string_view> &words)
     });
 }
 
-/// Takes points of -1 for missing where no other coordinate of the specimen is negative: tpsDig counts pixels.
-/// @param minusOnes  the points' places
+/// Marks points of -1 as missing if no other coordinate of the specimen is negative, because tpsDig
+/// counts pixels.
+/// @param minusOnes  indices of the points
 void takeMinusOnesAsMissing(LandmarkSet &set, const std::vector<std::size_t> &minusOnes, Notes &notes)
 {
     std::vector<Landmark> others = set.landmarks;
@@ -58,7 +60,7 @@ void takeMinusOnesAsMissing(LandmarkSet &set, const std::vector<std::size_t> &mi
     set.landmarks = std::move(others);
 }
 
-/// The next row of so many numbers.
+/// The words of the next row, which must have `size` numbers.
 std::vector<std::string_view> rowOf(Lines &lines, std::size_t size, const std::string &announced)
 {
     if (!lines.nextFilled())
@@ -94,7 +96,7 @@ ReadLandmarks readTps(std::string_view text)
     ReadLandmarks read;
     Notes notes;
     Lines lines(text);
-    std::set<std::string> keys; ///< of the specimen
+    std::set<std::string> keys; ///< keys of the specimen
     double scaleOfSet = 1.0;
     while (lines.nextFilled()) {
         const std::optional<KeyValue> entry = keyValueOf(lines.text());
@@ -137,7 +139,7 @@ ReadLandmarks readTps(std::string_view text)
             const double scale = numberOf(value, lines.number(), "SCALE");
             if (!(scale > 0.0))
                 throw Failure{lines.number(), tr("SCALE is %1; it must be greater than 0", value)};
-            // By name: Clang 14 does not let a structured binding be captured otherwise.
+            // Captured by name, because Clang 14 cannot capture a structured binding otherwise.
             const auto enlarge = [&lines, scale, given = value](WorldPoint &point) {
                 point = WorldPoint(point.coordinates() * scale);
                 if (!isFinite(point))
@@ -207,7 +209,7 @@ bool isTpsEntry(const std::string &key, const nlohmann::ordered_json &value)
            && value.get_ref<const std::string &>().find_first_of("\r\n") == std::string::npos;
 }
 
-/// The points of curves have no names, and nothing is known of how they came about.
+/// Appends the curves. Their points have no names, and their origin is not kept.
 void appendCurves(std::string &text, const LandmarkSet &set, Notes &notes)
 {
     std::size_t count = 0;
@@ -246,7 +248,7 @@ std::string tpsText(std::span<const LandmarkSet> sets, Notes &notes)
             if (landmark.world)
                 appendNumbers(row, landmark.world->coordinates(), ' ');
             if (landmark.world == WorldPoint(-1.0, -1.0, -1.0))
-                row = " -1e0 -1e0 -1e0"; // "-1 -1 -1" would be missing
+                row = " -1e0 -1e0 -1e0"; // "-1 -1 -1" would mean missing
             text += landmark.world ? row.substr(1) : "NA NA NA";
             text += '\n';
         }

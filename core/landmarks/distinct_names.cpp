@@ -14,8 +14,8 @@ DistinctNames distinctNames(std::span<const LandmarkSet> sets)
             taken.insert(landmark.name);
     }
     DistinctNames distinct;
-    std::map<std::pair<std::string, std::size_t>, std::size_t> known; ///< a name and which of that name
-    std::map<std::string, std::size_t> next;                          ///< number behind a name that was given before
+    std::map<std::pair<std::string, std::size_t>, std::size_t> known; ///< key: a name and its occurrence
+    std::map<std::string, std::size_t> next;                          ///< next number for a name that was used before
     const auto freeName = [&](const std::string &name) {
         std::size_t &number = next.try_emplace(name, 2).first->second;
         std::string candidate;

@@ -9,14 +9,15 @@
 
 namespace unprojector::landmarks {
 
-/// The landmarks of several sets by names of which no two are the same.
+/// The landmarks of several sets with unique names within each set.
 struct DistinctNames {
-    std::vector<std::string> names;               ///< in the order in which they first appear
-    std::vector<std::vector<std::size_t>> places; ///< of each set, of each of its landmarks: the index of its name
+    std::vector<std::string> names;               ///< in order of first appearance
+    std::vector<std::vector<std::size_t>> places; ///< for each set, for each of its landmarks: the index of its name
 };
 
-/// Gives each landmark of a set a name of its own. A landmark without a name gets its number. The second landmark "NAME" of a
-/// set gets "NAME (2)", in all sets alike; where some landmark has that name already, the next free number.
+/// Gives each landmark of a set a unique name. A landmark without a name gets its number. The
+/// second landmark "NAME" of a set becomes "NAME (2)", in all sets alike; if some landmark has that
+/// name already, the next free number is used.
 DistinctNames distinctNames(std::span<const LandmarkSet> sets);
 
 } // namespace unprojector::landmarks

@@ -16,16 +16,16 @@
 
 namespace unprojector::landmarks {
 
-// How a landmark is held to an object. Triangles are counted through all meshes of its model from 0, vertices as its file
-// counts them, from 0.
+// The anchor of a landmark on an object. Triangles are numbered from 0 through all meshes of the
+// model, vertices from 0 as in the file.
 
-/// By nothing: its coordinates say where it is.
+/// No anchor: only the coordinates give the position.
 struct Free {
     friend bool operator==(const Free &, const Free &) = default;
 };
 struct OnTriangle {
     std::uint32_t triangle = 0;
-    glm::dvec3 barycentric{0.0}; ///< of its three corners; their sum is 1
+    glm::dvec3 barycentric{0.0}; ///< weights of its three corners; their sum is 1
     friend bool operator==(const OnTriangle &, const OnTriangle &) = default;
 };
 struct AtVertex {
@@ -34,65 +34,66 @@ struct AtVertex {
 };
 struct OnEdge {
     std::array<std::uint32_t, 2> vertices{};
-    double share = 0.0; ///< of the way from the first to the second, in [0, 1]
+    double share = 0.0; ///< position between the first and the second, in [0, 1]
     friend bool operator==(const OnEdge &, const OnEdge &) = default;
 };
 using Anchor = std::variant<Free, OnTriangle, AtVertex, OnEdge>;
 
-/// A named point that somebody placed.
+/// A named point that the user placed on an object.
 struct Landmark {
-    std::string name;                          ///< UTF-8; may be empty, and another one's too
-    std::optional<geometry::WorldPoint> world; ///< nothing: it is missing, as on a broken bone
-    std::string object;                        ///< name of the object that it lies on; empty: none
+    std::string name;                          ///< UTF-8; may be empty, and need not be unique
+    std::optional<geometry::WorldPoint> world; ///< empty: it is missing, as on a broken bone
+    std::string object;                        ///< name of the object with the landmark; empty: none
     Anchor anchor;
-    std::optional<geometry::WorldVector> uncertainty; ///< how far each coordinate can be off, where that is known
+    std::optional<geometry::WorldVector> uncertainty; ///< the largest error of each coordinate, if known
     std::string note;                                 ///< UTF-8
-    std::optional<glm::u8vec3> color;                 ///< none: the usual one
+    std::optional<glm::u8vec3> color;                 ///< empty: the default colour
     bool isHidden = false;
-    /// What a file said of it that has no place here, to be written again: null or an object.
+    /// Data of a file that has no member here, kept for writing: null or an object.
     text::JsonValue extra;
 
     bool isMissing() const { return !world; }
     friend bool operator==(const Landmark &, const Landmark &) = default;
 };
 
-/// How a file has its axes. 3D Slicer works in RAS (right, anterior, superior) and takes model files to be in LPS (left,
-/// posterior, superior): x and y have the other sign.
+/// The axes of a file. 3D Slicer works in RAS (right, anterior, superior) and takes model files to
+/// be in LPS (left, posterior, superior): x and y have the opposite sign.
 enum class Axes { Lps, Ras };
 
-/// How a curve goes from each of its points to the next.
+/// The kind of a curve's path from each of its points to the next.
 enum class CurveKind {
-    Geodesic,     ///< as a thread pulled tight on the surface
-    PlaneSection, ///< where the plane through both points and the surface's normals at them cuts the surface
+    Geodesic,     ///< like a thread pulled tight on the surface
+    PlaneSection, ///< section of the surface by the plane through both points and the normals there
 };
 
 inline constexpr int kMostSemilandmarks = 1000; ///< of one curve
 
-/// A line on the surface through landmarks, and how many semilandmarks stand on it in equal steps.
+/// A line on the surface through landmarks, with a number of semilandmarks in equal steps.
 struct Curve {
     std::string name;                ///< UTF-8
-    std::vector<std::string> points; ///< the landmarks' names, in order; none: only `semilandmarks` are known of it
+    std::vector<std::string> points; ///< the landmarks' names, in order; empty: only `semilandmarks` are known
     CurveKind kind = CurveKind::Geodesic;
-    std::uint32_t count = 10; ///< of semilandmarks, those at both ends included; at least 2
-    /// Where they are, if somebody has worked that out: in what goes to files and comes from them.
+    std::uint32_t count = 10; ///< number of semilandmarks, including those at both ends; at least 2
+    /// The semilandmarks' positions, if computed: in data for files and from files.
     std::vector<geometry::WorldPoint> semilandmarks;
-    text::JsonValue extra; ///< as a landmark's
+    text::JsonValue extra; ///< as in a landmark
 
     friend bool operator==(const Curve &, const Curve &) = default;
 };
 
-/// Landmarks in their order, of one specimen.
+/// The landmarks of one specimen, in order.
 ///
-/// Their coordinates are always those of the mesh's own file, whatever axes the file of the landmarks had: what was read in
-/// RAS has its x and y negated, and `axes` says that it is to be written so again.
+/// Their coordinates are always in the axes of the mesh's own file, in any axes of the landmark
+/// file. Coordinates read in RAS have x and y negated, and `axes` tells the writer to negate them
+/// again.
 struct LandmarkSet {
-    std::string name; ///< of the specimen, UTF-8; may be empty
-    std::string mesh; ///< the file of the mesh, as it was written; may be empty
-    std::string unit; ///< "mm"; empty: not known
+    std::string name; ///< name of the specimen, UTF-8; may be empty
+    std::string mesh; ///< the file of the mesh, as written; may be empty
+    std::string unit; ///< "mm"; empty: unknown
     Axes axes = Axes::Lps;
     std::vector<Landmark> landmarks;
     std::vector<Curve> curves;
-    text::JsonValue extra; ///< as a landmark's
+    text::JsonValue extra; ///< as in a landmark
 
     friend bool operator==(const LandmarkSet &, const LandmarkSet &) = default;
 };

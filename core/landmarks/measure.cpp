@@ -32,13 +32,13 @@ glm::dvec3 placeOf(const Landmark &landmark)
     return landmark.world->coordinates();
 }
 
-/// How far a point can be off, whichever way; 0 where nobody knows.
+/// The largest error of a point in any direction; 0 if unknown.
 double reachOf(const Landmark &landmark)
 {
     return landmark.uncertainty ? glm::length(landmark.uncertainty->coordinates()) : 0.0;
 }
 
-/// A value and what it does where a point moves, point by point.
+/// A value and its error, summed over the points.
 class Summed {
 public:
     explicit Summed(double value) : m_measure{value, 0.0} {}
@@ -48,13 +48,13 @@ public:
     {
         addIfKnown(landmark, [&](const glm::dvec3 &off) { return glm::dot(glm::abs(gradient), glm::abs(off)); });
     }
-    /// Where no direction is the worst one.
-    /// @param rate  of the value by the length that the point moves
+    /// Adds an error where no direction is the worst one.
+    /// @param rate  of the value by the length of the point's movement
     void addAnyWay(const Landmark &landmark, double rate)
     {
         addIfKnown(landmark, [&](const glm::dvec3 &off) { return rate * glm::length(off); });
     }
-    /// @param most  that it can be off at all
+    /// @param most  largest possible error
     void limit(double most)
     {
         if (m_measure.error)
@@ -89,7 +89,8 @@ Measured lengthAlong(std::span<const Landmark *const> points)
         return *missing;
     if (points.size() < 2)
         return MeasureError{Code::TooFew, 0};
-    // Each piece's direction, or none; a piece that may have no length grows whichever way its ends move.
+    // Each piece's direction, or none. A piece that may have no length grows with any movement of
+    // its ends.
     std::vector<glm::dvec3> gradients(points.size(), glm::dvec3(0.0));
     std::vector<double> rates(points.size(), 0.0);
     double sum = 0.0;
@@ -131,7 +132,7 @@ Measured angleAt(const Landmark &vertex, const Landmark &a, const Landmark &c)
     const double open = (reachOf(a) + reachOf(vertex)) / lengthA + (reachOf(c) + reachOf(vertex)) / lengthC;
     Summed measure(angle);
     if (fromStraight > open) {
-        // Square to each leg, in their plane, away from the other one.
+        // These are perpendicular to each leg, in their plane, away from the other one.
         const glm::dvec3 n = normal / sine;
         const glm::dvec3 byA = glm::cross(ea, n) / lengthA, byC = glm::cross(n, ec) / lengthC;
         measure.add(a, byA);
@@ -155,7 +156,7 @@ Measured heightOver(const Landmark &a, const Landmark &b, const Landmark &c, con
     const glm::dvec3 normal = glm::cross(ab, ac);
     const double twiceArea = glm::length(normal);
     const double longest = std::max({glm::length(ab), glm::length(ac), glm::distance(placeOf(b), placeOf(c))});
-    // What rounding leaves of coordinates far from 0, or how far the points can be off.
+    // The limit is the rounding error of coordinates far from 0, or the points' uncertainty.
     double size = 0.0;
     for (const Landmark *corner : {&a, &b, &c}) {
         const glm::dvec3 place = glm::abs(placeOf(*corner));

@@ -10,7 +10,7 @@
 namespace unprojector::landmarks {
 namespace {
 
-/// Only of ASCII: what else there is has to be written the same.
+/// The name with ASCII letters in lower case; other characters must match exactly.
 std::string inLowerCase(std::string_view name)
 {
     std::string lower(name);
@@ -74,7 +74,7 @@ std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<co
 
 std::vector<Landmark> inTemplateOrder(std::vector<Landmark> landmarks, std::span<const Landmark> names)
 {
-    std::multimap<std::string, std::size_t> there; // those of one name in their order
+    std::multimap<std::string, std::size_t> there; // landmarks of one name stay in their order
     for (std::size_t i = 0; i < landmarks.size(); ++i)
         there.emplace(nameKey(landmarks[i].name), i);
     std::vector<Landmark> ordered;

@@ -13,8 +13,8 @@ using namespace geometry;
 
 namespace {
 
-/// The exponent of the power of two that the largest of several coordinates is divided by, so that neither sums nor squares
-/// of them overflow.
+/// The exponent of the power of two by which several coordinates are divided. It fits the largest
+/// one, so that neither sums nor squares overflow.
 int exponentOf(const std::vector<glm::dvec3> &places)
 {
     double largest = 0.0;
@@ -52,7 +52,7 @@ std::vector<RepeatedLandmark> repeatsOf(std::span<const LandmarkSet> placings)
         const int exponent = exponentOf(places[i]);
         for (glm::dvec3 &place : places[i])
             place = scaled(place, -exponent);
-        // About the first one: far from the origin the sum of many would lose digits.
+        // Sums are relative to the first one, because far from the origin they would lose digits.
         const glm::dvec3 first = places[i].front();
         const auto count = static_cast<double>(places[i].size());
         glm::dvec3 sum(0.0);

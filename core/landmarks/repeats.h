@@ -10,19 +10,19 @@
 
 namespace unprojector::landmarks {
 
-/// One landmark as it was placed several times on the same specimen, or by several observers.
+/// One landmark, placed several times on the same specimen, or by several observers.
 struct RepeatedLandmark {
     std::string name;
-    std::size_t count = 0;                    ///< how often it was placed
-    std::optional<geometry::WorldPoint> mean; ///< nothing: never
-    /// The standard deviation of one placing, of all three coordinates together: the root of the sum of the squares of the
-    /// distances from the mean, divided by one less than their number. Nothing before it was placed twice, and
-    /// where that is beyond the largest double.
+    std::size_t count = 0;                    ///< number of placings
+    std::optional<geometry::WorldPoint> mean; ///< empty: never placed
+    /// The standard deviation of one placing, for all three coordinates together: the root of the
+    /// sum of the squared distances from the mean over the count minus one. Empty for fewer than
+    /// two placings, and beyond the largest double.
     std::optional<double> error;
-    double farthest = 0.0; ///< from the mean; infinite beyond the largest double
+    double farthest = 0.0; ///< largest distance from the mean; infinite beyond the largest double
 };
 
-/// By name, as distinctNames tells them apart.
+/// The landmarks by name, see distinctNames.
 std::vector<RepeatedLandmark> repeatsOf(std::span<const LandmarkSet> placings);
 
 } // namespace unprojector::landmarks

@@ -19,7 +19,7 @@ namespace {
 
 enum class Side { None, Left, Right };
 
-/// What is left of a name without its side.
+/// The rest of a name without its side.
 struct SidedName {
     Side side = Side::None;
     std::string rest;
@@ -45,7 +45,7 @@ SidedName sidedNameOf(const std::string &name)
         if (lower.size() <= word.size())
             continue;
         const std::size_t rest = lower.size() - word.size();
-        // Where the word stood stays marked: "L eye" is no partner of "eye R".
+        // The position of the word stays marked: "L eye" is no partner of "eye R".
         if (lower.starts_with(word) && isSeparator(lower[word.size()]))
             return {side, '<' + lower.substr(word.size())};
         if (lower.ends_with(word) && isSeparator(lower[rest - 1]))
@@ -53,7 +53,7 @@ SidedName sidedNameOf(const std::string &name)
         if (lower.size() > word.size() + 1 && lower.ends_with(std::string(word) + ')') && isSeparator(lower[rest - 2]))
             return {side, lower.substr(0, rest - 1) + '>'};
     }
-    // Chinese has no blanks between words: 左外眼角, 外眼角（左）; but 左右 is of neither side.
+    // Chinese has no blanks between words: 左外眼角, 外眼角（左）; but 左右 means neither side.
     constexpr std::array<std::pair<std::string_view, Side>, 2> kCharacters{{{"左", Side::Left}, {"右", Side::Right}}};
     if (!lower.starts_with("左右")) {
         for (const auto &[character, side] : kCharacters) {
@@ -69,13 +69,13 @@ SidedName sidedNameOf(const std::string &name)
     return {Side::None, lower};
 }
 
-/// The axes of a symmetric matrix, that of the least eigenvalue first.
+/// The axes of a symmetric matrix, the least eigenvalue's first.
 struct Axes3 {
     std::array<glm::dvec3, 3> axes;
     std::array<double, 3> values;
 };
 
-/// By Jacobi's rotations; nothing where the least eigenvalue is not alone.
+/// Computes the axes by Jacobi rotations; returns empty if the least eigenvalue is not unique.
 std::optional<Axes3> axesOf(glm::dmat3 m)
 {
     glm::dmat3 axes(1.0);
@@ -116,7 +116,7 @@ std::optional<Axes3> axesOf(glm::dmat3 m)
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-/// Each one's partner, itself in the middle, or kNone: of a sided one that has no partner.
+/// The partner of each landmark: itself in the middle; kNone for a sided one without a partner.
 std::vector<std::size_t> partnersOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs)
 {
     std::vector<std::size_t> partners(landmarks.size());
@@ -129,13 +129,13 @@ std::vector<std::size_t> partnersOf(std::span<const Landmark> landmarks, std::sp
     return partners;
 }
 
-/// The plane, and what it comes from.
+/// The plane, and the data that define it.
 struct Fit {
     MirrorPlane plane;
     Axes3 axes;
     glm::dvec3 center{0.0};
     std::vector<std::size_t> partners;
-    std::vector<std::size_t> counted; ///< the landmarks that it is made from
+    std::vector<std::size_t> counted; ///< the landmarks that define it
 };
 
 std::optional<Fit> fitOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs)
@@ -152,13 +152,13 @@ std::optional<Fit> fitOf(std::span<const Landmark> landmarks, std::span<const Pa
     }
     if (fit.counted.empty())
         return std::nullopt;
-    // About the first, so that the coordinates of a map keep their digits.
+    // Coordinates are relative to the first landmark, so that map coordinates keep their digits.
     const glm::dvec3 about = place(fit.counted.front());
     glm::dvec3 sum(0.0);
     for (const std::size_t i : fit.counted)
         sum += place(i) - about;
     fit.center = about + sum / double(fit.counted.size());
-    // |mirror(l) - r|^2 = |l - r|^2 + 4 (n.l)(n.r) about the centre: the least n is an eigenvector.
+    // |mirror(l) - r|^2 = |l - r|^2 + 4 (n.l)(n.r) about the centre: the best n is an eigenvector.
     glm::dmat3 m(0.0);
     for (const std::size_t i : fit.counted) {
         const glm::dvec3 a = place(i) - fit.center, b = place(fit.partners[i]) - fit.center;
@@ -254,15 +254,15 @@ std::optional<Symmetry> symmetryOf(std::span<const Landmark> landmarks, std::spa
     const glm::dvec3 n = fit->plane.normal.coordinates();
     const double count = static_cast<double>(fit->counted.size());
     const auto fromCenter = [&](std::size_t i) { return landmarks[i].world->coordinates() - fit->center; };
-    std::vector<glm::dvec3> widths(landmarks.size(), glm::dvec3(0.0)); // each coordinate to its worse side
-    std::vector<double> lengths(landmarks.size(), 0.0);                // along the way from the partner
+    std::vector<glm::dvec3> widths(landmarks.size(), glm::dvec3(0.0)); // each coordinate in its worse direction
+    std::vector<double> lengths(landmarks.size(), 0.0);                // along the direction from the partner
     for (const std::size_t j : fit->counted) {
         const glm::dvec3 b = fromCenter(fit->partners[j]);
         for (int axis = 0; axis < 3; ++axis) {
             const double off = std::abs((*landmarks[j].uncertainty)[axis]);
             glm::dvec3 moved(0.0);
             moved[axis] = 1.0;
-            // The centre moves as well; of the matrix that changes nothing.
+            // The centre moves as well, but that does not change the matrix.
             const glm::dvec3 change = moved * glm::dot(b, n) + b * n[axis];
             glm::dvec3 dn(0.0);
             for (std::size_t e = 1; e < 3; ++e)
@@ -284,7 +284,7 @@ std::optional<Symmetry> symmetryOf(std::span<const Landmark> landmarks, std::spa
         }
     }
     for (const std::size_t i : fit->counted) {
-        // What may be no asymmetry at all has no direction: it is off whichever way.
+        // An asymmetry that may be 0 has no direction, so any direction counts.
         const double any = glm::length(widths[i]), value = *values[i];
         symmetry.asymmetries[i]->error = value > any ? lengths[i] / value : any;
     }

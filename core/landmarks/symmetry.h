@@ -12,23 +12,24 @@
 
 namespace unprojector::landmarks {
 
-/// Two landmarks, one on each side, by their places in the list.
+/// Two landmarks, one on each side, by their indices in the list.
 struct Pair {
     std::size_t left = 0, right = 0;
     friend bool operator==(const Pair &, const Pair &) = default;
 };
 
-/// Pairs by name: two names that are the same but for "left" and "right", or "L" and "R", as a word of their own at the
-/// beginning or the end, in whatever case ("L_eye", "eye right", "Orbitale-l"), or 左 and 右 there without a blank. A name that is there
-/// twice pairs with none.
+/// Pairs by name: two names that differ only in "left" and "right", or "L" and "R", as a separate
+/// word at the beginning or the end. They may be in any case ("L_eye", "eye right", "Orbitale-l").
+/// 左 and 右 need no blank. A name that occurs twice has no pair.
 std::vector<Pair> pairsByName(std::span<const Landmark> landmarks);
 
-/// Whether a name is of a left or a right landmark, as pairsByName has it: without a partner it says nothing of the middle.
+/// True if a name marks a left or a right landmark, as in pairsByName. Such a landmark without a
+/// partner does not define the middle.
 bool isSided(const std::string &name);
 
-/// The plane n . p = d that mirrors landmarks best into their partners: least in the sum of the squares of the distances from
-/// each landmark's mirror image to its partner, or to itself where it has none and is not sided (Mardia, Bookstein, Moreton 2000: object
-/// symmetry).
+/// The plane n . p = d that mirrors landmarks best into their partners. It minimises the sum of the
+/// squared distances from each landmark's mirror image to its partner. A landmark without a partner
+/// that is not sided counts as its own partner (Mardia, Bookstein, Moreton 2000: object symmetry).
 struct MirrorPlane {
     geometry::WorldVector normal; ///< length 1, to the right side
     double offset = 0.0;
@@ -36,27 +37,27 @@ struct MirrorPlane {
     geometry::WorldPoint mirrored(const geometry::WorldPoint &point) const;
 };
 
-/// @return nothing without a pair of which both are there, or where no plane is better than another
+/// @return empty if no pair has both landmarks, or if no plane is better than another
 std::optional<MirrorPlane> mirrorPlaneOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs);
 
-/// How far a landmark's mirror image lies from its partner, or from itself where it has none; nothing where either is missing, and of
-/// a sided one without a partner.
-/// One a landmark.
+/// The distance of each landmark's mirror image from its partner, or from itself if it has none.
+/// Empty if either is missing, and for a sided landmark without a partner. One per landmark.
 std::vector<std::optional<double>> asymmetriesOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs,
                                                  const MirrorPlane &plane);
 
-/// The plane that mirrors landmarks best and what follows from it, each with how far it can be off at most, to first order: the plane
-/// moves with every landmark that it is made from, so every error has a share of each of them. Nothing where one of them is not known.
+/// The best mirror plane and its results, each with its largest error to first order. The plane
+/// moves with every landmark that defines it, so every error has a share of each of them. Errors
+/// are empty if one of them is unknown.
 ///
-///   dn = sum over the other axes e of e (e . dM n) / (least eigenvalue - that of e)
+///   dn = sum over the other axes e of e (e . dM n) / (least eigenvalue - eigenvalue of e)
 struct Symmetry {
     MirrorPlane plane;
-    std::vector<std::size_t> counted;                ///< the landmarks that the plane is made from, rising
-    std::optional<double> offsetError;               ///< of the plane's offset
-    std::vector<std::optional<Measure>> asymmetries; ///< as asymmetriesOf has them; one a landmark
+    std::vector<std::size_t> counted;                ///< indices of the landmarks that define the plane, ascending
+    std::optional<double> offsetError;               ///< error of the plane's offset
+    std::vector<std::optional<Measure>> asymmetries; ///< see asymmetriesOf; one per landmark
 };
 
-/// @return nothing where mirrorPlaneOf has none
+/// @return empty if mirrorPlaneOf returns none
 std::optional<Symmetry> symmetryOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs);
 
 } // namespace unprojector::landmarks

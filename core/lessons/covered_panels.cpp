@@ -8,7 +8,7 @@
 namespace unprojector::lessons {
 namespace {
 
-/// The names of the step's points that its answer is about.
+/// The names of the step's points in its answer.
 std::set<std::string> pointsIn(const Step &step)
 {
     constexpr std::string_view kNameCharacters = "abcdefghijklmnopqrstuvwxyz0123456789_";
@@ -25,14 +25,14 @@ std::set<std::string> pointsIn(const Step &step)
     return names;
 }
 
-/// Whether a click on one of them gives the other, or takes it of the mesh.
+/// True if both are clicks on the same pixel, with or without a snap.
 bool haveSamePixel(const StepPoint &one, const StepPoint &other)
 {
     const auto *a = std::get_if<ClickedPixel>(&one), *b = std::get_if<ClickedPixel>(&other);
     return a && b && a->pixel == b->pixel;
 }
 
-/// The names of the points that links of these paragraphs click.
+/// Adds the names of the points that links of these paragraphs click.
 void addClicked(const std::vector<std::string> &paragraphs, std::set<std::string> &names)
 {
     constexpr std::string_view kLink = "'click:";
@@ -44,7 +44,7 @@ void addClicked(const std::vector<std::string> &paragraphs, std::set<std::string
     }
 }
 
-/// Those that texts up to a step have clicked in its scene.
+/// The points that texts up to a step have clicked in its scene.
 std::set<std::string> clickedUpTo(const Lesson &lesson, std::size_t index)
 {
     std::set<std::string> names;

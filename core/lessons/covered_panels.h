@@ -8,18 +8,19 @@
 
 namespace unprojector::lessons {
 
-/// A panel that shows an answer which is not given yet.
+/// A panel that shows an answer which the user has not given yet.
 struct CoveredPanel {
     Panel panel;
-    std::size_t until; ///< index of the last step whose answer it shows: with that answer it opens
+    std::size_t until; ///< index of the last step whose answer it shows: that answer uncovers it
 
     friend bool operator==(const CoveredPanel &, const CoveredPanel &) = default;
 };
 
-/// The panels that stay covered in a step: they show the answer to its question, or to the question of a later step on the same
-/// scene. A panel does so as soon as the point that the question is about is followed, or a link of a text so far clicks it.
+/// The panels that stay covered in a step. They show the answer to its question, or to the question
+/// of a later step on the same scene. The later one counts as soon as the question's point is
+/// followed, or a link in a text so far clicks it.
 /// @param index  of the step
-/// @param given  indexes of the steps whose answers were found or shown
+/// @param given  indices of the steps whose answers were found or shown
 /// @return in the order of Panel
 std::vector<CoveredPanel> coveredPanels(const Lesson &lesson, std::size_t index, const std::set<std::size_t> &given);
 

@@ -2,12 +2,12 @@
 
 namespace unprojector::lessons {
 
-/// What of a step is lettered in the view and in View from Outside; see highlights.h.
+/// The parts of a step that are labelled in the view and in View from Outside; see highlights.h.
 enum class Highlight {
-    Axes,    ///< "axes": those of the model, the world and the eye, in both views
+    Axes,    ///< "axes": the model's, the world's and the eye's, in both views
     Volume,  ///< "volume": the sides of the view volume, in View from Outside
     Cube,    ///< "cube": −1 and 1 at the normalised cube that View from Outside morphs the volume into
-    Viewport ///< "viewport": where the viewport lies in the view
+    Viewport ///< "viewport": the viewport's position in the view
 };
 
 } // namespace unprojector::lessons

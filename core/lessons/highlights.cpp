@@ -53,7 +53,7 @@ std::array<LetterAt<EyeSpace>, 6> volumeLetters(const Projection &projection)
     constexpr std::array kLetters{"l", "r", "b", "t", "n", "f"};
     std::array<LetterAt<EyeSpace>, 6> letters;
     for (std::size_t side = 0; side < letters.size(); ++side) {
-        // A bit of the corners' places for each pair of sides.
+        // One bit of the corners' indices for each pair of sides.
         const std::size_t bit = std::size_t(1) << (side / 2), value = side % 2 == 0 ? 0 : bit;
         glm::dvec3 sum(0.0);
         for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -91,7 +91,7 @@ std::vector<LetteredArrow> viewportArrows(const Viewport &viewport, const Surfac
         arrows.push_back({Length, {"vx", ""}, WindowPoint(0, middleY, 0), WindowPoint(viewport.x, middleY, 0)});
     if (viewport.y != 0.0)
         arrows.push_back({Length, {"vy", ""}, WindowPoint(middleX, 0, 0), WindowPoint(middleX, viewport.y, 0)});
-    const double beside = width - 16.0 * inset; // of the viewport's height
+    const double beside = width - 16.0 * inset; // the arrow of the viewport's height
     arrows.push_back({Length, {"H", ""}, WindowPoint(beside, height, 0), WindowPoint(beside, 0, 0)});
     return arrows;
 }

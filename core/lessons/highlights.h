@@ -13,10 +13,11 @@
 #include <string_view>
 #include <vector>
 
-/// What a step's "highlights" write into the pictures: letters, and where they stand. Whoever draws them chooses how large.
+/// The labels that a step's "highlights" add to the views: letters and their positions. The painter
+/// chooses their size.
 namespace unprojector::lessons {
 
-/// The names that files have for them, in the order of Highlight.
+/// Their names in files, in the order of Highlight.
 inline constexpr std::array kHighlightNames{"axes", "volume", "cube", "viewport"};
 
 /// A letter and its index: x with MC.
@@ -33,9 +34,9 @@ struct NamedAxes {
     std::array<geometry::WorldVector, 3> directions; ///< of x, y, z: unit vectors; a mirrored system stays mirrored
 };
 
-/// Highlight::Axes: MC of the followed object, else of the first one; WC of the world; VC of the eye, whose z points backwards.
-/// Where MC is WC there is one of them, "MC = WC".
-/// Source: the names are those of Zhang Ci, section 2.1; Weng et al. 2008, figure 2, has WC and VC.
+/// The axes of Highlight::Axes: MC of the followed object, else of the first one; WC of the world;
+/// VC of the eye, whose z points backwards. If MC equals WC, one entry "MC = WC" replaces both.
+/// Source: the names are from Zhang Ci, section 2.1; Weng et al. 2008, figure 2, has WC and VC.
 std::vector<NamedAxes> namedAxes(const scene::Scene &scene, const geometry::EyeFrame &eye);
 
 template <class Space>
@@ -44,29 +45,32 @@ struct LetterAt {
     geometry::Point<Space> at;
 };
 
-/// Highlight::Volume: l, r, b, t, n, f, each in the middle of its side of the view volume.
+/// The letters of Highlight::Volume: l, r, b, t, n, f, each in the middle of its side of the view
+/// volume.
 /// Source: Weng et al. 2008, figures 3 and 4.
 /// @pre the projection is valid
 std::array<LetterAt<geometry::EyeSpace>, 6> volumeLetters(const geometry::Projection &projection);
 
-/// Highlight::Cube: −1 and 1 where x, y and z cross the sides of the normalised cube.
+/// The letters of Highlight::Cube: −1 and 1 where x, y and z cross the sides of the normalised
+/// cube.
 std::array<LetterAt<geometry::NdcSpace>, 6> cubeLetters();
 
 /// An arrow in a view, and its letter.
 struct LetteredArrow {
     enum class Kind {
-        Axis,  ///< a tip at its end, where the letter stands
-        Length ///< from one end to the other, the letter between them
+        Axis,  ///< an arrow head and the letter at its end
+        Length ///< a line from one end to the other, the letter between them
     };
     Kind kind;
     Letter letter;
     geometry::WindowPoint from, to; ///< the depth is 0
 };
 
-/// Highlight::Viewport: the axes x_v and y_v from the lower left corner of the view, vx and vy from there to the viewport, its width
-/// and height, and H, the height of the view, which the paper calls rect.bottom. Lengths of 0 are left out.
+/// The arrows of Highlight::Viewport: the axes x_v and y_v from the lower left corner of the view;
+/// vx and vy from there to the viewport; its width and height; and H, the height of the view, which
+/// the paper calls rect.bottom. Lengths of 0 are omitted.
 /// Source: Weng et al. 2008, figures 5 and 6, formulas (3), (4), (7), (8).
-/// @param inset  how far inside of an edge an arrow runs along it, device pixels
+/// @param inset  distance between an edge and an arrow along it, on the inside, device pixels
 /// @pre viewport and surface are valid
 std::vector<LetteredArrow> viewportArrows(const geometry::Viewport &viewport, const geometry::Surface &surface,
                                           double inset);

@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace scene_file;
 
-/// Names that paths have already.
+/// Names that paths use already.
 constexpr std::array kTaken{"scene",  "model", "view",    "projection", "viewport", "modelview", "whole",
                             "object", "world", "eye",     "clip",       "ndc",      "window",    "device",
                             "widget", "pixel", "formula", "inverse",    "point",    "surface",   "set",
@@ -39,7 +39,7 @@ bool isName(std::string_view name)
     return !name.empty() && name.front() >= 'a' && std::all_of(name.begin(), name.end(), isPart);
 }
 
-/// Reads a lesson; the first thing that is wrong is kept.
+/// Reads a lesson; keeps the first error.
 class LessonReader {
 public:
     explicit LessonReader(std::string file) : m_file(std::move(file)) {}
@@ -54,7 +54,7 @@ public:
         return LessonError{sceneErrorText(error)};
     }
 
-    /// Runs a description on an object; keys that it does not name are a mistake.
+    /// Runs a description on an object; keys that it does not name are an error.
     template <class Describe>
     void object(const JsonNode &node, const Describe &describe)
     {
@@ -64,7 +64,8 @@ public:
             fail(node, "there is no key \"" + unknown.begin().key() + "\"");
     }
 
-    /// @param reason  a sentence; the first one is it
+    /// Records an error.
+    /// @param reason  a sentence; only the first one is kept
     void fail(const JsonNode &node, const std::string &reason)
     {
         if (!m_error && !m_jsonError)
@@ -90,7 +91,7 @@ private:
     JsonNode::FirstError m_jsonError;
 };
 
-/// What is in a translation as well.
+/// The members that a translation has as well.
 void describeTexts(FieldReader &json, Question &question)
 {
     json.optional("text", question.text);
@@ -121,7 +122,7 @@ StepPoint readPoint(LessonReader &reader, const JsonNode &node)
     return point;
 }
 
-/// The scene document of one of the program's own.
+/// The scene document of one of the program's own examples.
 std::optional<Json> bundledDocument(const std::string &name)
 {
     const std::vector<examples::Example> all = examples::examples();
@@ -135,7 +136,7 @@ std::optional<Json> bundledDocument(const std::string &name)
     return text && !text->empty() ? std::optional(Json::parse(*text)) : std::nullopt;
 }
 
-/// @param document  of the step before, null for the first
+/// @param document  of the previous step, null for the first
 void readScene(LessonReader &reader, const JsonNode &node, Json &document)
 {
     const JsonNode whole = node.member("scene"), change = node.member("change");
@@ -154,7 +155,7 @@ void readScene(LessonReader &reader, const JsonNode &node, Json &document)
         document.merge_patch(change.json());
 }
 
-/// In quotes, with commas.
+/// The names in quotes, with commas.
 template <class Names>
 std::string listed(const Names &names)
 {
@@ -164,7 +165,7 @@ std::string listed(const Names &names)
     return text;
 }
 
-/// Each link of the texts must lead somewhere.
+/// Checks that each link of the texts has a target.
 void checkLinks(LessonReader &reader, const JsonNode &node, const std::vector<std::string> &paragraphs)
 {
     constexpr std::string_view kStart = "<a href='";
@@ -199,8 +200,8 @@ void readChanges(LessonReader &reader, const JsonNode &node, FieldReader &json, 
     }
 }
 
-/// The points that a click can read: those that are pixels, and those that links of the texts click, of this step and of those
-/// before it.
+/// The points that a click can read: pixels, and points that links of the texts click, in this step
+/// and the previous ones.
 std::set<std::string> clickedPoints(const Step &step, const std::vector<Step> &before)
 {
     constexpr std::string_view kLink = "'click:";
@@ -228,7 +229,7 @@ std::set<std::string> clickedPoints(const Step &step, const std::vector<Step> &b
     return clicked;
 }
 
-/// @param earlier  those that are read already
+/// @param earlier  the steps read before
 void readStep(LessonReader &reader, const JsonNode &node, const std::vector<Step> &earlier, Step &step)
 {
     const Step *before = earlier.empty() ? nullptr : &earlier.back();
@@ -297,7 +298,7 @@ void readStep(LessonReader &reader, const JsonNode &node, const std::vector<Step
         reader.fail(node, "must have a \"title\" and a \"text\"");
 }
 
-/// The texts of a translation over those of the lesson.
+/// Replaces the texts of the lesson by a translation's.
 void readTexts(LessonReader &reader, const JsonNode &root, Lesson &lesson)
 {
     reader.object(root, [&](FieldReader &json) {
@@ -347,7 +348,7 @@ std::vector<Panel> panelsWithAnswer(std::string_view answer, const std::set<std:
     const auto isOneOf = [](const auto &names, std::string_view name) {
         return std::find(names.begin(), names.end(), name) != names.end();
     };
-    if (!answer.empty() && answer.front() == '-') // the distance is no secret beside the z
+    if (!answer.empty() && answer.front() == '-') // the distance is no secret beside z
         answer.remove_prefix(1);
     if (answer.find_first_not_of("abcdefghijklmnopqrstuvwxyzS0123456789_.[]") != std::string_view::npos)
         return {};
@@ -411,7 +412,8 @@ Result<Lesson, LessonError> parseLesson(std::string_view name, std::string_view 
 
 Result<std::vector<std::string>, LessonError> untranslated(const Lesson &lesson, std::string_view texts)
 {
-    // A lesson that says nothing, under the translation: what still says nothing has none.
+    // Apply the translation to a lesson without texts; texts that are still empty have no
+    // translation.
     Lesson silent = lesson;
     silent.title.clear();
     for (Step &step : silent.steps) {

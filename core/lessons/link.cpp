@@ -13,7 +13,7 @@ std::optional<Id> named(const std::array<const char *, count> &names, std::strin
     return found == names.end() ? std::nullopt : std::optional(static_cast<Id>(found - names.begin()));
 }
 
-/// A whole number of a view's size, greater than 0.
+/// Parses a whole number of a view's size, greater than 0.
 std::optional<int> lengthOf(std::string_view text)
 {
     int length = 0;

@@ -11,10 +11,10 @@
 #include <string_view>
 #include <variant>
 
-/// Where the links of a lesson lead, and the parts of the window that a lesson speaks of.
+/// The targets of a lesson's links, and the parts of the window that a lesson names.
 namespace unprojector::lessons {
 
-/// The panels of the window, in the order in which its menus list them.
+/// The panels of the window, in the order of its menus.
 enum class Panel {
     Comparison,
     Pipeline,
@@ -33,7 +33,7 @@ enum class Panel {
 inline constexpr std::array kPanelNames{"comparison", "pipeline", "parameters", "inspector", "lifecycle", "precision",
                                         "objects",    "points",   "series",     "doctor",    "observer",  "lesson"};
 
-/// The workspaces of the window, in the order of its tool bar; the first one is shown at first.
+/// The workspaces of the window, in the order of its tool bar; the first one is the initial one.
 enum class Workspace { Click, Pipeline, Landmarks, Doctor };
 /// The names of workspaces, in their order: in lessons, in kept layouts, on the command line.
 inline constexpr std::array kWorkspaceNames{"click", "pipeline", "points", "doctor"};
@@ -49,11 +49,11 @@ constexpr const char *nameOf(Workspace workspace)
 {
     return kWorkspaceNames[static_cast<std::size_t>(workspace)];
 }
-/// @return nothing where none has the name
+/// @return empty if none has the name
 std::optional<Panel> panelOf(std::string_view name);
 std::optional<Workspace> workspaceOf(std::string_view name);
 
-/// "formulas:frustum": a place in the page of formulas.
+/// "formulas:frustum": an anchor in the page of formulas.
 struct FormulasLink {
     std::string anchor;
 };
@@ -61,7 +61,7 @@ struct FormulasLink {
 struct ClickLink {
     std::string point;
 };
-/// "set:other": a change of the scene that the step describes under that name.
+/// "set:other": a change of the scene that the step defines under that name.
 struct SetLink {
     std::string change;
 };
@@ -77,19 +77,20 @@ struct WorkspaceLink {
 struct StepLink {
     std::string id;
 };
-/// "restart:": shows the scene of the step as it was at first.
+/// "restart:": restores the initial scene of the step.
 struct RestartLink {};
 /// "apart:view" and "apart:projection": the factors of a matrix, in the pipeline's panel.
 struct FactorsLink {
     enum class Matrix { View, Projection };
     Matrix matrix;
 };
-/// "matrix:projection": shows the matrix, in the pipeline's panel. Also "model", "view" and "viewport".
+/// "matrix:projection": shows the matrix, in the pipeline's panel. Also "model", "view" and
+/// "viewport".
 struct MatrixLink {
     matrices::PipelineStage stage; ///< one of these four
 };
-/// "action:perspective": triggers the action of a menu or of a panel that has the name, and switches on one that can be off;
-/// "action:perspective:off" switches it off.
+/// "action:perspective": triggers the action of that name in a menu or panel, and switches it on if
+/// it can be off; "action:perspective:off" switches it off.
 struct ActionLink {
     std::string name;
     bool isOn = true;
@@ -98,13 +99,13 @@ struct ActionLink {
 struct ViewSizeLink {
     glm::ivec2 size; ///< device pixels
 };
-/// "point:": shows the given point on its way through the pipeline.
+/// "point:": shows the given point in each space of the pipeline.
 struct GivenPointLink {};
 
 using Link = std::variant<FormulasLink, ClickLink, SetLink, PanelLink, WorkspaceLink, StepLink, RestartLink,
                           FactorsLink, MatrixLink, ActionLink, ViewSizeLink, GivenPointLink>;
 
-/// @return nothing where the text is no link of a lesson
+/// @return empty if the text is no link of a lesson
 std::optional<Link> parseLink(std::string_view text);
 
 } // namespace unprojector::lessons

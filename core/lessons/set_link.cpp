@@ -12,7 +12,7 @@ using namespace scene;
 
 namespace {
 
-/// "projection.left"
+/// The path of the first key: "projection.left".
 std::string firstPath(const nlohmann::ordered_json &object)
 {
     const auto first = object.begin();
@@ -30,9 +30,9 @@ Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Setup 
         return LessonError{sceneErrorText(error)};
     };
     SceneFile file = sceneFileFrom(scene, setup, {});
-    file.extra = {}; // so that those of the change are seen
+    file.extra = {}; // so that the change's extra keys show
     if (change.json().contains("point"))
-        file.point.reset(); // coordinates alone would be of the space in which the user gave the last one
+        file.point.reset(); // coordinates alone would use the space of the user's last point
     const Result<SceneFile, SceneFileError> next = changed(file, change, "set");
     if (!next)
         return failed(next.error());
@@ -41,7 +41,8 @@ Result<SceneSettings, LessonError> settingsWith(const Scene &scene, const Setup 
     const Result<Scene, SceneFileError> made = sceneFromFile(*next, {}, scene.objects);
     if (!made)
         return failed(made.error());
-    // What the change does not speak of stays to the last bit, with the matrices that it came from.
+    // Settings that the change does not name stay the same to the last bit, with the matrices that
+    // they came from.
     SceneSettings settings = scene;
     const auto speaksOf = [&change](const char *key) { return change.json().contains(key); };
     if (speaksOf("projection")) {

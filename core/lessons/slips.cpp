@@ -13,7 +13,7 @@ namespace {
 constexpr double kHalfPixel = 0.5;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// A number that a slip leads to.
+/// The number that a slip gives.
 struct Candidate {
     SlipKind kind;
     double value;
@@ -67,7 +67,7 @@ void addPixels(const Asked &asked, Candidates &all)
     }
 }
 
-/// The distance at a place t of the depth range, 0 at the near plane and 1 at the far one.
+/// The distance at a position t of the depth range, 0 at the near plane and 1 at the far one.
 double distanceAt(const Asked &asked, double t)
 {
     const double n = *asked.nearDistance, f = *asked.farDistance;
@@ -174,7 +174,7 @@ std::optional<Asked> askedIn(const LessonNumbers &numbers, const Step &step)
     asked.ratio = number("surface.ratio").value_or(1.0);
     asked.nearDistance = number("scene.projection.near");
     asked.farDistance = number("scene.projection.far");
-    // Only a perspective's last row has anything but 0 there.
+    // Only a perspective's last row is nonzero there.
     asked.isPerspective = number("projection[3][2]").value_or(0.0) != 0.0;
     asked.depthAtNear = number("scene.depthRange[0]").value_or(0.0);
     asked.depthAtFar = number("scene.depthRange[1]").value_or(1.0);
@@ -201,7 +201,7 @@ std::optional<SlipKind> slipOf(const Asked &asked, double given)
     all.push_back({asked.kind == AskedKind::EyeZ ? SlipKind::DistanceForZ : SlipKind::Sign, -asked.answer});
     addDepths(asked, all);
     addAngles(asked, all);
-    // The answer's own tolerance, but no more than tells two slips half a pixel apart.
+    // The answer's own tolerance, limited so that it separates two slips half a pixel apart.
     const double tolerance = std::min(asked.tolerance, kHalfPixel / 4.0);
     std::optional<SlipKind> found;
     for (const Candidate &candidate : all) {

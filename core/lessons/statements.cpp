@@ -9,10 +9,10 @@
 namespace unprojector::lessons {
 namespace {
 
-// UTF-8, whatever the compiler's own character set is.
+// Written in UTF-8 bytes, so that they do not depend on the compiler's character set.
 constexpr std::string_view kMinus = "\xe2\x88\x92";
 constexpr std::string_view kPlusMinus = "\xc2\xb1";
-/// Of numbers that are said exactly: what computing them may round.
+/// The tolerance of numbers stated exactly: the rounding error of the computation.
 constexpr double kRounding = 1e-9;
 
 bool isDigit(char c)
@@ -25,7 +25,7 @@ bool isLetter(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-/// Whether what stands before a number makes it part of a name: "w" of w9, "m[" of m[14].
+/// True if the text before a number makes it part of a name: "w" in w9, "m[" in m[14].
 bool isOfName(std::string_view before)
 {
     if (before.size() > 1 && before.substr(before.size() - 2) == "..") // m[0..15]
@@ -99,7 +99,7 @@ std::vector<StatedNumber> numbersIn(std::string_view text)
     return numbers;
 }
 
-/// Without what is the number of a formula: "(9) to (12)" has none.
+/// The words without formula numbers: "(9) to (12)" has none.
 std::string withoutFormulaNumbers(std::string_view words)
 {
     std::string plain;
@@ -112,7 +112,7 @@ std::string withoutFormulaNumbers(std::string_view words)
     return plain;
 }
 
-/// Without tags, and without the formulas' own numbers in links to them.
+/// The text without tags, and without formula numbers in links to formulas.
 std::string withoutTags(std::string_view text)
 {
     std::string plain;
@@ -132,7 +132,7 @@ std::string withoutTags(std::string_view text)
     return plain;
 }
 
-/// At commas outside of parentheses, without blanks around.
+/// Splits a list at commas outside of parentheses, without blanks around the parts.
 std::vector<std::string> parts(std::string_view list)
 {
     std::vector<std::string> parts{{}};
@@ -166,7 +166,7 @@ std::optional<Statement> statement(std::string_view inside)
 StatedText statedText(std::string_view text)
 {
     StatedText result;
-    std::string outside; // what is no statement, a blank for each of them
+    std::string outside; // the rest of the text, with a blank for each statement
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t open = text.find_first_of("{}", at);
         const std::string_view plain = text.substr(at, open - at);

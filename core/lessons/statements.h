@@ -6,30 +6,30 @@
 
 namespace unprojector::lessons {
 
-/// A number as a text says it.
+/// A number in a text.
 struct StatedNumber {
     double value = 0.0;
-    double tolerance = 0.0; ///< half of its last decimal; of whole numbers and fractions such as 4/9 but a rounding
-    bool isOfSize = false;  ///< ±0.5: only the size is said
+    double tolerance = 0.0; ///< half a unit of its last decimal; for whole numbers and fractions (4/9) only rounding
+    bool isOfSize = false;  ///< ±0.5: only the absolute value is given
 };
 
-/// What stands in braces: {(3, 4) = world.x, world.y}.
+/// A statement in braces: {(3, 4) = world.x, world.y}.
 struct Statement {
     std::string shown;                 ///< "(3, 4)"
     std::vector<StatedNumber> numbers; ///< 3 and 4
     std::vector<std::string> sources;  ///< "world.x" and "world.y"
-    bool isQuoted = false;             ///< "quoted": the numbers are those of the source
+    bool isQuoted = false;             ///< "quoted": the numbers come from the source
 };
 
 /// A text with its statements.
 struct StatedText {
     std::string shown; ///< without braces and sources
     std::vector<Statement> statements;
-    std::vector<std::string> faults; ///< in words: braces that do not fit, numbers outside of statements
+    std::vector<std::string> faults; ///< descriptions of errors: mismatched braces, numbers outside of statements
 };
 
-/// Takes a text apart. Numbers that belong to a name are none: m[14], w9, glTranslate3f; nor are those in tags, and a formula's
-/// own, "(9)", in the words of a link to the formulas.
+/// Parses a text with statements. Numbers in names do not count: m[14], w9, glTranslate3f. Numbers
+/// in tags do not count either, nor a formula's own number, "(9)", in a link to the formulas.
 /// @param text  UTF-8 with a little HTML
 StatedText statedText(std::string_view text);
 

@@ -39,7 +39,7 @@ LessonError failed(const std::string &where, const std::string &reason)
     return {where + ": " + reason};
 }
 
-/// Row by row.
+/// The matrix as JSON, row by row.
 Json rowsOf(const glm::dmat4 &matrix)
 {
     Json rows = Json::array();
@@ -74,7 +74,7 @@ Json treeOf(const Pipeline &pipeline)
     return tree;
 }
 
-/// @pre the pipeline's picture is valid
+/// @pre the pipeline's setup is valid
 Json treeOf(const Pipeline &pipeline, const PipelinePoints &points)
 {
     Json tree = treeOf(pipeline);
@@ -98,7 +98,7 @@ Json treeOf(const Pipeline &pipeline, const PipelinePoints &points)
 }
 
 /// The pipeline of an object of the scene.
-/// @param object  its name; of an empty one the identity
+/// @param object  its name; if empty, the model matrix is the identity
 Result<Pipeline, LessonError> pipelineOf(const Scene &scene, const Setup &setup, const std::string &object,
                                          const std::string &where)
 {
@@ -125,7 +125,7 @@ Result<Json, LessonError> treeOf(const Scene &scene, const Setup &setup, const G
     return treeOf(*pipeline, matrices::pointsFrom(*pipeline, point));
 }
 
-/// What a click on a pixel gives.
+/// The result of a click on a pixel.
 Result<Json, LessonError> treeOf(const Scene &scene, const Setup &setup, const ClickedPixel &clicked,
                                  const std::string &where)
 {
@@ -159,8 +159,8 @@ void flatten(const Json &node, std::vector<double> &numbers)
         flatten(child, numbers);
 }
 
-/// One step along a path: a key before "." or "[", or a place in brackets.
-/// @return null where there is nothing
+/// Follows one step along a path: a key before "." or "[", or an index in brackets.
+/// @return null if there is no such node
 const Json *follow(const Json *node, std::string_view &path)
 {
     if (path.front() == '[') {
@@ -181,7 +181,7 @@ const Json *follow(const Json *node, std::string_view &path)
     return found == node->end() ? nullptr : &*found;
 }
 
-/// What a text says, against what the program computes.
+/// Compares a text's numbers with the program's.
 std::optional<std::string> faultOf(const Statement &statement, const std::vector<double> &values)
 {
     if (values.size() != statement.numbers.size())
@@ -207,7 +207,7 @@ Result<Scene, LessonError> sceneOf(const Step &step)
         return LessonError{scene_file::sceneErrorText(file.error())};
     auto objects = opening::objectsOf(*file, {}, [](const std::filesystem::path &model) {
         return opening::ReadModel(
-            ImportError{ImportErrorCode::NotFound, model, {}}); // a lesson has no files but its own
+            ImportError{ImportErrorCode::NotFound, model, {}}); // a lesson has no files except its own
     });
     if (!objects)
         return failed(where, objects.error());
@@ -241,7 +241,7 @@ Result<StepNumbers, LessonError> StepNumbers::of(const Scene &scene, const Surfa
         return tree.error();
     Json &all = numbers.m_tree.edit();
     all = std::move(tree).value();
-    if (!scene.givenPoint) { // the matrices are there all the same
+    if (!scene.givenPoint) { // the matrices are there anyway
         for (const char *space :
              {"object", "world", "eye", "clip", "ndc", "window", "device", "widget", "pixel", "formula", "inverse"})
             all.erase(space);
@@ -288,7 +288,8 @@ std::optional<DevicePixel> StepNumbers::pixelOf(const std::string &point) const
 {
     const std::vector<double> pixel = at(point == "point" ? "pixel" : point + ".pixel"), width = at("surface.width"),
                               height = at("surface.height");
-    // Before they are whole numbers: a point close to the eye's plane can be too far off for one, or none at all.
+    // Check before the conversion to integers: a point close to the eye's plane can be too far off
+    // for one, or not a number.
     if (pixel.size() != 2 || !(pixel[0] >= 0.0 && pixel[0] < width.front())
         || !(pixel[1] >= 0.0 && pixel[1] < height.front()))
         return std::nullopt;

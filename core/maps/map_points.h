@@ -8,7 +8,7 @@
 
 namespace unprojector::maps {
 
-/// Many points, one array a coordinate.
+/// Many points, one array per coordinate.
 struct PointArrays {
     std::vector<double> x, y, z;
 
@@ -23,7 +23,7 @@ struct PointArrays {
     geometry::EyePoint eye(std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
-/// Picture elements to unproject.
+/// Picture elements (pixel positions and depths) to unproject.
 struct ElementArrays {
     std::vector<double> px, py, depth;
 
@@ -48,11 +48,11 @@ struct ElementArrays {
     }
 };
 
-/// The pixels of a row that have a surface.
+/// The pixels of a row that show a surface.
 struct RowPixels {
     ElementArrays elements;                    ///< their centres
     std::vector<geometry::DevicePixel> pixels; ///< in the same order
-    std::vector<std::size_t> places;           ///< in the image
+    std::vector<std::size_t> places;           ///< indices in the image
 
     void read(const SurfaceImage &surfaces, int row);
 };

@@ -40,7 +40,8 @@ constexpr MistakeMade kMistakes[] = {{"y-not-flipped"},
                                      {"no-w-divide"},
                                      {"model-left-in"}};
 
-/// What the depth buffer holds: on the background what it was cleared to; outside the window the depth is unknown.
+/// The value of the depth buffer: on the background the clear value; outside the window it is
+/// unknown.
 double depthIn(const SurfaceImage &surfaces, const Setup &setup, const DevicePixel &pixel)
 {
     if (pixel.i < 0 || pixel.i >= surfaces.widthPixels || !surfaces.has(pixel.j))
@@ -49,8 +50,9 @@ double depthIn(const SurfaceImage &surfaces, const Setup &setup, const DevicePix
     return std::isnan(depth) ? setup.depthRange.atFar : depth;
 }
 
-/// The click's logical pixel, a whole one as toolkits tell it, taken for a device pixel. The doctor divides by the ratio
-/// instead: the wrong point says nothing of where in the pixel the hand was.
+/// Takes the click's logical pixel, whole as toolkits report it, for a device pixel. The doctor
+/// divides by the ratio instead, because the wrong point does not reveal the position within the
+/// pixel.
 /// @param variant  parameter: whether the height is in logical pixels too
 void takeLogicalPixel(doctor::Run &run, const doctor::Variant &variant)
 {
@@ -66,7 +68,7 @@ void takeLogicalPixel(doctor::Run &run, const doctor::Variant &variant)
         run.flipHeight = logical.heightPixels;
 }
 
-/// The ways to make a mistake on an object: one, or none where the picture leaves none.
+/// The variants of a mistake on an object: one, or none if the setup does not allow it.
 std::vector<doctor::Variant> variantsOf(const MistakeMade &made, const doctor::Given &given, const Setup &setup,
                                         const glm::dmat4 &worldFromObject)
 {
@@ -90,7 +92,7 @@ Result<OtherPoints> pointsWith(const MistakeMade &made, const Setup &setup, std:
     const Result<doctor::Given> given = doctor::Given::of(setup);
     if (!given)
         return given.error();
-    std::vector<std::vector<doctor::Variant>> variants; // one list an object
+    std::vector<std::vector<doctor::Variant>> variants; // one list per object
     for (const scene::SceneObject &object : objects)
         variants.push_back(variantsOf(made, *given, setup, geometry::worldFromObject(object.transform)));
     if (objects.empty())

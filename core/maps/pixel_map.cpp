@@ -20,7 +20,7 @@ using namespace unproject;
 
 namespace {
 
-/// What a worker of a map has of its own: rows of numbers, NaN where it leaves them.
+/// The state of a map's worker: it computes rows of numbers and leaves NaN where there is none.
 class RowWorker {
 public:
     RowWorker() = default;
@@ -28,7 +28,7 @@ public:
     RowWorker(const RowWorker &) = delete;
     RowWorker &operator=(const RowWorker &) = delete;
 
-    /// The points that a row's numbers are about, and one number each.
+    /// Computes one number for each point of a row.
     virtual void row(const RowPixels &pixels, const PointArrays &formula, std::vector<double> &numbers) = 0;
 };
 
@@ -49,10 +49,10 @@ private:
     PointArrays m_points;
 };
 
-/// Distance of a method's points to where the rays meet the mesh.
+/// Distance of a method's points from the rays' hits on the mesh.
 class RayRow : public RowWorker {
 public:
-    /// @param method  nothing: the formulas, whose points there are already
+    /// @param method  null: the formulas, whose points are there already
     RayRow(const PixelRays &rays, const SurfaceImage &surfaces, const ClickBatch *method)
         : m_rays(rays), m_surfaces(surfaces), m_method(method)
     {
@@ -80,17 +80,17 @@ private:
     std::vector<ray::Ray<WorldSpace>> m_row;
 };
 
-/// Where another one answers what the inverted matrix answers too, nothing is displaced: what is left between the methods is
-/// rounding, and no effect of it.
+/// The displacement of a point; 0 if the other answer equals the inverted matrix's. The remaining
+/// difference between the methods is rounding, not an effect of the mistake.
 double displacement(const WorldPoint &other, const WorldPoint &matrix, const WorldPoint &formula)
 {
-    constexpr double kRoundingUlps = 16.0; // of the ways of the same numbers through two products
+    constexpr double kRoundingUlps = 16.0; // of computing the same numbers through two products
     if (distance(other, matrix) <= kRoundingUlps * ulpOfLargest(matrix))
         return 0.0;
     return distance(formula, other);
 }
 
-/// Distance to what a program answers, or a mistake.
+/// Distance to the answer of a program or a mistake.
 class DisplacementRow : public RowWorker {
 public:
     DisplacementRow(const OtherPoints &other, const SurfaceImage &surfaces, const ClickBatch &matrix)
@@ -110,7 +110,7 @@ private:
     const OtherPoints &m_other;
     const SurfaceImage &m_surfaces;
     const ClickBatch &m_matrix;
-    PointArrays m_points, m_right; ///< the other's, and by the same matrix without its ways
+    PointArrays m_points, m_right; ///< the other answer, and the answer by the same matrix without its mistakes
 };
 
 class UncertaintyWorker : public RowWorker {
@@ -134,17 +134,17 @@ private:
     PointArrays m_points;
 };
 
-/// Everything that a map's workers share.
+/// The data shared by a map's workers.
 struct Prepared {
     ClickBatch formula;
-    std::optional<ClickBatch> matrix; ///< by which another answers
+    std::optional<ClickBatch> matrix; ///< for the other answers
     std::optional<ClickBatch> eye;    ///< the formulas' eye points
-    std::optional<PixelRays> rays;    ///< of the picture
-    OtherPoints other;                ///< of a displacement
+    std::optional<PixelRays> rays;    ///< of the view
+    OtherPoints other;                ///< for a displacement
     std::optional<UncertaintyRow> uncertainty;
 };
 
-/// @param areMet  whether the surfaces are those that rays have met
+/// @param areMet  whether the surfaces were hit by rays
 Result<Prepared> prepared(const Question &question, const Unprojector &unprojector, bool areMet,
                           std::span<const scene::SceneObject> objects)
 {
@@ -199,7 +199,7 @@ std::unique_ptr<RowWorker> workerOf(Quantity quantity, const Prepared &prepared,
     return std::make_unique<DisplacementRow>(prepared.other, surfaces, *prepared.matrix);
 }
 
-/// Of surfaces that are there at a time: 12 MB, and some hundred milliseconds on a core.
+/// The number of surfaces in memory at a time: 12 MB, and some hundred milliseconds on a core.
 constexpr int kBandPixels = 1 << 19;
 
 PixelMap emptyMap(const Setup &setup)
@@ -209,7 +209,8 @@ PixelMap emptyMap(const Setup &setup)
     return map;
 }
 
-/// The rows whose surfaces tell the numbers of these: the uncertainty's slopes and other programs look beside a pixel.
+/// The rows whose surfaces are needed: the uncertainty's slopes and other programs read
+/// neighbouring pixels.
 Rows rowsRead(const Question &question, const Setup &setup, const Rows &rows)
 {
     Rows read = rows;
@@ -228,7 +229,7 @@ Rows rowsRead(const Question &question, const Setup &setup, const Rows &rows)
 
 /// Computes rows of a map.
 /// @param surfaces  of rowsRead
-/// @return false when progress says stop
+/// @return false if progress requests a stop
 bool setRows(PixelMap &map, const Rows &rows, const Question &question, const Prepared &shared,
              const SurfaceImage &surfaces, const ray::Progress &progress)
 {
@@ -318,7 +319,7 @@ Result<std::optional<PixelMap>> pixelMap(const Question &question, const Unproje
     for (int begin = 0; begin < map.heightPixels; begin += atATime) {
         Rows rows(static_cast<std::size_t>(std::min(atATime, map.heightPixels - begin)));
         std::iota(rows.begin(), rows.end(), begin);
-        // The first half of a band is meeting its surfaces.
+        // The first half of a band's progress is the computation of its surfaces.
         const auto partFrom = [&](double start) -> ray::Progress {
             if (!progress)
                 return {};

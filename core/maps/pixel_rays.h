@@ -7,15 +7,16 @@
 
 namespace unprojector::maps {
 
-/// The rays through the centres of many pixels, those of ray::ClickRays computed row by row in plain double: their ends may
-/// be off by some units in the last place.
+/// The rays through the centres of many pixels: the rays of ray::ClickRays, computed row by row in
+/// plain double. Their ends may be off by some units in the last place.
 class PixelRays {
 public:
-    /// @return the errors of BatchUnprojection::byFormula or, for a matrix that is no known projection, byMatrix
+    /// @return the errors of BatchUnprojection::byFormula or, for a matrix that is no known
+    ///         projection, byMatrix
     static geometry::Result<PixelRays> of(const ray::ClickRays &rays);
 
     /// @param row   counted from the top
-    /// @param rays  becomes one for each pixel of the picture's width; not finite where there is none
+    /// @param rays  receives one ray for each pixel of the width; not finite where there is none
     void ofRow(int row, std::vector<ray::Ray<geometry::WorldSpace>> &rays) const;
 
 private:
@@ -24,8 +25,8 @@ private:
 
     unproject::BatchUnprojection m_unprojection;
     std::size_t m_width;
-    geometry::DepthRange m_depths; ///< of the ends of the rays
-    double m_high;                 ///< of the rays: infinity where the far plane is there
+    geometry::DepthRange m_depths; ///< depths of the rays' ends
+    double m_high;                 ///< largest t of the rays: infinity if the far plane is at infinity
 };
 
 } // namespace unprojector::maps

@@ -10,14 +10,14 @@
 
 namespace unprojector::maps {
 
-/// Rows of a picture on all cores, some of them at a time.
-/// @param widthPixels  of a row
-/// @param progress     with the share done, on the calling thread; may be empty
-/// @return false when progress says stop
+/// Processes rows of pixels on all cores, some at a time.
+/// @param widthPixels  width of a row
+/// @param progress     called with the share done, on the calling thread; may be empty
+/// @return false if progress requests a stop
 inline bool rowsInParallel(std::span<const int> rows, int widthPixels, const ray::Progress &progress,
                            const std::function<void(std::span<const int>)> &some)
 {
-    constexpr int kPixels = 1 << 14; // some milliseconds
+    constexpr int kPixels = 1 << 14; // takes some milliseconds
     const auto atATime = static_cast<std::size_t>(std::max(1, kPixels / std::max(1, widthPixels)));
     struct Stopped {};
     try {

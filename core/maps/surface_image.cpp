@@ -55,7 +55,7 @@ SurfaceImage emptyImage(const Setup &setup, const Rows &rows)
     return image;
 }
 
-/// Whether the centre of a pixel lies in the viewport.
+/// True if the centre of a pixel lies in the viewport.
 bool isInViewport(const Setup &setup, const DevicePixel &pixel)
 {
     const Viewport &v = setup.viewport;
@@ -96,7 +96,7 @@ std::optional<SurfaceImage> surfacesMet(const ray::SceneRays &rays, const PixelR
                 if (!met)
                     continue;
                 const std::size_t index = image.indexOf(i, j);
-                // Rounding to whole steps can lead out of the range, where no surface is drawn.
+                // Rounding to whole steps can leave the range, where no surface is drawn.
                 image.depths[index] = std::clamp(format.kept(depths.of(ray.at(met->hit.t))), low, high);
                 image.ts[index] = met->hit.t;
                 image.objects[index] = static_cast<std::uint32_t>(met->object);

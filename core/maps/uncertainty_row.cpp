@@ -13,7 +13,7 @@ using namespace unproject;
 
 namespace {
 
-/// As gui's frame reads it: the steeper of both sides, of the same object.
+/// The slope as gui's frame computes it: the steeper one of both sides, on the same object.
 std::optional<DepthSlope> slopeAt(const SurfaceImage &s, const DevicePixel &pixel)
 {
     const std::size_t here = s.indexOf(pixel.i, pixel.j);

@@ -12,7 +12,7 @@ using namespace unproject;
 using namespace text;
 namespace {
 
-/// A click's point by one method in the space that is asked for.
+/// A click's point by one method in the requested space.
 Result<glm::dvec3> pointOf(const Unprojected &click, Method method, const BatchSpace &space)
 {
     const auto coordinates = [](const auto &point) {
@@ -27,7 +27,7 @@ Result<glm::dvec3> pointOf(const Unprojected &click, Method method, const BatchS
     return world ? coordinates(objectFromWorld(space.worldFromObject, *world)) : Result<glm::dvec3>(world.error());
 }
 
-/// What is given of a click and what is computed of it.
+/// The input and result columns of a click.
 std::vector<std::string> clickColumns(const PointsOptions &options)
 {
     std::vector<std::string> names(kClickColumns.begin(), kClickColumns.end());
@@ -46,8 +46,8 @@ public:
             m_writer.header();
     }
 
-    /// Writes the row of a click. Errors are printed on stderr.
-    /// @return false where a click cannot be computed at all
+    /// Writes the row of a click. Prints errors on stderr.
+    /// @return false if a click cannot be computed at all
     bool add(std::size_t index, const Click &click)
     {
         const std::optional<BatchSpace> space = batchSpace(m_options.rows.space, click.scene);

@@ -4,8 +4,8 @@
 
 namespace unprojector::cli {
 
-/// `unproject points` of clicks: each computed again with its own scene, one row a click. A click on the background has
-/// no point and counts as a bad row.
+/// Runs `unproject points` on clicks: computes each again with its own scene, one row per click. A
+/// click on the background has no point and counts as a bad row.
 ExitCode runClicks(const PointsOptions &options, const std::vector<scene_file::Click> &clicks);
 
 } // namespace unprojector::cli

@@ -27,7 +27,7 @@ using namespace unproject;
 using namespace text;
 namespace {
 
-/// Numbers as PLY's binary_little_endian wants them.
+/// Converts numbers to PLY's binary_little_endian.
 template <class Scalar>
 void makeLittleEndian([[maybe_unused]] std::span<Scalar> values)
 {
@@ -48,10 +48,10 @@ std::string plyHeader(std::size_t count)
            + '\n' + property + "x\n" + property + "y\n" + property + "z\nend_header\n";
 }
 
-/// The extent of points as they are written.
+/// The extent of the written points.
 class Extent {
 public:
-    /// @param numbers  x, y, z of a point after each other
+    /// @param numbers  x, y, z of each point in turn
     template <class Scalar>
     void add(std::span<const Scalar> numbers)
     {
@@ -63,7 +63,8 @@ public:
             }
         }
     }
-    /// How far rounding to single precision may move a coordinate, where that is more than a millionth of the whole; else 0.
+    /// The largest change of a coordinate by rounding to single precision, where it is more than a
+    /// millionth of the extent; else 0.
     double floatRounding() const
     {
         constexpr double kMillionth = 1e-6;
@@ -82,7 +83,7 @@ private:
     std::array<double, 3> m_lowest{kInfinity, kInfinity, kInfinity}, m_highest{-kInfinity, -kInfinity, -kInfinity};
 };
 
-/// @param seen  how many depths are of a surface
+/// @param seen  number of depths on a surface
 template <class Scalar>
 ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnprojection &unprojection, const Setup &g,
                     const DepthImage &image, std::size_t seen)
@@ -133,7 +134,7 @@ ExitCode writeCloud(const CloudOptions &options, ByteSink &sink, const BatchUnpr
             + tr(
                 "so far from the origin single precision rounds coordinates by up to %1; --precision double keeps them",
                 shortestText(rounding, 0.1 * rounding)));
-    if (options.output != "-") // in a pipe the next program has the word
+    if (options.output != "-") // in a pipe the next program prints
         complain(options.output + ": "
                  + tr(count == 1 ? "%1 point of %2 pixels" : "%1 points of %2 pixels", count, pixelsOf(g)));
     return ExitCode::Done;
@@ -155,10 +156,10 @@ ExitCode runCloud(const CloudOptions &options)
     }
     InputFiles inputs = filesOf(*scene, options.scene);
     inputs.push_back(options.depth);
-    ByteSink sink(options.output, inputs); // what cannot be written is known before all is computed
+    ByteSink sink(options.output, inputs); // an unwritable output is reported before the computation
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
-    // PLY says first how many points there are: they are counted as they come.
+    // PLY states the number of points first, so they are counted while they are read.
     const auto &[dn, df] = g.depthRange;
     const Surfaces surfaces(g.depthRange);
     std::size_t seen = 0;

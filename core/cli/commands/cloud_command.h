@@ -7,14 +7,14 @@
 
 namespace unprojector::cli {
 
-/// What the file holds. Computed in double either way.
+/// The precision of the numbers in the file. Computations are in double either way.
 enum class PointPrecision { Float, Double };
 
-/// What the numbers of a depth image are, in every format of it: depths of the window as they are, or 0 to 1 over the
+/// The meaning of a depth image's numbers, in every image format: window depths, or 0 to 1 over the
 /// scene's depth range, from its lower end on.
 enum class DepthNumbers { Window, Range };
 
-/// `unproject cloud`: a whole depth image to a point cloud in world space.
+/// `unproject cloud`: converts a whole depth image to a point cloud in world space.
 struct CloudOptions {
     std::string scene;
     std::string depth;  ///< raw floats, PFM or PGM

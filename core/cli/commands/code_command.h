@@ -7,7 +7,7 @@
 
 namespace unprojector::cli {
 
-/// `unproject code`: a scene as source code.
+/// `unproject code`: writes a scene as source code.
 struct CodeOptions {
     std::string scene;
     scene_code::CodeDialect dialect = scene_code::CodeDialect::Glu;

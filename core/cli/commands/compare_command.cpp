@@ -29,7 +29,7 @@ namespace {
 
 constexpr double kShare = 0.9999;
 
-/// One way to compute, and how it did.
+/// One method of computation, and its errors.
 struct Way {
     using Function = std::function<Result<WorldPoint>(const WindowPoint &)>;
 
@@ -38,7 +38,7 @@ struct Way {
     Function by;
     std::vector<Distribution> of; ///< x, y, z in world units; units in the last place of the largest coordinate
     std::size_t withoutAnswer = 0;
-    std::string reason; ///< of the first point without an answer
+    std::string reason; ///< error of the first point without an answer
 
     Way(const char *methodName, const char *precisionName, bool isInFloat, std::size_t points, Function function)
         : method(methodName), precision(precisionName), isFloat(isInFloat), by(std::move(function)),
@@ -73,14 +73,14 @@ struct Way {
             reason = why;
     }
 
-    /// Of the precision that it computes in.
+    /// A unit in the last place, in the method's precision.
     double ulpOf(double value) const
     {
         return isFloat ? static_cast<double>(unitInLastPlace(static_cast<float>(value))) : unitInLastPlace(value);
     }
 };
 
-/// The closed form wholly in single precision, as a program does it that stores its numbers so.
+/// The closed form entirely in single precision, as in a program that stores its numbers so.
 class FormulaInFloat {
 public:
     explicit FormulaInFloat(const Setup &setup)
@@ -132,13 +132,13 @@ private:
     std::optional<Error> m_problem;
 };
 
-/// Where in [0, 1] the middle of the i-th of so many equal parts lies.
+/// The middle of the i-th of so many equal parts of [0, 1].
 double middleOfPart(int i, int parts)
 {
     return (i + 0.5) / parts;
 }
 
-/// The centres of pixels spread over the viewport, times depths from one end to the other.
+/// Visits the centres of pixels spread over the viewport, times depths from one end to the other.
 template <class Function>
 void forEachPoint(const Setup &g, const CompareOptions &options, Function function)
 {

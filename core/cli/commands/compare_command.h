@@ -6,7 +6,7 @@
 
 namespace unprojector::cli {
 
-/// `unproject compare`: how far both methods are from the truth, over a grid of pixels and depths.
+/// `unproject compare`: measures the error of both methods over a grid of pixels and depths.
 struct CompareOptions {
     std::string scene;
     bool isJson = false;

@@ -38,7 +38,7 @@ struct CaseRead {
     InputFiles files;
 };
 
-/// Whether all models of a scene are there to be read.
+/// True if all models of a scene exist and are readable.
 bool areModelsThere(const std::string &file)
 {
     const std::optional<SceneFile> scene = file == "-" ? std::nullopt : readScene(file);
@@ -51,7 +51,7 @@ bool areModelsThere(const std::string &file)
     });
 }
 
-/// The vertices of a scene's models, which are read once they are asked for; none where a model is missing.
+/// The vertices of a scene's models, read on the first call; none if a model is missing.
 std::function<std::vector<KnownPoint>(const Box &)> verticesOnceRead(const std::string &file)
 {
     return [file, opened = std::optional<OpenedScene>(), isRead = false](const Box &world) mutable {
@@ -62,7 +62,7 @@ std::function<std::vector<KnownPoint>(const Box &)> verticesOnceRead(const std::
     };
 }
 
-/// The case without any mesh. Errors are printed on stderr.
+/// The case without meshes. Errors are printed on stderr.
 std::optional<CaseRead> withoutMesh(const std::string &file)
 {
     const std::optional<SceneFile> scene = readScene(file);
@@ -95,7 +95,8 @@ std::optional<CaseRead> withMesh(const std::string &file)
     return CaseRead{std::move(result), opened->files};
 }
 
-/// The mesh is asked for only where a depth is missing: a scene without its models will do otherwise.
+/// The case of a scene. Meshes are loaded only where a depth is missing, so that otherwise a scene
+/// without its models suffices.
 std::optional<CaseRead> caseOf(const std::string &file, bool isDepthMissing)
 {
     if (!isMeantAsScene(file))
@@ -144,7 +145,7 @@ bool setSpace(std::vector<WrongPoint> &points, const std::string &space, const C
     return true;
 }
 
-/// Leaves out the points of pixels outside the picture, which stderr is told.
+/// Removes the points whose pixels lie outside the view, and reports them on stderr.
 void leaveOutside(WrongPoints &given, const Surface &surface)
 {
     WrongPoints inside{{}, {}, given.isComplete};
@@ -162,7 +163,7 @@ void leaveOutside(WrongPoints &given, const Surface &surface)
     given = std::move(inside);
 }
 
-/// Which of the points has a depth that is refused, and what to do about it.
+/// The message that names the point with the rejected depth, and the remedy.
 std::string depthRefused(const WrongPoints &given, double depth, const Setup &setup)
 {
     const auto refused = std::find_if(given.points.begin(), given.points.end(),

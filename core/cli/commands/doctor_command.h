@@ -6,14 +6,14 @@
 
 namespace unprojector::cli {
 
-/// `unproject doctor`: which mistake of a program makes its wrong point.
+/// `unproject doctor`: finds the mistake in a program that explains its wrong point.
 struct DoctorOptions {
     std::string scene;              ///< a model, a scene or clicks; "-" is a scene from stdin
     std::string pixel;              ///< "X,Y", continuous device pixels
-    std::string depth;              ///< empty: not known
+    std::string depth;              ///< empty: unknown
     std::string got;                ///< "X,Y,Z", as the program printed them
     std::string gotSpace = "world"; ///< world, eye, object or object:NAME
-    std::string points;             ///< CSV px,py,depth,x,y,z instead of the three; "-" is stdin
+    std::string points;             ///< CSV px,py,depth,x,y,z, replaces pixel, depth and got; "-" is stdin
     std::string otherSize;          ///< "WxH"; empty: none
     bool isJson = false;
 };

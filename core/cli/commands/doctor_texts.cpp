@@ -99,7 +99,7 @@ std::string_view depthName(DepthKnown known)
     return {};
 }
 
-/// A coordinate with the digits that its last one allows.
+/// A coordinate with digits down to `lastDigit`.
 std::string coordinateText(double value, double lastDigit)
 {
     const int decimals = std::clamp(int(std::lround(-std::log10(lastDigit))), 0, 15);
@@ -123,7 +123,7 @@ std::string nameOf(const Candidate &candidate)
     return candidate.ways.empty() ? candidate.id : tr("%1 (%2)", candidate.id, waysText(candidate.ways));
 }
 
-/// The mistake, and those that cannot be told from it.
+/// The mistake, and the ones that cannot be distinguished from it.
 std::string mistakeText(const Diagnosis &diagnosis)
 {
     const Candidate &first = diagnosis.candidates.front();
@@ -230,7 +230,7 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
     std::string text = verdictText(diagnosis);
     if (diagnosis.isSinglePrecision)
         text += "  " + precisionSentence() + '\n';
-    // What comes close to a point of the scene says nothing.
+    // A known point of the scene makes the closest candidate meaningless.
     const bool isKnown = diagnosis.verdict == "known-point";
     if (!isKnown)
         text += line(best.explains ? tr("explains|row") : tr("closest|row"), candidateText(best, diagnosis, first));

@@ -8,7 +8,7 @@ namespace unprojector::cli {
 
 /// A diagnosis as one JSON object on one line.
 std::string doctorJson(const doctor::Diagnosis &diagnosis);
-/// The same for people, with the lines of code to change.
+/// A diagnosis as text, with the lines of code to change.
 /// @param first  the point that the coordinates of the diagnosis belong to
 std::string doctorText(const doctor::Diagnosis &diagnosis, const doctor::WrongPoint &first);
 

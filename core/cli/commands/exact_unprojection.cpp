@@ -182,7 +182,7 @@ std::optional<std::array<Extended, 3>> ExactUnprojection::world(const WindowPoin
         const auto &m = m_worldFromWindow[row];
         p[row] = m[0] * window.x + m[1] * window.y + m[2] * window.z + m[3];
     }
-    // Beyond what a double can hold, or there only by the last of 50 digits.
+    // The point is beyond a double's range, or its w consists only of rounding error of 50 digits.
     if (abs(p[3]) * 1e30 <= abs(m_worldFromWindow[3][3]) + abs(m_worldFromWindow[3][2] * window.z))
         return std::nullopt;
     return Triple{p[0] / p[3], p[1] / p[3], p[2] / p[3]};

@@ -9,19 +9,20 @@
 
 namespace unprojector::cli {
 
-/// 50 digits: beside its own rounding that of a double is enormous.
+/// A number of 50 digits, so its rounding error is negligible beside a double's.
 using Extended = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
-/// The world point under a position of the window, for judging both methods: the forward matrices of gluLookAt, glFrustum,
-/// gluPerspective, glOrtho, glViewport and glDepthRange in extended precision, from the same parameters in double, and their
-/// product inverted in extended precision.
+/// The world point under a window position, as the reference for judging both methods. It builds
+/// the forward matrices of gluLookAt, glFrustum, gluPerspective, glOrtho, glViewport and
+/// glDepthRange in extended precision from the same double parameters. It inverts their product in
+/// extended precision.
 class ExactUnprojection {
 public:
-    /// Nothing where the product has no inverse.
-    /// @pre the geometry's parts are valid
+    /// Returns empty where the product has no inverse.
+    /// @pre the setup's parts are valid
     static std::optional<ExactUnprojection> of(const geometry::Setup &setup);
 
-    /// Nothing for a point at infinity.
+    /// The world point; empty for a point at infinity.
     std::optional<std::array<Extended, 3>> world(const geometry::WindowPoint &window) const;
 
 private:

@@ -21,7 +21,7 @@ using namespace scene;
 using namespace text;
 namespace {
 
-/// JSON has no infinity.
+/// A number as JSON, which has no infinity.
 std::string jsonOfNumber(double value)
 {
     return std::isfinite(value) ? shortestText(value) : "null";
@@ -32,7 +32,8 @@ std::string tableText(double value)
     return std::isfinite(value) ? shortestText(value) : tr("missing|number");
 }
 
-/// In as few digits as are held as the same floats: those of the file, most often.
+/// The coordinates in the fewest digits that identify the same floats; mostly the digits of the
+/// file.
 std::string tableText(const glm::dvec3 &v, const glm::dvec3 &halfGap)
 {
     std::string text;
@@ -47,7 +48,7 @@ std::string jsonOfPoint(const glm::dvec3 &point)
     return '[' + jsonOfNumber(point.x) + ", " + jsonOfNumber(point.y) + ", " + jsonOfNumber(point.z) + ']';
 }
 
-/// The members that a scene and an object have alike, without brackets.
+/// The members that a scene and an object share, without brackets.
 std::string json(const Measures &m)
 {
     std::string text =
@@ -72,7 +73,8 @@ std::string lines(const Measures &m)
                                                       tableText(m.box.highest, m.highestHalfGap)));
 }
 
-/// One of each, in the order of the objects; with the object's name where there are several.
+/// The distinct notes in the order of the objects, with the object's name if there are several
+/// objects.
 std::vector<std::string> notesOf(const std::vector<SceneObject> &objects)
 {
     std::vector<std::string> notes;
@@ -102,7 +104,7 @@ ExitCode runInfo(const InfoOptions &options)
     const std::optional<OpenedScene> opened = openScene(options.file);
     if (!opened)
         return ExitCode::UnusableInput;
-    // Programs read the notes too.
+    // JSON is in English, because programs read the notes too.
     std::optional<InEnglish> english;
     if (options.isJson)
         english.emplace();

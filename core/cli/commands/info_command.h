@@ -6,7 +6,7 @@
 
 namespace unprojector::cli {
 
-/// `unproject info`: what a model or a scene holds.
+/// `unproject info`: describes the content of a model or a scene.
 struct InfoOptions {
     std::string file; ///< a model, a scene or clicks; "-" is a scene from stdin
     bool isJson = false;

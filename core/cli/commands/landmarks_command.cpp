@@ -48,7 +48,7 @@ void tell(const std::string &name, const std::vector<LandmarkNote> &notes)
         complain(line);
 }
 
-/// What cannot be read is said on stderr.
+/// Reads a landmark file. Prints errors on stderr.
 std::optional<ReadLandmarks> readFile(const std::string &file, Format format)
 {
     ByteSource source(file);
@@ -77,7 +77,7 @@ std::optional<ReadLandmarks> readFile(const std::string &file, Format format)
     return std::move(read).value();
 }
 
-/// @param inputs  of the run: none of them is written over
+/// @param inputs  inputs of the run: none of them is overwritten
 ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkFileError> &text,
                const InputFiles &inputs)
 {
@@ -98,7 +98,7 @@ ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkF
     return written;
 }
 
-/// The format of a file, by its suffix where nobody says; what is not known is said on stderr.
+/// The given format of a file, else the one of its suffix. An unknown format is reported on stderr.
 std::optional<Format> formatOf(const std::string &file, const std::optional<Format> &given, const char *option)
 {
     if (given)
@@ -117,7 +117,7 @@ std::optional<Format> formatOf(const std::string &file, const std::optional<Form
     return format;
 }
 
-/// "0.0123": three digits say enough of a distance.
+/// "0.0123": three digits suffice for a distance.
 std::string shortText(double value)
 {
     std::array<char, 32> digits;
@@ -131,10 +131,10 @@ std::string nameOf(const Landmark &landmark, std::size_t index)
     return landmark.name.empty() ? tr("point %1", index + 1) : tr("\"%1\"", landmark.name);
 }
 
-/// Moves every point to the place of the mesh that is closest to it, and says how far that was.
+/// Moves every landmark to the closest point of the mesh, and reports the distance.
 class Tying {
 public:
-    /// What cannot be opened is said on stderr.
+    /// Opens the mesh. Prints errors on stderr.
     static std::optional<Tying> to(const std::string &mesh)
     {
         const std::filesystem::path file = pathFromUtf8(mesh);
@@ -171,7 +171,7 @@ public:
         }
     }
 
-    /// Leads the curves of a set that is tied anew through its points.
+    /// Recomputes the curves of a moved set through its landmarks.
     void lead(LandmarkSet &set)
     {
         for (Curve &curve : set.curves) {
@@ -187,7 +187,7 @@ public:
                 if (found != set.landmarks.end())
                     points.push_back(&*found);
             }
-            curve.semilandmarks.clear(); // of where it was they would tell something else
+            curve.semilandmarks.clear(); // the old ones describe the former position
             if (points.size() < curve.points.size()) {
                 complain(tr("%1: %2 has no semilandmarks: not all of its points are there", m_mesh, name));
                 continue;
@@ -203,7 +203,7 @@ public:
         }
     }
 
-    /// The mesh's file, and what it refers to.
+    /// The mesh's file, and the files that it names.
     InputFiles files() const { return filesOf(pathFromUtf8(m_mesh), m_target.places->model()); }
 
     void tellFarthest() const
@@ -224,7 +224,7 @@ private:
 
     std::string m_mesh, m_farthestName;
     ray::TyingTarget m_target;
-    std::shared_ptr<const curves::SurfaceMesh> m_surface; ///< made for the first curve
+    std::shared_ptr<const curves::SurfaceMesh> m_surface; ///< built for the first curve
     double m_size = 0.0, m_farthest = 0.0;
     std::size_t m_count = 0;
 };
@@ -255,7 +255,7 @@ ExitCode convert(const LandmarksOptions &options)
         }
         tying->tellFarthest();
     }
-    // Its rows are specimens by name: where the file has none, that of the file.
+    // NTSYS rows are specimens by name. Where the input has no name, the file's name is used.
     if (*to == Format::Nts && options.input != "-") {
         for (std::size_t i = 0; i < read->sets.size(); ++i) {
             if (read->sets[i].name.empty())
@@ -300,8 +300,9 @@ ExitCode makeTable(const LandmarksOptions &options)
     return written == ExitCode::Done && !folder.badFiles.empty() ? ExitCode::SomeRowsBad : written;
 }
 
-/// The sets of several files as placings of specimens. Where each file has one, they are of one, whatever it is called;
-/// else those of one name belong together, or without names those at one place.
+/// Groups the sets of several files by specimen. If each file has one set, all are the same
+/// specimen, under any name. Otherwise sets of the same name belong together, or, without names,
+/// sets at the same index.
 /// @param names  of the files
 std::vector<RepeatedSpecimen> specimensOf(const std::vector<std::vector<LandmarkSet>> &files,
                                           const std::vector<std::string> &names)
@@ -324,7 +325,7 @@ std::vector<RepeatedSpecimen> specimensOf(const std::vector<std::vector<Landmark
     return specimens;
 }
 
-/// A file that is compared with itself has no scatter.
+/// Warns about a file given twice, because a set compared with itself has no scatter.
 void tellSameFiles(const std::vector<std::string> &files)
 {
     std::map<std::filesystem::path, std::string> known;

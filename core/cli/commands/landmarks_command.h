@@ -13,16 +13,16 @@ enum class LandmarkTable { Long, Wide, Tps, Nts };
 
 struct LandmarksOptions {
     std::string input, output;                      ///< UTF-8; "-" is stdin and stdout
-    std::optional<landmark_files::Format> from, to; ///< nothing: by the suffix
-    std::string mesh;                               ///< model that the points are tied to; empty: none
-    std::string folder;                             ///< a table of its files is made; empty: none
-    std::vector<std::string> repeats;               ///< files of the same points, each placed anew; empty: none
+    std::optional<landmark_files::Format> from, to; ///< empty: by the suffix
+    std::string mesh;                               ///< model that the landmarks lie on; empty: none
+    std::string folder;                             ///< folder whose files become a table; empty: none
+    std::vector<std::string> repeats;               ///< files with repeated placements of the same points; empty: none
     LandmarkTable table = LandmarkTable::Long;
     bool isSpreadsheetSafe = false; ///< see text::CellTexts
 };
 
-/// `unproject landmarks`: landmarks from one file to another, a table of a folder of them, or how far repeated placings
-/// scatter. What is lost is said on stderr.
+/// Runs `unproject landmarks`: converts landmark files, makes a table of a folder, or measures the
+/// scatter of repeated placements. Conversion losses are reported on stderr.
 /// @return SomeRowsBad where files of a folder could not be read
 ExitCode runLandmarks(const LandmarksOptions &options);
 

@@ -24,7 +24,8 @@ using namespace maps;
 using namespace text;
 namespace {
 
-/// 256 MB: the command keeps all numbers of a map until it is written, because it reports their median.
+/// 256 MB: the command keeps all numbers of a map until it is written, because it reports their
+/// median.
 constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 26;
 
 std::uint64_t pixelsOf(const Setup &setup)
@@ -33,7 +34,7 @@ std::uint64_t pixelsOf(const Setup &setup)
            * static_cast<std::uint64_t>(setup.surface.heightPixels);
 }
 
-/// A part of the work on a bar; nobody stops it but the system.
+/// A part of the work on a progress bar; only the system can stop it.
 ray::Progress partOf(ProgressBar &bar, std::uint64_t amount)
 {
     return [&bar, amount, told = std::uint64_t{0}](double share) mutable {
@@ -52,7 +53,7 @@ bool hasSuffix(std::string_view name, std::string_view suffix)
                          [&isSame](char wanted, char given) { return isSame(given, wanted); });
 }
 
-/// Whether a map can go there; prints errors on stderr.
+/// Returns whether a map can be written to the output; prints errors on stderr.
 bool isOutputUsable(const MapOptions &options, const OpenedScene &opened)
 {
     if (hasSuffix(options.output, ".png")) {
@@ -67,10 +68,10 @@ bool isOutputUsable(const MapOptions &options, const OpenedScene &opened)
     return !isOverInput(options.output, opened.files);
 }
 
-/// Where what is seen at each pixel comes from. It outlives its source.
+/// The surfaces visible at each pixel. It must outlive the result of source().
 class Seen {
 public:
-    /// Reports on stderr what is wrong.
+    /// Builds it. Prints errors on stderr.
     static std::unique_ptr<const Seen> of(const MapOptions &options, const OpenedScene &opened,
                                           const Unprojector &unprojector);
 
@@ -94,7 +95,7 @@ private:
     Setup m_setup;
     double m_depth;
     DepthFormat m_format;
-    std::optional<ray::SceneRays> m_rays; ///< none: the depth is given
+    std::optional<ray::SceneRays> m_rays; ///< empty: the depth is given
     std::optional<PixelRays> m_pixels;
 };
 
@@ -137,7 +138,7 @@ std::unique_ptr<const Seen> Seen::of(const MapOptions &options, const OpenedScen
     return seen;
 }
 
-/// Three digits: what a scale is read by.
+/// Three digits, enough to read a scale.
 std::string threeDigits(double value)
 {
     std::array<char, 32> digits;
@@ -198,7 +199,7 @@ ExitCode runMap(const MapOptions &options)
         complain(opened->name + ": " + errorText(unprojector.error()));
         return ExitCode::UnusableInput;
     }
-    ByteSink sink(options.output, opened->files); // what cannot be written is known before all is computed
+    ByteSink sink(options.output, opened->files); // an unwritable output is reported before the computation
     if (!sink.isOpen())
         return ExitCode::UnusableInput;
     ProgressBar bar(pixelsOf(*setup), ProgressBar::Unit::Points);

@@ -7,16 +7,16 @@
 
 namespace unprojector::cli {
 
-/// `unproject map`: a number for each pixel of the picture of a scene or a model.
+/// `unproject map`: computes a number for each pixel of the view of a scene or a model.
 struct MapOptions {
     std::string scene; ///< a model, a scene or clicks; "-" is a scene from stdin
     maps::Quantity quantity = maps::Quantity::FormulaMatrix;
-    std::string convention; ///< of a displacement; empty for the others
+    std::string convention; ///< convention of a displacement; empty for the other quantities
     maps::Unit unit = maps::Unit::World;
-    std::string size; ///< of the picture, "WxH"; empty: its own
+    std::string size; ///< size of the view, "WxH"; empty: its own
     bool isDepthGiven = false;
     double depth = 0.0;
-    unproject::DepthFormat format; ///< of the surfaces' depths
+    unproject::DepthFormat format; ///< format of the surfaces' depths
     bool isJson = false;
     std::string output; ///< a PFM file, "-" for stdout
 };

@@ -32,12 +32,12 @@ glm::dmat4 windowMatrix(const Setup &g)
     return m;
 }
 
-/// What is written in an API's terms, and in what terms.
+/// The content to write, in an API's conventions.
 struct Written {
     const ApiConventions *api;
     MatrixLayout layout;
     ApiCamera camera;
-    glm::dmat4 apiFromWorld{1.0}; ///< takes the scene's world to the API's
+    glm::dmat4 apiFromWorld{1.0}; ///< from the scene's world to the API's
     bool hasClip = true;
 };
 
@@ -69,7 +69,7 @@ std::vector<NamedMatrix> matricesOf(const SceneFile &scene, const Written &writt
     return matrices;
 }
 
-/// Rows of numbers, each in brackets: of matrices that are not four by four.
+/// Rows of numbers, each in brackets, for matrices that are not four by four.
 struct NamedRows {
     std::string name, what;
     std::vector<std::vector<double>> rows;
@@ -148,7 +148,7 @@ std::string json(const std::vector<NamedMatrix> &matrices, const std::vector<Nam
     return text + "\n}\n";
 }
 
-/// What of an API is not as in OpenGL.
+/// The differences between an API's conventions and OpenGL's.
 std::string differencesText(const ApiConventions &api)
 {
     std::string text = api.name;
@@ -200,7 +200,8 @@ std::string written(const std::vector<NamedMatrix> &matrices, const std::vector<
     return text;
 }
 
-/// The camera in the conventions that are asked for; OpenGL's without a word is the scene's own, whatever its NDC depth.
+/// The camera in the requested conventions. Without the option, a scene in OpenGL's conventions
+/// keeps its own camera, with any NDC depth.
 Result<Written> writtenCamera(const MatricesOptions &options, const SceneFile &scene)
 {
     const Api api = options.conventions.value_or(scene.conventions.value_or(Api::OpenGl));

@@ -11,11 +11,11 @@ namespace unprojector::cli {
 
 enum class MatricesFormat { Text, Json, C, NumPy, Latex };
 
-/// `unproject matrices`: all matrices of a scene.
+/// `unproject matrices`: prints all matrices of a scene.
 struct MatricesOptions {
     std::string scene;
-    std::optional<geometry::Api> conventions;     ///< none: the scene's
-    std::optional<matrices::MatrixLayout> layout; ///< none: as the conventions have it
+    std::optional<geometry::Api> conventions;     ///< empty: the scene's
+    std::optional<matrices::MatrixLayout> layout; ///< empty: the conventions' own
     MatricesFormat format = MatricesFormat::Text;
 };
 

@@ -14,8 +14,8 @@ using namespace matrices;
 using text::tr;
 namespace {
 
-/// What can be done about a finding, by an option or by hand.
-/// @param hasConventions  an option names the matrices' API, which settles depths and y
+/// The remedy for a finding, by an option or by hand.
+/// @param hasConventions  an option names the matrices' API, which determines depths and y
 std::string adviceFor(const MatrixFinding &finding, NumberOrder order, bool hasConventions)
 {
     switch (finding.fault) {
@@ -46,7 +46,7 @@ std::string adviceFor(const MatrixFinding &finding, NumberOrder order, bool hasC
     return {};
 }
 
-/// A matrix of a text, and what a scene makes of it.
+/// A matrix of a text, and its role in a scene.
 struct Part {
     PastedMatrix *matrix;
     PastedPart part;
@@ -54,7 +54,7 @@ struct Part {
     bool isNeeded;
 };
 
-/// Those whose order counts; the model is left out in any case.
+/// The matrices whose order matters; the model matrix is not used.
 std::vector<Part> partsOf(PastedScene &pasted)
 {
     const bool isWhole = pasted.projection && (pasted.view || pasted.modelView);
@@ -67,7 +67,7 @@ std::vector<Part> partsOf(PastedScene &pasted)
     add(pasted.modelView, PastedPart::ModelView, MatrixRole::View, isWhole && !pasted.view);
     add(pasted.projection, PastedPart::Projection, MatrixRole::Projection, isWhole);
     add(pasted.product, PastedPart::Product, MatrixRole::Product, !isWhole);
-    // Its last row is 0 0 0 1, as a view's.
+    // Its last row is 0 0 0 1, as in a view.
     add(pasted.viewportMatrix, PastedPart::Viewport, MatrixRole::View, true);
     return parts;
 }
@@ -117,13 +117,13 @@ glm::dmat4 MatrixTaker::matrix(const PastedMatrix &pasted, MatrixRole role) cons
     case MatrixRole::Projection: return oursFromApi({given, {}}, api()).clipFromEye;
     case MatrixRole::Product: break;
     }
-    // The eye between the two may look either way.
+    // The eye space between the two may look either way.
     return oursFromApi({given * viewFromOurs(glm::dmat4(1.0), api()), {}}, api()).clipFromEye;
 }
 
 ViewportAndDepths MatrixTaker::viewport(const PastedMatrix &pasted) const
 {
-    // The window's height is not known yet: 0.
+    // The window's height is not known yet, so 0 is used.
     const ApiSpaces spaces = apiSpaces(Setup(), api());
     AxisChange window = spaces.window;
     window.scale.z = 1.0;

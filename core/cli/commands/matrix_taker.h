@@ -11,37 +11,40 @@
 
 namespace unprojector::cli {
 
-/// Takes pasted matrices in the order and conventions that the options or their numbers name. Reports on stderr what the numbers
-/// show, such as an inverse or reversed depths.
+/// Reads pasted matrices in the order and conventions that the options give or the numbers reveal.
+/// Reports findings on stderr, such as an inverse or reversed depths.
 class MatrixTaker {
 public:
     /// @param options  must outlive this
     /// @param name     of the text; messages begin with it
     MatrixTaker(const SceneOptions &options, std::string name);
 
-    /// Sets the order of the matrices where no option says it and their numbers tell another one than their forms have, and says so.
-    /// @return whether the order of all matrices of a scene is known. If not, a message asks for the option
+    /// Sets the order of the matrices where no option gives it and the numbers contradict the order
+    /// of the matrix's form. Reports each such change.
+    /// @return whether the order of all matrices of a scene is known; if not, a message asks for
+    ///         the option
     bool tellOrders(matrices::PastedScene &pasted) const;
 
-    /// The matrix in the order that is asked for, or told, or in that of its form.
+    /// The matrix in the order of the option, of its numbers, or of its form, in this priority.
     glm::dmat4 matrixAsGiven(const matrices::PastedMatrix &pasted) const { return meantMatrix(pasted, order(pasted)); }
-    /// The same in OpenGL's conventions, whosever it was.
+    /// The matrix converted from the option's conventions to OpenGL's.
     glm::dmat4 matrix(const matrices::PastedMatrix &pasted, matrices::MatrixRole role) const;
-    /// What a matrix from NDC to the window says of viewport and depth range. Where pixels count from the top, y is 0 there.
+    /// Viewport and depth range from a matrix from NDC to the window. Where pixels count from the
+    /// top, y is 0 at the top.
     matrices::ViewportAndDepths viewport(const matrices::PastedMatrix &pasted) const;
-    /// NDC depths that are known.
+    /// The NDC depths, where the options determine them.
     std::optional<geometry::NdcDepth> depth() const;
 
     void say(matrices::PastedPart part, const std::string &what) const;
-    /// Says what is to be seen of a matrix, but for what an option has an answer to.
-    /// @return whether depths are reversed by it
+    /// Reports the findings about a matrix, unless an option already resolves them.
+    /// @return whether the matrix reverses depths
     bool lookAt(const matrices::PastedMatrix &pasted, matrices::PastedPart part, matrices::MatrixRole role,
                 const std::optional<glm::dmat4> &clipFromEye = std::nullopt) const;
 
 private:
     geometry::Api api() const { return m_options.conventions.value_or(geometry::Api::OpenGl); }
     matrices::NumberOrder order(const matrices::PastedMatrix &pasted) const;
-    /// What is to be seen is that of the matrix in OpenGL's conventions.
+    /// The finding worded for the matrix converted to OpenGL's conventions.
     std::string taken(const std::string &finding) const;
 
     const SceneOptions &m_options;

@@ -24,7 +24,7 @@ namespace {
 
 const ColumnNames kPositionColumns{"px", "py", ""};
 
-/// "X,Y"; prints errors on stderr.
+/// Parses "X,Y"; prints errors on stderr.
 std::optional<DevicePoint> positionGiven(const std::string &text)
 {
     DevicePoint position;
@@ -38,17 +38,17 @@ std::optional<DevicePoint> positionGiven(const std::string &text)
     return std::nullopt;
 }
 
-/// Everything that is the same for all rows.
+/// The data shared by all rows.
 struct Task {
     const PickOptions &options;
     const OpenedScene &opened;
     const SceneRays &rays;
     NumberReader reader;
     RowLayout layout;
-    std::atomic<std::size_t> &outside; ///< rows whose pixels no ray goes through
+    std::atomic<std::size_t> &outside; ///< number of rows whose pixels have no ray
 };
 
-/// Where the viewport is, for those who look outside it.
+/// The viewport, for the message about a position outside it.
 std::string viewportText(const Setup &setup)
 {
     return tr("the viewport of the picture of %1x%2", shortestText(setup.surface.widthPixels),
@@ -123,7 +123,7 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
     ExitCode code = runBlocks(blocks, source, sink, threads, [&] { return BlockWorker(Worker(task)); });
     if (outside > 0 && code == ExitCode::Done)
         code = ExitCode::SomeRowsBad;
-    // Empty cells alone would read as background.
+    // Empty cells alone would look like background.
     if (outside > 0)
         complain(source.name() + ": "
                  + tr(outside == 1 ? "%1 pixel lies outside %2, where nothing is met"
@@ -138,7 +138,7 @@ ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint
     ExitCode code = ExitCode::Done;
     const Setup &setup = rays.rays().setup();
     for (const DevicePoint &position : positions) {
-        // Nothing is met there, for a reason that a wrong size gives away.
+        // No ray exists there; the message shows a wrong size.
         if (!rays.rays().isInPicture(position)) {
             complain(tr("--at %1,%2: lies outside %3", shortestText(position.x), shortestText(position.y),
                         viewportText(setup)));
@@ -184,7 +184,7 @@ ExitCode runPick(const PickOptions &options)
     InputFiles inputs = opened->files;
     if (positions.empty())
         inputs.push_back(options.input);
-    // What is added to the input would be read as input, without end.
+    // Output appended to the input would be read as input, endlessly.
     ByteSink sink("-", inputs);
     if (!sink.isOpen())
         return ExitCode::UnusableInput;

@@ -9,18 +9,19 @@
 
 namespace unprojector::cli {
 
-/// `unproject pick`: positions in the picture of a scene or a model to what their rays meet.
+/// `unproject pick`: finds the hits of the rays through positions in the view of a scene or a
+/// model.
 struct PickOptions {
     std::string scene;                  ///< a model, a scene or clicks; "-" is a scene from stdin
-    std::string input = "-";            ///< CSV of positions, where there are none in `positions`
+    std::string input = "-";            ///< CSV of positions, read if `positions` is empty
     std::vector<std::string> positions; ///< "X,Y", device pixels
-    std::string size;                   ///< of the picture, "WxH"; empty: its own
+    std::string size;                   ///< size of the view, "WxH"; empty: its own
     ray::Snap snap = ray::Snap::Surface;
     bool isJson = false;               ///< for `positions`
     RowFormat format = RowFormat::Csv; ///< for rows
     bool isSpreadsheetSafe = false;    ///< makes CSV RowFormat::SafeCsv
     bool isHeaderless = false;
-    unsigned threads = 0; ///< 0: one a core
+    unsigned threads = 0; ///< 0: one per core
 };
 
 ExitCode runPick(const PickOptions &options);

@@ -27,7 +27,7 @@ std::string spaced(const glm::dvec3 &v, const glm::dvec3 &off = glm::dvec3(0.0))
     return shortestText(v.x, off.x) + ' ' + shortestText(v.y, off.y) + ' ' + shortestText(v.z, off.z);
 }
 
-/// What is left out of digits is so much of what they may be off.
+/// The share of the uncertainty that may be lost by dropping digits.
 constexpr double kLeftOut = 0.1;
 
 std::string boundsText(const WorldVector &uncertainty)
@@ -37,14 +37,14 @@ std::string boundsText(const WorldVector &uncertainty)
            + withWhatIsLeftOut(uncertainty.z);
 }
 
-/// @param vertex  its number in the file
+/// @param vertex  vertex number in the file
 glm::dvec3 halfGapOf(const SceneObject &object, std::uint32_t vertex)
 {
     const Model::VertexPlace place = object.model->vertexOf(vertex).value();
     return halfGapAt(object.model->meshes[place.mesh], place.vertex, glm::dmat3(worldFromObject(object.transform)));
 }
 
-/// How far an object's own coordinates may be off.
+/// The uncertainty of an object's own coordinates.
 glm::dvec3 objectBounds(const SceneObject &object, const WorldVector &uncertainty)
 {
     const glm::dmat3 objectFromWorld = glm::inverse(glm::dmat3(worldFromObject(object.transform)));

@@ -19,7 +19,7 @@ using namespace unproject;
 using namespace text;
 namespace {
 
-/// Why a method does not hold for the scene, and what to do.
+/// The reason why a method does not apply to the scene, and the remedy.
 std::string noMethodText(Method method, const Error &error)
 {
     const std::string text = std::string(keyOf(method)) + ": " + errorText(error);
@@ -31,7 +31,8 @@ std::string noMethodText(Method method, const Error &error)
         text);
 }
 
-/// Where the formulas and the matrix are among the methods, if both are: their difference is told.
+/// The indices of the formulas and the matrix among the methods, if both are there: their
+/// difference is written.
 std::optional<std::pair<std::size_t, std::size_t>> comparedPlaces(const std::vector<Method> &methods)
 {
     const auto formula = std::find(methods.begin(), methods.end(), Method::Formula);
@@ -42,15 +43,15 @@ std::optional<std::pair<std::size_t, std::size_t>> comparedPlaces(const std::vec
                      static_cast<std::size_t>(matrix - methods.begin()));
 }
 
-/// Everything that is the same for all rows.
+/// The data shared by all rows.
 struct Task {
     PointsOptions options;
     NumberReader reader;
     DepthRange depthRange;
     std::vector<std::optional<ClickBatch>>
-        batches; ///< by options.methods; nothing where one does not hold for the scene
+        batches; ///< in the order of options.methods; empty where one does not apply to the scene
     RowLayout layout;
-    std::size_t results; ///< columns of them
+    std::size_t results; ///< number of result columns
 };
 
 /// The scratch memory of a thread.
@@ -69,7 +70,8 @@ public:
 private:
     using Columns = std::array<std::vector<double>, 3>;
 
-    /// Why a row of three numbers means nothing here; empty where it does, else `column` is the one at fault.
+    /// The reason why a row of three numbers is invalid; empty if it is valid. `column` becomes the
+    /// wrong one.
     std::string fault(std::size_t row, std::size_t &column) const
     {
         const double low = std::min(m_task.depthRange.atNear, m_task.depthRange.atFar);
@@ -177,9 +179,9 @@ private:
 
     const Task &m_task;
     NumberRows m_rows;
-    std::vector<std::size_t> m_bad; ///< rows
+    std::vector<std::size_t> m_bad; ///< row indices
     std::array<std::vector<double>, 2> m_centres;
-    std::vector<Columns> m_results;                  ///< of each method
+    std::vector<Columns> m_results;                  ///< one per method
     std::vector<std::optional<glm::dvec3>> m_points; ///< of one row
 };
 
@@ -241,7 +243,7 @@ ExitCode runPoints(const PointsOptions &options)
     for (const Method method : options.methods) {
         const Result<ClickBatch> batch = ClickBatch::of(method, setup, rows->space);
         isUsable = isUsable || batch;
-        // The cells of a method that does not hold for the scene stay empty.
+        // The cells of a method that does not apply to the scene stay empty.
         task.batches.push_back(batch ? std::optional(*batch) : std::nullopt);
         if (!batch)
             complain(options.rows.scene + ": " + noMethodText(method, batch.error()));

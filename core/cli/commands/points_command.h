@@ -12,21 +12,23 @@
 
 namespace unprojector::cli {
 
-/// `unproject points`: device positions and depths in, points out.
+/// `unproject points`: reads device positions and depths, writes points.
 struct PointsOptions {
     RowOptions rows;
     std::vector<unproject::Method> methods{unproject::Method::Formula, unproject::Method::Matrix};
-    bool isPixel = false; ///< px and py are indices of pixels: their centres are meant
+    bool isPixel = false; ///< px and py are pixel indices and mean the pixels' centres
 };
 
-/// What is given of a click.
+/// The input columns of a click.
 inline const ColumnNames kClickColumns{"px", "py", "depth"};
-/// The names of the columns that are computed: three for each method, and "difference" with both the formulas and the matrix.
+/// The names of the computed columns: three for each method, and "difference" if both the formulas
+/// and the matrix are chosen.
 std::vector<std::string> pointColumns(const std::vector<unproject::Method> &methods);
 
-/// Writes the cells of a point by each of the methods, and of the difference; empty where there is no number.
-/// @param points  in the order of `methods`; nothing where a method has none
-/// @return whether all numbers of the points that are there, and their difference, are finite
+/// Writes the cells of a point by each method, and of the difference; empty where there is no
+/// number.
+/// @param points  in the order of `methods`; empty where a method has none
+/// @return whether all existing points and their difference are finite
 bool writePoints(RowWriter &writer, const std::vector<unproject::Method> &methods,
                  const std::vector<std::optional<glm::dvec3>> &points);
 

@@ -24,7 +24,7 @@ const std::vector<std::string> kResults{"eye_x",    "eye_y",    "eye_z",    "cli
                                         "clip_w",   "ndc_x",    "ndc_y",    "ndc_z",  "window_x", "window_y",
                                         "window_z", "widget_x", "widget_y", "px",     "py",       "depth"};
 
-/// Everything that is the same for all rows.
+/// The data shared by all rows.
 struct Task {
     RowFormat format;
     NumberReader reader;
@@ -33,7 +33,7 @@ struct Task {
     WayForward way;
     BatchSpace space;
     glm::dmat4 clipFromEye;
-    glm::dmat4 eyeMagnitudes; ///< of what the eye coordinates are added up from
+    glm::dmat4 eyeMagnitudes; ///< magnitudes of the terms that sum up to eye coordinates
 };
 
 glm::dmat4 magnitudes(glm::dmat4 m)
@@ -43,7 +43,8 @@ glm::dmat4 magnitudes(glm::dmat4 m)
     return m;
 }
 
-/// Of a view matrix: the entries of its translation are sums of products as large as it is long.
+/// The magnitudes of a view matrix. The entries of its translation are sums of products as large as
+/// the translation is long.
 glm::dmat4 viewMagnitudes(const glm::dmat4 &eyeFromWorld)
 {
     glm::dmat4 m = magnitudes(eyeFromWorld);
@@ -51,8 +52,9 @@ glm::dmat4 viewMagnitudes(const glm::dmat4 &eyeFromWorld)
     return m;
 }
 
-/// How far rounding can have moved the depth of a point, which was computed in double before it came here: a few units in the
-/// last place of everything that is added up on the way, carried through the rest of the way. 0 in the plane of the eye, where rounding decides everything: the planes are
+/// The possible rounding error of a point's depth. The point was computed in double before, so it
+/// has an error of a few units in the last place of each term. That error is propagated to the
+/// depth. 0 in the plane of the eye, where rounding dominates; the near and far planes are
 /// elsewhere.
 double depthUncertainty(const Task &task, const glm::dvec4 &point, const glm::dvec4 &eye, const glm::dvec4 &clip)
 {
@@ -66,14 +68,15 @@ double depthUncertainty(const Task &task, const glm::dvec4 &point, const glm::dv
     return ofNdc * std::abs(atFar - atNear) + kRounding * std::max(std::abs(atNear), std::abs(atFar));
 }
 
-/// The depth, or the end of the depth range where it is outside by no more than the uncertainty.
+/// The depth, or the nearer end of the depth range where the depth is outside by no more than the
+/// uncertainty.
 double depthWithin(const DepthRange &range, double depth, double uncertainty)
 {
     const double nearest = std::clamp(depth, std::min(range.atNear, range.atFar), std::max(range.atNear, range.atFar));
     return std::abs(depth - nearest) <= uncertainty ? nearest : depth;
 }
 
-/// The cells of a point, as many as there are: behind a stage without an answer there is nothing.
+/// The cells of a point. After a stage without an answer the rest is empty.
 struct Stages {
     std::array<double, 18> numbers{};
     std::size_t count = 0;
@@ -157,7 +160,7 @@ ExitCode runProject(const RowOptions &options)
     const std::optional<SceneOrClicks> given = sceneOrClicks(options.scene);
     if (!given)
         return ExitCode::UnusableInput;
-    // The preferred ones first: as a person writes them, or as `unproject points` has written them.
+    // The preferred names first: users write x, y, z; `unproject points` writes the others.
     const std::unique_ptr<RowStream> rows = openRows(options, *given, {{"x", "y", "z"}, pointColumnsOf("formula")});
     if (!rows)
         return ExitCode::UnusableInput;

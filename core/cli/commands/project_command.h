@@ -5,9 +5,10 @@
 
 namespace unprojector::cli {
 
-/// `unproject project`: points in, every stage on their way to the window out, and what `unproject points` takes: px, py and
-/// the depth. That depth is window_z, but for a point that lies on the near or far plane as far as can be told: there it is
-/// the plane's, though rounding may have put window_z a little outside the depth range.
+/// Runs `unproject project`: reads points, writes every stage on their way to the window and the
+/// input of `unproject points`: px, py and the depth. That depth is window_z. For a point on the
+/// near or far plane within rounding it is the plane's depth, because window_z may lie slightly
+/// outside the depth range.
 /// @param options  space: world or object:NAME
 ExitCode runProject(const RowOptions &options);
 

@@ -31,7 +31,7 @@ namespace {
 
 struct Pasted {
     std::string text, name;
-    bool isFile = false; ///< or stdin
+    bool isFile = false; ///< a file, or stdin
 };
 
 std::string pasteErrorText(const PasteError &error, const std::string &name)
@@ -42,7 +42,7 @@ std::string pasteErrorText(const PasteError &error, const std::string &name)
     return name + place + ": " + reasonText(error);
 }
 
-/// Whether a text has OpenCV's camera: K, R and t, by these names or those of its functions.
+/// True if a text contains OpenCV's camera: K, R and t, by these names or its functions' names.
 bool namesOpenCv(const std::string &text)
 {
     std::set<std::string> names;
@@ -62,7 +62,7 @@ bool namesOpenCv(const std::string &text)
            || names.contains("tvec");
 }
 
-/// What was pasted: the words themselves, or a file's text. Errors are printed on stderr.
+/// The pasted text: the words themselves, or a file's text. Errors are printed on stderr.
 std::optional<Pasted> pasted(const std::vector<std::string> &words)
 {
     std::string text;
@@ -87,9 +87,11 @@ std::optional<Pasted> pasted(const std::vector<std::string> &words)
     return Pasted{text, source.name(), true};
 }
 
-/// The window's size: asked for, or up to where the viewport reaches.
-/// @param viewport   in pixels from the bottom left; where they count from the top, from the window's top left corner with y up
-/// @return in pixels from the bottom left; nothing where there is no such window, which is said
+/// Sets the window's size: the requested one, or up to the viewport's edge.
+/// @param viewport   in pixels from the bottom left; where pixels count from the top, from the
+///         window's top left corner with y up
+/// @return in pixels from the bottom left; empty if there is no such window, with a message on
+///         stderr
 std::optional<Viewport> setWindow(const SceneOptions &options, Viewport viewport, bool isFromTop, SceneFile &scene)
 {
     const double bottomFromTop = -viewport.y;
@@ -123,8 +125,8 @@ bool isOriginTop(const SceneOptions &options)
     return conventionsOf(options.conventions.value_or(Api::OpenGl)).isOriginTop;
 }
 
-/// Viewport, depth range and window.
-/// @return whether there are such; prints errors on stderr
+/// Sets viewport, depth range and window.
+/// @return whether they are valid; prints errors on stderr
 bool setViewport(const SceneOptions &options, const MatrixTaker &taker, const PastedScene &pasted,
                  const std::string &name, SceneFile &scene)
 {
@@ -155,7 +157,8 @@ bool setViewport(const SceneOptions &options, const MatrixTaker &taker, const Pa
     return scene.viewport.has_value();
 }
 
-/// How far a matrix is from another one times any number, over its largest entry; 1 where either is 0 or beyond doubles.
+/// Deviation of a matrix from any multiple of another one, relative to its largest entry; 1 where
+/// either is 0 or beyond doubles.
 double offUpToScale(const glm::dmat4 &given, const glm::dmat4 &other)
 {
     const double ofGiven = largestEntry(given), ofOther = largestEntry(other);
@@ -172,9 +175,9 @@ double offUpToScale(const glm::dmat4 &given, const glm::dmat4 &other)
     return off;
 }
 
-constexpr double kSame = 1e-3; // as three printed digits leave it
+constexpr double kSame = 1e-3; // the error of three printed digits
 
-/// What of a product beside a projection and a view does not go with them; empty where it does.
+/// The contradiction between a product and the given projection and view; empty if they agree.
 std::string contradiction(const MatrixTaker &taker, const PastedScene &pasted)
 {
     const glm::dmat4 product = taker.matrixAsGiven(*pasted.product),
@@ -187,7 +190,7 @@ std::string contradiction(const MatrixTaker &taker, const PastedScene &pasted)
             continue;
         const glm::dmat4 eyeFromWorld = taker.matrixAsGiven(*view);
         const glm::dmat4 model = pasted.model ? taker.matrixAsGiven(*pasted.model) : glm::dmat4(1.0);
-        // All of them may be read in the wrong order, which is said of each.
+        // Any of them may be in the wrong order, which another message reports.
         others.insert(others.end(), {clipFromEye * eyeFromWorld, eyeFromWorld * clipFromEye,
                                      clipFromEye * eyeFromWorld * model, model * eyeFromWorld * clipFromEye});
     }
@@ -201,7 +204,7 @@ std::string contradiction(const MatrixTaker &taker, const PastedScene &pasted)
                     numberText(off, Digits::Double, 2));
 }
 
-/// Says that a matrix beside a product counts for nothing, and whether it goes with it.
+/// Reports that a matrix beside a product is ignored, and whether it agrees with the product.
 void sayLeftOut(const MatrixTaker &taker, const PastedScene &pasted, PastedPart part,
                 const std::optional<Decomposition> &apart)
 {
@@ -218,7 +221,7 @@ void sayLeftOut(const MatrixTaker &taker, const PastedScene &pasted, PastedPart 
                         + (isSame || !apart ? "" : tr(", and the product's own is another one")));
 }
 
-/// Projection and view as pasted; what options ask for is done to them, and what else is to be seen of them is said.
+/// Sets projection and view as pasted, applies the options to them, and reports the other findings.
 void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const PastedScene &pasted, SceneFile &scene)
 {
     const bool isWhole = pasted.projection && (pasted.view || pasted.modelView);
@@ -268,7 +271,7 @@ void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const Pa
         clipFromEye = repaired(clipFromEye, {MatrixFault::YDown, MatrixRepair::TurnY});
     if (options.isReversed && !isReversed)
         scene.depthRange = {1.0, 0.0};
-    // As it is read, so that whoever opens the scene reads it so as well.
+    // Stored with the depth convention used here, so that every reader uses the same.
     const MatrixProjection asRead{clipFromEye, taker.depth()};
     scene.projection = MatrixProjection{clipFromEye, recognised(asRead) ? ndcDepthOf(asRead) : taker.depth()};
     scene.conventions = options.conventions;
@@ -307,7 +310,7 @@ ExitCode runScene(const SceneOptions &options)
         return ExitCode::UnusableInput;
     setMatrices(options, taker, numbers, scene);
 
-    // What is written must be read again: the reader says what a scene may not be.
+    // The reader must accept what is written: it checks a scene's limits.
     const auto written = sceneText(scene);
     const std::string name = options.output == "-" ? "scene" : options.output;
     if (!written) {

@@ -11,7 +11,8 @@ struct SizeGiven {
     int height;
 };
 
-/// What an option says as in 800x600; whether any picture has that size is not asked. Errors are printed on stderr.
+/// Parses an option such as 800x600, without checking whether a view can have that size. Errors are
+/// printed on stderr.
 std::optional<SizeGiven> sizeGiven(const std::string &option, const std::string &text);
 
 } // namespace unprojector::cli

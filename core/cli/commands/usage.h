@@ -8,11 +8,11 @@
 
 namespace unprojector::cli {
 
-/// The command that was asked for, with its options.
+/// Runs the command that the user chose, with its options.
 using Run = std::function<ExitCode()>;
 
-// What each command is called with, and its help. Each is added to the program; when it is the one that is asked for, it sets
-// what is to be run.
+// Each function adds a command, its options and its help to the program. If the user chose that
+// command, it sets the function to run.
 
 // usage_of_points.cpp
 void addPoints(CLI::App &app, Run &run);

@@ -32,7 +32,7 @@ void addRowOptions(CLI::App &command, RowOptions &options, const std::string &co
     addCount(command, "--threads", options.threads, 64, tr("How many threads compute"));
 }
 
-/// What two options say together.
+/// The format of two options together.
 template <class Options>
 RowFormat formatOf(const Options &options)
 {

@@ -32,7 +32,7 @@ CLI::Option *addConventions(CLI::App &command, std::optional<Api> &target, const
 
 std::string conventionNames()
 {
-    // Chinese help is wrapped where it is shown.
+    // Chinese help is wrapped on display.
     const std::size_t mostInLine = text::language() == text::Language::English ? 80 : std::string::npos;
     std::string names, line;
     for (const maps::NamedConvention &convention : maps::namedConventions()) {

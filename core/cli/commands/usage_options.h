@@ -10,9 +10,9 @@
 
 namespace unprojector::cli {
 
-// Options that several commands have. Descriptions are in the language of text::tr().
+// Options shared by several commands. Descriptions are in the language of text::tr().
 
-/// One of several words.
+/// Adds an option with a fixed set of words.
 /// @param target  holds the default
 template <class Choice>
 CLI::Option *addChoice(CLI::App &command, const std::string &name, Choice &target,
@@ -34,7 +34,7 @@ CLI::Option *addChoice(CLI::App &command, const std::string &name, Choice &targe
         });
 }
 
-/// The check of an option that takes a whole number from 1 on.
+/// The check of an option that takes a whole number from 1 to `highest`.
 std::function<std::string(const std::string &)> wholeNumber(int highest);
 
 /// @param target  holds the default
@@ -47,7 +47,7 @@ void addCount(CLI::App &command, const std::string &name, Count &target, int hig
         ->check(wholeNumber(highest));
 }
 
-/// For commands that write tables with names.
+/// Adds the spreadsheet-safe option, for commands that write tables with names.
 CLI::Option *addSpreadsheetSafe(CLI::App &command, bool &target);
 CLI::Option *addFile(CLI::App &command, const std::string &name, std::string &target, const std::string &description);
 void addSceneFile(CLI::App &command, std::string &target);

@@ -23,7 +23,8 @@ public:
     {
     }
 
-    /// What a worker throws, out of memory for one, ends the work of all.
+    /// Works until the end. An exception of a worker, such as out of memory, ends the work of all
+    /// threads.
     void work(const std::function<BlockWorker()> &makeWorker) noexcept
     {
         try {
@@ -33,7 +34,7 @@ public:
         }
     }
 
-    /// After all work. Throws what a worker threw.
+    /// Ends the progress bar after all work. Rethrows a worker's exception.
     void finish()
     {
         m_progress.finish();
@@ -58,7 +59,8 @@ private:
         }
     }
 
-    /// The others write no block behind the one that will never come, and wait for it no longer.
+    /// Records the failure and wakes the other threads. They stop waiting for the missing block and
+    /// write no later one.
     void fail(std::exception_ptr failure)
     {
         stopReading();
@@ -97,7 +99,7 @@ private:
             return;
         m_badRows += result.badRows;
         m_sink.write(result.output);
-        m_sink.flush(); // whoever reads need not wait for a buffer to fill, and that he is gone is seen now
+        m_sink.flush(); // a reader need not wait for a full buffer, and a closed pipe is noticed at once
         const bool isOver = m_sink.state() != ByteSink::State::Open;
         for (std::size_t i = 0; i < result.messages.size() && !isOver; ++i)
             complain(result.messages[i].text);
@@ -115,7 +117,7 @@ private:
     std::condition_variable m_turn;
     std::size_t m_nextRead = 0, m_nextWritten = 0, m_badRows = 0;
     std::exception_ptr m_failure;   ///< the first one; m_writing guards it
-    std::uint64_t m_bytesKnown = 0; ///< to the progress bar
+    std::uint64_t m_bytesKnown = 0; ///< bytes reported to the progress bar
     bool m_isDone = false;
 };
 
@@ -129,7 +131,7 @@ ExitCode runBlocks(LineBlocks &blocks, ByteSource &source, ByteSink &sink, unsig
     try {
         for (unsigned i = 1; i < threads; ++i)
             others.emplace_back([&] { pipeline.work(worker); });
-    } catch (const std::exception &) { // the system gives no more threads: fewer do the work as well
+    } catch (const std::exception &) { // the system provides no more threads; fewer suffice
     }
     pipeline.work(worker);
     for (std::thread &thread : others)

@@ -20,7 +20,7 @@ using geometry::Result;
 using text::tr;
 namespace {
 
-/// What is written to goes on behind what others have written there.
+/// Opens a file. Output is appended to what others have written there.
 std::FILE *opened(const std::string &file, bool isWriting)
 {
 #ifdef _WIN32
@@ -30,7 +30,7 @@ std::FILE *opened(const std::string &file, bool isWriting)
 #endif
 }
 
-/// The standard streams have names where they can be files.
+/// The path of a file; for "-", the name under which the system has the standard stream.
 std::filesystem::path namedPath(const std::string &file, const char *standardStream)
 {
     return file == "-" ? std::filesystem::path(standardStream) : pathFromUtf8(file);
@@ -98,7 +98,7 @@ ByteSink::ByteSink(const std::string &file, const InputFiles &inputs) : m_name(f
 {
     if (isOverInput(file, inputs))
         return;
-        // Writing to a closed pipe or beyond a limit then fails, and is seen here.
+        // Writing to a closed pipe or beyond a limit then fails, and is handled here.
 #ifdef SIGPIPE
     std::signal(SIGPIPE, SIG_IGN);
 #endif
@@ -167,7 +167,8 @@ void ByteSink::failStream()
     const int error = errno;
     bool isReaderGone = error == EPIPE;
 #ifdef _WIN32
-    // The C library knows some of the system's words for a closed pipe, and calls the others invalid.
+    // The C library knows some of the system's errors for a closed pipe, and reports the others as
+    // invalid.
     isReaderGone = isReaderGone || (error == EINVAL && !regularFileSize(m_stream.get()));
 #endif
     m_state = isReaderGone ? State::ReaderGone : State::Failed;
@@ -185,7 +186,7 @@ void ByteSink::check(const Written &written)
 
 bool isOverInput(const std::string &output, const InputFiles &inputs)
 {
-    // Many objects of a scene may have one model.
+    // Several objects of a scene may share a model.
     InputFiles kept;
     std::set<std::string> known;
     const auto keep = [&](const std::string &file) {
@@ -195,7 +196,8 @@ bool isOverInput(const std::string &output, const InputFiles &inputs)
     for (const std::string &input : inputs)
         keep(input);
     std::error_code error;
-    // An empty file holds nothing to destroy: the models are read for their names only where one could be lost.
+    // An empty file contains nothing to destroy. The models are read for the files that they name
+    // only if one could be lost.
     if (const auto size = std::filesystem::file_size(namedPath(output, "/dev/stdout"), error); !error && size > 0) {
         for (const std::string &input : InputFiles(kept)) {
             for (const std::filesystem::path &named : mesh::namedFiles(namedPath(input, "/dev/stdin")))

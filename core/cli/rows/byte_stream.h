@@ -15,30 +15,31 @@
 
 namespace unprojector::cli {
 
-/// A line on stderr, as text::printableLine has it. A progress bar makes way for it.
+/// Prints a line on stderr, formatted by text::printableLine. A progress bar is erased first.
 void complain(std::string_view line);
 
-/// The files that a run reads, or that the scene it reads names, in UTF-8; "-" stands for stdin. No output replaces one of
-/// them, under whatever name.
+/// The files that a run reads, or that the scene it reads names, in UTF-8; "-" stands for stdin. No
+/// output may replace one of them, under any name.
 using InputFiles = std::vector<std::string>;
 
-/// Bytes as they are (no line ends translated) from a file, or from stdin for "-".
+/// Reads bytes unchanged (no line-end translation) from a file, or from stdin for "-".
 class ByteSource {
 public:
-    /// Errors are printed on stderr, and `isOpen` is false.
+    /// Opens the file. On an error it prints the reason on stderr, and `isOpen` is false.
     explicit ByteSource(const std::string &file);
 
     bool isOpen() const { return m_file != nullptr; }
     /// The name for messages: the file's, or "stdin".
     const std::string &name() const { return m_name; }
-    /// How many bytes there are, where that is known: of a regular file, also as stdin.
+    /// The number of bytes where it is known: for a regular file, also as stdin.
     std::optional<std::uint64_t> size() const;
-    /// Fills the buffer as far as there is something; fewer bytes than asked for only at the end.
+    /// Fills the buffer; returns fewer bytes than asked for only at the end.
     std::size_t read(char *buffer, std::size_t size);
-    /// Gives what there is and waits only while there is nothing, so that results come as soon as their input; 0 only at
-    /// the end. A source is read in one of these two ways.
+    /// Returns the available bytes and waits only while there are none, so that results follow
+    /// their input at once. Returns 0 only at the end. A source is read either with this function
+    /// or with `read`, not with both.
     std::size_t readSome(char *buffer, std::size_t size);
-    /// Whether reading stopped at an error, not at the end.
+    /// True if reading stopped at an error, not at the end.
     bool hasFailed() const { return m_hasFailed; }
 
 private:
@@ -50,27 +51,29 @@ private:
     bool m_hasFailed = false;
 };
 
-/// Bytes as they are to stdout, to a device or a pipe as they come, or to a file, which is replaced when all is written.
-/// Whoever reads may go away at any time, as `head` does: that is no error.
+/// Writes bytes unchanged: to stdout, to a device or pipe at once, or to a file that is replaced
+/// when all is written. A reader may close the pipe at any time, as `head` does: that is no error.
 class ByteSink {
 public:
     enum class State { Open, ReaderGone, Failed };
 
+    /// Opens the output. If the file cannot be opened, or is an input, it prints the reason on
+    /// stderr, and `isOpen` is false.
     /// @param file    UTF-8, "-" for stdout
-    /// @param inputs  of this run
-    /// Where the file cannot be opened, or is an input, it prints the reason on stderr, and `isOpen` is false.
+    /// @param inputs  inputs of this run
     ByteSink(const std::string &file, const InputFiles &inputs);
 
     bool isOpen() const { return m_stream != nullptr || m_file; }
     void write(std::string_view bytes);
-    /// Writes a text for people, as text::printableLines has it.
+    /// Writes a text for people, formatted by text::printableLines.
     void print(std::string_view text);
     void flush();
-    /// After the last byte: only now does a file take its place. Without it nothing has happened to one that was there.
-    /// @return UnusableInput where not all could be written, which stderr has been told
+    /// Completes the output after the last byte. Only now does the file replace an existing one;
+    /// without this call an existing file stays unchanged.
+    /// @return UnusableInput where not all could be written; stderr has the reason
     ExitCode finish();
     State state() const { return m_state; }
-    /// Whether somebody reads along.
+    /// True if the output goes to a terminal.
     bool isTerminal() const;
 
 private:
@@ -81,13 +84,14 @@ private:
     void check(const files::Written &written);
 
     std::unique_ptr<std::FILE, Close> m_stream;
-    std::optional<RemovedWhenInterrupted> m_guard; ///< of the new file, as long as there is one
+    std::optional<RemovedWhenInterrupted> m_guard; ///< guard of the new file while it exists
     std::optional<files::ReplacingFile> m_file;    ///< where there is no stream
     std::string m_name;
     State m_state = State::Open;
 };
 
-/// Whether writing an output would destroy one of the inputs, or a file that a model among them names; if so, stderr has been told.
+/// Returns whether writing an output would destroy one of the inputs, or a file that a model among
+/// them names. If so, it prints the reason on stderr.
 /// @param output  UTF-8; "-" stands for stdout
 bool isOverInput(const std::string &output, const InputFiles &inputs);
 

@@ -12,7 +12,7 @@ bool isBlank(char c)
     return c == ' ' || c == '\t' || c == '\r';
 }
 
-/// Whether a text is a number as JSON writes it.
+/// True if a text is a number in JSON's syntax.
 bool isJsonNumber(std::string_view text)
 {
     std::size_t at = 0;
@@ -41,7 +41,7 @@ bool isJsonNumber(std::string_view text)
     return at == text.size();
 }
 
-/// Whether a cell begins with a quote, and the quotes then end with the cell.
+/// Quotes of a cell: none at its start, ending with the cell, or never closed.
 enum class Quotes { None, Closed, Open };
 
 Quotes quotesOf(std::string_view cell)
@@ -90,7 +90,7 @@ std::size_t cellEnd(std::string_view line, std::size_t start)
     if (text != std::string_view::npos && line[text] == '"') {
         std::size_t quote = line.find('"', text + 1);
         while (quote != std::string_view::npos && quote + 1 < line.size() && line[quote + 1] == '"')
-            quote = line.find('"', quote + 2); // a doubled quote is one of the text
+            quote = line.find('"', quote + 2); // a doubled quote is part of the text
         if (quote != std::string_view::npos)
             start = quote;
     }
@@ -100,7 +100,7 @@ std::size_t cellEnd(std::string_view line, std::size_t start)
 RowEnd rowEnd(std::string_view text, std::size_t start)
 {
     const std::size_t lineEnd = std::min(text.find('\n', start), text.size());
-    // Nearly all rows have no quotes, and end with their line.
+    // Fast path: nearly all rows have no quotes and end with their line.
     if (text.substr(start, lineEnd - start).find('"') == std::string_view::npos)
         return {lineEnd};
     const auto behindBlanks = [text](std::size_t at) {

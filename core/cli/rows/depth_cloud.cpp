@@ -12,7 +12,8 @@ using namespace unproject;
 
 namespace {
 
-/// The pixels in between the window's corners and the ends of the depth range have numbers between theirs.
+/// True if a corner of the window, at either end of the depth range, has a coordinate near the
+/// limit of Scalar. The numbers of all other pixels and depths lie between the corners'.
 template <class Scalar>
 bool someCornerIsHuge(const BatchUnprojection &unprojection, const Setup &g)
 {
@@ -44,7 +45,7 @@ Surfaces::Surfaces(const DepthRange &range)
 std::size_t Surfaces::countIn(std::span<const float> depths) const
 {
     const float low = m_low, high = m_high;
-    std::uint32_t count = 0; // of 32 bits and without a jump, so that many depths are compared side by side
+    std::uint32_t count = 0; // 32 bits and no branch, so that the compiler compares many depths at once
     for (const float depth : depths)
         count += std::uint32_t(depth >= low) & std::uint32_t(depth <= high);
     return count;

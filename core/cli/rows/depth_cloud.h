@@ -7,7 +7,8 @@
 
 namespace unprojector::cli {
 
-/// Which depths are of a surface: inside the range, and not the one that the buffer was cleared to, the far end's.
+/// Selects the depths of surfaces: inside the range, and not the clear value, which is the far
+/// end's.
 class Surfaces {
 public:
     explicit Surfaces(const geometry::DepthRange &range);
@@ -20,21 +21,22 @@ private:
     float m_low, m_high;
 };
 
-/// The points under the pixels of a depth image, a row at a time, so that everything stays in the processor's cache.
+/// Computes the points under the pixels of a depth image, a row at a time, so that all data stays
+/// in the processor's cache.
 /// @tparam Scalar  float or double
 template <class Scalar>
 class DepthCloud {
 public:
-    /// @param image  kept by reference; as large as the picture's surface
+    /// @param image  kept by reference; has the size of the setup's surface
     DepthCloud(const unproject::BatchUnprojection &unprojection, const geometry::Setup &setup, const DepthImage &image);
 
-    /// Whether the numbers of some pixel could leave the range of Scalar.
+    /// True if the numbers of some pixel could exceed the range of Scalar.
     bool canOverflow() const { return m_canOverflow; }
 
-    /// @param j  from the top
-    /// @param points  room for as many points as the row has pixels: x, y, z one after the other. Those behind the
-    ///        last one kept are scratch.
-    /// @return how many points of the row are of a surface and have finite coordinates
+    /// @param j  row index from the top
+    /// @param points  room for as many points as the row has pixels: x, y, z one after the other.
+    ///         Space behind the last point kept is scratch.
+    /// @return how many points of the row are on a surface and have finite coordinates
     std::size_t row(std::size_t j, Scalar *points) const;
 
 private:

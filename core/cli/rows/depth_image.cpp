@@ -17,7 +17,7 @@ using text::tr;
 namespace {
 
 constexpr std::size_t kMostSide = 65536;
-constexpr std::size_t kBlock = std::size_t{1} << 16; ///< depths that are read at a time
+constexpr std::size_t kBlock = std::size_t{1} << 16; ///< number of depths read at a time
 
 struct Size {
     std::size_t width = 0, height = 0;
@@ -49,7 +49,7 @@ std::optional<Size> sizeOf(const std::string &text)
     return Size{*width, *height};
 }
 
-/// The words of a PFM's or PGM's header; comments, from # to the line's end, are passed over.
+/// The words of a PFM's or PGM's header; comments, from # to the line's end, are skipped.
 class Header {
 public:
     explicit Header(const std::string &bytes) : m_bytes(bytes) {}
@@ -67,7 +67,7 @@ public:
             ++m_at;
         return std::string_view(m_bytes).substr(start, m_at - start);
     }
-    /// Where the pixels start: one blank after the last word.
+    /// The start of the pixels: one blank after the last word.
     std::size_t end() const { return std::min(m_at + 1, m_bytes.size()); }
 
 private:
@@ -75,7 +75,7 @@ private:
     std::size_t m_at = 0;
 };
 
-/// A file's bytes in order, the first of them seen beforehand.
+/// A file's bytes in order; the first ones were read beforehand.
 class Bytes {
 public:
     explicit Bytes(ByteSource &source) : m_source(source)
@@ -101,15 +101,15 @@ private:
     std::size_t m_at = 0;
 };
 
-/// What a header says of the pixels behind it.
+/// The format of the pixels according to a header.
 struct Layout {
     enum class Kind { Raw, Pfm, Pgm } kind = Kind::Raw;
     Size size;
     bool isLittleEndian = true;
-    double greatest = 0.0; ///< PGM: the value that stands for 1; PFM: the scale, negative for little-endian
+    double greatest = 0.0; ///< PGM: the value of 1; PFM: the scale, negative for little-endian
 };
 
-/// Nothing where the header is broken. Without one, the layout is raw and has no size.
+/// The layout; empty if the header is broken. Without a header, the layout is raw and has no size.
 std::optional<Layout> layoutOf(Bytes &bytes)
 {
     const std::string_view magic = std::string_view(bytes.first()).substr(0, 2);
@@ -165,9 +165,9 @@ bool readFloats(Bytes &bytes, const Layout &layout, const std::optional<DepthEnd
     return true;
 }
 
-/// A pixel whose value is greater than the header allows.
+/// A pixel whose value exceeds the header's limit.
 struct Excess {
-    std::size_t pixel; ///< from the first of those read
+    std::size_t pixel; ///< index from the first pixel read
     unsigned value;
 };
 

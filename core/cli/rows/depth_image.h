@@ -9,17 +9,17 @@
 
 namespace unprojector::cli {
 
-/// Depths of a whole picture in the depth range, as read: NaN where the file has one.
+/// Depths of all pixels of a view in the depth range, as read: NaN where the file has one.
 struct DepthImage {
     std::size_t width = 0, height = 0;
     std::unique_ptr<float[]> depths; ///< all of them, row after row in the file's order
-    bool isBottomFirst = false;      ///< that order
+    bool isBottomFirst = false;      ///< rows are stored from the bottom
 
     /// The row j, counted from the top.
     const float *row(std::size_t j) const { return depths.get() + (isBottomFirst ? height - 1 - j : j) * width; }
 };
 
-/// From one byte order to the other.
+/// Converts from one byte order to the other.
 void swapBytes(std::span<float> values);
 void swapBytes(std::span<double> values);
 
@@ -28,16 +28,17 @@ struct DepthEnds {
     double low = 0.0, high = 1.0;
 };
 
-/// Reads a depth image; what is wrong is said on stderr.
+/// Reads a depth image; prints errors on stderr.
 ///
 ///   PFM ("Pf")         floats, either byte order, rows from the bottom
-///   PGM ("P5")         8 or 16 bits, rows from the top; the numbers are those of the file over its greatest value
-///   anything else      raw 32-bit floats, little-endian, rows from the top, of the size given
+///   PGM ("P5")         8 or 16 bits, rows from the top; the file's numbers over its greatest value
+///   anything else      raw 32-bit floats, little-endian, rows from the top, of the given size
 ///
-/// @param stretchedOver  where 0 and 1 of the numbers lie; nothing: the numbers are depths as they are
-/// @param onRead  gets all depths, some at a time as they come, while they are still in the processor's cache
-/// @param size  "WxH"; needed for raw floats, otherwise checked against the file's where it is given
-/// @param expectedWidth, expectedHeight  of the window; a picture of another size is refused before its memory is taken
+/// @param stretchedOver  the depths of the numbers 0 and 1; empty: the numbers are depths already
+/// @param onRead  receives all depths in portions, while they are still in the processor's cache
+/// @param size  "WxH"; needed for raw floats, otherwise checked against the file's if given
+/// @param expectedWidth, expectedHeight  of the window; an image of another size is rejected before
+///         memory is allocated
 std::optional<DepthImage> readDepthImage(const std::string &file, const std::string &size, std::size_t expectedWidth,
                                          std::size_t expectedHeight, const std::optional<DepthEnds> &stretchedOver,
                                          const std::function<void(std::span<const float>)> &onRead);

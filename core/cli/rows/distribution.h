@@ -8,10 +8,12 @@
 
 namespace unprojector::cli {
 
-/// The largest, the mean and one percentile of many numbers, of which only those above the percentile are kept.
+/// The largest, the mean and one percentile of many numbers. Only the numbers above the percentile
+/// are kept.
 class Distribution {
 public:
-    /// @param share  of the numbers that lie below the percentile, in (0, 1): 0.9999 for the 99.99th
+    /// @param share  of the numbers that lie below the percentile, in (0, 1): 0.9999 for the
+    ///         99.99th
     /// @param most   how many numbers there can be
     Distribution(double share, std::size_t most) : m_share(share), m_kept(std::max<std::size_t>(above(most), 1)) {}
 
@@ -19,7 +21,7 @@ public:
     {
         ++m_count;
         m_sum += value;
-        // A heap whose front is the least of those kept.
+        // A heap whose front is the least of the kept numbers.
         if (m_top.size() == m_kept) {
             if (value <= m_top.front())
                 return;
@@ -42,7 +44,7 @@ public:
     }
 
 private:
-    /// How many of so many numbers are not below the percentile.
+    /// The number of values, out of `count`, that are not below the percentile.
     std::size_t above(std::size_t count) const
     {
         return count - static_cast<std::size_t>(m_share * static_cast<double>(count));

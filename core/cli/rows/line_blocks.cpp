@@ -16,7 +16,7 @@ void LineBlocks::read()
     m_isAtEnd = count == 0;
 }
 
-/// How many bytes of what was read are rows that have come to their end.
+/// The number of bytes read that are complete rows.
 std::size_t LineBlocks::wholeRows() const
 {
     if (m_pending.find('"') == std::string::npos)
@@ -31,7 +31,8 @@ std::size_t LineBlocks::wholeRows() const
 }
 
 /// Reads until there is a whole row.
-/// @return how many bytes the whole rows have: at the end, everything; 0 where a line is too long or nothing is left
+/// @return number of bytes in whole rows: at the end, all bytes; 0 where a line is too long or
+///         nothing is left
 std::size_t LineBlocks::rowsEnd()
 {
     std::size_t end = wholeRows();
@@ -48,7 +49,7 @@ std::size_t LineBlocks::rowsEnd()
         return end;
     if (const RowEnd row = rowEnd(m_pending, 0); m_isAtEnd && row.isClosed)
         return std::min(row.end + 1, m_pending.size());
-    // A quote that nothing closes is the fault of its own line.
+    // An unclosed quote spoils its own line only.
     const std::size_t lineEnd = m_pending.find('\n');
     if (lineEnd != std::string::npos)
         return lineEnd + 1;

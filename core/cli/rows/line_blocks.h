@@ -8,33 +8,36 @@
 
 namespace unprojector::cli {
 
-/// Whole lines of a text, some thousand at a time. A row that has line breaks in quotes is in one block.
+/// Whole lines of a text, some thousand at a time. A row that has line breaks in quotes is in one
+/// block.
 struct LineBlock {
-    std::string text;          ///< ends with a row, its line end included but for a last one that has none
+    std::string text;          ///< ends with a row, including its line end unless the last row has none
     std::size_t firstLine = 1; ///< number of the first one, counted from 1
     bool isOverlong = false;   ///< one line that is too long for a block; `text` is empty
 };
 
-/// Something to say about a line.
+/// A message about a line.
 struct LineMessage {
     std::size_t line = 0; ///< in its block, counted from 0
     std::string text;
 };
 
-/// Cuts a stream of bytes into blocks of whole lines with a memory that does not grow with the stream. Lines are handed out
-/// as soon as they are there: a slow stream comes in small blocks. A byte order mark at the start is skipped.
+/// Cuts a stream of bytes into blocks of whole lines, in memory that does not grow with the stream.
+/// Lines are returned as soon as they arrive: a slow stream comes in small blocks. A byte order
+/// mark at the start is skipped.
 class LineBlocks {
 public:
-    /// A longer line is passed over as a whole; of a longer row with a quote the first line stands alone.
+    /// The size limit of a block. A longer line is skipped as a whole. From a longer row with a
+    /// quote, the first line is taken alone.
     static constexpr std::size_t kMostBytes = std::size_t(128) * 1024;
 
     explicit LineBlocks(ByteSource &source) : m_source(source) {}
 
-    /// The first line alone; false when there is nothing at all.
+    /// Reads the first line alone; returns false if the stream is empty.
     bool firstLine(LineBlock &line);
-    /// The next lines; false at the end.
+    /// Reads the next lines; returns false at the end.
     bool next(LineBlock &block);
-    /// How much of the stream was taken.
+    /// The number of bytes read from the stream.
     std::uint64_t bytesRead() const { return m_bytesRead; }
 
 private:
@@ -45,7 +48,7 @@ private:
     void skipLine(LineBlock &block);
 
     ByteSource &m_source;
-    std::string m_pending; ///< read, not yet handed out
+    std::string m_pending; ///< read, not yet returned
     std::size_t m_line = 1;
     std::uint64_t m_bytesRead = 0;
     bool m_isAtEnd = false;

@@ -13,14 +13,14 @@ namespace unprojector::cli {
 using text::tr;
 namespace {
 
-/// A cell as a message can show it: short, and on one line.
+/// A cell shortened for a message, on one line.
 std::string shown(std::string_view cell)
 {
     constexpr std::size_t kMost = 40;
     return tr("\"%1\"", text::printableBeginning(trimmed(cell), kMost));
 }
 
-/// The number of a cell, or nothing with the reason.
+/// The number of a cell; empty, with the reason, if there is none.
 std::optional<double> numberOf(std::string_view cell, const std::string &column, std::string &reason)
 {
     std::string_view digits = unquoted(cell);
@@ -29,7 +29,7 @@ std::optional<double> numberOf(std::string_view cell, const std::string &column,
         return std::nullopt;
     }
     if (digits.size() > 1 && digits.front() == '+' && digits[1] != '-')
-        digits.remove_prefix(1); // std::from_chars takes no plus
+        digits.remove_prefix(1); // std::from_chars accepts no plus
     double value = 0.0;
     const char *end = digits.data() + digits.size();
     const auto [stop, error] = std::from_chars(digits.data(), end, value);
@@ -44,7 +44,7 @@ std::optional<double> numberOf(std::string_view cell, const std::string &column,
     return std::nullopt;
 }
 
-/// Where a cell's text starts in its line; the line's end where it has no such cell.
+/// The start of a cell's text in its line; the line's end where it has no such cell.
 std::size_t placeOf(std::string_view line, std::size_t cell)
 {
     std::size_t start = 0;
@@ -58,7 +58,7 @@ std::size_t placeOf(std::string_view line, std::size_t cell)
     return text == std::string_view::npos ? start : text;
 }
 
-/// Why a header may lack a column that it seems to have.
+/// A hint why a header lacks a column that it seems to have.
 std::string hintFor(std::string_view header, std::string_view column, const std::vector<std::string_view> &found)
 {
     if (header.starts_with("\xFF\xFE") || header.starts_with("\xFE\xFF"))
@@ -118,7 +118,7 @@ std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &so
             return name.empty() || std::find(found.begin(), found.end(), name) != found.end();
         });
     };
-    // The first that is there; where none is, the first is missed.
+    // Take the first alternative that is present; if none is, report the first as missing.
     const auto there = std::find_if(alternatives.begin(), alternatives.end(), hasAll);
     columns.names = there == alternatives.end() ? alternatives.front() : *there;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -191,7 +191,7 @@ void NumberReader::readRow(const LineBlock &block, std::string_view line, const 
         else
             fault = m_columns.places[k];
     }
-    // Numbers with decimal commas would otherwise pass for others.
+    // Otherwise decimal commas would be read as other numbers.
     if (fault == kNoColumn && surplus > 0) {
         fault = m_columns.count();
         reason = tr("the row has %1 cells, the header %2", surplus, m_columns.count());
@@ -242,7 +242,7 @@ void NumberReader::read(const LineBlock &block, NumberRows &rows, std::vector<Li
             number += static_cast<std::uint32_t>(std::count(line.begin(), line.end(), '\n'));
         if (!line.empty() && line.back() == '\r')
             line.remove_suffix(1);
-        // Nearly all rows are three plain numbers and nothing else. What this cannot read, readRow can, or explains.
+        // Fast path: nearly all rows are three plain numbers. readRow reads or explains all others.
         if (m_columns.places == std::array<std::size_t, 3>{0, 1, 2}) {
             std::array<double, 3> numbers;
             const char *at = line.data(), *stop = line.data() + line.size();

@@ -12,34 +12,35 @@
 
 namespace unprojector::cli {
 
-/// An empty name, at the end: so many are not wanted.
+/// The names of three columns. A column that is not wanted has an empty name, at the end.
 using ColumnNames = std::array<std::string, 3>;
 
 constexpr std::size_t kNoColumn = std::numeric_limits<std::size_t>::max();
 
-/// Where the three columns that are wanted stand in a row of comma-separated values.
+/// The positions of the three wanted columns in a row of comma-separated values.
 struct NumberColumns {
     ColumnNames names;
-    std::array<std::size_t, 3> places{};                          ///< kNoColumn where none is wanted
-    std::vector<std::string> heads = std::vector<std::string>(3); ///< of all columns, as the header writes them
+    std::array<std::size_t, 3> places{};                          ///< kNoColumn for a column that is not wanted
+    std::vector<std::string> heads = std::vector<std::string>(3); ///< names of all columns, as the header writes them
 
     std::size_t count() const { return heads.size(); }
 };
 
-/// Reads the first line and finds the columns by their names, whatever others there are. Blanks around names and quotes
-/// around them are taken off; a comma in quotes separates nothing. Errors are printed on stderr.
-/// @param alternatives  names that the three may have, the preferred ones first; at least one
+/// Reads the first line and finds the columns by name; other columns may be present. Blanks and
+/// quotes around names are removed; a comma in quotes does not separate. Errors are printed on
+/// stderr.
+/// @param alternatives  accepted names of the three, the preferred ones first; at least one
 std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &source,
                                         const std::vector<ColumnNames> &alternatives);
 
-/// Where a row stands in its block.
+/// The position of a row in its block.
 struct RowPlace {
     std::uint32_t line = 0;  ///< counted from the block's first
     std::uint32_t start = 0; ///< of its text
 };
 
-/// Rows of three numbers, one array a column. A bad row, which has no result, has zeros, as a column that is not wanted
-/// has, and is named in `bad`.
+/// Rows of three numbers, one array per column. A bad row has no result: its numbers are zeros, and
+/// `bad` contains its index. A column that is not wanted has zeros, too.
 struct NumberRows {
     std::array<std::vector<double>, 3> values;
     std::vector<RowPlace> places; ///< of each row
@@ -48,9 +49,9 @@ struct NumberRows {
     std::size_t count() const { return places.size(); }
 };
 
-/// Reads the rows of a block. Empty lines are passed over. Numbers may have quotes and blanks around them, a sign and an exponent;
-/// anything else, NaN, infinity, more cells than the header has and a quote that is not closed make a row bad and are said in
-/// `messages`.
+/// Reads the rows of a block. Empty lines are skipped. Numbers may have quotes and blanks around
+/// them, a sign and an exponent. A row is bad if it has anything else, NaN, infinity, more cells
+/// than the header, or an unclosed quote. `messages` gets the reason.
 class NumberReader {
 public:
     NumberReader(std::string fileName, NumberColumns columns)
@@ -62,22 +63,23 @@ public:
 
     static constexpr std::size_t kNoColumn = cli::kNoColumn;
     /// Adds "file:line:column: what" to the messages.
-    /// @param column  which of the three is at fault, or kNoColumn
+    /// @param column  index of the wrong one among the three, or kNoColumn
     void complainOf(const LineBlock &block, const RowPlace &place, std::size_t column, std::string_view what,
                     std::vector<LineMessage> &messages) const;
 
 private:
     using Cells = std::array<std::string_view, 3>;
-    /// @param cell  counted from the line's start
+    /// @param cell  index from the line's start
     void complainAt(const LineBlock &block, const RowPlace &place, std::size_t cell, std::string_view what,
                     std::vector<LineMessage> &messages) const;
     void readRow(const LineBlock &block, std::string_view line, const RowPlace &place, NumberRows &rows,
                  std::vector<LineMessage> &messages) const;
-    /// Names the row in rows.bad and says why; its numbers are zeros.
-    /// @param cell  at fault, counted from the line's start
+    /// Adds the row to rows.bad with a message; its numbers become zeros.
+    /// @param cell  index of the wrong cell, from the line's start
     void refuseRow(const LineBlock &block, const RowPlace &place, std::size_t cell, std::string_view what,
                    NumberRows &rows, std::vector<LineMessage> &messages) const;
-    /// @param surplus  how many cells there are if those are more than the header has, blank ones aside; else 0
+    /// @param surplus  the number of cells if it exceeds the header's, not counting blank ones;
+    ///         else 0
     Cells cellsOf(std::string_view line, std::size_t &surplus) const;
 
     std::string m_fileName;

@@ -38,7 +38,7 @@ RowLayout::RowLayout(const NumberColumns &columns, const std::vector<std::string
         } else {
             m_columns.push_back(kPassed);
             const std::string key = jsonOfText(unquoted(head));
-            // In an object each key stands once; a table's heads are passed as they are.
+            // A JSON object has each key once; a table's column names are copied unchanged.
             m_names.push_back(format == RowFormat::Jsonl     ? freeKey(key.substr(1, key.size() - 2), m_names, results)
                               : format == RowFormat::SafeCsv ? safeCell(passedCell(head))
                                                              : passedCell(head));

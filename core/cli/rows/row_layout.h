@@ -10,34 +10,34 @@
 
 namespace unprojector::cli {
 
-/// The columns of the output: those of the input, each where it stood, then the results. A column of the input that has the
-/// name of a result is written anew, and only there. In JSON
-/// lines a name that was there already gets a number behind it: "n", "n_2".
+/// The columns of the output: the input's in their order, then the results. An input column with
+/// the name of a result is dropped, and the result replaces it. In JSON lines a repeated name gets
+/// a number: "n", "n_2".
 class RowLayout {
 public:
     RowLayout(const NumberColumns &columns, const std::vector<std::string> &results, RowFormat format);
 
-    /// As a RowWriter takes them.
+    /// The names in the form that a RowWriter takes.
     const std::vector<std::string> &names() const { return m_names; }
 
-    /// Writes what a row has of the input: its numbers, and whatever else is in it, unchanged.
+    /// Writes a row's input cells: its numbers, and all other cells unchanged.
     void writeInput(RowWriter &writer, const LineBlock &block, const NumberRows &rows, std::size_t row) const;
-    /// Writes all that a row without a result has of the input, unchanged. The block may be one line that is too long: it is
-    /// empty then.
+    /// Writes all input cells of a row without a result, unchanged. For a line that is too long,
+    /// the block is empty.
     void writeBad(RowWriter &writer, const LineBlock &block, const NumberRows &rows, std::size_t row) const;
 
 private:
-    // Beside the three wanted columns, 0 to 2.
+    // Values after the wanted columns' 0 to 2.
     static constexpr std::size_t kPassed = 3;
     static constexpr std::size_t kDropped = 4;
 
-    /// Calls `number` for the wanted columns with what is written there, and passes the others.
+    /// Calls `number` with the text of each wanted column, and copies the others.
     template <class Number>
     void writeCells(RowWriter &writer, std::string_view line, const Number &number) const;
 
     std::vector<std::string> m_names;
-    std::vector<std::size_t> m_columns; ///< of the input: which of the three, kPassed, or kDropped
-    bool m_isPlain;                     ///< the three, in their order, and nothing else
+    std::vector<std::size_t> m_columns; ///< for each input column: one of the three, kPassed, or kDropped
+    bool m_isPlain;                     ///< the three in their order, and no other column
 };
 
 } // namespace unprojector::cli

@@ -46,7 +46,7 @@ std::unique_ptr<RowStream> openRows(const RowOptions &options, const SceneOrClic
 ExitCode runRows(RowStream &rows, const RowOptions &options, const std::vector<std::string> &names,
                  const std::function<BlockWorker()> &worker)
 {
-    // What is added to the input would be read as input, without end.
+    // Output appended to the input would be read as input, endlessly.
     ByteSink sink("-", rows.inputs);
     if (!sink.isOpen())
         return ExitCode::UnusableInput;

@@ -13,41 +13,42 @@
 
 namespace unprojector::cli {
 
-/// What all commands that take rows of numbers through a scene are told.
+/// The options shared by all commands that take rows of numbers through a scene.
 struct RowOptions {
     std::string scene;           ///< a scene file, or clicks; "-" for stdin
     std::string input = "-";     ///< a CSV file, "-" for stdin
-    bool isInputGiven = false;   ///< by name; else clicks are rows themselves
-    std::string space = "world"; ///< of the points: "eye", "world" or "object:NAME"
+    bool isInputGiven = false;   ///< input has a name; else clicks serve as rows
+    std::string space = "world"; ///< space of the points: "eye", "world" or "object:NAME"
     RowFormat format = RowFormat::Csv;
     bool isSpreadsheetSafe = false; ///< makes CSV RowFormat::SafeCsv
-    bool isHeaderless = false;      ///< no header is written, so that results can be put behind each other
+    bool isHeaderless = false;      ///< writes no header, so that results can be concatenated
     unsigned threads = 2;
 };
 
-/// The columns of a point, as a command writes them and another reads them: "formula_x" to "formula_z", in whatever space.
+/// The columns of a point, as one command writes them and another reads them: "formula_x" to
+/// "formula_z", in any space.
 ColumnNames pointColumnsOf(const std::string &method);
 
-/// The setup of a scene, the space in it, and the rows behind a header that has the columns.
+/// The setup of a scene, the space in it, and the rows after a header with the columns.
 struct RowStream {
     RowStream(const scene_file::SceneFile &scene, const unproject::BatchSpace &spaceInIt, const RowOptions &options);
 
     geometry::Setup setup;
     unproject::BatchSpace space;
-    InputFiles inputs; ///< the scene's files and that of the rows
+    InputFiles inputs; ///< the scene's files and the rows' file
     ByteSource source;
     LineBlocks blocks{source};
     NumberColumns columns;
 };
 
-/// Opens all of it; null, with the reason on stderr, where something is unusable.
-/// @param given    what options.scene holds
-/// @param columns  the names that they may have, see readHeader
+/// Opens the stream; returns null and prints the reason on stderr if something is unusable.
+/// @param given    the content of options.scene
+/// @param columns  the accepted names, see readHeader
 std::unique_ptr<RowStream> openRows(const RowOptions &options, const scene_file::SceneOrClicks &given,
                                     const std::vector<ColumnNames> &columns);
 
-/// Takes all rows through workers to stdout.
-/// @param names   of the columns written
+/// Processes all rows with workers and writes them to stdout.
+/// @param names   names of the columns written
 /// @param worker  makes the worker of a thread
 ExitCode runRows(RowStream &rows, const RowOptions &options, const std::vector<std::string> &names,
                  const std::function<BlockWorker()> &worker);

@@ -13,11 +13,11 @@ namespace unprojector::cli {
 
 enum class RowFormat {
     Csv,
-    SafeCsv, ///< with texts as text::CellTexts::SpreadsheetSafe has them
+    SafeCsv, ///< with texts as in text::CellTexts::SpreadsheetSafe
     Jsonl
 };
 
-/// A cell as passedCell has it, behind an apostrophe where its text is a formula.
+/// A cell as passedCell returns it, behind an apostrophe where its text is a formula.
 inline std::string safeCell(std::string cell)
 {
     if (text::isFormula(unquoted(cell)))
@@ -25,8 +25,8 @@ inline std::string safeCell(std::string cell)
     return cell;
 }
 
-/// Writes rows of numbers, cell by cell: comma-separated values, or one JSON object a line. Names are as the format writes
-/// them: in JSON they have their escapes.
+/// Writes rows of numbers, cell by cell: comma-separated values, or one JSON object per line. Names
+/// are in the format's form: in JSON they are already escaped.
 class RowWriter {
 public:
     RowWriter(RowFormat format, const std::vector<std::string> &names, std::string &output)
@@ -51,7 +51,7 @@ public:
         text::appendNumber(m_output, value);
     }
 
-    /// An empty cell for NaN and infinity.
+    /// Writes a number; an empty cell for NaN and infinity.
     void numberOrNothing(double value)
     {
         if (std::isfinite(value))
@@ -67,7 +67,7 @@ public:
             m_output += "null";
     }
 
-    /// A text of any letters.
+    /// Writes a text of any characters.
     void text(std::string_view text)
     {
         startCell();
@@ -86,7 +86,7 @@ public:
         m_output += '"';
     }
 
-    /// A cell of the input, as it stands there.
+    /// Copies a cell of the input unchanged.
     void passed(std::string_view cell)
     {
         startCell();
@@ -95,7 +95,7 @@ public:
                                                      : passedCell(cell);
     }
 
-    /// The same of a cell where a number is wanted: in JSON null where it is none.
+    /// Copies a cell of the input where a number is expected: in JSON null where it is none.
     void passedNumber(std::string_view cell)
     {
         if (m_format != RowFormat::Jsonl)

@@ -23,7 +23,7 @@ using text::tr;
 
 namespace {
 
-/// As readSceneText, from stdin.
+/// Reads stdin as readSceneText reads a file.
 Result<std::string, SceneFileError> standardInput(const std::string &name)
 {
     ByteSource source("-");
@@ -124,7 +124,8 @@ std::optional<SceneFile> readScene(const std::string &file)
 
 namespace {
 
-/// The object of a name; where there is none, stderr says which there are, and where there are several, which those are.
+/// The object of a name. If there is none, stderr lists the names; if there are several, stderr
+/// lists those.
 const SceneFileObject *objectNamed(const SceneFile &scene, const std::string &name)
 {
     std::vector<std::size_t> indices;

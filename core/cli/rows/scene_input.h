@@ -13,19 +13,20 @@
 
 namespace unprojector::cli {
 
-/// Reads a scene file, or the clicks that the window prints; prints errors on stderr.
+/// Reads a scene file, or the clicks that the window prints. Prints errors on stderr.
 /// @param file  UTF-8; "-" for stdin
 std::optional<scene_file::SceneOrClicks> sceneOrClicks(const std::string &file);
 
-/// The file itself, and those of the models that its scenes name, whether they are read or not.
+/// The file itself, and the models that its scenes name, whether read or not.
 /// @param file  as above
 InputFiles filesOf(const scene_file::SceneOrClicks &given, const std::string &file);
 
-/// The scene of a file, or the one that all its clicks show. Errors are printed on stderr. Models are not loaded, see openScene.
+/// The scene of a file, or the one that all its clicks share. Errors are printed on stderr. Models
+/// are not loaded, see openScene.
 std::optional<scene_file::SceneFile> sceneOf(const scene_file::SceneOrClicks &given, const std::string &file);
 std::optional<scene_file::SceneFile> readScene(const std::string &file);
 
-/// What --space says: eye, world or object:NAME. Errors are printed on stderr.
+/// Parses --space: eye, world or object:NAME. Errors are printed on stderr.
 std::optional<unproject::BatchSpace> batchSpace(const std::string &space, const scene_file::SceneFile &scene);
 
 } // namespace unprojector::cli

@@ -41,10 +41,10 @@ HANDLE handleOf(std::FILE *stream)
 }
 #endif
 
-/// Read inside a signal handler, so nothing but plain memory.
+/// Plain memory, because a signal handler reads it.
 std::array<std::filesystem::path::value_type, 4096> interruptedFile;
 
-/// The signals that end a program from outside and can be heard.
+/// The signals that end a program from outside and can be caught.
 constexpr int kInterruptions[] = {SIGINT, SIGTERM,
 #ifdef SIGHUP
                                   SIGHUP
@@ -62,7 +62,7 @@ extern "C" void removeAndEnd(int signal)
     std::raise(signal);
 }
 
-/// Of the terminal itself; 0 where it does not tell.
+/// The column count of the terminal itself; 0 if it does not report one.
 std::size_t columnsOf([[maybe_unused]] std::FILE *stream)
 {
 #ifdef _WIN32
@@ -99,7 +99,7 @@ std::string systemLanguages()
 {
     std::string languages;
 #ifdef _WIN32
-    // Each ends with a 0, and the list with another one.
+    // Each string ends with a 0, the list with another one.
     ULONG count = 0, size = 0;
     if (GetUserPreferredUILanguages(MUI_LANGUAGE_NAME, &count, nullptr, &size) == 0)
         return {};
@@ -118,7 +118,7 @@ RemovedWhenInterrupted::RemovedWhenInterrupted(const std::filesystem::path &file
         return;
     std::copy_n(file.c_str(), file.native().size() + 1, interruptedFile.begin());
     for (const int signal : kInterruptions) {
-        if (std::signal(signal, removeAndEnd) == SIG_IGN) // as nohup wants it
+        if (std::signal(signal, removeAndEnd) == SIG_IGN) // ignored under nohup
             std::signal(signal, SIG_IGN);
     }
 }
@@ -152,7 +152,7 @@ InterruptionsWait::~InterruptionsWait()
 bool isTerminal(std::FILE *stream)
 {
 #ifdef _WIN32
-    DWORD mode = 0; // _isatty takes the device NUL for a terminal too
+    DWORD mode = 0; // _isatty also takes the device NUL for a terminal
     return GetConsoleMode(handleOf(stream), &mode) != 0;
 #else
     return isatty(fileno(stream)) == 1;

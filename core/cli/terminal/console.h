@@ -11,21 +11,21 @@
 #include <string>
 #include <vector>
 
-// What the command asks of the system beyond standard C++; the only place where systems differ, besides the opening of
-// streams (byte_stream) and what is printed (files/standard_streams).
+// System functions beyond standard C++ that the command needs. Systems differ here, in the opening
+// of streams (byte_stream) and in printed output (files/standard_streams), nowhere else.
 
 namespace unprojector::cli {
 
-/// The program's arguments in UTF-8, its own name first. Windows hands main() those that its code page has letters for;
-/// there the command line is asked for instead.
+/// The program's arguments in UTF-8, its own name first. On Windows main() gets only characters of
+/// the code page, so the system's command line is read instead.
 std::vector<std::string> utf8Arguments(int argc, char **argv);
 
-/// The languages that the user has chosen for the system's own windows, the preferred first, as LANGUAGE has them:
-/// "zh-CN:en-US". Empty on systems where environment variables say it.
+/// The languages that the user has chosen for the system's own windows, the preferred first, in the
+/// form of LANGUAGE: "zh-CN:en-US". Empty on systems where environment variables give the language.
 std::string systemLanguages();
 
-/// While it lives, a file goes away when somebody ends the program: with Ctrl+C, with kill, by closing its terminal. One at
-/// a time.
+/// Removes a file when the user ends the program: with Ctrl+C, with kill, by closing the terminal.
+/// It does so while it lives. Only one instance may exist at a time.
 class RemovedWhenInterrupted {
 public:
     explicit RemovedWhenInterrupted(const std::filesystem::path &file);
@@ -34,8 +34,9 @@ public:
     RemovedWhenInterrupted &operator=(const RemovedWhenInterrupted &) = delete;
 };
 
-/// While it lives, this thread hears of no such end; it comes afterwards. So that a file which must be removed can be made
-/// and named in one step. Windows tells of it on a thread of its own, and cannot wait.
+/// Delays such interruptions on this thread until it is destroyed. Thus a file that must be removed
+/// can be created and registered in one step. On Windows the interruption arrives on a thread of
+/// its own and cannot be delayed.
 class InterruptionsWait {
 public:
     InterruptionsWait();
@@ -49,21 +50,23 @@ private:
 #endif
 };
 
-/// Whether somebody sees at once what is written to a stream.
+/// True if a stream goes to a terminal.
 bool isTerminal(std::FILE *stream);
 
-/// Characters to a line of the terminal that a stream goes to; 80 where it does not tell, unless COLUMNS does.
+/// Characters per line of the stream's terminal. 80 where the terminal does not report it, unless
+/// COLUMNS does.
 std::size_t terminalColumns(std::FILE *stream);
 
-/// The size of the file behind a stream; nothing for a pipe, a terminal or a device.
+/// The size of the file behind a stream; empty for a pipe, a terminal or a device.
 std::optional<std::uint64_t> regularFileSize(std::FILE *stream);
 
-/// Bytes as they are, no line ends translated.
+/// Turns off the translation of line ends.
 void setBinary(std::FILE *stream);
 
-/// Reads what there is, waiting only while there is nothing: fewer bytes than asked for mean no end. Goes past the stream's
-/// own buffer, so that a stream is read this way or with fread, not both.
-/// @return 0 at the end, nothing at an error
+/// Reads the available bytes and waits only while there are none: fewer bytes than asked for do not
+/// mean the end. It bypasses the stream's buffer, so use either this or fread on a stream, not
+/// both.
+/// @return 0 at the end, empty on an error
 std::optional<std::size_t> readAvailable(std::FILE *stream, char *buffer, std::size_t size);
 
 } // namespace unprojector::cli

@@ -2,11 +2,11 @@
 
 namespace unprojector::cli {
 
-/// What the command says to the shell.
+/// The command's exit status.
 enum class ExitCode {
     Done = 0,
-    SomeRowsBad = 1,   ///< the others were computed
-    UnusableInput = 2, ///< nothing could be: a scene, a header, an option, an output
+    SomeRowsBad = 1,   ///< the other rows were computed
+    UnusableInput = 2, ///< nothing was computed: a scene, a header, an option or an output is unusable
 };
 
 } // namespace unprojector::cli

@@ -12,12 +12,13 @@ using namespace text;
 namespace {
 
 constexpr std::size_t kColumns = 80;
-constexpr std::size_t kDescriptions = 30; ///< the column that they begin in
+constexpr std::size_t kDescriptions = 30; ///< column in which descriptions begin
 
 constexpr const char *kTypeNames[] = {marked("FILE"),  marked("FOLDER"), marked("MODEL"),
                                       marked("SPACE"), marked("TEXT"),   marked("WORD")};
 
-/// The library's colons behind Chinese words, as Chinese has them; they take as many columns with the blank behind them.
+/// Replaces the library's colons behind Chinese words by Chinese ones; they occupy as many columns
+/// as a colon and a blank.
 std::string withChineseColons(const std::string &text)
 {
     std::string result;
@@ -44,7 +45,7 @@ public:
     {
         return wrapped(app->get_description(), kColumns) + '\n';
     }
-    /// Examples and lists begin with blanks, and are as they are.
+    /// Examples and lists begin with blanks and stay unchanged.
     std::string make_footer(const CLI::App *app) const override
     {
         const std::string footer = app->get_footer();

@@ -7,13 +7,14 @@
 
 namespace unprojector::cli {
 
-/// How --help looks: in English as the library has it; in Chinese with columns counted as terminals do, and wrapped to 80.
+/// The format of --help: in English the library's; in Chinese with columns counted as terminals do,
+/// and wrapped to 80.
 std::shared_ptr<CLI::Formatter> helpFormatter();
 
-/// Gives the groups of options and commands their headings, once all are there.
+/// Sets the headings of the groups of options and commands, once all are added.
 void nameGroups(CLI::App &app);
 
-/// What is to be typed, as "FILE" says it.
+/// The word for an argument to type, such as "FILE", in the user's language.
 std::string typeName(const std::string &english);
 
 } // namespace unprojector::cli

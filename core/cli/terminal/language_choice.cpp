@@ -11,7 +11,7 @@ namespace unprojector::cli {
 using text::Language;
 namespace {
 
-/// In small letters, with _ for -, as "zh_hans_cn".
+/// The word in small letters, with _ for -, as in "zh_hans_cn".
 std::string plain(std::string_view word)
 {
     std::string result(word);
@@ -41,7 +41,7 @@ bool isPlainC(std::string_view name)
     return word == "C" || word == "POSIX";
 }
 
-/// Nothing where it is a language that the command does not speak.
+/// The language of a locale; empty if the command does not support it.
 std::optional<Language> knownLanguage(std::string_view name)
 {
     const std::string word = plain(withoutEncoding(name));

@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 constexpr auto kFirst = 1s;
 constexpr auto kBetween = 100ms;
 
-// One terminal, one bar, and whatever thread writes to it.
+// One terminal has one bar, and any thread may write to it.
 std::mutex terminalMutex;
 ProgressBar *shownBar = nullptr;
 
@@ -117,7 +117,7 @@ std::string ProgressBar::line(ProgressScreen::Time now) const
 {
     const double seconds = std::chrono::duration<double>(now - m_start).count();
     const auto done = static_cast<double>(m_done), total = static_cast<double>(m_total);
-    // In the last column some terminals already begin the next line.
+    // Some terminals begin the next line already in the last column.
     const std::size_t room = std::max<std::size_t>(m_screen.columns, 1) - 1;
     std::string text;
     if (m_total == 0) {
