@@ -38,8 +38,7 @@ void LessonLayout::end()
     m_withRoom.clear();
     QDockWidget &lesson = m_window.workspaces().dock(Panel::Lesson);
     if (lesson.isAncestorOf(m_window.focusWidget()))
-        m_window.view()
-            .setFocus(); // as by the mouse: Qt would otherwise go on to the next widget as by Tab, which shows the crosshair
+        m_window.view().setFocus(); // Qt would go on to the next widget as by Tab, which shows the crosshair
     lesson.hide();
     m_window.restore(*m_before);
     // The lesson's texts may have taken more room.
