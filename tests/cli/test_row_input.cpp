@@ -150,7 +150,7 @@ void TestRowInput::projectNamesItsColumns()
     QCOMPARE(run.exitCode, 2);
 }
 
-/// So many that to look for each row from the start of its block would take minutes.
+/// There are so many rows that a search from the start of the block for each would take minutes.
 void TestRowInput::everyRowBad()
 {
     constexpr int kRows = 1000000;
@@ -161,7 +161,7 @@ void TestRowInput::everyRowBad()
     QVERIFY(run.errors.endsWith("stdin:1000001:1: px: \"a\" is not a number\n"));
 }
 
-/// A program that asks row by row and waits for each answer is not kept waiting until some buffer is full.
+/// A program that asks row by row gets each answer at once, before any buffer is full.
 void TestRowInput::aRowIsAnsweredAtOnce()
 {
     QProcess process;

@@ -177,8 +177,8 @@ inline QByteArray gltfBuffer()
     return bytes + kPicture;
 }
 
-/// @param bufferUri  empty: the buffer is GLB's binary chunk
-/// @param image  the members of the image, empty: no texture
+/// @param bufferUri  empty: the buffer is GLB's binary chunk @param image  the members of the
+/// image, empty: no texture
 inline QByteArray gltfJson(const QByteArray &bufferUri, const QByteArray &node = {}, const QByteArray &image = {})
 {
     QByteArray json = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0NODE}],

@@ -12,7 +12,7 @@
 #include <QStringList>
 #include <QXmlStreamReader>
 
-/// What tests of files of landmarks share: readers that share nothing with ours and forgive nothing.
+/// Readers that share nothing with ours and forgive nothing, for the tests of landmark files.
 namespace strict_landmarks {
 
 inline QStringList noteTexts(const std::vector<unprojector::landmark_files::LandmarkNote> &notes)
@@ -45,7 +45,7 @@ inline glm::dvec3 strictPlace(const QList<QByteArray> &words)
     return {strictNumber(words.at(0)), strictNumber(words.at(1)), strictNumber(words.at(2))};
 }
 
-/// RFC 4180, nothing besides.
+/// A parser of RFC 4180 and nothing else.
 inline QList<QList<QByteArray>> strictCsv(const QByteArray &text)
 {
     QList<QList<QByteArray>> rows(1);

@@ -27,7 +27,8 @@ constexpr int kSide = 12; ///< vertices along an edge of the sheet
 constexpr int kVertices = kSide * kSide;
 constexpr int kTriangles = 2 * (kSide - 1) * (kSide - 1);
 
-/// A sheet of squares whose every vertex has numbers of its own. Its texture coordinates have 0.5 in common.
+/// A sheet of squares whose every vertex has numbers of its own. Its texture coordinates have 0.5
+/// in common.
 struct Sheet {
     std::vector<float> positions, normals, texcoords, weights;
     std::vector<quint8> colors, joints;
@@ -58,11 +59,11 @@ struct Sheet {
     }
 };
 
-/// A corner as it is compared: position and colour.
+/// A corner in the form for comparison: position and colour.
 using Corner = std::array<double, 6>;
 using Triangle = std::array<Corner, 3>;
 
-/// Begun at its smallest corner, so that only what way it goes round counts.
+/// Rotates the triangle to begin at its smallest corner, so that only its orientation counts.
 Triangle begunAtSmallest(Triangle triangle)
 {
     std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
@@ -103,7 +104,7 @@ std::multiset<Triangle> trianglesOf(const Mesh &mesh)
     return all;
 }
 
-/// What a test packs, and how.
+/// A test's packed data and options.
 struct Packing {
     int method = draco::MESH_EDGEBREAKER_ENCODING;
     int positionBits = 0; ///< 0: floats as they are

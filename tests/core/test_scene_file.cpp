@@ -1,4 +1,4 @@
-// What a scene file says is what is read, and what is read can be written and read again.
+// The contents of a scene file: read as written, and after writing read again.
 
 #include "parsed_scenes.h"
 #include "scene_texts.h"
@@ -249,7 +249,7 @@ void TestSceneFile::numbersOfUnknownKeysAreKeptToTheDigit()
     QCOMPARE(written(parsed(again)), again);
 }
 
-/// Of a key that is known the double counts, which is written in the fewest digits.
+/// A known key counts as its double, which is written in the fewest digits.
 void TestSceneFile::manyDigitsAreANumber()
 {
     const SceneFile scene =
@@ -389,7 +389,7 @@ void TestSceneFile::writingReplacesWholeFilesOnly()
     QCOMPARE(written(readSceneFile(file).value()), written(parsed(kLeastScene)));
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList("a.json"));
 
-    // What cannot be written leaves what was there.
+    // A failed write leaves the old file.
     SceneFile bad = parsed(kFullScene);
     bad.objects[0].name = "\xFF";
     QVERIFY(!writeSceneFile(file, bad).hasValue());

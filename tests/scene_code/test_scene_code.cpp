@@ -1,4 +1,4 @@
-// The code that is written for a scene, compiled: its matrices and its way back from a pixel are core's.
+// The generated code of a scene, compiled: its matrices and its unprojection equal core's.
 
 #include "core/scene_code/scene_code.h"
 #include "tests/scene_code/core_clicks.h"
@@ -161,7 +161,8 @@ void TestSceneCode::matricesAreCores()
 void TestSceneCode::aHundredPointsAreCores()
 {
     QFETCH(Compiled, code);
-    // The distance of a perspective multiplies what rounding has left in a depth by itself and by 1 / near, up to 20.
+    // The distance of a perspective multiplies a depth's rounding by itself and by 1 / near, up to
+    // 20.
     core_clicks::compareClicks(core_clicks::sceneNamed(code.scene.c_str()), code.screen2world, 20.0 * code.share);
 }
 
@@ -204,7 +205,7 @@ void TestSceneCode::numbersKeepAllTheirDigits()
     QVERIFY(sceneCode(scene, dialect).find("33.3") != std::string::npos);
 }
 
-/// Nothing that an object may be called ends the comment that its name stands in, or makes a name of its own invalid.
+/// No name of an object ends the comment that contains it, or makes an identifier invalid.
 void TestSceneCode::namesStayInTheirComments()
 {
     SceneFile scene;
