@@ -1,5 +1,5 @@
-// What the views draw and what is read back: surface or background, the object, the depth, under every kind of depth
-// range; and what is cut away. Run once more with object ids as colours.
+// The drawn frame and the values read back: surface or background, the object, the depth, under
+// every kind of depth range; and clipping. Run once more with object ids as colours.
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
@@ -36,8 +36,8 @@ constexpr int kCoarser = 1;
 #endif
 constexpr int kFewer = kCoarser * kCoarser;
 
-/// Where a ray enters a cube of edge 2, as a multiple of its direction; nothing where it passes by. By hand, from the
-/// cube's six planes.
+/// The entry of a ray into a cube of edge 2, as a multiple of its direction; empty where it passes
+/// by. By hand, from the cube's six planes.
 std::optional<double> entry(const guitest::Ray &ray, const glm::dvec3 &center)
 {
     double enters = -std::numeric_limits<double>::infinity(), leaves = std::numeric_limits<double>::infinity();
@@ -50,7 +50,7 @@ std::optional<double> entry(const guitest::Ray &ray, const glm::dvec3 &center)
     return enters < leaves ? std::optional(enters) : std::nullopt;
 }
 
-/// A plane through a point, its positive side that of the normal.
+/// A plane through a point; its positive side is on the side of the normal.
 glm::dvec4 planeThrough(const glm::dvec3 &point, const glm::dvec3 &normal)
 {
     return glm::dvec4(normal, -glm::dot(normal, point));
@@ -222,7 +222,7 @@ void TestFrame::aRemovedPlaneIsGone()
     QVERIFY(window->view().grabFramebuffer() == one);
     setClipPlanes(document, {});
     QVERIFY(window->view().grabFramebuffer() == before);
-    // Nor does it cut the next scene.
+    // The plane does not cut the next scene.
     setClipPlanes(document, {plane});
     (void)window->view().grabFramebuffer();
     openObjects(document, twoCubes(), kBeforeTwoCubes);

@@ -1,4 +1,4 @@
-// From what is computed to where Help has its formulas.
+// Links from computed values to their formulas in Help.
 
 #include "document_edits.h"
 #include "gui/click/comparison_panel.h"

@@ -1,5 +1,5 @@
-// Opening files: by name, by drop, several at once, broken ones, cancelled ones. Whatever goes wrong, what was shown and
-// picked stays.
+// Opening files: by name, by drop, several at once, broken ones, cancelled ones. Any failure leaves
+// the shown scene and the pick.
 
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
@@ -68,7 +68,7 @@ bool openAndWait(MainWindow &window, const QStringList &files)
     return QTest::qWaitFor([&window] { return !window.session().isLoading(); }, kPatienceMilliseconds);
 }
 
-/// What must stay when an opening fails.
+/// The state that must stay when an opening fails.
 struct State {
     explicit State(MainWindow &window)
         : objects(window.document().objects()), setup(window.document().setup()),
@@ -370,7 +370,7 @@ void TestOpenFiles::theBarStaysUntilThePictureIsThere()
     QTRY_VERIFY_WITH_TIMEOUT(bar->isHidden(), kPatienceMilliseconds);
     QVERIFY(window->childAt(bar->parentWidget()->mapTo(window.get(), place.center())) != &window->view());
 
-    // Where nothing is to be drawn there is nothing to wait for.
+    // A file without anything to draw needs no waiting.
     emit window->session().loadingStarted();
     QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible(), kPatienceMilliseconds);
     QVERIFY(!cancel->isHidden());

@@ -1,4 +1,4 @@
-// The pipeline panel as a widget: what it copies, what fits, and what it does while nobody sees it.
+// The pipeline panel as a widget: its copies, its fit, and its work while it is hidden.
 
 #include "document_edits.h"
 #include "pipeline_figures.h"
@@ -345,7 +345,7 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
     panel.takeApart(PipelineStage::ProjectionMatrix);
     const FactorShares *shares = panel.findChildren<FactorShares *>().back();
     QVERIFY(shares->isVisible());
-    QVERIFY(!panel.findChildren<FactorShares *>().front()->isVisible()); // a view carries no volume to the cube
+    QVERIFY(!panel.findChildren<FactorShares *>().front()->isVisible()); // a view takes no volume to the cube
     const auto sliders = [shares] {
         QList<QSlider *> shown;
         for (QSlider *slider : shares->findChildren<QSlider *>()) {
@@ -373,7 +373,7 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
     sliders()[0]->clearFocus();
     QCoreApplication::sendEvent(sliders()[0], &past);
     QCOMPARE(sliders()[0]->value(), 100);
-    // By keys alone.
+    // The keys alone suffice.
     sliders()[2]->setFocus();
     QTest::keyClick(sliders()[2], Qt::Key_Home);
     QCOMPARE(product()[2][2], 2.0 / 7.0);
@@ -551,7 +551,7 @@ void TestPipelineWidgets::theConventionsBringTheirLayoutOnce()
     panel.show();
     QVERIFY(editConventions(document, Api::Direct3d, {QStringLiteral("Conventions")}));
     QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
-    // What is chosen after they changed stays, also where nobody saw them change.
+    // A choice after they changed stays, also if the panel was hidden during the change.
     panel.hide();
     QVERIFY(editConventions(document, Api::OpenGl, {QStringLiteral("Conventions")}));
     panel.setMatrixView({MatrixLayout::Row, true});

@@ -1,4 +1,4 @@
-// A session without a window: what it opens, saves and asks. Questions are answered by the test.
+// A session without a window: its opening, saving and questions. The test answers the questions.
 
 #include "core/examples/bundled_scene.h"
 #include "session_desk.h"

@@ -1,4 +1,5 @@
-// Keys on the view: the standard views, fit, home, the projection; turning, moving, zooming and picking at the crosshair.
+// Keys on the view: the standard views, fit, home, the projection; turning, moving, zooming and
+// picking at the crosshair.
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
@@ -190,7 +191,7 @@ void TestViewKeys::arrowsTurnAboutThePointAtTheCrosshair()
     QVERIFY(std::abs(std::asin(after.y) - std::asin(before.y) + way.y() * kTenDegrees) < 1e-9);
 }
 
-/// As of a click by the mouse: the number stands in the status bar, whatever panel is in front.
+/// The number is in the status bar, as after a mouse click, with any panel in front.
 void TestViewKeys::whatEnterPicksIsTold()
 {
     const auto window = activeCubeWindow();
@@ -292,10 +293,10 @@ void TestViewKeys::theCrosshairStaysInTheView()
         QTest::keyClick(&view, Qt::Key_Down, Qt::ControlModifier | Qt::ShiftModifier);
     }
     QCOMPARE(pickedByEnter(*window), QPoint(surface.widthPixels - 1, surface.heightPixels - 1));
-    // In a smaller view that pixel is no more.
+    // The pixel does not exist in a smaller view.
     QVERIFY(resized(*window, {420, 360}));
     QCOMPARE(pickedByEnter(*window), middleOf(*window));
-    // The middle is that of the viewport.
+    // The crosshair starts in the middle of the viewport.
     ViewportRule rule;
     rule.kind = ViewportRule::Kind::Fixed;
     rule.fixed = {20.0, 30.0, 100.0, 80.0};

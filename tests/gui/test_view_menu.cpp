@@ -1,4 +1,4 @@
-// The context menu of the view, and what is hidden in it.
+// The context menu of the view, and its hidden entries.
 
 #include "document_edits.h"
 #include "tests/gui/gui_scene.h"
@@ -87,7 +87,8 @@ void TestViewMenu::aRightClickOpensIt()
     QVERIFY(openMenu(view));
     QVERIFY(!window->document().picks().pick()); // until it is asked for
     openMenu(view)->close();
-    // Qt tells of the same click once more, by an event of its own: that is not for the window's menu either.
+    // Qt reports the same click once more, by an event of its own: that is not for the window's
+    // menu either.
     QContextMenuEvent again(QContextMenuEvent::Mouse, QPoint(50, 50), view.mapToGlobal(QPoint(50, 50)));
     QVERIFY(QCoreApplication::sendEvent(&view, &again) && again.isAccepted());
     QVERIFY(!openMenu(view));
@@ -102,7 +103,7 @@ void TestViewMenu::aRightDragDoesNot()
     const QPointF from(100.0, 100.0);
     drag(view, from, from + QPointF(QApplication::startDragDistance() + 5.0, 0.0), Qt::RightButton);
     QVERIFY(!openMenu(view));
-    // Nor there and back again, nor in the middle of another drag.
+    // The menu does not open after a drag there and back, or in the middle of another drag.
     sendMouse(view, QEvent::MouseButtonPress, from, Qt::RightButton, Qt::RightButton);
     sendMouse(view, QEvent::MouseMove, from + QPointF(40.0, 0.0), Qt::NoButton, Qt::RightButton);
     sendMouse(view, QEvent::MouseMove, from, Qt::NoButton, Qt::RightButton);
@@ -114,7 +115,7 @@ void TestViewMenu::aRightDragDoesNot()
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::RightButton, Qt::MiddleButton);
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::MiddleButton, Qt::NoButton);
     QVERIFY(!openMenu(view));
-    // A tremble is none.
+    // A tremble is no drag.
     sendMouse(view, QEvent::MouseButtonPress, from, Qt::RightButton, Qt::RightButton);
     sendMouse(view, QEvent::MouseMove, from + QPointF(1.0, 1.0), Qt::NoButton, Qt::RightButton);
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::RightButton, Qt::NoButton);
@@ -207,7 +208,7 @@ void TestViewMenu::whatTheModeTakesIsCopied()
     choose(window->view(), localOf(*window, corner) + QPointF(-2.5, 3.0), "copyPoint");
     QCOMPARE(QApplication::clipboard()->text(),
              QStringLiteral("%1, %2, %3").arg(shortestText(corner.x), shortestText(corner.y), shortestText(corner.z)));
-    // Where no vertex is within reach, it is what is picked instead: the surface.
+    // A click without a vertex within reach picks the surface.
     const QPointF onFace = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1));
     choose(window->view(), onFace, "copyPoint");
     QCOMPARE(window->document().picks().pickedPoint(),
