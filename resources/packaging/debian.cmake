@@ -1,10 +1,10 @@
-# The package for Debian and Ubuntu. It depends on what the programs were linked with, so it is for the release that it was
-# built on, and later ones as long as they keep those libraries.
+# The package for Debian and Ubuntu. It depends on the libraries that the programs were linked with:
+# it is for the release that it was built on, and later ones as long as they keep those libraries.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-# What Debian wants packed, and the change log in its own form.
+# The files that Debian requires in a package, and the change log in Debian's format.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_BINARY_DIR}/debian_tree.cmake)
 configure_file(debian_tree.cmake.in debian_tree.cmake @ONLY)
 
