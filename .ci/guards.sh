@@ -185,7 +185,8 @@ windows() {
     [ -n "${MINGW_SYSROOT:-}" ] || { skip "MINGW_SYSROOT is empty"; return 0; }
     [ -e "$MINGW_SYSROOT/mingw-toolchain.cmake" ] || { echo "There is no $MINGW_SYSROOT/mingw-toolchain.cmake"; return 1; }
     bash .ci/setup.sh g++-mingw-w64-x86-64-posix wine64 wine nsis zip || return
-    # Header-only libraries are this system's, in a folder of their own: /usr/include as a whole would hide MinGW's headers.
+    # Header-only libraries are this system's, in a folder of their own: /usr/include as a whole
+    # would hide MinGW's headers.
     local headers=$root/build/windows-headers
     rm -rf "$headers" && mkdir -p "$headers/include" "$headers/share/cmake"
     cp -r /usr/include/nlohmann /usr/include/CLI "$headers/include/"
@@ -213,7 +214,8 @@ package() {
     dpkg --root="$tree" --force-depends -i "$work"/*.deb 2>"$work/dpkg.log" || { cat "$work/dpkg.log"; return 1; }
     ! command -v desktop-file-validate >/dev/null || desktop-file-validate "$share"/applications/*.desktop || return
     ! isReleaseDebian12 appstreamcli || appstreamcli validate --no-net "$share"/metainfo/*.xml || return
-    # The middle of the window, halfway through the depths of near 1 and far 3, seen from (0, 0, 5): 1.5 before the eye.
+    # The middle of the window, halfway through the depths of near 1 and far 3, seen from (0, 0, 5):
+    # 1.5 before the eye.
     if ! "$tree/usr/bin/unproject" scene -o "$work/scene.json" --from-matrices \
         'modelview 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1 projection 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0 viewport 0 0 800 600' ||
         ! printf 'px,py,depth\n400,300,0.5\n' | "$tree/usr/bin/unproject" points "$work/scene.json" >"$work/points.csv" ||

@@ -7,7 +7,8 @@ packages=(
     cmake g++ ninja-build
     # The window (Qt's OpenGL module is only recommended by qt6-base-dev); lrelease for the translations
     qt6-base-dev libqt6opengl6-dev libgl-dev libopengl-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
-    # Vectors and matrices, rays on meshes, JSON of scenes and glTF, the command's options, extended precision
+    # Vectors and matrices, rays on meshes, JSON of scenes and glTF, the command's options, extended
+    # precision
     libglm-dev libembree-dev nlohmann-json3-dev libcli11-dev libboost-dev
     # Packed glTF files
     libdraco-dev libmeshoptimizer-dev

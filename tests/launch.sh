@@ -3,8 +3,8 @@
 # user's environment: no variables but the ones named here, its own home folder, no fonts but the
 # ones the project names, no terminal.
 #
-# --display  an X server of its own (Xvfb) with software OpenGL, so that tests with windows run side by side; without it,
-#            Qt's offscreen platform
+# --display  an X server of its own (Xvfb) with software OpenGL, so that tests with windows run side
+#            by side; without it, Qt's offscreen platform
 set -u
 folder=$(cd -- "$(dirname -- "$0")" && pwd)
 platform=offscreen

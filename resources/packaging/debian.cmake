@@ -23,7 +23,8 @@ side, with the cause of their difference and how certain the digits are.
 The command unproject does the same for tables of pixels and whole depth
 images, without a window.")
 if(UNPROJECTOR_BUILD_GUI)
-    # Loaded when the program runs: the texts of Qt's own buttons in other languages, fonts, software OpenGL.
+    # Loaded when the program runs: the texts of Qt's own buttons in other languages, fonts,
+    # software OpenGL.
     set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-translations-l10n, fonts-dejavu-core | fonts-freefont-ttf, libgl1-mesa-dri")
     set(CPACK_DEBIAN_PACKAGE_SUGGESTS "qt6-wayland, fonts-noto-cjk | fonts-wqy-microhei")
 endif()

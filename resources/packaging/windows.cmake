@@ -1,4 +1,5 @@
-# A folder that runs from anywhere, as a zip; and, where makensis is there, an installer of the same files.
+# A folder that runs from anywhere, as a zip; and, where makensis is there, an installer of the same
+# files.
 set(CPACK_GENERATOR ZIP)
 set(CPACK_SYSTEM_NAME windows-x64)
 if(UNPROJECTOR_BUILD_GUI)

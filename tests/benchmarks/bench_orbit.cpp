@@ -61,7 +61,7 @@ std::unique_ptr<MainWindow> windowWith(const std::filesystem::path &file)
     });
     if (!isSeen)
         return nullptr;
-    // Stand-ins are made beside the first picture.
+    // Stand-ins are made in parallel to the first picture.
     QElapsedTimer clock;
     clock.start();
     waitFor([&] { return clock.elapsed() > 3000 && !window->view().isCoarse(); });

@@ -30,7 +30,7 @@ void TestCommandLine::helpHasExamplesThatWork_data()
         QTest::newRow(command) << command;
 }
 
-/// The examples are taken out of the help and run as they stand there.
+/// The examples are extracted from the help and run unchanged.
 void TestCommandLine::helpHasExamplesThatWork()
 {
     QFETCH(QString, command);

@@ -1,4 +1,4 @@
-// `unproject info`: what a model or a scene holds.
+// `unproject info`: the contents of a model or a scene.
 
 #include "tests/cli/command.h"
 

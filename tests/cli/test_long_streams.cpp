@@ -100,7 +100,7 @@ void TestLongStreams::tenMillionRowsKeepTheirOrderInLittleMemory()
             expected.remove(0, length);
             checked += length;
         }
-        // The rows are through and the command waits for more: what it held at most is known now.
+        // The rows are through and the command waits for more: its peak memory is known now.
         const bool isThrough = awaited == kRows && expected.isEmpty();
         if ((isThrough || !isSame) && !isClosed) {
             isClosed = true;

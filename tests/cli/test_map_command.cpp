@@ -140,7 +140,7 @@ void TestMapCommand::aLargePictureTakesLittleMemory_data()
     QTest::newRow("displacement") << QStringList{"displacement", "--convention", "screen2world"};
 }
 
-/// Beside a float a pixel, which the statistics need, it takes what a small picture takes.
+/// The memory is the one of a small picture, plus a float a pixel, which the statistics need.
 void TestMapCommand::aLargePictureTakesLittleMemory()
 {
 #ifdef UNPROJECTOR_IS_SANITIZED

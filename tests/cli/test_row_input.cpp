@@ -199,10 +199,10 @@ void TestRowInput::aPipeInPieces()
     QCOMPARE(points(input).lines().size(), 4);
 }
 
-/// Nothing that follows is lost, and nothing of it passes for the cell.
+/// No following row is lost, and no part of it passes for the cell.
 void TestRowInput::linesBehindAnOpenQuoteAreRows()
 {
-    // Longer than what is read at once, so that the end of the file is out of sight.
+    // The rows are longer than one read, so that the end of the file is out of sight.
     constexpr int kRows = 20000;
     const Run run = points("px,py,depth,name\n1,2,0,\"a\n" + QByteArray("400,300,0,b\n").repeated(kRows));
     QCOMPARE(run.errors, QByteArray("stdin:2:7: the quote is not closed; quotes in quotes are doubled\n"));

@@ -223,7 +223,7 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<QStringList>("options");
     QTest::addColumn<QByteArray>("said");
-    // glFrustum(-1,1,-1,1,0.1,100), with depths in [0, 1] and y turned round for Vulkan.
+    // glFrustum(-1,1,-1,1,0.1,100), with depths in [0, 1] and y reversed for Vulkan.
     const QByteArray zeroToOne = "projection 0.1 0 0 0  0 0.1 0 0  0 0 -1.001001 -1  0 0 -0.1001001 0 ";
     const QByteArray turned = "projection 1 0 0 0  0 -1 0 0  0 0 -2 -1  0 0 -3 0 ";
     const QByteArray reversed = "projection 1 0 0 0  0 1 0 0  0 0 0 -1  0 0 0.5 0 ";

@@ -129,7 +129,7 @@ private:
     {
         return runCommand({"points", m_folder.write("scene.json", scene)}, "px,py,depth\n4,3,0.5\n");
     }
-    /// @param message  what stands behind the file's name
+    /// @param message  the text after the file's name
     void verifyRefused(const QByteArray &scene, const QByteArray &message) const
     {
         const Run run = with(scene);

@@ -91,7 +91,7 @@ inline const unprojector::geometry::LookAt kFromOrigin{
     unprojector::geometry::WorldPoint(0, 0, 0), unprojector::geometry::WorldPoint(0, 0, -1), {0, 1, 0}};
 inline const unprojector::geometry::LookAt kFromFive{
     unprojector::geometry::WorldPoint(0, 0, 5), unprojector::geometry::WorldPoint(0, 0, 0), {0, 1, 0}};
-/// Neither at the origin nor along an axis: 13 from where it looks.
+/// A camera neither at the origin nor along an axis: 13 from its centre.
 inline const unprojector::geometry::LookAt kFromAside{
     unprojector::geometry::WorldPoint(3, 4, 12), unprojector::geometry::WorldPoint(0, 0, 0), {0, 1, 0}};
 

@@ -23,7 +23,7 @@ inline QStringList noteTexts(const std::vector<unprojector::landmark_files::Land
     return texts;
 }
 
-/// The number that a strict reader finds; what it stumbles over ends the test.
+/// The number that a strict reader finds; an invalid one ends the test.
 inline double strictNumber(const QByteArray &text)
 {
     bool isNumber = false;

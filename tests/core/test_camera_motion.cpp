@@ -170,7 +170,7 @@ void TestCameraMotion::orbitTurnsTheSceneWithTheHand()
     const Setup right = withCamera(g, orbited(g.camera(), pivot, 0.1, 0.0));
     QVERIFY(isNear(placeOf(right, nearest).x, 400.0 + 400.0 * std::sin(0.1) / (10.0 - std::cos(0.1)), kRoundingPixels));
     QVERIFY(isNear(placeOf(right, nearest).y, 400.0, kRoundingPixels));
-    // Down: the top comes towards the viewer, so what is nearest sinks.
+    // Down: the top comes towards the viewer, so the nearest point sinks.
     const Setup down = withCamera(g, orbited(g.camera(), pivot, 0.0, 0.1));
     QVERIFY(isNear(placeOf(down, nearest).y, 400.0 - 400.0 * std::sin(0.1) / (10.0 - std::cos(0.1)), kRoundingPixels));
     QVERIFY(isNear(placeOf(down, nearest).x, 400.0, kRoundingPixels));
@@ -334,7 +334,7 @@ void TestCameraMotion::recenteredBringsThePointToTheMiddle()
         const glm::dvec2 place = placeOf(after, point);
         QVERIFY(isNear(place.x, geometry.viewport.x + geometry.viewport.width / 2.0, kRoundingPixels));
         QVERIFY(isNear(place.y, geometry.viewport.y + geometry.viewport.height / 2.0, kRoundingPixels));
-        // Sideways only: the point's depth is what it was, and the centre is at that depth.
+        // Sideways only: the point's depth stays, and the centre is at that depth.
         const double before = -eyeFromWorld(*eyeFrame(geometry.camera()), point).z;
         QVERIFY(isNear(-eyeFromWorld(*eyeFrame(after.camera()), point).z, before, kRounding * 100.0));
         QVERIFY(isNear(distanceOf(after.camera()), before, kRounding * 100.0));

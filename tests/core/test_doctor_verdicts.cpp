@@ -270,7 +270,7 @@ void TestDoctorVerdicts::whatComesToOneWindowPosition()
     QVERIFY(row);
     QCOMPARE(row->alike, Alike::Here);
     QVERIFY(row->shared == Shared::Window);
-    // The click that is asked for tells them apart.
+    // The suggested click tells them apart.
     QVERIFY(diagnosis.next && std::abs(diagnosis.next->y - 350.5) > 50.0);
 }
 
@@ -317,7 +317,7 @@ void TestDoctorVerdicts::whatComesToOneView()
     QVERIFY(other->shared == Shared::View);
 }
 
-/// Both transposed and the projection once more is the view transposed, and depth 0 turned round is
+/// Transposing both and the projection once more transposes the view, and a reversed depth 0 is
 /// depth 1.
 void TestDoctorVerdicts::whatUndoesItselfIsNoOtherMistake()
 {

@@ -32,7 +32,7 @@ double share(const DoubleDouble &actual, const Extended &truth, const Extended &
     return static_cast<double>(abs(exact(actual) - truth) / abs(scale));
 }
 
-/// The rest is what the double leaves out: adding it does not change the double.
+/// The rest is smaller than the double's precision: adding it does not change the double.
 bool isNormal(const DoubleDouble &number)
 {
     return number.value + number.rest == number.value;

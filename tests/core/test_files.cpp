@@ -28,7 +28,7 @@ QString textOf(const Written &written)
     return written ? QStringLiteral("written") : QString::fromStdString(fileErrorText(written.error()));
 }
 
-/// Makes a link, or says that the system has none.
+/// Makes a link; returns false if the system has none.
 bool linkTo(const std::filesystem::path &target, const std::filesystem::path &link)
 {
     std::error_code error;

@@ -150,7 +150,7 @@ void TestFraming::pointsFillThePicture()
             const LookAt &camera = after.camera();
             const auto direction = [](const LookAt &c) { return normalized(c.center - c.eye).coordinates(); };
             QVERIFY(glm::length(direction(camera) - direction(before.camera())) < kRounding);
-            // The centre, which a hand turns about, is at the depth of what is shown.
+            // The centre, about which the mouse turns, is at the depth of the shown points.
             QVERIFY(std::abs(dot(camera.center - WorldPoint(10.0, -4.0, 2.0), normalized(camera.center - camera.eye)))
                     < 0.2 * glm::length(half));
         }

@@ -27,8 +27,7 @@ constexpr int kSide = 12; ///< vertices along an edge of the sheet
 constexpr int kVertices = kSide * kSide;
 constexpr int kTriangles = 2 * (kSide - 1) * (kSide - 1);
 
-/// A sheet of squares whose every vertex has numbers of its own. Its texture coordinates have 0.5
-/// in common.
+/// A sheet of squares; each vertex has unique numbers. Its texture coordinates have 0.5 in common.
 struct Sheet {
     std::vector<float> positions, normals, texcoords, weights;
     std::vector<quint8> colors, joints;
@@ -384,7 +383,7 @@ void TestGltfDraco::damagedDataGiveAMessage()
         ++refused;
         QVERIFY(result.error().code == ImportErrorCode::Malformed || result.error().code == ImportErrorCode::NotFinite);
     };
-    // All of the beginning, which says how much there is, and a sample of the rest.
+    // The whole beginning, which holds the counts, and a sample of the rest.
     for (qsizetype i = 0; i < whole.bytes.size(); i += i < 64 ? 1 : 37) {
         for (const int change : {1, 0x80, 0xff}) {
             QByteArray bytes = whole.bytes;

@@ -133,7 +133,7 @@ void TestImportGltf::placesByWhatSaysSomething()
 
 void TestImportGltf::keepsTheDigitsOfFarNodes()
 {
-    // Child and parent lie far away, and what is shown has millimetres.
+    // Child and parent lie far away, and the mesh has millimetres.
     GltfBuilder file;
     file.add(kQuadCorners, "VEC3", kFloat);
     const auto result = imported(file.json(

@@ -45,7 +45,7 @@ glm::dvec3 anyPlace(std::mt19937_64 &engine)
 const char *const kNames[] = {"Nasion",       "a, b",      "say \"hi\"", "1e5",   "0x1F",   "Ma\xc3\x9f",
                               "\xe9\xbc\xbb", "<a&b>'c'/", "NA",         "-9999", "x=1; y", "Prosthion 2"};
 
-/// Points that use only what a format has a place for.
+/// Points that use only the data that a format can hold.
 LandmarkSet setFor(Format format)
 {
     std::mt19937_64 engine(20261122);

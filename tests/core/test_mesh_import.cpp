@@ -448,7 +448,7 @@ void TestMeshImport::survivesTruncation()
     for (int size = 1; size < content.size(); size += step) {
         const auto result = imported("cut " + name, content.left(size));
         if (result) {
-            // Text can end early and still be whole; then what is there must be usable.
+            // Text can end early and still be whole; then the part read must be usable.
             for (const Mesh &mesh : result.value()->meshes) {
                 for (const std::uint32_t index : mesh.indices)
                     QVERIFY(index < mesh.positions.size());

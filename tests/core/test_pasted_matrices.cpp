@@ -301,7 +301,7 @@ void TestPastedMatrices::inversesAreReadAsSuch()
     QVERIFY(matrix);
     QCOMPARE(matrix->isInverse, isInverse);
     QCOMPARE(meantMatrix(*matrix, NumberOrder::ByColumns)[3][2], isInverse ? -7.0 : 7.0);
-    // The matrix itself is taken before its inverse, wherever it stands.
+    // The matrix itself is preferred to its inverse, at any position.
     const QString own = role == MatrixRole::View         ? QStringLiteral("view")
                         : role == MatrixRole::Projection ? QStringLiteral("projection")
                                                          : QStringLiteral("mvp");

@@ -64,7 +64,7 @@ void TestSceneDescription::aWindowsSceneSurvivesASave()
         QCOMPARE(file.objects[1].bundled, "Teapot");
         file = parsed(written(file));
 
-        // Another program sees what the window showed.
+        // Another program sees the window's picture.
         const Setup shown = byParameters(setupOf(file)).value();
         QVERIFY(shown.surface == setup.surface && shown.viewport == setup.viewport);
         QVERIFY(shown.projection() == setup.projection() && shown.depthRange == setup.depthRange);

@@ -271,7 +271,7 @@ void TestSceneFile::nothingIsLeftOfAnotherProjection()
     scene.projection = Projection(Perspective{1, 1.5, 1, 9});
     QCOMPARE(written(scene).count("\"fovy\""), 1);
     QVERIFY(std::get<Projection>(parsed(written(scene)).projection) == Projection(Perspective{1, 1.5, 1, 9}));
-    // Nor does it come back as what the new projection leaves out.
+    // A key that the new projection lacks does not come back either.
     scene = parsed(withProjection(
         R"({"type": "ortho", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 9, "aspect": 2})"));
     scene.projection = Projection(Perspective{1, 4.0 / 3.0, 1, 9});

@@ -43,7 +43,7 @@ private slots:
     void theUsualFormOfTheDistanceLosesSevenDigits();
 };
 
-/// parallel-projection: moved, scaled, turned round, of a box that is nowhere symmetric.
+/// The steps of parallel-projection: move, scale, mirror in z; for a box without symmetry.
 void TestSourcePrograms::glOrthoIsThreeSteps()
 {
     const Ortho box{-1, 3, -2, 1, 2, 10};
@@ -232,7 +232,7 @@ void TestSourcePrograms::programVerticesGoToTheirPixelsAndBack()
                    vertex.coordinates(), 1e-9));
 }
 
-/// Help, 4: n f / (f - d (f - n)) beside (13), at n : f = 0.01 : 10^6, as shares of the scene's
+/// Help, 4: n f / (f - d (f - n)) against (13), at n : f = 0.01 : 10^6, as shares of the scene's
 /// size.
 void TestSourcePrograms::theUsualFormOfTheDistanceLosesSevenDigits()
 {

@@ -43,7 +43,7 @@ double relativeError(const Components<3> &actual, const oracle::Vector3 &exact, 
     return static_cast<double>(oracle::maxNorm(oracle::difference(oracle::extended(actual), exact)) / scale);
 }
 
-/// A click on a random scene, and what the oracle says lies under it.
+/// A click on a random scene, and the oracle's point for it.
 struct Click {
     WindowPoint window;
     oracle::Vector3 exactEye, exactWorld;

@@ -1,5 +1,5 @@
 // The view volume's corners against literals, and the morph between eye space and the canonical
-// view volume against what it promises.
+// view volume against its documented properties.
 
 #include "core/geometry/angle.h"
 #include "core/geometry/framing.h"
@@ -387,7 +387,7 @@ void TestViewVolume::aDraggedPlaneFollowsThePointer()
     const Projection target =
         withClipDistances(projection, movesFar ? w.nearDistance : wanted, movesFar ? wanted : w.farDistance);
     const EyePoint grabbed = viewVolumeCorners(projection)[index];
-    // The hand takes hold a few pixels beside the corner and keeps that offset.
+    // The drag starts a few pixels beside the corner and keeps that offset.
     const glm::dvec2 beside(3.0, -2.0);
     const ClipPlaneDrag drag(projection, movesFar ? ClipPlane::Far : ClipPlane::Near, grabbed, widgetFromEye,
                              pixelOf(grabbed) + beside);

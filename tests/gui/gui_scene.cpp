@@ -182,7 +182,7 @@ std::unique_ptr<MainWindow> twoCubesWindow(const DepthRange &range)
 
 void settle(int milliseconds)
 {
-    constexpr int kRounds = 3; // what happens has consequences of its own
+    constexpr int kRounds = 3; // events cause further events
     for (int round = 0; round < kRounds; ++round) {
         QTest::qWait(milliseconds / kRounds);
         QGuiApplication::sync();

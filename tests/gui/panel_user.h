@@ -68,7 +68,7 @@ inline void cut(scene::Scene &s)
 /// Returns whether two scenes have the same parameters; of objects it compares only the transforms.
 bool isSameScene(const scene::Scene &a, const scene::Scene &b);
 
-/// A document, its parameters panel in a window of its own, and a person's hands on them.
+/// A document, its parameters panel in a window of its own, and a user's actions on them.
 class PanelUser {
 public:
     /// Starts anew with startScene in a window of 801 x 601 pixels.

@@ -440,7 +440,7 @@ void TestCurves::theChosenMeasureIsShown()
     QCOMPARE(mark->label.label, value);
     QCOMPARE(int(mark->lines.size()), lines);
     QVERIFY(differentPixels(before, window->view().grabFramebuffer()) > 200);
-    // Its label stands clear of the points' labels.
+    // Its label keeps clear of the points' labels.
     std::vector<LandmarkMark> marks = landmarkMarks(document);
     marks.push_back(mark->label);
     const auto labels = placedLabels(marks, QFontMetricsF(window->font()), QRectF(window->view().rect()), mark->lines);

@@ -413,7 +413,7 @@ void TestDoctorPlace::aDragOnTheBackgroundTakesNothingBack()
     drag(window->view(), background + QPointF(5.0, 0.0), background + QPointF(60.0, 10.0), Qt::LeftButton);
     QCOMPARE(pixel(), clicked);
     QVERIFY2(!said->text().startsWith(QStringLiteral("Not taken")), qPrintable(said->text()));
-    // The pixel is still of the view in which it was clicked.
+    // The pixel still belongs to the view in which it was clicked.
     QVERIFY2(said->text().contains(QStringLiteral("as it was")), qPrintable(said->text()));
 }
 

@@ -456,7 +456,7 @@ void TestDocumentLandmarks::aDepthWithoutAMeshIsFree()
     SceneDocument document;
     openTriangle(document);
     QVERIFY(editTransform(document, 0, {Translate{{0, 0, 0}}}, kLabel));
-    // Beside the triangle no ray meets it, but the frame may have drawn its rim there.
+    // No ray next to the triangle hits it, but the frame may have drawn its rim there.
     const DevicePoint beside = deviceOf(document, {-0.5, 1.0, 0.0});
     const WidgetPoint position = widgetFromDevice(document.setup().surface, beside);
     const std::optional<Landmark> point = landmarkOfClick(document, position, DepthSample{0.5, 0, 24});

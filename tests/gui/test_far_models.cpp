@@ -158,7 +158,7 @@ QByteArray stl()
            + "endsolid field\n";
 }
 
-/// Singles about a node that stands far away.
+/// Singles about a node that is far away.
 QByteArray gltf()
 {
     QByteArray buffer;

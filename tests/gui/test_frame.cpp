@@ -126,7 +126,7 @@ void TestFrame::everyPixelIsTheSurfaceThatIsThere()
                 QVERIFY(pick.point.world[Method::Formula].hasValue());
                 const glm::dvec3 expected = ray.origin + ray.direction * nearest;
                 const glm::dvec3 off = pick.point.world[Method::Formula]->coordinates() - expected;
-                constexpr double kByHand = 1e-12; // what the ray and the planes here are off themselves
+                constexpr double kByHand = 1e-12; // the error of the ray and the planes here
                 for (int axis = 0; axis < 3; ++axis)
                     QVERIFY(std::abs(off[axis]) <= pick.uncertainty.world[axis] + kByHand);
             }
@@ -369,7 +369,7 @@ void TestFrame::aFrameIsPutOntoWhateverThereIs()
         f.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depths);
     }
     const std::array<std::array<float, 4>, 2> colors{{{1.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 1.0f, 1.0f}}};
-    for (int round = 0; round < 2; ++round) { // what the first one finds out the second goes by
+    for (int round = 0; round < 2; ++round) { // the second round uses the findings of the first
         QVERIFY(frame.begin(drawable(setup).value()));
         f.glClearBufferfv(GL_COLOR, 0, colors[static_cast<std::size_t>(round)].data());
         frame.end();

@@ -104,7 +104,8 @@ bool isOnScreen(const QWidget &widget, const QImage &picture)
     screen.setDevicePixelRatio(1.0);
     QImage expected = picture.copy(0, 0, picture.width() - 1, picture.height() - 1);
     expected.setDevicePixelRatio(1.0);
-    // A window's corner may lie between logical pixels, and is then told of the one beside it.
+    // A window's corner may lie between logical pixels; the window then reports the neighbouring
+    // one.
     for (const int right : {0, -1, 1}) {
         for (const int down : {0, -1, 1}) {
             const QPoint place(pixels(corner.x()) + right, pixels(corner.y()) + down);

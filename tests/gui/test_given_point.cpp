@@ -125,7 +125,7 @@ void TestGivenPoint::aTypedNumberIsAPointBothWays()
     QVERIFY(shown.document.scene().givenPoint->point == GivenPoint{EyePoint(0, 0, -8)}.point);
     QVERIFY(givenWorld(shown.document.scene(), shown.document.setup()).value() == WorldPoint(0, 0, -3));
     QVERIFY(shown.document.isEdited());
-    // The camera goes on, the eye point stays what it is.
+    // The camera moves on, the eye point stays.
     QVERIFY(shown.document.scene().givenPoint.has_value());
 }
 

@@ -37,7 +37,7 @@ using namespace unproject;
 using namespace comparing;
 namespace {
 
-/// The anchors that both pages have, with the number of the formula that stands there.
+/// The anchors that both pages have, with the number of the formula there.
 QMap<QString, QString> places()
 {
     QMap<QString, QString> both;

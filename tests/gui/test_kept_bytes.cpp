@@ -98,7 +98,7 @@ void TestKeptBytes::aDamagedLayoutIsNotTaken()
         first->workspaces().dock(Panel::Objects).close();
         first->close();
     }
-    QVERIFY(!isObjectsShown(*start())); // what was kept is taken
+    QVERIFY(!isObjectsShown(*start())); // the kept layout is restored
     QSettings settings;
     for (const QString &key : settings.allKeys()) {
         if (settings.value(key).typeId() == QMetaType::QByteArray && key != QStringLiteral("window/place"))

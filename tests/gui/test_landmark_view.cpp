@@ -189,7 +189,7 @@ void TestLandmarkView::aMarkIsSelectedAndDragged()
     window->document().undoStack().setIndex(steps);
     QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9);
     click(window->view(), QPointF(4, 4));
-    QVERIFY(window->document().picks().pick()); // beside marks, clicks pick
+    QVERIFY(window->document().picks().pick()); // away from marks, clicks pick
 }
 
 void TestLandmarkView::selectedMarksAreDraggedTogether()
@@ -385,7 +385,7 @@ void TestLandmarkView::aMarkBehindTakesNoClick()
     QVERIFY(markUnder(marks, at) && !markUnder(marks, at, true));
     click(window->view(), at);
     QVERIFY(document.sceneLandmarks().selection().empty());
-    QVERIFY(document.picks().pick()); // what is in front is read
+    QVERIFY(document.picks().pick()); // the object in front is read
     trigger(*window, Qt::Key_P);
     click(window->view(), at);
     QCOMPARE(document.landmarks().size(), std::size_t(2)); // and placed on

@@ -441,7 +441,7 @@ void TestLandmarksPanel::sortingChangesOnlyTheView()
     m_table->header()->setSortIndicator(LandmarksModel::X, Qt::AscendingOrder);
     QCOMPARE(textAt(2, LandmarksModel::Name), QStringLiteral("gone")); // without a place behind all others
     m_table->header()->setSortIndicator(LandmarksModel::Number, Qt::DescendingOrder);
-    QVERIFY(!m_table->dragEnabled()); // what is dropped below a row would come before it
+    QVERIFY(!m_table->dragEnabled()); // a drop below a row would come before it
     m_table->header()->setSortIndicator(-1, Qt::AscendingOrder);
     QCOMPARE(textAt(0, LandmarksModel::Name), QStringLiteral("nasion"));
     QVERIFY(m_table->dragEnabled());
@@ -756,7 +756,7 @@ void TestLandmarksPanel::templatesAreSavedUnderTheirSuffix()
             QVERIFY(dialog);
             dialog->setDirectory(folder.path());
             dialog->selectNameFilter(dialog->nameFilters()[filter]);
-            emit dialog->filterSelected(dialog->nameFilters()[filter]); // as by a hand
+            emit dialog->filterSelected(dialog->nameFilters()[filter]); // as by a user
             dialog->findChild<QLineEdit *>()->setText(QStringLiteral("mine"));
             if (isThere) {
                 QTimer::singleShot(0, this, [&] {

@@ -82,7 +82,7 @@ void TestLessonsAnswers::whatHasTheAnswerWaitsForIt()
     const auto isSaid = [&] { return verdictOf(*window) == QStringLiteral("Answer first; then the panel opens."); };
     QVERIFY(player.start("pipeline"));
     QVERIFY(isCovered(*window, "pipeline") && isCovered(*window, "comparison"));
-    QVERIFY(goTo("load_identity")); // what it asks is of another step
+    QVERIFY(goTo("load_identity")); // its question belongs to another step
     QVERIFY(isSeen(*window, "pipeline") && !isCovered(*window, "pipeline") && !isSaid());
     QVERIFY(goTo("look_at"));
     QVERIFY(isSeen(*window, "pipeline") && isCovered(*window, "pipeline") && isSaid());
@@ -198,7 +198,7 @@ void TestLessonsAnswers::theLastLessonEndsBeforeAScene()
 /// The lesson and the panel with the answer are tabs of one column in a narrow window.
 void TestLessonsAnswers::theReasonStaysInFront()
 {
-    const int digit = QFontMetrics(QApplication::font()).horizontalAdvance(u'0'); // what is narrow goes by it
+    const int digit = QFontMetrics(QApplication::font()).horizontalAdvance(u'0'); // narrowness is measured in digits
     const auto window = windowOfSize({100 * digit, 700});
     QVERIFY(part<LessonPlayer>(*window).start("weng"));
     follow(*window, QStringLiteral("step:look_at"));

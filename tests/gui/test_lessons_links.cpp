@@ -170,7 +170,7 @@ void TestLessonsLinks::whatLinksSwitchGoesBack()
     follow(*window, QStringLiteral("action:place_points:off"));
     QVERIFY(!isOn("place_points"));
     follow(*window, QStringLiteral("action:place_points"));
-    follow(*window, QStringLiteral("action:nothing")); // what is not there does nothing
+    follow(*window, QStringLiteral("action:nothing")); // an unknown action does nothing
     QVERIFY(part<LessonPlayer>(*window).leave());
     QVERIFY(isOn("edge") && !isOn("place_points") && window->document().picks().snap() == ray::Snap::Edge);
     QVERIFY(pipeline->direction() == PipelineDirection::Forward && pipeline->matrixView() == MatrixView());
@@ -246,7 +246,7 @@ void TestLessonsLinks::aLinkChangesTheScene()
     QVERIFY(followed);
     follow(*window, QStringLiteral("set:other"));
     QVERIFY(document.scene().givenPoint == (GivenPoint{ObjectPoint(2, 1, 0), followed->object}));
-    QCOMPARE(document.undoStack().count(), 1); // one change for all that it says
+    QCOMPARE(document.undoStack().count(), 1); // one change for the whole link
     QVERIFY(part<LessonPlayer>(*window).isAsTheStep());
     // The link leads from a followed click back to the point, which is already the same.
     const PipelineModel &model = dockOf(*window, "pipeline")->findChild<PipelinePanel *>()->model();
@@ -264,7 +264,7 @@ void TestLessonsLinks::aLinkChangesTheScene()
     while (document.undoStack().canUndo())
         document.undoStack().undo();
     QVERIFY(document.scene().givenPoint == followed);
-    follow(*window, QStringLiteral("set:none")); // what the step does not know does nothing
+    follow(*window, QStringLiteral("set:none")); // a change unknown to the step does nothing
     QVERIFY(document.scene().givenPoint == followed);
     QVERIFY(window->message().isEmpty());
 }

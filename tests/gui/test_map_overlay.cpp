@@ -245,7 +245,7 @@ void TestMapOverlay::pointsAreOverTheMap()
         }
     }
     QVERIFY2(changed > 20, qPrintable(QString::number(changed)));
-    // The loupe stands beside the panel.
+    // The loupe is next to the panel.
     const Surface &surface = document.setup().surface;
     const QRectF beside = loupeBox(surface, {10.0, 10.0}, 100.0), usual = loupeBox(surface, {10.0, 10.0});
     QCOMPARE(usual.left() - beside.left(), 100.0);

@@ -121,7 +121,7 @@ void TestMeshLooks::aMeshHasItsColor()
     view.show();
     QVERIFY(QTest::qWaitForWindowExposed(&view, kPatienceMilliseconds));
     const QImage picture = view.grabFramebuffer();
-    // Beside the middle, where the axes are drawn.
+    // The pixel is beside the middle, where the axes are drawn.
     const QColor shown = picture.pixelColor(picture.width() * 11 / 20, picture.height() * 9 / 20);
     const std::array<double, 3> base{0.8, 0.6, 0.4};
     const std::array<int, 3> vertexColor{51, 255, 102}, texel{204, 102, 255},

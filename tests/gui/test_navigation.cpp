@@ -170,7 +170,7 @@ void TestNavigation::aDragTurnsAboutThePickedPoint()
     QVERIFY(std::asin(g.y) > std::asin(f.y)); // upwards: the camera sinks and looks less down
     QCOMPARE(glm::length(after.center.coordinates() - after.eye.coordinates()),
              glm::length(before.center.coordinates() - before.eye.coordinates()));
-    // The pick stays what was clicked.
+    // The pick keeps the camera of its click.
     QVERIFY(window->document().picks().pick()->setup.camera() == before);
 }
 
@@ -205,7 +205,7 @@ void TestNavigation::aSecondButtonStartsNoOtherDrag()
     sendMouse(view, QEvent::MouseButtonPress, position + QPointF(20.0, 0.0), other, one | other);
     sendMouse(view, QEvent::MouseMove, position + QPointF(40.0, 0.0), Qt::NoButton, one | other);
     QCOMPARE(glm::length(forward() - before) > 0.01, turns);
-    // Nor does it end the first.
+    // It does not end the first drag either.
     sendMouse(view, QEvent::MouseButtonRelease, position + QPointF(40.0, 0.0), other, one);
     const LookAt camera = document.setup().camera();
     before = forward();
@@ -213,7 +213,7 @@ void TestNavigation::aSecondButtonStartsNoOtherDrag()
     QVERIFY(document.setup().camera() != camera);
     QCOMPARE(glm::length(forward() - before) > 0.01, turns);
     sendMouse(view, QEvent::MouseButtonRelease, position + QPointF(60.0, 0.0), one, Qt::NoButton);
-    QCOMPARE(picks, turns ? 2 : 0); // at the press, and what was before when it turned
+    QCOMPARE(picks, turns ? 2 : 0); // at the press, and the previous pick when it turned
     QVERIFY(!document.picks().pick());
     QCOMPARE(document.undoStack().index(), steps + 1);
 }

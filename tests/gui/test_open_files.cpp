@@ -160,7 +160,7 @@ QStringList TestOpenFiles::bigFiles()
     if (!m_big.isEmpty())
         return m_big;
     m_big << write(QStringLiteral("big.stl"), triangleStl(300000));
-    for (int i = 1; i < 50; ++i) { // each a file of its own, as one that is named again is not read again
+    for (int i = 1; i < 50; ++i) { // each is a separate file, since a file named again is not read again
         m_big << m_folder.filePath(QStringLiteral("big%1.stl").arg(i));
         std::filesystem::create_hard_link(pathOf(m_big[0]), pathOf(m_big[i]));
     }

@@ -135,7 +135,7 @@ void TestParametersColumn::aFoldedGroupCatchesUp()
     LookAt camera = scene().camera;
     camera.eye.x = 3.0;
     QVERIFY(editCamera(*m_document, camera, {QStringLiteral("by another")}));
-    QCOMPARE(eye->value(), 0.0); // what is folded costs nothing
+    QCOMPARE(eye->value(), 0.0); // a folded group costs nothing
     group->setOpen(true);
     QCOMPARE(eye->text(), QStringLiteral("3"));
 }

@@ -248,7 +248,7 @@ void TestPipelinePanel::pointsAreLinesWithAWInEverySpace()
                 QCOMPARE(coordinate(point, 3), 1.0);
         }
     }
-    QCOMPARE(model.point(Space::World)->coordinates().size(), std::size_t(3)); // its w is not one of its own
+    QCOMPARE(model.point(Space::World)->coordinates().size(), std::size_t(3)); // its w is not an independent number
     QCOMPARE(model.point(Space::Clip)->coordinates().size(), std::size_t(4));
     model.setDirection(PipelineDirection::Forward);
     document.picks().clearPick();
@@ -292,7 +292,7 @@ void TestPipelinePanel::theWayBackDividesByItsOwnW()
         QVERIFY(std::abs(coordinate(undivided, row) - sum) < kRounding);
         QVERIFY(std::abs(coordinate(eye, row) - sum / coordinate(undivided, 3)) < kRounding);
     }
-    // It says so, below the chain.
+    // The label below the chain explains it.
     const QLabel *division = nullptr;
     for (const QLabel *label : panel.findChildren<QLabel *>()) {
         if (label->text().contains(QStringLiteral("divide by its own w′")))

@@ -112,7 +112,7 @@ void TestPipelineWidgets::numbersThatAreTooLongLoseDigitsNotPlaces()
     view->setCapacity(7);
     QCOMPARE(cell(view, 2, 3), QStringLiteral("-12346"));
     QCOMPARE(view->fullText(2, 3), QStringLiteral("-12345.678901"));
-    // Aligned: the decimal points of a column stand under each other.
+    // The decimal points of a column are aligned.
     view->setCapacity(12);
     QCOMPARE(view->index(2, 3).data().toString().size(), view->index(0, 3).data().toString().size());
 }
@@ -403,7 +403,7 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
         });
     };
     QCOMPARE(saysWhy(), 1);
-    panel.setDirection(PipelineDirection::Backward); // which says that there are no factors at all
+    panel.setDirection(PipelineDirection::Backward); // where no factors exist
     QCOMPARE(saysWhy(), 0);
     panel.setDirection(PipelineDirection::Forward);
     QCOMPARE(saysWhy(), 1);

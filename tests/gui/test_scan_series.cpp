@@ -320,7 +320,7 @@ void TestScanSeries::aTurnedScanKeepsItsFilesNumbers()
     QVERIFY(editTransform(*m_document, 0, {Rotate{90.0, {0, 0, 1}}, Scale{{2, 2, 2}}}, {QStringLiteral("turn")}));
     QVERIFY(glm::distance(points()[0].world->coordinates(), glm::dvec3(-4, 2, 0)) < 1e-12); // it has gone with its scan
     QVERIFY(m_series->keep());
-    QCOMPARE(read(QStringLiteral("square.obj.points.csv")), before); // nothing of it has changed
+    QCOMPARE(read(QStringLiteral("square.obj.points.csv")), before); // it is unchanged
     Landmark held;
     held.object = "square.obj";
     held.anchor = landmarks::OnTriangle{0, glm::dvec3(0.5, 0.25, 0.25)};
@@ -382,7 +382,7 @@ void TestScanSeries::aDamagedPlacingIsNotGoneOver()
     QCOMPARE(m_series->placing(), 1);
     QCOMPARE(m_failures.size(), 1);
     QVERIFY(m_failures[0].contains(QStringLiteral("points-2.csv:2:")));
-    QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(5.0, 5.0, 0.0))); // and what is shown is still kept
+    QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(5.0, 5.0, 0.0))); // and the shown points are still kept
     QVERIFY(m_series->keep());
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,5,5,0"));
     QCOMPARE(read(QStringLiteral("square.obj.points-2.csv")), damaged);

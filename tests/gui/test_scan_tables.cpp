@@ -105,7 +105,7 @@ void TestScanTables::whatATableLacksIsSaid()
     }
     QVERIFY2(read(QStringLiteral("all.csv")).contains("other,a,2,3,4.5,0,"),
              read(QStringLiteral("all.csv")).constData());
-    // Nor are centimetres and millimetres averaged.
+    // Centimetres and millimetres are not averaged either.
     QString failure;
     connect(m_series.get(), &ScanSeries::failed, this, [&failure](const QString &text) { failure = text; });
     write(QStringLiteral("other.obj.points-3.csv"), "name,x,y,z,unit\na,3,5,0,mm\n");

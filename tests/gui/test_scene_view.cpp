@@ -29,8 +29,8 @@ namespace {
 constexpr double kRasterizerSteps = 6.0;
 /// Corners are snapped to 1/256 of a pixel before depth is interpolated between them.
 constexpr double kSubpixel = 1.0 / 256.0;
-/// The farthest that a quantity of the plane point is from its value at the centre when the sample
-/// lies beside it.
+/// The largest difference of a quantity of the plane point from its value at the centre, for a
+/// sample beside it.
 template <class Quantity>
 double slopeTerm(const Setup &g, const glm::dvec2 &window, double reach, const glm::dvec3 &point,
                  const glm::dvec3 &normal, Quantity quantity)
@@ -287,7 +287,7 @@ void TestSceneView::everyDevicePixelCanBeClicked()
         const QPoint corner = view.mapTo(window.get(), QPoint(0, 0));
         for (const int origin : {corner.x(), corner.y()})
             fractions.insert(origin * ratio - std::floor(origin * ratio));
-        // The pointer stands on whole device pixels of the window; Qt divides by the ratio.
+        // The pointer is on whole device pixels of the window; Qt divides by the ratio.
         const QPoint first(static_cast<int>(std::floor(corner.x() * ratio + 0.5)),
                            static_cast<int>(std::floor(corner.y() * ratio + 0.5)));
         for (int k = 0; k < 12; ++k) {

@@ -230,7 +230,7 @@ void TestUnsavedChanges::aHandThatMovesNothingChangesNothing()
         drag(view, place, place, button);
     fitAll(titled->document());
     QVERIFY(!titled->isWindowModified());
-    // Once a drag is one, a hand that rests adds nothing to it.
+    // A drag changes the scene; after saving, a drag or wheel without movement adds nothing.
     drag(view, place, place + QPointF(40.0, 20.0), Qt::LeftButton);
     QVERIFY(titled->isWindowModified());
     QVERIFY(titled->session().saveScene(path()));

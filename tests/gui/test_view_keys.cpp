@@ -118,7 +118,7 @@ void TestViewKeys::keysLookFromTheSides()
     QVERIFY(glm::length(forwardOf(after) - forward) < 1e-12);
     QCOMPARE(after.center.coordinates(), before.center.coordinates());
     const QImage picture = window->view().grabFramebuffer();
-    // A little beside the middle, where the bottom is crossed by the ground's lines.
+    // The pixel is a little beside the middle, where the ground's lines cross the bottom.
     const int shown = faceOfColor(picture.pixelColor(picture.width() / 2 + 9, picture.height() / 2 + 7));
     QVERIFY(shown >= 0);
     QCOMPARE(QString::fromLatin1(cubeFaces()[static_cast<std::size_t>(shown)].name), face);
@@ -269,7 +269,7 @@ void TestViewKeys::enterPicksAtTheCrosshair()
     QTest::keyClick(&view, Qt::Key_Down, Qt::ControlModifier | Qt::ShiftModifier);
     QTest::keyClick(&view, Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(pickedByEnter(*window), start + QPoint(-9, 9));
-    // It moves no camera and no pointer's readout, and what it picks is what a click there picks.
+    // It moves no camera and no pointer's readout, and picks the same as a click there.
     const Pick byKey = *window->document().picks().pick();
     click(view, QPointF(byKey.widget.x, byKey.widget.y));
     QCOMPARE(window->document().picks().pick()->window.z, byKey.window.z);
@@ -339,7 +339,7 @@ void TestViewKeys::tabGoesToTheViewAndOn()
     field->setFocus();
     QTest::keyClick(field, Qt::Key_Tab);
     QVERIFY(view.hasFocus());
-    QVERIFY(view.grabFramebuffer() != plain); // the crosshair tells where the focus is
+    QVERIFY(view.grabFramebuffer() != plain); // the crosshair shows the focus
     QTest::keyClick(&view, Qt::Key_Tab);
     QVERIFY(!view.hasFocus());
     QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(5, 5));

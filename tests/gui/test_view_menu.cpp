@@ -46,7 +46,7 @@ void clickRight(SceneView &view, const QPointF &local)
     sendMouse(view, QEvent::MouseButtonRelease, local, Qt::RightButton, Qt::NoButton);
 }
 
-/// Opens the menu, does one thing of it and closes it.
+/// Opens the menu, triggers one entry and closes it.
 void choose(SceneView &view, const QPointF &local, const char *name)
 {
     clickRight(view, local);
@@ -188,7 +188,7 @@ void TestViewMenu::theCopiedPointHasAllDigits()
 {
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
-    click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, -0.5, 0.4))); // something else than what is copied
+    click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, -0.5, 0.4))); // different from the copied point
     const QPointF local = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1));
     choose(view, local, "copyPoint");
     QCOMPARE(window->document().picks().pick()->devicePixel, pixelUnder(view, local));

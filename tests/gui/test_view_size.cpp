@@ -210,7 +210,7 @@ void TestViewSize::thePapersPointIsFound()
     QVERIFY(std::abs(point->z - 0.9) < 1e-12);
     const WidgetPoint widget = widgetFromDevice(surface, deviceFromWindow(surface, *point));
     QVERIFY(std::abs(widget.y - 135.0 * up / ratio) < 1e-9);
-    // A hair beside the edge between pixels, which the point lies on.
+    // The click is a hair beside the edge between pixels, on which the point lies.
     click(window->view(), mouseOver(window->view(), surface, {165 * across + 0.25, 135 * up + 0.25}));
     QVERIFY(document.picks().pick() && document.picks().pick()->hit());
     const glm::dvec3 world = document.picks().pick()->point.world[Method::Formula]->coordinates();

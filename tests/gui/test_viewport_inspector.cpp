@@ -43,7 +43,7 @@ bool isAt(const CornersModel &model, int row, int column, double x, double y)
     return false;
 }
 
-/// Runs of blanks as one: the padding is not what is tested.
+/// Collapses runs of blanks: the padding is not tested.
 QString plain(const QString &text)
 {
     return text.simplified().replace(QStringLiteral("( "), QStringLiteral("("));

@@ -433,7 +433,7 @@ void TestWorkspaces::messagesAreReadBesideTheFirstSteps()
     };
     QVERIFY(message->isVisible() && steps->isVisible());
     QVERIFY(!placeOf(*message).intersects(placeOf(*steps)));
-    // Beside them the view is clicked.
+    // A click next to them reaches the view.
     const QPoint beside = placeOf(*steps).center() + QPoint(steps->width(), 0);
     QCOMPARE(window->childAt(beside), &window->view());
 }

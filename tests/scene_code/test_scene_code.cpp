@@ -254,7 +254,7 @@ void TestSceneCode::whatADialectCannotSayIsSaid()
     QVERIFY2(beyond.find("// No float holds 4e+300: here that is infinite. No float holds 1e-300: here that is 0.")
                  != std::string::npos,
              beyond.c_str());
-    // A float's least is 1.4e-45; what is more than half of that becomes it.
+    // A float's least is 1.4e-45; a number above half of that is rounded up to it.
     scene.projection = Perspective{radiansFromDegrees(33.3), 1.5, 7.1e-46, 1.0};
     QVERIFY(sceneCode(scene, CodeDialect::Qt).find("No float holds") == std::string::npos);
     scene.projection = Perspective{radiansFromDegrees(33.3), 1.5, 6.9e-46, 1.0};
