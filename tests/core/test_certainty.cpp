@@ -230,7 +230,8 @@ void TestCertainty::aTriangleTellsItsSlope_data()
     QTest::newRow("oblique") << kOblique;
 }
 
-/// The triangle is three unprojected window points, whose slope is known. A corner behind the eye changes nothing.
+/// The triangle is three unprojected window points, whose slope is known. A corner behind the eye
+/// changes nothing.
 void TestCertainty::aTriangleTellsItsSlope()
 {
     QFETCH(Projection, projection);
