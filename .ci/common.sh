@@ -4,12 +4,12 @@ set -euo pipefail
 export root
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 
-# CMake reads this when it configures a build folder for the first time. What was compiled in one clone serves another one:
-# the folder's own name is no part of what is compiled.
+# CMake reads this when it configures a build folder for the first time. The cache of one clone
+# serves another: the folder's own name is not part of the compilation.
 export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=true
 # Precompiled headers count by their content.
 export CCACHE_SLOPPINESS=pch_defines,time_macros
-# A source that is not in the cache is not preprocessed first.
+# A source that is missing in the cache is not preprocessed first.
 export CCACHE_DEPEND=true
 
 # The compiler cache, where it is installed.
@@ -18,12 +18,13 @@ useCcache() {
 }
 useCcache
 
-# A display of its own, with software OpenGL. A QT_QPA_PLATFORM or a Wayland display of the surroundings would keep Qt
-# away from it.
+# A display of its own, with software OpenGL. QT_QPA_PLATFORM or a Wayland display of the caller
+# would keep Qt away from it.
 onVirtualDisplay() {
     env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX" "$@"
 }
 
-# What the tests need besides the program: the fonts that tests/fonts names, and lld, which links 200 tests in seconds.
+# Additional needs of the tests: the fonts that tests/fonts names, and lld, which links 200 tests in
+# seconds.
 # shellcheck disable=SC2034 # for the scripts that source this
 testPackages=(fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation lld)

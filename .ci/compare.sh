@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# bash .ci/compare.sh OLD NEW: whether two builds give the same digits and pixels. OLD and NEW are build folders. Both commands
-# compute the same scenes (points, pick, project, matrices, map, code, doctor, landmarks), and both windows take pictures
-# of their views. Prints what differs; returns 1 where something does.
-# For a change of the structure: nothing is to differ. A change that means to have other digits shows where it has them.
+# bash .ci/compare.sh OLD NEW: checks that two builds give the same digits and pixels. OLD and NEW
+# are build folders. Both commands compute the same scenes (points, pick, project, matrices, map,
+# code, doctor, landmarks), and both windows take pictures of their views. Prints the differences;
+# returns 1 if there are any.
+# A change of the structure must have none. A change that is meant to alter digits shows them.
 set -eu
 old=$(cd -- "$1" && pwd) new=$(cd -- "$2" && pwd)
 folder=$(cd -- "$(dirname -- "$0")" && pwd)
@@ -41,7 +42,7 @@ for ((j = 0; j < 480; j += 37)); do
     for ((i = 0; i < 640; i += 41)); do echo "$i.5,$j.5,0.$((i * 7919 % 997 + 1))"; done
 done | sed '1i px,py,depth' >"$work/pixels.csv"
 
-# keep FILE PROGRAM …: a program's output, with its exit code: 2 is a scene of ours that it does not take.
+# keep FILE PROGRAM …: a program's output, with its exit code: 2 is a scene of ours that it rejects.
 keep() {
     local file=$1 rc=0
     shift
@@ -50,12 +51,12 @@ keep() {
     [ "$rc" -lt 2 ] || { echo "${file#"$work"/}: $(head -n 1 "$file")"; failed=1; }
 }
 
-# All mistakes that the old build knows: it lists them to who names another.
+# All mistakes that the old build knows: it lists them when it gets an unknown one.
 mistakes=$("$old/core/cli/unproject" map --what displacement --convention ? -o "$work/none.pfm" "$work/scenes/ortho.json" 2>&1 |
     sed -n 's/.* is none of //p' | tr -d ',')
 [ -n "$mistakes" ] || { echo "The old build lists no mistakes" >&2; exit 2; }
 
-# computed COMMAND OUT: what a build's command says of all scenes.
+# computed COMMAND OUT: the output of a build's command for all scenes.
 computed() {
     local command=$1/core/cli/unproject out=$2 name form
     for file in "$work"/scenes/*.json; do
@@ -85,7 +86,7 @@ computed() {
     done
 }
 
-# picture NAME PROGRAM …: keeps what it prints, and checks that NAME.png is there.
+# picture NAME PROGRAM …: keeps the program's output, and checks that NAME.png exists.
 picture() {
     local name=$1
     shift
@@ -93,7 +94,7 @@ picture() {
     [ -s "$name.png" ] || { echo "${name#"$work"/}.png was not made"; failed=1; }
 }
 
-# pictures BUILD OUT: what a build's window shows of the scenes, as it starts and after two clicks.
+# pictures BUILD OUT: the scenes in a build's window, at the start and after two clicks.
 pictures() {
     local window=$1/gui/unprojector out=$2 name
     for file in "$work"/scenes/*.json; do

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# bash .ci/fuzz.sh [SECONDS [NAME …]]: runs the fuzzers of build/asan, two at a time, each for so many seconds (60). An input
-# that breaks something is left in build/asan/findings, and its fuzzer's last words are shown. FUZZ_SEED: a number; the same
-# one makes the same inputs of the same code.
+# bash .ci/fuzz.sh [SECONDS [NAME …]]: runs the fuzzers of build/asan, two at a time, each for
+# SECONDS seconds (60). An input that breaks something is left in build/asan/findings, and its
+# fuzzer's last words are shown. FUZZ_SEED: a number; the same number makes the same inputs for the
+# same code.
 # shellcheck source=.ci/common.sh
 source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit 1
 

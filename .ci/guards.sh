@@ -1,28 +1,31 @@
 #!/usr/bin/env bash
-# bash .ci/guards.sh [push | night | NAME]…: the checks of a push, those of each night, or those named. `.ci/run` runs the
-# first six, `.ci/nightly` the rest.
+# bash .ci/guards.sh [push | night | NAME]…: the checks of a push, the checks of each night, or the
+# checks named. `.ci/run` runs the first six, `.ci/nightly` the rest.
 #
 #   format   clang-format changes nothing
-#   release  the release build: compiler warnings are errors, and the tests with the label "optimised" pass
-#   package  the Debian package of the release build: lintian finds nothing, both programs work from where the package puts
-#            them, nothing is left when it is removed. In a root folder of its own: nothing is installed here
-#   asan     everything compiles with Clang without a warning; all tests pass under the address and undefined behaviour
-#            sanitizers, with all assertions. Runs with the label "variant" are left to the night. Without Clang: all tests
-#            pass in the release build
+#   release  the release build: compiler warnings are errors, and the tests with the label
+#            "optimised" pass
+#   package  the Debian package of the release build: lintian finds nothing, both programs work from
+#            the package's folders, no file is left after its removal. It uses a root folder of its
+#            own: nothing is installed here
+#   asan     everything compiles with Clang without a warning; all tests pass under the address and
+#            undefined behaviour sanitizers, with all assertions. Runs with the label "variant" are
+#            left to the night. Without Clang: all tests pass in the release build
 #   tidy     clang-tidy finds nothing in the sources that changed last, in 90 seconds
-#   fuzz     no reader fails on its corpus or on what its fuzzer makes of it in 10 seconds
+#   fuzz     no reader fails on its corpus or on its fuzzer's inputs of 10 seconds
 #
-#   plain    the release build without precompiled headers and with the default linker: a missing #include and a wrong order
-#            of libraries are errors; all tests
+#   plain    the release build without precompiled headers and with the default linker: a missing
+#            #include and a wrong order of libraries are errors; all tests
 #   variants the runs with the label "variant" under the address sanitizer
 #   tsan     the tests with the label "threads" under the thread sanitizer
-#   windows  the build for Windows by MinGW, and its tests under Wine. Needs MINGW_SYSROOT, a folder with Qt and the other
-#            libraries, mingw-toolchain.cmake and run-wine.sh
+#   windows  the build for Windows by MinGW, and its tests under Wine. Needs MINGW_SYSROOT, a folder
+#            with Qt and the other libraries, mingw-toolchain.cmake and run-wine.sh
 #   tidyall  clang-tidy finds nothing in any source
 #   fuzzlong as fuzz, for 10 minutes a reader
 #
-# A check whose tools are missing, or are of another version than Debian 12's where that matters, is skipped: the table at
-# the end says so. It has a line a check: its result, its seconds, and how many of its compilations came from the cache.
+# The table at the end has a line a check: its result, its seconds, and the number of compilations
+# from the cache. A check is marked as skipped if its tools are missing, or if their version is not
+# Debian 12's where that matters.
 # shellcheck source=.ci/common.sh
 source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit 1
 
@@ -48,10 +51,10 @@ bash .ci/setup.sh git clang clang-format clang-tidy libclang-rt-dev llvm ccache 
     echo "The tools could not be installed: checks that need them are skipped."
 useCcache
 
-# In a container the clone may belong to somebody else.
+# The clone may belong to another user in a container.
 repository() { git -c safe.directory="$root" "$@"; }
 
-# skip REASON: for what a check leaves out. The table names the check as skipped.
+# skip REASON: reports a part that a check leaves out. The table names the check as skipped.
 skip() {
     echo "$1: skipped"
     skipped=1
@@ -63,7 +66,7 @@ isThere() {
     return 1
 }
 
-# Debian 12's. Other versions of the tools have other opinions.
+# Debian 12's versions. Other versions of the tools have other opinions.
 isVersion14() { "$1" --version | grep 'version 14\.' >/dev/null; }
 
 isDebian12s() {
@@ -73,7 +76,7 @@ isDebian12s() {
     return 1
 }
 
-# Builds the preset asan, or the targets named of it; the warnings of another Clang are no errors.
+# Builds the preset asan, or the named targets of it; the warnings of another Clang are no errors.
 buildWithClang() {
     local errors=ON
     isVersion14 clang++ || { echo "clang++ is not version 14, Debian 12's: its warnings are no errors"; errors=OFF; }
@@ -81,7 +84,7 @@ buildWithClang() {
         cmake --build --preset asan "$@"
 }
 
-# The same for tools whose version says less than the release that they are of.
+# The same for tools whose version says less than their release.
 isReleaseDebian12() {
     isThere "$1" || return
     [ "$(sed -n 's/^ID=//p' /etc/os-release)-$(sed -n 's/^VERSION_ID="\(.*\)"/\1/p' /etc/os-release)" = debian-12 ] && return
@@ -96,7 +99,8 @@ format() {
 
 release() { bash .ci/test.sh optimised; }
 
-# testWithSanitizers OPTION …: ctest's options. The preset runs a test that failed once more: it names those tests at the end.
+# testWithSanitizers OPTION …: ctest's options. The preset repeats a failed test: it names those
+# tests at the end.
 testWithSanitizers() {
     local log=build/asan/ctest.log rc=0 again
     ctest --preset asan "$@" | tee "$log" || rc=$?
@@ -115,8 +119,8 @@ variants() {
     buildWithClang && testWithSanitizers -L '^variant$'
 }
 
-# Sources that changed against main or, on main itself, in its last commits, and those whose header did: the latest
-# changes first.
+# Sources that changed against main or, on main itself, in its last commits, and sources whose
+# header did: the latest changes first.
 changedSources() {
     local from
     from=$(repository merge-base HEAD origin/main 2>/dev/null || true)
@@ -125,13 +129,13 @@ changedSources() {
     fi
     repository log --format= --name-only "$from..HEAD" -- core gui tests | sed -n 's/\.h$/.cpp/p; /\.cpp$/p' |
         awk '!seen[$0]++' | while read -r file; do
-        # Only what is compiled: fuzzers and benchmarks are not, everywhere.
+        # Only compiled sources count: fuzzers and benchmarks are not compiled everywhere.
         if [ -f "$file" ] && grep -qF "/$file\"" build/asan/compile_commands.json; then echo "$file"; fi
     done
 }
 
-# tidySources SECONDS: clang-tidy on the sources that it reads from standard input, in so much time at most. Returns 124
-# where the time was over before all were read and nothing was found.
+# tidySources SECONDS: clang-tidy on the sources that it reads from standard input, in so much time
+# at most. Returns 124 if the time was over before all were read and nothing was found.
 tidySources() {
     local rc=0
     timeout "$1" xargs -P 2 -n 1 clang-tidy -p build/asan --quiet --warnings-as-errors='*' \
@@ -168,12 +172,12 @@ tsan() {
     cmake --workflow --preset tsan
 }
 
-# fuzzFor SECONDS: each fuzzer.
+# fuzzFor SECONDS: runs each fuzzer.
 fuzzFor() {
     isThere clang++ || return 0
     buildWithClang --target unprojector_fuzzers && bash .ci/fuzz.sh "$1"
 }
-# What it finds at a push depends on the change alone: the night tries other inputs each time.
+# The findings at a push depend on the change alone: the night tries other inputs each time.
 fuzz() { FUZZ_SEED=1 fuzzFor 10; }
 fuzzlong() { fuzzFor 600; }
 
@@ -181,7 +185,8 @@ windows() {
     [ -n "${MINGW_SYSROOT:-}" ] || { skip "MINGW_SYSROOT is empty"; return 0; }
     [ -e "$MINGW_SYSROOT/mingw-toolchain.cmake" ] || { echo "There is no $MINGW_SYSROOT/mingw-toolchain.cmake"; return 1; }
     bash .ci/setup.sh g++-mingw-w64-x86-64-posix wine64 wine nsis zip || return
-    # Header-only libraries are this system's, in a folder of their own: /usr/include as a whole would hide MinGW's headers.
+    # Header-only libraries are this system's, in a folder of their own: /usr/include as a whole
+    # would hide MinGW's headers.
     local headers=$root/build/windows-headers
     rm -rf "$headers" && mkdir -p "$headers/include" "$headers/share/cmake"
     cp -r /usr/include/nlohmann /usr/include/CLI "$headers/include/"
@@ -193,7 +198,7 @@ windows() {
         cmake --build build/windows && onVirtualDisplay env -u QT_QPA_PLATFORM ctest --test-dir build/windows --output-on-failure
 }
 
-# Files that are in a root folder, but for dpkg's own.
+# The files in a root folder, except dpkg's own.
 filesIn() { find "$1" -path "$1/var" -prune -o ! -type d -print; }
 
 package() {
@@ -205,11 +210,12 @@ package() {
         cpack --config build/ci/CPackConfig.cmake -B "$work" || return
     ! isReleaseDebian12 lintian || lintian --allow-root --fail-on error,warning "$work"/*.deb || return
     tree=$work/root share=$work/root/usr/share
-    # What it depends on is here, since it was built here.
+    # Its dependencies are installed here, since it was built here.
     dpkg --root="$tree" --force-depends -i "$work"/*.deb 2>"$work/dpkg.log" || { cat "$work/dpkg.log"; return 1; }
     ! command -v desktop-file-validate >/dev/null || desktop-file-validate "$share"/applications/*.desktop || return
     ! isReleaseDebian12 appstreamcli || appstreamcli validate --no-net "$share"/metainfo/*.xml || return
-    # The middle of the window, halfway through the depths of near 1 and far 3, seen from (0, 0, 5): 1.5 before the eye.
+    # The middle of the window, halfway through the depths of near 1 and far 3, seen from (0, 0, 5):
+    # 1.5 before the eye.
     if ! "$tree/usr/bin/unproject" scene -o "$work/scene.json" --from-matrices \
         'modelview 1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1 projection 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0 viewport 0 0 800 600' ||
         ! printf 'px,py,depth\n400,300,0.5\n' | "$tree/usr/bin/unproject" points "$work/scene.json" >"$work/points.csv" ||
@@ -228,7 +234,7 @@ package() {
     echo "$(du -h "$work"/*.deb | cut -f 1) package: installed, both programs ran, removed without a trace"
 }
 
-# "HITS MISSES" of the compiler cache so far; nothing without one.
+# "HITS MISSES" of the compiler cache so far; empty without one.
 cacheCounts() {
     ! command -v ccache >/dev/null || ccache --print-stats | awk '
         $1 == "direct_cache_hit" || $1 == "preprocessed_cache_hit" { hits += $2 }

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds the program and opens it; arguments are the program's own. Without a display it
-# leaves a picture of the window, unprojector.png, in the current folder.
+# Installs missing packages, builds the program and opens it; arguments are the program's own.
+# Without a display it writes a picture of the window, unprojector.png, to the current folder.
 # shellcheck source=.ci/common.sh
 source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit 1
 
 bash "$root/.ci/setup.sh"
-# Presets are looked for in the current folder. The command, unproject, is left to those who build it all.
+# CMake looks for presets in the current folder. This script doesn't build the command, unproject.
 (cd -- "$root" && cmake --preset release && cmake --build --preset release --target unprojector)
 program=$root/build/release/gui/unprojector
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing and builds a package for this release of Debian or Ubuntu, build/package/unprojector_….deb.
+# Installs missing packages and builds a package for this release of Debian or Ubuntu,
+# build/package/unprojector_….deb.
 # shellcheck source=.ci/common.sh
 source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit 1
 

@@ -1,20 +1,22 @@
 #!/usr/bin/env bash
-# Installs what building, testing and running need on Debian 12 or later and Ubuntu 24.04 or later, and the packages named.
-# Does nothing when everything is there.
+# Installs the packages for building, testing and running on Debian 12 or later and Ubuntu 24.04 or
+# later, and the packages named. Does nothing if all are installed.
 set -euo pipefail
 
 packages=(
     cmake g++ ninja-build
     # The window (Qt's OpenGL module is only recommended by qt6-base-dev); lrelease for the translations
     qt6-base-dev libqt6opengl6-dev libgl-dev libopengl-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
-    # Vectors and matrices, rays on meshes, JSON of scenes and glTF, the command's options, extended precision
+    # Vectors and matrices, rays on meshes, JSON of scenes and glTF, the command's options, extended
+    # precision
     libglm-dev libembree-dev nlohmann-json3-dev libcli11-dev libboost-dev
     # Packed glTF files
     libdraco-dev libmeshoptimizer-dev
-    # For the tests: the code that is written for GLU is compiled and run
+    # For the tests: they compile and run the code that is written for GLU
     libglu1-mesa-dev
-    # At run time: software OpenGL and a font, which Qt's packages do not depend on; a display where there is none; the
-    # texts of Qt's own buttons and dialogs, without which a Chinese window asks its questions with an English Save
+    # At run time: software OpenGL and a font, which Qt's packages do not depend on; a display for
+    # machines without one; the texts of Qt's own buttons and dialogs, without which a Chinese
+    # window asks its questions with an English Save
     libgl1-mesa-dri fonts-dejavu-core xvfb xauth qt6-translations-l10n
     "$@"
 )
@@ -28,7 +30,8 @@ EOF
     exit 1
 fi
 
-# Names of the installed packages and of what they provide: newer releases have Qt's OpenGL module in qt6-base-dev.
+# Names of the installed packages and of their "provides": newer releases have Qt's OpenGL module in
+# qt6-base-dev.
 installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package},${Provides}\n' |
     sed -n 's/^installed //p' | sed 's/([^)]*)//g' | tr -d ' ' | tr ',' '\n')
 missing=()

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# bash .ci/test.sh [LABEL]: installs what is missing, builds the release with warnings as errors and runs every test. With a
-# LABEL, "optimised", builds the programs and the tests with that label, and runs those.
+# bash .ci/test.sh [LABEL]: installs missing packages, builds the release with warnings as errors
+# and runs every test. With a LABEL, "optimised", it builds the programs and the tests with that
+# label, and runs those.
 # shellcheck source=.ci/common.sh
 source "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/common.sh" || exit 1
 

@@ -1,9 +1,10 @@
 #!/bin/sh
-# launch.sh [--display] [VARIABLE=value …] -- PROGRAM [ARGUMENT …]: runs a test where nothing of the user's surroundings
-# reaches it: no variable but those named here, a home folder of its own, no fonts but those the project names, no terminal.
+# launch.sh [--display] [VARIABLE=value …] -- PROGRAM [ARGUMENT …]: runs a test isolated from the
+# user's environment: no variables but the ones named here, its own home folder, no fonts but the
+# ones the project names, no terminal.
 #
-# --display  an X server of its own (Xvfb) with software OpenGL, so that tests with windows run side by side; without it,
-#            Qt's offscreen platform
+# --display  an X server of its own (Xvfb) with software OpenGL, so that tests with windows run side
+#            by side; without it, Qt's offscreen platform
 set -u
 folder=$(cd -- "$(dirname -- "$0")" && pwd)
 platform=offscreen
@@ -24,9 +25,9 @@ mkdir -m 700 "$home/run"
 mkdir -m 1777 "$home/tmp"
 chmod 711 "$home" # a test of permissions reads its files as another user
 
-# The test's own variables stand last and win.
+# The test's own variables come last and win.
 set -- QT_QPA_PLATFORM=$platform "$@"
-# What a sanitizer or a library outside the system's folders is told.
+# The variables that configure sanitizers and libraries outside the system's folders.
 for name in LD_LIBRARY_PATH LD_PRELOAD ASAN_OPTIONS LSAN_OPTIONS UBSAN_OPTIONS TSAN_OPTIONS; do
     eval "value=\${$name:-}"
     [ -z "$value" ] || set -- "$name=$value" "$@"
@@ -42,18 +43,18 @@ if [ $platform = xcb ]; then
     set -- DISPLAY=":$number" "$@"
 fi
 
-# Two tests at a time are to share two cores: software OpenGL would take all of them for each.
+# Two tests at a time share two cores: software OpenGL would take all of them for each.
 set -- PATH="$PATH" HOME="$home" TMPDIR="$home/tmp" XDG_RUNTIME_DIR="$home/run" LC_ALL=C.UTF-8 TZ=UTC TERM=dumb \
     LP_NUM_THREADS=1 FONTCONFIG_FILE="$folder/fonts/dejavu.conf" "$@"
-# env runs what stands behind the variables: without the "--".
+# env runs the words after the variables, without the "--".
 for argument; do
     shift
     if [ -z "${ended:-}" ] && [ "$argument" = -- ]; then ended=1; else set -- "$@" "$argument"; fi
     last=$argument
 done
 [ -n "${ended:-}" ] && [ "$last" != -- ] || { echo "launch.sh [--display] [VARIABLE=value …] -- PROGRAM [ARGUMENT …]" >&2; exit 2; }
-# Beside the shell, which otherwise acts on a signal only after the program's end. A shell starts such a program with INT and
-# QUIT ignored.
+# The program runs beside the shell, which otherwise acts on a signal only after the program's end.
+# A shell starts such a program with INT and QUIT ignored.
 env --default-signal=INT,QUIT -i "$@" </dev/null &
 program=$!
 wait "$program"

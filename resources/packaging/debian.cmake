@@ -1,10 +1,10 @@
-# The package for Debian and Ubuntu. It depends on what the programs were linked with, so it is for the release that it was
-# built on, and later ones as long as they keep those libraries.
+# The package for Debian and Ubuntu. It depends on the libraries that the programs were linked with:
+# it is for the release that it was built on, and later ones as long as they keep those libraries.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-# What Debian wants packed, and the change log in its own form.
+# The files that Debian requires in a package, and the change log in Debian's format.
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_BINARY_DIR}/debian_tree.cmake)
 configure_file(debian_tree.cmake.in debian_tree.cmake @ONLY)
 
@@ -23,7 +23,8 @@ side, with the cause of their difference and how certain the digits are.
 The command unproject does the same for tables of pixels and whole depth
 images, without a window.")
 if(UNPROJECTOR_BUILD_GUI)
-    # Loaded when the program runs: the texts of Qt's own buttons in other languages, fonts, software OpenGL.
+    # Loaded when the program runs: the texts of Qt's own buttons in other languages, fonts,
+    # software OpenGL.
     set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-translations-l10n, fonts-dejavu-core | fonts-freefont-ttf, libgl1-mesa-dri")
     set(CPACK_DEBIAN_PACKAGE_SUGGESTS "qt6-wayland, fonts-noto-cjk | fonts-wqy-microhei")
 endif()

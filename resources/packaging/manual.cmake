@@ -1,9 +1,9 @@
-# Writes the manual pages and the completions of the shells out of what the programs say of themselves, so that all of
-# them name the same commands and options.
+# Writes the manual pages and the completions of the shells from the programs' own help, so that all
+# of them name the same commands and options.
 #   cmake -DUNPROJECT=program [-DUNPROJECTOR=program] -DVERSION=… -DOUT=folder -P manual.cmake
 cmake_minimum_required(VERSION 3.22)
 
-# What a program says to the words given. OUT: help
+# A program's output for the given words. OUT: help
 function(ask program)
     set(ENV{LC_ALL} C.UTF-8)
     unset(ENV{LANGUAGE})
@@ -11,7 +11,7 @@ function(ask program)
     set(help "${help}" PARENT_SCOPE)
 endfunction()
 
-# As a manual page has it: no escapes, no commands, and minus signs that can be copied.
+# The text for a manual page: no escapes, no commands, and minus signs that can be copied.
 function(roff text out)
     string(REPLACE "\\" "\\e" text "${text}")
     string(REPLACE "-" "\\-" text "${text}")
@@ -45,7 +45,7 @@ function(flush_entry)
     roff("${entry_text}" text_roff)
     string(APPEND page ".TP\n\\fB${names_roff}\\fR ${rest_roff}\n${text_roff}\n")
     if(names MATCHES "^-")
-        # What follows it: nothing, words, or something to type, mostly a file
+        # The value after it: nothing, words, or typed text, mostly a file
         set(choices "")
         set(value "")
         if(NOT rest MATCHES "^(Needs|Excludes|REQUIRED)" AND rest MATCHES "^<?([A-Za-z|.,]+)(=|>| |$)")
@@ -69,7 +69,7 @@ function(flush_entry)
                     string(APPEND zsh_specs " \\\n        '${name}[${short_zsh}]:${value}:(${choices})'")
                 else()
                     set(files " ")
-                    set(in_bash return) # files, unless something else stands in COMPREPLY
+                    set(in_bash return) # files, unless COMPREPLY has entries
                     if(value STREQUAL "FOLDER")
                         set(files "_files -/")
                         string(CONCAT in_bash "mapfile -t COMPREPLY < <(compgen -d -- \"$current\")\n"
@@ -106,8 +106,8 @@ function(flush_entry)
     endforeach()
 endfunction()
 
-# Reads one help text, whose descriptions begin in a column: appends to page and to what the completions are made of.
-# Lines of the start are left to the caller, up to the one that says how the program is called: usage.
+# Reads one help text, whose descriptions begin in a column: appends to page and to the data of the
+# completions. The caller gets the first lines, up to the program's usage line: usage.
 macro(read_help column)
     set(entry_head "")
     set(entry_text "")

@@ -1,8 +1,9 @@
-# A folder that runs from anywhere, as a zip; and, where makensis is there, an installer of the same files.
+# A folder that runs from anywhere, as a zip; and, where makensis is there, an installer of the same
+# files.
 set(CPACK_GENERATOR ZIP)
 set(CPACK_SYSTEM_NAME windows-x64)
 if(UNPROJECTOR_BUILD_GUI)
-    # What Qt loads when the program runs.
+    # Files that Qt loads when the program runs.
     set(modules)
     foreach(plugin platforms/QWindowsIntegrationPlugin styles/QWindowsVistaStylePlugin styles/QModernWindowsStylePlugin
                    imageformats/QJpegPlugin)
@@ -16,7 +17,8 @@ if(UNPROJECTOR_BUILD_GUI)
     if(NOT TARGET Qt6::QWindowsIntegrationPlugin)
         message(FATAL_ERROR "Qt's platform plugin for Windows is not there; without it no window opens.")
     endif()
-    # The texts of Qt's own buttons and dialogs; where Qt for Windows was built without them, those of the Qt that builds.
+    # The texts of Qt's own buttons and dialogs; if Qt for Windows was built without them, the texts
+    # of the building Qt.
     find_file(UNPROJECTOR_QT_CHINESE qtbase_zh_CN.qm
               PATHS ${QT6_INSTALL_PREFIX}/${QT6_INSTALL_TRANSLATIONS} ${QT_HOST_PATH}/share/qt6/translations
               NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH DOC "Qt's own texts in Chinese")
@@ -36,7 +38,7 @@ foreach(prefix IN LISTS CMAKE_PREFIX_PATH)
     list(APPEND library_folders ${prefix}/bin)
 endforeach()
 set(windows_imports)
-if(NOT CMAKE_HOST_WIN32) # there Windows' own libraries are not at hand to be found
+if(NOT CMAKE_HOST_WIN32) # there Windows' own libraries cannot be found
     execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libkernel32.a OUTPUT_VARIABLE kernel32
                     OUTPUT_STRIP_TRAILING_WHITESPACE)
     cmake_path(GET kernel32 PARENT_PATH windows_imports)

@@ -1,5 +1,6 @@
-# Installs the libraries that `programs` and `modules` are linked with and that lie in `folders`; the rest must be Windows' own:
-# on Windows what lies in System32, elsewhere what the compiler can link with in its folder `windows_imports`.
+# Installs the libraries that `programs` and `modules` are linked with and that lie in `folders`;
+# the rest must be Windows' own. On Windows these lie in System32, elsewhere they are the import
+# libraries in the compiler's folder `windows_imports`.
 cmake_policy(VERSION 3.22)
 set(CMAKE_GET_RUNTIME_DEPENDENCIES_PLATFORM windows+pe)
 if(objdump)
@@ -11,7 +12,8 @@ foreach(folder IN LISTS folders)
     file(GLOB libraries "${folder}/*.dll")
     list(APPEND there ${libraries})
 endforeach()
-# CMake asks for names in small letters, by which other systems than Windows do not find Qt6Core.dll.
+# CMake asks for names in small letters, with which other systems than Windows do not find
+# Qt6Core.dll.
 set(mixed_case)
 set(has_new TRUE)
 while(has_new)

@@ -1,5 +1,5 @@
-// How far each way to unproject is from the truth, as a table: units in the last place of the largest world component,
-// against 50 digits, over random cameras. The same clicks for everybody.
+// The error of each way to unproject, as a table: units in the last place of the largest world
+// component, against 50 digits, over random cameras. All ways get the same clicks.
 
 #include "core/unproject/batch/batch_unproject.h"
 #include "core/unproject/unprojector.h"

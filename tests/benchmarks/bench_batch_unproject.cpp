@@ -1,5 +1,5 @@
-// The loops over many points, beside what moving the same bytes costs and beside what people use. Compare only numbers
-// of one run: the ratio to the memcpy of the same bytes is what counts.
+// The loops over many points, compared with moving the same bytes and with common alternatives.
+// Compare only numbers of one run: the ratio to the memcpy of the same bytes counts.
 
 #include "core/unproject/batch/batch_unproject.h"
 
@@ -32,7 +32,7 @@ Setup setup()
     return g;
 }
 
-/// Arrays of one kind of number: in and out, three each, filled once and touched.
+/// Arrays of one kind of number: three each for input and output, filled and touched once.
 template <class Scalar>
 struct Arrays {
     std::vector<Scalar> in[3], out[3];
@@ -91,7 +91,8 @@ void batch(benchmark::State &state, const Result<BatchUnprojection> &unprojectio
     finish(state);
 }
 
-/// As many points, the same few again and again: what computing costs where memory does not hold it up.
+/// Unprojects as many points, the same few again and again: the cost of computing without waiting
+/// for memory.
 template <class Scalar>
 void batchInCache(benchmark::State &state, const Result<BatchUnprojection> &unprojection, InstructionSet set)
 {
@@ -106,7 +107,7 @@ void batchInCache(benchmark::State &state, const Result<BatchUnprojection> &unpr
     finish(state);
 }
 
-/// One glm::unProject a point, as it is called in most programs.
+/// Calls glm::unProject once a point, as most programs do.
 void glmUnProject(benchmark::State &state)
 {
     const Setup g = setup();

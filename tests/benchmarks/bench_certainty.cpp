@@ -1,5 +1,5 @@
-// How well the certainty that a click states holds: random clicks on models, as OpenGL draws them here, against where the exact
-// ray of each pixel's centre meets the mesh:
+// The share of clicks whose reported uncertainty holds: random clicks on models, as OpenGL draws
+// them here, against the hit of the exact ray of each pixel's centre:
 //   bench_certainty [clicks] [model …], 100000 in all without any, on meshes of its own
 #include "core/mesh/import/mesh_import.h"
 #include "tests/gui/drawn_clicks.h"

@@ -1,5 +1,6 @@
-// A depth image of 3840 x 2160 to world points on one core: the computing beside OpenCV's depthTo3d and transform, and
-// the command beside the writing of the same bytes. Compare only numbers of one run.
+// A depth image of 3840 x 2160 to world points on one core: the computing next to OpenCV's
+// depthTo3d and transform, and the command next to the writing of the same bytes. Compare only
+// numbers of one run.
 
 #include "core/cli/commands/cloud_command.h"
 #include "core/cli/rows/depth_cloud.h"
@@ -37,7 +38,7 @@ Setup setup()
     return g;
 }
 
-/// Waves without background, so that everybody computes all points.
+/// Waves without background, so that every program computes all points.
 DepthImage waves()
 {
     DepthImage image{kWidth, kHeight, std::make_unique_for_overwrite<float[]>(kWidth * kHeight)};
@@ -55,7 +56,7 @@ void finish(benchmark::State &state)
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kWidth * kHeight));
 }
 
-/// As the command does it: into a buffer of some rows that is written away and used again.
+/// Computes as the command does: into a buffer of some rows that is written out and used again.
 void computing(benchmark::State &state, const Result<BatchUnprojection> &unprojection, std::size_t bufferRows)
 {
     const DepthImage image = waves();
@@ -75,7 +76,8 @@ void computing(benchmark::State &state, const Result<BatchUnprojection> &unproje
 }
 
 #ifdef UNPROJECTOR_OPENCV
-/// OpenCV takes distances from the eye plane, not depths of the depth buffer: it is given them, which spares it that step.
+/// OpenCV takes distances from the eye plane, not depths of the depth buffer. It gets the
+/// distances, which spares it that step.
 void openCv(benchmark::State &state)
 {
     cv::setNumThreads(1);

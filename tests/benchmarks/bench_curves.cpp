@@ -1,5 +1,7 @@
-// Curves on a mesh, beside two things in the same run that they are made of: the surface mesh that they go on, built once a model,
-// and the shortest way along its edges by Dijkstra's algorithm in the plainest form, stopped at the other end.
+// Curves on a mesh, compared in the same run with their two ingredients:
+// - the surface mesh below them, built once a model;
+// - the shortest path along its edges by Dijkstra's algorithm in the plainest form, stopped at the
+//   other end.
 //   bench_curves [triangles …], 1000000 without any
 
 #include "core/curves/surface_path.h"
@@ -27,7 +29,7 @@ double secondsSince(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The length of the shortest way along the edges from a corner to another.
+/// The length of the shortest path along the edges from a corner to another.
 double alongEdges(const SurfaceMesh &mesh, std::uint32_t from, std::uint32_t to)
 {
     using Reached = std::pair<double, std::uint32_t>;
@@ -76,7 +78,7 @@ void measure(std::uint32_t triangles)
     }
     constexpr int kCurves = 25;
     std::vector<double> geodesics, sections, edges;
-    double longer = 0.0; // the way along the edges, than the geodesic
+    double longer = 0.0; // the path along the edges, than the geodesic
     int cut = 0;
     std::mt19937 random(1);
     for (int i = 0; i < kCurves; ++i) {

@@ -1,4 +1,5 @@
-// One diagnosis: every mistake and every pair of them on one point, on several points, and by the ray alone. It may take 50 ms.
+// One diagnosis: every mistake and every pair of them on one point, on several points, and by the
+// ray alone. It may take 50 ms.
 #include "core/doctor/diagnosis.h"
 #include "core/geometry/transform.h"
 

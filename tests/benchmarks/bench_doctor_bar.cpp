@@ -1,4 +1,4 @@
-// How often the doctor names what a wrong program did, and how long that takes: every single mistake and the pairs of the
+// The doctor's success rate and time on wrong programs: every single mistake and the pairs of the
 // most common ones over random scenes, right points, random points.
 //
 //   bench_doctor_bar [SCENES [GARBAGE]]    2000 and 10000

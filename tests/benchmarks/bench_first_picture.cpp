@@ -1,8 +1,11 @@
-// From the start of the program to a whole picture of a model in a file, beside F3D in the same run: time, memory, and their
-// ratios. The two take turns, so that whatever else the machine does falls on both.
+// The time and memory from the start of the program to a whole picture of a model in a file, next
+// to F3D in the same run, and their ratios. The two take turns, so that other load of the machine
+// falls on both.
 //
 //   make_models models 913 && bench_first_picture models/*
-//   bench_first_picture --rounds 3 --plain models/sphere913.stl     # the view alone, without panels: F3D's picture
+//   bench_first_picture --rounds 3 --plain models/sphere913.stl
+//
+// --plain: the view alone, without panels: F3D's picture
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -20,13 +23,13 @@
 
 namespace {
 
-/// Of one run of a program.
+/// The cost of one run of a program.
 struct Cost {
     double seconds = 0.0;
     double mebibytes = 0.0; ///< at most; 0 where the system does not tell
 };
 
-/// The most memory that a process has had so far; 0 where the system does not tell.
+/// The peak memory of a process so far; 0 where the system does not report it.
 double peakMebibytes(qint64 process)
 {
     QFile status(QStringLiteral("/proc/%1/status").arg(process));
@@ -104,7 +107,7 @@ int main(int argc, char **argv)
     std::printf("%-20s %9s %9s %7s %9s %9s %7s\n", "file", "F3D s", "ours s", "ratio", "F3D MiB", "ours MiB", "ratio");
     bool isComplete = true;
     for (const QString &file : std::as_const(files)) {
-        // The view is as large as F3D's picture, whatever room the panels take.
+        // The view is as large as F3D's picture, for any size of the panels.
         QStringList arguments{QStringLiteral("--screenshot"), ours, QStringLiteral("--view-size"),
                               QStringLiteral("720x640"), file};
         if (isPlain)

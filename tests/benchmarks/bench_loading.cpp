@@ -1,5 +1,5 @@
-// What importing model files takes, without the window: time beside reading their bytes in the same run, memory, and the
-// longest time between two reports, which is how long a cancel may wait.
+// The cost of importing model files, without the window: time next to reading their bytes in the
+// same run, memory, and the longest time between two reports, which is how long a cancel may wait.
 //
 //   make_models models 913 && bench_loading models/*
 
@@ -38,7 +38,8 @@ double secondsToReadBytes(const std::filesystem::path &file)
     return watch.seconds();
 }
 
-/// The most memory that the process had since the last call, in MiB; 0 where the system does not tell.
+/// The peak memory of the process since the last call, in MiB; 0 where the system does not report
+/// it.
 double peakMebibytes()
 {
     double kibibytes = 0.0;

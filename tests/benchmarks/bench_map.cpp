@@ -1,5 +1,5 @@
-// Maps of 1920 x 1080 pixels on all cores, over a ball of 98,304 triangles that fills the picture's height: what is met at
-// each pixel, and each quantity of it.
+// Maps of 1920 x 1080 pixels on all cores, over a ball of 98,304 triangles that fills the picture's
+// height: the hit of each pixel, and each of its quantities.
 #include "core/maps/pixel_map.h"
 #include "tests/support/cube_sphere.h"
 

@@ -1,9 +1,12 @@
-// How fast the view turns about a model in a file, in the window with its panels: `frames_a_second`, and as a share of what is
-// wanted without a GPU, 20 frames a second for 10 million triangles and 30 for a million. `cpu_ms` is what a frame takes of all
-// cores together, which other work on the machine changes less. Then how long the view rests until the model itself is seen
-// again.
+// The speed of turning the view around a model in a file, in the window with its panels.
+// - `of_limit` is the share of the goal without a GPU: 20 frames a second for 10 million triangles
+//   and 30 for a million.
+// - `cpu_ms` is the time of a frame on all cores together, which other load of the machine changes
+//   less.
+// - `whole_again_ms` is the time that the view rests until the model itself is drawn again.
 //
-//   make_models models 913 && xvfb-run -s "-screen 0 1280x1024x24 +extension GLX" bench_orbit models/*.ply
+//   make_models models 913 &&
+//   xvfb-run -s "-screen 0 1280x1024x24 +extension GLX" bench_orbit models/*.ply
 
 #include "core/geometry/camera_motion.h"
 #include "gui/document/camera_looks.h"
@@ -43,7 +46,7 @@ bool waitFor(const std::function<bool()> &isTrue)
     return isTrue();
 }
 
-/// A window in which a model is seen whole; null where it cannot be.
+/// A window that shows all of a model; null if it cannot be shown.
 std::unique_ptr<MainWindow> windowWith(const std::filesystem::path &file)
 {
     MainWindow::Options options;
@@ -58,7 +61,7 @@ std::unique_ptr<MainWindow> windowWith(const std::filesystem::path &file)
     });
     if (!isSeen)
         return nullptr;
-    // Stand-ins are made beside the first picture.
+    // Stand-ins are made in parallel to the first picture.
     QElapsedTimer clock;
     clock.start();
     waitFor([&] { return clock.elapsed() > 3000 && !window->view().isCoarse(); });

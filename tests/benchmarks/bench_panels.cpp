@@ -1,5 +1,5 @@
-// What the panels cost on the processor when the mouse moves: all of them shown, their update and their painting. The
-// limit is 1 ms a move, together; `of_limit` is the share of it.
+// The processor time of the panels when the mouse moves: all of them shown, their update and their
+// painting. The limit is 1 ms a move, together; `of_limit` is the share of it.
 
 #include "core/examples/bundled_scene.h"
 #include "core/geometry/camera_motion.h"
@@ -49,7 +49,7 @@ struct Panels {
     }
 };
 
-/// Processor time of the loop, measured beside the benchmark's own clock, as a share of the limit.
+/// Processor time of the loop, measured next to the benchmark's own clock, as a share of the limit.
 class Share {
 public:
     explicit Share(benchmark::State &state) : m_state(state), m_start(std::clock()) {}

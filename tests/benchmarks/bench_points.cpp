@@ -1,5 +1,5 @@
-// What 500 placed points on a mesh of a million triangles cost. All of it together is to stay below a frame, 16.7 ms; the mesh
-// itself is not drawn again for them.
+// The cost of 500 placed points on a mesh of a million triangles. The sum must stay below a frame,
+// 16.7 ms; the mesh itself is not drawn again for them.
 //
 //   QT_QPA_PLATFORM=offscreen bench_points
 
@@ -80,7 +80,7 @@ SceneDocument &document()
     return *made;
 }
 
-/// Which are behind the surface: when the camera has moved.
+/// Decides which points are behind the surface, after the camera has moved.
 void marks(benchmark::State &state)
 {
     SceneDocument &points = document();
@@ -96,7 +96,7 @@ void labels(benchmark::State &state)
         benchmark::DoNotOptimize(placedLabels(shown, metrics, QRectF(0, 0, kWidth, kHeight)));
 }
 
-/// By the processor alone; the view has the graphics card do it.
+/// Draws by the processor alone; the view has the graphics card do it.
 void drawing(benchmark::State &state)
 {
     const std::vector<LandmarkMark> shown = landmarkMarks(document());

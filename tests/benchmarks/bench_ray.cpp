@@ -1,6 +1,7 @@
-// Rays on a mesh, beside Embree's own tree and intersection of the same mesh in the same run:
-//   bench_ray [--plain] [--double] [triangles …], 1000000 without any; --plain: our own tree instead of the one by Embree;
-//   --double: positions that are no floats
+// Rays on a mesh, next to Embree's own tree and intersection of the same mesh in the same run:
+//   bench_ray [--plain] [--double] [triangles …], 1000000 without any
+// --plain: our own tree instead of the one by Embree
+// --double: positions that are not floats
 #include "core/ray/ray_caster.h"
 #include "tests/support/cube_sphere.h"
 
@@ -34,7 +35,7 @@ double secondsSince(Clock::time_point start)
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// From eyes all about to points on the surface, as clicks.
+/// Rays from eyes all around to points on the surface, as clicks.
 std::vector<Ray<ObjectSpace>> clicks(std::size_t count)
 {
     std::mt19937_64 engine(1);
@@ -173,7 +174,7 @@ void measure(double wanted, RayCaster::Tree tree, bool areDoubles)
         Watch peerWatch;
         const auto peerPick = [&](const Ray<ObjectSpace> &ray) { return peer.pick(ray); };
 #endif
-        // In turns, so that whatever else the computer does is shared.
+        // The two take turns, so that other load of the computer falls on both.
         constexpr std::size_t kTurn = 1000;
         for (std::size_t first = 0; first < rays.size(); first += kTurn) {
             for (std::size_t i = first; i < std::min(first + kTurn, rays.size()); ++i)

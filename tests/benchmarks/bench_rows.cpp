@@ -1,4 +1,5 @@
-// `unproject points` beside the reading and writing of the same numbers without computing anything, one thread each.
+// `unproject points` next to reading and writing the same numbers without computing, one thread
+// each.
 
 #include "core/cli/commands/points_command.h"
 #include "core/cli/rows/number_table.h"

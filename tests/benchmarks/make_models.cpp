@@ -1,7 +1,8 @@
-// Writes a large model as a file of each format: a sphere with hills, closed, its vertices shared. For the benchmarks of
-// loading, and for whoever wants to try a large file.
+// Writes a large model as a file of each format: a closed sphere with hills and shared vertices. It
+// is for the benchmarks of loading, and for trying a large file.
 //
-//   make_models FOLDER 913       # 12 · 913² = 10,002,828 triangles: sphere913.stl, .ply, .obj, .glb
+//   make_models FOLDER 913       # 12 · 913² = 10,002,828 triangles: sphere913.stl, .ply, .obj,
+// .glb
 
 #include "tests/support/cube_sphere.h"
 

@@ -11,7 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-/// What a run of the command left.
+/// The results of a run of the command.
 struct Run {
     int exitCode = -1;
     QByteArray output, errors;
@@ -28,7 +28,7 @@ struct Run {
 
 using Variables = QMap<QString, QString>;
 
-/// @param variables  of the environment; without them the command speaks English
+/// @param variables  environment variables; without them the command speaks English
 inline Run runCommand(const QStringList &arguments, const QByteArray &input = {},
                       const Variables &variables = {{"LC_ALL", "C"}})
 {
@@ -52,7 +52,7 @@ inline Run runCommand(const QStringList &arguments, const QByteArray &input = {}
             errors};
 }
 
-/// That a run has done what it was told, and has nothing to complain of.
+/// Verifies that a run succeeded without a message.
 #define VERIFY_SUCCEEDED(run)                                                                                          \
     do {                                                                                                               \
         QCOMPARE((run).errors, QByteArray());                                                                          \
@@ -75,7 +75,8 @@ private:
     QTemporaryDir m_folder;
 };
 
-/// 800 x 600; the eye at (0, 0, 5) looks down -z; [-1, 1] x [-3/4, 3/4] at 1, far 4: the depth 2/3 is the distance 2.
+/// 800 x 600; the eye at (0, 0, 5) looks down -z. The window is [-1, 1] x [-3/4, 3/4] at 1, far 4:
+/// the depth 2/3 is the distance 2.
 inline const QByteArray kFrustumScene = R"({
   "unprojector": 1,
   "window": {"width": 800, "height": 600},

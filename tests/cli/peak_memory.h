@@ -2,7 +2,7 @@
 
 #include <QFile>
 
-/// The most memory that a running process has held, in KiB; 0 where the system does not tell.
+/// The peak memory of a running process, in KiB; 0 where the system does not report it.
 inline qint64 peakMemory([[maybe_unused]] qint64 process)
 {
 #ifdef Q_OS_LINUX

@@ -50,7 +50,8 @@ void TestBlockPipeline::whatAWorkerThrowsEndsAll()
         return [&](const LineBlock &lines, BlockResult &result) {
             ++living;
             if (begun++ == failing) {
-                // The others are by then at the door, waiting for this block to be written before theirs.
+                // The other workers have finished by then and wait for this block to be written
+                // before theirs.
                 std::this_thread::sleep_for(std::chrono::milliseconds(20));
                 --living;
                 throw std::bad_alloc();
@@ -61,7 +62,7 @@ void TestBlockPipeline::whatAWorkerThrowsEndsAll()
     };
     QVERIFY_THROWS_EXCEPTION(std::bad_alloc, runBlocks(blocks, source, sink, threads, makeWorker));
     QCOMPARE(living.load(), 0);
-    QVERIFY(begun <= failing + 2 * int(threads)); // those before it are written, and nobody goes on for long
+    QVERIFY(begun <= failing + 2 * int(threads)); // the blocks before it are written, and no worker goes on for long
     QFile file(output);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), QByteArray("before")); // half of the rows is no result

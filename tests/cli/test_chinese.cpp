@@ -1,4 +1,5 @@
-// The command in Chinese: who gets it, that nothing is left in English, and that what programs read stays as it is.
+// The command in Chinese: the choice of the language, no English left, and machine-readable output
+// unchanged.
 #include "core/cli/terminal/language_choice.h"
 #include "tests/cli/command.h"
 
@@ -16,7 +17,8 @@ const Variables kChinese{{"LC_ALL", "zh_CN.UTF-8"}};
 const char *const kCommands[] = {"points",  "pick", "project",  "info", "scene",     "cloud",
                                  "compare", "map",  "matrices", "code", "landmarks", "doctor"};
 
-/// Two words of a sentence side by side, but for what is typed: commands, and options with their values.
+/// Returns whether the line has two English words side by side, apart from typed ones: commands,
+/// and options with their values.
 bool hasEnglish(QString line)
 {
     static const QRegularExpression typed(QStringLiteral("unproject [a-z]+|--[a-z-]+ [a-z]+"));
@@ -117,7 +119,7 @@ void TestChinese::helpIsChinese()
     }
 }
 
-/// A user who prefers English gets it byte for byte, whatever his locale is.
+/// A user who prefers English gets it byte for byte, in any locale.
 void TestChinese::englishIsNotTouched()
 {
     for (const QStringList &words : {QStringList{"--help"}, QStringList{"map", "--help"}}) {
@@ -165,10 +167,10 @@ void TestChinese::wrongWordsAreSaidInChinese()
 QStringList TestChinese::inFolder(const QStringList &words)
 {
     m_folder.write(QStringLiteral("scene.json"), kFrustumScene);
-    // Open, and with a line, so that there is something to note of it.
+    // The mesh is open and has a line, so that there is something to note.
     m_folder.write(QStringLiteral("face.obj"), "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\nl 1 2\n");
     m_folder.write(QStringLiteral("broken.obj"), "v 1 2 x\n");
-    // So wide that single precision does not hold its points, and one pixel.
+    // One scene is too wide for single precision to hold its points; the other is one pixel.
     m_folder.write(QStringLiteral("wide.json"),
                    QByteArray(kFrustumScene)
                        .replace("800, \"height\": 600", "1, \"height\": 1")

@@ -16,7 +16,8 @@ using namespace unprojector::mesh;
 
 namespace {
 
-/// Two objects, the second one turned and stretched, in an 800 x 600 window at 1.25 device pixels a logical one.
+/// Two objects, the second one turned and stretched, in an 800 x 600 window at 1.25 device pixels a
+/// logical one.
 Scene twoObjects()
 {
     Scene scene;
@@ -45,7 +46,7 @@ QByteArray textOf(const std::vector<Click> &clicks)
     return QByteArray::fromStdString(clicksText(clicks).value());
 }
 
-/// The numbers of a row, of an empty cell a NaN.
+/// The numbers of a row; an empty cell is a NaN.
 QList<double> numbersOf(const QByteArray &row)
 {
     QList<double> numbers;
@@ -114,7 +115,7 @@ void TestClicksCommand::theSamePointsToTheLastDigit()
         verifyPoint(row, 3, point[kFormula]);
         verifyPoint(row, 6, point[kMatrix]);
     }
-    // By standard input, one click alone, one method, as JSON.
+    // Standard input gives one click alone, one method, as JSON.
     QCOMPARE(runCommand({"points", "--space", space, "-"}, textOf(clicks)).output, run.output);
     const QByteArray alone = textOf({clicks[1]}).trimmed().mid(1).chopped(1);
     const Run one = runCommand({"points", "--no-header", "--method", "formula", "--space", space, "-"}, alone);
@@ -187,7 +188,7 @@ void TestClicksCommand::aTableGoesThroughTheClicksScene()
     QCOMPARE(run.lines().size(), 1);
     const QList<double> row = numbersOf(run.lines().at(0));
     QVERIFY(std::abs(row[3] - (*click.world.surface[kFormula]).x) < 1e-12);
-    // By standard input as well.
+    // Standard input works as well.
     const Run piped = runCommand({"points", "--no-header", clicks, "-"}, "px,py,depth\n500.5,375.5,0.01\n");
     QCOMPARE(piped.output, run.output);
 }

@@ -1,4 +1,5 @@
-// Whoever reads the command's output may go away at any time, as head does: that is no error, and nobody is told of it.
+// A reader of the command's output may go away at any time, as head does: that is no error and
+// causes no message.
 
 #include "tests/cli/command.h"
 #include "tests/support/patience.h"
@@ -11,7 +12,8 @@
 
 namespace {
 
-/// A pipe whose reading end no child inherits: while a child had it open, the pipe would not count as closed.
+/// A pipe whose reading end no child inherits: while a child had it open, the pipe would not count
+/// as closed.
 class Pipe {
 public:
 #ifdef Q_OS_WIN
@@ -135,7 +137,7 @@ void TestClosedPipe::endsQuietly()
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);
     const QByteArray errors = process.readAllStandardError();
     if (arguments.contains(m_folder.path("bad.csv"))) {
-        // Some rows may have been complained of before; the command has ended with what it knew.
+        // The command may have reported some rows before; it has ended with the results it had.
         QVERIFY(!errors.contains("written"));
         QVERIFY(process.exitCode() == 0 || process.exitCode() == 1);
         return;

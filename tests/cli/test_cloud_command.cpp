@@ -16,7 +16,8 @@ const QByteArray kScene = R"({"unprojector": 1, "window": {"width": 4, "height":
 
 constexpr int kWidth = 4, kHeight = 3;
 
-/// Background but for the second pixel of the top row, on the near plane, and the last of the bottom row, at 2/3.
+/// Background except for two pixels: the second of the top row, on the near plane, and the last of
+/// the bottom row, at 2/3.
 QVector<float> depths()
 {
     QVector<float> values(qsizetype(kWidth) * kHeight, 1.0f);
@@ -52,7 +53,7 @@ bool isClose(const QVector<float> &values, const QVector<float> &expected)
     return true;
 }
 
-/// Of `depths`: at the distances 1 and 2, x and y at pixel centres.
+/// The points of `depths`: at the distances 1 and 2, x and y at pixel centres.
 const QVector<float> kPoints{-0.5f, 1.0f, 4.0f, 3.0f, -2.0f, 3.0f};
 
 QByteArray pfm(const QVector<float> &values, bool isLittleEndian)

@@ -1,4 +1,4 @@
-// The words of the command line: what every command says of itself, and of words that it does not know.
+// The words of the command line: the help of every command, and the errors for unknown words.
 
 #include "tests/cli/command.h"
 #include "tests/support/patience.h"
@@ -30,7 +30,7 @@ void TestCommandLine::helpHasExamplesThatWork_data()
         QTest::newRow(command) << command;
 }
 
-/// The examples are taken out of the help and run as they stand there.
+/// The examples are extracted from the help and run unchanged.
 void TestCommandLine::helpHasExamplesThatWork()
 {
     QFETCH(QString, command);
@@ -92,7 +92,7 @@ void TestCommandLine::helpNamesAllCommandsAndExitCodes()
     QVERIFY(runCommand({"--version"}).output.startsWith("unproject "));
 }
 
-/// On Windows an option may begin with a slash; here none does, since a path may.
+/// Some Windows programs take options that begin with a slash; here none does, since a path may.
 void TestCommandLine::aFileIsNamedFromTheRoot()
 {
     const Run run = runCommand({"info", "/there is none.json"});

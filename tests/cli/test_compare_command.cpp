@@ -136,7 +136,7 @@ void TestCompareCommand::thePercentileIsThatOfAllNumbers_data()
     QTest::newRow("fewer than there might be") << 54321 << 100000;
 }
 
-/// Only the largest are kept; the answers are those of all.
+/// The command keeps only the largest numbers; the answers are those of all.
 void TestCompareCommand::thePercentileIsThatOfAllNumbers()
 {
     QFETCH(int, count);

@@ -11,7 +11,8 @@
 
 namespace {
 
-/// The truth (0.5, 0.75, -0.25) lies on pixel 568.647, 274.338 (from the top) at the depth 0.838331.
+/// The point (0.5, 0.75, -0.25) lies on pixel 568.647, 274.338 (from the top) at the depth
+/// 0.838331.
 const QByteArray kScene = R"({
   "unprojector": 1,
   "window": {"width": 1000, "height": 700},
@@ -123,13 +124,14 @@ void TestDoctorCommand::theAnswerInWords()
     VERIFY_SUCCEEDED(run);
     QVERIFY(run.output.startsWith("y-not-flipped\n  y is not flipped"));
     QVERIFY(run.output.contains("all 11 digits given, off by"));
-    // The last digits are cut off, and not said to be explained as they stand.
+    // The last digits are cut off, so the doctor does not report them as explained.
     const Run cutOff = doctor(kClick + QStringList{"--got", "0.7051,-0.4121,0.0918"});
     QVERIFY2(cutOff.output.contains("digits given, the last not rounded but cut off, off by"), cutOff.output);
-    // They are cut off towards zero: an answer on the other side explains them no better than any other.
+    // They are cut off towards zero: an answer on the other side explains them no better than any
+    // other.
     const Run further = doctor(kClick + QStringList{"--got", "0.7052,-0.4122,0.0918"});
     QVERIFY2(!further.output.contains("cut off") && further.output.startsWith("unknown"), further.output);
-    // More digits than a double answers count for nothing.
+    // Digits beyond a double's precision have no effect.
     const Run longer =
         doctor(kClick + QStringList{"--got", "0.50000000000000000,0.7500000000000000,-0.2500000000000000"});
     QVERIFY2(longer.output.contains("digits that count of the "), longer.output);
@@ -149,7 +151,8 @@ void TestDoctorCommand::theAnswerInWords()
     QVERIFY(unknown.output.contains("projects     to pixel"));
 }
 
-/// Near 0.001, far 100000: the depth begins with nines. From where the point is said to land it comes out again.
+/// Near is 0.001, far 100000: the depth begins with nines. The reported landing position gives the
+/// point again.
 void TestDoctorCommand::theDepthHasTheDigitsOfThePoint()
 {
     const QString scene = m_folder.write("deep.json", R"({
@@ -233,7 +236,7 @@ void TestDoctorCommand::aTableIsOneProgram()
     QCOMPARE(run.exitCode, 0);
     const QJsonObject json = QJsonDocument::fromJson(run.output).object();
     QVERIFY(json["digitsGiven"].toInt() > 20);
-    // Without a header, the depth left out, from standard input.
+    // The rows come from standard input, without a header and without the depth.
     const Run bare = doctor({"--points", "-", "--json"}, "568.6475,274.3378,0.838330516,0.7051,-0.4122,0.0918\n");
     VERIFY_SUCCEEDED(bare);
     QCOMPARE(QJsonDocument::fromJson(bare.output).object()["verdict"].toString(), QString("y-not-flipped"));
@@ -260,7 +263,7 @@ void TestDoctorCommand::badRowsAreNamed()
                                             "568.6475,274.3378,0.838330516,0.7051,-0.4122,0.0918\n");
     QCOMPARE(run.exitCode, 1);
     QCOMPARE(run.errors, QByteArray("stdin:2: y: \"nan\" is no number\n"));
-    // Whatever stands before it in quotes, and where there is no header.
+    // Quoted text may stand before it, and the header may be missing.
     const QByteArray row = "568.6475,274.3378,0.838330516,0.7051,-0.4122,0.0918";
     const auto errors = [&](const QByteArray &table) {
         const Run one = doctor({"--points", "-", "--json"}, table);
@@ -278,7 +281,8 @@ void TestDoctorCommand::badRowsAreNamed()
     QCOMPARE(QJsonDocument::fromJson(run.output).object()["verdict"].toString(), QString("y-not-flipped"));
 }
 
-/// A face in the plane z = 3, 2 in front of the eye; its depth 2/3 taken for that in NDC is 5/6, that of 8/3.
+/// A face in the plane z = 3, 2 in front of the eye. Its depth 2/3 taken for NDC is 5/6, the depth
+/// of 8/3.
 void TestDoctorCommand::theMeshGivesTheDepth()
 {
     m_folder.write("face.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
@@ -304,7 +308,7 @@ void TestDoctorCommand::theRayJudgesWithoutModels()
     const QJsonObject json = QJsonDocument::fromJson(run.output).object();
     QCOMPARE(json["verdict"].toString(), QString("y-not-flipped"));
     QCOMPARE(json["depth"].toString(), QString("unknown"));
-    // With the depth nobody asks for the models.
+    // A given depth needs no models.
     VERIFY_SUCCEEDED(doctor(kClick + QStringList{"--got", "0.7051,-0.4122,0.0918"}));
     VERIFY_SUCCEEDED(
         runCommand(QStringList{"doctor", "-"} + kClick + QStringList{"--got", "0.7051,-0.4122,0.0918"}, kScene));
@@ -330,7 +334,7 @@ void TestDoctorCommand::aPointOfTheSceneIsNamed()
     VERIFY_SUCCEEDED(run);
     QVERIFY2(run.output.startsWith("the eye\n  The point given is the eye. Usually the program returns where"),
              run.output);
-    // What comes close to it says nothing.
+    // The near misses say nothing.
     for (const char *row : {"closest", "explains", "next best", "tell apart", "chance"})
         QVERIFY2(!run.output.contains(row), run.output);
     QVERIFY(!run.output.contains("To change"));
@@ -345,7 +349,7 @@ void TestDoctorCommand::aVertexOfTheMeshIsNamed()
 {
     m_folder.write("face.obj", "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n");
     const QString scene = m_folder.write("frustum.json", kFrustumScene);
-    // With the depth and without it.
+    // The point, with the depth and without it.
     for (const QStringList &depth : {QStringList{}, QStringList{"--depth", "0.66666667"}}) {
         const Run run = runCommand(QStringList{"doctor", scene, "--json", "--pixel", "600,150"} + depth
                                    + QStringList{"--got", "2.0000,2.0000,3.0000"});

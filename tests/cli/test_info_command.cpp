@@ -1,4 +1,4 @@
-// `unproject info`: what a model or a scene holds.
+// `unproject info`: the contents of a model or a scene.
 
 #include "tests/cli/command.h"
 
@@ -125,7 +125,7 @@ void TestInfoCommand::pointsAndNotes()
     QVERIFY(jsonOf(lines)["notes"].toArray()[0].toString().contains("line"));
 }
 
-/// What an open surface "holds" is another number about another origin.
+/// The enclosed volume of an open surface depends on the origin.
 void TestInfoCommand::anOpenSurfaceHasNoVolume()
 {
     QVERIFY(jsonOf(runCommand({"info", "--json", m_folder.write("box.obj", kBox)}))["notes"].toArray().isEmpty());
@@ -164,7 +164,8 @@ void TestInfoCommand::wordsHaveTheDigitsOfTheFile_data()
                             << QByteArray("0.1 0.2 0.3  to  0.7 0.8 0.9");
 }
 
-/// Floats have noise behind the digits that are meant; JSON keeps all of it, so that it reads back to the same numbers.
+/// Floats have noise behind the intended digits. JSON keeps all of it, so that it reads back to the
+/// same numbers.
 void TestInfoCommand::wordsHaveTheDigitsOfTheFile()
 {
     QFETCH(QByteArray, model);

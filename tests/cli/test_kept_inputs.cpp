@@ -1,4 +1,4 @@
-// No command writes over a file that it reads or that its scene names, under whatever name.
+// No command overwrites a file that it reads or that its scene names, under any of its names.
 
 #include "tests/cli/command.h"
 
@@ -39,7 +39,7 @@ private slots:
 
 private:
     QStringList names() const { return QDir(m_folder->path(".")).entryList(QDir::Files | QDir::Hidden); }
-    /// Words whose files are those of the folder.
+    /// Words with the folder's paths for their files.
     QStringList located(QStringList words) const
     {
         for (QString &word : words) {

@@ -75,7 +75,7 @@ void TestLandmarksCommand::whatIsLostIsSaid()
                                     "stdout: the notes of 1 point are left out\n"));
 }
 
-/// An empty table is no result that somebody expects.
+/// An empty table is never an expected result.
 void TestLandmarksCommand::aFileWithoutPoints()
 {
     const QString input = m_folder.write("none.fcsv", "# Markups fiducial file version = 4.11\n");

@@ -1,4 +1,4 @@
-// `unproject points` with ten million rows, made while they stream and checked while they come back.
+// `unproject points` with ten million rows, made while they stream and checked as they come back.
 
 #include "tests/cli/command.h"
 #include "tests/cli/peak_memory.h"
@@ -24,7 +24,7 @@ const QByteArray kScene = R"({"unprojector": 1, "window": {"width": 1024, "heigh
 /// A line put together in place: ten million of them are made here twice.
 class Line {
 public:
-    /// With the fewest digits that read back: 100000 is 1e+05.
+    /// Writes the number with the fewest digits that read back: 100000 is 1e+05.
     Line &operator<<(double number)
     {
         m_end = std::to_chars(m_end, m_text.data() + m_text.size(), number).ptr;
@@ -100,7 +100,7 @@ void TestLongStreams::tenMillionRowsKeepTheirOrderInLittleMemory()
             expected.remove(0, length);
             checked += length;
         }
-        // The rows are through and the command waits for more: what it held at most is known now.
+        // The rows are through and the command waits for more: its peak memory is known now.
         const bool isThrough = awaited == kRows && expected.isEmpty();
         if ((isThrough || !isSame) && !isClosed) {
             isClosed = true;

@@ -12,8 +12,8 @@
 
 namespace {
 
-/// A square of side 2; kFrustumScene doubles it and puts it to z = 3, 2 in front of the eye, where a pixel is 1/200 wide and
-/// the square fills the picture's width and all of its height.
+/// A square of side 2; kFrustumScene doubles it and puts it to z = 3. That is 2 in front of the
+/// eye, where a pixel is 1/200 wide; the square fills the picture's width and all of its height.
 const QByteArray kFace = "v -1 -0.5 0\nv 1 -0.5 0\nv 1 0.5 0\nv -1 0.5 0\nf 1 2 3 4\n";
 
 /// The number of a pixel of a float map, counted from the top.
@@ -71,7 +71,8 @@ void TestMapCommand::aMapOfADisplacement()
     QVERIFY(small.output.startsWith("Pf\n30 20\n"));
 }
 
-/// MeshLab reads the depth of the row above: at the upper edge of the square that is the far plane's, 4 in front of the eye.
+/// MeshLab reads the depth of the row above: at the upper edge of the square that is the far
+/// plane's, 4 in front of the eye.
 void TestMapCommand::whatIsNotSeenHasNoNumber()
 {
     const Run run = runCommand({"map", m_scene, "--what", "displacement", "--convention", "meshlab", "-o", "-"});
@@ -139,7 +140,7 @@ void TestMapCommand::aLargePictureTakesLittleMemory_data()
     QTest::newRow("displacement") << QStringList{"displacement", "--convention", "screen2world"};
 }
 
-/// Beside a float a pixel, which the statistics need, it takes what a small picture takes.
+/// The memory is the one of a small picture, plus a float a pixel, which the statistics need.
 void TestMapCommand::aLargePictureTakesLittleMemory()
 {
 #ifdef UNPROJECTOR_IS_SANITIZED
@@ -151,7 +152,8 @@ void TestMapCommand::aLargePictureTakesLittleMemory()
     process.start(QStringLiteral(UNPROJECT_COMMAND),
                   QStringList{"map", m_scene, "--size", QStringLiteral("%1x%1").arg(kPixels), "-o", "-", "--what"}
                       + what);
-    // What comes first is all of it: the numbers are written when all are there, and more than a pipe holds.
+    // The first output is complete: the numbers are written when all are there, and are more than a
+    // pipe holds.
     QVERIFY(process.waitForReadyRead(2 * kPatienceMilliseconds));
     const qint64 peak = peakMemory(process.processId());
     QByteArray map = process.readAllStandardOutput();

@@ -110,11 +110,11 @@ void TestMatricesCommand::conventionsOfOtherApis()
     QCOMPARE(entry(unity, "model_face", 2, 3), -3.0);
     QVERIFY(unity["modelview_face"] == columns["modelview_face"]);
 
-    // The scene's own, without a word.
+    // The scene's own conventions apply without an option.
     const QByteArray text = QByteArray(kFrustumScene).replace("1,\n", "1, \"conventions\": \"vulkan\",\n");
     const Run run = runCommand({"matrices", "--format", "json", m_folder.write("vulkan.json", text)});
     QVERIFY(QJsonDocument::fromJson(run.output).object() == vulkan);
-    // Those of a left-handed world are not the scene's.
+    // The scene does not use the conventions of a left-handed world.
     const QByteArray mirrored = QByteArray(text).replace("vulkan", "unity");
     const Run said = runCommand({"project", m_folder.write("unity.json", mirrored)}, "x,y,z\n0,0,0\n");
     QVERIFY2(said.errors.contains("unity.json: conventions: Unity's own world has z negated"), said.errors);

@@ -1,10 +1,11 @@
-// `unproject scene --from-matrices`: in which order the numbers of matrices are read.
+// `unproject scene --from-matrices`: the order in which the numbers of matrices are read.
 
 #include "tests/cli/command.h"
 
 namespace {
 
-/// The eye is at (0, 0, 5) and looks down -z; near 1, far 3; and as columns in brackets, as glam, simd and nalgebra print them.
+/// The eye is at (0, 0, 5) and looks down -z; near 1, far 3. The columns in brackets are as glam,
+/// simd and nalgebra print them.
 const QByteArray kViewRows = "1 0 0 0  0 1 0 0  0 0 1 -5  0 0 0 1",
                  kViewColumns = "1 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1";
 const QByteArray kLensRows = "1 0 0 0  0 1 0 0  0 0 -2 -3  0 0 -1 0",
@@ -15,7 +16,7 @@ const QByteArray kTurnRows = "0 0 -1 0  0 1 0 0  1 0 0 0  0 0 0 1",
 /// Near 1/2, far at infinity: the same by rows and by columns.
 const QByteArray kSymmetricLens = "1 0 0 0  0 1 0 0  0 0 -1 -1  0 0 -1 0";
 
-/// In four brackets of four.
+/// The numbers in four brackets of four.
 QByteArray nested(const QByteArray &numbers)
 {
     const QList<QByteArray> words = numbers.simplified().split(' ');

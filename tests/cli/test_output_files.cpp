@@ -1,4 +1,5 @@
-// Where the command writes: files are whole or as they were, inputs are never written over, devices stay devices.
+// The command's output files: complete or unchanged; inputs are never overwritten, devices stay
+// devices.
 
 #include "tests/cli/command.h"
 #include "tests/support/patience.h"
@@ -14,7 +15,7 @@
 
 namespace {
 
-/// Of 800 x 600 depths of 0: as many points of 12 bytes.
+/// The size of the cloud of 800 x 600 depths of 0: as many points of 12 bytes.
 constexpr qsizetype kCloudBytes = qsizetype(800) * 600 * 12;
 const QString kNumbers = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1  1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0  0 0 400 300";
 
@@ -47,7 +48,7 @@ private:
         QFile file(path(name));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("none");
     }
-    /// Of the folder that is written to, hidden ones too.
+    /// The names in the folder of the output, hidden ones included.
     QStringList names() const
     {
         return QDir(path(".")).entryList(QDir::AllEntries | QDir::System | QDir::Hidden | QDir::NoDotAndDotDot);
@@ -57,7 +58,7 @@ private:
         return {"cloud", "--size", "800x600", m_scene, m_depth, "-o", output};
     }
 
-    /// Whether all is written, and that is all that was said.
+    /// Returns whether the cloud is complete and its message is the only one.
     static bool hasWritten(const Run &cloud, const QString &output)
     {
         return cloud.exitCode == 0 && cloud.errors == output.toUtf8() + ": 480000 points of 480000 pixels\n";
@@ -250,7 +251,7 @@ void TestOutputFiles::anInterruptionLeavesWhatWasThere()
                               kPatienceMilliseconds); // it has begun, and waits for depths
     QCOMPARE(kill(pid_t(process.processId()), signal), 0);
     QVERIFY(process.waitForFinished(kPatienceMilliseconds));
-    QCOMPARE(process.exitStatus(), QProcess::CrashExit); // whoever started it sees that it was ended
+    QCOMPARE(process.exitStatus(), QProcess::CrashExit); // the parent process sees that it was ended
     QCOMPARE(process.exitCode(), signal);
     QCOMPARE(read("cloud.ply"), QByteArray("before"));
     QCOMPARE(names(), QStringList("cloud.ply"));
@@ -278,7 +279,8 @@ void TestOutputFiles::standardOutputByItsName()
     if (!QFile::exists("/dev/stdout"))
         QSKIP("stdout has no name here");
     QCOMPARE(runCommand(cloudTo("/dev/stdout")).output, runCommand(cloudTo("-")).output);
-    // The file behind it is whoever's opened it: it stays the same file, and what stands there already stays too.
+    // The file behind it belongs to the process that opened it: it stays the same file, and its
+    // contents stay too.
     const QStringList words{"scene", "--from-matrices", kNumbers, "-o", "/dev/stdout"};
     m_folder->write("files/out", "before\n");
     QFile reader(path("out"));

@@ -1,4 +1,5 @@
-// Columns that a command does not know, and commands that take each other's rows, through the executable.
+// Columns that a command does not know, and commands that take each other's rows, through the
+// executable.
 
 #include "tests/cli/command.h"
 
@@ -109,7 +110,7 @@ void TestPassedColumns::badRowsKeepTheirColumns()
     const Run inPlane = project("x,y,z,name\n1,2,5,\"in the plane, of the eye\"\n");
     QCOMPARE(inPlane.exitCode, 1);
     QVERIFY(inPlane.lines().at(1).startsWith("1,2,5,\"in the plane, of the eye\",1,2,0,"));
-    // Of a line that is too long nothing is kept.
+    // A line that is too long is dropped as a whole.
     const Run overlong = points("name,px,py,depth\n" + QByteArray(200000, 'a') + ",400,300,0\nb,400,300,0\n");
     QCOMPARE(overlong.lines().mid(1), (QList<QByteArray>{",,,,,,", "b,400,300,0,0,0,4"}));
 }
@@ -216,7 +217,7 @@ void TestPassedColumns::projectTakesWhatPointsHasWritten()
     const Run there = project(clicked.output);
     QCOMPARE(there.errors, QByteArray());
     QCOMPARE(there.exitCode, 0);
-    // The points are those of the formulas, and the other columns are what they were, px,py,depth aside.
+    // The points are those of the formulas, and the other columns are unchanged, px,py,depth aside.
     QCOMPARE(there.lines().at(0),
              "name,formula_x,formula_y,formula_z,matrix_x,matrix_y,matrix_z,difference,eye_x,eye_y,"
              "eye_z,clip_x,clip_y,clip_z,clip_w,ndc_x,ndc_y,ndc_z,window_x,window_y,window_z,"

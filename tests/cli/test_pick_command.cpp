@@ -1,4 +1,4 @@
-// `unproject pick`: positions in a picture to what their rays meet.
+// `unproject pick`: from positions in a picture to the hits of their rays.
 
 #include "tests/cli/command.h"
 
@@ -10,8 +10,8 @@
 
 namespace {
 
-/// A square of side 2 in the plane z = 0; kFrustumScene doubles it and puts it to z = 3: 2 in front of the eye, 4 wide where
-/// the picture is 4 wide and 3 high.
+/// A square of side 2 in the plane z = 0; kFrustumScene doubles it and puts it to z = 3. That is 2
+/// in front of the eye, 4 wide where the picture is 4 wide and 3 high.
 const QByteArray kFace = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n";
 const QStringList kColumns{"x",        "y",        "z",         "object",   "triangle", "u",        "v",
                            "w",        "object_x", "object_y",  "object_z", "normal_x", "normal_y", "normal_z",
@@ -126,7 +126,7 @@ void TestPickCommand::pixelsOutsideThePictureAreCounted()
 
 void TestPickCommand::aModelIsSeenAsTheWindowStarts()
 {
-    // The middle of what is framed is in the middle of the picture, whatever its size.
+    // The centre of the framed objects is in the middle of the picture, whatever its size.
     for (const QStringList &size :
          {QStringList{"--at", "400,300"}, QStringList{"--size", "300x500", "--at", "150,250"}}) {
         const QJsonObject hit = pick(QStringList{m_model} + size);
@@ -141,7 +141,7 @@ void TestPickCommand::aModelIsSeenAsTheWindowStarts()
 
 void TestPickCommand::aSceneHasItsOwnPictureOrTheSizeGiven()
 {
-    // With half the size the projection stays: half the pixels.
+    // Half the size keeps the projection: half the pixels.
     QVERIFY(isNear(numbers(pick({m_scene, "--size", "400x300", "--at", "250,75"})["world"]), {0.5, 0.75, 3.0}));
     QVERIFY(!pick({m_scene, "--size", "400x300", "--at", "500,150"})["hit"].toBool());
 }
@@ -151,7 +151,8 @@ void TestPickCommand::whatIsInReachIsTaken_data()
     QTest::addColumn<QString>("snap");
     QTest::addColumn<QString>("at");
     QTest::addColumn<QList<double>>("world"); // empty: nothing
-    // The face from (-1, -1, 3) to (1, 1, 3), 200 pixels a unit: its upper right corner is at (600, 100).
+    // The face from (-1, -1, 3) to (1, 1, 3), 200 pixels a unit: its upper right corner is at (600,
+    // 100).
     QTest::newRow("surface") << "surface"
                              << "603,97" << QList<double>();
     QTest::newRow("vertex") << "vertex"
@@ -226,7 +227,7 @@ void TestPickCommand::aVertexHasTheDigitsOfTheFile()
     QCOMPARE(found.size(), 3);
     for (auto vertex = found.begin(); vertex != found.end(); ++vertex)
         QVERIFY2(contents.contains(vertex.value() + '\n'), vertex.value().constData());
-    // And in words.
+    // The text output agrees.
     const Run words = runCommand({"info", model});
     VERIFY_SUCCEEDED(words);
     for (const QByteArray &number : contents.contains("5.8900111")
@@ -317,7 +318,7 @@ void TestPickCommand::wordsHaveNoNoise()
     for (int axis = 0; axis < 3; ++axis) {
         QVERIFY2(told[axis].size() <= 18, told[axis]);
         QVERIFY2(bounds[axis].size() <= 7, bounds[axis]); // "2.3e-09"
-        // What is told is within what is told of it.
+        // The printed number is within its printed uncertainty.
         QVERIFY(std::abs(told[axis].toDouble() - world[axis]) + uncertainty[axis] <= bounds[axis].toDouble());
         QVERIFY(bounds[axis].toDouble() < 1.3 * uncertainty[axis]);
     }
@@ -331,7 +332,7 @@ void TestPickCommand::bundledModels()
     QVERIFY(pick({scene, "--at", "400,300"})["hit"].toBool());
 }
 
-/// As a user who may start no more threads; the administrator has no such limit.
+/// A user may start no more threads here; the administrator has no such limit.
 void TestPickCommand::answersWithoutThreads()
 {
 #ifndef Q_OS_LINUX

@@ -196,7 +196,8 @@ void TestPointsCommand::methodsLeaveColumnsOut()
         QCOMPARE(line.count(','), header.count(','));
 }
 
-/// A view that is not quite rigid: the matrix answers, the formulas' cells are empty, and why and what to do is said.
+/// A view that is not quite rigid: the matrix answers, the formulas' cells are empty. A message
+/// gives the reason and the remedy.
 void TestPointsCommand::aMethodThatDoesNotHoldIsSaid()
 {
     QByteArray scene = kFrustumScene;

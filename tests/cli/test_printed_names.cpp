@@ -1,5 +1,5 @@
-// What the command prints for people holds no control characters, whatever stands in names and files; what programs read
-// holds them as they are.
+// The command's text for people has no control characters, even if names and files contain them;
+// machine-readable output keeps them.
 
 #include "tests/cli/command.h"
 
@@ -9,7 +9,8 @@
 
 namespace {
 
-/// A colour, a window's title, the C1 character that begins such a sequence, text turned round, an isolate.
+/// A colour, a window's title, the C1 character that begins such a sequence, an override of the
+/// text's direction, an isolate.
 const QByteArray kName = "\033[31mred\033]0;title\a\u009b2J\u202egpj\u2066x";
 const QByteArray kPrinted = "\\x1b[31mred\\x1b]0;title\\x07\\u009b2J\\u202egpj\\u2066x";
 const QByteArray kInJson = "\\u001b[31mred\\u001b]0;title\\u0007\u009b2J\u202egpj\u2066x";

@@ -1,4 +1,5 @@
-// The progress bar: what it writes to a terminal of the test's own, by a clock of the test's own; and that the command has one.
+// The progress bar: its output to a terminal of the test's own, by a clock of the test's own; and
+// that the command has one.
 
 #include "tests/cli/command.h"
 #include "tests/support/patience.h"
@@ -24,7 +25,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// What a person sees of what is written: carriage returns overwrite.
+/// The text that a person sees on the terminal: carriage returns overwrite.
 struct Terminal {
     std::string line; ///< that the cursor stands in, blanks at its end left out
     std::vector<std::string> above;
@@ -55,8 +56,9 @@ struct Terminal {
     }
 };
 
-/// `unproject points` on a terminal that script(1) makes, fed with rows without end until it is asked to finish, then with
-/// one bad row. The rows also end with the test, however that ends: nothing else would stop the command.
+/// `unproject points` on a terminal that script(1) makes. It gets endless rows until it is asked to
+/// finish, then one bad row. The rows also end with the test, however that ends: nothing else would
+/// stop the command.
 class OnTerminal {
 public:
     OnTerminal(const QString &redirection, const Folder &folder) : m_stop(folder.path("stop"))

@@ -104,7 +104,8 @@ void TestProjectCommand::pointsOnThePlanesComeBack_data()
                               << QByteArray("[0, 1]");
 }
 
-/// Points of a camera that looks askew, on its planes as exactly as doubles can say it: rounding puts many depths outside.
+/// Points of a tilted camera, on its planes as exactly as doubles allow: rounding puts many depths
+/// outside.
 void TestProjectCommand::pointsOnThePlanesComeBack()
 {
     QFETCH(QByteArray, projection);
@@ -197,8 +198,8 @@ void TestProjectCommand::objectsOwnCoordinates()
     QCOMPARE(clip.exitCode, 2);
 }
 
-/// An object that lies far away in its own space is moved to where the camera looks. Here the sum of both is exact in a
-/// double, so that the point in the world tells the digits.
+/// An object that lies far away in its own space is moved to where the camera looks. The sum of
+/// both is exact in a double here, so the world point shows the digits.
 void TestProjectCommand::objectsFarAwayKeepTheirPixels()
 {
     QByteArray text = askew(kFrustum, "[0, 1]");

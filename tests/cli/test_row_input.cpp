@@ -150,7 +150,7 @@ void TestRowInput::projectNamesItsColumns()
     QCOMPARE(run.exitCode, 2);
 }
 
-/// So many that to look for each row from the start of its block would take minutes.
+/// There are so many rows that a search from the start of the block for each would take minutes.
 void TestRowInput::everyRowBad()
 {
     constexpr int kRows = 1000000;
@@ -161,7 +161,7 @@ void TestRowInput::everyRowBad()
     QVERIFY(run.errors.endsWith("stdin:1000001:1: px: \"a\" is not a number\n"));
 }
 
-/// A program that asks row by row and waits for each answer is not kept waiting until some buffer is full.
+/// A program that asks row by row gets each answer at once, before any buffer is full.
 void TestRowInput::aRowIsAnsweredAtOnce()
 {
     QProcess process;
@@ -199,10 +199,10 @@ void TestRowInput::aPipeInPieces()
     QCOMPARE(points(input).lines().size(), 4);
 }
 
-/// Nothing that follows is lost, and nothing of it passes for the cell.
+/// No following row is lost, and no part of it passes for the cell.
 void TestRowInput::linesBehindAnOpenQuoteAreRows()
 {
-    // Longer than what is read at once, so that the end of the file is out of sight.
+    // The rows are longer than one read, so that the end of the file is out of sight.
     constexpr int kRows = 20000;
     const Run run = points("px,py,depth,name\n1,2,0,\"a\n" + QByteArray("400,300,0,b\n").repeated(kRows));
     QCOMPARE(run.errors, QByteArray("stdin:2:7: the quote is not closed; quotes in quotes are doubled\n"));

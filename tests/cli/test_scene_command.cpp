@@ -114,7 +114,7 @@ void TestSceneCommand::whatMatricesPrintsIsTaken_data()
         add(format, "opengl");
         add(format, "direct3d");
     }
-    // But OpenCV's, which are R, t and K.
+    // All conventions but OpenCV's, which are R, t and K.
     for (const char *conventions : {"vulkan", "metal", "webgpu", "threejs", "unity", "opencascade"})
         add("text", conventions);
 }
@@ -160,7 +160,7 @@ void TestSceneCommand::whatMatricesPrintsIsTaken()
             QVERIFY2(std::abs(found[i] - expected[i]) <= 1e-12, again.output.constData());
         QVERIFY(again.output.contains("\"viewport\": {\"x\": 10, \"y\": 20, \"width\": 400, \"height\": 300}"));
     }
-    // Without conventions, to the last digit.
+    // The default conventions give the same, to the last digit.
     const Run plain = runCommand({"matrices", "--format", format, m_folder.write("plain.json", withObjects)});
     QCOMPARE(runCommand({"scene", "--window", "500x400", "--from-matrices", "-"}, plain.output).output, scene.output);
 }
@@ -223,7 +223,7 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
     QTest::addColumn<QByteArray>("text");
     QTest::addColumn<QStringList>("options");
     QTest::addColumn<QByteArray>("said");
-    // glFrustum(-1,1,-1,1,0.1,100), with depths in [0, 1] and y turned round for Vulkan.
+    // glFrustum(-1,1,-1,1,0.1,100), with depths in [0, 1] and y reversed for Vulkan.
     const QByteArray zeroToOne = "projection 0.1 0 0 0  0 0.1 0 0  0 0 -1.001001 -1  0 0 -0.1001001 0 ";
     const QByteArray turned = "projection 1 0 0 0  0 -1 0 0  0 0 -2 -1  0 0 -3 0 ";
     const QByteArray reversed = "projection 1 0 0 0  0 1 0 0  0 0 0 -1  0 0 0.5 0 ";
@@ -444,7 +444,8 @@ void TestSceneCommand::optionsTakeMatricesOtherwise()
 void TestSceneCommand::matricesOfOtherApisGiveTheSameWorld_data()
 {
     QTest::addColumn<QByteArray>("text");
-    // The same eye, near 1 and far 3 as above; Direct3D's as XMStoreFloat4x4 prints them, row vectors in four lines.
+    // The same eye, near 1 and far 3 as above. Direct3D's matrices are as XMStoreFloat4x4 prints
+    // them: row vectors in four lines.
     QTest::newRow("vulkan") << QByteArray("view 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1 "
                                           "projection 1 0 0 0  0 -1 0 0  0 0 -1.5 -1  0 0 -1.5 0");
     QTest::newRow("direct3d") << QByteArray("view\n1 0 0 0\n0 1 0 0\n0 0 -1 0\n0 0 5 1\n"

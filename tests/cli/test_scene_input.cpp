@@ -1,4 +1,5 @@
-// Files that are not scenes, through the executable: a message with the file and the place, exit code 2, never a crash.
+// Files that are not scenes, through the executable: a message with the file and the position, exit
+// code 2, never a crash.
 
 #include "tests/cli/command.h"
 
@@ -24,7 +25,7 @@ const QByteArray kScene = R"({"unprojector": 1,
  "objects": [{"name": "face", "file": "f.obj", "transform": [{"translate": [0, 0, 3]}, {"rotate": [9, 0, 1, 0]}, {"scale": [2, 3, 4]}]}],
  "clipPlanes": [[0, 1, 0, 0]]})";
 
-/// Those that only other scenes have.
+/// The keys that only other scenes have.
 const QByteArray kMatrixScene = R"({"unprojector": 1, "window": {"width": 8, "height": 6},
  "projection": {"type": "matrix", "matrix": [1,0,0,0, 0,1,0,0, 0,0,-2,-1, 0,0,-3,0], "ndcDepth": [-1, 1]},
  "view": {"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-5,1]},
@@ -128,7 +129,7 @@ private:
     {
         return runCommand({"points", m_folder.write("scene.json", scene)}, "px,py,depth\n4,3,0.5\n");
     }
-    /// @param message  what stands behind the file's name
+    /// @param message  the text after the file's name
     void verifyRefused(const QByteArray &scene, const QByteArray &message) const
     {
         const Run run = with(scene);
@@ -168,14 +169,14 @@ void TestSceneInput::everyValueHasItsType_data()
     const QList<std::pair<const char *, QJsonValue>> values{{"null", QJsonValue()},   {"true", true},
                                                             {"a number", 7},          {"a text", "seven"},
                                                             {"a list", QJsonArray{}}, {"an object", QJsonObject{}}};
-    QSet<QByteArray> known; // what one scene has is not tried with the next
+    QSet<QByteArray> known; // keys of one scene are not tried with the next
     for (const QByteArray &scene : {kScene, kMatrixScene, kPerspectiveScene}) {
         const QJsonValue root = QJsonDocument::fromJson(scene).object();
         QList<Steps> all;
         collect(root, {}, all);
         for (const Steps &steps : std::as_const(all)) {
             const QByteArray path = pathOf(steps).toUtf8();
-            // Of a matrix the last number stands for all.
+            // A matrix's last number stands for all of them.
             const bool isOneOfMany =
                 valueAt(root, steps.mid(0, steps.size() - 1)).toArray().size() == 16 && steps.last() != 15;
             if (isOneOfMany || known.contains(path))
@@ -346,7 +347,7 @@ void TestSceneInput::aNamedPipeIsNotWaitedFor()
 #endif
 }
 
-/// That is open already, and whoever writes is there.
+/// The pipe is open already, and its writer exists.
 void TestSceneInput::aPipeOfTheShellIsRead()
 {
     if (!QFile::exists("/dev/stdin"))

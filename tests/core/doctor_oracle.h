@@ -9,7 +9,7 @@
 /// The scene of the doctor's tests, for the oracle.
 namespace doctor_oracle {
 
-/// What the oracle finds under a window position, y up, in the scene.
+/// The point that the oracle finds in the scene under a window position (y up).
 inline glm::dvec3 oracleUnder(double x, double y, double depth)
 {
     oracle::Projection projection;

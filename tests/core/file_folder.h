@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-/// What the tests of written files share.
+/// Helpers that the tests of written files share.
 namespace written_files {
 
 inline std::filesystem::path pathOf(const QString &name)
@@ -30,7 +30,7 @@ public:
         QFile file(path(name));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("none");
     }
-    /// Hidden ones too: a new file that was left behind would be one.
+    /// Includes hidden files: a forgotten temporary file would be one.
     QStringList names() const
     {
         return QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::System | QDir::Hidden | QDir::NoDotAndDotDot);

@@ -10,7 +10,7 @@
 /// glTF files put together in tests.
 namespace model_files {
 
-/// A glTF file that is put together from parts: accessors get their buffer views, all in one buffer.
+/// A glTF file built from parts: each accessor gets its own buffer view, all in one buffer.
 class GltfBuilder {
 public:
     /// @return the accessor's number
@@ -37,7 +37,7 @@ public:
                            + QByteArray::number(count) + ",\"type\":\"" + type + '"' + more + '}';
         return int(m_accessors.size()) - 1;
     }
-    /// @param rest  the keys besides those of the buffers, with a comma before each
+    /// @param rest  the other keys, after the buffers' keys, with a comma before each
     QByteArray json(const QByteArray &rest) const
     {
         return R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" + QByteArray::number(m_buffer.size())

@@ -14,7 +14,8 @@
 #include <filesystem>
 #include <fstream>
 
-/// What the tests of the model readers share: a folder of their own, and what comes out of a file in it.
+/// Helpers that the tests of the model readers share: a folder for each test, and measures of the
+/// imported model.
 namespace model_files {
 
 class ImportFolder {
@@ -59,7 +60,8 @@ inline double areaOf(const unprojector::mesh::Mesh &mesh)
     return area;
 }
 
-/// A grid of 5 x 5 points beside a survey's origin, in steps of a millimetre, as a file would have them.
+/// A grid of 5 x 5 points near a survey's origin, in steps of a millimetre, as a file would have
+/// them.
 inline glm::dvec3 surveyPoint(int i)
 {
     const int column = i % 5, row = i / 5;
@@ -88,7 +90,7 @@ inline QByteArray surveyWords(int i)
            + QByteArray::number(p.z, 'f', 3);
 }
 
-/// Whether all corners of the grid's triangles are where the file has them, in its order.
+/// Returns whether all corners of the grid's triangles are where the file has them, in its order.
 inline bool hasSurveyDetail(const unprojector::mesh::Mesh &mesh, double tolerance = 1e-5)
 {
     const auto triangles = surveyTriangles();
@@ -109,7 +111,7 @@ Q_DECLARE_METATYPE(unprojector::mesh::ImportErrorCode)
 
 #define REQUIRE_MODEL(result) QVERIFY2((result).hasValue(), (result).hasValue() ? "" : (result).error().detail.c_str())
 
-/// That a file is the box of every format, with these notes.
+/// Verifies that a file is the box of every format, with these notes.
 #define VERIFY_BOX_WITH_NOTES(result, notes)                                                                           \
     do {                                                                                                               \
         REQUIRE_MODEL(result);                                                                                         \
@@ -119,8 +121,8 @@ Q_DECLARE_METATYPE(unprojector::mesh::ImportErrorCode)
         QCOMPARE(notesOf(**(result)), notes);                                                                          \
     } while (false)
 
-/// That a file is refused as it should be.
-/// @param detail  a part of the message; the vertex where the code is NotFinite
+/// Verifies that a file is rejected with this error. @param detail  a part of the message; the
+/// vertex where the code is NotFinite
 #define VERIFY_REFUSED(result, expectedCode, detail_)                                                                  \
     do {                                                                                                               \
         QVERIFY(!(result).hasValue());                                                                                 \

@@ -1,5 +1,6 @@
-# cmake -DNM=… -DLIBRARY=… -P: fails where an object file that is compiled for a newer processor defines a function which
-# other files may define, too. The linker keeps one of them for all, and the program would end on an older processor.
+# cmake -DNM=… -DLIBRARY=… -P: fails where an object file compiled for a newer processor defines a
+# function which other files may define, too. The linker keeps one of them for all, and the program
+# would end on an older processor.
 execute_process(COMMAND ${NM} -C --defined-only ${LIBRARY} OUTPUT_VARIABLE symbols RESULT_VARIABLE failed)
 if(failed)
     message(FATAL_ERROR "${NM} cannot read ${LIBRARY}")

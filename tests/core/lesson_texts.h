@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What the tests of lessons write and read.
+/// Helpers that the tests of lessons share.
 namespace lessontexts {
 
 /// Each on a line.
@@ -17,7 +17,7 @@ inline QString written(const std::vector<std::string> &lines)
     return text;
 }
 
-/// A lesson of one step on a scene that is there, with these members besides.
+/// A lesson of one step on an existing scene, with these additional members.
 inline std::string oneStep(const char *members)
 {
     return std::string(R"({"title": "T", "steps": [{"id": "a", "title": "A", "text": ["x"])") + members + "}]}";

@@ -12,7 +12,8 @@
 #include <tuple>
 #include <utility>
 
-/// What the tests of the bundled meshes share: a mesh's triangles, its edges after welding, and its volume.
+/// Measures that the tests of the bundled meshes share: a mesh's triangles, its edges after
+/// welding, and its volume.
 namespace mesh_measures {
 
 using Place = std::tuple<float, float, float>;
@@ -35,12 +36,13 @@ inline std::array<glm::dvec3, 3> triangle(const unprojector::mesh::Mesh &mesh, s
 /// Vertices at one place are one.
 inline Place place(const glm::dvec3 &point)
 {
-    // Adding zero turns -0 into 0; they compare equal anyway, this is for whoever prints them.
+    // Adding zero turns -0 into 0. Both compare equal; this is only for printing.
     const glm::vec3 p = glm::vec3(point) + 0.0f;
     return {p.x, p.y, p.z};
 }
 
-/// By the divergence theorem: positive when a closed mesh is counter-clockwise from outside.
+/// The signed volume, by the divergence theorem: positive when a closed mesh is counter-clockwise
+/// from outside.
 inline double signedVolume(const unprojector::mesh::Mesh &mesh)
 {
     double volume = 0.0;
@@ -51,7 +53,7 @@ inline double signedVolume(const unprojector::mesh::Mesh &mesh)
     return volume;
 }
 
-/// How often each directed edge occurs, after welding.
+/// The number of occurrences of each directed edge, after welding.
 inline std::map<std::pair<Place, Place>, int> directedEdges(const unprojector::mesh::Mesh &mesh)
 {
     std::map<std::pair<Place, Place>, int> edges;

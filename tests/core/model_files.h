@@ -11,7 +11,7 @@
 /// The same box as a file of every format, and the bits they are made of.
 namespace model_files {
 
-// A box of 3 x 1 x 2 beside the origin: no two axes can be mixed up unseen.
+// A box of 3 x 1 x 2 next to the origin: mixing up two axes is always noticed.
 inline constexpr float kCorners[8][3] = {{-1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {-1, 1, 0},
                                          {-1, 0, 2}, {2, 0, 2}, {2, 1, 2}, {-1, 1, 2}};
 inline constexpr int kQuads[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
@@ -177,8 +177,8 @@ inline QByteArray gltfBuffer()
     return bytes + kPicture;
 }
 
-/// @param bufferUri  empty: the buffer is GLB's binary chunk
-/// @param image  the members of the image, empty: no texture
+/// @param bufferUri  empty: the buffer is GLB's binary chunk @param image  the members of the
+/// image, empty: no texture
 inline QByteArray gltfJson(const QByteArray &bufferUri, const QByteArray &node = {}, const QByteArray &image = {})
 {
     QByteArray json = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0NODE}],

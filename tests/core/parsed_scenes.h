@@ -38,8 +38,8 @@ objectsWith(const std::shared_ptr<const unprojector::mesh::Model> &model,
 
 using Json = nlohmann::ordered_json;
 
-/// Puts a key that nobody knows into every object that has room for one: the steps of a transform have none.
-/// @return how many there are
+/// Puts an unknown key into every object that has room for one; the steps of a transform have none.
+/// @return their number
 inline std::size_t mark(Json &json)
 {
     std::size_t marks = 0;
@@ -53,7 +53,7 @@ inline std::size_t mark(Json &json)
     return marks + 1;
 }
 
-/// How many marks stand where they stood.
+/// The number of marks that are still in place.
 inline std::size_t marksIn(const Json &json, const Json &marked)
 {
     std::size_t marks = 0;

@@ -29,7 +29,8 @@ inline std::shared_ptr<unprojector::mesh::Model> modelOf(const std::vector<glm::
     return modelOf(std::move(mesh));
 }
 
-/// A surface over [0, 1] x [0, 1] whose rims meet, every vertex shared: nothing is open where it wraps around.
+/// A surface over [0, 1] x [0, 1] whose rims meet, with every vertex shared: it has no open edge
+/// where it wraps around.
 inline std::shared_ptr<unprojector::mesh::Model> wrapped(std::uint32_t n,
                                                          const std::function<glm::dvec3(double, double)> &at)
 {
@@ -109,7 +110,7 @@ public:
     double share() { return m_share(m_engine); }
     std::size_t below(std::size_t count) { return m_engine() % count; }
 
-    /// From somewhere about a center to a point and as far again behind it.
+    /// A ray from somewhere around a centre to a point and as far again behind it.
     unprojector::ray::Ray<unprojector::geometry::ObjectSpace> at(const glm::dvec3 &target, const glm::dvec3 &center,
                                                                  double distance)
     {

@@ -73,7 +73,7 @@ inline QByteArray withView(const char *view)
     return changed(R"({"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]})", view);
 }
 
-/// Of no form that the formulas know: its near plane is tilted.
+/// A matrix that is no known projection: its near plane is tilted.
 inline const char *const kMatrix =
     R"({"type": "matrix", "matrix": [1.5,0,0.1,0, 0,2,0.3,0, 0,0,-1.25,-1, 0,0,-2.25,0]})";
 

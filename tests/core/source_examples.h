@@ -38,7 +38,8 @@ inline const Scene &exampleScene(const char *id)
     return found->scene;
 }
 
-/// Of an example's first object, in a window as large as the original's: what the Pipeline panel shows.
+/// The pipeline of an example's first object, in a window as large as the original's: the Pipeline
+/// panel shows it.
 inline unprojector::matrices::Pipeline pipelineOf(const char *id)
 {
     const Scene &scene = exampleScene(id);
@@ -47,7 +48,7 @@ inline unprojector::matrices::Pipeline pipelineOf(const char *id)
         .value();
 }
 
-/// By value: most of the pipelines that it is given end with the expression.
+/// Returns the matrix by value: most pipelines passed here end with the expression.
 inline glm::dmat4 forward(const unprojector::matrices::Pipeline &pipeline, unprojector::matrices::PipelineStage stage)
 {
     return pipeline.matrix(stage, unprojector::matrices::PipelineDirection::Forward);
@@ -68,7 +69,7 @@ inline double element(const glm::dmat4 &m, int index)
     return m[index / 4][index % 4];
 }
 
-/// What a click meets of a quadrilateral.
+/// The hit of a click on a quadrilateral.
 inline std::optional<unprojector::ray::SceneHit>
 hitOn(const std::vector<glm::vec3> &corners, const std::vector<unprojector::geometry::TransformStep> &transform,
       const unprojector::geometry::Setup &setup, const unprojector::geometry::DevicePoint &position,
@@ -90,7 +91,7 @@ inline const unprojector::geometry::LookAt kFromOrigin{
     unprojector::geometry::WorldPoint(0, 0, 0), unprojector::geometry::WorldPoint(0, 0, -1), {0, 1, 0}};
 inline const unprojector::geometry::LookAt kFromFive{
     unprojector::geometry::WorldPoint(0, 0, 5), unprojector::geometry::WorldPoint(0, 0, 0), {0, 1, 0}};
-/// Neither at the origin nor along an axis: 13 from where it looks.
+/// A camera neither at the origin nor along an axis: 13 from its centre.
 inline const unprojector::geometry::LookAt kFromAside{
     unprojector::geometry::WorldPoint(3, 4, 12), unprojector::geometry::WorldPoint(0, 0, 0), {0, 1, 0}};
 

@@ -12,7 +12,7 @@
 #include <QStringList>
 #include <QXmlStreamReader>
 
-/// What tests of files of landmarks share: readers that share nothing with ours and forgive nothing.
+/// Readers that share nothing with ours and forgive nothing, for the tests of landmark files.
 namespace strict_landmarks {
 
 inline QStringList noteTexts(const std::vector<unprojector::landmark_files::LandmarkNote> &notes)
@@ -23,7 +23,7 @@ inline QStringList noteTexts(const std::vector<unprojector::landmark_files::Land
     return texts;
 }
 
-/// The number that a strict reader finds; what it stumbles over ends the test.
+/// The number that a strict reader finds; an invalid one ends the test.
 inline double strictNumber(const QByteArray &text)
 {
     bool isNumber = false;
@@ -45,7 +45,7 @@ inline glm::dvec3 strictPlace(const QList<QByteArray> &words)
     return {strictNumber(words.at(0)), strictNumber(words.at(1)), strictNumber(words.at(2))};
 }
 
-/// RFC 4180, nothing besides.
+/// A parser of RFC 4180 and nothing else.
 inline QList<QList<QByteArray>> strictCsv(const QByteArray &text)
 {
     QList<QList<QByteArray>> rows(1);

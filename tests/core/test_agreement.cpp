@@ -1,4 +1,4 @@
-// What is said of the two methods at a pick: whether they agree, and what magnifies their difference.
+// The report on the two methods at a pick: whether they agree, and what magnifies their difference.
 
 #include "core/unproject/agreement.h"
 #include "tests/support/unprojecting.h"
@@ -65,7 +65,7 @@ void TestAgreement::differencesAreCountedInUlps()
     // z (f − n) / (f n) = (10 / 3) 8 / 20; the eye at 5 against the point's 4.
     QVERIFY(std::abs(agreement.byPerspective - 4.0 / 3.0) < 1e-12);
     QVERIFY(std::abs(agreement.byCancelling - 1.25) < 1e-12);
-    // At the origin the unit is that of the eye's coordinates, which cancel there: 5 has 2^-50.
+    // The unit at the origin is the one of the cancelling eye coordinates: 5 has 2^-50.
     const Agreement atOrigin = agreementOf(pickOf(kFrustum, {}, {0.0, 0.0, std::ldexp(3.0, -50)}, 1.0)).value();
     QVERIFY(atOrigin.ulps == 3.0 && std::isfinite(atOrigin.byCancelling));
     QVERIFY(agreementOf(pickOf(kBox, kPoint, offBy(37.0), 1.0))->byPerspective == 1.0);

@@ -1,8 +1,13 @@
-// A click in the conventions of other APIs. The expected numbers were computed apart from this program, by the formulas of each
-// API's documentation: gluLookAt and gluPerspective; GLM's perspectiveRH_ZO with its second row turned round and Vulkan's
-// framebuffer coordinates; XMMatrixLookAtLH behind the scale of -1 in z that the SDK asks for when a right-handed world is ported,
-// XMMatrixPerspectiveFovLH and Direct3D's viewport; Metal's and WebGPU's viewport; Unity's worldToCameraMatrix of a left-handed
-// world; calib3d's R, t and K; opencascade-transforms' matrices on row vectors.
+// A click in the conventions of other APIs. The expected numbers were computed apart from this
+// program, by the formulas of each API's documentation:
+// - gluLookAt and gluPerspective;
+// - GLM's perspectiveRH_ZO with its second row negated, and Vulkan's framebuffer coordinates;
+// - XMMatrixLookAtLH behind the scale of -1 in z that the SDK asks for when a right-handed world is
+//   ported, XMMatrixPerspectiveFovLH and Direct3D's viewport;
+// - Metal's and WebGPU's viewport;
+// - Unity's worldToCameraMatrix of a left-handed world;
+// - calib3d's R, t and K;
+// - opencascade-transforms' matrices on row vectors.
 #include "core/geometry/api_conventions.h"
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
@@ -28,7 +33,8 @@ namespace {
 constexpr double kTolerance = 1e-9; // as many digits as the table has
 const WorldPoint kPoint(0.5, 0.75, -0.25);
 
-/// Viewport (100, 40, 800, 600) in a window of 1000 x 700 device pixels, two a logical one; 45 degrees, near 1, far 100.
+/// Viewport (100, 40, 800, 600) in a window of 1000 x 700 device pixels at ratio 2; 45 degrees,
+/// near 1, far 100.
 Setup setup()
 {
     return {{1000, 700, 2.0},

@@ -1,5 +1,5 @@
-// Every refusal that core documents, by its own code and with the offending value. Nothing bad may come back as a
-// point, and no refusal may be another's.
+// Every error that core documents, by its own code and with the offending value. No bad input may
+// yield a point, and no error may have the code of another one.
 
 #include "core/geometry/angle.h"
 #include "core/geometry/camera.h"
@@ -108,7 +108,7 @@ void TestBadInput::aBadProjectionIsRefusedEverywhere_data()
     const auto row = [](const QByteArray &name, const Projection &projection, ErrorCode code, double value,
                         double other = kNan) { QTest::newRow(name) << projection << code << value << other; };
 
-    // What a frustum, a box and a sheared box have in common: six numbers.
+    // The six numbers that a frustum, a box and a sheared box have in common.
     const auto sixNumbers = [&](const QByteArray &kind, const auto &make) {
         using Change = double Ortho::*;
         const std::pair<const char *, Change> members[] = {
@@ -296,7 +296,8 @@ void TestBadInput::aBadMatrixIsRefused_data()
     row("equal rows", glm::dmat4{{1, 1, 0, 0}, {2, 2, 0, 0}, {3, 3, 1, 0}, {4, 4, 0, 1}}, kWindow, SingularMatrix);
     row("projection onto a plane: w = -z/n", glm::dmat4{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -0.25}, {0, 0, 0, 0}},
         kWindow, SingularMatrix);
-    // Frustum 1 : 2 puts the plane at infinity at NDC depth 3, window depth 2; all of its numbers are exact.
+    // Frustum 1 : 2 puts the plane at infinity at NDC depth 3, window depth 2; all of its numbers
+    // are exact.
     row("depth of the plane at infinity", clipFromEye(Frustum{-1, 1, -1, 1, 1, 2}).value(), WindowPoint(320, 240, 2),
         PointAtInfinity);
     for (const double bad : {kNan, kInfinity, -kInfinity}) {
@@ -359,7 +360,8 @@ void TestBadInput::aMatrixOfAnyScaleIsInverted_data()
         QTest::addRow("%g", scale) << scale;
 }
 
-/// A homogeneous matrix times a number is the same transform; its determinant is 10^-240 or 10^240 here.
+/// A homogeneous matrix times a number is the same transform; its determinant is 10^-240 or 10^240
+/// here.
 void TestBadInput::aMatrixOfAnyScaleIsInverted()
 {
     QFETCH(double, scale);

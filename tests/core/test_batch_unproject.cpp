@@ -1,4 +1,5 @@
-// The loops over many points against the oracle of 50 digits, and every instruction set against the plain one.
+// The loops over many points against the oracle of 50 digits, and every instruction set against the
+// plain one.
 
 #include "core/geometry/transform.h"
 #include "core/unproject/batch/batch_unproject.h"
@@ -27,13 +28,14 @@ using oracle::SceneLimits;
 
 namespace {
 
-/// Units in the last place of the largest world component: of 99.99 points of 100, and of every point no closer to the
-/// world's origin than `kCloseToOrigin` of the scene's scale (see test_unproject_oracle).
+/// Units in the last place of the largest world component. The bound holds for 99.99 % of the
+/// points, and for every point that is no closer to the world's origin than `kCloseToOrigin` of the
+/// scene's scale (see test_unproject_oracle).
 constexpr double kMostUlps = 8.0;
 constexpr double kAllUlps = 20.0;
 constexpr double kCloseToOrigin = 1.0 / 16.0;
 
-/// Clicks as arrays of device positions; the window positions that they mean are exact, for these are of few bits.
+/// Clicks as arrays of device positions. Their window positions are exact: these have few bits.
 Triples<double> randomClicks(oracle::Random &random, const oracle::Scene &s, std::size_t count)
 {
     Triples<double> clicks(count);
@@ -151,8 +153,9 @@ void TestBatchUnproject::unitsInTheLastPlace()
     QVERIFY(percentile(errors, 0.9999) <= kMostUlps && worstOffOrigin <= kAllUlps);
 }
 
-/// In eye space nothing is added to the formulas: each coordinate is right to a few units in its own last place, also
-/// next to the view axis and to either plane, whatever the viewport and the depth range.
+/// In eye space the formulas add no terms: each coordinate is right to a few units in its own last
+/// place. That also holds next to the view axis and to either plane, whatever the viewport and the
+/// depth range.
 void TestBatchUnproject::eyePointsAreRight()
 {
     QFETCH(RandomKind, kind);
@@ -212,7 +215,7 @@ void TestBatchUnproject::everyInstructionSetGivesTheSameDigits()
     }
 }
 
-/// Points by the million go past the caches, in whole cache lines, which start wherever the arrays do.
+/// Millions of points bypass the caches in whole cache lines, which start wherever the arrays do.
 void TestBatchUnproject::manyPointsAreThoseOfFew_data()
 {
     using Starts = std::array<std::size_t, 3>;
@@ -284,7 +287,8 @@ void TestBatchUnproject::matrixAgreesWithTheFormula()
             const Triples<double> a = unprojected(*formula, clicks), b = unprojected(*matrix, clicks);
             const ProjectionWindow w = projectionWindow(oracle::coreProjection(s.projection));
             const double size = 100.0 + std::abs(w.left) + std::abs(w.right) + std::abs(w.bottom) + std::abs(w.top);
-            // A box may be wide and long at will: its pixels and its depth are no more exact than its size.
+            // A box may be arbitrarily wide and long: its pixels and its depth are no more exact
+            // than its size.
             for (std::size_t i = 0; i < clicks.count(); ++i)
                 QVERIFY(glm::length(a.at(i) - b.at(i)) <= 1e-11 * size);
         }

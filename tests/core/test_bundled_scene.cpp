@@ -32,7 +32,7 @@ namespace {
 constexpr double kUnitTolerance = 1e-6;
 // A volume sums thousands of products of rounded positions; relative.
 constexpr double kVolumeTolerance = 1e-5;
-// How much less than the ideal volume an inscribed tessellation as fine as the scene's may hold; relative.
+// The share of the ideal volume that an inscribed tessellation as fine as the scene's may lack.
 constexpr double kTessellationLoss = 0.01;
 
 /// Twice the area, along the side from which the corners run counter-clockwise.
@@ -41,7 +41,8 @@ glm::dvec3 areaVector(const std::array<glm::dvec3, 3> &t)
     return glm::cross(t[1] - t[0], t[2] - t[0]);
 }
 
-/// Whether the triangle meets the segment from start to start + way, its ends left out. Möller and Trumbore 1997.
+/// Returns whether the triangle meets the open segment from start to start + way. Möller and
+/// Trumbore 1997.
 bool meetsSegment(const std::array<glm::dvec3, 3> &t, const glm::dvec3 &start, const glm::dvec3 &way)
 {
     const glm::dvec3 ab = t[1] - t[0];

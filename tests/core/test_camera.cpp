@@ -1,4 +1,4 @@
-// The camera's axes and the two ways between eye and world.
+// The camera's axes and both transforms between eye and world.
 
 #include "core/geometry/camera.h"
 #include "tests/support/core_scene.h"
@@ -18,7 +18,8 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// Rounding of a unit vector's components and of the dot product that checks it.
 constexpr double kOrthonormal = 4 * kEpsilon;
-/// Three products, four roundings, each way; relative to the largest of eye, point and their distance.
+/// Three products, four roundings, each way; relative to the largest of eye, point and their
+/// distance.
 constexpr double kRoundTrip = 16 * kEpsilon;
 
 double maxNorm(const Components<3> &v)

@@ -1,5 +1,5 @@
-// What a hand does to the camera, judged by where points stand in the picture before and after: by windowFromWorld,
-// which has tests of its own, never by the motion's own terms.
+// Camera motions by hand, judged by the window positions of points before and after.
+// windowFromWorld, which has tests of its own, computes these; the motion's own terms don't.
 
 #include "core/geometry/angle.h"
 #include "core/geometry/camera_motion.h"
@@ -20,7 +20,7 @@ namespace {
 constexpr double kRoundingPixels = 1e-8;
 constexpr double kRounding = 1e-12;
 
-/// Where a point stands in the picture; NaN where it has no place.
+/// The window position of a point; NaN if it has none.
 glm::dvec2 placeOf(const Setup &g, const WorldPoint &point)
 {
     const Result<WindowPoint> window = windowFromWorld(g, point);
@@ -165,11 +165,12 @@ void TestCameraMotion::orbitTurnsTheSceneWithTheHand()
                   LookAt{WorldPoint(0.0, 0.0, 10.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
     const WorldPoint pivot(0.0, 0.0, 0.0);
     const WorldPoint nearest(0.0, 0.0, 1.0), top(0.0, 1.0, 0.0);
-    // To the right: what is nearest goes right, by the sine of the angle: 1 x sin 0.1 at a distance of 10 - cos 0.1.
+    // A turn to the right: the nearest point moves right by the sine of the angle, 1 x sin 0.1 at a
+    // distance of 10 - cos 0.1.
     const Setup right = withCamera(g, orbited(g.camera(), pivot, 0.1, 0.0));
     QVERIFY(isNear(placeOf(right, nearest).x, 400.0 + 400.0 * std::sin(0.1) / (10.0 - std::cos(0.1)), kRoundingPixels));
     QVERIFY(isNear(placeOf(right, nearest).y, 400.0, kRoundingPixels));
-    // Down: the top comes towards the viewer, so what is nearest sinks.
+    // Down: the top comes towards the viewer, so the nearest point sinks.
     const Setup down = withCamera(g, orbited(g.camera(), pivot, 0.0, 0.1));
     QVERIFY(isNear(placeOf(down, nearest).y, 400.0 - 400.0 * std::sin(0.1) / (10.0 - std::cos(0.1)), kRoundingPixels));
     QVERIFY(isNear(placeOf(down, nearest).x, 400.0, kRoundingPixels));
@@ -308,7 +309,8 @@ void TestCameraMotion::zoomKeepsTheAnchorsPlace()
             QVERIFY(check(after).hasValue());
             QVERIFY(hasSamePlace(geometry, after, anchor));
             QVERIFY(isNear(forwardOf(after.camera()), forwardOf(geometry.camera()), kRounding));
-            // Closer by the factor: something beside the anchor, at its depth, stands that much farther from it.
+            // Closer by the factor: something near the anchor, at its depth, appears that much
+            // farther from it.
             const EyeFrame frame = *eyeFrame(geometry.camera());
             const WorldPoint beside = anchor + 0.1 * frame.side + 0.2 * frame.upward;
             const glm::dvec2 was = placeOf(geometry, beside) - placeOf(geometry, anchor);
@@ -332,7 +334,7 @@ void TestCameraMotion::recenteredBringsThePointToTheMiddle()
         const glm::dvec2 place = placeOf(after, point);
         QVERIFY(isNear(place.x, geometry.viewport.x + geometry.viewport.width / 2.0, kRoundingPixels));
         QVERIFY(isNear(place.y, geometry.viewport.y + geometry.viewport.height / 2.0, kRoundingPixels));
-        // Sideways only: the point's depth is what it was, and the centre is at that depth.
+        // Sideways only: the point's depth stays, and the centre is at that depth.
         const double before = -eyeFromWorld(*eyeFrame(geometry.camera()), point).z;
         QVERIFY(isNear(-eyeFromWorld(*eyeFrame(after.camera()), point).z, before, kRounding * 100.0));
         QVERIFY(isNear(distanceOf(after.camera()), before, kRounding * 100.0));
@@ -358,11 +360,11 @@ void TestCameraMotion::fittedClipDistancesHoldTheBox()
         farthestGround = std::max(farthestGround, -eyeFromWorld(frame, corner).z);
     QVERIFY(tight.nearDistance < nearest);
     QVERIFY(tight.farDistance > farthest);
-    // Tightly: no more than a tenth of the box is given away on each side.
+    // Tightly: at most a tenth of the box is wasted on each side.
     const double slack = bounds.diagonal() * 0.1;
     QVERIFY(tight.nearDistance > nearest - slack);
     QVERIFY(tight.farDistance < farthest + slack);
-    // What is only drawn stretches the far plane, not the near one.
+    // Things that are only drawn move the far plane, not the near one.
     QCOMPARE(wide.nearDistance, tight.nearDistance);
     QVERIFY(wide.farDistance > farthestGround);
 

@@ -1,5 +1,6 @@
-// How sure a click's point is: every source of error by itself, and all of them against rasterisers that are worked out here,
-// in single precision, with every depth format, with corners on a grid and without.
+// The uncertainty of a click's point: every source of error by itself, then all of them against
+// rasterisers. The rasterisers are computed here in single precision, with every depth format, with
+// corners on a grid and without.
 
 #include "core/geometry/proportions.h"
 #include "tests/support/inside_share.h"
@@ -39,7 +40,7 @@ const Projection kBox = Ortho{-4.0, 4.0, -3.0, 3.0, 1.0, 20.0};
 const Projection kOblique =
     Oblique{{-4.0, 4.0, -3.0, 3.0, 1.0, 20.0}, radiansFromDegrees(50.0), radiansFromDegrees(110.0)};
 
-/// How a GPU might draw.
+/// A model of how a GPU might draw.
 struct Rasteriser {
     DepthFormat format;
     bool isOnGrid = false;      ///< corners are moved to 1/256 of a pixel before depths are interpolated
@@ -50,7 +51,8 @@ struct Rasteriser {
         bool covers; ///< the pixel's centre
     };
 
-    /// The depth at a place of a triangle, of which the vertices are multiplied by the matrix in single precision.
+    /// The depth at a position of a triangle whose vertices the matrix transforms in single
+    /// precision.
     Drawn depthAt(const Setup &setup, const glm::mat4 &clipFromVertices, const Triangle &vertices,
                   const glm::dvec2 &place) const
     {
@@ -91,7 +93,7 @@ struct Rasteriser {
     }
 };
 
-/// Where a ray meets a plane, in double.
+/// The intersection of a ray and a plane, in double.
 glm::dvec3 onPlane(const Pick &pick, const Triangle &world)
 {
     const glm::dvec3 from = pick.rayNear.world[Method::Formula]->coordinates();
@@ -100,7 +102,7 @@ glm::dvec3 onPlane(const Pick &pick, const Triangle &world)
     return from + along * (glm::dot(world[0] - from, normal) / glm::dot(along, normal));
 }
 
-/// Triangles of all sizes in the picture, inclined in every way, about places that are seen.
+/// Triangles of all sizes in the frame, inclined in every way, around visible positions.
 class Clicks {
 public:
     Clicks(const Setup &setup, const glm::dvec3 &origin) : m_setup(setup), m_origin(origin) {}
@@ -207,10 +209,12 @@ void TestCertainty::eachSourceOfErrorIsAdded()
     QVERIFY(inclined.drawing > flat.drawing);
     sample.cornerShiftPixels = kCornerShiftPixels;
     QVERIFY(isRelativelyNear(errorOf(sample).drawing - inclined.drawing, 3e-3 / 512.0, 1e-9));
-    // Nothing said of the slope: steep. The box is 8 / 800 a pixel and 19 deep; tan 80 degrees is 5.67.
+    // No slope is given: assume steep. The box is 8 / 800 a pixel and 19 deep; tan 80 degrees is
+    // 5.67.
     sample.slope.reset();
     QVERIFY(isRelativelyNear(errorOf(sample).drawing, 2.0 * 0.01 / 19.0 * 5.671281819617709 / 512.0, 0.2));
-    // Vertices that lie a thousand times as far from their origin as the picture is wide lose as much.
+    // Vertices that lie a thousand times as far from their origin as the picture is wide lose as
+    // much.
     DrawnSurface away;
     away.worldFromVertices[3] = glm::dvec4(5000.0, 0.0, 0.0, 1.0);
     sample.slope = {2e-3, 1e-3};
@@ -226,7 +230,8 @@ void TestCertainty::aTriangleTellsItsSlope_data()
     QTest::newRow("oblique") << kOblique;
 }
 
-/// That of three window points, found by unprojecting them; a corner that lies behind the eye makes it no other.
+/// The triangle is three unprojected window points, whose slope is known. A corner behind the eye
+/// changes nothing.
 void TestCertainty::aTriangleTellsItsSlope()
 {
     QFETCH(Projection, projection);
@@ -263,7 +268,7 @@ void TestCertainty::anErrorOfDepthIsOneOfDistance_data()
     }
 }
 
-/// However large, up to where nothing is left but the view volume.
+/// The bound holds for any error of depth, up to one that leaves nothing but the view volume.
 void TestCertainty::anErrorOfDepthIsOneOfDistance()
 {
     QFETCH(Projection, projection);
@@ -317,7 +322,8 @@ void TestCertainty::theSurfaceLiesInTheBox_data()
 
 namespace {
 
-/// Clicks on triangles as a rasteriser draws them. Half of those that thin triangles get are of no use: they cover no pixel.
+/// Clicks on triangles as a rasteriser draws them. Half of the clicks on thin triangles are
+/// useless: these cover no pixel.
 InsideShare clicked(const Setup &setup, const glm::dvec3 &origin, const Rasteriser &rasteriser, double thinness,
                     int count)
 {
@@ -339,7 +345,7 @@ InsideShare clicked(const Setup &setup, const glm::dvec3 &origin, const Rasteris
         const Pick pick = refined(unproject::pickAt(unprojector, {{}, click.pixel, sample}).value(),
                                   {worldFromVertices, click.vertices});
         const glm::dvec3 off = onPlane(pick, click.world) - pick.point.world[Method::Formula]->coordinates();
-        // What the plane's own arithmetic in double is off here.
+        // The error of the plane's own arithmetic in double.
         constexpr double kArithmetic = 1e-14;
         const glm::dvec3 box = pick.uncertainty.world.coordinates() + kArithmetic * (20.0 + glm::length(origin));
         inside.add(InsideShare::shareOf(off, box));
@@ -403,7 +409,7 @@ void TestCertainty::aPointOfACloudLiesInItsPixel()
                 QVERIFY(std::abs(off[axis]) <= pick.uncertainty.world[axis]);
         }
     }
-    // A surface's point is that of the centre.
+    // The world point on a surface is the one at the pixel's centre.
     const Pick surface = unproject::pickAt(unprojector, {{}, {123, 456}, sample}).value();
     QVERIFY(length(surface.uncertainty.world) < 0.1 * length(pick.uncertainty.world));
 }

@@ -1,8 +1,9 @@
-// How large classes are, all of their files together: read off the sources.
+// The size of each class, over all its files, read from the sources.
 //
-// What is read: classes and structs at the left margin or within a namespace that is not indented, as clang-format leaves
-// them; their members by the names m_…; their lines in the header, and the files of the same folder that define their
-// functions. Not read: members without m_, and functions in the file of another class or folder.
+// Counted: classes and structs at the left margin or in a namespace that is not indented, as
+// clang-format leaves them; their members by the names m_…; their lines in the header, and the
+// files of the same folder that define their functions.
+// Not counted: members without m_, and functions in the file of another class or folder.
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -20,7 +21,7 @@ constexpr int kMostMembers = 25;
 struct ClassSize {
     int lines = 0;
     int members = 0;
-    QStringList slices; ///< files besides its own that define its functions, and have no header
+    QStringList slices; ///< other files that define its functions, and have no header
 };
 
 /// "SceneView" to "scene_view"
@@ -71,8 +72,8 @@ QString textOf(const QString &path)
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// All classes of the folders, with the files that define their functions: the one named after them, and those beside it
-/// that have no header.
+/// All classes of the folders with the files that define their functions: the file named after the
+/// class, and neighbours without a header.
 QMap<QString, ClassSize> classesUnder(const QStringList &folders)
 {
     QMap<QString, ClassSize> found;
@@ -88,7 +89,8 @@ QMap<QString, ClassSize> classesUnder(const QStringList &folders)
                                                     QRegularExpression::MultilineOption);
                 for (const QFileInfo &file : header.dir().entryInfoList({"*.cpp"})) {
                     const QString stem = file.completeBaseName();
-                    // A file with a header is that header's class, SceneViewMenu's for one, whatever else it defines.
+                    // A file with a header belongs to that header's class, e.g. SceneViewMenu's,
+                    // whatever else it defines.
                     if (stem != own && QFile::exists(header.dir().filePath(stem + ".h")))
                         continue;
                     const QString source = textOf(file.filePath());

@@ -76,7 +76,7 @@ Scene sceneAround(const Setup &setup, const glm::dvec3 &centre)
     return scene;
 }
 
-/// What a click on the pixel of a random position gives, its window of whole pixels.
+/// The pick on the pixel of a random position, in a window of whole pixels.
 Result<Pick> randomPick(oracle::Random &random, oracle::RandomKind kind, bool hit)
 {
     const oracle::Scene scene = oracle::randomScene(random, kind, {});

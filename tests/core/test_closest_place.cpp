@@ -1,4 +1,5 @@
-// The place of a model closest to a point: the same as testing all of it, and no other place of the surface is closer.
+// The place of a model closest to a point: it equals the result of testing all triangles, and no
+// other place of the surface is closer.
 
 #include "core/ray/closest_place.h"
 #include "tests/core/ray_meshes.h"
@@ -16,8 +17,8 @@ using namespace unprojector::geometry;
 using namespace unprojector::mesh;
 using namespace unprojector::ray;
 
-/// Of all triangles and points, each tested; the distance in long double, by another way: the foot on the plane by
-/// Gram's equations, else the edges.
+/// The least distance to all triangles and points, each tested. It is computed in long double and
+/// differently: the foot on the plane by Gram's equations, else the edges.
 double leastDistance(const Model &model, const glm::dvec3 &p)
 {
     using Real = long double;
@@ -106,7 +107,7 @@ void TestClosestPlace::asCloseAsTestingAll()
         const auto place = places->to(ObjectPoint(point));
         QVERIFY(place);
         const double least = leastDistance(*model, point);
-        // What double rounds of coordinates of this size.
+        // The rounding of double for coordinates of this size.
         const double rounding = 8e-16 * (size + distance + glm::length(center));
         QVERIFY2(std::abs(place->distance - least) <= rounding, qPrintable(QString::number(place->distance - least)));
         QVERIFY(std::abs(glm::length(place->point.coordinates() - point) - least) <= 4.0 * rounding);

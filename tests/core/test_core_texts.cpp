@@ -1,4 +1,5 @@
-// What the core says in Chinese: that every text of its source has a translation, and how lines of it are laid out.
+// The Chinese texts of core: every text of its source has a translation, and the layout of lines of
+// Chinese is right.
 #include "core/text/columns.h"
 #include "core/text/error_text.h"
 #include "core/text/printable.h"
@@ -28,7 +29,8 @@ QString textOf(const QString &file)
     return source.open(QIODevice::ReadOnly) ? QString::fromUtf8(source.readAll()) : QString();
 }
 
-/// The literal that begins here with a quote, as the compiler reads it; `at` is behind it then.
+/// Returns the literal that begins here with a quote, as the compiler reads it, and moves `at`
+/// behind it.
 QString literal(const QString &code, qsizetype &at)
 {
     QString text;
@@ -80,7 +82,8 @@ Argument argumentOf(const QString &code, qsizetype at)
     return {texts, rest.trimmed()};
 }
 
-/// Whether all that the argument can be is seen: literals, both where there is a choice, or a name of what is marked.
+/// Returns whether all values of the argument are visible: literals, both of them in a choice, or a
+/// name of marked texts.
 bool isSeen(const Argument &argument)
 {
     static const QRegularExpression name(QStringLiteral("^[A-Za-z_](?:[A-Za-z0-9_.()]|->)*$"));
@@ -101,7 +104,7 @@ QList<Argument> argumentsIn(QString code)
     return arguments;
 }
 
-/// All that the core gives to tr() or marks for it.
+/// All arguments that core passes to tr() or marks for it.
 QList<Argument> argumentsOfSource()
 {
     QList<Argument> arguments;
@@ -144,7 +147,8 @@ QStringList textsOfWindow()
     return xml.hasError() ? QStringList() : texts;
 }
 
-/// A text without what the window does to core's: the capital, the full stop, signs of its own. Without its context.
+/// A text without its context and without the window's additions: the capital, the full stop, its
+/// own signs.
 QString bare(const QString &text)
 {
     static const QRegularExpression end(QStringLiteral("[\\s.:…!?]+$"));
@@ -180,7 +184,7 @@ private slots:
     void linesAreWrappedBetweenCharacters();
 };
 
-/// A text that is no literal in its place could stay without a translation, and nobody would see it.
+/// A text that is no literal where it is translated could stay untranslated and unnoticed.
 void TestCoreTexts::noTextIsHidden()
 {
     for (const Argument &argument : argumentsOfSource())
@@ -251,7 +255,8 @@ void TestCoreTexts::aWordAloneSaysWhereItStands()
     setLanguage(Language::English);
 }
 
-/// Who words a value twice has two texts to keep alike. Labels of so few words may be the same by chance.
+/// A value worded in core and in the window means two texts to keep alike. Labels of so few words
+/// may be the same by chance.
 void TestCoreTexts::noTextIsTheWindowsToo()
 {
     constexpr int kMostWordsOfLabel = 3;
@@ -381,7 +386,8 @@ void TestCoreTexts::linesAreWrappedBetweenCharacters()
              wrapped);
 }
 
-/// Digits that are noise are left out of the number that another one is compared with, but for those that tell them apart.
+/// Digits that are noise are cut from the number that another one is compared with, unless they
+/// tell the two apart.
 void TestCoreTexts::numbersOfErrorsCompareAsTheyRead()
 {
     using geometry::ErrorCode;

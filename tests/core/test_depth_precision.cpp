@@ -1,4 +1,4 @@
-// What rounding a depth leaves open, against depths that are rounded.
+// The error that rounding a depth leaves, against rounded depths.
 
 #include "core/unproject/certainty.h"
 #include "core/unproject/depth_precision.h"
@@ -84,7 +84,7 @@ void TestDepthPrecision::noRoundedDepthIsFartherOff_data()
             QTest::addRow("%s, %s", scaleName, formatName) << scale << format;
 }
 
-/// No distance comes back farther off than is said, and over many some come close to it.
+/// No distance comes back farther off than the bound, and over many some come close to it.
 void TestDepthPrecision::noRoundedDepthIsFartherOff()
 {
     QFETCH(DepthScale, scale);
@@ -99,14 +99,15 @@ void TestDepthPrecision::noRoundedDepthIsFartherOff()
         const long double back = distanceOf(scale, stored(format, depthOf(scale, z)));
         const double ratio = double(std::abs(back - static_cast<long double>(z))) / said;
         greatest = std::max(greatest, ratio);
-        // To first order: the next one is as large as the step is of the distance.
+        // The bound is first order: the next term is as large as the step is relative to the
+        // distance.
         QVERIFY2(ratio <= 1.0 + 4.0 * said / std::abs(z) + 1e-6,
                  qPrintable(QStringLiteral("%1 at %2").arg(ratio).arg(z)));
     }
     QVERIFY2(greatest > 0.95, qPrintable(QString::number(greatest)));
 }
 
-/// What a click states of its rounding is the same number.
+/// A click reports the same number for its rounding.
 void TestDepthPrecision::aClickSaysTheSame()
 {
     for (const Projection &projection :

@@ -1,5 +1,6 @@
-// What the doctor says of wrong points. The points of the table were computed apart from this program, by following each
-// mistake through the textbook formulas, to four decimals; pairs go through the oracle.
+// The doctor's diagnoses of wrong points. The points of the table were computed apart from this
+// program, to four decimals: each mistake followed through the textbook formulas. Pairs go through
+// the oracle.
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/mistake_texts.h"
 #include "core/doctor/mistakes.h"
@@ -27,8 +28,8 @@ using doctor_oracle::oracleUnder;
 
 const glm::dvec3 kTruth(0.5, 0.75, -0.25);
 
-/// Viewport (100, 40, 800, 600) in a window of 1000 x 700, 45 degrees, near 1, far 100, seen from (3, 2, 5), with a model
-/// that is moved by (2, 0, -1).
+/// Viewport (100, 40, 800, 600) in a window of 1000 x 700; 45 degrees, near 1, far 100. The eye is
+/// at (3, 2, 5); the model is moved by (2, 0, -1).
 Case scene()
 {
     Case result;
@@ -232,7 +233,7 @@ void TestDoctor::nothingExplainsRandomPoints()
     QVERIFY2(explained <= 1, qPrintable(QString::number(explained)));
 }
 
-/// What has one digit is explained by something, which says nothing.
+/// Some mistake always explains a point of one digit, so an explanation means nothing.
 void TestDoctor::fewDigitsAreNoVerdict()
 {
     const Case of = scene();
@@ -259,7 +260,7 @@ void TestDoctor::theProjectedPointSortsMistakes()
 
 void TestDoctor::theNextClickTellsCandidatesApart()
 {
-    // Close to the middle of the viewport a mirrored picture is hardly another one.
+    // Close to the middle of the viewport a mirrored picture hardly differs.
     const Case of = scene();
     WrongPoint point = pointAt(of, WorldPoint(kTruth), kTruth, 1);
     point.pixel = DevicePoint(501, 359.5);
@@ -277,7 +278,7 @@ void TestDoctor::theNextClickTellsCandidatesApart()
     QVERIFY(diagnosis.nextApart > 0.0);
 }
 
-/// One point to one decimal leaves much open; three of one program do not.
+/// One point to one decimal fits many mistakes; three points of one program fit one.
 void TestDoctor::severalPointsSettleIt()
 {
     const Case of = scene();
@@ -288,7 +289,7 @@ void TestDoctor::severalPointsSettleIt()
     }
     const Diagnosis settled = diagnose(of, points).value();
     QCOMPARE(settled.verdict, std::string("y-not-flipped"));
-    // One of them is of another program: no mistake explains all.
+    // One point is of another program: no mistake explains all.
     points[1].got.x += 0.8;
     QCOMPARE(diagnose(of, points).value().verdict, std::string("unknown"));
 }
@@ -315,10 +316,10 @@ void TestDoctor::withoutADepthTheRayJudges()
     const Diagnosis flipped = byRay({0.7051, -0.4122, 0.0918});
     QCOMPARE(flipped.candidates.front().id, std::string("y-not-flipped"));
     QCOMPARE(flipped.depthKnown, DepthKnown::ByRay);
-    // Any depth on the ray is right as far as the ray tells.
+    // Any depth on the ray is right as far as the ray can tell.
     QCOMPARE(byRay(kTruth).verdict, std::string("right"));
     QCOMPARE(byRay({0.3839, 0.6920, -0.4937}).verdict, std::string("right"));
-    // But not one on the planes.
+    // A depth on one of the planes is wrong.
     QCOMPARE(byRay({2.5749, 1.7874, 4.1072}).verdict, std::string("depth-zero"));
     QCOMPARE(byRay({-39.5132, -19.2566, -84.2777}).verdict, std::string("depth-one"));
     // The eye's side of the near plane is no depth at all.
@@ -337,7 +338,7 @@ void TestDoctor::theMeshKnowsTheDepth()
     const Diagnosis diagnosis = diagnosed(of, point);
     QCOMPARE(diagnosis.depthKnown, DepthKnown::FromMesh);
     QCOMPARE(diagnosis.verdict, std::string("depth-reversed"));
-    // Its background says nothing.
+    // The background of the mesh reports no depth.
     of.depthOnMesh = [](const DevicePoint &) { return std::optional<double>(); };
     QCOMPARE(diagnosed(of, point).depthKnown, DepthKnown::ByRay);
 }
@@ -436,7 +437,7 @@ void TestDoctor::singlePrecisionIsNoMistake()
         if (std::abs(y - 350.0) > 5.0)
             QCOMPARE(QString::fromStdString(flipped.verdict), QStringLiteral("y-not-flipped"));
     }
-    // It helps nobody to explain what is no answer at all.
+    // An arbitrary point gets no explanation.
     WrongPoint point = pointAt(of, WorldPoint(kTruth), {1.23456789, -2.3456789, 0.123456789}, 9);
     QCOMPARE(QString::fromStdString(diagnosed(of, point).verdict), QStringLiteral("unknown"));
 }
@@ -486,7 +487,8 @@ void TestDoctor::everyMistakeHasItsIdOnce()
 
 namespace {
 
-/// Letters that stand in Chinese texts too: of formulas, names of functions and libraries, and what is computed.
+/// Latin letters that Chinese texts have too: of formulas, names of functions and libraries, and
+/// computed values.
 bool hasEnglish(const std::string &text)
 {
     static const QRegularExpression words(QStringLiteral("\\b[A-Za-z]{2,}[,;:]? [a-z]{2,}\\b"));

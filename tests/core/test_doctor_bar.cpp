@@ -1,4 +1,5 @@
-// The doctor judged by wrong programs that share no line with core: a small share of what bench_doctor_bar runs.
+// The doctor judged by wrong programs that share no line with core: a small share of what
+// bench_doctor_bar runs.
 
 #include "core/doctor/diagnosis.h"
 #include "tests/support/doctor_bar.h"
@@ -34,7 +35,7 @@ private slots:
     void randomPointsAreNotExplained();
 };
 
-/// Those that the doctor knows and no program here makes are judged by nobody.
+/// The bar cannot judge mistakes that the doctor knows and no program here makes.
 void TestDoctorBar::everyMistakeIsSimulated()
 {
     const std::vector<std::string> known = doctor::mistakeIds();

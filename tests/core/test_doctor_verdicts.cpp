@@ -1,5 +1,5 @@
-// Points that are one of the scene's, and mistakes that cannot be told apart. What the programs get is computed apart from this
-// program, as in test_doctor, or by the oracle.
+// Points that are one of the scene's, and mistakes that cannot be told apart. The programs' points
+// are computed apart from this program, as in test_doctor, or by the oracle.
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/mesh_vertices.h"
 #include "core/doctor/mistake_texts.h"
@@ -25,8 +25,8 @@ namespace {
 
 using Kind = KnownPoint::Kind;
 
-/// As test_doctor's: viewport (100, 40, 800, 600) in 1000 x 700, 45 degrees, near 1, far 100, seen from (3, 2, 5), with a box that
-/// is moved by (2, 0, -1).
+/// The scene of test_doctor: viewport (100, 40, 800, 600) in 1000 x 700; 45 degrees, near 1, far
+/// 100. The eye is at (3, 2, 5); the box is moved by (2, 0, -1).
 Case testScene()
 {
     Case result;
@@ -68,7 +68,7 @@ glm::dvec3 inFourDecimals(const glm::dvec3 &p)
     return glm::dvec3(std::round(p.x * 1e4), std::round(p.y * 1e4), std::round(p.z * 1e4)) / 1e4;
 }
 
-/// What a program gets for the window position, y up, in the scene, to four decimals.
+/// A program's answer for the window position (y up) in the scene, to four decimals.
 glm::dvec3 answerUnder(double x, double y, double depth)
 {
     return inFourDecimals(doctor_oracle::oracleUnder(x, y, depth));
@@ -153,7 +153,7 @@ void TestDoctorVerdicts::itsDigitsMayBeCutOff()
     QVERIFY(kindsOf(diagnosed(scene, wrongPoint({3.1236, 2.9877, 5.5556}))).empty());
 }
 
-/// Close to the eye a last digit is the whole picture.
+/// Close to the eye a last digit spans the whole picture.
 void TestDoctorVerdicts::whereItLandsTellsNothing()
 {
     Case scene = testScene();
@@ -170,7 +170,7 @@ void TestDoctorVerdicts::whereItLandsTellsNothing()
 void TestDoctorVerdicts::aPointBesideItIsNot()
 {
     QVERIFY(diagnosed(testScene(), wrongPoint({3.0002, 2, 5})).known.empty());
-    // As coarse as this anything might be the eye.
+    // Any point might be the eye at this coarseness.
     QVERIFY(diagnosed(testScene(), wrongPoint({10, 0, 10}, 10.0)).known.empty());
 }
 
@@ -195,7 +195,7 @@ void TestDoctorVerdicts::aRightPointStaysRight()
     QVERIFY(diagnosis.known.empty());
 }
 
-/// With a near plane this close a depth of 0 is the eye, as far as four decimals tell.
+/// The near plane is so close that a depth of 0 is the eye, as far as four decimals tell.
 void TestDoctorVerdicts::aMistakeThatExplainsAsWellIsNamed()
 {
     Case of = testScene();
@@ -231,7 +231,7 @@ void TestDoctorVerdicts::aVertexHasToBeAlone()
     QCOMPARE(alone.known.size(), std::size_t(1));
     QCOMPARE(alone.known.front().vertex, std::size_t(7));
     QVERIFY(asked.diagonal() > 1e-4 && asked.diagonal() < 1e-2);
-    // On a dense mesh every point is a vertex in so few digits.
+    // Every point on a dense mesh is a vertex in so few digits.
     vertices.push_back({Kind::Vertex, at + glm::dvec3(2e-4, 0, 0), "scan", 9});
     QCOMPARE(diagnosed(of, wrongPoint(at)).verdict, std::string("unknown"));
     vertices = {{Kind::Vertex, at + glm::dvec3(2e-4, 0, 0), "scan", 9}};
@@ -258,7 +258,7 @@ void TestDoctorVerdicts::theVerticesInABoxAreFound()
     QCOMPARE(found[0].point, glm::dvec3(1001, 1, 5));
 }
 
-/// In the middle row of the window a row that is not turned over is the one above.
+/// The middle row of the window, not flipped, is the row above.
 void TestDoctorVerdicts::whatComesToOneWindowPosition()
 {
     WrongPoint point = wrongPoint(answerUnder(300.5, 350.5, 0.83));
@@ -270,7 +270,7 @@ void TestDoctorVerdicts::whatComesToOneWindowPosition()
     QVERIFY(row);
     QCOMPARE(row->alike, Alike::Here);
     QVERIFY(row->shared == Shared::Window);
-    // The click that is asked for tells them apart.
+    // The suggested click tells them apart.
     QVERIFY(diagnosis.next && std::abs(diagnosis.next->y - 350.5) > 50.0);
 }
 
@@ -317,7 +317,8 @@ void TestDoctorVerdicts::whatComesToOneView()
     QVERIFY(other->shared == Shared::View);
 }
 
-/// Both transposed and the projection once more is the view transposed, and depth 0 turned round is depth 1.
+/// Transposing both and the projection once more transposes the view, and a reversed depth 0 is
+/// depth 1.
 void TestDoctorVerdicts::whatUndoesItselfIsNoOtherMistake()
 {
     for (const glm::dvec3 &got : {glm::dvec3(-0.1383, -0.0869, 0.1686), glm::dvec3(2.5749, 1.7874, 4.1072)}) {
@@ -329,7 +330,7 @@ void TestDoctorVerdicts::whatUndoesItselfIsNoOtherMistake()
     }
 }
 
-/// With near at 1/1000 a depth of 0 and one that is turned round differ in the seventh decimal.
+/// The near plane is at 1/1000: depth 0 and a reversed depth differ in the seventh decimal.
 void TestDoctorVerdicts::whatFewDigitsLeaveAlikeIsSaid()
 {
     Case of = testScene();
@@ -348,7 +349,7 @@ void TestDoctorVerdicts::whatFewDigitsLeaveAlikeIsSaid()
              std::string("They cannot be told apart by these digits: give more digits, or another click."));
 }
 
-/// That two mistakes give the same is no doubt about either.
+/// Two mistakes with the same result cast no doubt on either.
 void TestDoctorVerdicts::theRayTellsWhatGivesTheSame()
 {
     WrongPoint point = wrongPoint(answerUnder(300.5, 350.5, 0.83));
@@ -389,7 +390,8 @@ void TestDoctorVerdicts::theFirstThatCanBeToldIsTheRunnerUp()
     QCOMPARE(flipped.runnerUp(), &flipped.candidates[1]);
 }
 
-/// From the origin, a transposed view is its inverse: of two such candidates the second is no other answer.
+/// A transposed view from the origin is its inverse: the second of two such candidates is no other
+/// answer.
 void TestDoctorVerdicts::whatAnswersTheSameIsNoRunnerUp()
 {
     Case scene = testScene();

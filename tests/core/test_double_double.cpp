@@ -32,7 +32,7 @@ double share(const DoubleDouble &actual, const Extended &truth, const Extended &
     return static_cast<double>(abs(exact(actual) - truth) / abs(scale));
 }
 
-/// The rest is what the double leaves out: adding it does not change the double.
+/// The rest is smaller than the double's precision: adding it does not change the double.
 bool isNormal(const DoubleDouble &number)
 {
     return number.value + number.rest == number.value;
@@ -58,7 +58,7 @@ private slots:
 
 void TestDoubleDouble::productsAreRoundedBeforeTheyAreAdded()
 {
-    // As volatile, they are multiplied by the processor and not by the compiler.
+    // The factors are volatile, so the processor multiplies them and not the compiler.
     volatile double above = 1.0 + 0x1p-30, below = 1.0 - 0x1p-30, one = 1.0;
     const double a = above, b = below, c = one;
     QVERIFY(a * b - c == 0.0); // contracted into one rounding: -2^-60

@@ -1,4 +1,5 @@
-// What OpenGL takes of a picture: the same numbers in integers and floats, or a refusal that names the value.
+// The part of a setup that OpenGL takes: the same numbers in integers and floats, or an error that
+// names the value.
 #include "core/examples/bundled_scene.h"
 #include "core/geometry/drawable.h"
 #include "core/scene/scene.h"

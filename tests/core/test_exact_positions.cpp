@@ -1,4 +1,5 @@
-// Models in every format: their positions are the numbers of the file, and their vertices have the file's numbers.
+// Models in every format: their positions are the numbers of the file, and their vertices have the
+// file's numbers.
 
 #include "gltf_builder.h"
 #include "imported.h"
@@ -38,7 +39,8 @@ QByteArray written(const glm::dvec3 &place)
     return written(place.x) + ' ' + written(place.y) + ' ' + written(place.z);
 }
 
-/// With `digits` digits behind the point, as files have them, or all that a double has.
+/// Positions with `digits` digits behind the point, as files have them, or with all digits of a
+/// double.
 Places placesAbout(const glm::dvec3 &center, double size, int digits)
 {
     std::mt19937_64 engine(20261126);
@@ -130,7 +132,7 @@ QByteArray stlBinaryOf(const Places &places)
     return bytes;
 }
 
-/// Of all corners of all triangles.
+/// The positions of all corners of all triangles.
 Places cornersOf(const Model &model)
 {
     Places corners;
@@ -272,7 +274,8 @@ void TestExactPositions::placementInAFileIsInDouble()
     QVERIFY(mesh.position(3) == glm::dvec3(0.1 + 1.0000001, 1000001.7, -0.3));
 }
 
-/// A map's coordinates turned and taken back to the origin: the numbers are those of 60 digits, rounded.
+/// A map's coordinates turned and taken back to the origin: the numbers are those of 60 digits,
+/// rounded.
 void TestExactPositions::placementsThatCancelKeepTheirDigits()
 {
     const auto isRounded = [](const glm::dvec3 &number, const glm::dvec3 &exact) {
@@ -294,7 +297,7 @@ void TestExactPositions::placementsThatCancelKeepTheirDigits()
                       {-0.26633539861044264, -0.19209817106511756, -0.07289486118430384}));
 }
 
-/// Written by the same program a place has the same digits; two that differ in the tenth are two.
+/// The same place has the same digits in one file; two places that differ in the tenth are two.
 void TestExactPositions::equalFloatsAreNotOneVertex()
 {
     const auto model = m_folder.imported("places.stl", stlTextOf({{1.0, 0.0, 0.0},

@@ -1,5 +1,5 @@
-// The tutorials' examples as scenes: what is seen in them, in windows of every size, and what their notes say. The numbers
-// that the tutorials print are in test_source_numbers.
+// The tutorials' examples as scenes: their pictures in windows of every size, and their notes. The
+// numbers that the tutorials print are in test_source_numbers.
 
 #include "core/examples/examples.h"
 #include "core/matrices/pipeline.h"
@@ -41,7 +41,7 @@ const examples::Example &example(const char *id)
     return *found;
 }
 
-/// Of the example's first object, in a window of this size.
+/// The pipeline of the example's first object, in a window of this size.
 Pipeline pipelineOf(const char *id, const Surface &surface = {800, 600, 1.0})
 {
     const Scene &scene = example(id).scene;
@@ -244,7 +244,7 @@ void TestExamples::threeProjectionsAreNotEqual()
 {
     const Pipeline matrix = pipelineOf("derivation-matrix"), frustum = pipelineOf("derivation-frustum"),
                    perspective = pipelineOf("derivation-perspective");
-    // The sixteen numbers themselves, as the program has them, and not what they are read as.
+    // The sixteen numbers themselves, as the program has them, not their interpretation.
     const SceneProjection given = example("derivation-matrix").scene.projection;
     QVERIFY(given.matrix());
     const glm::dmat4 &handMade = given.matrix()->clipFromEye, theirs = *clipFromEye(frustum.setup);
@@ -254,7 +254,7 @@ void TestExamples::threeProjectionsAreNotEqual()
                          <= kRounding * std::max(1.0, std::abs(theirs[column][row])),
                      qPrintable(QStringLiteral("m[%1]").arg(4 * column + row)));
     }
-    // And the window draws it as what it is.
+    // The window draws the matrix as the projection that it is.
     QVERIFY(isAt(pointsForward(matrix, ObjectPoint(30, 20, -40)).ndc.value().coordinates(),
                  pointsForward(frustum, ObjectPoint(30, 20, -40)).ndc.value().coordinates()));
     for (const ObjectPoint &corner : {ObjectPoint(30, 20, -40), ObjectPoint(40, 10, -30)}) {
@@ -300,7 +300,7 @@ void TestExamples::theOriginGoesToPixel150AndBack()
         // Only with its own depth does the origin come back: "only the depth z is different".
         QCOMPARE(std::abs(back.world->z) <= 1e-11, depth == points.window->z);
     }
-    // In a larger window the window coordinates are the same.
+    // The window coordinates are the same in a larger window.
     QVERIFY(isAt(glm::dvec2(pointsForward(pipelineOf("opencascade-round-trip", {1280, 720, 1.0}), WorldPoint(0, 0, 0))
                                 .window.value()
                                 .coordinates()),

@@ -1,4 +1,5 @@
-// What a person may type for a number, and what is said where it is none. Expected numbers are literals.
+// Expressions that a user may type for a number, and the errors where they are none. Expected
+// numbers are literals.
 
 #include "core/text/expression.h"
 

@@ -1,4 +1,5 @@
-// How files are written: whole or not at all, never over somebody else's work, and with the system's reason if not.
+// The writing of files: whole or not at all, never over another program's changes, and with the
+// system's reason if it fails.
 #include "core/files/replace_file.h"
 #include "file_folder.h"
 
@@ -27,7 +28,7 @@ QString textOf(const Written &written)
     return written ? QStringLiteral("written") : QString::fromStdString(fileErrorText(written.error()));
 }
 
-/// Makes a link, or says that the system has none.
+/// Makes a link; returns false if the system has none.
 bool linkTo(const std::filesystem::path &target, const std::filesystem::path &link)
 {
     std::error_code error;
@@ -102,7 +103,8 @@ void TestFiles::nothingChangesBeforeTheEnd()
 {
     const Folder folder;
     folder.write("a.json", "before");
-    // Whoever guesses a name beside it, as NAME.new, guesses wrong: these are not touched.
+    // A program that guesses a temporary name, such as NAME.new, guesses wrong: these files stay
+    // untouched.
     folder.write("a.json.new", "mine");
     {
         auto file = ReplacingFile::open(folder / "a.json");
@@ -197,8 +199,8 @@ void TestFiles::anothersFileIsNotOpenedToMore_data()
     QTest::addColumn<bool>("isOfOwnGroup");
     QTest::addColumn<int>("before");
     QTest::addColumn<int>("after");
-    // What the owner of the new file may do, others of its group, and all others; 4000 and 2000 run it as its owner or
-    // group. A group that could not be kept has no rights in its place.
+    // The rights of the new file's owner, its group, and all others; 4000 and 2000 run it as its
+    // owner or group. A group that could not be kept gets no rights.
     QTest::newRow("all kept") << true << true << 0664 << 0664;
     QTest::newRow("all kept, set-id") << true << true << 06775 << 06775;
     QTest::newRow("another group") << true << false << 0664 << 0604;
@@ -386,7 +388,7 @@ void TestFiles::stamps()
     QVERIFY(!isAsAt(FileStamp(), folder / "empty"));
 #ifndef Q_OS_WIN
     QCOMPARE(mkfifo(qPrintable(folder.path("pipe")), 0600), 0);
-    QVERIFY(stampOf(folder / "pipe").exists); // and does not wait for somebody to write
+    QVERIFY(stampOf(folder / "pipe").exists); // and does not wait for a writer
 #endif
 }
 

@@ -18,7 +18,7 @@ private slots:
     void areNamed();
 };
 
-/// In the texts %1 is the folder above the model's.
+/// The folder above the model's replaces %1 in the texts.
 void TestFilesElsewhere::areNamed_data()
 {
     QTest::addColumn<QString>("name");

@@ -1,4 +1,5 @@
-// Files of landmarks as the other programs write them, each with a trap of its format, and files that are broken.
+// Files of landmarks as the other programs write them, each with a trap of its format, and files
+// that are broken.
 
 #include "tests/core/strict_landmarks.h"
 

@@ -1,4 +1,4 @@
-// The camera that shows points as large as can be, judged by where they stand in its picture.
+// The camera that shows points as large as possible, judged by their positions in its picture.
 
 #include "core/geometry/angle.h"
 #include "core/geometry/camera_motion.h"
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kRounding = 1e-9;
 
-/// What a picture shows of points: the rectangle about them as shares of the viewport, 0 to 1.
+/// The visible extent of points: the rectangle around them as shares of the viewport, 0 to 1.
 struct Seen {
     glm::dvec2 lowest{1e300}, highest{-1e300};
 
@@ -61,7 +61,8 @@ std::vector<WorldPoint> cloud(const glm::dvec3 &center, const glm::dvec3 &half)
     return points;
 }
 
-/// As a scan's, those that follow each other lie close together: a ball wound up, and then a little larger again.
+/// Points in the order of a scan, with neighbours close together: a wound ball, then one a little
+/// larger.
 std::vector<WorldPoint> woundUp(const glm::dvec3 &center, const glm::dvec3 &half, int count, bool isBackwards)
 {
     std::vector<WorldPoint> points;
@@ -136,19 +137,20 @@ void TestFraming::pointsFillThePicture()
             const std::optional<Seen> seen = seenIn(after, points);
             QVERIFY(seen);
             const glm::dvec2 size = seen->size(), middle = seen->middle();
-            // Only something slender, seen from its end, is not come as close to as it could be.
+            // Only a slender object, seen from its end, could be seen from closer.
             const bool isSlender = glm::length(half) > 6.0;
             QVERIFY2(std::abs(std::max(size.x, size.y) - Framing::kFilled) < 1e-6 || isSlender,
                      qPrintable(QStringLiteral("%1 x %2").arg(size.x).arg(size.y)));
             QVERIFY(size.x <= Framing::kFilled + 1e-6 && size.y <= Framing::kFilled + 1e-6);
-            // Across the pair of rims that is touched exactly, along the other about: it is nearer there than here.
+            // Across the pair of rims that is touched exactly, along the other about: it is nearer
+            // there than here.
             for (int axis = 0; axis < 2; ++axis)
                 QVERIFY2(std::abs(middle[axis] - 0.5) < (size[axis] > Framing::kFilled - 1e-5 ? 1e-5 : 0.2),
                          qPrintable(QString::number(middle[axis], 'g', 12)));
             const LookAt &camera = after.camera();
             const auto direction = [](const LookAt &c) { return normalized(c.center - c.eye).coordinates(); };
             QVERIFY(glm::length(direction(camera) - direction(before.camera())) < kRounding);
-            // The centre, which a hand turns about, is at the depth of what is shown.
+            // The centre, about which the mouse turns, is at the depth of the shown points.
             QVERIFY(std::abs(dot(camera.center - WorldPoint(10.0, -4.0, 2.0), normalized(camera.center - camera.eye)))
                     < 0.2 * glm::length(half));
         }

@@ -1,4 +1,4 @@
-// Files while they are written: they are the user's alone, and none stays behind for ever.
+// Temporary files during writing: only the user may read them, and none stays behind for ever.
 #include "core/files/replace_file.h"
 #include "file_folder.h"
 
@@ -56,7 +56,7 @@ void TestFreshFiles::whatAKilledProgramLeftIsRemoved()
                              ".unprojector-0123456789abcdef.tmp.bak", "unprojector-0123456789abcdef.tmp"};
     const auto age = [&](const QString &name) {
         const auto hourAgo = std::filesystem::file_time_type::clock::now() - std::chrono::hours(1);
-        std::error_code refused; // Windows refuses it of an open file, which nobody can remove there anyway
+        std::error_code refused; // Windows refuses it for an open file, which cannot be removed there anyway
         std::filesystem::last_write_time(folder / name, hourAgo, refused);
     };
     for (const QString &name : QStringList{ours, fresh} + others)

@@ -27,7 +27,7 @@ constexpr int kSide = 12; ///< vertices along an edge of the sheet
 constexpr int kVertices = kSide * kSide;
 constexpr int kTriangles = 2 * (kSide - 1) * (kSide - 1);
 
-/// A sheet of squares whose every vertex has numbers of its own. Its texture coordinates have 0.5 in common.
+/// A sheet of squares; each vertex has unique numbers. Its texture coordinates have 0.5 in common.
 struct Sheet {
     std::vector<float> positions, normals, texcoords, weights;
     std::vector<quint8> colors, joints;
@@ -58,11 +58,11 @@ struct Sheet {
     }
 };
 
-/// A corner as it is compared: position and colour.
+/// A corner in the form for comparison: position and colour.
 using Corner = std::array<double, 6>;
 using Triangle = std::array<Corner, 3>;
 
-/// Begun at its smallest corner, so that only what way it goes round counts.
+/// Rotates the triangle to begin at its smallest corner, so that only its orientation counts.
 Triangle begunAtSmallest(Triangle triangle)
 {
     std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
@@ -103,7 +103,7 @@ std::multiset<Triangle> trianglesOf(const Mesh &mesh)
     return all;
 }
 
-/// What a test packs, and how.
+/// A test's packed data and options.
 struct Packing {
     int method = draco::MESH_EDGEBREAKER_ENCODING;
     int positionBits = 0; ///< 0: floats as they are
@@ -383,7 +383,7 @@ void TestGltfDraco::damagedDataGiveAMessage()
         ++refused;
         QVERIFY(result.error().code == ImportErrorCode::Malformed || result.error().code == ImportErrorCode::NotFinite);
     };
-    // All of the beginning, which says how much there is, and a sample of the rest.
+    // The whole beginning, which holds the counts, and a sample of the rest.
     for (qsizetype i = 0; i < whole.bytes.size(); i += i < 64 ? 1 : 37) {
         for (const int change : {1, 0x80, 0xff}) {
             QByteArray bytes = whole.bytes;

@@ -47,7 +47,7 @@ std::vector<unsigned int> sheetIndices()
     return indices;
 }
 
-/// A packed buffer view: what its extension says, and the bytes.
+/// A packed buffer view: the numbers of its extension, and the bytes.
 struct Packed {
     QByteArray bytes;
     int count = 0;

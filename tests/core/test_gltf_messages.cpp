@@ -1,4 +1,4 @@
-// glTF and GLB: what is refused, and what is said about the rest.
+// glTF and GLB: errors, and import notes.
 
 #include "core/mesh/import/draco_mesh.h"
 #include "core/mesh/import/meshopt_view.h"

@@ -1,4 +1,4 @@
-// glTF: meshes that go with the joints of a skin.
+// glTF: meshes that follow the joints of a skin.
 
 #include "gltf_builder.h"
 
@@ -15,9 +15,10 @@ using namespace model_files;
 
 namespace {
 
-/// A quad of four vertices on a node that is far away and holds a skin of two joints. A parent of both joints is moved by
-/// (10, 0, 0) and twice as large; the second joint, its child, is moved by (0, 3, 0) and turned by 90 degrees about z. The
-/// inverse bind matrices move by (-1, 0, 0) and (0, -1, 0).
+/// A quad of four vertices on a node that is far away and holds a skin of two joints.
+/// - The parent of both joints is moved by (10, 0, 0) and twice as large.
+/// - The second joint, its child, is moved by (0, 3, 0) and turned by 90 degrees about z.
+/// - The inverse bind matrices move by (-1, 0, 0) and (0, -1, 0).
 QByteArray skinned(const std::vector<quint8> &joints, const std::vector<float> &weights, const QByteArray &more = {},
                    const std::vector<float> &inverse = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0,  0, 1,
                                                         1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,  -1, 0, 1})
@@ -61,14 +62,15 @@ private:
 
 void TestGltfSkins::skinsGoWithTheirJoints()
 {
-    // The vertices (0,0,0), (1,0,0), (0,1,0), (1,1,0): by the first joint, by the second, by both in equal parts, by one
-    // half of weights that add up to 4.
+    // The vertices (0,0,0), (1,0,0), (0,1,0), (1,1,0): by the first joint, by the second, by both
+    // in equal parts, by one half of weights that add up to 4.
     const auto result = imported(skinned({o, o, o, o, 1, o, o, o, o, 1, o, o, 1, o, o, o},
                                          {1, 0, 0, 0, 1, 0, 0, 0, 0.5f, 0.5f, 0, 0, 3, 1, 0, 0}));
     REQUIRE_MODEL(result);
     QCOMPARE(notesOf(**result), QByteArray("1 mesh has a skin: it is shown where the file's nodes have its joints"));
     const Mesh &mesh = (*result)->meshes.front();
-    // By the first joint p becomes (10,0,0) + 2 (p - (1,0,0)); by the second (10,6,0) + 2 turned(p - (0,1,0)).
+    // The first joint takes p to (10,0,0) + 2 (p - (1,0,0)), the second to (10,6,0) + 2 turned(p -
+    // (0,1,0)).
     const auto first = [](double x, double y) { return glm::dvec3(10.0 + 2.0 * (x - 1.0), 2.0 * y, 0.0); };
     const auto second = [](double x, double y) { return glm::dvec3(10.0 - 2.0 * (y - 1.0), 6.0 + 2.0 * x, 0.0); };
     const std::vector<glm::dvec3> expected{first(0, 0), second(1, 0), (first(0, 1) + second(0, 1)) / 2.0,

@@ -1,4 +1,4 @@
-// The head that comes with the program: closed, its two sides alike, and a face where a face is looked for.
+// The bundled head: closed, its two sides alike, and a face in the right position.
 
 #include "core/examples/head.h"
 
@@ -44,7 +44,8 @@ void TestHead::isClosedAndSeenFromOutside()
 
 void TestHead::leftMirrorsRight()
 {
-    // Rounded to a hundredth of the smallest distance of two vertices, so that the last bits of sines do not count.
+    // Rounded to a hundredth of the smallest distance of two vertices, so that the last bits of
+    // sines do not count.
     const auto rounded = [](const glm::dvec3 &p) {
         const auto units = [](double value) { return std::lround(value * 1e5); };
         return std::array{units(p.x), units(p.y), units(p.z)};
@@ -79,7 +80,7 @@ void TestHead::isAsLargeAsSaid()
 void TestHead::noseIsForemostAndEyesLieDeep()
 {
     const Mesh head = examples::headMesh();
-    // What is seen from in front at a place of the face.
+    // The depth seen from in front at a position of the face.
     const auto depthAt = [&head](double x, double y) {
         double foremost = -1.0;
         for (std::size_t i = 0; i < head.positions.size(); ++i) {

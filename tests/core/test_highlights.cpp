@@ -1,4 +1,4 @@
-// What of a step is lettered in the pictures.
+// The labels of a lesson's step in the pictures.
 
 #include "core/lessons/highlights.h"
 
@@ -70,7 +70,7 @@ void TestHighlights::theVolumesSidesAreLettered()
     QFETCH(bool, isPerspective);
     const Projection projection =
         isPerspective ? Projection(Frustum{-1, 3, -2, 2, 5, 10}) : Projection(Ortho{-1, 3, -2, 2, 5, 10});
-    // In the middle between near and far a pyramid of twice the depth is half as large again.
+    // Halfway between near and far a pyramid of twice the depth is half as large again.
     const double share = isPerspective ? 1.5 : 1.0;
     const QMap<QString, EyePoint> wanted{{"l", EyePoint(-1 * share, 0, -7.5)},
                                          {"r", EyePoint(3 * share, 0, -7.5)},

@@ -1,4 +1,4 @@
-// glTF and GLB: what of the format is read.
+// glTF and GLB: the parts of the format that the importer reads.
 
 #include "gltf_builder.h"
 
@@ -133,7 +133,7 @@ void TestImportGltf::placesByWhatSaysSomething()
 
 void TestImportGltf::keepsTheDigitsOfFarNodes()
 {
-    // Child and parent lie far away, and what is shown has millimetres.
+    // Child and parent lie far away, and the mesh has millimetres.
     GltfBuilder file;
     file.add(kQuadCorners, "VEC3", kFloat);
     const auto result = imported(file.json(
@@ -164,7 +164,8 @@ void TestImportGltf::appliesMorphWeights()
 
 void TestImportGltf::showsInstances()
 {
-    // A quad, at first turned by 180 degrees about z, then moved by 2 and three times as large; both on a node that is moved.
+    // A quad, at first turned by 180 degrees about z, then moved by 2 and three times as large;
+    // both on a node that is moved.
     GltfBuilder file;
     file.add(kQuadCorners, "VEC3", kFloat);
     file.add(std::vector<float>{0, 0, 0, 2, 0, 0}, "VEC3", kFloat);
@@ -218,8 +219,8 @@ void TestImportGltf::movesTextureCoordinates_data()
     QTest::addColumn<QByteArray>("transform");
     QTest::addColumn<double>("u");
     QTest::addColumn<double>("v");
-    // Of (1/4, 1/2), v down, by translation * rotation * scale; the columns of the extension's rotation are (cos, -sin) and
-    // (sin, cos).
+    // The point (1/4, 1/2), v down, by translation * rotation * scale; the columns of the
+    // extension's rotation are (cos, -sin) and (sin, cos).
     const double root = std::sqrt(3.0) / 2.0; // cos 30 degrees
     QTest::newRow("nothing") << QByteArray() << 0.25 << 0.5;
     QTest::newRow("scaled and moved") << QByteArray(R"("offset":[0.125,0.25],"scale":[2,0.5],)") << 0.625 << 0.5;

@@ -1,4 +1,4 @@
-// OBJ files as programs write them, and what is said of the parts that are not used.
+// OBJ files as programs write them, and the import notes on unused parts.
 
 #include "imported.h"
 
@@ -313,7 +313,8 @@ void TestImportObj::makesOneMeshForEachMaterial()
 
 void TestImportObj::cutsPolygonsInPlace()
 {
-    // A triangle, an arrow head whose fan around the first corner would leave it, a convex pentagon, a triangle.
+    // A triangle, an arrow head whose fan around the first corner would leave it, a convex
+    // pentagon, a triangle.
     const auto result = m_folder.imported(
         "polygons.obj", "v 0 1 0\nv -1 -1 0\nv 0 0 0\nv 1 -1 0\nv 5 0 0\nv 6 0 0\nv 7 1 0\nv 6 2 0\nv 5 2 0\nvn 0 0 1\n"
                         "f 1 2 3\nf 2 3 4 1\nf 5 6 7 8 9\nf 3 4 1\n");
@@ -440,7 +441,7 @@ void TestImportObj::takesTimeInProportionToGroups()
         };
         const auto few = timeOf(10000), many = timeOf(40000);
         QVERIFY(few && many);
-        // With work for each that grows with the file it would be 16 times.
+        // Work for each group that grows with the file would make it 16 times.
         QVERIFY2(*many < 10.0 * *few + 0.01 * CLOCKS_PER_SEC,
                  qPrintable(QStringLiteral("%1: %2 and %3").arg(QString(statement)).arg(*few).arg(*many)));
     }

@@ -1,4 +1,4 @@
-// OFF files: far coordinates, points, and what is refused.
+// OFF files: far coordinates, points, and errors.
 
 #include "imported.h"
 

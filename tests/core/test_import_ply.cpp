@@ -1,4 +1,4 @@
-// PLY files: every way to store the same, points, far coordinates, and what is refused.
+// PLY files: every way to store the same, points, far coordinates, and errors.
 
 #include "imported.h"
 
@@ -116,7 +116,7 @@ void TestImportPly::readsWhatVerticesHave()
 
 void TestImportPly::readsPolygonsAmongTriangles()
 {
-    // Triangles first, then a square: what begins like triangles of one size is not.
+    // Triangles first, then a square: the file only begins like triangles of one size.
     QByteArray bytes = plyHeader("binary_little_endian", {}, {}, 5);
     for (const auto &c : kCorners)
         bytes += little(c[0]) + little(c[1]) + little(c[2]);
@@ -139,7 +139,7 @@ void TestImportPly::readsPolygonsAmongTriangles()
 
 void TestImportPly::readsFacesBeforeVertices()
 {
-    // An arrow head, which must be cut where its corners are.
+    // An arrow head: only the right diagonal stays inside.
     const auto result = m_folder.imported(
         "faces first.ply", "ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int vertex_index\n"
                            "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nend_header\n"
@@ -178,7 +178,8 @@ void TestImportPly::showsVerticesWithoutFacesAsPoints()
     QVERIFY(result.value()->bounds.highest == glm::dvec3(1, 2, 3));
 }
 
-/// A grid of 1000 x rows points in the plane, two triangles a square; large enough to be mapped and read by all cores.
+/// A grid of 1000 x rows points in the plane, two triangles a square; large enough to be mapped and
+/// read by all cores.
 static QByteArray grid(int rows)
 {
     QByteArray bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + QByteArray::number(1000 * rows)

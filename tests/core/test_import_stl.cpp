@@ -1,4 +1,4 @@
-// STL files: what is welded, what is coloured, and what is refused.
+// STL files: welding, colours, and errors.
 
 #include "imported.h"
 
@@ -137,7 +137,7 @@ void TestImportStl::keepsTheMillimetresOfASurvey()
 
 void TestImportStl::keepsFloatsThatLieFarAway()
 {
-    // What floats hold there, to the last bit.
+    // The exact values of these floats, to the last bit.
     QByteArray bytes(80, ' ');
     bytes += little(quint32(surveyTriangles().size()));
     for (const auto &t : surveyTriangles()) {

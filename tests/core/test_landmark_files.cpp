@@ -1,5 +1,5 @@
-// Landmarks through the files of other programs: what is written reads back the same, by our readers and by strict ones of
-// this test; what has no place in them is said.
+// Landmarks through the files of other programs: our readers and this test's strict ones read back
+// what was written. Notes report the parts that a format cannot hold.
 
 #include "core/landmark_files/landmark_file.h"
 #include "tests/core/strict_landmarks.h"
@@ -41,11 +41,11 @@ glm::dvec3 anyPlace(std::mt19937_64 &engine)
     return {anyDouble(engine), anyDouble(engine), anyDouble(engine)};
 }
 
-/// Names that formats stumble over: separators, quotes, what looks like a number, other alphabets.
+/// Names that break formats: separators, quotes, number-like text, other alphabets.
 const char *const kNames[] = {"Nasion",       "a, b",      "say \"hi\"", "1e5",   "0x1F",   "Ma\xc3\x9f",
                               "\xe9\xbc\xbb", "<a&b>'c'/", "NA",         "-9999", "x=1; y", "Prosthion 2"};
 
-/// Points that use only what a format has a place for.
+/// Points that use only the data that a format can hold.
 LandmarkSet setFor(Format format)
 {
     std::mt19937_64 engine(20261122);
@@ -210,7 +210,8 @@ void TestLandmarkFiles::aNameFullOfSeparatorsDividesNothing_data()
     }
 }
 
-/// The first row says how a table is divided: more of another separator in its quotes say nothing.
+/// The first row decides a table's separator: more of another separator in its quotes has no
+/// effect.
 void TestLandmarkFiles::aNameFullOfSeparatorsDividesNothing()
 {
     QFETCH(Format, format);
@@ -335,7 +336,7 @@ void TestLandmarkFiles::manySpecimens()
     QVERIFY(parseLandmarks(csv, Format::Csv, "f").value().sets == sets);
     QCOMPARE(wideTable(sets).text, std::string("specimen,N_x,N_y,N_z,P_x,P_y,P_z,P (2)_x,P (2)_y,P (2)_z\n"
                                                "a,1,2,3,4,5,6,,,\nb,,,,7,8,9.5,,,\n"));
-    // Names that are taken, in whatever specimen.
+    // Names that are taken, in any specimen.
     b.landmarks[1].name.clear();
     b.landmarks[1].world = WorldPoint(1, 1, 1);
     for (const char *name : {"P", "P", "P (2)", "2"}) {
@@ -403,7 +404,7 @@ void TestLandmarkFiles::namesThatReadersStumbleOver()
     QVERIFY(fcsv->text.find("\n1,1,2,3,0,0,0,1,1,1,0,a_b,two_lines _1,\n") != std::string::npos);
 }
 
-/// What one program says of a landmark must not become another one's coordinates.
+/// A key of one program must not be read as another one's coordinates.
 void TestLandmarkFiles::otherKeysAreNotTakenForOurs()
 {
     LandmarkSet set;
@@ -449,7 +450,7 @@ void TestLandmarkFiles::whatAFormatCannotHoldIsRefused()
 
 namespace {
 
-/// Two points, a curve between them with its semilandmarks, and one that is not worked out.
+/// Two points, a curve between them with its semilandmarks, and one that is not computed.
 LandmarkSet setWithCurves()
 {
     LandmarkSet set;
@@ -524,7 +525,7 @@ void TestLandmarkFiles::curvesComeBackFromTheFormatsThatHoldThem()
     QCOMPARE(textsOf(more->notes),
              QStringList("2 rows of curves say more than where a semilandmark is, which is left out"));
 
-    // Semilandmarks stand where their numbers say; those that nobody has worked out are none.
+    // Semilandmarks are in the order of their numbers; those not computed are omitted.
     const auto sorted = parseLandmarks("name,x,y,z,curve,curveCount\nc:2,4,5,6,c,2\nc:01,1,2,3,c,\n"
                                        "e:1,,,,e,2\ne:2,,,,e,\nf,7,7,7,f,\nf,8,8,8,f,\n",
                                        Format::Csv, "x.csv");

@@ -1,4 +1,4 @@
-// Measuring with landmarks, and how far what is measured can be off.
+// Measurements between landmarks, and their errors.
 
 #include "core/landmarks/measure.h"
 #include "core/landmarks/symmetry.h"
@@ -90,7 +90,8 @@ void TestLandmarkMeasures::errorsAreTheWorstThatCanBe_data()
     QTest::newRow("height") << Measuring([](const Points &p) { return heightOver(p[0], p[1], p[2], p[3]); }) << 4;
 }
 
-/// To first order the worst is at corners: each coordinate to the side that the value grows on, found by moving it.
+/// To first order the worst case is at corners: each coordinate moves to the side that the value
+/// grows on.
 void TestLandmarkMeasures::errorsAreTheWorstThatCanBe()
 {
     QFETCH(Measuring, measure);
@@ -142,7 +143,7 @@ void TestLandmarkMeasures::noErrorIsLargerThanItsBound_data()
         << angle << Points{at(0, 0, 0, 0.0), at(5, 0, 0, 0.0), at(0, 0.1, 0, 0.2)};
 }
 
-/// Wherever within their uncertainties the points are.
+/// The bound holds wherever the points are within their uncertainties.
 void TestLandmarkMeasures::noErrorIsLargerThanItsBound()
 {
     QFETCH(Measuring, measure);
@@ -190,7 +191,8 @@ void TestLandmarkMeasures::whatCannotBeMeasured()
     QVERIFY(is(lengthOf({at(0, 0, 0)}), Code::TooFew, 0));
     QVERIFY(is(angleAt(at(1, 0, 0), at(2, 0, 0), at(1, 0, 0)), Code::SamePoint, 2));
     QVERIFY(is(heightOver(at(0, 0, 0), at(1, 1, 1), at(3, 3, 3), at(1, 0, 0)), Code::NoPlane, 0));
-    // On one line but for rounding, far from the origin too; and where they may be on one.
+    // The points are on one line but for rounding, far from the origin too; or may be on one within
+    // their uncertainties.
     QVERIFY(is(heightOver(at(0.1, 0.2, 0.3), at(0.7, 1.4, 2.1), at(1.1, 2.2, 3.3), at(1, 0, 0)), Code::NoPlane, 0));
     QVERIFY(is(heightOver(at(4e6, 5e5, 300), at(4e6 + 0.1, 5e5 + 0.1, 300.1), at(4e6 + 0.7, 5e5 + 0.7, 300.7),
                           at(4e6, 5e5, 301)),
@@ -264,7 +266,7 @@ void TestLandmarkMeasures::aMirrorPlaneIsFound()
 
 void TestLandmarkMeasures::asymmetryIsMeasured()
 {
-    // A plane that is given: what moved by (3, 4, 0) square to its normal is 5 off, on both sides.
+    // A given plane: a point moved by (3, 4, 0) square to its normal is 5 off, on both sides.
     const MirrorPlane plane{WorldVector(0, 0, 1), 2.0};
     const Points points{named("L a", 0, 0, 1), named("R a", 3, 4, 3), named("mid", 7, 7, 2.25)};
     const auto off = asymmetriesOf(points, pairsByName(points), plane);
@@ -272,7 +274,7 @@ void TestLandmarkMeasures::asymmetryIsMeasured()
     QCOMPARE(*off[1], 5.0);
     QCOMPARE(*off[2], 0.5);
 
-    // And one that is found: no plane near it is better.
+    // A fitted plane: no plane near it is better.
     Points moved = symmetric({1, 0, 0}, {0, 0, 0});
     std::mt19937_64 engine(12);
     std::uniform_real_distribution<double> little(-0.05, 0.05);
@@ -296,7 +298,7 @@ void TestLandmarkMeasures::asymmetryIsMeasured()
     }
 }
 
-/// To first order the worst is where each coordinate is off to the side that the value grows on.
+/// To first order the worst case has each coordinate off to the side that the value grows on.
 void TestLandmarkMeasures::errorsOfTheMirrorPlane()
 {
     Points points = symmetric(glm::normalize(glm::dvec3(1, -2, 0.5)), {3, -4, 5});
@@ -328,7 +330,7 @@ void TestLandmarkMeasures::errorsOfTheMirrorPlane()
     const auto values = asymmetriesOf(points, pairs, *mirrorPlaneOf(points, pairs));
     for (std::size_t i = 0; i < points.size(); ++i)
         QCOMPARE(exact->asymmetries[i]->value, *values[i]);
-    // What is alike has no direction in which it could be off: it is off all the same.
+    // Symmetric points have no direction of asymmetry, but its error is positive all the same.
     Points alike = symmetric({1, 0, 0}, {0, 0, 0});
     for (Landmark &landmark : alike)
         landmark.uncertainty = WorldVector(0.01, 0.01, 0.01);
@@ -336,7 +338,7 @@ void TestLandmarkMeasures::errorsOfTheMirrorPlane()
     QVERIFY(open);
     for (const std::optional<Measure> &one : open->asymmetries)
         QVERIFY(*one->error > 0.01);
-    // Of one that is not known nothing that depends on it is.
+    // A point without an uncertainty leaves every dependent error unknown.
     alike[3].uncertainty.reset();
     const auto unknown = symmetryOf(alike, pairs);
     QVERIFY(!unknown->offsetError && !unknown->asymmetries[0]->error);
@@ -347,7 +349,7 @@ void TestLandmarkMeasures::noMirrorPlane()
     QVERIFY(!mirrorPlaneOf({}, {}));
     const Points midline{named("a", 0, 0, 0), named("b", 1, 0, 0), named("c", 0, 1, 0)};
     QVERIFY(!mirrorPlaneOf(midline, pairsByName(midline)));
-    // With a pair besides there is one: what is missing above is the pair.
+    // An additional pair gives a plane: only the pair was missing above.
     Points withPair = midline;
     withPair.push_back(named("L d", 0, 0, -1));
     withPair.push_back(named("R d", 0, 0, 1));

@@ -1,4 +1,4 @@
-// Templates, repeated placings, landmarks tied to objects, and what files beside scans are called.
+// Templates, repeated placings, landmarks tied to objects, and the names of files next to scans.
 
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/repeats_table.h"

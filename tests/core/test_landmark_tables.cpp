@@ -1,4 +1,5 @@
-// Tables of landmarks in the dialects that spreadsheets, R and other programs write, and the files that are read only.
+// Tables of landmarks in the dialects that spreadsheets, R and other programs write, and the
+// read-only formats.
 
 #include "tests/core/strict_landmarks.h"
 
@@ -13,7 +14,7 @@ using namespace unprojector::landmarks;
 
 namespace {
 
-/// "Nasion 1 2 3 | tip missing", a line a specimen: what a person reads off a file.
+/// "Nasion 1 2 3 | tip missing", a line a specimen, as a person reads it off a file.
 QStringList pointsOf(const ReadLandmarks &read)
 {
     QStringList specimens;

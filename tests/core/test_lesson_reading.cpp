@@ -1,5 +1,5 @@
-// How a lesson is read: what its steps take from those before, what of its numbers is right, and what is said of one that cannot
-// be read.
+// The parsing of a lesson: the inheritance between steps, the check of its numbers, and the errors
+// of a lesson that cannot be parsed.
 
 #include "core/lessons/lesson.h"
 #include "core/lessons/set_link.h"
@@ -332,14 +332,14 @@ void TestLessonReading::aChangeLeavesTheRest()
     QVERIFY(!wrong);
     const QByteArray why = QByteArray::fromStdString(wrong.error().text);
     QVERIFY2(why.contains("projection.near"), why.constData());
-    // What is not there cannot be set: that nothing happens is not to be taken for the answer.
+    // A missing member cannot be set: a result without a change must not pass for the answer.
     const auto unknown =
         settingsWith(scene, setup, text::JsonValue(nlohmann::ordered_json::parse(R"({"projection": {"left": 1}})")));
     QVERIFY(!unknown);
     QCOMPARE(QByteArray::fromStdString(unknown.error().text), QByteArray("set: there is no projection.left"));
 }
 
-/// What a link says, written anew from what was read.
+/// The text of a link, written anew from its parsed form.
 QString writtenAgain(const Link &link)
 {
     struct Writer {

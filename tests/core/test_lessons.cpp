@@ -1,5 +1,5 @@
-// The lessons that come with the program, each step of each in both languages: every number that a text states is the one that
-// the program computes, every link leads somewhere.
+// The bundled lessons, every step in both languages: each number of a text is the one that the
+// program computes, and each link leads somewhere.
 
 #include "core/lessons/lesson.h"
 #include "core/lessons/set_link.h"
@@ -66,7 +66,7 @@ QString allOf(const Step &step)
     return QString::fromStdString(all);
 }
 
-/// Where the links of a step lead to.
+/// The targets of a step's links.
 QStringList linksOf(const Step &step)
 {
     static const QRegularExpression link(QStringLiteral("<a href='([^']*)'>"));
@@ -156,7 +156,7 @@ void TestLessons::everyTextIsTranslated()
     }
 }
 
-/// Their fonts have no italics: slanted by the program, the characters look deformed.
+/// Chinese fonts have no italics: slanted by the program, the characters look deformed.
 void TestLessons::noChineseIsSlanted()
 {
     QFETCH(QString, name);
@@ -183,7 +183,7 @@ void TestLessons::everyLinkLeadsSomewhere()
                 QVERIFY2(numbers->step(step.id).pixelOf(to), where.c_str());
             else if (link.startsWith(QLatin1String("set:"))) {
                 QVERIFY2(step.changes.contains(to), where.c_str());
-                // Whatever point was typed before, a point that it gives is the same.
+                // The change gives the same point whatever point was typed before.
                 const Scene opened = *sceneOf(step);
                 const std::optional<GivenPoint> none, clip = GivenPoint{ClipPoint(2, 3, 4, 5)},
                                                       world = GivenPoint{WorldPoint(1, 2, 3)},
@@ -225,7 +225,7 @@ void TestLessons::everyFormulaOfThePaperHasItsNumbers_data()
     QTest::newRow("(16)") << QStringLiteral("eye-to-world");
 }
 
-/// Behind the link to it, in the same paragraph, an equation stands whose numbers are computed.
+/// The paragraph continues after the link with an equation whose numbers are computed.
 void TestLessons::everyFormulaOfThePaperHasItsNumbers()
 {
     QFETCH(QString, anchor);
@@ -256,7 +256,7 @@ void TestLessons::everyErrorIsTold_data()
         QTest::newRow(anchor) << QString::fromLatin1(anchor);
 }
 
-/// Some step, where it belongs, leads to each error of the originals in Help.
+/// A fitting step leads to each error of the originals in Help.
 void TestLessons::everyErrorIsTold()
 {
     QFETCH(QString, anchor);

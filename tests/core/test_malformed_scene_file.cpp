@@ -1,4 +1,4 @@
-// Whatever is wrong with a scene file is told with its place, and soon.
+// Any error in a scene file is reported with its position, and soon.
 
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
@@ -223,7 +223,8 @@ void TestMalformedSceneFile::noTruncationIsAccepted()
 
 void TestMalformedSceneFile::noByteBroken()
 {
-    // Any byte replaced by any of these: the file is read or refused, whatever else it says.
+    // Any byte replaced by any of these: the file is read or rejected, whatever the other bytes
+    // are.
     const QByteArray text(kFullScene);
     for (qsizetype at = 0; at < text.size(); ++at) {
         for (const char byte : {'\0', '"', '{', ']', ',', '9', '-', 'e', '\xFF', '\\', '\n'}) {

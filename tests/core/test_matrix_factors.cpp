@@ -1,4 +1,4 @@
-// A view's and a projection's matrix taken apart into the steps of their derivation.
+// The decomposition of view and projection matrices into the steps of their derivation.
 
 #include "core/geometry/view_volume.h"
 #include "core/matrices/matrix_factors.h"
@@ -59,7 +59,7 @@ void TestMatrixFactors::aFrustumGoesOntoItsNearPlane()
     const auto parts = factors(Projection(Frustum{-1, 3, -2, 2, 2, 10}));
     QVERIFY(parts);
     QCOMPARE(parts->size(), std::size_t(2));
-    // (3, 6, -4) is seen on the near plane at (1.5, 3), at the depth (a z + b)/4 with a = -1.5, b = -5.
+    // The near plane shows (3, 6, -4) at (1.5, 3), at the depth (a z + b)/4 with a = -1.5, b = -5.
     const glm::dvec4 seen = matrixOf(*parts, MatrixStep::OntoNear) * glm::dvec4(3, 6, -4, 1);
     QVERIFY(seen / seen.w == glm::dvec4(1.5, 3, 0.25, 1));
     QVERIFY(matrixOf(*parts, MatrixStep::NearToSquare) * glm::dvec4(1.5, 2, 0.25, 1) == glm::dvec4(0.25, 1, 0.25, 1));
@@ -133,7 +133,8 @@ void TestMatrixFactors::aPartLiesBetweenNothingAndAll()
     const glm::dmat4 all = productOf(*parts, {1, 1, 1});
     QVERIFY(all == (*parts)[2].matrix * (*parts)[1].matrix * (*parts)[0].matrix);
     QVERIFY(differenceUlps(*parts, *clipFromEye(Projection(box))) <= 1.0);
-    // The box's middle at z = -4 goes halfway to the origin, then all is twice as large, half of that by half of the scale.
+    // The box's middle at z = -4 goes halfway to the origin, then everything is twice as large.
+    // Half of the scale does half of that.
     const auto moved = factors(Projection(Ortho{-1, 1, -1, 1, 2, 6}));
     QVERIFY(moved);
     QVERIFY(productOf(*moved, {0.5, 0, 0}) * glm::dvec4(0, 0, -4, 1) == glm::dvec4(0, 0, -2, 1));
@@ -159,7 +160,7 @@ void TestMatrixFactors::cancellingTermsCountByTheirSize()
     glm::dmat4 half(1.0), almost(1.0);
     half[3][2] = -1.0;
     almost[3][2] = std::nextafter(1.0, 2.0);
-    // Their product has 2.2e-16 where the identity has 0: an ulp of the 2 that was added up, at half of it.
+    // Their product has 2.2e-16 where the identity has 0: an ulp of the summand 2, at half of it.
     QCOMPARE(differenceUlps({{MatrixStep::MoveBox, half}, {MatrixStep::MoveBox, almost}}, glm::dmat4(1.0)), 0.5);
     QCOMPARE(differenceUlps({{MatrixStep::TurnZ, glm::dmat4(1.0)}}, glm::dmat4(1.0)), 0.0);
 }

@@ -13,7 +13,8 @@ Q_DECLARE_METATYPE(MatrixFormat)
 
 namespace {
 
-/// Its entries tell row and column apart, and need all digits of a double, or an exponent, here and there.
+/// A matrix whose entries identify their row and column. Some need all digits of a double, or an
+/// exponent.
 glm::dmat4 example()
 {
     glm::dmat4 m(0.0);

@@ -1,4 +1,4 @@
-// Matrices of other programs: what they say is recognised, and both methods honour it.
+// Matrices of other programs: core recognises the projection, and both methods honour it.
 
 #include "core/geometry/matrix_projection.h"
 #include "core/geometry/view_matrix.h"
@@ -217,7 +217,8 @@ void TestMatrixProjection::ourOwnMatricesGiveTheirArgumentsBack()
         QCOMPARE(found.index(), given.index());
         const ProjectionWindow a = projectionWindow(given), b = projectionWindow(found);
 
-        // No more digits come back than the matrix has: far hangs on zScale + 1, an edge on offset -+ 1.
+        // No more digits come back than the matrix has: far hangs on zScale + 1, an edge on offset
+        // -+ 1.
         const double n = std::abs(a.nearDistance), f = std::abs(a.farDistance), depth = a.farDistance - a.nearDistance;
         const bool perspective = isPerspective(given);
         const double width = std::abs(a.right - a.left), height = std::abs(a.top - a.bottom);
@@ -324,7 +325,7 @@ void TestMatrixProjection::boxesHitTheExactPoint()
                 unprojectClosedForm(MatrixProjection{m, depth}, oracle::coreViewport(scene.target),
                                     oracle::coreDepthRange(scene.target), WindowPoint(at[0], at[1], at[2]));
             const oracle::Vector3 truth = exact.eyeUnder(at);
-            // Of a box the scale is that of the box: the eye is nowhere in it.
+            // The scale of a box is its size: the eye has no place in it.
             const ProjectionWindow w = projectionWindow(oracle::coreProjection(scene.projection));
             const double shear = std::max(std::abs(m[2][0] / m[0][0]), std::abs(m[2][1] / m[1][1]));
             const double length = std::max(std::abs(w.nearDistance), std::abs(w.farDistance));
@@ -387,7 +388,8 @@ void TestMatrixProjection::viewsAreReadBackFromTheirMatrix()
         const EyeFrame again = eyeFrame(found).value();
         const double scale = glm::length(frame.eye.coordinates());
         QVERIFY(distance(again.eye, frame.eye) <= 8 * kEpsilon * scale);
-        // The center is two units away from an eye that may be a million away: so many digits of the direction are gone.
+        // The center is two units away from an eye that may be a million away, which costs as many
+        // digits of the direction.
         const double tolerance = 8 * kEpsilon * (1.0 + scale);
         QVERIFY(length(again.forward - frame.forward) <= tolerance);
         QVERIFY(length(again.upward - frame.upward) <= tolerance);

@@ -147,7 +147,7 @@ void TestMeshImport::readsTextInUtf16()
 
 void TestMeshImport::refusesTextWithZeros()
 {
-    // Without a mark nothing says that it is UTF-16.
+    // A file without a byte order mark does not show that it is UTF-16.
     QStringEncoder encoder(QStringConverter::Utf16LE);
     const QByteArray encoded = encoder.encode(QString::fromUtf8(objBox()));
     const auto zeros = imported("zeros.obj", encoded);
@@ -448,7 +448,7 @@ void TestMeshImport::survivesTruncation()
     for (int size = 1; size < content.size(); size += step) {
         const auto result = imported("cut " + name, content.left(size));
         if (result) {
-            // Text can end early and still be whole; then what is there must be usable.
+            // Text can end early and still be whole; then the part read must be usable.
             for (const Mesh &mesh : result.value()->meshes) {
                 for (const std::uint32_t index : mesh.indices)
                     QVERIFY(index < mesh.positions.size());
@@ -466,7 +466,7 @@ void TestMeshImport::survivesBeingShortenedWhileItIsRead_data()
     QTest::newRow("while corners are taken out") << 0.4;
 }
 
-/// As another program does it that writes the file anew.
+/// Shortens the file as a program does that writes it anew.
 void TestMeshImport::survivesBeingShortenedWhileItIsRead()
 {
     QFETCH(double, share);
@@ -489,7 +489,7 @@ void TestMeshImport::survivesBeingShortenedWhileItIsRead()
         return true;
     });
     QVERIFY(isShortened);
-    // What was read by then is whole; else it is refused.
+    // The part that was read by then is whole; otherwise the file is rejected.
     if (result)
         QCOMPARE(result.value()->triangleCount(), kTriangles);
     else
@@ -547,7 +547,7 @@ void TestMeshImport::severalImportsRunAtOnce()
 
 namespace {
 
-/// A wavy grid, so many points each way that its text is read in parts by all cores.
+/// A wavy grid with so many points each way that all cores read its text in parts.
 constexpr int kGridPoints = 260;
 
 QByteArray gridWords(int i)
@@ -677,7 +677,7 @@ void TestMeshImport::longTextsNameTheLine()
     VERIFY_REFUSED(result, ImportErrorCode::Malformed, QStringLiteral("line %1: ").arg(line));
 }
 
-/// Singles are added in the order of the faces, whoever adds them.
+/// Singles are added in the order of the faces, on whichever thread.
 void TestMeshImport::normalsAreTheSameByAllCores()
 {
     const auto result = imported("grid.ply", gridPly("\n"));

@@ -1,4 +1,4 @@
-// Meshes far from their object's origin: what is kept of their digits.
+// Meshes far from their object's origin: the digits that they keep.
 
 #include "core/mesh/mesh.h"
 

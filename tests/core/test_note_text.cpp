@@ -1,4 +1,4 @@
-// What commands say about a model file that is not shown as it is.
+// The import notes of commands about a model file.
 
 #include "core/mesh/import/note_text.h"
 #include "core/text/translation.h"
@@ -107,7 +107,7 @@ void TestNoteText::saysWhatIsNotAsInTheFile()
     QCOMPARE(QByteArray::fromStdString(text), expected);
 }
 
-/// What the file says itself stays as it is, in quotes.
+/// Quoted text of the file stays untranslated.
 void TestNoteText::saysItInChinese()
 {
     QFETCH(int, kind);

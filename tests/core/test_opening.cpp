@@ -1,4 +1,4 @@
-// What a file is opened as, and where the models of a scene come from.
+// The kind that a file is opened as, and the sources of a scene's models.
 
 #include "core/examples/bundled_models.h"
 #include "core/opening/models.h"

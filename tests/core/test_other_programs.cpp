@@ -1,4 +1,5 @@
-// Where other programs look for a click, and what they answer. The places are those of their sources, written out.
+// The window positions that other programs unproject for a click, and their answers. The positions
+// are those of their sources, written out.
 #include "core/unproject/other_programs.h"
 
 #include <QTest>
@@ -12,7 +13,8 @@ using namespace unprojector::unproject;
 
 namespace {
 
-/// 800 x 600 with [-1, 1] x [-3/4, 3/4] at 1, far 4, from (0, 0, 5) down -z: 800 pixels a unit at the distance 2.
+/// 800 x 600 with [-1, 1] x [-3/4, 3/4] at 1, far 4, from (0, 0, 5) down -z: 800 pixels a unit at
+/// the distance 2.
 Setup setup()
 {
     const Surface surface{800, 600, 1.0};
@@ -112,7 +114,8 @@ void TestOtherPrograms::theViewportCounts()
     const OtherClick tutorial = clickOf(OtherProgram::Screen2World, quarter, {450, 150});
     QCOMPARE(windowFromDevice(quarter.surface, tutorial.position, 0.0).y, 50.0);
     QCOMPARE(framebufferRow(quarter.surface, tutorial.depthFrom), 50);
-    // VTK is right in the middle of the viewport, and half a pixel off at its edges: to the left, and to the right.
+    // VTK is right in the middle of the viewport, and half a pixel off at its edges: to the left,
+    // and to the right.
     const auto offAt = [&quarter](int i) {
         return clickOf(OtherProgram::Vtk, quarter, {i, 399}).position.x - pixelCenter({i, 399}).x;
     };

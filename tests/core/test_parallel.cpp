@@ -1,4 +1,4 @@
-// What runs on several threads at once.
+// Work on several threads at once.
 #include "core/threads/parallel.h"
 
 #include <QTest>
@@ -38,7 +38,7 @@ void TestParallel::fillsAnArray()
         QCOMPARE(values[i], i);
 }
 
-/// Instances are added one after another: a thousand copies of all before them would take minutes.
+/// Instances are added one by one: to copy all previous ones a thousand times would take minutes.
 void TestParallel::anArrayThatGrowsIsSeldomCopied()
 {
     std::vector<std::size_t> values;

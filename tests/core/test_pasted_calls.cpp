@@ -1,4 +1,5 @@
-// Calls of other programs in pasted text: each against its matrix, computed here by the formulas of its API or by GLM.
+// Calls of other programs in pasted text: each against its matrix, computed here by the formulas of
+// its API or by GLM.
 
 #include "core/geometry/angle.h"
 #include "core/matrices/matrix_paste.h"
@@ -26,8 +27,8 @@ double difference(const glm::dmat4 &a, const glm::dmat4 &b)
     return largest;
 }
 
-/// As DirectXMath and System.Numerics have them, for row vectors; given back for column vectors.
-/// @param rows  m11 to m44
+/// The matrix of DirectXMath and System.Numerics, given for row vectors and returned for column
+/// vectors. @param rows  m11 to m44
 glm::dmat4 ofRows(const std::array<double, 16> &rows)
 {
     glm::dmat4 m;
@@ -45,7 +46,7 @@ glm::dmat4 directXPerspective(double fov, double aspect, double n, double f, boo
                    isLeftHanded ? -range * n : range * n, 0});
 }
 
-/// Of XMMatrixLookAtLH: the axes as rows of column vectors.
+/// The matrix of XMMatrixLookAtLH: the axes as rows, for column vectors.
 glm::dmat4 directXLookAt(const glm::dvec3 &eye, const glm::dvec3 &at, const glm::dvec3 &up, bool isLeftHanded)
 {
     const glm::dvec3 z = glm::normalize(isLeftHanded ? at - eye : eye - at), x = glm::normalize(glm::cross(up, z)),
@@ -187,7 +188,7 @@ void TestPastedCalls::projectionsAreRead()
     const glm::dmat4 matrix = meantMatrix(*calls.parts.projection, orderOf(calls.parts.projection->form));
     QVERIFY2(difference(matrix, expected) <= 1e-12, qPrintable(QString::number(difference(matrix, expected))));
     QCOMPARE(int(*calls.parts.projection->ndcDepth), int(depth));
-    // As the dialog has it.
+    // The dialog's paste.
     MatrixPaste paste;
     paste.setText(MatrixRole::Projection, text.toStdString());
     QVERIFY(!paste.error(MatrixRole::Projection));
@@ -426,7 +427,8 @@ void TestPastedCalls::matricesMayStandBesideCalls()
     QVERIFY(paste.matrix(MatrixRole::View) == std::optional(glm::translate(glm::dmat4(1.0), glm::dvec3(0, 0, -5))));
 }
 
-/// As for pasted numbers: the window looks along -z, and one repair makes both matrices do so.
+/// A left-handed pair, as with pasted numbers: the window looks along -z, and one repair makes both
+/// matrices do so.
 void TestPastedCalls::aLeftHandedPairIsTurned()
 {
     MatrixPaste paste;

@@ -1,4 +1,4 @@
-// Matrices as other programs write them, and what is to be seen of them.
+// Matrices as other programs write them, and the program's findings on them.
 
 #include "core/geometry/view_matrix.h"
 #include "core/matrices/decomposition.h"
@@ -20,7 +20,7 @@ using namespace unprojector::matrices;
 
 namespace {
 
-/// Row r, column c (from 0) holds 10 r + c + 1/2, the last row 0 0 0 1: no two places are alike.
+/// Row r, column c (from 0) holds 10 r + c + 1/2, the last row 0 0 0 1: no two entries are equal.
 glm::dmat4 told()
 {
     glm::dmat4 m(1.0);
@@ -62,7 +62,7 @@ QStringList idsOf(const std::vector<MatrixFinding> &found)
     return ids;
 }
 
-/// As a program prints it with so many decimals.
+/// The matrix as a program prints it with so many decimals.
 glm::dmat4 rounded(const glm::dmat4 &matrix, int decimals)
 {
     const double power = std::pow(10.0, decimals);
@@ -80,7 +80,7 @@ bool isClose(const glm::dmat4 &a, const glm::dmat4 &b)
     return off <= 1e-12;
 }
 
-/// What printing with six digits leaves.
+/// The matrix printed with six digits and read back.
 glm::dmat4 inSixDigits(glm::dmat4 m)
 {
     for (int i = 0; i < 16; ++i)
@@ -227,7 +227,7 @@ void TestPastedMatrices::aSceneIsSortedByNames_data()
 {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("parts");
-    // With U+2212 for the sign.
+    // The sign is U+2212.
     const QString m = QStringLiteral(" 1 0 0 0 0 1 0 0 0 0 1 0 0 0 \u22125 1\n"), v = " 0 0 400 300\n";
     QTest::newRow("nothing named") << m + m + v << "modelview projection";
     QTest::newRow("a product alone") << m + v << "product";
@@ -301,7 +301,7 @@ void TestPastedMatrices::inversesAreReadAsSuch()
     QVERIFY(matrix);
     QCOMPARE(matrix->isInverse, isInverse);
     QCOMPARE(meantMatrix(*matrix, NumberOrder::ByColumns)[3][2], isInverse ? -7.0 : 7.0);
-    // The matrix itself is taken before its inverse, wherever it stands.
+    // The matrix itself is preferred to its inverse, at any position.
     const QString own = role == MatrixRole::View         ? QStringLiteral("view")
                         : role == MatrixRole::Projection ? QStringLiteral("projection")
                                                          : QStringLiteral("mvp");
@@ -501,7 +501,7 @@ void TestPastedMatrices::productsAreTakenApart()
     QVERIFY(isClose(ofBox->clipFromEye, glm::ortho(-3.0, 3.0, -2.0, 2.0, 0.0, 49.0)));
     QVERIFY(isClose(ofBox->clipFromEye * ofBox->eyeFromWorld, box * view));
     QVERIFY(!decomposed(box * sheared * view));
-    // Whatever w is, a last decimal leaves as much.
+    // A last decimal leaves as much, for any w.
     glm::dmat4 rounded = box * view * 0.3;
     for (int i = 0; i < 16; ++i)
         rounded[i / 4][i % 4] = std::round(rounded[i / 4][i % 4] * 1e3) / 1e3;

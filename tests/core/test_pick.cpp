@@ -1,5 +1,6 @@
-// The chain of a click from the widget to the world, and how certain its end is. The rows are written out by hand from
-// formulas (7) to (12): a lost flip, half pixel, pixel ratio or viewport offset leaves both methods in agreement.
+// The chain of a click from the widget to the world, and the uncertainty of its end. The rows are
+// written out by hand from formulas (7) to (12): both methods would agree on a lost flip, half
+// pixel, pixel ratio or viewport offset.
 
 #include "core/unproject/pick.h"
 #include "tests/support/is_near.h"
@@ -34,8 +35,8 @@ Setup plainFrustum()
             LookAt{WorldPoint(0.0, 0.0, 5.0), WorldPoint(0.0, 0.0, 0.0), {0.0, 1.0, 0.0}}};
 }
 
-/// 1200 x 900 device pixels at ratio 1.5, with a viewport that does not start in the corner nor fill the surface; the
-/// camera looks along -z, so that its axes are the world's.
+/// 1200 x 900 device pixels at ratio 1.5, with a viewport that neither starts in the corner nor
+/// fills the surface. The camera looks along -z, so that its axes are the world's.
 Setup offsetBox()
 {
     return {{1200, 900, 1.5},
@@ -75,12 +76,14 @@ void TestPick::aClickIsFollowedBackToTheWorld_data()
     QTest::addColumn<glm::dvec3>("eye");
     QTest::addColumn<glm::dvec3>("world");
 
-    // z = 1 x 10 / (10 x 0.5 + 1 x 0.5) = 10 / 5.5; x = z (400.5 x 2 / 800 - 1), y = z (299.5 x 1.5 / 600 - 0.75)
+    // z = 1 x 10 / (10 x 0.5 + 1 x 0.5) = 10 / 5.5; x = z (400.5 x 2 / 800 - 1), y = z (299.5 x 1.5
+    // / 600 - 0.75)
     const double z = 1.8181818181818181;
     QTest::newRow("frustum, middle@1x") << plainFrustum() << glm::dvec3(400.0, 300.0, 0.5) << QPoint(400, 300)
                                         << glm::dvec3(400.5, 299.5, 0.5) << glm::dvec3(0.00125 * z, -0.00125 * z, -z)
                                         << glm::dvec3(0.00125 * z, -0.00125 * z, 5.0 - z);
-    // The corner pixels: half a pixel, 0.00125 of z, inside the window's edges -1 .. 1 and -0.75 .. 0.75.
+    // The corner pixels: half a pixel, 0.00125 of z, inside the window's edges -1 .. 1 and -0.75 ..
+    // 0.75.
     QTest::newRow("frustum, top-left@1x, near plane")
         << plainFrustum() << glm::dvec3(0.0, 0.0, 0.0) << QPoint(0, 0) << glm::dvec3(0.5, 599.5, 0.0)
         << glm::dvec3(-0.99875, 0.74875, -1.0) << glm::dvec3(-0.99875, 0.74875, 4.0);
@@ -88,7 +91,8 @@ void TestPick::aClickIsFollowedBackToTheWorld_data()
         << plainFrustum() << glm::dvec3(799.9, 599.9, 1.0) << QPoint(799, 599) << glm::dvec3(799.5, 0.5, 1.0)
         << glm::dvec3(9.9875, -7.4875, -10.0) << glm::dvec3(9.9875, -7.4875, -5.0);
 
-    // device (450.75, 750.75); y_v = 900 - 750.5; x = 350.5 x 6 / 600 - 3, y = 99.5 x 4 / 400 - 2; z = 0.75 + 9 x 0.25
+    // device (450.75, 750.75); y_v = 900 - 750.5; x = 350.5 x 6 / 600 - 3, y = 99.5 x 4 / 400 - 2;
+    // z = 0.75 + 9 x 0.25
     const glm::dvec3 click(300.5, 500.5, 0.25), window(450.5, 149.5, 0.25);
     QTest::newRow("ortho, offset viewport@1.5x") << offsetBox() << click << QPoint(450, 750) << window
                                                  << glm::dvec3(0.505, -1.005, -3.0) << glm::dvec3(10.505, 18.995, 27.0);
@@ -104,7 +108,8 @@ void TestPick::aClickIsFollowedBackToTheWorld_data()
     QTest::newRow("oblique, offset viewport@1.5x")
         << oblique << click << QPoint(450, 750) << window << glm::dvec3(3.505, 1.995, -3.0)
         << glm::dvec3(13.505, 21.995, 27.0);
-    // The same window as a frustum with n = 1, f = 9: z = 9 / (9 x 0.75 + 0.25) = 9 / 7, x = 0.505 z, y = -1.005 z
+    // The same window as a frustum with n = 1, f = 9: z = 9 / (9 x 0.75 + 0.25) = 9 / 7, x = 0.505
+    // z, y = -1.005 z
     Setup frustum = offsetBox();
     frustum.projection() = Frustum{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0};
     const double distance = 9.0 / 7.0;
@@ -266,7 +271,8 @@ void TestPick::certaintyHasTheDepthStepAndThePixel_data()
     Setup half = offsetBox();
     half.depthRange = {0.75, 0.25};
     QTest::newRow("ortho, half the depth range") << half << 3.0 << 24 << glm::dvec3(4.768371866248361e-7, 0.01, 0.01);
-    // gluPerspective(90 degrees, 2, 0.5, 8): window 2 x 1 at n = 0.5; 16 x 7.5 / 4 / (2^24 - 1) / 2; 2 x 4 / 0.5 / 800, 4 / 0.5 / 600
+    // gluPerspective(90 degrees, 2, 0.5, 8): window 2 x 1 at n = 0.5; 16 x 7.5 / 4 / (2^24 - 1) /
+    // 2; 2 x 4 / 0.5 / 800, 4 / 0.5 / 600
     Setup perspective = plainFrustum();
     perspective.projection() = Perspective{1.5707963267948966, 2.0, 0.5, 8.0};
     QTest::newRow("perspective, wide pixels")
@@ -316,8 +322,8 @@ void TestPick::eachAxisHasItsOwnUncertainty_data()
     setup.pose = LookAt{WorldPoint(5, 5, 5), WorldPoint(6, 5, 5), {0, 0, 1}};
     QTest::newRow("frustum along x") << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
                                      << glm::dvec3(0.5, 0.225, 0.3);
-    // At 45 degrees about y: s = (r, 0, -r), f = (-r, 0, -r) with r = sqrt(1/2). The ray's step is 0.125 s - 0.25 u + 0.5 f
-    // = (-0.375 r, -0.25, -0.625 r); the pixel adds 0.1 r, 0.05, 0.1 r.
+    // At 45 degrees about y: s = (r, 0, -r), f = (-r, 0, -r) with r = sqrt(1/2). The ray's step is
+    // 0.125 s - 0.25 u + 0.5 f = (-0.375 r, -0.25, -0.625 r); the pixel adds 0.1 r, 0.05, 0.1 r.
     const double r = std::sqrt(0.5);
     setup.pose = LookAt{WorldPoint(1, 0, 1), WorldPoint(0, 0, 0), {0, 1, 0}};
     QTest::newRow("frustum at an angle") << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
@@ -339,7 +345,8 @@ void TestPick::eachAxisHasItsOwnUncertainty()
     QFETCH(glm::dvec3, inEye);
     QFETCH(glm::dvec3, inWorld);
     const Uncertainty uncertainty = withinPixel(geometry, point, WorldPoint(), {0.0, 0.2, 0.1, 0.5});
-    // The pixel's centre is exact: what is left goes along the ray, and is as much of it on each axis.
+    // The pixel's centre is exact: the error that remains goes along the ray, and is as much of it
+    // on each axis.
     const Uncertainty along = uncertaintyOf(geometry, point, WorldPoint(), {0.0, 0.2, 0.1, 0.5});
     const Uncertainty pixelAlone = withinPixel(geometry, point, WorldPoint(), {0.0, 0.2, 0.1, 0.0});
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,4 +1,5 @@
-// The pipeline stage by stage: a point by hand, backward against forward, and what the entries mean.
+// The pipeline stage by stage: a point by hand, backward against forward, and the meaning of the
+// entries.
 
 #include "core/examples/bundled_scene.h"
 #include "core/matrices/matrix_entry_name.h"
@@ -19,7 +20,8 @@ using namespace unprojector::scene;
 
 namespace {
 
-/// Coordinates of order 10, through five matrices and back in double; near : far = 1 : 100 costs two digits.
+/// Coordinates of order 10, through five matrices and back in double; near : far = 1 : 100 costs
+/// two digits.
 constexpr double kRoundTrip = 1e-11;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -202,7 +204,8 @@ void TestPipeline::aPointInThePlaneOfTheEyeStopsAtTheDivision()
     QCOMPARE(points.ndc.error().code, ErrorCode::PointAtInfinity);
     QCOMPARE(points.widget.error().code, ErrorCode::PointAtInfinity);
 
-    // Beyond the far plane the inverse meets infinity: z_ndc = (f+n)/(f-n), where w' = 0. n = 1, f = 3 make it exactly 2.
+    // Beyond the far plane the inverse meets infinity: z_ndc = (f+n)/(f-n), where w' = 0. n = 1, f
+    // = 3 make it exactly 2.
     const Pipeline q =
         pipeline(geometryOf(Perspective{std::numbers::pi / 2.0, 1, 1, 3}, fromFive(), 50, 50), glm::dmat4(1.0)).value();
     const PipelinePoints back = pointsBackward(q, WindowPoint(25, 25, 1.5));
@@ -310,7 +313,7 @@ void TestPipeline::entryNamesMeanTheirNumbers_data()
                                       << 1.0108550294569216 * 11 / 2;
     QTest::newRow("oblique back 1 3") << kOblique << projection << backward << 1 << 3 << "(t+b)/2 + cot φ·(f+n)/2"
                                       << -0.45765755436028577 * 11 / 2;
-    // From (0, 0, 5) along -z: s = x, u = y, f = -z.
+    // The eye (0, 0, 5) looks along -z: s = x, u = y, f = -z.
     QTest::newRow("view 0 0") << kOrtho << view << forward << 0 << 0 << "s.x" << 1.0;
     QTest::newRow("view 2 2") << kOrtho << view << forward << 2 << 2 << "−f.z" << 1.0;
     QTest::newRow("view 2 3") << kOrtho << view << forward << 2 << 3 << "f·eye" << -5.0;
@@ -397,7 +400,8 @@ void TestPipeline::aPointGivenInAnySpaceIsTheSamePoint()
                                        {*truth.clip},   {*truth.ndc},   {*truth.window}};
     for (const GivenPoint &given : ways) {
         const PipelinePoints points = pointsFrom(p, given);
-        // Near : far = 1 : 100, and a point at four times far, cost digits of the way back from NDC.
+        // Near : far = 1 : 100, and a point at four times far, cost digits of the way back from
+        // NDC.
         constexpr double kWay = 1e-8;
         QVERIFY(isNear(points.object->coordinates(), truth.object->coordinates(), kWay));
         QVERIFY(isNear(points.world->coordinates(), truth.world->coordinates(), kWay));
@@ -411,7 +415,7 @@ void TestPipeline::aPointGivenInAnySpaceIsTheSamePoint()
         const glm::dvec4 &undivided = points.undividedEye.value();
         QVERIFY(isNear(glm::dvec3(undivided) / undivided.w, truth.eye->coordinates(), kWay));
     }
-    // What was given is not rounded.
+    // The given point is not rounded.
     QVERIFY(pointsFrom(p, ways[0]).object.value() == *truth.object);
     QVERIFY(pointsFrom(p, ways[3]).clip.value().coordinates() == truth.clip->coordinates());
     QVERIFY(pointsFrom(p, ways[5]).window.value() == *truth.window);
@@ -431,7 +435,7 @@ void TestPipeline::multiplesOfAClipPointAreOnePoint()
 void TestPipeline::aGivenPointMayHaveNoWay()
 {
     const Pipeline p = pipeline(geometryOf(kPerspective, aside(), 640, 480), glm::dmat4(1.0)).value();
-    // In the plane of the eye: no NDC, but everything before it.
+    // The point lies in the plane of the eye: it has no NDC, but everything before it.
     const PipelinePoints level = pointsFrom(p, {EyePoint(1, 1, 0)});
     QCOMPARE(level.ndc.error().code, ErrorCode::PointAtInfinity);
     QCOMPARE(level.widget.error().code, ErrorCode::PointAtInfinity);

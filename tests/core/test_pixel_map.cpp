@@ -1,4 +1,4 @@
-// Maps: a number for each pixel, which is what a click there gives.
+// Maps: a number for each pixel, which equals the one of a click there.
 #include "core/geometry/angle.h"
 #include "core/maps/pixel_map.h"
 #include "core/ray/drawn_surface.h"
@@ -228,7 +228,8 @@ void TestPixelMap::programsReadTheRowThatTheyRead()
             QVERIFY(isClose(map.at({20, row}), distance(right, answer(DevicePoint(20, row), read)), 1e-6));
         }
     }
-    // Above the window nobody knows what is read; the viewport begins below its edge, so that one is made here.
+    // Reads above the window are undefined. The viewport begins below its edge, so this test sets
+    // one that begins there.
     Setup whole = shown.setup;
     whole.viewport = wholeSurface(whole.surface);
     shown.setup = whole;
@@ -266,7 +267,8 @@ void TestPixelMap::mistakesOfThePixel_data()
 {
     QTest::addColumn<double>("x");
     QTest::addColumn<double>("y");
-    // Device pixel (20, 11) of 64 x 48, two to a logical one: logical pixel (10, 5) of 32 x 24; the viewport's height is 36.
+    // Device pixel (20, 11) of 64 x 48, two to a logical one: logical pixel (10, 5) of 32 x 24; the
+    // viewport's height is 36.
     QTest::newRow("y-not-flipped") << 20.5 << 11.5;
     QTest::newRow("flipped-with-viewport-height") << 20.5 << 24.5;
     QTest::newRow("row-above") << 20.5 << 37.5;
@@ -275,7 +277,7 @@ void TestPixelMap::mistakesOfThePixel_data()
     QTest::newRow("ratio-logical-both") << 10.5 << 18.5;
 }
 
-/// Where in the window the other program looks.
+/// The other program's position in the window.
 void TestPixelMap::mistakesOfThePixel()
 {
     QFETCH(double, x);
@@ -338,7 +340,8 @@ void TestPixelMap::bandsGiveTheWhole_data()
             << Question{Quantity::Displacement, Unit::Ulps, convention.other};
 }
 
-/// With rows so wide that few are a band, and a viewport lower than the window: there screen2world reads rows far away.
+/// The rows are so wide that a band has few, and the viewport is lower than the window:
+/// screen2world then reads rows far away.
 void TestPixelMap::bandsGiveTheWhole()
 {
     QFETCH(Question, question);

@@ -1,4 +1,5 @@
-// Polygons cut into triangles: the area that comes out is the polygon's, each triangle turns the same way.
+// Polygons cut into triangles: their total area is the polygon's, and each triangle turns the same
+// way.
 
 #include "core/mesh/import/polygon_triangulation.h"
 

@@ -1,4 +1,5 @@
-// Matrices as programs print them: inverted in double or in single precision, written with so many digits.
+// Matrices as programs print them: inverted in double or in single precision, written with so many
+// digits.
 
 #include "core/geometry/matrix_projection.h"
 #include "core/geometry/view_matrix.h"
@@ -46,7 +47,8 @@ glm::dmat4 printed(const glm::dmat4 &m, const char *format, int digits)
 
 enum class Arithmetic { Glm, GlmSingle, Cofactors, CofactorsSingle };
 
-/// As three.js inverts: each cofactor times one over the determinant, so that w is rounded twice.
+/// The inverse as three.js computes it: each cofactor times one over the determinant, so that w is
+/// rounded twice.
 template <class Scalar>
 glm::dmat4 byCofactors(const glm::dmat4 &matrix)
 {
@@ -91,7 +93,7 @@ bool isSingle(Arithmetic arithmetic)
     return arithmetic == Arithmetic::GlmSingle || arithmetic == Arithmetic::CofactorsSingle;
 }
 
-/// What a program keeps of its camera: where it stands and how it is turned.
+/// The camera as a program keeps it: its position and orientation.
 glm::dmat4 worldFromEyeOf(const oracle::View &view)
 {
     const EyeFrame frame = eyeFrame(oracle::coreView(view)).value();

@@ -1,4 +1,4 @@
-// What a projection keeps when its window or its clip distances change.
+// Properties that a projection keeps when its window or its clip distances change.
 
 #include "core/geometry/projection.h"
 
@@ -133,7 +133,7 @@ void TestProjection::anotherAspectKeepsCirclesRoundAndTheHeight()
         QCOMPARE(after.top, before.top);
         QCOMPARE(after.nearDistance, before.nearDistance);
         QCOMPARE(after.farDistance, before.farDistance);
-        // In a viewport of that aspect a unit of the window is as many pixels across as it is down.
+        // A viewport of that aspect has as many pixels across as down for a unit of the window.
         QVERIFY(isNear(std::abs(after.right - after.left), aspect * std::abs(after.top - after.bottom)));
         QCOMPARE(after.left < after.right, before.left < before.right);
         if (isPerspective(projection)) {

@@ -136,7 +136,7 @@ void TestRayCaster::severalMeshesAreCountedThrough()
     QVERIFY(last > 100 / kFewer);
 }
 
-/// Each mesh has many packets, the last of them not full, and a ray passes packets of all meshes.
+/// Each mesh has many packets, the last one partly filled, and a ray passes packets of all meshes.
 void TestRayCaster::meshesOfFloatsBesideMeshesOfDoubles()
 {
     QFETCH(Tree, tree);
@@ -183,7 +183,8 @@ void TestRayCaster::nothingSlipsThroughAClosedSurface_data()
     QTest::newRow("far from its origin, plain") << distant << Tree::Plain;
 }
 
-/// Through points of edges and through vertices, where two and six triangles meet: from outside, a ray to the middle goes in.
+/// Rays through points of edges and through vertices, where two and six triangles meet: a ray from
+/// outside to the middle goes in.
 void TestRayCaster::nothingSlipsThroughAClosedSurface()
 {
     QFETCH(std::shared_ptr<Model>, model);
@@ -197,7 +198,7 @@ void TestRayCaster::nothingSlipsThroughAClosedSurface()
         const glm::dvec3 a = mesh.position(mesh.vertexAt(first)), b = mesh.position(mesh.vertexAt(first + 1));
         const double share = i % 3 == 0 ? 0.0 : i % 3 == 1 ? 0.5 : aim.share();
         const glm::dvec3 target = a + share * (b - a);
-        // On through the middle: whichever side of the edge it passes, it goes in.
+        // The ray continues through the middle: whichever side of the edge it passes, it goes in.
         Ray<ObjectSpace> ray{ObjectPoint(target + (3.0 + aim.share()) * (target - mesh.origin)), {}, 0.0, 2.0};
         ray.along = ObjectVector(mesh.origin - ray.from.coordinates());
         const auto hit = caster->nearestTriangle(ray);
@@ -235,7 +236,7 @@ void TestRayCaster::hitsLieOnTheRayAndTheTriangle()
         const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
         QVERIFY(std::abs(glm::dot(point - a, normal)) < 1e-12);
         const glm::dvec3 along = glm::normalize(ray.along.coordinates());
-        // Where the ray grazes the triangle, how far along it is known only to the sine of their angle.
+        // A ray that grazes the triangle has its distance known only to the sine of their angle.
         const double slope = std::abs(glm::dot(along, normal));
         const glm::dvec3 off = point - ray.at(hit->t).coordinates();
         QVERIFY(glm::length(off) < 1e-12 / slope);
@@ -285,7 +286,8 @@ void TestRayCaster::trianglesWithoutAnAreaAreNotHit()
     QCOMPARE(hit->triangle, 3u);
 }
 
-/// The three edges nearly cancel: rounded, they would say anything about where between the corners the ray passes.
+/// The three edges nearly cancel: rounded, they would give any position of the ray between the
+/// corners.
 void TestRayCaster::trianglesSeenEdgeOnButForARounding()
 {
     Aim aim(13);
@@ -346,7 +348,7 @@ void TestRayCaster::axisParallelRaysInTheSidesOfBoxes()
             const auto expected = testingAll(*model, ray);
             QVERIFY(expected.has_value());
             QVERIFY(isSame(caster->nearestTriangle(ray), expected));
-            // In the plane itself nothing can be met.
+            // A ray in the plane itself hits nothing.
             QVERIFY(
                 !caster->nearestTriangle({ObjectPoint(double(i), -1.0, 0.0), ObjectVector(0.0, 1.0, 0.0), 0.0, 20.0}));
         }

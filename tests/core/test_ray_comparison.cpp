@@ -1,4 +1,5 @@
-// What a click's ray meets beside what the frame says: which case it is, and how far apart the two are.
+// The hit of a click's ray against the point of the frame: the case, and the distance between the
+// two.
 
 #include "core/ray/ray_comparison.h"
 #include "tests/support/unprojecting.h"
@@ -38,7 +39,7 @@ Pick picked(bool hit, double degrees = 0.0)
     return refined(*pickAt(kPicture, WidgetPoint(412.0, 299.0), sample), surface);
 }
 
-/// On the pick's ray, so much farther along it than the formula's point.
+/// A hit on the pick's ray, farther along it than the formula's point by this distance.
 SceneHit hitAt(const Pick &pick, double farther)
 {
     const WorldPoint eye(0.0, 0.0, 5.0);
@@ -69,7 +70,7 @@ void TestRayComparison::eachCaseIsToldFromTheOthers_data()
     QTest::addColumn<double>("degrees");
     QTest::addColumn<bool>("isSameObject");
     QTest::addColumn<Kind>("kind");
-    // Of what the click states of its certainty: so far behind, or before.
+    // A share of the uncertainty that the click states: so far behind, or before.
     using Share = std::optional<double>;
     const auto row = [](const char *name, bool isDrawn, Share share, double degrees, bool isSameObject, Kind kind) {
         QTest::newRow(name) << isDrawn << share << degrees << isSameObject << kind;

@@ -1,5 +1,5 @@
-// What cannot dangle: the answer of a function that nobody kept is taken out as a value, never as a reference into it.
-// These claims are checked by compiling this file.
+// Results cannot dangle: the value of a temporary result is moved out, never referenced. These
+// claims are checked by compiling this file.
 
 #include "core/geometry/result.h"
 
@@ -37,7 +37,7 @@ concept HasError = requires(R &&r)
     std::forward<R>(r).error();
 };
 
-// One that is kept gives references.
+// A named result gives references.
 static_assert(std::is_same_v<decltype(std::declval<Text &>().value()), const std::string &>);
 static_assert(std::is_same_v<decltype(*std::declval<const Text &>()), const std::string &>);
 static_assert(HasArrow<Text &> && HasArrow<const Text &>);

@@ -1,4 +1,4 @@
-// The folders of the source and which of them may know which: read off the #include lines.
+// The folders of the source and their allowed dependencies, read from the #include lines.
 #include <QDirIterator>
 #include <QFile>
 #include <QMap>
@@ -54,8 +54,8 @@ QStringList libraryIncludesOf(const QString &text)
     return matchesIn(text, include);
 }
 
-/// How a file comes to include a library's header: "a.h > b.h > json.hpp"; empty where it does not.
-/// @param textOf  the text of a file by its name
+/// The include path from a file to a library's header: "a.h > b.h > json.hpp"; empty if there is
+/// none. @param textOf  the text of a file by its name
 QString wayTo(const QString &header, const QString &file, const std::function<QString(const QString &)> &textOf,
               QSet<QString> &seen)
 {
@@ -111,7 +111,8 @@ QString cycleIn(const Graph &graph)
     return {};
 }
 
-/// The first name in a source that the headers of Windows define as a macro, with its line; comments and texts are left out.
+/// The first name in a source that the headers of Windows define as a macro, with its line;
+/// comments and texts are left out.
 QString macroOfWindowsIn(const QString &source)
 {
     // Raw texts, comments, texts, letters; and the names.
@@ -183,7 +184,8 @@ void TestRooms::nothingPointsBack()
     }
 }
 
-/// What a feature of the window needs of another one lies in a room that all of them know. The shell knows all features.
+/// Code of one feature of the window that another one needs lies in a room that all of them know.
+/// The shell knows all features.
 void TestRooms::noFeatureKnowsAnother()
 {
     const QStringList common{"gui/document", "gui/text", "gui/view", "gui/widgets", "gui/window"};
@@ -255,8 +257,9 @@ void TestRooms::waysToHeavyHeadersAreFound()
     QCOMPARE(wayTo("light.hpp", "a.h", textOf), QString());
 }
 
-/// Headers of libraries that take a second or more to compile, and the rooms whose own headers may include them. A header of
-/// another room would pass them on to everything that includes it: most of the program includes scene.h and scene_document.h.
+/// Headers of libraries that take a second or more to compile, and the rooms whose own headers may
+/// include them. A header of another room would pass them on to everything that includes it: most
+/// of the program includes scene.h and scene_document.h.
 void TestRooms::heavyHeadersStayInTheirRooms_data()
 {
     QTest::addColumn<QString>("header");
@@ -286,7 +289,8 @@ void TestRooms::heavyHeadersStayInTheirRooms()
     QVERIFY(count > 200);
 }
 
-/// A header with "using namespace" passes the names of a namespace on to everything that includes it.
+/// A header with "using namespace" passes the names of a namespace on to everything that includes
+/// it.
 void TestRooms::noHeaderTakesANamespace()
 {
     static const QRegularExpression directive(QStringLiteral("^\\s*(using namespace [\\w:]+)"),

@@ -1,4 +1,4 @@
-// A window's scene and its file: what the one shows the other says, wherever it is saved.
+// A window's scene and its file agree, wherever the file is saved.
 
 #include "core/scene_file/clicks.h"
 
@@ -64,7 +64,7 @@ void TestSceneDescription::aWindowsSceneSurvivesASave()
         QCOMPARE(file.objects[1].bundled, "Teapot");
         file = parsed(written(file));
 
-        // Another program sees what the window showed.
+        // Another program sees the window's picture.
         const Setup shown = byParameters(setupOf(file)).value();
         QVERIFY(shown.surface == setup.surface && shown.viewport == setup.viewport);
         QVERIFY(shown.projection() == setup.projection() && shown.depthRange == setup.depthRange);
@@ -86,7 +86,7 @@ void TestSceneDescription::aWindowsSceneSurvivesASave()
         QVERIFY(again.clipPlanesOff[0].index == 0 && again.clipPlanesOff[0].plane == scene.clipPlanesOff[0].plane);
     }
 
-    // Of a scene that has no file yet the paths are absolute, and a bundled model has none.
+    // A scene without a file has absolute paths, and a bundled model has none.
     const SceneFile unnamed = sceneFileFrom(scene, setupOf(scene, {100, 75, 1}, {}).value(), {});
     QVERIFY(unnamed.objects[0].file.is_absolute());
     QVERIFY(unnamed.objects[1].file.empty() && unnamed.objects[1].bundled == "Teapot");
@@ -96,7 +96,7 @@ void TestSceneDescription::aSceneSavedElsewhereKeepsUnknownKeys_data()
 {
     QTest::addColumn<QString>("target");
     QTest::addColumn<bool>("isAbsolute");
-    QTest::addColumn<QString>("path"); // of the object, as it is to be written
+    QTest::addColumn<QString>("path"); // expected in the file
     QTest::newRow("the same file") << "here/scene.json" << false << "models/a.obj";
     QTest::newRow("the folder above") << "scene.json" << false << "here/models/a.obj";
     QTest::newRow("another folder") << "there/other.json" << false << "../here/models/a.obj";
@@ -208,7 +208,7 @@ void TestSceneDescription::aModelBehindALinkStaysTheSame_data()
 {
     QTest::addColumn<QString>("model");  // as the scene is given it
     QTest::addColumn<QString>("target"); // where the scene is written
-    QTest::addColumn<QString>("path");   // as it is written
+    QTest::addColumn<QString>("path");   // expected in the file
     // far/folder/m.obj and far/m.obj are there, and m.obj; link leads to far/folder.
     QTest::newRow("in a linked folder") << "link/m.obj"
                                         << "scene.json"
@@ -273,8 +273,8 @@ void TestSceneDescription::aModelBehindALinkStaysTheSame()
         QVERIFY(!std::filesystem::exists(read));
 }
 
-/// A scene has the numbers that were typed, a click those that it was drawn with: a depth that was read at the far end is
-/// in the range of the click's scene, and not of the other one.
+/// A scene has the numbers that were typed, a click those that it was drawn with. A depth that was
+/// read at the far end is in the range of the click's scene, and not of the other one.
 void TestSceneDescription::theDepthRangeOfAClickIsInSinglePrecision()
 {
     Scene scene;

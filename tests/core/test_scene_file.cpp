@@ -1,4 +1,4 @@
-// What a scene file says is what is read, and what is read can be written and read again.
+// The contents of a scene file: read as written, and after writing read again.
 
 #include "parsed_scenes.h"
 #include "scene_texts.h"
@@ -249,7 +249,7 @@ void TestSceneFile::numbersOfUnknownKeysAreKeptToTheDigit()
     QCOMPARE(written(parsed(again)), again);
 }
 
-/// Of a key that is known the double counts, which is written in the fewest digits.
+/// A known key counts as its double, which is written in the fewest digits.
 void TestSceneFile::manyDigitsAreANumber()
 {
     const SceneFile scene =
@@ -271,7 +271,7 @@ void TestSceneFile::nothingIsLeftOfAnotherProjection()
     scene.projection = Projection(Perspective{1, 1.5, 1, 9});
     QCOMPARE(written(scene).count("\"fovy\""), 1);
     QVERIFY(std::get<Projection>(parsed(written(scene)).projection) == Projection(Perspective{1, 1.5, 1, 9}));
-    // Nor does it come back as what the new projection leaves out.
+    // A key that the new projection lacks does not come back either.
     scene = parsed(withProjection(
         R"({"type": "ortho", "left": -1, "right": 1, "bottom": -1, "top": 1, "near": 1, "far": 9, "aspect": 2})"));
     scene.projection = Projection(Perspective{1, 4.0 / 3.0, 1, 9});
@@ -389,7 +389,7 @@ void TestSceneFile::writingReplacesWholeFilesOnly()
     QCOMPARE(written(readSceneFile(file).value()), written(parsed(kLeastScene)));
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList("a.json"));
 
-    // What cannot be written leaves what was there.
+    // A failed write leaves the old file.
     SceneFile bad = parsed(kFullScene);
     bad.objects[0].name = "\xFF";
     QVERIFY(!writeSceneFile(file, bad).hasValue());

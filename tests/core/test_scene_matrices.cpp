@@ -1,4 +1,4 @@
-// Scenes whose projection or view came as a matrix, and what the window writes of them.
+// Scenes whose projection or view came as a matrix, and the files that the window writes of them.
 
 #include "core/scene_file/clicks.h"
 #include "core/scene_file/scene_file.h"
@@ -24,7 +24,7 @@ SceneFile parsed(const QByteArray &projection, const QByteArray &view)
     return parseScene(text.toStdString(), "matrices.json").value();
 }
 
-/// What the window holds after opening a file, and what it writes.
+/// The window's scene after opening a file. It is what the window writes.
 Scene opened(const SceneFile &file)
 {
     return sceneFromFile(file, "/there/matrices.json", {}).value();
@@ -118,7 +118,8 @@ void TestSceneMatrices::anEditedProjectionIsWrittenByItsArguments()
 {
     const SceneFile file = parsed(kFrustum, kTurned);
     Scene scene = opened(file);
-    // Near and far also tell how far before the eye the window puts the center: the view's matrix stays all the same.
+    // Near and far also decide how far before the eye the window puts the center: the view's matrix
+    // stays all the same.
     auto frustum = std::get<Frustum>(*scene.projection);
     frustum.farDistance *= 2.0;
     scene.projection = frustum;

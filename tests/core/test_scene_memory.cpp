@@ -15,8 +15,8 @@ using namespace scene_texts;
 
 namespace {
 
-/// More than one piece of a scene or of its text ever takes. Nothing is allocated beyond it, so that a failure is a row
-/// and not a machine without memory.
+/// More bytes than one piece of a scene or of its text ever takes. Larger allocations fail, so that
+/// a failure is a row and not a machine without memory.
 constexpr std::size_t kMostBytesAtOnce = std::size_t{256} << 20;
 
 } // namespace

@@ -1,4 +1,5 @@
-// Scene files among other files: known by what they hold, never written over a model or over somebody else's changes.
+// Scene files among other files: recognised by their contents, never written over a model or over
+// another program's changes.
 #include "core/scene_file/scene_error_text.h"
 #include "core/scene_file/scene_file.h"
 

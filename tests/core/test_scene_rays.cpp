@@ -1,4 +1,4 @@
-// Clicks on a picture of a scene: which object they meet, where, and what is told about it.
+// Clicks on a picture of a scene: the object that they hit, the position, and the reported details.
 
 #include "core/geometry/angle.h"
 #include "core/geometry/view_matrix.h"
@@ -41,7 +41,7 @@ Setup usualPicture()
     return pictureWith(Perspective{radiansFromDegrees(45.0), 4.0 / 3.0, 1.0, 20.0});
 }
 
-/// What is clicked: objects with trees of their own.
+/// A clicked scene: objects with trees of their own.
 struct Clicked {
     std::vector<SceneObject> objects;
     std::vector<glm::dvec4> clipPlanes = {};
@@ -230,7 +230,7 @@ void TestSceneRays::outsideThePictureNothingIsMet()
 void TestSceneRays::clipPlanesCut_data()
 {
     QTest::addColumn<std::vector<glm::dvec4>>("planes");
-    QTest::addColumn<double>("z"); // of the wall that is met; 9: none
+    QTest::addColumn<double>("z"); // of the wall that the ray hits; 9: none
     const auto row = [](const char *name, std::vector<glm::dvec4> planes, double z) {
         QTest::newRow(name) << planes << z;
     };
@@ -348,7 +348,7 @@ void TestSceneRays::farWorldsKeepTheirMillimetres()
     distant.camera() = {WorldPoint(place + glm::dvec3(1, 2, 6)), WorldPoint(place + glm::dvec3(0.1, -0.2, 0.3)),
                         kCamera.up};
     const SceneRays farRays = Clicked{{objectOf(model)}}.rays(distant);
-    // Moved back by its transform it is where it would be without an origin.
+    // Moved back by its transform, the model is where it would be without an origin.
     const SceneRays backRays = Clicked{{objectOf(model, {Translate{-place}})}}.rays(usualPicture());
     const SceneRays nearRays = Clicked{{objectOf(cubeSphere(40))}}.rays(usualPicture());
     Aim aim(5);
@@ -365,7 +365,7 @@ void TestSceneRays::farWorldsKeepTheirMillimetres()
         QVERIFY(glm::all(glm::lessThanEqual(glm::abs(off), uncertainty.coordinates() + 1e-9)));
         const glm::dvec3 backOff = backHit->world.coordinates() - hit->world.coordinates();
         QVERIFY(glm::all(glm::lessThanEqual(glm::abs(backOff), backHit->uncertainty.coordinates())));
-        // On the triangle, relative to the origin.
+        // The point lies on the triangle, relative to the origin.
         const auto corners = cornersOf(model->meshes[0], backHit->triangle->triangle);
         const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
         QVERIFY(std::abs(glm::dot(backHit->world.coordinates() - corners[0], normal)) < 1e-12);

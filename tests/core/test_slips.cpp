@@ -128,7 +128,7 @@ void TestSlips::aSlipIsRecognised()
     QCOMPARE(found ? static_cast<int>(*found) : -1, slip);
 }
 
-/// At the ratio 1 a coordinate is no slip of itself; an own depth range is that of the question.
+/// A coordinate is no slip of itself at the ratio 1; the question's own depth range applies.
 void TestSlips::thePixelsAreThoseOfTheScreen()
 {
     Asked asked = askedFor(AskedKind::WindowX, 162.5);
@@ -220,7 +220,8 @@ void TestSlips::everyRightAnswerIsRight()
 void TestSlips::panelsStayCoveredUntilTheirLastAnswer()
 {
     const Lesson first = lessonOf(QStringLiteral("first"));
-    // Step 1 asks nothing, but a click there gives the answers to all steps after it: window y, NDC x, … and the world z.
+    // Step 1 asks nothing, but a click there gives the answers to all steps after it: window y, NDC
+    // x, … and the world z.
     QCOMPARE(written(coveredPanels(first, 0, {})), QStringLiteral("comparison:6 pipeline:6 inspector:1 lifecycle:1"));
     QCOMPARE(written(coveredPanels(first, 1, {1})), QStringLiteral("comparison:6 pipeline:6"));
     QCOMPARE(written(coveredPanels(first, 6, {1, 3, 4, 5, 6})), QString());

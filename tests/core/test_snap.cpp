@@ -1,4 +1,4 @@
-// What a click snaps to, and points of point clouds.
+// The snapping of clicks, and points of point clouds.
 
 #include "core/ray/scene_rays.h"
 #include "core/scene/point_size.h"
@@ -51,7 +51,7 @@ SceneRays raysOf(const std::vector<std::shared_ptr<Model>> &models, const std::v
     return SceneRays(*Unprojector::of(setup), objects, casters, planes);
 }
 
-/// Where a point of the plane z = 0 is seen, and so many pixels beside it.
+/// The device position of a point of the plane z = 0, moved by so many pixels.
 DevicePoint seen(double x, double y, double right = 0.0, double down = 0.0)
 {
     return DevicePoint(320.0 + 64.0 * x + right, 240.0 - 64.0 * y + down);
@@ -158,13 +158,14 @@ void TestSnap::edgesSeenInPerspective()
 {
     const auto model = modelOf({{-1, -1, 9}, {-1, -1, -5}, {-9, -1, -5}});
     const SceneRays rays = raysOf({model});
-    // At z = 1 the picture is 8 wide, 80 pixels a unit.
+    // The picture is 8 wide at z = 1, 80 pixels a unit.
     const DevicePoint click(320.0 - 80.0 + 2.0, 240.0 + 80.0 - 2.0);
     const auto hit = *rays.at(click, Snap::Edge);
     QVERIFY(hit.has_value());
     QVERIFY(std::abs(hit->world.x + 1.0) < 1e-12 && std::abs(hit->world.y + 1.0) < 1e-12);
     const DevicePoint at = deviceFromWindow(straightPicture().surface, *windowFromWorld(straightPicture(), hit->world));
-    // The edge is drawn towards the picture's middle, and the nearest point of that line is the corner of a right angle.
+    // The edge is drawn towards the picture's middle, and the nearest point of that line is the
+    // corner of a right angle.
     QVERIFY(std::abs((at.x - click.x) * 1.0 + (at.y - click.y) * -1.0) < 1e-6);
 }
 
@@ -195,7 +196,7 @@ void TestSnap::hiddenAndClippedCornersAreNotTaken()
     QCOMPARE(vertexOf(raysOf({triangle()}, {{1.0, 0.0, 0.0, 1.05}}), beside), std::pair(0, 0));
 }
 
-/// Whatever is taken is a vertex, or lies on an edge, and is seen within reach.
+/// Any snap is a vertex, or lies on an edge, and is visible within reach.
 void TestSnap::everySnapIsExactOnAMesh()
 {
     const auto model = cubeSphere(12);
@@ -236,7 +237,8 @@ void TestSnap::sliversSnapAsTestingAll_data()
     }
 }
 
-/// Triangles a hundredth of a pixel wide, which rays a pixel apart pass by, with larger ones that hide some of them.
+/// Triangles a hundredth of a pixel wide, which rays a pixel apart miss, with larger ones that hide
+/// some of them.
 void TestSnap::sliversSnapAsTestingAll()
 {
     QFETCH(Lens, lens);
@@ -398,7 +400,8 @@ void TestSnap::pointsBehindASurfaceAreHidden()
     const auto objectOf = [&](float z) { return (*raysOf({cloud, triangle(z)}).at(click))->object; };
     QCOMPARE(objectOf(-0.5f), std::size_t(0));
     QCOMPARE(objectOf(0.5f), std::size_t(1));
-    // A plane that cuts the surface off shows the point again, one that cuts the point off the surface behind it.
+    // A clipping plane that removes the surface shows the point again; one that removes the point
+    // shows the surface behind it.
     QCOMPARE((*raysOf({cloud, triangle(0.5f)}, {{0.0, 0.0, -1.0, 0.25}}).at(click))->object, std::size_t(0));
     QCOMPARE((*raysOf({cloud, triangle(-0.5f)}, {{0.0, 0.0, -1.0, -0.25}}).at(click))->object, std::size_t(1));
 }
@@ -440,7 +443,8 @@ void TestSnap::pointsAnswerAsTestingAll()
     int hits = 0, dots = 0;
     for (int i = 0; i < 2000; ++i) {
         const DevicePoint click(640.0 * aim.share(), 480.0 * aim.share());
-        // The points within reach, by the way forward; the front ones are those up to a depth that is judged from outside.
+        // The points within reach, by projection; the front ones are those up to a depth that is
+        // judged from outside.
         std::optional<std::size_t> front, drawn;
         for (std::size_t k = 0; k < points.size(); ++k) {
             if (distance(places[k], click) > kSnapPixels)

@@ -42,7 +42,7 @@ struct Errata {
     }
 };
 
-// What is printed of programs, where it is the text that is wrong.
+// The printed parts of programs whose text is wrong.
 
 /// The third program's glFrustum, in its ReSize().
 constexpr std::string_view kThirdProgram = R"(GLdouble left =-nearz*tan(ViewAngleV/2);
@@ -51,7 +51,7 @@ constexpr std::string_view kThirdProgram = R"(GLdouble left =-nearz*tan(ViewAngl
     GLdouble top =nearz*tan(ViewAngleH/2);
     glFrustum(left,right,bottom,top,nearz,farz);
 )";
-/// What the first program's ReSize() has.
+/// The declarations of the first program's ReSize().
 constexpr std::string_view kDeclarations = R"(float nearz =5.0;
     float farz =80000;
     float AspectRatio =float(m_view_height)/ float(m_view_width);
@@ -80,7 +80,7 @@ std::string withInstead(std::string_view text, std::string_view from, std::strin
     return changed.replace(changed.find(from), from.size(), to);
 }
 
-/// How many of the third program's names stand in a text that does not declare them.
+/// The number of the third program's names in a text that does not declare them.
 int undeclaredIn(const std::string &text)
 {
     int count = 0;
@@ -135,7 +135,8 @@ void errorsOfThePaper(Errata &errors)
 
     // By hand: (13) solved for d, 10 (4 - 2) / (4 (10 - 2)).
     errors.add("error-weng-depth", "depth of z = -4 between 2 and 10", 0, 0.625, at.z);
-    // Straight ahead of the eye, whose axes figure 2 shows, is 0; the viewport's origin, of figure 5, is a corner.
+    // A point straight ahead of the eye, whose axes figure 2 shows, is at 0; the viewport's origin,
+    // of figure 5, is a corner.
     const auto ndcX = [&before](const WindowPoint &point) { return ndcFromWindow(before.viewport, {}, point).x; };
     errors.add("error-weng-figure", "NDC x of where x_v = 0",
                ndcX(windowFromWorld(before, WorldPoint(0, 0, 0)).value()), -1, ndcX(WindowPoint(0, 0, 0)));
@@ -168,7 +169,7 @@ void errorsOfZhangci(Errata &errors)
     const double n = -10, f = 10;
     errors.add("error-zhangci-ortho", "m[10]", -2 / (n - f), -0.1,
                element(forward(box, PipelineStage::ProjectionMatrix), 10));
-    // Its third row ends in what is of the second, and in no fraction of f - n.
+    // Its third row ends in a term of the second row, and in no fraction of f - n.
     const double low = -2, high = 1, nearZ = 2, farZ = 10;
     errors.add("error-zhangci-ortho", "m[14] of glOrtho(-1, 3, -2, 1, 2, 10)", (high - low) / (farZ + nearZ), -1.5,
                element(clipFromEye(Ortho{-1, 3, low, high, nearZ, farZ}).value(), 14));
@@ -177,7 +178,8 @@ void errorsOfZhangci(Errata &errors)
     errors.add("error-zhangci-depth", "depth of the NDC 0.5", 0.5, 0.75,
                windowFromNdc(Viewport{0, 0, 50, 50}, DepthRange{}, NdcPoint(0, 0, 0.5)).z);
 
-    // Figure 2.13's own viewport, 400 x 300 at (400, 0) of 800 x 600, clicked at its middle: from the top, row 450.
+    // Figure 2.13's own viewport, 400 x 300 at (400, 0) of 800 x 600, clicked at its middle: from
+    // the top, row 450.
     const Setup quarter = pipelineOf("zhangci-viewport-quarter").setup;
     const DevicePixel pixel{600, 450};
     const OtherClick click = clickOf(OtherProgram::Screen2World, quarter, pixel);
@@ -257,8 +259,8 @@ void errorsOfOpenCascade(Errata &errors)
     const glm::dvec4 middle(0, 0, 0, 1);
     errors.add("error-opencascade-rows", "x in the window of NDC's middle", (middle * viewport).x, 150,
                (middle * glm::transpose(viewport)).x);
-    // Figure 4.1's pixel with the near plane's depth: 1 from the eye, which our example has at (0, 0, 100). From aside x
-    // differs as well: 3 - 3/13.
+    // Figure 4.1's pixel with the near plane's depth: 1 from the eye, which our example has at (0,
+    // 0, 100). Seen from aside, x differs as well: 3 - 3/13.
     errors.add("error-opencascade-depth", "z of the pixel (150, 150) with the depth 0", 0, 99,
                pointsBackward(pipelineOf("opencascade-round-trip"), WindowPoint(150, 150, 0)).world.value().z);
     const Setup aside = pictureBy(Perspective{kRightAngle, 4.0 / 3.0, 1, 100}, kFromAside);

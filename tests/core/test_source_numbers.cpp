@@ -1,5 +1,5 @@
-// The numbers that the originals print, each beside what the program computes, to the digits printed. The paper of Weng,
-// Huang and Cai prints none. Their errors are in test_source_errors.
+// The numbers that the originals print, each with the program's own, to the digits printed. The
+// paper of Weng, Huang and Cai prints none. Errors of the originals are in test_source_errors.
 
 #include "core/geometry/view_volume.h"
 #include "core/matrices/matrix_factors.h"
@@ -25,7 +25,8 @@ using namespace unprojector::unproject;
 
 namespace {
 
-/// A number with as many decimals as the one that is printed. A debugger's 0 has a sign, one that is set has none.
+/// A number with as many decimals as the printed one. A debugger's 0 has a sign, one that is set
+/// has none.
 std::string asPrinted(double number, const std::string &printed)
 {
     constexpr int kDebugger = 7; // decimals, at least
@@ -57,7 +58,8 @@ void watched(const std::string &figure, const std::array<const char *, 16> &prin
             double(float(element(computed, index))));
 }
 
-/// A matrix as it is printed, row by row. Of a 3 x 3 in the plane: without the row and column of z.
+/// A matrix as printed, row by row. For a 3 x 3 matrix of the plane, the row and column of z are
+/// left out.
 template <std::size_t Count>
 void matrix(const std::string &place, const std::array<const char *, Count> &printed, const glm::dmat4 &computed)
 {
@@ -116,7 +118,8 @@ void zhangciInSpace()
              "-8.00000000", "1.00000000"},
             forward(modelView, PipelineStage::ModelviewMatrix));
 
-    // Onto the plane z = 0, along the view: the window point of (1, 1, 5) taken back with the plane's own depth.
+    // Onto the plane z = 0, along the view: the window point of (1, 1, 5) taken back with the
+    // plane's own depth.
     const Setup box = pictureBy(Ortho{-10, 10, -10, 10, 0, 10}, kFromFive);
     const WindowPoint five = windowFromWorld(box, WorldPoint(1, 1, 5)).value(),
                       zero = windowFromWorld(box, WorldPoint(0, 0, 0)).value();
@@ -163,7 +166,8 @@ void projectionDerivation()
              glm::dvec4(pointsFrom(matrix, {clip}).ndc.value().coordinates(), 1.0));
     rows("derivation (1, 4, 7, 0), a vector, translated", {"1", "4", "7", "0"},
          forward(matrix, PipelineStage::ModelMatrix) * glm::dvec4(1, 4, 7, 0));
-    // Two linear scales: half way from 0 to 100 is half way from 5 to 90, as NDC come to a viewport.
+    // Two linear scales: half way from 0 to 100 is half way from 5 to 90, as NDC come to a
+    // viewport.
     row("derivation the broken thermometer", "47.5", windowFromNdc(Viewport{5, 0, 85, 1}, {}, NdcPoint(0, 0, 0)).x);
 
     for (const char *id : {"derivation-matrix", "derivation-perspective", "derivation-frustum"}) {
@@ -182,7 +186,8 @@ void projectionDerivation()
         row(std::string(id) + " angle", "90.0",
             degreesFromRadians(std::get<Perspective>(symmetric).verticalFovRadians));
     }
-    // In 800 x 600, by hand: 1 / tan(ViewAngleV / 2) = 4/3, times AspectRatio = 3/4; -80005/79995; -800000/79995.
+    // By hand, for 800 x 600: 1 / tan(ViewAngleV / 2) = 4/3, times AspectRatio = 3/4; -80005/79995;
+    // -800000/79995.
     for (const auto &[id, m0] :
          {std::pair("derivation-matrix", "1.3333333"), std::pair("derivation-frustum", "1.3333333"),
           std::pair("derivation-perspective", "0.7500000")}) {
@@ -192,7 +197,8 @@ void projectionDerivation()
             row(std::string(id) + " m[" + std::to_string(index) + "]", printed, element(projection, index));
     }
 
-    // "1, 640/480": a square is none in the CVV, whose sides are equal, and is one again in a viewport of that aspect.
+    // "1, 640/480": a square is none in the CVV, whose sides are equal, and is one again in a
+    // viewport of that aspect.
     const Setup wide{
         {640, 480, 1.0}, {0, 0, 640, 480}, {}, Perspective{kRightAngle, 640.0 / 480.0, 5, 80000}, kFromOrigin};
     const Pipeline unturned = pipeline(wide, glm::dmat4(1.0)).value();
@@ -219,14 +225,15 @@ void openCascade()
 
 void parallelProjection()
 {
-    // The flat projection of its first matrix, z = 0: what is left of an eye point in the window.
+    // The flat projection of its first matrix, z = 0: the part of an eye point that reaches the
+    // window.
     const Setup box = pictureBy(Ortho{-9, 9, -9, 9, 0, 9}, kFromOrigin);
     const WindowPoint at = windowFromWorld(box, WorldPoint(2, 5, -4)).value();
     rows(
         "parallel diag(1, 1, 0, 1)", {"2", "5", "0"},
         glm::dvec4(unprojectedAt(box, WindowPoint(at.x, at.y, 0.0)).world[Method::Formula].value().coordinates(), 1.0));
 
-    // Its two rows to read: of how much of x, y, z and w the new x is made.
+    // Its two example rows: the shares of x, y, z and w in the new x.
     for (const auto &[name, printed, numbers] :
          {std::tuple("(2, 5, 0.5, 2)", std::vector{"2", "5", "0.5", "2"}, glm::dvec4(2, 5, 0.5, 2)),
           std::tuple("(0, 1, 0, 0)", std::vector{"0", "1", "0", "0"}, glm::dvec4(0, 1, 0, 0))}) {
@@ -251,7 +258,7 @@ void parallelProjection()
     row("parallel the near plane, z", "-2", viewVolumeCorners(square.setup.projection())[0].z);
     row("parallel the far plane, z", "-9", viewVolumeCorners(square.setup.projection())[4].z);
     const glm::dmat4 ortho = forward(square, PipelineStage::ProjectionMatrix);
-    // Of its T and S, by hand: (near + far)/2, 2/18 and 2/7.
+    // The elements of its T and S, by hand: (near + far)/2, 2/18 and 2/7.
     for (const MatrixFactor &factor : factors(square.setup.projection()).value()) {
         if (factor.step == MatrixStep::MoveBox)
             rows("parallel program 1, T", {"0", "0", "5.5"}, factor.matrix[3]);
@@ -272,7 +279,7 @@ void parallelProjection()
          {"4.5", "-4.5", "-4.5"},
          {"4.5", "4.5", "-3"}},
         {1, 0, 2, 1, 2, 5, 0, 3, 7, 0, 7, 2, 3, 6, 4, 3, 4, 7, 6, 1, 5, 6, 5, 4, 2, 7, 4, 2, 4, 5, 0, 1, 6, 0, 6, 3});
-    // From what its text derives, by hand: 2/18, -2/7, -11/7.
+    // The elements that its text derives, by hand: 2/18, -2/7, -11/7.
     matrix<16>("parallel program 1",
                {"0.1111111", "0", "0", "0", "0", "0.1111111", "0", "0", "0", "0", "-0.2857143", "-1.5714286", "0", "0",
                 "0", "1"},
@@ -284,7 +291,7 @@ void parallelProjection()
                forward(pipelineOf("parallel-oblique"), PipelineStage::ProjectionMatrix));
 }
 
-/// What Help works out besides.
+/// The additional examples of Help.
 void help()
 {
     // projection-derivation: 90 degrees across at 800 x 600, right / near = 1, top / near = 3 / 4.
@@ -299,7 +306,8 @@ void help()
     const double length = std::copysign(std::hypot(0.5, 1.0), normal.x); // either side of the surface
     rows("help, the normal under glScale(2, 1, 1)", {"0.5", "1.0", "0.0"},
          glm::dvec4(normal.coordinates() * length, 0.0));
-    // How long an edge into the depth is drawn: cavalier, cabinet, and the program of parallel-projection.
+    // The drawn length of an edge into the depth: cavalier, cabinet, and the program of
+    // parallel-projection.
     for (const auto &[printed, angle] : {std::pair("1.00", radiansFromDegrees(54.74)),
                                          std::pair("0.50", radiansFromDegrees(70.53)), std::pair("1.43", 0.78)}) {
         const glm::dmat4 oblique = clipFromEye(Oblique{{-1, 1, -1, 1, 2, 9}, angle, angle}).value();

@@ -1,4 +1,5 @@
-// What the originals' programs and formulas make of their scenes, worked out by hand, and back.
+// The results of the originals' programs and formulas for their scenes, worked out by hand, forward
+// and back.
 
 #include "tests/core/source_examples.h"
 #include "tests/support/is_near.h"
@@ -17,7 +18,8 @@ namespace {
 /// The numbers worked out by hand have seven decimals.
 constexpr double kPrintedDigits = 5e-7;
 
-/// Forward by matrices, for the vertices of the originals' programs: their model-view matrix is the identity.
+/// Forward by matrices, for the vertices of the originals' programs: their model-view matrix is the
+/// identity.
 WindowPoint windowFromEye(const Projection &projection, const Viewport &viewport, const EyePoint &point)
 {
     const glm::dvec4 clip = clipFromEye(projection).value() * glm::dvec4(point.coordinates(), 1.0);
@@ -41,7 +43,7 @@ private slots:
     void theUsualFormOfTheDistanceLosesSevenDigits();
 };
 
-/// parallel-projection: moved, scaled, turned round, of a box that is nowhere symmetric.
+/// The steps of parallel-projection: move, scale, mirror in z; for a box without symmetry.
 void TestSourcePrograms::glOrthoIsThreeSteps()
 {
     const Ortho box{-1, 3, -2, 1, 2, 10};
@@ -121,7 +123,8 @@ void TestSourcePrograms::threeProjectionsGiveOnePictureOnlyInASquareWindow()
     QFETCH(double, handMade);
     QFETCH(double, gluPerspective);
 
-    // As the original's program has it: AspectRatio = height / width, ViewAngleV across, ViewAngleH up.
+    // The formulas of the original's program: AspectRatio = height / width, ViewAngleV across,
+    // ViewAngleH up.
     const double viewAngleH = kRightAngle;
     const double viewAngleV = std::atan(std::tan(viewAngleH / 2.0) * (height / width)) * 2.0;
     const double right = 5.0 * std::tan(viewAngleV / 2.0);
@@ -149,7 +152,8 @@ void TestSourcePrograms::programVerticesGoToTheirPixelsAndBack_data()
     QTest::addColumn<EyePoint>("vertex");
     QTest::addColumn<glm::dvec3>("window");
 
-    // projection-derivation. x_n = x / |z| * 4/3 for the hand-made matrix, * 3/4 for gluPerspective.
+    // projection-derivation. x_n = x / |z| * 4/3 for the hand-made matrix, * 3/4 for
+    // gluPerspective.
     const Viewport wide{0, 0, 800, 600};
     const Projection handMade = Frustum{-3.75, 3.75, -5, 5, 5, 80000};
     const Projection perspective = Perspective{kRightAngle, 800.0 / 600.0, 5, 80000};
@@ -174,7 +178,8 @@ void TestSourcePrograms::programVerticesGoToTheirPixelsAndBack_data()
     QTest::newRow("fan, gluPerspective, translated: third")
         << perspective << wide << EyePoint(40, 10, -20) << glm::dvec3(1000, 450, at20);
 
-    // parallel-projection 1: SIZE = 4.5 is truncated to 4, so the corners are at 4/9 of the half window.
+    // parallel-projection 1: SIZE = 4.5 is truncated to 4, so the corners are at 4/9 of the half
+    // window.
     const Projection box = Ortho{-9, 9, -9, 9, 2, 9};
     const double left = 400 - 1600.0 / 9.0, right = 400 + 1600.0 / 9.0, below = 300 - 1200.0 / 9.0,
                  above = 300 + 1200.0 / 9.0;
@@ -185,7 +190,8 @@ void TestSourcePrograms::programVerticesGoToTheirPixelsAndBack_data()
     QTest::newRow("quad on the near plane") << box << wide << EyePoint(9, -9, -2) << glm::dvec3(800, 0, 0);
     QTest::newRow("quad on the far plane") << box << wide << EyePoint(-9, 9, -9) << glm::dvec3(0, 600, 1);
 
-    // parallel-projection 2: x_n = (x - 1.0108550 |z|) / 10. With cot = 1 the front corner would be at 0.15, not 0.1467.
+    // parallel-projection 2: x_n = (x - 1.0108550 |z|) / 10. With cot = 1 the front corner would be
+    // at 0.15, not 0.1467.
     const Projection sheared = Oblique{{-10, 10, -10, 10, 2, 9}, 0.78, 0.78};
     const Viewport square{0, 0, 600, 600};
     const auto at = [](double ndc) { return 300.0 * (1.0 + ndc); };
@@ -226,7 +232,8 @@ void TestSourcePrograms::programVerticesGoToTheirPixelsAndBack()
                    vertex.coordinates(), 1e-9));
 }
 
-/// Help, 4: n f / (f - d (f - n)) beside (13), at n : f = 0.01 : 10^6, as shares of the scene's size.
+/// Help, 4: n f / (f - d (f - n)) against (13), at n : f = 0.01 : 10^6, as shares of the scene's
+/// size.
 void TestSourcePrograms::theUsualFormOfTheDistanceLosesSevenDigits()
 {
     constexpr double kUsual = 9e-10, kStable = 6e-16;

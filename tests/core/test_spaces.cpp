@@ -1,5 +1,5 @@
-// What can be done with points and vectors, and what must not compile. The claims up to the class are checked by
-// compiling this file.
+// The operations of points and vectors, and those that must not compile. The claims up to the class
+// are checked by compiling this file.
 
 #include "core/geometry/spaces.h"
 
@@ -104,7 +104,7 @@ struct List {
 };
 using AffineSpaces = List<ObjectSpace, WorldSpace, EyeSpace, NdcSpace, WindowSpace, DeviceSpace, WidgetSpace>;
 
-// ---- within one space --------------------------------------------------------------------------------------------
+// ---- within one space ------------------------------------------------------------------------
 
 template <class Space>
 constexpr bool isAffine()
@@ -143,7 +143,7 @@ constexpr bool areAffine(List<Spaces...>)
 }
 static_assert(areAffine(AffineSpaces{}));
 
-// ---- between spaces ----------------------------------------------------------------------------------------------
+// ---- between spaces --------------------------------------------------------------------------
 
 template <class A, class B>
 constexpr bool isApart()
@@ -171,7 +171,7 @@ constexpr bool areAllApart(List<A...> all)
 }
 static_assert(areAllApart(AffineSpaces{}));
 
-// ---- clip space is homogeneous -----------------------------------------------------------------------------------
+// ---- clip space is homogeneous ---------------------------------------------------------------
 
 template <class Space>
 concept HasVectors = requires
@@ -184,7 +184,7 @@ static_assert(!CanAdd<ClipPoint, ClipPoint> && !CanSubtract<ClipPoint, ClipPoint
 static_assert(!CanMultiply<ClipPoint, double> && !CanDivide<ClipPoint, double>);
 static_assert(!HasDistance<ClipPoint, ClipPoint>);
 
-// ---- to and from GLM by name only --------------------------------------------------------------------------------
+// ---- to and from GLM by name only ------------------------------------------------------------
 
 template <class Numbers, class Glm>
 constexpr bool meetsGlmByNameOnly()
@@ -206,7 +206,7 @@ static_assert(!std::is_constructible_v<WidgetPoint, double, double, double>);
 // Once a space is given up, it does not come back by itself.
 static_assert(std::is_convertible_v<WorldPoint, Components<3>> && !Becomes<Components<3>, EyePoint>);
 
-// ---- at no cost --------------------------------------------------------------------------------------------------
+// ---- at no cost ------------------------------------------------------------------------------
 
 template <class Numbers, int Dimension>
 constexpr bool isJustItsNumbers = sizeof(Numbers) == Dimension * sizeof(double) && alignof(Numbers) == alignof(double)

@@ -80,7 +80,7 @@ void TestStandIn::itIsCoarseAndLooksAlike()
     QVERIFY2(mesh.triangleCount() < 1.3 * most && mesh.triangleCount() > 0.4 * most,
              qPrintable(QString::number(mesh.triangleCount())));
     QCOMPARE(mesh.normals.size(), mesh.positions.size());
-    // A cell is about as wide as this; the mean of what is in it lies at most half of it inside.
+    // A cell is about this wide; the mean of its vertices lies at most half of it inside.
     const double cell = std::sqrt(3.0 * 4.0 * kPi * kRadius * kRadius / most);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         const double distance = glm::length(glm::dvec3(mesh.positions[v]));

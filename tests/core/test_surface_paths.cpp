@@ -1,4 +1,5 @@
-// Paths on surfaces whose shortest ones are known: what is flat when it is unrolled, a sphere, and what has a rim.
+// Paths on surfaces with known shortest ones: surfaces that unroll flat, a sphere, and surfaces
+// with a rim.
 
 #include "core/curves/curve_line.h"
 #include "core/ray/closest_place.h"
@@ -29,7 +30,8 @@ std::shared_ptr<const SurfaceMesh> surfaceOf(const Model &model)
     return SurfaceMesh::build(model, {});
 }
 
-/// The side length is 1; each side is two triangles, and each triangle has corners of its own as in an STL file.
+/// The side length is 1; each side is two triangles, and each triangle has corners of its own as in
+/// an STL file.
 std::shared_ptr<Model> cubeOfTwelve()
 {
     std::vector<glm::vec3> soup;
@@ -68,7 +70,8 @@ std::shared_ptr<Model> sheet(std::uint32_t columns, std::uint32_t rows,
     return modelOf(std::move(mesh));
 }
 
-/// A prism of so many sides, of radius 1 and height 4 along z, without lids: developable to the last digit.
+/// A prism of so many sides, of radius 1 and height 4 along z, without lids: developable to the
+/// last digit.
 std::shared_ptr<Model> prism(std::uint32_t sides, std::uint32_t rows)
 {
     return sheet(sides, rows, [](double u, double v) {
@@ -422,7 +425,7 @@ void TestSurfacePaths::linesSayWhatIsWrong()
     QCOMPARE(errorOf({&a}).first, int(CurveError::Code::TooFew));
     QCOMPARE(errorOf({&a, &free}), std::pair(int(CurveError::Code::NotOnSurface), std::size_t(1)));
     QCOMPARE(errorOf({&a, &a, &missing}), std::pair(int(CurveError::Code::Missing), std::size_t(2)));
-    // As files may have them: no corner has a weight, or weights that are no numbers together.
+    // Weights as files may have them: no corner has one, or their sum is no usable number.
     for (const glm::dvec3 &weights : {glm::dvec3(0.0), glm::dvec3(-1.0, 0.0, -0.5), glm::dvec3(1e308)}) {
         Landmark unheld = a;
         unheld.anchor = OnTriangle{0, weights};

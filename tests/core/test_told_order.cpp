@@ -1,4 +1,5 @@
-// In which order the numbers of pasted matrices are told to stand, for the command and for the window's dialog.
+// The order of the numbers of pasted matrices, as the command's options and the window's dialog
+// give it.
 #include "core/matrices/matrix_paste.h"
 #include "core/matrices/told_order.h"
 
@@ -96,7 +97,7 @@ void TestToldOrder::aMatrixTellsByItself()
         QVERIFY(told({right}) == std::vector{ToldOrder::Usual});
         QVERIFY(told({read(right.role, right.other)}) == std::vector{ToldOrder::Other});
     }
-    // Each for itself, whatever the others are.
+    // Each matrix is judged by itself, whatever the others are.
     QVERIFY(told({read(View, glm::transpose(view())), read(Projection, lens())})
             == (std::vector{ToldOrder::Other, ToldOrder::Usual}));
 }
@@ -107,7 +108,7 @@ void TestToldOrder::whatOnlyTurnsGoesByTheOthers()
     QVERIFY(told({read(View, turn()), read(Projection, lens())}) == (std::vector{ToldOrder::Usual, ToldOrder::Usual}));
     QVERIFY(told({read(View, turn()), read(Projection, glm::transpose(lens()))})
             == (std::vector{ToldOrder::OtherAsOthers, ToldOrder::Other}));
-    // One of another form says what forms mean here, but not that they mean the other order.
+    // A matrix of another form settles the meaning of forms here, but not the other order.
     QVERIFY(told({read(View, turn()), read(Projection, lens(), MatrixForm::Flat)})
             == (std::vector{ToldOrder::Usual, ToldOrder::Usual}));
     QVERIFY(told({read(View, turn()), read(Projection, glm::transpose(lens()), MatrixForm::Flat)})
@@ -128,7 +129,8 @@ void TestToldOrder::whatNothingTellsStaysOpen()
 void TestToldOrder::betweenTwoCamerasPixelsAreSquare()
 {
     using enum MatrixRole;
-    // A quarter turn about the view's axis: in the other order the picture is turned the other way, and high instead of wide.
+    // A quarter turn about the view's axis: in the other order the picture is turned the other way,
+    // and high instead of wide.
     const glm::dmat4 roll(glm::dmat3(0, 1, 0, -1, 0, 0, 0, 0, 1));
     const BothOrders product = read(Product, symmetricLens() * roll);
     QVERIFY(told({product}) == std::vector{ToldOrder::Open});
@@ -157,7 +159,7 @@ void TestToldOrder::pastedMatricesAreReadSo()
     QVERIFY(paste.order(MatrixRole::View) == NumberOrder::ByColumns);
     QCOMPARE(idsOf(paste.findings(MatrixRole::Projection)), Ids{"other-order"});
     QCOMPARE(idsOf(paste.findings(MatrixRole::View)), Ids{"order-of-others"});
-    // What told the order is gone.
+    // The matrix that gave the order is gone.
     paste.setText(MatrixRole::Projection, "");
     QVERIFY(paste.order(MatrixRole::View) == NumberOrder::ByRows);
 }

@@ -1,5 +1,5 @@
-// Both unprojections against an independent oracle of 50 digits, over thousands of random cameras. Agreement of the
-// two would not do: they start from the same window point.
+// Both unprojections against an independent oracle of 50 digits, over thousands of random cameras.
+// Agreement of the two would not do: they start from the same window point.
 
 #include "core/unproject/closed_form.h"
 #include "core/unproject/matrix_inverse.h"
@@ -25,15 +25,17 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-/// The closed form's promise: 2 epsilons of the scene's scale, the largest of |point|, |eye| and their distance in
-/// the maximum norm. Nothing may be rounded before the end.
+/// The closed form's promise: 2 epsilons of the scene's scale, the largest of |point|, |eye| and
+/// their distance in the maximum norm. Nothing may be rounded before the end.
 constexpr double kClosedForm = 4.5e-16;
 
-/// The matrix path: this many epsilons times the amplification of `matrixAmplification`. Measured: 13.
+/// The matrix path: this many epsilons times the amplification of `matrixAmplification`. Measured:
+/// 13.
 constexpr double kMatrixEpsilons = 32.0;
 
-/// Units in the last place of the largest world component, of the closed form, every click: the double nearest to the
-/// truth is at most half of one off; the rest is for points where two are equally near.
+/// Units in the last place of the largest world component, for the closed form and every click. The
+/// double nearest to the truth is at most half a unit off; the rest is for points where two are
+/// equally near.
 constexpr double kUlps = 0.51;
 
 double relativeError(const Components<3> &actual, const oracle::Vector3 &exact, const Extended &scale)
@@ -41,7 +43,7 @@ double relativeError(const Components<3> &actual, const oracle::Vector3 &exact, 
     return static_cast<double>(oracle::maxNorm(oracle::difference(oracle::extended(actual), exact)) / scale);
 }
 
-/// A click on a random scene, and what the oracle says lies under it.
+/// A click on a random scene, and the oracle's point for it.
 struct Click {
     WindowPoint window;
     oracle::Vector3 exactEye, exactWorld;
@@ -82,11 +84,11 @@ struct CoreScene {
     glm::dmat4 clipFromEyeMatrix;
 };
 
-/// By how much the scene's scale an inverse matrix may amplify an epsilon.
+/// The factor of the scene's scale by which an inverse matrix may amplify an epsilon.
 ///
-/// A perspective squeezes the distances up to f into the few NDC depths next to 1: one epsilon of z_ndc there is
-/// f / n epsilons of the distance. A box is scaled independently along its axes, so that an epsilon of NDC is one of
-/// the box's size, plus, sheared, cot times its length.
+/// A perspective squeezes the distances up to f into the few NDC depths next to 1: one epsilon of
+/// z_ndc there is f / n epsilons of the distance. A box is scaled independently along its axes: an
+/// epsilon of NDC is one of the box's size. A shear adds cot times the box's length.
 double matrixAmplification(const CoreScene &s, const Click &c)
 {
     const oracle::Projection &p = s.scene.projection;
@@ -148,7 +150,7 @@ private slots:
     void unitsInTheLastPlace();
 };
 
-/// Who guards the guard: figures that anybody can check.
+/// Checks the oracle itself against figures that a reader can verify.
 void TestUnprojectOracle::theOracleKnowsTheLiteralNumbers()
 {
     const oracle::View front{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}};
@@ -162,7 +164,8 @@ void TestUnprojectOracle::theOracleKnowsTheLiteralNumbers()
     frustum.farDistance = 10;
     const oracle::Target target{100, 50, 400, 300, 0, 1};
     const oracle::Oracle exact(front, frustum, target);
-    // The near plane's bottom left corner lies at z = 5 - 2, the far plane's top right at z = 5 - 10.
+    // The near plane's bottom left corner lies at z = 5 - 2, the far plane's top right at z = 5 -
+    // 10.
     const auto isExactly = [](const oracle::Vector3 &v, double x, double y, double z) {
         return oracle::maxNorm(oracle::difference(v, {Extended(x), Extended(y), Extended(z)})) < 1e-40;
     };
@@ -276,7 +279,8 @@ void TestUnprojectOracle::matrixStaysWithinItsConditioning()
     QVERIFY(worstEpsilons <= kMatrixEpsilons);
 }
 
-/// Backward by the closed form, forward by core's own matrices in double: the pixel and the depth clicked.
+/// Backward by the closed form, forward by core's own matrices in double: the pixel and the depth
+/// clicked.
 void TestUnprojectOracle::forwardOfBackwardIsTheClick()
 {
     QFETCH(RandomKind, kind);
@@ -291,8 +295,8 @@ void TestUnprojectOracle::forwardOfBackwardIsTheClick()
             const glm::dvec4 clip = s.clipFromEyeMatrix * glm::dvec4(eye.coordinates(), 1.0);
             const WindowPoint window = windowFromNdc(s.viewport, s.range, NdcPoint(glm::dvec3(clip) / clip.w));
 
-            // The window coordinates are sums whose terms are larger than they: an off-centre window's offset, and,
-            // sheared, cot z in units of the box.
+            // The window coordinates are sums whose terms are larger than they: an off-centre
+            // window's offset, and, sheared, cot z in units of the box.
             const ProjectionWindow w = projectionWindow(s.projection);
             const double shear =
                 p.kind == RandomKind::Oblique
@@ -326,7 +330,8 @@ void TestUnprojectOracle::coreMatricesAreTheOraclesMatrices()
             for (int column = 0; column < 4; ++column) {
                 const Extended exact = s.exact.clipFromEye()[std::size_t(row)][std::size_t(column)];
                 const double projectionError = static_cast<double>(abs(s.clipFromEyeMatrix[column][row] - exact));
-                // A perspective's r + l is exactly 0; each other element is a quotient of two rounded terms.
+                // A perspective's r + l is exactly 0; each other element is a quotient of two
+                // rounded terms.
                 QVERIFY(projectionError <= 8.0 * kEpsilon * std::abs(static_cast<double>(exact)));
                 const Extended exactView = s.exact.eyeFromWorld()[std::size_t(row)][std::size_t(column)];
                 const double viewError = static_cast<double>(abs(view[column][row] - exactView));
@@ -362,8 +367,9 @@ void TestUnprojectOracle::literalPixels_data()
     QTest::addColumn<WidgetPoint>("click");
     QTest::addColumn<glm::dvec3>("world");
 
-    // 400 x 300 logical pixels. Eye at (0, 0, 10) looking down -z, frustum [-4, 4] x [-3, 3] on z = 5, far 20; depth
-    // 2/3 is the distance 10, the plane of the origin, where the picture is 16 x 12: 0.04 a pixel at 1x.
+    // 400 x 300 logical pixels. The eye at (0, 0, 10) looks down -z; the frustum is [-4, 4] x [-3,
+    // 3] on z = 5, far 20. Depth 2/3 is the distance 10, the plane of the origin, where the picture
+    // is 16 x 12: 0.04 a pixel at 1x.
     QTest::newRow("top-left@1x") << 1.0 << WidgetPoint(0, 0) << glm::dvec3(-7.98, 5.98, 0);
     QTest::newRow("top-right@1x") << 1.0 << WidgetPoint(399, 0) << glm::dvec3(7.98, 5.98, 0);
     QTest::newRow("bottom-left@1x") << 1.0 << WidgetPoint(0, 299) << glm::dvec3(-7.98, -5.98, 0);
@@ -402,7 +408,7 @@ void TestUnprojectOracle::literalPixels()
     const double depth = 2.0 / 3.0;
     QVERIFY(isUnder(windowFromDevice(surface, pixelCenter(pixel), depth), kLiteral));
 
-    // What goes wrong elsewhere lies far outside that tolerance, for both methods alike.
+    // The usual mistakes elsewhere lie far outside that tolerance, for both methods alike.
     const double i = pixel.i, j = pixel.j, height = surface.heightPixels;
     constexpr double kFar = 1e10 * kLiteral;
     QVERIFY(!isUnder(WindowPoint(i, height - j - 0.5, depth), kFar));       // half a pixel lost across
@@ -421,7 +427,8 @@ void TestUnprojectOracle::unitsInTheLastPlace_data()
     QTest::newRow("1 : 100") << 1.0 << 100.0;
 }
 
-/// Errors in units in the last place of the exact point's largest world component, for scenes as people have them.
+/// Errors in units in the last place of the exact point's largest world component, for typical
+/// scenes.
 void TestUnprojectOracle::unitsInTheLastPlace()
 {
     QFETCH(double, nearDistance);

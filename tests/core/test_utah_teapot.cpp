@@ -1,4 +1,4 @@
-// The teapot that comes with the program: its patches are the published ones, and its mesh is made of them.
+// The bundled teapot: its patches are the published ones, and its mesh is made of them.
 
 #include "core/examples/utah_teapot.h"
 
@@ -100,7 +100,8 @@ void TestUtahTeapot::teapotControlPointsAreThePublishedOnes()
 
 void TestUtahTeapot::teapotPassesThrough_data()
 {
-    // A cubic at its middle is (P0 + 3 P1 + 3 P2 + P3) / 8, worked out by hand from the published points.
+    // A cubic at its middle is (P0 + 3 P1 + 3 P2 + P3) / 8, worked out by hand from the published
+    // points.
     QTest::addColumn<glm::dvec3>("point");
     QTest::newRow("upper body") << glm::dvec3(1.84375, 1.621875, 0.0);
     QTest::newRow("upper body, to the front") << glm::dvec3(0.0, 1.621875, 1.84375);

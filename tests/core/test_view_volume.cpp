@@ -1,5 +1,5 @@
-// The view volume's corners against literals, and the morph between eye space and the canonical view volume against what
-// it promises.
+// The view volume's corners against literals, and the morph between eye space and the canonical
+// view volume against its documented properties.
 
 #include "core/geometry/angle.h"
 #include "core/geometry/framing.h"
@@ -146,7 +146,8 @@ void TestViewVolume::cornersLandOnTheCube()
     const std::array<EyePoint, 8> corners = viewVolumeCorners(projection);
     const ViewVolumeMorph morph = morphOf(projection);
     for (std::size_t i = 0; i < 8; ++i) {
-        // NDC by definition: right, top and far are +1. It is drawn backwards in z, and mirrored as the window is.
+        // NDC by definition: right, top and far are +1. It is drawn backwards in z, and mirrored as
+        // the window is.
         const glm::dvec3 ndc(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
         const ProjectionWindow w = projectionWindow(projection);
         const glm::dvec3 drawn(ndc.x * (w.right > w.left ? 1.0 : -1.0), ndc.y * (w.top > w.bottom ? 1.0 : -1.0),
@@ -259,7 +260,7 @@ void TestViewVolume::thePlanesHoldAllThenTheVolume()
     for (const double t : kTimes) {
         for (const EyePoint &corner : corners)
             QVERIFY(holds(t, corner.coordinates(), 1e-10));
-        // Whatever they hold can be drawn, wherever it lies.
+        // Any point inside can be drawn, wherever it lies.
         for (int i = 0; i < 2000; ++i) {
             const glm::dvec3 p = size * glm::dvec3(std::sin(i * 1.1), std::sin(i * 1.7 + 1.0), std::sin(i * 2.3 + 2.0));
             if (holds(t, p, 0.0))
@@ -268,7 +269,7 @@ void TestViewVolume::thePlanesHoldAllThenTheVolume()
                 QVERIFY(holds(t, p, 0.0));
         }
     }
-    // At the end just outside each face is outside.
+    // A point just outside a face at the end of the morph is outside.
     const std::array<glm::dvec3, 6> beyond{inside(corners, 0.5, 0.5, -1e-7), inside(corners, -0.01, 0.5, 0.5),
                                            inside(corners, 1.01, 0.5, 0.5),  inside(corners, 0.5, -0.01, 0.5),
                                            inside(corners, 0.5, 1.01, 0.5),  inside(corners, 0.5, 0.5, 1.01)};
@@ -386,7 +387,7 @@ void TestViewVolume::aDraggedPlaneFollowsThePointer()
     const Projection target =
         withClipDistances(projection, movesFar ? w.nearDistance : wanted, movesFar ? wanted : w.farDistance);
     const EyePoint grabbed = viewVolumeCorners(projection)[index];
-    // The hand takes hold a few pixels beside the corner and keeps that offset.
+    // The drag starts a few pixels beside the corner and keeps that offset.
     const glm::dvec2 beside(3.0, -2.0);
     const ClipPlaneDrag drag(projection, movesFar ? ClipPlane::Far : ClipPlane::Near, grabbed, widgetFromEye,
                              pixelOf(grabbed) + beside);

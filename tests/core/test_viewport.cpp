@@ -1,5 +1,6 @@
-// The only place with a y flip, a pixel ratio or half a pixel. Both unprojections start from the same window point,
-// so that an error here would leave them in agreement: these rows are literal numbers, written out by hand.
+// The only code with a y flip, a pixel ratio or half a pixel. Both unprojections start from the
+// same window point and would agree on an error here: so these rows are literal numbers, written
+// out by hand.
 
 #include "viewport_checks.h"
 
@@ -57,7 +58,8 @@ void TestViewport::aClickGoesThroughPixelRowAndWindowToNdc_data()
     QTest::addColumn<glm::dvec2>("window");
     QTest::addColumn<glm::dvec2>("ndc");
 
-    // A widget of 400 x 300 logical pixels; the clicks are on logical (0, 0), (399, 0), (0, 299), (399, 299), (200, 150).
+    // A widget of 400 x 300 logical pixels; the clicks are on logical (0, 0), (399, 0), (0, 299),
+    // (399, 299), (200, 150).
     const auto row = [](const char *name, double ratio, const Viewport &viewport, double x, double y, int i, int j,
                         int framebufferRow, double windowX, double windowY, double ndcX, double ndcY) {
         QTest::newRow(name) << ratio << viewport << WidgetPoint(x, y) << i << j << framebufferRow
@@ -70,7 +72,8 @@ void TestViewport::aClickGoesThroughPixelRowAndWindowToNdc_data()
     row("bottom-right@1x", 1, at1, 399, 299, 399, 299, 0, 399.5, 0.5, 0.9975, -299 / 300.0);
     row("centre@1x", 1, at1, 200, 150, 200, 150, 149, 200.5, 149.5, 0.0025, -1 / 300.0);
 
-    // 500 x 375; 399 * 1.25 = 498.75 and 299 * 1.25 = 373.75: the last pixel (499, 374) has no whole logical position.
+    // 500 x 375; 399 * 1.25 = 498.75 and 299 * 1.25 = 373.75: the last pixel (499, 374) has no
+    // whole logical position.
     const Viewport at125{0, 0, 500, 375};
     row("top-left@1.25x", 1.25, at125, 0, 0, 0, 0, 374, 0.5, 374.5, -0.998, 374 / 375.0);
     row("top-right@1.25x", 1.25, at125, 399, 0, 498, 0, 374, 498.5, 374.5, 0.994, 374 / 375.0);
@@ -298,7 +301,8 @@ void TestViewport::theWholeSurfaceIsAViewport()
     QVERIFY((wholeSurface({500, 375, 1.25}) == Viewport{0, 0, 500, 375}));
 }
 
-/// At 1.5 a view that starts at logical 3 starts at device 4.5, which Qt rounds to 5: half a pixel less is left of it.
+/// At 1.5 a view that starts at logical 3 starts at device 4.5. Qt rounds that to 5: half a pixel
+/// less is left of it.
 void TestViewport::aViewsCornerIsOnAWholePixel()
 {
     const Surface surface{300, 150, 1.5};

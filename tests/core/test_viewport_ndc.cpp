@@ -1,5 +1,5 @@
-// Behind the viewport: window coordinates from NDC and back, and the depth between them. Literal numbers, written out by
-// hand.
+// The NDC half of the viewport: window coordinates from NDC and back, and the depth between them.
+// Literal numbers, written out by hand.
 
 #include "viewport_checks.h"
 

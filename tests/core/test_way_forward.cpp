@@ -1,4 +1,5 @@
-// The way forward against an independent oracle of 50 digits, over thousands of random cameras of every kind.
+// The way forward against an independent oracle of 50 digits, over thousands of random cameras of
+// every kind.
 
 #include "core/geometry/transform.h"
 #include "core/geometry/way_forward.h"
@@ -20,11 +21,12 @@ using oracle::RandomKind;
 
 namespace {
 
-/// Rounded once, a number is half a unit in the last place off at most; the rest is for numbers that two doubles are equally
-/// near to.
+/// A number rounded once is half a unit in the last place off at most; the rest is for numbers that
+/// two doubles are equally near to.
 constexpr double kUlps = 0.51;
-/// A coordinate that is far smaller than the others of its stage, by this share, has what cancelling leaves of their 32
-/// digits, and less where those of the object's place have cancelled before.
+/// The shares below which a coordinate counts as cancelled: it is far smaller than the others of
+/// its stage. Cancellation leaves it fewer of its 32 digits, and fewer still where the object's
+/// place has cancelled before.
 constexpr double kLeastShare = 1e-9, kLeastShareFarAway = 1e-5;
 
 template <std::size_t count>
@@ -126,7 +128,8 @@ void TestWayForward::objectsFarFromTheOrigin()
     QVERIFY2(worst <= kUlps, QByteArray::number(worst));
 }
 
-/// Matrices as another program has them, their last row a multiple of (0, 0, 0, 1), for both kinds of depths.
+/// Matrices as another program has them, their last row a multiple of (0, 0, 0, 1), for both kinds
+/// of depths.
 void TestWayForward::matrices()
 {
     QFETCH(RandomKind, kind);
@@ -162,8 +165,8 @@ void TestWayForward::anglesInDegrees_data()
         QTest::addRow("%g", degrees) << degrees;
 }
 
-/// Of a field of view and of a shear: the tangent is that of the degrees given, not that of the radians which they were
-/// rounded to.
+/// A field of view and a shear in degrees: the tangent is that of the given degrees, not of the
+/// radians that they were rounded to.
 void TestWayForward::anglesInDegrees()
 {
     QFETCH(double, degrees);

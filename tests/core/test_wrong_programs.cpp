@@ -1,4 +1,5 @@
-// The simulated wrong programs: each prints what was worked out for its mistake beforehand, apart from them.
+// The simulated wrong programs: each prints the result that was computed for its mistake beforehand
+// and separately.
 
 #include "tests/support/wrong_programs.h"
 

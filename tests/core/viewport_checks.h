@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-/// What the tests of the viewport's two halves share: before and behind NDC.
+/// Checks that the tests of the viewport's two halves share: before and behind NDC.
 namespace viewport_checks {
 
 inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

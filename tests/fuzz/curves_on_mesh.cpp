@@ -25,7 +25,7 @@ const curves::SurfaceMesh &surface()
 void leadCurves(const landmarks::LandmarkSet &set)
 {
     constexpr std::size_t kMostCurves = 4, kMostPoints = 6;
-    constexpr int kMostSteps = 100'000; // of a mesh of 108 triangles: whoever takes more goes around in circles
+    constexpr int kMostSteps = 100'000; // of a mesh of 108 triangles: a path with more goes around in circles
     for (std::size_t i = 0; i < std::min(set.curves.size(), kMostCurves); ++i) {
         const Curve &curve = set.curves[i];
         std::vector<const Landmark *> points;

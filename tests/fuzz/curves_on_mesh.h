@@ -4,8 +4,8 @@
 
 namespace fuzz {
 
-/// Leads the first curves of a set over a small mesh, as a window does that has opened them, and ends the program where one comes to
-/// no end, leaves the mesh, or is no number.
+/// Leads the first curves of a set over a small mesh, as a window does after opening them. Ends the
+/// program where a curve does not end, leaves the mesh, or is no number.
 void leadCurves(const unprojector::landmarks::LandmarkSet &set);
 
 } // namespace fuzz

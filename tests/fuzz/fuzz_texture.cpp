@@ -1,4 +1,4 @@
-// What a model file writes in place of its picture's name.
+// The text that a model file has in place of its texture's file name.
 
 #include "core/mesh/import/mesh_reader.h"
 #include "tests/fuzz/fuzzing.h"

@@ -14,7 +14,8 @@
 #include <QString>
 #include <QtGlobal>
 
-/// What the tests of the comparison's panel and of its texts share: picks to show, and a text's look.
+/// Helpers that the tests of the comparison's panel and texts share: picks to show, and a text's
+/// look.
 namespace comparing {
 
 /// 800 x 600, window +-0.828427 x +-0.62132 at n = 2, f = 10, from (0, 0, 5) towards the origin.
@@ -52,8 +53,8 @@ inline unprojector::unproject::Pick picked(const unprojector::geometry::Setup &s
     return *pick;
 }
 
-/// A pick whose world point is what each method is told to have found, and each coordinate of it off by no more than
-/// `radius`.
+/// A pick with these world points, one for each method; the uncertainty of each coordinate is at
+/// most `radius`.
 inline unprojector::unproject::Pick pickWith(const glm::dvec3 &formula, const glm::dvec3 &matrix,
                                              const glm::dvec3 &matrixInFloat, double radius)
 {
@@ -77,12 +78,12 @@ inline unprojector::gui::KeptPick kept(const unprojector::unproject::Pick &pick)
     return result;
 }
 
-/// A document, for the panel that is made after it.
+/// A document, for the panel that is constructed after it.
 struct WithDocument {
     unprojector::gui::SceneDocument document;
 };
 
-/// A panel of a document of its own, which is told its pick.
+/// A panel with a document of its own, for given picks.
 struct PanelOfPicks : WithDocument, unprojector::gui::ComparisonPanel {
     PanelOfPicks() : ComparisonPanel(document) {}
 

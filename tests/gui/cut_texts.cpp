@@ -26,7 +26,7 @@ QString nameOf(const QWidget &widget)
     return QString::fromLatin1(widget.metaObject()->className());
 }
 
-/// The size that a widget's text takes in it, and the place that there is for it.
+/// The size that a widget's text needs, and the room that it has.
 struct Text {
     QString text;
     QSize needed;

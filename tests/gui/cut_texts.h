@@ -6,8 +6,9 @@ class QWidget;
 
 namespace unprojector::gui {
 
-/// What of the texts inside a widget is not to be seen as a whole, each in words: labels, buttons, combo boxes and fields
-/// that are narrower or lower than their text, children that stick out of their parents sideways or lie on each other.
+/// The texts inside a widget that are cut off, each in words:
+/// - labels, buttons, combo boxes and fields that are narrower or lower than their text;
+/// - children that stick out of their parents sideways or overlap each other.
 /// A field that has the focus scrolls, and is left out.
 QStringList cutTexts(const QWidget &widget);
 

@@ -4,7 +4,8 @@
 
 #include <QTest>
 
-/// The depth ranges that every view is tested with: each test's rows, and the range of the row that runs.
+/// The depth ranges that every view is tested with: each test's rows, and the range of the row that
+/// runs.
 namespace depthranges {
 
 inline void addRows()

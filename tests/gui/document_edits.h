@@ -7,10 +7,11 @@
 #include <utility>
 #include <vector>
 
-/// Edits of single settings, as the window's panels make them, and picks, as clicks in the view make them.
+/// Edits of single settings, as the window's panels make them, and picks, as clicks in the view
+/// make them.
 namespace unprojector::gui {
 
-/// A projection, and what of it follows something else.
+/// A projection, and the rules for its dependent parts.
 struct ProjectionRule {
     geometry::Projection projection;
     bool followsViewport = true; ///< its proportions

@@ -241,12 +241,13 @@ std::optional<Shares> Stage::clicked(const std::shared_ptr<const Model> &model, 
             shares.byNeighbours.addMiss();
             continue;
         }
-        // On the ray itself: of a point put together from a thin triangle's corners the last digits go to the side.
+        // The point is computed on the ray itself: combined from a thin triangle's corners, its
+        // last digits would leave the ray sideways.
         const WorldPoint onMesh = rays.rays().at(centre).value().at(hit->t);
         const Pick asRead = pickAt(unprojector, {{}, pixel, *sample}).value();
         const auto shareOf = [&](const DrawnSurface &surface) {
             const Pick pick = refined(asRead, surface);
-            // What the ray's own arithmetic in double is off.
+            // The error of the ray's own arithmetic in double.
             const auto rounding = [](const Components<3> &a, const Components<3> &b) {
                 return 16.0 * 0x1p-53 * (glm::abs(a.coordinates()) + glm::abs(b.coordinates()));
             };

@@ -37,7 +37,7 @@ void redirectSettings()
     QSettings::setPath(QSettings::IniFormat, QSettings::SystemScope, folder.path());
 }
 
-// ---- scenes ------------------------------------------------------------------------------------------------------
+// ---- scenes ----------------------------------------------------------------------------------
 
 const std::array<Face, 6> &cubeFaces()
 {
@@ -89,7 +89,7 @@ std::vector<SceneObject> planeScene(const glm::dvec3 &center, const glm::dvec3 &
                                     const glm::dvec3 &otherHalfEdge)
 {
     Mesh mesh;
-    // About the origin and small numbers: single precision shall not bend the plane.
+    // Small numbers about the origin: single precision must not bend the plane.
     for (const auto &[s, t] :
          {std::pair(-1.0, -1.0), std::pair(1.0, -1.0), std::pair(1.0, 1.0), std::pair(-1.0, 1.0)}) {
         mesh.positions.push_back(glm::vec3(s * halfEdge + t * otherHalfEdge));
@@ -109,7 +109,7 @@ void setDepthRange(SceneDocument &document, const DepthRange &range)
     QVERIFY(editViewport(document, document.scene().viewport, range, {QStringLiteral("Depth range")}));
 }
 
-// ---- pictures ----------------------------------------------------------------------------------------------------
+// ---- pictures --------------------------------------------------------------------------------
 
 int differentPixels(const QImage &a, const QImage &b)
 {
@@ -125,7 +125,7 @@ int differentPixels(const QImage &a, const QImage &b)
     return count;
 }
 
-// ---- windows -----------------------------------------------------------------------------------------------------
+// ---- windows ---------------------------------------------------------------------------------
 
 void enter(MainWindow &window, const char *name)
 {
@@ -182,7 +182,7 @@ std::unique_ptr<MainWindow> twoCubesWindow(const DepthRange &range)
 
 void settle(int milliseconds)
 {
-    constexpr int kRounds = 3; // what happens has consequences of its own
+    constexpr int kRounds = 3; // events cause further events
     for (int round = 0; round < kRounds; ++round) {
         QTest::qWait(milliseconds / kRounds);
         QGuiApplication::sync();
@@ -199,7 +199,7 @@ bool resized(MainWindow &window, const QSize &size)
     return has;
 }
 
-// ---- positions ---------------------------------------------------------------------------------------------------
+// ---- positions -------------------------------------------------------------------------------
 
 DevicePixel pixelUnder(const SceneView &view, const QPointF &local)
 {
@@ -242,7 +242,7 @@ QPointF localOf(const MainWindow &window, const glm::dvec3 &world)
     return {widget.x + composed(corner.x()), widget.y + composed(corner.y())};
 }
 
-// ---- mouse -------------------------------------------------------------------------------------------------------
+// ---- mouse -----------------------------------------------------------------------------------
 
 void sendMouse(SceneView &view, QEvent::Type type, const QPointF &local, Qt::MouseButton button,
                Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers)
@@ -275,7 +275,7 @@ void turnWheel(SceneView &view, const QPointF &local, int notches)
     QCoreApplication::sendEvent(&view, &event);
 }
 
-// ---- rays by hand ------------------------------------------------------------------------------------------------
+// ---- rays by hand ----------------------------------------------------------------------------
 
 glm::dvec3 forwardOf(const LookAt &camera)
 {

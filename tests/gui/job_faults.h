@@ -10,8 +10,8 @@
 /// Jobs that fail as on a machine without threads or memory to spare.
 namespace jobfaults {
 
-/// While this lives, each job fails in this way.
-/// @pre no job runs when it comes and when it goes
+/// Makes each job fail in this way while it lives. @pre no job runs when it is constructed or
+/// destroyed
 class Fault {
 public:
     explicit Fault(unprojector::gui::JobFailure::Kind kind)

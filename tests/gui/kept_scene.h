@@ -13,11 +13,11 @@
 
 #include <memory>
 
-/// What the tests of autosave and recovery share: a scene with a model beside it in a folder of the test's own, windows
-/// that keep unsaved changes there, and a change that a person would not like to lose.
+/// Helpers that the tests of autosave and recovery share: a scene with a model in the test's own
+/// folder, windows that keep unsaved changes there, and a change worth keeping.
 namespace keeping {
 
-/// Has a key of somebody else's and a model by a relative name.
+/// A scene with a key of another program and a model by a relative name.
 inline const QByteArray kScene = R"({"unprojector": 1, "window": {"width": 300, "height": 200},
     "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},
     "view": {"eye": [0, 0, 5], "center": [0, 0, 0], "up": [0, 1, 0]},
@@ -28,7 +28,8 @@ std::filesystem::path pathOf(const QString &name);
 void write(const QString &file, const QByteArray &text);
 QByteArray read(const QString &file);
 
-/// The folder of one test: scene.json, models/triangle.obj, and recovery/, once something is kept.
+/// The folder of one test: scene.json, models/triangle.obj, and recovery/, once a recovery file is
+/// written.
 class Folder {
 public:
     Folder();
@@ -42,7 +43,7 @@ private:
     QTemporaryDir m_folder;
 };
 
-/// Not on the screen: nothing here needs the view. Asks nothing when it is left.
+/// A window that is not on the screen: nothing here needs the view. It asks nothing on closing.
 std::unique_ptr<unprojector::gui::MainWindow> windowKeepingIn(const QString &folder);
 bool openAndWait(unprojector::gui::MainWindow &window, const QString &file);
 /// A clip plane at height `d`.

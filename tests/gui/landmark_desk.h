@@ -15,8 +15,8 @@
 #include <memory>
 #include <vector>
 
-/// What the tests of files of points and of series of scans share: a folder of the test's own with a scan in it, and all that
-/// opens, keeps and asks.
+/// Helpers that the tests of landmark files and of series of scans share: the test's own folder
+/// with a scan, and everything that opens, keeps and asks.
 namespace landmarkfiles {
 
 using unprojector::landmarks::Landmark;
@@ -55,7 +55,7 @@ struct FixedAnswers : unprojector::gui::SessionQuestions, unprojector::gui::Land
     Join join = Join::Replace;
     unprojector::gui::LandmarkFileQuestions::Stray stray = unprojector::gui::LandmarkFileQuestions::Stray::Tie;
     int saveQuestions = 0, joinQuestions = 0;
-    std::function<void()> meanwhile; ///< happens while somebody is asked
+    std::function<void()> meanwhile; ///< happens during a question
     Counts asked;
     QString strayText, orderText;
     Order order = Order::Fill;
@@ -64,10 +64,10 @@ struct FixedAnswers : unprojector::gui::SessionQuestions, unprojector::gui::Land
 /// A square of two triangles from (0, 0, 0) to (10, 10, 0).
 inline const QByteArray kSquare = "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nf 1 2 3\nf 1 3 4\n";
 
-/// A test that begins each of its claims anew.
+/// A test that starts each of its functions in a fresh state.
 class LandmarksTest : public QObject {
 protected:
-    /// With square.obj in the folder.
+    /// Starts with square.obj in the folder.
     void begin();
 
     QString path(const QString &name) const { return m_folder->filePath(name); }

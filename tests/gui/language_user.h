@@ -7,7 +7,7 @@
 
 #include <memory>
 
-/// What the tests of the language do with the window.
+/// Actions on the window that the tests of the language share.
 namespace guitest {
 
 /// A window on the bundled scene, with a pick.

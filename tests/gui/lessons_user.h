@@ -16,14 +16,14 @@
 #include <algorithm>
 #include <optional>
 
-/// What the tests of lessons in the window do with it.
+/// Actions on the window that the tests of lessons share.
 namespace guitest {
 
 inline constexpr QSize kWide(1280, 800);
 inline constexpr QSize kLow(1280, 600); ///< a screen that is not high either has room for more
 
-/// Until the window has looked at the view's size for the last time, and panels are laid out: a timer of its own is late
-/// whenever this one is.
+/// Waits until the window has made its last check of the view's size and panels are laid out. It
+/// uses a timer of its own, which is late whenever the window's is.
 inline void settle(unprojector::gui::MainWindow &window)
 {
     constexpr int kLooks = 8; // more, and later ones, than the window's
@@ -37,7 +37,8 @@ inline void settle(unprojector::gui::MainWindow &window)
     }
 }
 
-/// The height of a view that the window has to grow for, in a lesson; nothing where the screen has no room for it.
+/// The height of a view that the window has to grow for, in a lesson; empty where the screen has no
+/// room for it.
 inline std::optional<int> heightToGrowFor(unprojector::gui::MainWindow &window)
 {
     constexpr int kMost = 900;
@@ -66,7 +67,7 @@ inline QPushButton *buttonOf(unprojector::gui::MainWindow &window, const QString
     return nullptr;
 }
 
-/// What the panel says of an answer or of the picture: the label with this name or with a link.
+/// The panel's verdict on an answer or on the picture: the label with this name or with a link.
 inline QString verdictOf(unprojector::gui::MainWindow &window)
 {
     for (const QLabel *label : panelOf(window).findChildren<QLabel *>()) {

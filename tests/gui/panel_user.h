@@ -9,7 +9,7 @@
 
 namespace unprojector::gui {
 
-/// The state that every row starts from, each number another one.
+/// The initial state of every row; all its numbers differ.
 inline scene::Scene startScene()
 {
     scene::Scene scene;
@@ -30,7 +30,7 @@ inline const geometry::Frustum &frustumOf(const scene::Scene &scene)
     return std::get<geometry::Frustum>(*scene.projection);
 }
 
-// What the rows make of it first.
+// The edits that prepare a row's scene.
 inline void asIs(scene::Scene &) {}
 inline void perspective(scene::Scene &s)
 {
@@ -65,25 +65,26 @@ inline void cut(scene::Scene &s)
     s.clipPlanes = {{1.0, 0.0, 0.0, 0.5}};
 }
 
-/// Compares what a scene's parameters are; of its objects only how they are placed.
+/// Returns whether two scenes have the same parameters; of objects it compares only the transforms.
 bool isSameScene(const scene::Scene &a, const scene::Scene &b);
 
-/// A document, its parameters panel in a window of its own, and a person's hands on them.
+/// A document, its parameters panel in a window of its own, and a user's actions on them.
 class PanelUser {
 public:
-    /// Everything anew, with startScene in a window of 801 x 601 pixels.
+    /// Starts anew with startScene in a window of 801 x 601 pixels.
     void start();
     void open(const scene::Scene &scene);
     /// Unfolds a group.
     ParameterGroup *showGroup(const QString &name);
-    /// The field of that name, inside a part of its group where the name is not its alone; its group is unfolded.
+    /// The field of that name, inside a part of its group if the name is not unique; unfolds its
+    /// group.
     NumberField *field(const QString &name, const QString &within = {});
-    /// Types instead of what is there, without Enter.
+    /// Replaces the text by typing, without Enter.
     void begin(NumberField *field, const QString &text);
-    /// Types instead of what is there, and Enter.
+    /// Replaces the text by typing, then presses Enter.
     void type(NumberField *field, const QString &text);
     void type(const QString &name, const QString &text) { type(field(name), text); }
-    /// What stands beneath a field, if it is on the screen.
+    /// The text beneath a field, if it is on the screen.
     QString reasonBeneath(const NumberField *field) const;
     /// Chooses the entry that starts with a text.
     void choose(const QString &comboBox, const QString &text);

@@ -8,10 +8,11 @@
 
 #include <glm/geometric.hpp>
 
-/// What the tests of the mouse on the view share.
+/// Helpers that the tests of the mouse on the view share.
 namespace guitest {
 
-/// A pivot is read from the depth buffer and turned about in doubles: its place moves by roundings only.
+/// A pivot is read from the depth buffer and rotated about in doubles: its position moves by
+/// roundings only.
 inline constexpr double kStillPixels = 1e-3;
 
 inline QString heading(unprojector::gui::MainWindow &window)
@@ -35,7 +36,7 @@ inline bool isAt(const unprojector::gui::MainWindow &window, const glm::dvec3 &w
     return false;
 }
 
-/// Where a position's pixel has its centre, in window coordinates.
+/// The window coordinates of the centre of the pixel under a position.
 inline glm::dvec2 centerUnder(const unprojector::gui::SceneView &view, const QPointF &local)
 {
     return windowOf(view, pixelUnder(view, local));

@@ -31,7 +31,8 @@ inline unprojector::scene::SceneObject boxObject(const char *name, double halfSi
     return object;
 }
 
-/// Figures 2.7 and 2.10 in a window of 50 x 50: from (0, 0, 5), glTranslate(0, 0, -3), glOrtho(-10, …, 10).
+/// Opens figures 2.7 and 2.10 in a window of 50 x 50: from (0, 0, 5), glTranslate(0, 0, -3),
+/// glOrtho(-10, …, 10).
 inline void openFigures(unprojector::gui::SceneDocument &document)
 {
     unprojector::scene::Scene scene;

@@ -9,7 +9,7 @@
 #include <QString>
 #include <QStringList>
 
-/// What the tests of the program share that run it as a script does.
+/// Helpers for tests that run the program as a script does.
 namespace program_run {
 
 using Json = nlohmann::ordered_json;
@@ -20,8 +20,8 @@ struct Run {
     QByteArray output, errors;
 };
 
-/// @param environment  "NAME=value"; "NAME" alone takes it away
-/// @param output       a file for standard output; empty: it is in the result
+/// @param environment  "NAME=value"; "NAME" alone removes it @param output       a file for
+/// standard output; empty: it is in the result
 inline Run run(const QStringList &arguments, const QStringList &environment = {}, const QString &output = {})
 {
     QProcess process;
@@ -48,7 +48,8 @@ inline Run run(const QStringList &arguments, const QStringList &environment = {}
     return result;
 }
 
-/// What the program wrote: on Windows UTF-8 whatever the code page, elsewhere in the locale's letters.
+/// The program's output as text: UTF-8 on Windows, for any code page; elsewhere in the locale's
+/// encoding.
 inline QString textOf(const QByteArray &written)
 {
 #ifdef Q_OS_WIN

@@ -14,8 +14,8 @@
 #include <functional>
 #include <memory>
 
-/// What the tests of a session without a window share: a folder of the test's own, a session with all it needs, and somebody
-/// who answers as the test says.
+/// Helpers that the tests of a session without a window share: the test's own folder, a session
+/// with its dependencies, and canned answers.
 namespace sessions {
 
 inline const QByteArray kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -34,7 +34,7 @@ inline QByteArray read(const QString &file)
     return stream.open(QIODevice::ReadOnly) ? stream.readAll() : QByteArray();
 }
 
-/// Answers as it was told to, and notes what it was asked.
+/// Gives the answers that the test has set, and records the questions.
 class CannedAnswers : public unprojector::gui::SessionQuestions {
 public:
     SaveAnswer save = SaveAnswer::Cancel;
@@ -77,7 +77,7 @@ private:
     }
 };
 
-/// A session with all it needs.
+/// A session with its dependencies.
 struct Desk {
     explicit Desk(const QString &recoveryFolder) : session(document, answers, {true, recoveryFolder, {}})
     {
@@ -136,7 +136,7 @@ protected:
     }
     std::unique_ptr<Desk> desk() const { return std::make_unique<Desk>(file(QStringLiteral("recovery"))); }
 
-    /// What is kept in case of a crash, locks included.
+    /// The number of files for crash recovery, locks included.
     int kept() const { return static_cast<int>(QDir(file(QStringLiteral("recovery"))).entryList(QDir::Files).size()); }
 
 private:

@@ -1,4 +1,5 @@
-// What stands around a lesson: panels, places, switches and the window are after it as they were before.
+// The surroundings of a lesson: panels, workspaces, switches and the window are after it as they
+// were before.
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
@@ -38,8 +39,8 @@ void follow(MainWindow &window, const QString &link)
     emit window.findChild<LessonPanel *>()->findChild<QTextBrowser *>()->anchorClicked(QUrl(link));
 }
 
-/// Makes the window larger than it is, by a link to a view that has no room in it, and waits until it has seen what came of
-/// that.
+/// Makes the window larger by a link to a view that has no room in it, and waits until the new size
+/// has taken effect.
 bool grow(MainWindow &window)
 {
     const int before = window.height();
@@ -60,7 +61,7 @@ std::unique_ptr<MainWindow> windowWithQuestion()
     return isThere && part<LessonPlayer>(*window).step().question ? std::move(window) : nullptr;
 }
 
-/// Where each panel stands, those behind others without a place.
+/// The geometry of each panel; panels behind others have none.
 QMap<QString, QRect> layoutOf(MainWindow &window)
 {
     QMap<QString, QRect> layout;
@@ -128,7 +129,7 @@ void TestAroundLessons::anAnswerIsCoveredInEveryWorkspace()
     QVERIFY(!isCovered(*window, "comparison") && !isCovered(*window, "pipeline") && isSeen(*window, "comparison"));
 }
 
-/// Nothing moves when a panel is covered, opened, or when a verdict is shown.
+/// No part moves when a panel is covered or opened, or when a verdict is shown.
 void TestAroundLessons::nothingMovesWithAnAnswer()
 {
     const auto window = windowOfSize(kWide);
@@ -152,7 +153,8 @@ void TestAroundLessons::nothingMovesWithAnAnswer()
     QVERIFY(!isCovered(*window, "pipeline") && isSeen(*window, "pipeline"));
 }
 
-/// The status bar says the world coordinate under the pointer: not while it is asked for.
+/// The status bar shows the world coordinate under the pointer, but not while a question asks for
+/// it.
 void TestAroundLessons::theStatusBarKeepsTheAnswer()
 {
     const auto window = windowOfSize(kWide);
@@ -269,7 +271,7 @@ void TestAroundLessons::theLayoutIsExactlyAsBefore()
         settle();
         QCOMPARE(window->size(), size);
         QCOMPARE(layoutOf(*window), before);
-        settle(200); // what is done a little later changes nothing
+        settle(200); // later events change nothing
         QCOMPARE(layoutOf(*window), before);
     }
 }
@@ -282,7 +284,8 @@ void TestAroundLessons::theWindowIsPixelForPixelAsBefore_data()
         QTest::newRow(lesson.name.c_str()) << QByteArray::fromStdString(lesson.name);
 }
 
-/// With a click, panels beside each other, a matrix opened and taken apart, and a number chosen before the lesson.
+/// The state before the lesson: a click, panels side by side, a matrix opened and decomposed, and a
+/// number chosen.
 void TestAroundLessons::theWindowIsPixelForPixelAsBefore()
 {
     QFETCH(QByteArray, lesson);
@@ -347,7 +350,7 @@ void TestAroundLessons::whatIsPutBackHasItsClick()
     follow(*window, QStringLiteral("restart:"));
     QVERIFY(lessons.isAsTheStep());
     QVERIFY(window->document().picks().pick() && window->document().picks().pick()->devicePixel == pixel);
-    // Nothing is clicked that was not.
+    // The lesson adds no click.
     QVERIFY(lessons.start("weng"));
     follow(*window, QStringLiteral("restart:"));
     QVERIFY(!window->document().picks().pick());

@@ -37,7 +37,7 @@ private:
     std::unique_ptr<Folder> m_folder;
 };
 
-// ---- when and where ----------------------------------------------------------------------------------------------
+// ---- when and where --------------------------------------------------------------------------
 
 void TestAutosave::manyChangesAreWrittenOnceAfterAPause()
 {
@@ -122,12 +122,12 @@ void TestAutosave::theReasonIsTold()
     autosave.follow(true);
     QVERIFY(failed.wait(kPatienceMilliseconds));
     const QString told = QDir::fromNativeSeparators(failed[0][0].toString());
-    // The system's own words, whatever they are, stand behind the folder.
+    // The system's own words follow the folder, whatever they are.
     QVERIFY2(told.contains(reason) && !told.endsWith(u' '), qPrintable(told));
     QCOMPARE(failed.size(), 1);
 }
 
-// ---- the window --------------------------------------------------------------------------------------------------
+// ---- the window ------------------------------------------------------------------------------
 
 void TestAutosave::changesAreKeptUntilTheyAreSaved()
 {

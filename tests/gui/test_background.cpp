@@ -1,5 +1,5 @@
-// Jobs on threads of their own: what they bring, how they fail, and that they can be left at any time. No window: what the thread
-// sanitizer can follow.
+// Jobs on threads of their own: their results, their failures, and their cancellation at any time.
+// No window: the thread sanitizer can follow this.
 
 #include "job_faults.h"
 

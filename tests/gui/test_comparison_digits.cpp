@@ -1,4 +1,5 @@
-// Which digits of a coordinate the comparison shows as certain, which are grey, and how many there are.
+// The digits of a coordinate in the comparison: the number of digits, the certain ones, and the
+// grey ones.
 
 #include "gui/click/answer_view.h"
 #include "gui/click/comparison_model.h"
@@ -84,7 +85,8 @@ void TestComparisonDigits::certainDigitsAreBlackAndTwoMoreGrey()
     QVERIFY(!cell(model, 0, ComparisonModel::Difference, ComparisonModel::kCertainLengthRole).isValid());
 }
 
-/// What single precision gives is as uncertain as it is off, also on the background, where the methods' answers are exact.
+/// The digits of single precision are grey as far as they are off. That holds on the background
+/// too, where the methods' answers are exact.
 void TestComparisonDigits::digitsThatAreOffAreNotBlack()
 {
     ComparisonModel model;
@@ -118,7 +120,7 @@ void TestComparisonDigits::theAnswerHasTheDigitsOfTheTable()
     QCOMPARE(answer->text().replace(QChar::Nbsp, u' '), QStringLiteral("(-1.23457, 300.789, 0.004500) ± 0.02"));
     const auto digits = [&panel](int row) { return cell(panel.model(), row, ComparisonModel::Formula).toString(); };
     QVERIFY(answer->text().startsWith(QStringLiteral("(%1, %2, %3)").arg(digits(0), digits(1), digits(2))));
-    // Grey are the two digits after the certain ones, in both places.
+    // The two digits after the certain ones are grey, in both texts.
     const QString markup = labelNamed(panel, "World coordinate")->text();
     for (const char *grey : {">57<", ">89<", ">00<"})
         QVERIFY2(markup.contains(QLatin1String(grey)), qPrintable(markup));
@@ -172,7 +174,8 @@ void TestComparisonDigits::digitsDoNotDependOnTheWidth()
     }
 }
 
-/// Also where fourteen digits are wider than fourteen times the whole pixels of one, as in Chinese fonts.
+/// The columns fit too where fourteen digits are wider than fourteen times the whole pixels of one,
+/// as in Chinese fonts.
 void TestComparisonDigits::numbersFitTheirColumns()
 {
     const glm::dvec3 at(-3.93308627226, -0.56609392602, -15.5710586906);
@@ -236,7 +239,7 @@ void TestComparisonDigits::greyDigitsCanBeRead()
     QFETCH(QColor, ink);
     QFETCH(QColor, base);
     const QColor grey = quietInk(ink, base);
-    // Of ink that is itself hard to read nothing can be taken away.
+    // An ink that is itself hard to read cannot be made fainter.
     QVERIFY2(contrast(grey, base) >= std::min(kReadableContrast, contrast(ink, base)), qPrintable(grey.name()));
     QVERIFY(contrast(ink, base) <= kReadableContrast || contrast(grey, base) < contrast(ink, base));
     QVERIFY(contrast(grey, base) < kReadableContrast + 0.5 || grey == ink);

@@ -1,5 +1,5 @@
-// What the panel shows of a pick: the numbers, which of their digits are certain, and what is copied. No window of OpenGL
-// is needed.
+// The panel's display of a pick: the numbers, their certain digits, and the copied texts. No window
+// of OpenGL is needed.
 
 #include "gui/click/answer_view.h"
 #include "gui/click/api_clicks_view.h"
@@ -231,7 +231,7 @@ void TestComparisonPanel::columnsAreAddedOnRequest()
     QCOMPARE(shown(), (methods + QList<int>{ComparisonModel::MatrixInFloat, ComparisonModel::FloatDifference}));
     panel.setShowsRay(true);
     QCOMPARE(shown().size(), int(ComparisonModel::ColumnCount));
-    // All of it without a scroll bar, in the width that the panel asks for.
+    // The table fits without a scroll bar, in the width that the panel asks for.
     panel.resize(panel.sizeHint().width(), 700);
     static_cast<void>(panel.grab()); // laid out
     QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
@@ -255,7 +255,7 @@ void TestComparisonPanel::nothingIsEmptyBeforeAClick()
     QVERIFY(panel.findChild<FigureView *>()->isVisible());
 }
 
-/// The formulas stand at their full height: there is nothing to scroll to within them.
+/// The formulas have their full height: there is nothing to scroll within them.
 void TestComparisonPanel::theFormulaIsWhole()
 {
     PanelOfPicks panel;
@@ -356,8 +356,9 @@ void TestComparisonPanel::theShownDepthTellsThePoint_data()
     }
 }
 
-/// Near 0.001, far 100000: nearly all depths begin with many nines. What is shown, in the chain, in the formula and as other
-/// programs have it, tells a point whose digits are those of the table as far as they are certain, and two more.
+/// Near is 0.001, far 100000: nearly all depths begin with many nines. The chain, the formula and
+/// the values for other programs show a depth that gives the point. The point's digits are those of
+/// the table as far as they are certain, and two more.
 void TestComparisonPanel::theShownDepthTellsThePoint()
 {
     QFETCH(double, distance);
@@ -388,7 +389,7 @@ void TestComparisonPanel::theShownDepthTellsThePoint()
     };
     const QString chain = labelNamed(panel, "Depth")->text().section(u',', 0, 0);
     QVERIFY2(tellsThePoint(chain.toDouble()), qPrintable(chain));
-    // Copied, it has all its digits.
+    // A copy has all its digits.
     const QString copied = panel.text().section(QStringLiteral("Depth\t"), 1).section(u',', 0, 0);
     QCOMPARE(copied.toDouble(), pick.window.z);
     const FormulaTerms terms = formulasOf(pick).terms;
@@ -405,7 +406,8 @@ void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
     const DepthRange range = depthranges::ofThisRow();
     Setup setup = frustumGeometry();
     setup.depthRange = range;
-    // By hand: half of the depths is the distance 2 n f / (n + f) = 10/3, the eye point (412.5, 300.5) of 800 x 600 there.
+    // By hand: half of the depths is the distance 2 n f / (n + f) = 10/3. The eye point there is
+    // that of (412.5, 300.5) of 800 x 600.
     const double distance = 10.0 / 3.0;
     const glm::dvec3 eye((412.5 / 400.0 - 1.0) * 0.8284271247461901 / 2.0 * distance,
                          (300.5 / 300.0 - 1.0) * 0.6213203435596426 / 2.0 * distance, -distance);

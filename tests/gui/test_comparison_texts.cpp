@@ -1,5 +1,5 @@
-// What is written of a pick: its numbers, the formulas with numbers put in, the cause of a difference, and the wording of
-// every error.
+// The texts about a pick: its numbers, the formulas with numbers put in, the cause of a difference,
+// and the wording of every error.
 
 #include "gui/click/comparison_panel.h"
 #include "gui/click/verdict_view.h"
@@ -24,7 +24,8 @@ using namespace unprojector::unproject;
 
 namespace {
 
-/// With spaces that may break for those that may not: which is which is a matter of looks.
+/// The text with ordinary spaces instead of no-break ones; the difference is only a matter of
+/// looks.
 QString withPlainSpaces(QString text)
 {
     return text.replace(QChar::Nbsp, u' ');
@@ -110,7 +111,8 @@ void TestComparisonTexts::theFormulaIsWrittenWithItsNumbers_data()
     QTest::addColumn<Pick>("pick");
     QTest::addColumn<QString>("expected");
 
-    // z = 20 / (2.5 + 1.5) = 5. x = 0.828427 x (2 x 412.5 / 800 - 1) x 5 / 2 = 0.0647209; y the same with 300.5 / 600.
+    // z = 20 / (2.5 + 1.5) = 5. x = 0.828427 x (2 x 412.5 / 800 - 1) x 5 / 2 = 0.0647209; y the
+    // same with 300.5 / 600.
     QTest::newRow("frustum") << picked(frustumGeometry(), 412.0, 299.0, 0.75)
                              << QStringLiteral(
                                     "(13) z = n f / (f (1 − d) + n d)\n"
@@ -124,8 +126,9 @@ void TestComparisonTexts::theFormulaIsWrittenWithItsNumbers_data()
                                     "  = (0, 0, 5) + 0.0647209 × (1, 0, 0) + 0.00258883 × (0, 1, 0) + 5 × (0, 0, −1) = "
                                     "(0.0647209, 0.00258883, 0)");
 
-    // A viewport of 400 x 300 from (100, 50); window 0.5 .. 1.5 and -0.5 .. 1 at n = 1, f = 4: z = 4 / (2 + 0.5) = 1.6;
-    // x = (200.5 x 1 / 400 + 0.5) x 1.6 = 1.602, y = (100.5 x 1.5 / 300 - 0.5) x 1.6 = 0.004
+    // A viewport of 400 x 300 from (100, 50); window 0.5 .. 1.5 and -0.5 .. 1 at n = 1, f = 4: z =
+    // 4 / (2 + 0.5) = 1.6; x = (200.5 x 1 / 400 + 0.5) x 1.6 = 1.602, y = (100.5 x 1.5 / 300 - 0.5)
+    // x 1.6 = 0.004
     Setup offset = frustumGeometry();
     offset.viewport = {100.0, 50.0, 400.0, 300.0};
     offset.projection() = Frustum{0.5, 1.5, -0.5, 1.0, 1.0, 4.0};
@@ -201,7 +204,8 @@ void TestComparisonTexts::theRayOfABackgroundIsWritten()
                                                  "at (10.505, 20.795, 21)."));
 }
 
-/// Where a survey is, every text has the digits that are certain, down to thousandths, and no power of ten.
+/// Every text at a survey's coordinates has the certain digits, down to thousandths, and no power
+/// of ten.
 void TestComparisonTexts::coordinatesOfASurveyCanBeRead()
 {
     Setup survey = boxGeometry(Ortho{-0.3, 0.3, -0.2, 0.2, 1.0, 9.0});
@@ -248,7 +252,7 @@ void TestComparisonTexts::theCertaintyIsNamed()
     const QString text = withPlainSpaces(certaintyText(pick));
     QVERIFY2(text.contains(QStringLiteral("± 0.000003 along the view")), qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("depth buffer alone ± 0.0000013")), qPrintable(text));
-    // What is a bound is rounded up.
+    // A bound is rounded up.
     for (const auto &[bound, expected] :
          {std::pair{2.26e-6, "0.000003"}, std::pair{3e-6, "0.000003"}, std::pair{1.21e-6, "0.0000013"},
           std::pair{1.95e-6, "0.000002"}, std::pair{9.1e-3, "0.010"}, std::pair{0.25, "0.3"}, std::pair{0.0, "0"}})

@@ -27,7 +27,7 @@ using namespace unprojector::unproject;
 
 namespace {
 
-/// What each entry of the menu at a place copies.
+/// The texts that the menu's entries copy at a position.
 QStringList copied(QWidget &widget, const QPoint &position)
 {
     QContextMenuEvent event(QContextMenuEvent::Mouse, position, widget.mapToGlobal(position));

@@ -1,5 +1,6 @@
-// Fine meshes, drawn with all their triangles and with those alone that can cover a pixel's centre: the same picture, bit for
-// bit. And that most are left out, or the whole thing would be in vain.
+// Fine meshes, drawn with all their triangles and with only those that can cover a pixel's centre:
+// the same picture, bit for bit. Most triangles must be left out, or the optimization would be
+// pointless.
 
 #include "core/mesh/covering_triangles.h"
 #include "gui/view/frame.h"
@@ -65,7 +66,7 @@ Read readBoundFrame()
     return read;
 }
 
-/// What comes of an object in a picture.
+/// The frame of an object drawn in a picture.
 std::optional<Read> drawn(const Setup &setup, const std::vector<SceneObject> &objects,
                           const std::vector<glm::dvec4> &planes, bool isSoftware, std::optional<int> milliseconds)
 {
@@ -98,7 +99,8 @@ Setup setupOf(const WorldPoint &eye, const WorldPoint &center, const Projection 
     return setup;
 }
 
-/// Triangles of all shapes and sizes about a place, from slivers to such as fill the picture.
+/// Triangles of all shapes and sizes around a point, from slivers to triangles that fill the
+/// picture.
 std::shared_ptr<Model> litter(const glm::dvec3 &place)
 {
     auto model = std::make_shared<Model>();

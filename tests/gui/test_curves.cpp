@@ -1,4 +1,5 @@
-// Curves between placed points: in the document, in files, in their list and in the view; and measures in the view.
+// Curves between placed points: in the document, in files, in their list and in the view; and
+// measures in the view.
 
 #include "core/examples/solids.h"
 #include "core/ray/closest_place.h"
@@ -42,7 +43,8 @@ using Shape = ShownMeasure::Shape;
 
 namespace {
 
-/// On the top of the cube and on its front, as far from the edge between them; and on its right side.
+/// Points on the top of the cube and on its front, as far from the edge between them; and on its
+/// right side.
 const glm::dvec3 kTop = kCubeCenter + glm::dvec3(0.0, 1.0, 0.5), kFront = kCubeCenter + glm::dvec3(0.0, 0.25, 1.0),
                  kRight = kCubeCenter + glm::dvec3(1.0, 0.0, 0.0);
 
@@ -151,7 +153,7 @@ void TestCurves::curvesFollowTheirPoints()
     QCOMPARE(lengthOf(*document, 0), moved);
     QVERIFY(document->sceneLandmarks().reorder(2, 0));
     QCOMPARE(lengthOf(*document, 0), moved);
-    // With its object, stretched: the length is the world's.
+    // The curve is stretched with its object: the length is the world's.
     QVERIFY(editTransform(*document, 0, {Scale{glm::dvec3(2.0)}}, {"scale"}));
     QVERIFY(std::abs(lengthOf(*document, 0) - 2.0 * moved) < 1e-5);
     while (document->undoStack().canUndo())
@@ -214,7 +216,8 @@ void TestCurves::largeModelsAreWorkedOutAside()
     QVERIFY(!document.curves().line(0).line);
     QTRY_VERIFY_WITH_TIMEOUT(!document.curves().line(0).isComputing, kPatienceMilliseconds);
     QVERIFY(std::abs(lengthOf(document, 0) - 1.5708) < 2e-3);
-    // Moved, the line before is what it is until the new one comes; it is not drawn as the curve.
+    // After the move the old line stays until the new one is computed; it is not drawn as the
+    // curve.
     QVERIFY(document.sceneLandmarks().move(1, heldAt(ball, {0, 0, 1}, "b")));
     QVERIFY(document.curves().line(0).isComputing && document.curves().line(0).line);
     QVERIFY(curveShapes(document).lines.empty() && !curveShapes(document).former.empty());
@@ -250,7 +253,7 @@ void TestCurves::whoWaitsForCurvesMayGiveUp()
     QVERIFY(!files.exportTo(name.toStdU16String()));
     QCOMPARE(asked, 1);
     QVERIFY(!QFile::exists(name));     // not without them in silence
-    document.curves().setWaiting([&] { // who asks meanwhile blocks: there is no second question
+    document.curves().setWaiting([&] { // a caller blocks meanwhile: there is no second question
         return document.curves().complete();
     });
     QVERIFY(files.exportTo(name.toStdU16String()));
@@ -281,7 +284,7 @@ void TestCurves::filesHaveTheSemilandmarks()
     QVERIFY(files.importFrom(fileOf("p.csv")));
     QVERIFY(document->curves().all() == curves);
     QVERIFY(std::abs(lengthOf(*document, 0) - 1.25) < 1e-6);
-    // Those of another program have no points to go through: they are where the file has them.
+    // Curves of another program have no points to go through: they are where the file has them.
     QVERIFY(editLandmarkSet(*document, {}, {"away"}));
     QVERIFY(files.importFrom(fileOf("p.tps")));
     QCOMPARE(document->curves().all().size(), std::size_t(1));
@@ -304,7 +307,7 @@ void TestCurves::theListEditsCurves()
     QCOMPARE(rows->topLevelItem(0)->text(0), "Curve 1");
     QCOMPARE(rows->topLevelItem(0)->text(1), "top – front");
     QVERIFY2(rows->topLevelItem(0)->text(4).startsWith("1.25"), qPrintable(rows->topLevelItem(0)->text(4)));
-    // After joining, digits are its number; so they are at its row, whatever column is the current one.
+    // After joining, typed digits are its count. So they edit its row, in any current column.
     view.show();
     QVERIFY(!view.focusWidget() || view.focusWidget() == rows);
     document->undoStack().undo();
@@ -312,14 +315,14 @@ void TestCurves::theListEditsCurves()
     document->sceneLandmarks().select({0, 1});
     view.join(CurveKind::Geodesic);
     QCOMPARE(view.focusWidget(), rows);
-    // What is being typed counts where something is written.
+    // A number being typed counts when the file is written.
     QTest::keyClicks(rows, "7");
     view.applyTyped();
     QCOMPARE(document->curves().all()[0].count, 7u);
     QTRY_VERIFY_WITH_TIMEOUT(!rows->viewport()->findChild<QLineEdit *>(), kPatienceMilliseconds);
     view.applyTyped();
     QCOMPARE(document->curves().all()[0].count, 7u);
-    // No room for rows that there are not.
+    // The list has no room for missing rows.
     QVERIFY(rows->maximumHeight() < rows->header()->height() + 3 * rows->sizeHintForRow(0));
     rows->setCurrentItem(rows->topLevelItem(0), 1);
     QKeyEvent asked(QEvent::ShortcutOverride, Qt::Key_2, Qt::NoModifier, "2");
@@ -387,7 +390,7 @@ void TestCurves::curvesAreDrawnOnTheSurface()
     QCOMPARE(document.curves().join({0, 1}, CurveKind::Geodesic), QString());
     const QImage after = window->view().grabFramebuffer();
     QVERIFY(differentPixels(before, after) > 50);
-    // In the middle of the front's part the curve is drawn, in the usual colour of points.
+    // The middle of the front's part shows the curve, in the usual colour of points.
     const QPointF at = localOf(*window, kCubeCenter + glm::dvec3(0.0, 0.55, 1.0));
     bool isDrawn = false;
     for (int x = -3; x <= 3; ++x) {
@@ -437,7 +440,7 @@ void TestCurves::theChosenMeasureIsShown()
     QCOMPARE(mark->label.label, value);
     QCOMPARE(int(mark->lines.size()), lines);
     QVERIFY(differentPixels(before, window->view().grabFramebuffer()) > 200);
-    // Its label stands clear of the points' labels.
+    // Its label keeps clear of the points' labels.
     std::vector<LandmarkMark> marks = landmarkMarks(document);
     marks.push_back(mark->label);
     const auto labels = placedLabels(marks, QFontMetricsF(window->font()), QRectF(window->view().rect()), mark->lines);

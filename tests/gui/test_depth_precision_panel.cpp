@@ -1,4 +1,5 @@
-// What rounding a depth leaves open, in its panel: computed of this picture, and no advice that would cut anything off.
+// The error that rounding a depth leaves, in its panel: computed for this picture, without advice
+// that would cut anything off.
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
@@ -66,7 +67,7 @@ void TestDepthPrecisionPanel::aFartherNearIsComputed()
     QCOMPARE(plot().curves().size(), std::size_t(3));
     QCOMPARE(plot().curves()[1].scale.nearDistance, 3.0);
     QVERIFY(!plot().marked());
-    // No click has told it yet.
+    // No click has given the number of bits yet.
     QVERIFY2(text().contains(QStringLiteral("24 bits are assumed")), qPrintable(text()));
     QCOMPARE(plot().curves()[0].name, QStringLiteral("as drawn: 24 bits, assumed"));
 }

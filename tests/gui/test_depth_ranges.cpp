@@ -1,5 +1,5 @@
-// Both views under every kind of depth range: what is seen, read and moved is what it is under [0, 1], but for the depths
-// themselves.
+// Both views under every kind of depth range: they show, read and move the same as under [0, 1],
+// except for the depths themselves.
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
@@ -34,7 +34,7 @@ std::unique_ptr<MainWindow> cubesWindow(const DepthRange &range, bool isOrtho = 
     return window;
 }
 
-/// What a click on the view reads, over all of it: the surface's points, nothing on the background.
+/// The results of clicks all over the view: the surface's points, nothing on the background.
 std::vector<std::optional<glm::dvec3>> pointsOf(MainWindow &window)
 {
     std::vector<std::optional<glm::dvec3>> points;
@@ -70,7 +70,8 @@ private slots:
     void theViewFromOutsideIsTheSame();
 };
 
-/// Which cube hides the other, the planes' faint shapes, ground, axes and the marker.
+/// The picture keeps the hidden parts of the cubes, the planes' faint shapes, ground, axes and the
+/// marker.
 void TestDepthRanges::thePictureIsTheSame()
 {
     const DepthRange range = depthranges::ofThisRow();
@@ -149,7 +150,7 @@ void TestDepthRanges::thePointerReadsWhatAClickReads()
     }
 }
 
-/// The depth under the pointer is what turning, moving and zooming go by.
+/// Turning, moving and zooming use the depth under the pointer.
 void TestDepthRanges::thePointStaysUnderThePointer()
 {
     for (const bool isOrtho : {false, true}) {

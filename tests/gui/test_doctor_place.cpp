@@ -1,4 +1,4 @@
-// The workspace Doctor as a hand has it: a click, what another program got for it, and the answer.
+// The workspace Doctor in use: a click, another program's point for it, and the answer.
 
 #include "job_faults.h"
 #include "window_user.h"
@@ -113,7 +113,7 @@ QString pointText(const glm::dvec3 &point)
     return QStringLiteral("%1 %2 %3").arg(point.x, 0, 'f', 4).arg(point.y, 0, 'f', 4).arg(point.z, 0, 'f', 4);
 }
 
-/// What a program gives for a window position: the product inverted, whole.
+/// A program's point for a window position: the product of the matrices inverted as a whole.
 glm::dvec3 unprojected(const MainWindow &window, const glm::dvec3 &at)
 {
     const Setup &g = const_cast<MainWindow &>(window).document().setup();
@@ -123,7 +123,8 @@ glm::dvec3 unprojected(const MainWindow &window, const glm::dvec3 &at)
     return glm::dvec3(world) / world.w;
 }
 
-/// Clicks the cube a little off its middle, and gives what a program without the flip of y makes of it.
+/// Clicks the cube a little off its middle, and returns the result of a program without the flip of
+/// y.
 glm::dvec3 clickedAndWrong(MainWindow &window, const glm::dvec3 &off = {0.4, 0.6, 1.0})
 {
     click(window.view(), localOf(window, kCubeCenter + off));
@@ -214,7 +215,7 @@ void TestDoctorPlace::theDepthOfAClickIsItsOwn()
     QCOMPARE(field->text(), shown);
     const auto *form = panelOf(*window).findChild<WrongPointsForm *>();
     QCOMPARE(form->points().at(0).depth, std::optional(depth));
-    // What is typed is what was typed.
+    // The typed number stays as typed.
     type(field, QStringLiteral("0.987654"));
     QCOMPARE(form->points().at(0).depth, std::optional(0.987654));
 }
@@ -265,7 +266,7 @@ void TestDoctorPlace::garbageIsUnknown()
         kPatienceMilliseconds);
     QVERIFY(panelOf(*window).answer().text().contains(QStringLiteral("Projects to pixel ")));
     QVERIFY(!panelOf(*window).code().isVisible());
-    // The digits that the closest one explains are black: those that are counted.
+    // The digits that the closest candidate explains are black; the count is of these.
     QString markup, black;
     for (const QLabel *label : panelOf(*window).answer().findChildren<QLabel *>())
         markup += label->text();
@@ -276,7 +277,7 @@ void TestDoctorPlace::garbageIsUnknown()
     const QRegularExpressionMatch counted = count.match(markup);
     QVERIFY2(counted.hasMatch(), qPrintable(markup));
     QCOMPARE(black.remove(QRegularExpression(QStringLiteral("\\D"))).size(), counted.captured(1).toInt());
-    // What comes closest has its code all the same, once it is chosen.
+    // The closest candidate has its code as well, once it is chosen.
     auto *candidates = panelOf(*window).findChild<CandidatesTable *>();
     candidates->setCurrentCell(1, 0);
     QVERIFY(panelOf(*window).code().isVisible() && !panelOf(*window).code().text().isEmpty());
@@ -307,7 +308,7 @@ void TestDoctorPlace::nonsenseIsNamedAndStays()
     type(fieldsOf(*window, QStringLiteral("Depth")).value(0), QStringLiteral("5.88"));
     QVERIFY2(fault().startsWith(QStringLiteral("The depth 5.88 lies outside the depth range")), qPrintable(fault()));
     type(fieldsOf(*window, QStringLiteral("Depth")).value(0), {});
-    // Without Enter too, once the typing pauses.
+    // The number counts without Enter too, once the typing pauses.
     window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
     pixel->setFocus();
@@ -412,11 +413,11 @@ void TestDoctorPlace::aDragOnTheBackgroundTakesNothingBack()
     drag(window->view(), background + QPointF(5.0, 0.0), background + QPointF(60.0, 10.0), Qt::LeftButton);
     QCOMPARE(pixel(), clicked);
     QVERIFY2(!said->text().startsWith(QStringLiteral("Not taken")), qPrintable(said->text()));
-    // The pixel is still of the view in which it was clicked.
+    // The pixel still belongs to the view in which it was clicked.
     QVERIFY2(said->text().contains(QStringLiteral("as it was")), qPrintable(said->text()));
 }
 
-/// No usual ratio: only by the screen is it tried.
+/// No usual ratio: only the screen suggests it.
 void TestDoctorPlace::aWindowOfOnesOwnHasTheRatioOfTheScreen()
 {
     const auto window = doctorWindow();

@@ -1,4 +1,4 @@
-// The document: what its verbs do, what they tell, and what undoing brings back. No window.
+// The document: its functions, their change signals, and undo. No window.
 
 #include "document_edits.h"
 #include "told_changes.h"
@@ -157,7 +157,7 @@ void TestDocument::fittingCutsNothingOff_data()
     QTest::newRow("wide enough, a box") << true << -1000.0 << 1000.0 << true;
 }
 
-/// Near and far that were typed stay where they hold everything.
+/// Typed near and far distances stay where they contain everything.
 void TestDocument::fittingCutsNothingOff()
 {
     QFETCH(bool, isBox);
@@ -187,7 +187,7 @@ void TestDocument::fittingCutsNothingOff()
     }
 }
 
-/// A picked point that is near makes the box no smaller.
+/// A picked point that is near does not shrink the box.
 void TestDocument::theOtherProjectionHasTheSameHeightAtTheCenter()
 {
     SceneDocument document;
@@ -306,7 +306,7 @@ void TestDocument::whoHearsOfAChangeMayMakeAnother()
     const std::size_t count = document.objects().size();
     QVERIFY(editClipPlanes(document, {{0.0, 1.0, 0.0, 0.0}}, {}, kLabel));
     QCOMPARE(document.objects().size(), count - 1);
-    // In the order in which they were done.
+    // The steps are undone in the reverse order.
     document.undoStack().undo();
     QCOMPARE(document.objects().size(), count);
     QCOMPARE(document.scene().clipPlanes.size(), std::size_t(1));
@@ -379,14 +379,15 @@ void TestDocument::anEditRebuildsOnlyWhatFollowsFromIt()
     b.world = WorldPoint(2.0, 2.0, 3.0);
     QVERIFY(editLandmarks(document, {a, b}, kLabel));
     document.picks().rayCasters().complete(document.objects());
-    // The rays hold their models, so that the count of owners says whether they were there when they are asked for.
+    // The rays hold their models. So the count of owners shows whether the rays exist when
+    // something asks for them.
     const std::shared_ptr<const Model> model = document.objects()[0].model;
     const auto hasRays = [&] {
         const auto owners = model.use_count();
         return document.picks().rays() && model.use_count() == owners;
     };
     QVERIFY(!hasRays() && hasRays());
-    // A picture that is not derived anew keeps what is written into it.
+    // A picture that is not derived anew keeps the value written into it.
     double &planted = const_cast<Setup &>(document.setup()).depthRange.atFar;
     const double value = isOfLandmarks ? planted / 2.0 : planted;
     const auto check = [&] {

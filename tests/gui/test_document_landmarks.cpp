@@ -1,5 +1,5 @@
-// The placed points of a document: what is done to them, what is selected, how they go with their objects, and where clicks place
-// them. No window.
+// The placed points of a document: their edits, their selection, their attachment to objects, and
+// their placement by clicks. No window.
 
 #include "document_edits.h"
 #include "told_changes.h"
@@ -437,7 +437,8 @@ void TestDocumentLandmarks::aHandIsAsSureAsItsPixel()
     QVERIFY(off.z < 1e-3 * footprint);
     const WorldVector tenth = *landmarkOnMesh(document, at, 0.1)->uncertainty;
     QVERIFY(std::abs(tenth.x - footprint / 20.0) < 1e-3 * footprint);
-    // Tilted by 60 degrees about the x axis, it is twice as long a way up the surface: y stays, z is tan 60 degrees of it.
+    // Tilted by 60 degrees about the x axis, it is twice as long a way up the surface: y stays, z
+    // is tan 60 degrees of it.
     QVERIFY(
         editTransform(document, 0, {Translate{{1, 1, 0}}, Rotate{60.0, {1, 0, 0}}, Translate{{-1, -1, 0}}}, kLabel));
     const WorldVector tilted = *landmarkOnMesh(document, deviceOf(document, {1.0, 1.0, 0.0}))->uncertainty;
@@ -455,7 +456,7 @@ void TestDocumentLandmarks::aDepthWithoutAMeshIsFree()
     SceneDocument document;
     openTriangle(document);
     QVERIFY(editTransform(document, 0, {Translate{{0, 0, 0}}}, kLabel));
-    // Beside the triangle no ray meets it, but the frame may have drawn its rim there.
+    // No ray next to the triangle hits it, but the frame may have drawn its rim there.
     const DevicePoint beside = deviceOf(document, {-0.5, 1.0, 0.0});
     const WidgetPoint position = widgetFromDevice(document.setup().surface, beside);
     const std::optional<Landmark> point = landmarkOfClick(document, position, DepthSample{0.5, 0, 24});

@@ -1,4 +1,4 @@
-// The document's list of objects: what is done to it, what stays in sight, and what undoing brings back. No window.
+// The document's list of objects: its edits, the part that stays visible, and undo. No window.
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
@@ -83,7 +83,7 @@ void TestDocumentObjects::aPickGoesWithItsObject()
     QVERIFY(!document.picks().sinceClick().isObjectMoved);
     QVERIFY(removeObject(document, 1));
     QVERIFY(!document.picks().pick());
-    // One of the background is on no object.
+    // A click on the background is on no object.
     pickAt(document, WidgetPoint(1, 1), {1.0, std::nullopt, 24});
     QVERIFY(removeObject(document, 0));
     QVERIFY(document.picks().pick());
@@ -168,7 +168,7 @@ void TestDocumentObjects::namesStayUnique()
     QCOMPARE(int(renameObject(document, 1, name)), fault);
     QCOMPARE(document.objects()[1].name, fault == int(NameFault::None) ? name.toStdString() : "1");
     QCOMPARE(document.undoStack().count(), fault == int(NameFault::None) && name != QStringLiteral("1") ? 1 : 0);
-    // What is added gets a name of its own.
+    // An added object gets a name of its own.
     QVERIFY(addObjects(document, {objects[0], objects[0]}));
     QCOMPARE(namesIn(document).mid(2), QStringList({QStringLiteral("0 (2)"), QStringLiteral("0 (3)")}));
 }
@@ -184,7 +184,8 @@ SceneObject placed(const glm::dvec3 &middle, double scale)
     return object;
 }
 
-/// Whether all of an object is in the picture; it covers so much of its width and height.
+/// Returns whether all of an object is in the picture, and gives the share of the width and height
+/// that it covers.
 bool isInSight(const SceneDocument &document, const SceneObject &object, glm::dvec2 *share = nullptr)
 {
     glm::dvec2 lowest(1e300), highest(-1e300);

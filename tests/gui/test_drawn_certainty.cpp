@@ -1,6 +1,6 @@
-// What a click states of its point's certainty, against the mesh itself: over many random clicks on what OpenGL draws, at all
-// pixel ratios, projections and depth ranges, 99.9 % of the points where the exact ray meets the mesh lie in the box that is
-// stated, and would not if it were half as large.
+// The uncertainty that a click reports, against the mesh itself, over many random clicks on models
+// that OpenGL draws, at all pixel ratios, projections and depth ranges. 99.9 % of the exact ray's
+// hits lie in the reported box; fewer would in a box half as large.
 
 #include "tests/gui/drawn_clicks.h"
 #include "tests/support/cube_sphere.h"
@@ -69,7 +69,8 @@ void TestDrawnCertainty::aGridOfCornersIsFound_data()
     QTest::addColumn<double>("grid");
     QTest::addColumn<double>("least");
     QTest::addColumn<double>("most");
-    // A software renderer has none for its depths, a graphics card has 1/256; and no more than that.
+    // A software renderer has no such grid for its depths, a graphics card has 1/256 of a pixel at
+    // most.
     QTest::newRow("OpenGL's own") << 0.0 << 0.0 << 0x1p-9;
     QTest::newRow("1/256 of a pixel") << 256.0 << 0x1p-9 << 0x1p-9;
     QTest::newRow("1/16 of a pixel") << 16.0 << 0x1p-5 << 0x1p-5;
@@ -83,7 +84,7 @@ void TestDrawnCertainty::aGridOfCornersIsFound()
     const double shift = m_stage->cornerShift(grid);
     qInfo("%g of a pixel", shift);
     QVERIFY(shift >= least && shift <= most);
-    // What was drawn to find it leaves nothing behind: clicks are read as before.
+    // The drawing that measures the shift leaves no trace: clicks are read as before.
     const auto shares = m_stage->clicked(cubeSphere(20), 0, 100);
     QVERIFY(shares && shares->byTriangle.count() == 100 && shares->byTriangle.inside() > 0.99);
 }

@@ -1,4 +1,5 @@
-// The list of the last picks as the panel shows it: rows, showing one again, comparing two, copying all. No window of OpenGL.
+// The list of the last picks as the panel shows it: rows, showing one again, comparing two, copying
+// all. No window of OpenGL.
 
 #include "document_edits.h"
 #include "told_changes.h"

@@ -1,4 +1,4 @@
-// How a coordinate of the pipeline panel comes about, written out with its numbers.
+// The derivation of a coordinate in the pipeline panel, written out with its numbers.
 
 #include "document_edits.h"
 #include "pipeline_figures.h"
@@ -146,7 +146,7 @@ void TestEntryDerivation::aGivenPointThatTheWayDoesNotMakeIsSaidToDiffer()
     openFigures(document);
     setProjection(document, Frustum{-1, 1, -1, 1, 1, 10});
     PipelineModel model(document);
-    // A clip point and its double have one eye point, which makes only one of them again.
+    // A clip point and its double have one eye point, which gives only one of them back.
     QVERIFY(editGivenPoint(document, GivenPoint{ClipPoint(1, 1, 1, 4), {}}, {{}}));
     model.update();
     const QString text = derivation(document, model, Space::Clip, 3);
@@ -215,7 +215,7 @@ struct ShownPanel {
         panel->resize(460, 900);
         panel->show();
     }
-    /// Then clicks bring the focus.
+    /// Waits for the window to be active: then clicks bring the focus.
     bool becomesActive() const
     {
         panel->activateWindow();
@@ -296,7 +296,7 @@ void TestEntryDerivation::theTabKeyOpensNothing()
     QVERIFY(shown.label()->text().startsWith(QStringLiteral("Click a number")));
     window->setFocus(Qt::TabFocusReason);
     QVERIFY(shown.gridOf(Stage::ProjectionMatrix)->isVisible() && !shown.gridOf(Stage::ViewportMatrix)->isVisible());
-    // Where its matrix is open, it is explained; and an arrow key opens it.
+    // A coordinate whose matrix is open is explained; and an arrow key opens it.
     shown.gridOf(Space::Clip)->setFocus(Qt::TabFocusReason);
     QVERIFY(shown.label()->text().startsWith(QStringLiteral("clip x")));
     window->setFocus(Qt::TabFocusReason);

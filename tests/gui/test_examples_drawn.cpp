@@ -1,5 +1,5 @@
-// The tutorials' examples on the screen: each shows something, and a click on the point that its note speaks of reads
-// that point.
+// The tutorials' examples on the screen: each shows something, and a click on the point of its note
+// reads that point.
 
 #include "core/examples/examples.h"
 #include "gui/document/picks.h"
@@ -77,7 +77,7 @@ void TestExamplesDrawn::everyExampleShowsItsObjects()
     QVERIFY(QTest::qWaitForWindowExposed(&stage.view, kPatienceMilliseconds));
     Scene scene = example(id.toStdString()).scene;
     const QImage shown = stage.picture(scene);
-    // All of the objects is cut away; ground and axes stay.
+    // The clip plane removes all objects; ground and axes stay.
     scene.clipPlanes = {glm::dvec4(0.0, 0.0, 1.0, -1e6)};
     const QImage without = stage.picture(scene);
     QCOMPARE(shown.size(), without.size());
@@ -125,7 +125,8 @@ void TestExamplesDrawn::aClickReadsThePointOfTheNote()
     const Pick &pick = *stage.document.picks().pick();
     QVERIFY(pick.hit());
     QVERIFY(pick.point.world[Method::Formula] && pick.point.world[Method::Matrix]);
-    // Within the pixel clicked, which is beside the point by at most one; and on the surface, which faces the eye.
+    // The point is within the clicked pixel, which is off by at most one pixel; and on the surface,
+    // which faces the eye.
     const Certainty c = pick.certainty;
     const glm::dvec3 off = pick.point.world[Method::Formula]->coordinates() - expected.coordinates();
     QVERIFY2(std::abs(off.x) <= 2.0 * c.footprintWidth, qPrintable(QString::number(off.x)));
@@ -142,7 +143,7 @@ void TestExamplesDrawn::aMirroredObjectIsLitLikeAnother()
     const auto color = [&](const glm::dvec3 &factors) {
         scene.objects.at(0).transform = {Scale{factors}};
         const QImage picture = stage.picture(scene);
-        // Beside the middle, where the axes start.
+        // The pixel is beside the middle, where the axes start.
         return picture.pixelColor(picture.width() / 2 - 20, picture.height() / 2 + 15);
     };
     const QColor plain = color({1, 1, 1});

@@ -1,4 +1,5 @@
-// The page of formulas: nothing of it is missing; and the pipeline panel shows the tutorials' numbers for their scenes.
+// The page of formulas is complete, and the pipeline panel shows the tutorials' numbers for their
+// scenes.
 
 #include "core/examples/examples.h"
 #include "core/geometry/api_conventions.h"
@@ -124,7 +125,8 @@ void TestExamplesHelp::theShortFormIsSet_data()
     QTest::addColumn<int>("tables");
     QTest::addColumn<QString>("text");
     const QString around = QStringLiteral("a<formula>%1</formula>b");
-    // A formula is a table; a row with anything built is another, and each fraction and matrix one more.
+    // A formula is a table; a row with a built-up part is another, and each fraction and matrix one
+    // more.
     QTest::newRow("nothing") << QStringLiteral("a|b {c}") << 0 << QStringLiteral("a|b {c}");
     QTest::newRow("words") << around.arg(QStringLiteral("x = 2 y")) << 1 << QStringLiteral("a x = 2 y b");
     QTest::newRow("fraction") << around.arg(QStringLiteral("{x | n} + 1")) << 3 << QStringLiteral("a x n + 1 b");
@@ -171,7 +173,7 @@ void TestExamplesHelp::everyFormulaIsThereWithItsSource()
     const QString page = source();
     const qsizetype at = page.indexOf(QStringLiteral("<formula no=\"%1\"").arg(number));
     QVERIFY(at > 0);
-    // Printed once, and its source follows before the next heading.
+    // Each formula is printed once, and its source follows before the next heading.
     QCOMPARE(page.count(QStringLiteral("<formula no=\"%1\"").arg(number)), 1);
     const qsizetype sourceAt = page.indexOf(QLatin1String("<p class=\"source\">"), at);
     QVERIFY(sourceAt > at && sourceAt < page.indexOf(QLatin1String("<h2"), at));
@@ -248,7 +250,7 @@ void TestExamplesHelp::everyErrorIsThere()
         }
     }
     QVERIFY(isFound);
-    // Each is one whose number test_source_errors computes.
+    // Each anchor is one whose number test_source_errors computes.
     QCOMPARE(anchors, QByteArrayList(kErrata.begin(), kErrata.end()));
 }
 
@@ -366,7 +368,7 @@ double lightShare(FormulasWindow &window)
     return static_cast<double>(light) / all;
 }
 
-/// How far a light line goes straight down, at most, where the page has a matrix at its top.
+/// The longest light vertical line, for a page with a matrix at its top.
 int longestLightLine(FormulasWindow &window)
 {
     window.showFormula(QStringLiteral("ortho"));

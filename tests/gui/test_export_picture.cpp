@@ -1,4 +1,5 @@
-// Pictures of the view in files: as the view shows them, at other sizes, with and without marks and background.
+// Pictures of the view in files: as the view shows them, at other sizes, with and without marks and
+// background.
 
 #include "document_edits.h"
 #include "picking.h"
@@ -147,7 +148,7 @@ void TestExportPicture::atTwiceTheSizeThePickIsWhereItIsProjected()
     options.marks.pick = true;
     const QImage with = pictureOf(*window, options);
     QCOMPARE(with.size(), sizeOf(large));
-    // Whatever is drawn of the pick: its mark is about the projected point, as wide as it is high.
+    // Only the pick's mark differs: it is around the projected point, as wide as it is high.
     const glm::dvec2 place = 2.0 * placeOf(*window, picked(*window));
     const QPoint at(int(place.x), large.heightPixels - 1 - int(place.y));
     const int half = int(4.0 * large.devicePixelRatio);

@@ -1,5 +1,5 @@
-// Models as surveys have them, at (4·10⁶, 5·10⁵, 300) with details of a millimetre: opened from a file of every format that
-// can hold them, drawn, and clicked.
+// Models at survey coordinates, (4·10⁶, 5·10⁵, 300), with details of a millimetre: opened from a
+// file of every format that can hold them, drawn, and clicked.
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
@@ -38,7 +38,7 @@ double heightOf(int square)
     return (square * 7 % (kSquares * kSquares)) * 2.0 * kMillimetre;
 }
 
-/// Of a square, against the clock, from above; without the corner of the field.
+/// The corners of a square, counter-clockwise from above, relative to the field's corner.
 std::vector<glm::dvec3> cornersOf(int square)
 {
     const double x = square % kSquares * kEdge, y = square / kSquares * kEdge, z = heightOf(square);
@@ -158,7 +158,7 @@ QByteArray stl()
            + "endsolid field\n";
 }
 
-/// Singles about a node that stands far away.
+/// Singles about a node that is far away.
 QByteArray gltf()
 {
     QByteArray buffer;
@@ -223,7 +223,7 @@ void TestFarModels::millimetresArePicked()
     SceneDocument &document = window->document();
     QCOMPARE(document.objects().size(), std::size_t(1));
     QCOMPARE(document.objects()[0].model->triangleCount(), std::size_t(2 * kCount));
-    // From above, somewhat from the side: no step hides the middle of a square.
+    // The eye is above, somewhat to the side: no step hides the middle of a square.
     const glm::dvec3 middle = kCorner + glm::dvec3(2.0 * kEdge, 2.0 * kEdge, 15.0 * kMillimetre);
     for (const glm::dvec3 &way : {glm::dvec3(0.02, -0.04, 0.16), glm::dvec3(-0.05, 0.01, 0.2)}) {
         setCamera(document, {WorldPoint(middle + way), WorldPoint(middle), {0.0, 1.0, 0.0}});
@@ -244,7 +244,7 @@ void TestFarModels::millimetresArePicked()
             QVERIFY(glm::length(picked - middleOf(square)) < kMillimetre);
         }
     }
-    // And it can be read.
+    // The text of the formulas is readable.
     const QString text = formulasOf(*document.picks().pick()).text();
     QVERIFY2(text.contains(QStringLiteral("(4000000.")) && text.contains(QStringLiteral(", 500000."))
                  && !text.contains(u'e' + QStringLiteral("+0")),

@@ -1,4 +1,4 @@
-// The fontconfig files of tests/fonts: the fonts that a run of the tests names are those in use, and no others.
+// The fontconfig files of tests/fonts: a test run uses the fonts that it names, and no others.
 
 #include "gui/text/formula_layout.h"
 

@@ -1,4 +1,5 @@
-// The formulas as they are set: fractions on bars, symbols above numbers, terms that are found under the pointer.
+// The layout of the formulas: fractions on bars, symbols above numbers, terms that are found under
+// the pointer.
 
 #include "gui/text/formula_text.h"
 #include "gui/widgets/formula_view.h"
@@ -102,7 +103,7 @@ void TestFormulaView::aNarrowFormulaIsBrokenBeforeItsSigns()
     const FormulaLayout narrow = laidOut(markup, wide.size().width() * 0.7);
     QVERIFY(narrow.size().width() <= wide.size().width() * 0.7);
     QVERIFY(place(narrow, "b").top() >= place(narrow, "a").bottom());
-    // Not inside parentheses.
+    // The line does not break inside parentheses.
     QCOMPARE(place(narrow, "c").top(), place(narrow, "d").top());
 }
 
@@ -136,7 +137,8 @@ void TestFormulaView::everyNumberStandsBelowItsSymbol()
         int named = 0;
         for (const auto &[id, term] : formulas.terms) {
             QVERIFY2(!term.symbol.isEmpty() && !term.name.isEmpty(), qPrintable(id));
-            // As often in numbers as in symbols: the result stands left in the one and right in the other.
+            // Each term occurs in the numbers as often as in the symbols: the result is left in the
+            // one and right in the other.
             if (!term.value.isEmpty())
                 QCOMPARE(numbers.placesOf(id).size(), symbols.placesOf(id).size());
             named += symbols.placesOf(id).empty() ? 0 : 1;

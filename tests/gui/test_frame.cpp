@@ -1,5 +1,5 @@
-// What the views draw and what is read back: surface or background, the object, the depth, under every kind of depth
-// range; and what is cut away. Run once more with object ids as colours.
+// The drawn frame and the values read back: surface or background, the object, the depth, under
+// every kind of depth range; and clipping. Run once more with object ids as colours.
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
@@ -36,8 +36,8 @@ constexpr int kCoarser = 1;
 #endif
 constexpr int kFewer = kCoarser * kCoarser;
 
-/// Where a ray enters a cube of edge 2, as a multiple of its direction; nothing where it passes by. By hand, from the
-/// cube's six planes.
+/// The entry of a ray into a cube of edge 2, as a multiple of its direction; empty where it passes
+/// by. By hand, from the cube's six planes.
 std::optional<double> entry(const guitest::Ray &ray, const glm::dvec3 &center)
 {
     double enters = -std::numeric_limits<double>::infinity(), leaves = std::numeric_limits<double>::infinity();
@@ -50,7 +50,7 @@ std::optional<double> entry(const guitest::Ray &ray, const glm::dvec3 &center)
     return enters < leaves ? std::optional(enters) : std::nullopt;
 }
 
-/// A plane through a point, its positive side that of the normal.
+/// A plane through a point; its positive side is on the side of the normal.
 glm::dvec4 planeThrough(const glm::dvec3 &point, const glm::dvec3 &normal)
 {
     return glm::dvec4(normal, -glm::dot(normal, point));
@@ -126,7 +126,7 @@ void TestFrame::everyPixelIsTheSurfaceThatIsThere()
                 QVERIFY(pick.point.world[Method::Formula].hasValue());
                 const glm::dvec3 expected = ray.origin + ray.direction * nearest;
                 const glm::dvec3 off = pick.point.world[Method::Formula]->coordinates() - expected;
-                constexpr double kByHand = 1e-12; // what the ray and the planes here are off themselves
+                constexpr double kByHand = 1e-12; // the error of the ray and the planes here
                 for (int axis = 0; axis < 3; ++axis)
                     QVERIFY(std::abs(off[axis]) <= pick.uncertainty.world[axis] + kByHand);
             }
@@ -222,7 +222,7 @@ void TestFrame::aRemovedPlaneIsGone()
     QVERIFY(window->view().grabFramebuffer() == one);
     setClipPlanes(document, {});
     QVERIFY(window->view().grabFramebuffer() == before);
-    // Nor does it cut the next scene.
+    // The plane does not cut the next scene.
     setClipPlanes(document, {plane});
     (void)window->view().grabFramebuffer();
     openObjects(document, twoCubes(), kBeforeTwoCubes);
@@ -369,7 +369,7 @@ void TestFrame::aFrameIsPutOntoWhateverThereIs()
         f.glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depths);
     }
     const std::array<std::array<float, 4>, 2> colors{{{1.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 1.0f, 1.0f}}};
-    for (int round = 0; round < 2; ++round) { // what the first one finds out the second goes by
+    for (int round = 0; round < 2; ++round) { // the second round uses the findings of the first
         QVERIFY(frame.begin(drawable(setup).value()));
         f.glClearBufferfv(GL_COLOR, 0, colors[static_cast<std::size_t>(round)].data());
         frame.end();

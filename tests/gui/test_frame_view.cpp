@@ -1,5 +1,5 @@
-// How often the views draw, what of it the screen shows, and when the pointer is told. Run once more with object ids as
-// colours.
+// The number of times that the views draw, the part that the screen shows, and the pointer's
+// reports. Run once more with object ids as colours.
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
@@ -24,7 +24,7 @@ namespace {
 
 const LookAt kElsewhere{WorldPoint(kCubeCenter + glm::dvec3(3.0, 1.0, 6.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}};
 
-/// How many of the pictures drew the objects.
+/// The number of pictures that drew the objects.
 int drawnObjects(const QSignalSpy &steps)
 {
     int count = 0;
@@ -93,8 +93,8 @@ void TestFrameView::smoothEdgesAreSeenInBothViews()
     QVERIFY(outside->grabFramebuffer() == outsideBefore);
 }
 
-/// Whether the screen shows the picture where the widget is. Its corner lies where Qt rounds it to, which can carry its last
-/// row and column under a neighbour.
+/// Returns whether the screen shows the picture at the widget's position. Qt rounds its corner,
+/// which can carry its last row and column under a neighbour.
 bool isOnScreen(const QWidget &widget, const QImage &picture)
 {
     const double ratio = widget.devicePixelRatio();
@@ -104,7 +104,8 @@ bool isOnScreen(const QWidget &widget, const QImage &picture)
     screen.setDevicePixelRatio(1.0);
     QImage expected = picture.copy(0, 0, picture.width() - 1, picture.height() - 1);
     expected.setDevicePixelRatio(1.0);
-    // A window's corner may lie between logical pixels, and is then told of the one beside it.
+    // A window's corner may lie between logical pixels; the window then reports the neighbouring
+    // one.
     for (const int right : {0, -1, 1}) {
         for (const int down : {0, -1, 1}) {
             const QPoint place(pixels(corner.x()) + right, pixels(corner.y()) + down);
@@ -143,7 +144,7 @@ void TestFrameView::theScreenShowsSmoothEdgesAtRest()
     const QImage smooth = grabbed(view);
     QVERIFY(smooth != plain);
     QTRY_VERIFY_WITH_TIMEOUT(isOnScreen(view, smooth), kPatienceMilliseconds);
-    // A picture that has just been drawn may be shown as it is; it does not stay so.
+    // A picture that has just been drawn may be shown unchanged; it does not stay so.
     setCamera(window->document(), kElsewhere);
     setCamera(window->document(), kBeforeTwoCubes);
     settle(40);
@@ -239,13 +240,13 @@ void TestFrameView::theReadoutFollowsThePointer()
     QSignalSpy hovered(&view, &SceneView::hovered);
     const QPointF place = localOf(*window, kCubeCenter + glm::dvec3(0.2, 0.1, 1.0));
     sendMouse(view, QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton);
-    // The picture changes while the pointer waits for its answer: it is given the new one's.
+    // The picture changes while the pointer waits for its answer: the answer is the new one's.
     setCamera(window->document(),
               {WorldPoint(kCubeCenter + glm::dvec3(0.0, 0.0, 9.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
     QTRY_VERIFY_WITH_TIMEOUT(!hovered.isEmpty(), kPatienceMilliseconds);
     click(view, place);
     QCOMPARE(hovered.last().at(0).value<PixelClick>().sample.depth, window->document().picks().pick()->window.z);
-    // Nothing is told of a pointer that has left.
+    // A pointer that has left gets no report.
     hovered.clear();
     sendMouse(view, QEvent::MouseMove, place + QPointF(3.0, 0.0), Qt::NoButton, Qt::NoButton);
     QEvent leave(QEvent::Leave);

@@ -1,4 +1,5 @@
-// A point of the user's own: typed and pasted into the pipeline panel, undone, left for a click and followed again.
+// A point of the user's own: typed and pasted into the pipeline panel, undone, left for a click and
+// followed again.
 
 #include "document_edits.h"
 #include "pipeline_figures.h"
@@ -26,7 +27,7 @@ using namespace unprojector::matrices;
 
 namespace {
 
-/// A panel as it is shown, and hands on it.
+/// A shown panel, and a user's actions on it.
 struct ShownPanel {
     SceneDocument document;
     PipelinePanel panel{document};
@@ -48,7 +49,7 @@ struct ShownPanel {
         }
         qFatal("There is no such row.");
     }
-    /// As a user types a number: the cell is clicked, the first key begins it.
+    /// Types a number as a user does: a click on the cell, then the first key begins it.
     void type(Space space, int coordinate, const QString &text) const
     {
         NumberGrid *rows = grid(space);
@@ -124,7 +125,7 @@ void TestGivenPoint::aTypedNumberIsAPointBothWays()
     QVERIFY(shown.document.scene().givenPoint->point == GivenPoint{EyePoint(0, 0, -8)}.point);
     QVERIFY(givenWorld(shown.document.scene(), shown.document.setup()).value() == WorldPoint(0, 0, -3));
     QVERIFY(shown.document.isEdited());
-    // The camera goes on, the eye point stays what it is.
+    // The camera moves on, the eye point stays.
     QVERIFY(shown.document.scene().givenPoint.has_value());
 }
 
@@ -179,7 +180,7 @@ void TestGivenPoint::theLaterOfClickAndGivenPointIsFollowed()
     pickAt(shown.document, WidgetPoint(30, 35), {0.85, 0, 24});
     QVERIFY(!shown.model().followsGiven());
     QVERIFY(isPoint(shown.model().point(Space::World), {2.2, -4.2, -2}));
-    // Both are there, and either can be followed.
+    // Both points exist, and either can be followed.
     QToolButton *other = shown.button(QStringLiteral("Your point"));
     QVERIFY(other);
     other->click();
@@ -222,7 +223,7 @@ void TestGivenPoint::aPointOfAnObjectGoesWithIt()
     QVERIFY(isPoint(shown.model().point(Space::World), {6, 1, 0}));
     QVERIFY(moveObject(shown.document, 0, 1));
     QVERIFY(isPoint(shown.model().point(Space::World), {6, 1, 0}));
-    // Without its object it stays where it is.
+    // A point without its object stays in place.
     QVERIFY(removeObject(shown.document, 1));
     QVERIFY(shown.document.scene().givenPoint->point == GivenPoint{WorldPoint(6, 1, 0)}.point);
     shown.document.undoStack().undo();

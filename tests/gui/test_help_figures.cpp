@@ -74,7 +74,7 @@ QImage drawn(const QString &name, double ratio, bool isDark = false, double marg
     return image;
 }
 
-/// What a figure consists of.
+/// The parts of a figure.
 struct Ink {
     struct Label {
         QString text;
@@ -85,7 +85,7 @@ struct Ink {
     std::vector<QLineF> lines;
 };
 
-/// Draws nothing, and notes what it would.
+/// Draws nothing, and records the calls.
 class InkEngine : public QPaintEngine {
 public:
     InkEngine() : QPaintEngine(AllFeatures) {}
@@ -255,7 +255,7 @@ void TestHelpFigures::aFigureIsDrawn()
     // Lines and letters are as sharp at twice the pixels: it is not the small picture made larger.
     const QImage scaled = once.scaled(twice.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     QVERIFY(differenceOf(twice, scaled) > 0.3);
-    // But it is the same figure.
+    // The figure is still the same.
     const QImage back = twice.scaled(once.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     QVERIFY(differenceOf(back, once) < 8.0);
 
@@ -263,7 +263,7 @@ void TestHelpFigures::aFigureIsDrawn()
     QVERIFY(differenceOf(dark, once) > 150.0);
     QVERIFY(differenceOf(dark, QImage(dark.size(), dark.format())) > 0.0);
 
-    // Nothing is cut off: what is outside of its place stays empty, in every language.
+    // Nothing is cut off: the area outside its bounds stays empty, in every language.
     constexpr double kMargin = 24.0;
     for (const char *language : {"en-US", "zh-CN"}) {
         const Translation translation({QString::fromLatin1(language)});
@@ -306,7 +306,7 @@ void TestHelpFigures::itsLabelsAreClear()
                 }
             }
         }
-        // Two of different colours are two labels, and seen to be.
+        // Two labels of different colours are distinct and look it.
         for (const Ink::Label &other : ink.labels) {
             if (other.color != label.color && other.box.left() >= label.box.left()
                 && other.box.adjusted(-0.4 * em, 0, 0, 0).intersects(label.box))

@@ -1,4 +1,5 @@
-// The page of formulas in the other languages: the same page as the English one, and shown where the program speaks it.
+// The page of formulas in the other languages: the same page as the English one, and shown where
+// the program speaks them.
 
 #include "gui/lessons/formulas_window.h"
 #include "gui/text/formula_markup.h"
@@ -137,7 +138,7 @@ void TestHelpLanguages::noChineseSentenceIsBroken()
     QCOMPARE(broken, QStringList());
 }
 
-/// Their fonts have no italics: slanted by the program, the characters look deformed.
+/// Chinese fonts have no italics: slanted by the program, the characters look deformed.
 void TestHelpLanguages::noChineseIsSlanted()
 {
     const QStringList slanted = found(typeset(source(kChinese)), QStringLiteral("<(i|em)>.*?</\\1>"));

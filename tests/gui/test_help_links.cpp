@@ -1,4 +1,4 @@
-// From what is computed to where Help has its formulas.
+// Links from computed values to their formulas in Help.
 
 #include "document_edits.h"
 #include "gui/click/comparison_panel.h"
@@ -37,7 +37,7 @@ using namespace unproject;
 using namespace comparing;
 namespace {
 
-/// The anchors that both pages have, with the number of the formula that stands there.
+/// The anchors that both pages have, with the number of the formula there.
 QMap<QString, QString> places()
 {
     QMap<QString, QString> both;

@@ -1,5 +1,6 @@
-// What the user reads where a thread cannot start or memory runs out, and that the document goes on: for each of those that have
-// background jobs. The map's and the doctor's sentences are in test_map_overlay and test_doctor_place.
+// The messages where a thread cannot start or memory runs out, for each owner of background jobs;
+// the document goes on. The map's and the doctor's messages are in test_map_overlay and
+// test_doctor_place.
 
 #include "document_edits.h"
 #include "job_faults.h"
@@ -31,7 +32,8 @@ using namespace unprojector::scene;
 
 namespace {
 
-/// 20 * 4^subdivisions triangles: too many to prepare rays or curves at once, and too many to be drawn in motion.
+/// 20 * 4^subdivisions triangles: too many to prepare rays or curves at once, and too many to be
+/// drawn in motion.
 constexpr int kMany = 5, kVeryMany = 7;
 
 std::vector<SceneObject> ball(int subdivisions)
@@ -136,7 +138,7 @@ void TestJobFailures::theRayIsImpossible()
         document.picks().rayCasters().complete(document.objects());
         QVERIFY(document.picks().rayCasters().failureOf(document.objects()));
     }
-    // No thread is a matter of the moment; for more memory the model is opened again.
+    // The lack of a thread may pass at once; for more memory the model is opened again.
     if (kind == JobFailure::Kind::OutOfMemory)
         openObjects(document, ball(kMany));
     document.picks().rayCasters().complete(document.objects());

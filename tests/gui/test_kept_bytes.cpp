@@ -1,4 +1,4 @@
-// What is kept of the window from one run to the next, and read back only where it is what was written.
+// The window's state between runs: it is read back only if it is unchanged.
 
 #include "gui/window/kept_bytes.h"
 #include "gui/window/workspaces.h"
@@ -79,7 +79,7 @@ void TestKeptBytes::nothingElseDoes()
     QCOMPARE(unsealed(damage(sealed("a layout", kPurpose)), kPurpose), QByteArray());
 }
 
-/// As if nothing had been kept.
+/// The window starts as if nothing had been kept.
 void TestKeptBytes::aDamagedLayoutIsNotTaken()
 {
     QFETCH(Damage, damage);
@@ -98,7 +98,7 @@ void TestKeptBytes::aDamagedLayoutIsNotTaken()
         first->workspaces().dock(Panel::Objects).close();
         first->close();
     }
-    QVERIFY(!isObjectsShown(*start())); // what was kept is taken
+    QVERIFY(!isObjectsShown(*start())); // the kept layout is restored
     QSettings settings;
     for (const QString &key : settings.allKeys()) {
         if (settings.value(key).typeId() == QMetaType::QByteArray && key != QStringLiteral("window/place"))

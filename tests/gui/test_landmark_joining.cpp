@@ -1,4 +1,5 @@
-// Points from files beside those that are there: joined by their names or their order, or instead of them.
+// Points from files next to existing ones: joined by their names or their order, or in place of
+// them.
 
 #include "gui/document/scene_edits.h"
 #include "gui/landmarks/landmark_templates.h"
@@ -138,7 +139,7 @@ void TestLandmarkJoining::pointsWithoutNamesFillByOrder_data()
 {
     QTest::addColumn<QByteArray>("rows");
     QTest::addColumn<int>("answer");
-    QTest::addColumn<QString>("names"); ///< of those with a place
+    QTest::addColumn<QString>("names"); ///< of placed points
     QTest::addColumn<QString>("said");
     using Order = LandmarkFileQuestions::Order;
     QTest::newRow("as many") << QByteArray("1 1 0\n2 2 0\n3 3 0\n") << -1 << "a b c"

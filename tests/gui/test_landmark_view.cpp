@@ -1,4 +1,4 @@
-// Placed points in the view: placed, selected and moved by hand and by keys, and how they are shown.
+// Placed points in the view: placed, selected and moved by mouse and by keys, and their display.
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/landmark_placing.h"
@@ -30,7 +30,7 @@ using landmarks::Landmark;
 
 namespace {
 
-/// In the middle of the cube's front face.
+/// The middle of the cube's front face.
 const glm::dvec3 kFront = kCubeCenter + glm::dvec3(0.0, 0.0, 1.0);
 
 Landmark pointAt(const glm::dvec3 &world, const char *name)
@@ -46,7 +46,7 @@ const Landmark &only(MainWindow &window)
     return window.document().landmarks().front();
 }
 
-/// Where a world point is in the picture, origin top-left.
+/// The position of a world point in the picture, origin top-left.
 DevicePoint deviceOf(MainWindow &window, const glm::dvec3 &world)
 {
     const glm::dvec2 place = placeOf(window, world);
@@ -63,7 +63,7 @@ void putPoint(MainWindow &window)
     QVERIFY(editLandmarks(window.document(), {landmark}, {QStringLiteral("put")}));
 }
 
-/// What the menu has for a key.
+/// Triggers the menu's action of a key.
 void trigger(MainWindow &window, const QKeySequence &key)
 {
     for (QAction *action : window.findChildren<QAction *>()) {
@@ -179,17 +179,17 @@ void TestLandmarkView::aMarkIsSelectedAndDragged()
     QCOMPARE(window->document().undoStack().undoText(), QStringLiteral("Move nasion"));
     QVERIFY(window->document().scene().camera == camera);
     QVERIFY(std::abs(heightOverFront(*only(*window).world)) < 1e-6);
-    // It went as the pointer did: the place that was grabbed stays under it.
+    // The point went with the pointer: the grabbed position stays under it.
     const QPointF now = localOf(*window, only(*window).world->coordinates());
     QVERIFY(std::hypot(now.x() - at.x() - 20, now.y() - at.y() - 10) < 1e-6);
-    // Off the mesh it waits at the last place on it.
+    // A point dragged off the mesh stays at the last position on it.
     drag(window->view(), now, QPointF(2, 2), Qt::LeftButton);
     QVERIFY(only(*window).world);
     QVERIFY(window->document().sceneLandmarks().all().size() == 1);
     window->document().undoStack().setIndex(steps);
     QVERIFY(length(*only(*window).world - WorldPoint(kFront)) < 1e-9);
     click(window->view(), QPointF(4, 4));
-    QVERIFY(window->document().picks().pick()); // beside marks, clicks pick
+    QVERIFY(window->document().picks().pick()); // away from marks, clicks pick
 }
 
 void TestLandmarkView::selectedMarksAreDraggedTogether()
@@ -359,7 +359,7 @@ void TestLandmarkView::marksSayWhatIsBehind()
     }
     QCOMPARE(seen, QStringList({"front", "above", "a little inside"}));
     QCOMPARE(behind, QStringList("back"));
-    // What is cut away is not in sight; what a plane has laid open is.
+    // A point that is cut away is hidden; one that a plane has laid open is visible.
     setClipPlanes(window->document(), {{0, 0, -1, kCubeCenter.z - 0.5}});
     for (const LandmarkMark &mark : landmarkMarks(window->document())) {
         const std::string &name = window->document().landmarks()[mark.index].name;
@@ -373,7 +373,7 @@ void TestLandmarkView::marksSayWhatIsBehind()
 void TestLandmarkView::aMarkBehindTakesNoClick()
 {
     const auto window = cubeWindow(false);
-    // On the back face, seen through the middle of the front.
+    // A point on the back face, seen through the middle of the front.
     const glm::dvec3 eye = window->document().scene().camera->eye.coordinates();
     const glm::dvec3 along = kFront - eye;
     const glm::dvec3 back = eye + along * ((kCubeCenter.z - 1.0 - eye.z) / along.z);
@@ -385,7 +385,7 @@ void TestLandmarkView::aMarkBehindTakesNoClick()
     QVERIFY(markUnder(marks, at) && !markUnder(marks, at, true));
     click(window->view(), at);
     QVERIFY(document.sceneLandmarks().selection().empty());
-    QVERIFY(document.picks().pick()); // what is in front is read
+    QVERIFY(document.picks().pick()); // the object in front is read
     trigger(*window, Qt::Key_P);
     click(window->view(), at);
     QCOMPARE(document.landmarks().size(), std::size_t(2)); // and placed on
@@ -398,7 +398,8 @@ void TestLandmarkView::everyObjectCountsItsOwnTriangles()
     SceneDocument &document = window->document();
     QCOMPARE(renameObject(document, 1, QStringLiteral("second")), NameFault::None);
     document.picks().rayCasters().complete(document.objects());
-    // Where the first cube is in front of the second, its triangle is hit; the second has one of that number too.
+    // The first cube hides the second there, so its triangle is hit; the second has one of the same
+    // index.
     const DevicePoint at = deviceOf(*window, kTwoCubeCenters[1]);
     const std::optional<Landmark> front = landmarkOnSurface(document, at);
     QVERIFY(front && std::holds_alternative<landmarks::OnTriangle>(front->anchor));
@@ -425,7 +426,7 @@ void TestLandmarkView::hiddenPointsAreNotMovedNorRemoved()
     const LookAt camera = document.scene().camera;
     QTest::keyClick(&window->view(), Qt::Key_Right);
     QVERIFY(document.landmarks() == before);
-    QVERIFY(document.scene().camera != camera); // there is nothing to be moved: the view is turned
+    QVERIFY(document.scene().camera != camera); // nothing can be moved: the drag turns the view
     QTest::keyClick(&window->view(), Qt::Key_Delete);
     QCOMPARE(document.landmarks().size(), std::size_t(1));
     QCOMPARE(only(*window).name, std::string("nasion"));
@@ -445,7 +446,7 @@ void TestLandmarkView::aDragEndsWithItsPoint()
     sendMouse(window->view(), QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
     sendMouse(window->view(), QEvent::MouseMove, at + QPointF(12, 0), Qt::NoButton, Qt::LeftButton);
     QVERIFY(length(*only(*window).world - WorldPoint(kFront)) > 1e-3);
-    QVERIFY(document.sceneLandmarks().remove({0})); // as by a key of the window: another one has its place now
+    QVERIFY(document.sceneLandmarks().remove({0})); // as by a key of the window: another point has its index now
     sendMouse(window->view(), QEvent::MouseMove, at + QPointF(30, 0), Qt::NoButton, Qt::LeftButton);
     sendMouse(window->view(), QEvent::MouseButtonRelease, at + QPointF(30, 0), Qt::LeftButton, Qt::NoButton);
     QVERIFY(only(*window) == other);
@@ -465,7 +466,7 @@ void TestLandmarkView::marksAreInThePicture()
     QVERIFY2(std::abs(there.red() - 250) < 12 && std::abs(there.green() - 20) < 12 && std::abs(there.blue() - 200) < 12,
              qPrintable(there.name()));
     QVERIFY(differentPixels(without, with) > 200); // with its label
-    // Nothing else of the picture is other than before.
+    // The rest of the picture is unchanged.
     QVERIFY(window->document().sceneLandmarks().setHidden({0}, true));
     QCOMPARE(differentPixels(without, window->view().grabFramebuffer()), 0);
 }
@@ -627,13 +628,13 @@ void TestLandmarkView::theLoupeShowsThePlace()
     part<LandmarkTool>(*window).setPlacing(true);
     sendMouse(window->view(), QEvent::MouseMove, at + QPointF(1, 0), Qt::NoButton, Qt::NoButton);
     const QImage with = window->view().grabFramebuffer();
-    // In the loupe, the blue face; outside, the picture is the same.
+    // The loupe shows the blue face; outside, the picture is the same.
     const double ratio = with.devicePixelRatio();
     const QPointF inside = box.topLeft() + QPointF(20.5, 20.5);
     QCOMPARE(faceOfColor(with.pixelColor((inside * ratio).toPoint())), 4);
     QVERIFY(with.pixelColor((at * ratio).toPoint()) == without.pixelColor((at * ratio).toPoint()));
     QVERIFY(differentPixels(without, with) > 1000);
-    // The edges of the face are in it where they are near.
+    // The loupe also shows the edges of the face where they are near.
     const QPointF corner = localOf(*window, kCubeCenter + glm::dvec3(1, 0, 1));
     const ray::SceneRays *rays = window->document().picks().rays();
     QVERIFY(rays);
@@ -670,7 +671,8 @@ void TestLandmarkView::arrowsMoveOffTheSurface()
     const glm::dvec3 way = only(*window).world->coordinates() - kFront;
     QVERIFY(way[axis] > 0.05);
     QVERIFY(std::abs(way[(axis + 1) % 3]) < 1e-12 && std::abs(way[(axis + 2) % 3]) < 1e-12);
-    // The place that was grabbed went with the pointer: both ways are one share of the arrow, but for perspective.
+    // The grabbed position went with the pointer: both moves are one share of the arrow, but for
+    // perspective.
     const QPointF from = localOf(*window, kFront), to = localOf(*window, only(*window).world->coordinates());
     QVERIFY(std::hypot(to.x() - from.x() - 0.5 * (arrow.to - arrow.from).x(),
                        to.y() - from.y() - 0.5 * (arrow.to - arrow.from).y())

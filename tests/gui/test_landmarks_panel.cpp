@@ -1,4 +1,4 @@
-// The table of placed points, the one that is placed next, and what they measure, as a user handles them.
+// The table of placed points, the next one to place, and the measures, as a user handles them.
 
 #include "core/examples/bundled_scene.h"
 #include "gui/document/camera_looks.h"
@@ -188,8 +188,8 @@ void TestLandmarksPanel::aRowTellsItsPoint()
     QCOMPARE(textAt(0, LandmarksModel::HeldBy), QStringLiteral("vertex 7"));
     QCOMPARE(textAt(0, LandmarksModel::Note), QStringLiteral("worn"));
     QCOMPARE(textAt(1, LandmarksModel::HeldBy), QStringLiteral("free"));
-    QCOMPARE(textAt(1, LandmarksModel::PlusMinus), QStringLiteral("?")); // nobody knows
-    QCOMPARE(textAt(2, LandmarksModel::PlusMinus), QString());           // there is nothing to be known
+    QCOMPARE(textAt(1, LandmarksModel::PlusMinus), QStringLiteral("?")); // unknown
+    QCOMPARE(textAt(2, LandmarksModel::PlusMinus), QString());           // it has no position
     QCOMPARE(textAt(2, LandmarksModel::HeldBy), QStringLiteral("missing"));
     QCOMPARE(textAt(2, LandmarksModel::X), QStringLiteral("–"));
 }
@@ -254,7 +254,7 @@ void TestLandmarksPanel::certainDigitsHaveTheirRoom()
     const int needed = m_table->fontMetrics().horizontalAdvance(textAt(0, LandmarksModel::X));
     QVERIFY(needed > usual);
     QVERIFY(header.sectionSize(LandmarksModel::X) >= needed);
-    // Who has chosen another width keeps it.
+    // A width chosen by the user stays.
     header.resizeSection(LandmarksModel::X, usual);
     QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(1.0, 1.0, 1.0)));
     QVERIFY(editLandmarks(*m_document, {point("one", glm::dvec3(123.4567), 2e-6)}, {QStringLiteral("test")}));
@@ -281,7 +281,7 @@ void TestLandmarksPanel::namesInLittleRoomStayApart()
         QStringLiteral("left exo."));
     QVERIFY(!shortName(QStringLiteral("onewordthatislongerthantheroomforit"), metrics, room));
     QVERIFY(!shortName(QStringLiteral("palpebrale superius right"), metrics, 10));
-    // So they are drawn.
+    // The names are drawn this way.
     QVERIFY(editLandmarks(*m_document, {point("palpebrale superius right", {}), point("palpebrale inferius right", {})},
                           {QStringLiteral("test")}));
     m_document->sceneLandmarks().select({}, std::nullopt);
@@ -307,7 +307,7 @@ void TestLandmarksPanel::whoPlacesIsNotToldToPressP()
     QVERIFY((*found)->text().startsWith(QStringLiteral("No points yet. Click where")));
     m_panel->setPlacing(false);
     QVERIFY((*found)->text().contains(QStringLiteral("Press P")));
-    // Nor is it kept from whoever has a name waiting.
+    // The hint also appears while a name is still to be placed.
     QVERIFY(editLandmarks(*m_document, {point("tip", {})}, {QStringLiteral("one")}));
     m_document->sceneLandmarks().waitForNext(std::nullopt);
     const auto *how = named<QLabel>(QStringLiteral("How it is placed"));
@@ -441,7 +441,7 @@ void TestLandmarksPanel::sortingChangesOnlyTheView()
     m_table->header()->setSortIndicator(LandmarksModel::X, Qt::AscendingOrder);
     QCOMPARE(textAt(2, LandmarksModel::Name), QStringLiteral("gone")); // without a place behind all others
     m_table->header()->setSortIndicator(LandmarksModel::Number, Qt::DescendingOrder);
-    QVERIFY(!m_table->dragEnabled()); // what is dropped below a row would come before it
+    QVERIFY(!m_table->dragEnabled()); // a drop below a row would come before it
     m_table->header()->setSortIndicator(-1, Qt::AscendingOrder);
     QCOMPARE(textAt(0, LandmarksModel::Name), QStringLiteral("nasion"));
     QVERIFY(m_table->dragEnabled());
@@ -511,7 +511,7 @@ void TestLandmarksPanel::aTemplateIsPlacedOneAfterTheOther()
 
 void TestLandmarksPanel::theNextOfATemplateIsCountedAndInSight()
 {
-    // Of those that are there already two are none of the template's; the last of them is selected.
+    // Two of the existing points are not in the template; the last existing point is selected.
     std::vector<Landmark> mine;
     for (int i = 0; i < 60; ++i)
         mine.push_back(point(("p" + std::to_string(i)).c_str(), {}));
@@ -527,7 +527,7 @@ void TestLandmarksPanel::theNextOfATemplateIsCountedAndInSight()
     for (int i = 1; i < 40; ++i)
         place(1.0 + i);
     QVERIFY(isInSight(40));
-    // What is gone to is seen.
+    // The row that is selected is scrolled into view.
     m_document->sceneLandmarks().selectOnly(0);
     QVERIFY(isInSight(0));
 }
@@ -554,7 +554,7 @@ void TestLandmarksPanel::withoutATemplateNothingIsMissing()
     QCOMPARE(names(), (QStringList{"nasion", "pronasale"}));
     m_document->undoStack().undo();
     QCOMPARE(names().size(), 3);
-    // The first of those that come with the program, by its entry.
+    // The first bundled template, by its entry.
     actions.front()->trigger();
     QCOMPARE(names().size(), 3 + static_cast<int>(m_templates->bundled().front().points.size()) - 1); // nasion is there
     QVERIFY(named<QLabel>(QStringLiteral("The point that is placed next"))->isVisible());
@@ -605,9 +605,9 @@ void TestLandmarksPanel::aTemplatesPictureIsShown()
         5); // from the start again, behind "gone", which is no name of the template
     QVERIFY(!picture->isHidden());
     const QSize size = picture->pixmap(Qt::ReturnByValue).deviceIndependentSize().toSize();
-    QVERIFY(std::abs(size.width() - 4 * size.height()) <= 4); // as wide and as high as it is, to a pixel
+    QVERIFY(std::abs(size.width() - 4 * size.height()) <= 4); // the picture's aspect, to a pixel
     QVERIFY(size.width() < 400);
-    // What is not there is said, and not taken for a point without a picture.
+    // A missing picture causes a message; it does not pass for a point without one.
     m_document->sceneLandmarks().waitForNext(m_document->sceneLandmarks().nextUnplaced());
     QVERIFY2(picture->isVisibleTo(m_panel.get()) && picture->text().contains(QStringLiteral("none.png")),
              qPrintable(picture->text()));
@@ -651,7 +651,7 @@ void TestLandmarksPanel::measuresOfWhatIsSelected()
     QCOMPARE(shown, rows);
     QVERIFY(editLandmarkSet(*m_document, set, {QStringLiteral("test")}));
     m_document->sceneLandmarks().select(places);
-    // Besides, there is the length along the surface: SceneCurves knows it.
+    // The length along the surface comes as well: SceneCurves knows it.
     QCOMPARE(named<QTreeWidget>(QStringLiteral("Measures"))->topLevelItemCount(),
              rows.size() + (places.size() >= 2 ? 1 : 0));
 }
@@ -681,7 +681,8 @@ void TestLandmarksPanel::leftAndRight()
         each.uncertainty = WorldVector(0.1, 0.1, 0.1);
     set.landmarks[4].uncertainty.reset();
     QCOMPARE(shown(sidesOf(set))[2], QStringLiteral("Without ±|nose|leave the errors open"));
-    // A sided one without a partner says nothing of the middle, and what is hidden or not placed nothing at all.
+    // A sided point without a partner does not count for the midline; a hidden or unplaced point
+    // does not count at all.
     set.landmarks.push_back(point("jaw left", glm::dvec3(-9.0, -9.0, 2.0), 0.1));
     set.landmarks.push_back(point("brow left", {}));
     set.landmarks.push_back(point("brow right", glm::dvec3(1.0, 4.0, 4.0), 0.1));
@@ -755,7 +756,7 @@ void TestLandmarksPanel::templatesAreSavedUnderTheirSuffix()
             QVERIFY(dialog);
             dialog->setDirectory(folder.path());
             dialog->selectNameFilter(dialog->nameFilters()[filter]);
-            emit dialog->filterSelected(dialog->nameFilters()[filter]); // as by a hand
+            emit dialog->filterSelected(dialog->nameFilters()[filter]); // as by a user
             dialog->findChild<QLineEdit *>()->setText(QStringLiteral("mine"));
             if (isThere) {
                 QTimer::singleShot(0, this, [&] {
@@ -782,7 +783,7 @@ void TestLandmarksPanel::templatesAreSavedUnderTheirSuffix()
     QFile written(folder.filePath(file));
     QVERIFY(written.open(QIODevice::ReadOnly));
     QVERIFY(written.readAll().contains("nasion"));
-    save(true); // a file that is there is asked about by its whole name
+    save(true); // an existing file is asked about by its whole name
 }
 
 void TestLandmarksPanel::aColourIsForWhatIsSelectedThen()

@@ -1,4 +1,5 @@
-// Points in the whole window: opened with their model, dropped, from menus, and on a series of scans by keys.
+// Points in the whole window: opened with their model, dropped, from menus, and on a series of
+// scans by keys.
 
 #include "window_user.h"
 
@@ -103,10 +104,10 @@ void TestLandmarksWindow::aDroppedTemplateHasItsNamesPlaced()
     QVERIFY2(landmarks.size() == 2, qPrintable(window->message()));
     QVERIFY(landmarks[0].name == "tip" && landmarks[0].isMissing() && landmarks[1].name == "chin");
     QCOMPARE(window->document().sceneLandmarks().nextUnplaced(), std::optional<std::size_t>(0));
-    QVERIFY(part<LandmarkTool>(*window).isPlacing()); // nobody chooses one for anything else
+    QVERIFY(part<LandmarkTool>(*window).isPlacing()); // a template is chosen only for placing
     QVERIFY(!actionOf(*window, QStringLiteral("Next Scan"))->isEnabled());
     QVERIFY(!actionOf(*window, QStringLiteral("Repeats…"))->isEnabled());
-    // With a model, to that one.
+    // A model dropped along gets the template's points.
     emit window->view().filesDropped(
         {QUrl::fromLocalFile(path(QStringLiteral("t.PPTPL"))), QUrl::fromLocalFile(path(QStringLiteral("a.obj")))});
     QTRY_COMPARE_WITH_TIMEOUT(window->document().objects().size(), std::size_t(1), kPatienceMilliseconds);
@@ -192,7 +193,8 @@ void TestLandmarksWindow::whatIsBeingTypedIsKeptWithItsScan()
     QVERIFY2(kept().contains("bregma,1,2,0"), kept().constData());
 }
 
-/// The whole way by hand: a scan, a template, three points, one of them dragged and moved by keys and back, saved, and opened again.
+/// The whole workflow by mouse and keys: a scan, a template, three points, one of them dragged and
+/// moved by keys and back, saved, and opened again.
 void TestLandmarksWindow::fromAScanToASavedSceneAndBack()
 {
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
@@ -215,7 +217,7 @@ void TestLandmarksWindow::fromAScanToASavedSceneAndBack()
     }
     write(QStringLiteral("hill.obj"), scan);
     write(QStringLiteral("three.csv"), "name,x,y,z,note\nfoot,,,,down there\ntop,,,,\nflank,,,,\n");
-    // What is typed into the dialog that comes next.
+    // The answer is typed into the dialog that comes next.
     const auto answer = [this](const QString &file) {
         QTimer::singleShot(0, this, [file] {
             auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
@@ -270,7 +272,8 @@ void TestLandmarksWindow::fromAScanToASavedSceneAndBack()
         actionOf(*window, QStringLiteral("Redo Move top"))->trigger();
         QVERIFY(document.scene().landmarks == dragged);
 
-        // A curve by its key, given a number of semilandmarks by typing it, and exported; then all three a pixel to the right.
+        // A curve by its key, its number of semilandmarks typed, and exported; then all three
+        // points a pixel to the right.
         document.sceneLandmarks().select({0, 1});
         QCOMPARE(actionOf(*window, QStringLiteral("Join on the Surface"))->shortcut(), QKeySequence(Qt::Key_J));
         actionOf(*window, QStringLiteral("Join on the Surface"))->trigger();

@@ -1,4 +1,5 @@
-// Each language of the program from the start: what is said, what objects are called, which one is chosen for the next time.
+// Each language of the program from the start: the messages, the names of objects, and the choice
+// for the next start.
 
 #include "language_user.h"
 
@@ -133,7 +134,8 @@ void TestLanguage::twoObjectsNeverLookTheSame()
     QStringList names = listedObjects(*window);
     QCOMPARE(names[2], QStringLiteral("圆环"));
     QCOMPARE(names.removeDuplicates(), 0);
-    // The teapot is read by its own name beside that one, which so is nobody else's: it may be called as it is.
+    // The list shows the teapot under its own name, so this name belongs to one object alone, which
+    // may keep it.
     QCOMPARE(renameObject(document, 1, QStringLiteral("茶壶")), NameFault::None);
     QCOMPARE(renameObject(document, 2, QStringLiteral("茶壶")), NameFault::Taken);
     QCOMPARE(renameObject(document, 1, QStringLiteral("Teapot")), NameFault::Taken);
@@ -228,7 +230,7 @@ void TestLanguage::whatCoreSaysIsInTheLanguage_data()
                                             ":1:16: 此处应为“:”，却是 1", ":2: z 为 “far”；请写一个数"};
 }
 
-/// Core's loaders say in their own threads what is wrong with a file.
+/// Core's loaders report a file's errors in their own threads.
 void TestLanguage::whatCoreSaysIsInTheLanguage()
 {
     QFETCH(QStringList, languages);
@@ -267,7 +269,7 @@ void TestLanguage::theChoiceIsForTheNextStart()
         QVERIFY(chosen(*window)->isChecked());
         QCOMPARE(keptLanguage(), Language::Chinese);
         QCOMPARE(languagesOf(keptLanguage()), QStringList{QStringLiteral("zh_CN")});
-        QCOMPARE(window->message(), QStringLiteral("程序下次启动时使用简体中文。")); // for whoever reads no other
+        QCOMPARE(window->message(), QStringLiteral("程序下次启动时使用简体中文。")); // in the new language
         QCOMPARE(window->menuBar()->actions().constFirst()->text(), QStringLiteral("&File"));
         actionOf(*window, QStringLiteral("English"))->trigger();
         QCOMPARE(languagesOf(keptLanguage()), QStringList{QStringLiteral("en")});

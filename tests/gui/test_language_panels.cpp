@@ -90,7 +90,8 @@ void TestLanguagePanels::noTextOfAPanelIsCut()
     QStringList cut;
     for (const char *place : lessons::kWorkspaceNames) {
         enter(*window, place);
-        // Without those that stand alone, a lesson and the view from outside, which a lesson has both.
+        // The shared docks exclude the separate ones: a lesson, and the view from outside,
+        // which a lesson has as well.
         for (const QDockWidget *dock : window->workspaces().sharedDocks()) {
             window->workspaces().show(panelNamed(dock->objectName()));
             settle(20);

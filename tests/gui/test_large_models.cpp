@@ -1,4 +1,5 @@
-// Models that take too long to be drawn while the view moves: stand-ins are shown, and nothing is ever read from them.
+// Models that take too long to be drawn while the view moves: the view shows stand-ins, and never
+// reads from them.
 
 #include "core/examples/solids.h"
 #include "gui/document/camera_looks.h"
@@ -178,7 +179,7 @@ void TestLargeModels::longDrawingIsTold()
     shown.view.setSlice(0); // a fast machine would draw it at once
     QSignalSpy told(&shown.view, &FrameView::drawingProgressed);
     QVERIFY(shown.show());
-    // Before there were stand-ins nothing was to be seen.
+    // No picture was shown before there were stand-ins.
     const auto shareAt = [&told](qsizetype i) { return told.at(i).at(0).toDouble(); };
     QVERIFY(told.size() > 2);
     for (qsizetype i = 1; i < told.size(); ++i)
@@ -194,7 +195,7 @@ void TestLargeModels::longDrawingIsTold()
     QVERIFY(shown.rest());
     QVERIFY2(told.isEmpty(), "stand-ins are seen");
 
-    // A picture that is awaited is told of, but not where it never comes onto a screen.
+    // A picture that is awaited is announced, but not where it never comes onto a screen.
     QVERIFY(!shown.view.awaitPicture());
     setCamera(shown.document, kFromBefore, {});
     QVERIFY(shown.view.awaitPicture());
@@ -223,7 +224,7 @@ void TestLargeModels::longDrawingIsTold()
     QVERIFY(!bar.findChild<QPushButton *>()->isHidden());
 }
 
-/// The old objects would stand under the new name, and be clicked for it.
+/// The old objects would be under the new name, and clicks would hit them.
 void TestLargeModels::anotherSceneBeginsEmpty()
 {
     struct OpenView : SceneView {

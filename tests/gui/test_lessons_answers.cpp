@@ -1,4 +1,5 @@
-// What a lesson asks in the window: answers are checked and shown, and what has them waits.
+// A lesson's questions in the window: answers are checked and shown, and panels that show them
+// wait.
 
 #include "gui/lessons/lesson_player.h"
 #include "gui/view/lifecycle_log.h"
@@ -81,7 +82,7 @@ void TestLessonsAnswers::whatHasTheAnswerWaitsForIt()
     const auto isSaid = [&] { return verdictOf(*window) == QStringLiteral("Answer first; then the panel opens."); };
     QVERIFY(player.start("pipeline"));
     QVERIFY(isCovered(*window, "pipeline") && isCovered(*window, "comparison"));
-    QVERIFY(goTo("load_identity")); // what it asks is of another step
+    QVERIFY(goTo("load_identity")); // its question belongs to another step
     QVERIFY(isSeen(*window, "pipeline") && !isCovered(*window, "pipeline") && !isSaid());
     QVERIFY(goTo("look_at"));
     QVERIFY(isSeen(*window, "pipeline") && isCovered(*window, "pipeline") && isSaid());
@@ -116,7 +117,8 @@ void TestLessonsAnswers::whatHasTheAnswerWaitsForIt()
     QVERIFY(player.leave());
 }
 
-/// Whatever else was shown, what a step of the paper asks is not in sight before it is answered.
+/// The paper's answers are hidden until the step's question is answered, in any previous state of
+/// the panels.
 void TestLessonsAnswers::thePapersAnswersWait()
 {
     const auto window = windowOfSize(kWide);
@@ -193,10 +195,10 @@ void TestLessonsAnswers::theLastLessonEndsBeforeAScene()
     QVERIFY(!part<LessonPlayer>(empty).lesson() && !empty.document().objects().empty());
 }
 
-/// In a narrow window the lesson and the panel that has the answer are tabs of one column.
+/// The lesson and the panel with the answer are tabs of one column in a narrow window.
 void TestLessonsAnswers::theReasonStaysInFront()
 {
-    const int digit = QFontMetrics(QApplication::font()).horizontalAdvance(u'0'); // what is narrow goes by it
+    const int digit = QFontMetrics(QApplication::font()).horizontalAdvance(u'0'); // narrowness is measured in digits
     const auto window = windowOfSize({100 * digit, 700});
     QVERIFY(part<LessonPlayer>(*window).start("weng"));
     follow(*window, QStringLiteral("step:look_at"));
@@ -206,7 +208,7 @@ void TestLessonsAnswers::theReasonStaysInFront()
     QVERIFY(isSeen(*window, "lesson"));
 }
 
-/// The steps on MFC: what they ask is what Life of the View writes down.
+/// The steps on MFC ask for the entries that Life of the View lists.
 void TestLessonsAnswers::theViewIsCalledAsThePaperSays()
 {
     const auto window = windowOfSize(kWide);

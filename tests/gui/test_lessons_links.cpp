@@ -1,4 +1,4 @@
-// A lesson's links in the window: every one of every step leads somewhere, and does what it says.
+// A lesson's links in the window: each link of each step leads somewhere, and does what it says.
 
 #include "core/lessons/lesson.h"
 #include "document_edits.h"
@@ -102,7 +102,7 @@ void TestLessonsLinks::everyStepOpensAndItsLinksLead()
             if (isAnswered && !step.question)
                 break;
             if (isAnswered) {
-                // Whatever was done until then: no panel has given it away.
+                // No panel shows the answer before, in any state.
                 for (const Panel panel : step.question->hides)
                     QVERIFY2(isCovered(*window, nameOf(panel)), step.id.c_str());
                 player.reveal();
@@ -170,13 +170,13 @@ void TestLessonsLinks::whatLinksSwitchGoesBack()
     follow(*window, QStringLiteral("action:place_points:off"));
     QVERIFY(!isOn("place_points"));
     follow(*window, QStringLiteral("action:place_points"));
-    follow(*window, QStringLiteral("action:nothing")); // what is not there does nothing
+    follow(*window, QStringLiteral("action:nothing")); // an unknown action does nothing
     QVERIFY(part<LessonPlayer>(*window).leave());
     QVERIFY(isOn("edge") && !isOn("place_points") && window->document().picks().snap() == ray::Snap::Edge);
     QVERIFY(pipeline->direction() == PipelineDirection::Forward && pipeline->matrixView() == MatrixView());
 }
 
-/// The way to write vectors is of the conventions of the scene: a lesson in others leaves it alone.
+/// The vector layout belongs to the scene's conventions: a lesson in others leaves it alone.
 void TestLessonsLinks::theWayToWriteVectorsIsOfTheConventions()
 {
     const auto window = windowOfSize(kWide);
@@ -203,7 +203,8 @@ void TestLessonsLinks::theWayToWriteVectorsIsOfTheConventions()
     QVERIFY(pipeline->matrixView().layout == rows);
 }
 
-/// Which the conventions bring along, also where their panel is out of sight when those of before come back.
+/// The previous vector layout comes back with the previous conventions, even if its panel is
+/// hidden.
 void TestLessonsLinks::theWayToWriteVectorsGoesBackUnseen()
 {
     const auto window = windowOfSize(kWide);
@@ -245,16 +246,16 @@ void TestLessonsLinks::aLinkChangesTheScene()
     QVERIFY(followed);
     follow(*window, QStringLiteral("set:other"));
     QVERIFY(document.scene().givenPoint == (GivenPoint{ObjectPoint(2, 1, 0), followed->object}));
-    QCOMPARE(document.undoStack().count(), 1); // one change for all that it says
+    QCOMPARE(document.undoStack().count(), 1); // one change for the whole link
     QVERIFY(part<LessonPlayer>(*window).isAsTheStep());
-    // Where a click is followed, the link leads back to the point, which is the same already.
+    // The link leads from a followed click back to the point, which is already the same.
     const PipelineModel &model = dockOf(*window, "pipeline")->findChild<PipelinePanel *>()->model();
     QVERIFY(model.followsGiven());
     follow(*window, QStringLiteral("click:point"));
     QVERIFY(window->document().picks().pick() && !model.followsGiven());
     follow(*window, QStringLiteral("set:other"));
     QVERIFY(model.followsGiven());
-    // What was typed in another space, or removed, does not change what it says.
+    // A point typed in another space, or removed, does not change the link's effect.
     for (const std::optional<GivenPoint> &typed : {std::optional<GivenPoint>{{ClipPoint(1, 2, 3, 4)}}, {}}) {
         QVERIFY(editGivenPoint(document, typed, {QStringLiteral("Typed")}));
         follow(*window, QStringLiteral("set:other"));
@@ -263,7 +264,7 @@ void TestLessonsLinks::aLinkChangesTheScene()
     while (document.undoStack().canUndo())
         document.undoStack().undo();
     QVERIFY(document.scene().givenPoint == followed);
-    follow(*window, QStringLiteral("set:none")); // what the step does not know does nothing
+    follow(*window, QStringLiteral("set:none")); // a change unknown to the step does nothing
     QVERIFY(document.scene().givenPoint == followed);
     QVERIFY(window->message().isEmpty());
 }
@@ -274,7 +275,7 @@ void TestLessonsLinks::aChangeThatDoesNotFitIsTold()
     SceneDocument &document = window->document();
     QVERIFY(part<LessonPlayer>(*window).start("derivation"));
     QVERIFY(part<LessonPlayer>(*window).goTo(part<LessonPlayer>(*window).lesson()->steps.size() - 1));
-    // Which has no left and right to exchange.
+    // This projection has no left and right to exchange.
     QVERIFY(editProjection(document, {Perspective{1.0, 1.0, 1.0, 10.0}, false, false}, {QStringLiteral("Other")}));
     const int steps = document.undoStack().count();
     follow(*window, QStringLiteral("set:exchanged"));

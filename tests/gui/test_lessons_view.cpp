@@ -1,4 +1,5 @@
-// The view in a lesson: it gets the size of the step's numbers, shows what the step highlights, and is clicked where the step says.
+// The view in a lesson: it gets the size of the step's numbers, shows the step's highlights, and
+// takes the step's clicks.
 
 #include "gui/document/landmark_placing.h"
 #include "gui/document/picks.h"
@@ -52,7 +53,7 @@ void TestLessonsView::theViewGetsTheSizeOfTheNumbers_data()
     QTest::newRow("with less beside the view") << QSize(1100, 700);
 }
 
-/// By itself, and the window stays as it is.
+/// The view resizes by itself, and the window keeps its size.
 void TestLessonsView::theViewGetsTheSizeOfTheNumbers()
 {
     QFETCH(QSize, size);
@@ -80,7 +81,7 @@ void TestLessonsView::theViewGetsTheSizeOfTheNumbers()
     QTRY_COMPARE_WITH_TIMEOUT(window->view().size(), before, kPatienceMilliseconds);
 }
 
-/// Where there is no room for it, the window grows only for who asks.
+/// The window grows only on request if there is no room.
 void TestLessonsView::aLinkMakesRoom()
 {
     const QSize small(820, 480); // less than the step's view by itself
@@ -165,7 +166,7 @@ void TestLessonsView::aDragEndsWithItsScene()
     }
 }
 
-/// And the loupe over it.
+/// A drag of a point ends with its scene, and so does the loupe over it.
 void TestLessonsView::aDraggedPointEndsWithItsScene()
 {
     const auto window = windowOfSize(kWide);
@@ -256,7 +257,7 @@ void TestLessonsView::lettersAreDrawnWhereAStepWantsThem()
     QVERIFY(player.start("weng"));
     follow(*window, QStringLiteral("view:500x500"));
     QTRY_VERIFY_WITH_TIMEOUT(player.hasViewOfStep(), kPatienceMilliseconds);
-    // On the axis of x_v, which runs along the lower edge, left of the viewport.
+    // The click is on the axis of x_v, which runs along the lower edge, left of the viewport.
     const auto axis = [&] {
         const QImage picture = window->view().grabFramebuffer();
         return picture.pixelColor(50, picture.height() - 6);
@@ -311,7 +312,7 @@ void TestLessonsView::lettersOverlapNothing()
             QVERIFY2(!boxes[i].intersects(boxes[j]), marks.texts[i].letter.letter.c_str());
     }
     QVERIFY(placed >= 3);
-    // What was there before is kept clear of.
+    // New boxes keep clear of the previous one.
     const QRectF former = boxes.front();
     QVERIFY(!former.isNull());
     for (const QRectF &box : boxesOf(marks, window->view().font(), QRectF(window->view().rect()), {cross, former}))
@@ -336,7 +337,7 @@ void TestLessonsView::theViewFromOutsideComesAndGoes()
     QVERIFY(player.goTo(5));
     QVERIFY(!action->isChecked() && dockOf(*window, "observer")->isHidden() && !observer->isVisible());
     action->trigger();
-    QVERIFY(observer->isVisible() && dockOf(*window, "observer")->isHidden()); // over the view, as it is at first
+    QVERIFY(observer->isVisible() && dockOf(*window, "observer")->isHidden()); // over the view, its initial position
     observer->setMorph(0.5);
     QVERIFY(player.goTo(3));
     QCOMPARE(observer->morph(), 1.0);

@@ -1,4 +1,4 @@
-// Lessons in the window: from step to step, and what was shown before them comes back.
+// Lessons in the window: from step to step, and the return of everything shown before them.
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"

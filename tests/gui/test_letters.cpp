@@ -1,4 +1,4 @@
-// Letters of lessons in both views: each is seen to be of its own arrow, and covers nothing.
+// Letters of lessons in both views: each clearly belongs to its own arrow, and covers nothing.
 
 #include "core/lessons/lesson.h"
 #include "gui/document/camera_looks.h"
@@ -45,7 +45,7 @@ bool isLength(const HighlightMarks &marks, std::size_t text)
     return marks.texts[text].arrow && marks.arrows[*marks.texts[text].arrow].tips == HighlightMarks::Tips::Both;
 }
 
-/// What is wrong with the letters' places; empty where nothing is.
+/// The faults of the letters' positions; empty if there are none.
 QString faultOf(const HighlightMarks &marks, const std::vector<QRectF> &boxes, const QRectF &area)
 {
     for (std::size_t i = 0; i < boxes.size(); ++i) {

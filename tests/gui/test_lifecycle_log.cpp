@@ -149,7 +149,7 @@ void TestLifecycleLog::picturesBehindTheSameParametersAreFolded()
     log.append(draw(1.0));
     QCOMPARE(column(log, LifecycleLog::Step),
              QStringList({"OnDraw", "Camera × 3", "OnDraw × 3", "Projection", "OnDraw × 2"}));
-    QCOMPARE(cell(log, 1, LifecycleLog::StandsFor), QStringLiteral("gluLookAt(2, 0, 5, …)")); // as it is now
+    QCOMPARE(cell(log, 1, LifecycleLog::StandsFor), QStringLiteral("gluLookAt(2, 0, 5, …)")); // its current value
     QCOMPARE(log.index(0, LifecycleLog::StandsFor, log.index(1, 0)).data().toString(),
              QStringLiteral("gluLookAt(0, 0, 5, …)"));
     QCOMPARE(cell(log, 1, LifecycleLog::Took), QStringLiteral("–"));
@@ -287,7 +287,7 @@ void TestLifecycleLog::thePanelCopiesAndClears()
     QVERIFY(!button("Clear")->isEnabled());
 }
 
-/// The columns and the rows grow with it, and the digits are those of the other tables.
+/// The columns and the rows grow with the font, and the digits are in the other tables' font.
 void TestLifecycleLog::thePanelFollowsAFont()
 {
     LifecycleLog log;

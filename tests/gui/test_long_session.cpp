@@ -1,4 +1,5 @@
-// A long session: files opened and reopened, clicks, drags, undo and redo. What it needs of memory stops growing.
+// A long session: files opened and reopened, clicks, drags, undo and redo. The memory that it needs
+// stops growing.
 
 #include "tests/gui/window_user.h"
 #include "tests/support/patience.h"

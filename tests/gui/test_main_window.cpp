@@ -1,4 +1,4 @@
-// The window as a whole: its panels' arrangement at several sizes, what it keeps.
+// The window as a whole: its panels' arrangement at several sizes, and its kept state.
 
 #include "document_edits.h"
 #include "window_user.h"
@@ -213,7 +213,8 @@ void TestMainWindow::nothingThatIsSaidChangesTheViewsSize_data()
     narrowingAndWideningBringsTheOldLayoutBack_data();
 }
 
-/// Points near and far, the background, a tiny and a huge world, a camera that is close and one that is far.
+/// Points near and far, the background, a tiny and a huge world, a camera that is close and one
+/// that is far.
 void TestMainWindow::nothingThatIsSaidChangesTheViewsSize()
 {
     QFETCH(QString, place);
@@ -335,7 +336,8 @@ void TestMainWindow::aDarkWindowHasADarkView()
     setAppearance(Appearance::Dark);
     settle();
     QVERIFY(corner() < 96);
-    // What the viewport leaves of the view, too, and apart from what lies behind the objects.
+    // The part of the view outside the viewport is dark as well, and differs from the area behind
+    // the objects.
     ViewportRule lowerRight;
     lowerRight.kind = ViewportRule::Kind::Quarter;
     const int behindObjects = corner();
@@ -349,7 +351,7 @@ void TestMainWindow::aDarkWindowHasADarkView()
     QVERIFY(corner() > 160);
 }
 
-/// What the README tells first stands first.
+/// Help has the order of the README.
 void TestMainWindow::helpStandsInTheReadmesOrder()
 {
     const auto window = windowOfSize({700, 500});
@@ -365,7 +367,7 @@ void TestMainWindow::theKeySheetNamesEveryKey()
     actionOf(*window, QStringLiteral("Mouse and Keys"))->trigger();
     auto *sheet = window->findChild<KeySheet *>();
     QVERIFY(sheet && sheet->isVisible() && !sheet->isModal());
-    // What each row of the table says: keys, and what they do.
+    // Each row of the table has keys and their effect.
     const QTextDocument &page = *sheet->findChild<QTextBrowser *>()->document();
     const QTextTable *table = nullptr;
     for (QTextFrame *frame : page.rootFrame()->childFrames())
@@ -410,7 +412,7 @@ void TestMainWindow::theKeySheetNamesEveryKey()
         QVERIFY2(said.contains(QString::fromUtf8(other)), other);
     int keys = 0;
     for (const QAction *action : window->findChildren<QAction *>()) {
-        // Those of the menus; a panel's buttons say their own.
+        // Actions of the menus; a panel's buttons have their own texts.
         const QObjectList places = action->associatedObjects();
         const bool isInMenu = std::any_of(places.begin(), places.end(), [](QObject *place) {
             const auto *menu = qobject_cast<QMenu *>(place);
@@ -521,7 +523,7 @@ void TestMainWindow::aChangeIsUndoneFromTheMenu()
     QVERIFY(undo && undo->isEnabled());
     undo->trigger();
     QVERIFY(window->document().scene().camera->eye.coordinates() == eye);
-    // Hands from every desktop find its key.
+    // Users of every desktop find its key.
     const QAction *redo = actionOf(*window, QStringLiteral("Redo Camera"));
     QVERIFY(redo && redo->isEnabled());
     QVERIFY(redo->shortcuts().contains(QKeySequence(QKeySequence::Redo)));

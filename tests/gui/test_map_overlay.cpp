@@ -1,4 +1,4 @@
-// The map over the view: what it shows is what the view shows, and it is gone as soon as that is another picture.
+// The map over the view: it shows the view's own picture, and disappears as soon as that changes.
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
@@ -245,11 +245,11 @@ void TestMapOverlay::pointsAreOverTheMap()
         }
     }
     QVERIFY2(changed > 20, qPrintable(QString::number(changed)));
-    // The loupe stands beside the panel.
+    // The loupe is next to the panel.
     const Surface &surface = document.setup().surface;
     const QRectF beside = loupeBox(surface, {10.0, 10.0}, 100.0), usual = loupeBox(surface, {10.0, 10.0});
     QCOMPARE(usual.left() - beside.left(), 100.0);
-    // Where there is no room beside it, below.
+    // The loupe goes below where there is no room beside it.
     const double all = surface.widthPixels / surface.devicePixelRatio;
     const QRectF below = loupeBox(surface, {10.0, 10.0}, all - 50.0);
     QCOMPARE(below.left(), usual.left());

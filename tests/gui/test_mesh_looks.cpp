@@ -1,4 +1,5 @@
-// The colour of a surface that faces the viewer, for every kind of mesh that has shaders of its own.
+// The colour of a surface that faces the viewer, for every kind of mesh that has shaders of its
+// own.
 
 #include "gui/document/camera_looks.h"
 #include "tests/gui/gui_scene.h"
@@ -101,7 +102,7 @@ void TestMeshLooks::aMeshHasItsColor()
         texture.image = std::make_shared<const Image>(Image{1, 1, {204, 102, 255, 255}});
         model->textures.push_back(texture);
     }
-    // Beside it one of each other kind: none may take another's program.
+    // One of each other kind is next to it: none may take another's program.
     Mesh flat = square(), plain = square();
     for (glm::vec3 &position : flat.positions)
         position.z = -3.0f;
@@ -120,7 +121,7 @@ void TestMeshLooks::aMeshHasItsColor()
     view.show();
     QVERIFY(QTest::qWaitForWindowExposed(&view, kPatienceMilliseconds));
     const QImage picture = view.grabFramebuffer();
-    // Beside the middle, where the axes are drawn.
+    // The pixel is beside the middle, where the axes are drawn.
     const QColor shown = picture.pixelColor(picture.width() * 11 / 20, picture.height() * 9 / 20);
     const std::array<double, 3> base{0.8, 0.6, 0.4};
     const std::array<int, 3> vertexColor{51, 255, 102}, texel{204, 102, 255},
@@ -163,7 +164,7 @@ void TestMeshLooks::backSidesAreLeftOutWhereNobodySeesThem()
     QFETCH(bool, isDrawn);
     auto model = std::make_shared<Model>();
     Mesh mesh = square();
-    mesh.isClosed = isClosed; // it is not, so that what is left out is seen
+    mesh.isClosed = isClosed; // the square is open, so that a missing part is visible
     if (isSeenFromItsBack)
         mesh.indices = {0, 2, 1, 0, 3, 2};
     model->meshes.push_back(mesh);
@@ -172,7 +173,7 @@ void TestMeshLooks::backSidesAreLeftOutWhereNobodySeesThem()
         model->bounds.highest.z = 20.0; // as if there were more of it behind the eye
     for (const bool isOrtho : {false, true}) {
         if (isOrtho && isInside)
-            continue; // its near plane goes behind the eye, before all there is
+            continue; // its near plane goes behind the eye, before everything else
         SceneDocument document;
         openObjects(document, {{"square", {}, model, transform}},
                     {WorldPoint(0, 0, 6), WorldPoint(0, 0, 0), {0.0, 1.0, 0.0}});

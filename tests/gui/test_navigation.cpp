@@ -1,4 +1,5 @@
-// The mouse on the view: when a pick happens, what stays under the pointer, and what can never be picked.
+// The mouse on the view: when a pick happens, what stays under the pointer, and what can never be
+// picked.
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
@@ -78,7 +79,7 @@ void TestNavigation::aTrembleIsNoDrag()
         QVERIFY(window->document().setup().camera() == before);
     }
     QVERIFY(window->document().picks().pick()); // of the first, which was a click
-    // A drag it is from the desktop's distance on.
+    // It becomes a drag at the desktop's drag distance.
     drag(view, position, position + QPointF(QApplication::startDragDistance(), 0.0), Qt::LeftButton);
     QVERIFY(window->document().setup().camera() != before);
 }
@@ -161,14 +162,15 @@ void TestNavigation::aDragTurnsAboutThePickedPoint()
     drag(view, from, from + QPointF(70.0, -25.0), Qt::LeftButton);
     QVERIFY(isAt(*window, point, centerUnder(view, from), kStillPixels));
     const LookAt &after = window->document().setup().camera();
-    // 70 of the height's logical pixels of half a turn about world up: the scene turns right, the camera left.
+    // 70 of the height's logical pixels of half a turn about world up: the scene turns right, the
+    // camera left.
     const glm::dvec3 f = forwardOf(before), g = forwardOf(after);
     const double yaw = std::atan2(f.z * g.x - f.x * g.z, f.x * g.x + f.z * g.z);
     QVERIFY(std::abs(yaw + 3.14159265358979 * 70.0 / view.height()) < 1e-9);
     QVERIFY(std::asin(g.y) > std::asin(f.y)); // upwards: the camera sinks and looks less down
     QCOMPARE(glm::length(after.center.coordinates() - after.eye.coordinates()),
              glm::length(before.center.coordinates() - before.eye.coordinates()));
-    // The pick stays what was clicked.
+    // The pick keeps the camera of its click.
     QVERIFY(window->document().picks().pick()->setup.camera() == before);
 }
 
@@ -203,7 +205,7 @@ void TestNavigation::aSecondButtonStartsNoOtherDrag()
     sendMouse(view, QEvent::MouseButtonPress, position + QPointF(20.0, 0.0), other, one | other);
     sendMouse(view, QEvent::MouseMove, position + QPointF(40.0, 0.0), Qt::NoButton, one | other);
     QCOMPARE(glm::length(forward() - before) > 0.01, turns);
-    // Nor does it end the first.
+    // It does not end the first drag either.
     sendMouse(view, QEvent::MouseButtonRelease, position + QPointF(40.0, 0.0), other, one);
     const LookAt camera = document.setup().camera();
     before = forward();
@@ -211,7 +213,7 @@ void TestNavigation::aSecondButtonStartsNoOtherDrag()
     QVERIFY(document.setup().camera() != camera);
     QCOMPARE(glm::length(forward() - before) > 0.01, turns);
     sendMouse(view, QEvent::MouseButtonRelease, position + QPointF(60.0, 0.0), one, Qt::NoButton);
-    QCOMPARE(picks, turns ? 2 : 0); // at the press, and what was before when it turned
+    QCOMPARE(picks, turns ? 2 : 0); // at the press, and the previous pick when it turned
     QVERIFY(!document.picks().pick());
     QCOMPARE(document.undoStack().index(), steps + 1);
 }
@@ -293,7 +295,8 @@ void TestNavigation::theWheelKeepsThePointUnderThePointer()
         turnWheel(view, position, notches);
         QVERIFY(isAt(*window, point, centerUnder(view, position), kStillPixels));
     }
-    // Two notches closer in all, 1.2 each; the offset of 0.01 lies a little behind or before the point.
+    // Two notches closer in all, 1.2 each; the offset of 0.01 lies a little behind or before the
+    // point.
     QVERIFY(std::abs(size() / before - 1.44) < 0.01);
     turnWheel(view, position, -6);
     QVERIFY(isAt(*window, point, centerUnder(view, position), kStillPixels));
@@ -315,7 +318,7 @@ void TestNavigation::aDoubleClickBringsThePointToTheMiddle()
     QVERIFY(window->document().picks().pick() && window->document().picks().pick()->hit());
     const Viewport &viewport = window->document().setup().viewport;
     QVERIFY(isAt(*window, picked(*window), {viewport.width / 2.0, viewport.height / 2.0}, kStillPixels));
-    // On the background it leaves the camera alone.
+    // A drag on the background leaves the camera alone.
     const LookAt camera = window->document().setup().camera();
     QTest::mouseDClick(&view, Qt::LeftButton, {}, QPoint(view.width() - 5, 5));
     QVERIFY(window->document().setup().camera() == camera);

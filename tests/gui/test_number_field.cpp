@@ -1,4 +1,5 @@
-// A field for one number, by itself: what it reads, what it shows, how it steps, and when it leaves the user's text alone.
+// A field for one number, by itself: its parsing, its display, its steps, and its care for the
+// user's text.
 
 #include "core/geometry/angle.h"
 #include "gui/parameters/digit_step.h"

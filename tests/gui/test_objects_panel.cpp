@@ -197,7 +197,7 @@ void TestObjectsPanel::namesAreEditedInPlace()
     QCOMPARE(reason(), said);
     QCOMPARE(m_document->undoStack().undoText(),
              name == QStringLiteral("second") ? QString() : QStringLiteral("Rename object"));
-    // The reason goes with the next thing that is done.
+    // The message disappears with the next action.
     m_list->setCurrentIndex(at(2));
     QVERIFY(reason().isEmpty());
 }

@@ -1,4 +1,4 @@
-// The view from outside: it draws without errors, its hand moves what it says it moves, and nothing else.
+// The view from outside: it draws without errors, and its handles move only their own part.
 
 #include "core/examples/bundled_scene.h"
 #include "core/geometry/angle.h"
@@ -44,7 +44,7 @@ void send(QWidget &widget, QEvent::Type type, const QPointF &position, Qt::Mouse
     QApplication::sendEvent(&widget, &event);
 }
 
-/// Pressed, moved in steps, let go.
+/// Presses, moves in steps, and releases.
 void drag(QWidget &widget, const QPointF &from, const QPointF &to)
 {
     send(widget, QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
@@ -213,7 +213,8 @@ void TestObserverView::aDraggedEdgeMovesThePlaneAsOneUndoStep()
     QFETCH(double, t);
     show(projection);
     view().setMorph(t);
-    // The middle of the lower edge, which no other edge crosses; where the plane is to go, it is the same share of it.
+    // The drag starts in the middle of the lower edge, which no other edge crosses, and ends in the
+    // middle of the moved edge.
     const auto middleOf = [&](const Projection &of) {
         const std::array<EyePoint, 8> corners = viewVolumeCorners(of);
         const std::size_t first = movesFar ? 4 : 0;
@@ -322,7 +323,7 @@ void TestObserverView::keysTurnAndZoom()
 
 void TestObserverView::aPictureThatCannotBeDrawnIsToldOnce()
 {
-    // In a window: Windows makes none of its own larger than the screen.
+    // The view is inside a window: Windows makes no window larger than the screen.
     QWidget window;
     window.resize(400, 160);
     ObserverView wide(*m_document, &window);
@@ -346,8 +347,8 @@ void TestObserverView::aPictureThatCannotBeDrawnIsToldOnce()
     QCOMPARE(failed.size(), 2);
 }
 
-/// Between two places of one window, as between the view's corner and a dock. What is on the screen counts: whoever grabs the
-/// framebuffer has it painted.
+/// The view moves between two parts of one window, as between the view's corner and a dock. The
+/// picture on the screen counts: grabbing the framebuffer would paint it.
 void TestObserverView::itIsDrawnWhereverItIsMoved()
 {
     QWidget window;

@@ -1,5 +1,5 @@
-// Opening files: by name, by drop, several at once, broken ones, cancelled ones. Whatever goes wrong, what was shown and
-// picked stays.
+// Opening files: by name, by drop, several at once, broken ones, cancelled ones. Any failure leaves
+// the shown scene and the pick.
 
 #include "tests/gui/gui_scene.h"
 #include "tests/support/patience.h"
@@ -68,7 +68,7 @@ bool openAndWait(MainWindow &window, const QStringList &files)
     return QTest::qWaitFor([&window] { return !window.session().isLoading(); }, kPatienceMilliseconds);
 }
 
-/// What must stay when an opening fails.
+/// The state that must stay when an opening fails.
 struct State {
     explicit State(MainWindow &window)
         : objects(window.document().objects()), setup(window.document().setup()),
@@ -160,7 +160,7 @@ QStringList TestOpenFiles::bigFiles()
     if (!m_big.isEmpty())
         return m_big;
     m_big << write(QStringLiteral("big.stl"), triangleStl(300000));
-    for (int i = 1; i < 50; ++i) { // each a file of its own, as one that is named again is not read again
+    for (int i = 1; i < 50; ++i) { // each is a separate file, since a file named again is not read again
         m_big << m_folder.filePath(QStringLiteral("big%1.stl").arg(i));
         std::filesystem::create_hard_link(pathOf(m_big[0]), pathOf(m_big[i]));
     }
@@ -370,7 +370,7 @@ void TestOpenFiles::theBarStaysUntilThePictureIsThere()
     QTRY_VERIFY_WITH_TIMEOUT(bar->isHidden(), kPatienceMilliseconds);
     QVERIFY(window->childAt(bar->parentWidget()->mapTo(window.get(), place.center())) != &window->view());
 
-    // Where nothing is to be drawn there is nothing to wait for.
+    // A file without anything to draw needs no waiting.
     emit window->session().loadingStarted();
     QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible(), kPatienceMilliseconds);
     QVERIFY(!cancel->isHidden());

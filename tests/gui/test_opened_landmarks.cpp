@@ -64,7 +64,7 @@ void TestOpenedLandmarks::openedWithTheirModel()
     QCOMPARE(m_failures, QStringList());
     QCOMPARE(points().size(), std::size_t(1));
     QCOMPARE(points()[0].object, std::string("square.obj"));
-    // Without the model there is nothing that they belong to.
+    // The points belong to no object without the model.
     init();
     write(QStringLiteral("p.csv"), "name,x,y,z\na,1,2,0\n");
     open({QStringLiteral("p.csv"), QStringLiteral("none.obj")});
@@ -191,7 +191,7 @@ void TestOpenedLandmarks::aPointOnAnObjectThatIsNotThereIsFree()
     QVERIFY(points()[0].object.empty() && std::holds_alternative<landmarks::Free>(points()[0].anchor));
     QCOMPARE(m_warnings.size(), 1);
     QVERIFY2(m_warnings[0].contains(QStringLiteral("not here: 1, as “a” (on “skull”)")), qPrintable(m_warnings[0]));
-    // A scan's are the scan's, whatever it was called.
+    // The points of a scan stay the scan's, under any name.
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z,object,face,u,v,w\na,2.5,5,0,old.obj,1,0.5,0.25,0.25\n");
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);

@@ -1,6 +1,8 @@
-// The panels of numbers at the fonts of the desktops, in both languages and at every width from the least one: no text is
-// cut off, and nothing that is picked, of tiny or of huge models, changes how narrow a panel can be. Labels grow with their
-// texts; once they have, the same happenings leave every part where it stands.
+// The panels of numbers at the fonts of the desktops, in both languages and at every width from the
+// least one.
+// - No text is cut off.
+// - No pick, of tiny or of huge models, changes a panel's minimum width.
+// - Labels grow with their texts; once they have, the same changes leave every part in place.
 
 #include "document_edits.h"
 #include "gui/click/comparison_panel.h"
@@ -41,7 +43,7 @@ using namespace unprojector::scene;
 
 namespace {
 
-/// Seen by glFrustum from five units away, all of it `size` times as large.
+/// Opens a scene seen by glFrustum from five units away, scaled by `size`.
 void openScene(SceneDocument &document, double size, double offset = 0.0)
 {
     Scene scene;
@@ -60,7 +62,7 @@ void openScene(SceneDocument &document, double size, double offset = 0.0)
     QVERIFY(document.open(scene));
 }
 
-/// What a user does to the numbers, one after the other.
+/// The user's changes to the numbers, one after the other.
 const std::vector<std::function<void(SceneDocument &)>> &happenings()
 {
     const auto pick = [](SceneDocument &document) {
@@ -175,7 +177,7 @@ QStringList cutTexts(const QWidget &panel)
                 }
             }
         }
-        // What is not in sight can be scrolled to.
+        // A part out of sight must be reachable by scrolling.
         if (table->horizontalHeader()->length() > table->viewport()->width() + 1
             && table->horizontalScrollBar()->maximum() == 0)
             cut << QStringLiteral("%1 cannot be scrolled").arg(table->accessibleName());
@@ -311,10 +313,11 @@ void TestPanelSizes::nothingIsCutAndNothingMoves()
     };
     const int digit = QFontMetrics(font).horizontalAdvance(u'0');
     const int least = panel->minimumSizeHint().expandedTo(panel->minimumSize()).width();
-    // Counted in sizes of the type: how wide digits are beside letters differs from font to font.
+    // The width is in sizes of the type: the ratio of digits to letters differs from font to font.
     const int most = 32 * QFontInfo(font).pixelSize();
     QVERIFY2(least <= most, qPrintable(QStringLiteral("%1 of %2").arg(least).arg(most)));
-    // In a window, not as one: the window system sizes windows when it gets to it, and once more after that.
+    // The panel is inside a window, not one itself: the window system resizes windows late, and
+    // once more after that.
     frame.resize(160 * digit, 2400);
     panel->setParent(&frame);
     panel->show();
@@ -345,7 +348,8 @@ void TestPanelSizes::nothingIsCutAndNothingMoves()
                 QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n') + where));
                 QCOMPARE(panel->minimumSizeHint().expandedTo(panel->minimumSize()).width(), least);
                 const QString now = places(*panel);
-                // The comparison's parts come and go with what was clicked: test_comparison_panel has how it stands still.
+                // The comparison's parts come and go with the pick: test_comparison_panel checks
+                // that it stands still.
                 QVERIFY2(which == QStringLiteral("comparison") || !isGrown || now == grown,
                          qPrintable(grown + QStringLiteral("\n->\n") + now + where));
             }

@@ -1,5 +1,5 @@
-// The column of groups: folding, by mouse and keyboard, what is kept of it, Reset, the sliders, and where the keyboard
-// goes when something is added or removed.
+// The column of groups: folding, by mouse and keyboard, its kept state, Reset, the sliders, and the
+// focus after an addition or a removal.
 
 #include "document_edits.h"
 #include "panel_user.h"
@@ -135,7 +135,7 @@ void TestParametersColumn::aFoldedGroupCatchesUp()
     LookAt camera = scene().camera;
     camera.eye.x = 3.0;
     QVERIFY(editCamera(*m_document, camera, {QStringLiteral("by another")}));
-    QCOMPARE(eye->value(), 0.0); // what is folded costs nothing
+    QCOMPARE(eye->value(), 0.0); // a folded group costs nothing
     group->setOpen(true);
     QCOMPARE(eye->text(), QStringLiteral("3"));
 }
@@ -255,7 +255,7 @@ void TestParametersColumn::nearOfABoxGoesBelowZeroBySlider()
     farSlider->setValue(farSlider->minimum());
     QVERIFY(projectionWindow(scene().projection).farDistance > nearDistance());
     QVERIFY(projectionWindow(scene().projection).farDistance < 0.0);
-    // In a perspective it is above zero again.
+    // The near distance is above zero again in a perspective.
     choose(QStringLiteral("projectionKind"), QStringLiteral("Perspective"));
     nearSlider->setValue(nearSlider->minimum());
     QVERIFY(nearDistance() > 0.0);
@@ -337,7 +337,7 @@ void TestParametersColumn::byTheKeyboardTheNewFieldIsNext()
     NumberField *first = field(QStringLiteral("number0"), part);
     QCOMPARE(QApplication::focusWidget(), first);
     QCOMPARE(first->selectedText(), first->text());
-    // And back when it goes.
+    // The focus goes back when it is removed.
     QWidget *remove = m_panel->findChild<QWidget *>(part)->findChild<QWidget *>(QStringLiteral("remove"));
     remove->setFocus(Qt::TabFocusReason);
     QTest::keyClick(remove, Qt::Key_Space);

@@ -1,5 +1,5 @@
-// What each group is for: kinds of projection, rules of the viewport, steps of a model, clip planes. Expected numbers are
-// literals.
+// The parameters by group: kinds of projection, rules of the viewport, steps of a model, clip
+// planes. Expected numbers are literals.
 
 #include "document_edits.h"
 #include "gui/document/scene_edits.h"
@@ -111,7 +111,7 @@ void TestParametersGroups::boxesAndPerspectivesAgreeAtThePivot()
     open(prepared);
     showGroup(QStringLiteral("projectionGroup"));
     choose(QStringLiteral("projectionKind"), from);
-    // In the plane of the center, at 10 from the eye.
+    // The points are in the plane of the center, at 10 from the eye.
     const WorldPoint points[] = {WorldPoint(0.0, 0.0, 0.0), WorldPoint(-1.5, 2.5, 0.0), WorldPoint(3.0, -1.0, 0.0)};
     std::vector<WindowPoint> before;
     for (const WorldPoint &point : points)

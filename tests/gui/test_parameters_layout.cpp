@@ -1,5 +1,5 @@
-// The parameters at the fonts of the desktops, in both languages and several widths: nothing is cut, nothing scrolls
-// sideways, and nothing that is done in the panel changes the width that it asks for.
+// The parameters at the fonts of the desktops, in both languages and several widths: nothing is
+// cut, nothing scrolls sideways, and no action in the panel changes the width that it asks for.
 
 #include "cut_texts.h"
 #include "panel_user.h"
@@ -27,7 +27,7 @@ namespace {
 
 const char *const kGroups[] = {"viewGroup", "projectionGroup", "viewportGroup", "modelGroup", "clipGroup"};
 
-/// Numbers of all lengths, and one of everything that there can be.
+/// Numbers of all lengths, and one of every kind of part.
 Scene fullScene()
 {
     Scene scene = startScene();
@@ -61,7 +61,7 @@ private slots:
 private:
     void startWith(double points, const QString &language = QStringLiteral("en"));
     void openAll();
-    /// Lets the layout come to rest and tells what is cut.
+    /// Lets the layout come to rest and returns the cut texts.
     QString whatIsCut();
 
     QFont m_font = QApplication::font();
@@ -149,14 +149,14 @@ void TestParametersLayout::nothingIsCut()
     open(scene);
     QTRY_COMPARE_WITH_TIMEOUT(whatIsCut(), QString(), kPatienceMilliseconds);
 
-    // What is refused, in sentences.
+    // The error messages are sentences.
     for (const char *name : {"eyeX", "upY", "fovy", "nearDistance", "farDistance", "depthAtFar"})
         type(QString::fromLatin1(name), QStringLiteral("1,2,3"));
     type(field(QStringLiteral("number2"), QStringLiteral("step2")), QStringLiteral("0"));
     QVERIFY(field(QStringLiteral("fovy"))->isBad());
     QTRY_COMPARE_WITH_TIMEOUT(whatIsCut(), QString(), kPatienceMilliseconds);
 
-    // And with nothing in it.
+    // The scene is empty now.
     scene.objects.clear();
     scene.clipPlanes.clear();
     open(scene);

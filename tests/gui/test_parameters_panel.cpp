@@ -1,5 +1,5 @@
-// The parameters as a person uses them: keys into the panel, then the document's scene and geometry. Expected numbers are
-// literals.
+// The parameters as a person uses them: keys into the panel, then the document's scene and setup.
+// Expected numbers are literals.
 
 #include "document_edits.h"
 #include "panel_user.h"
@@ -221,7 +221,7 @@ void TestParametersPanel::aPlaneTurnsByTwoNumbers()
     type(field(QStringLiteral("number0"), QStringLiteral("plane1")), QStringLiteral("0"));
     QCOMPARE(scene().clipPlanes.at(0).x, 1.0);
     type(field(QStringLiteral("number1"), QStringLiteral("plane1")), QStringLiteral("-1"));
-    // With the -1 both are taken.
+    // The -1 makes both valid.
     QVERIFY(scene().clipPlanes.at(0) == glm::dvec4(0.0, -1.0, 0.0, 0.5));
     QVERIFY(!field(QStringLiteral("number0"), QStringLiteral("plane1"))->isBad());
 }
@@ -235,7 +235,7 @@ void TestParametersPanel::whatStillCannotBeTakenStaysRed()
     QCOMPARE(frustumOf(scene()).nearDistance, 1.0);
     QVERIFY(nearField->isBad());
     QVERIFY2(nearField->reason().contains(QStringLiteral("far (150)")), qPrintable(nearField->reason()));
-    // Two refused numbers of which only one comes good with the next edit.
+    // Two refused numbers, of which the next edit makes only one valid.
     type(QStringLiteral("left"), QStringLiteral("0.75"));
     QVERIFY(field(QStringLiteral("left"))->isBad());
     type(QStringLiteral("right"), QStringLiteral("1"));

@@ -1,5 +1,5 @@
-// What was typed and refused, or not finished, while the scene changes under it: other objects, another scene, a panel that
-// is hidden meanwhile.
+// Numbers typed and refused, or not finished, while the scene changes: other objects, another
+// scene, a panel that is hidden meanwhile.
 
 #include "document_edits.h"
 #include "gui/document/scene_edits.h"
@@ -139,7 +139,7 @@ void TestParametersTyping::theShownObjectStaysShown_data()
     QTest::newRow("in a hidden panel") << true;
 }
 
-/// Whatever is done to the list.
+/// The shown object stays shown through any change of the list.
 void TestParametersTyping::theShownObjectStaysShown()
 {
     QFETCH(bool, isHidden);
@@ -164,7 +164,7 @@ void TestParametersTyping::theShownObjectStaysShown()
     QVERIFY(shows("second", 1));
     QVERIFY(removeObject(*m_document, 0));
     QVERIFY(shows("second", 0));
-    // What takes the place of one that goes is shown; another scene starts with its first.
+    // The object that takes a removed one's index is shown; another scene starts with its first.
     m_document->undoStack().undo();
     QVERIFY(removeObject(*m_document, 1));
     QVERIFY(shows("first", 0));

@@ -1,4 +1,4 @@
-// The parameters in the window: what is kept of them, what is saved while somebody types, and the status bar's words.
+// The parameters in the window: their kept state, saving during typing, and the status bar's words.
 
 #include "document_edits.h"
 #include "gui_scene.h"
@@ -98,7 +98,8 @@ void TestParametersWindow::whatIsTypedCountsBeforeAnotherSceneIsOpened_data()
     QTest::newRow("one that is refused") << QStringLiteral("-3") << false;
 }
 
-/// It counts in the scene that it was typed for, so that one is asked whether to save it, and never in the next one.
+/// The number counts in the scene that it was typed for, so the window asks whether to save that;
+/// it never counts in the next one.
 void TestParametersWindow::whatIsTypedCountsBeforeAnotherSceneIsOpened()
 {
     QFETCH(QString, typed);

@@ -1,5 +1,5 @@
-// Matrices of other programs, pasted into the real dialog: read in every usual form, what is to be seen of them mended by
-// its button, the scene changed in one step, kept in its file as they were given.
+// Matrices of other programs, pasted into the real dialog: read in every usual form, and repaired
+// by a finding's button. The scene changes in one step; its file keeps the matrices as given.
 
 #include "cut_texts.h"
 #include "document_edits.h"
@@ -68,7 +68,7 @@ QString fours(const glm::dmat4 &m, bool areRows, const QString &separator, const
     return groups.join(between);
 }
 
-/// As the programs print it.
+/// The matrix as the programs print it.
 QString printed(const glm::dmat4 &m, const QString &form)
 {
     if (form == "glm::to_string")
@@ -117,7 +117,7 @@ struct Pasting {
         const QList<PastedMatrixBox *> boxes = dialog.findChildren<PastedMatrixBox *>();
         return boxes.at(role == MatrixRole::Projection ? 0 : role == MatrixRole::View ? 1 : 2);
     }
-    /// As a user does it: by the clipboard and the keyboard.
+    /// Pastes as a user does: by the clipboard and the keyboard.
     void paste(MatrixRole role, const QString &text) const
     {
         if (role == MatrixRole::Product)
@@ -149,11 +149,11 @@ struct Pasting {
         qWarning("It says: %s", qPrintable(all.join('\n')));
         return false;
     }
-    /// Of the camera of the scene.
+    /// The product of the scene's own camera.
     glm::dmat4 shownProduct() const { return *clipFromWorld(document.setup()); }
 };
 
-/// What is written for a document, and read again, without its objects.
+/// The document's file, written and read again, without its objects.
 SceneFile saved(const SceneDocument &document)
 {
     SceneFile file = sceneFileFrom(document.scene(), document.setup(), {});
@@ -362,7 +362,7 @@ void TestPasteMatrices::anOrderThatNothingTellsIsAskedFor()
 
 void TestPasteMatrices::theDepthsCanBeSaid()
 {
-    // Near has many digits by either: nothing tells the two apart but the one who pastes.
+    // Near has many digits in either order: only the user can tell the two apart.
     constexpr double kNear = 1.23457, kFar = 87.6543;
     glm::dmat4 zeroToOne = glm::frustum(-1.0, 1.0, -0.75, 0.75, kNear, kFar);
     zeroToOne[2][2] = -kFar / (kFar - kNear);
@@ -380,7 +380,7 @@ void TestPasteMatrices::theDepthsCanBeSaid()
     pasting.ok()->click();
     QVERIFY(std::abs(nearOf(pasting) - kNear) <= 1e-12);
     QCOMPARE(pasting.document.scene().projection.matrix()->ndcDepth, std::optional(NdcDepth::ZeroToOne));
-    // What was offered and done is undone by the switch as well.
+    // The switch also undoes a repair that was offered and done.
     Pasting offered;
     glm::dmat4 round = zeroToOne;
     round[2][2] = -50.0 / 48.0;
@@ -482,7 +482,7 @@ void TestPasteMatrices::aNamedProductIsMovedToItsPlace()
     QCOMPARE(pasting.box(MatrixRole::Product)->text(), text);
     QVERIFY(pasting.box(MatrixRole::Projection)->text().isEmpty());
     QVERIFY(pasting.says("Taken apart into projection and view"));
-    // And back, where the text has these.
+    // Calls without a product can be read back as projection and view.
     pasting.paste(MatrixRole::Product, "gluLookAt(3, 2, 5, 0, 0, 0, 0, 1, 0)\nglFrustum(-1, 1, -0.75, 0.75, 2, 50)");
     QVERIFY(pasting.says("The text has no product."));
     pasting.button("Read as projection and view")->click();
@@ -507,7 +507,7 @@ void TestPasteMatrices::noFindingIsCut_data()
     }
 }
 
-/// For Vulkan there are two, and the view has one.
+/// The Vulkan conventions cause two findings, and the view has one.
 void TestPasteMatrices::noFindingIsCut()
 {
     QFETCH(double, points);
@@ -605,7 +605,8 @@ void TestPasteMatrices::theFileKeepsThemAsGiven()
     const auto scene = sceneFromFile(file, {}, {});
     QVERIFY(scene && scene->projection.matrix() && scene->camera.matrix());
     QCOMPARE(*scene->camera.matrix(), view());
-    // Who turns the camera has another view, and still the projection; undone, the view is as given again.
+    // A turn of the camera gives another view, but keeps the projection; undone, the view is as
+    // given again.
     LookAt camera = document.setup().camera();
     camera.eye.x += 1.0;
     setCamera(document, camera);
@@ -685,7 +686,7 @@ void TestPasteMatrices::whatIsTypedInAMatrixStaysThere()
         QCoreApplication::sendEvent(grid, &event);
         QVERIFY2(event.isAccepted(), qPrintable(QKeySequence(key).toString()));
     }
-    // With Ctrl they are commands as everywhere.
+    // Ctrl makes them commands, as everywhere.
     QKeyEvent command(QEvent::ShortcutOverride, Qt::Key_1, Qt::ControlModifier, "1");
     command.ignore();
     QCoreApplication::sendEvent(grid, &command);

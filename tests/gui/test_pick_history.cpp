@@ -1,4 +1,5 @@
-// The list of the last picks: which clicks are in it, and what becomes of them when objects and scenes change. No window.
+// The list of the last picks: its clicks, and their changes when objects and scenes change. No
+// window.
 
 #include "document_edits.h"
 #include "told_changes.h"

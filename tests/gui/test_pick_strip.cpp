@@ -1,4 +1,4 @@
-// The pick in every space, under the view, and its coordinates beside the lines along the axes.
+// The pick in every space, under the view, and its coordinates next to the lines along the axes.
 
 #include "window_user.h"
 
@@ -112,7 +112,7 @@ void TestPickStrip::theBackgroundHasNoPoint()
     QVERIFY(spaces[5]->text().endsWith(u'–'));
 }
 
-/// With a near plane so close that the depth buffer leaves little of the depth certain.
+/// The near plane is so close that the depth buffer leaves little of the depth certain.
 void TestPickStrip::noUncertainDigitIsShown()
 {
     const auto window = windowOfSize({1280, 800});

@@ -1,5 +1,5 @@
-// What the ray of a pick meets: of the scene as it was at the click, whatever has become of the scene, and whenever the models
-// are ready for it. No window.
+// The hit of a pick's ray: in the scene as of the click, after any change of the scene, and
+// whenever the models are ready. No window.
 
 #include "document_edits.h"
 #include "told_changes.h"
@@ -30,8 +30,8 @@ namespace {
 
 using Happening = std::function<void(SceneDocument &)>;
 
-/// Three cubes of edge 2 behind each other, "front", "middle" and "back", seen along -z from (0, 0, 12): their fronts are at
-/// z = 1, -4 and -9.
+/// Opens three cubes of edge 2 behind each other, "front", "middle" and "back", seen along -z from
+/// (0, 0, 12): their fronts are at z = 1, -4 and -9.
 void openCubes(SceneDocument &document)
 {
     const auto cube = modelOf(examples::cubeMesh(2.0));
@@ -55,7 +55,7 @@ void pickCube(SceneDocument &document, std::size_t object = 0)
     pickAt(document, kInCube, {0.3, object, 24});
 }
 
-/// What is met, as "front 1": the object's name now and z.
+/// The hit as "front 1": the object's current name and z.
 QString met(const SceneDocument &document)
 {
     const PickedRay *ray = document.picks().pickedRay();
@@ -267,7 +267,7 @@ void TestPickedRay::theAnswerComesWhenTheModelIsReady()
     QFETCH(QString, expected);
     SceneDocument document;
     openCubes(document);
-    // Of 327,680 triangles; a vertex of it is at z = 1.
+    // The ball has 327,680 triangles, with a vertex at z = 1.
     QVERIFY(addObjects(document, {{"ball", {}, modelOf(examples::sphereMesh(1.0, 7)), {}}}));
     QVERIFY(setObjectHidden(document, 0, true));
     QVERIFY(document.picks().rayCasters().isPreparing());
@@ -308,7 +308,7 @@ void TestPickedRay::itsTriangleSaysHowSureThePointIs_data()
     QTest::newRow("another object was drawn") << kFront << 1 << false;
 }
 
-/// Where nothing is known of the slope, a steep one is assumed; the cube's front is none.
+/// An unknown slope counts as steep; the cube's front is flat.
 void TestPickedRay::itsTriangleSaysHowSureThePointIs()
 {
     QFETCH(double, depth);

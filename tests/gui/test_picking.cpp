@@ -1,4 +1,4 @@
-// What a click of the mouse reads: surfaces, and never what is only drawn.
+// Mouse clicks read surfaces, and never decoration that is only drawn.
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
@@ -59,7 +59,7 @@ void TestPicking::theBackgroundHasNoSurface()
         QVERIFY(isAsBefore(middle + QPointF(across, 0.0)));
     QVERIFY(!isAsBefore(middle - QPointF(7.0, 0.0)));
     QVERIFY(!isAsBefore(middle + QPointF(0.0, 7.0)));
-    // The ray is that of the pixel, by hand.
+    // The ray goes through the pixel, by hand.
     const Ray ray = rayThrough(pick.setup, centerUnder(view, position));
     for (const Result<WorldPoint> &end : {pick.rayNear.world[Method::Formula], pick.rayFar.world[Method::Formula]})
         QVERIFY(glm::length(glm::cross(end->coordinates() - ray.origin, ray.direction)) < 1e-9);
@@ -93,7 +93,8 @@ void TestPicking::whatIsOnlyDrawnIsNeverPicked()
     const auto window = shownWindow(smooth, {560, 460});
     SceneView &view = window->view();
     SceneDocument &document = window->document();
-    // Cubes before and behind the origin: the clip distances are fitted to the objects and cut off what is only drawn.
+    // The cubes are before and behind the origin: the clip distances are fitted to the objects and
+    // cut off the decoration.
     std::vector<SceneObject> cubes = cubeScene();
     cubes.push_back(cubes.front());
     cubes.back().transform = {Translate{{-3.0, 1.0, 2.5}}};
@@ -111,7 +112,7 @@ void TestPicking::whatIsOnlyDrawnIsNeverPicked()
         return document.picks().pick() && !document.picks().pick()->hit() && document.picks().pick()->window.z == 1.0;
     };
 
-    // On the axes: x red, y green, z blue. The line is there, and nothing is picked.
+    // Clicks on the axes: x red, y green, z blue. The line is visible, and nothing is picked.
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 point(0.0);
         point[axis] = 0.8;
@@ -123,7 +124,7 @@ void TestPicking::whatIsOnlyDrawnIsNeverPicked()
         QVERIFY(color.saturation() > 60);
         QVERIFY(isBackground(local));
     }
-    // On a crossing of ground lines, away from axes and cube: darker than beside it.
+    // A click on a crossing of ground lines, away from axes and cube: darker than its surroundings.
     const double spacing = document.ground().spacing;
     const glm::dvec3 crossing(std::round(1.5 / spacing) * spacing, document.ground().box.lowest.y,
                               std::round(1.5 / spacing) * spacing);
@@ -132,7 +133,7 @@ void TestPicking::whatIsOnlyDrawnIsNeverPicked()
     QVERIFY(view.rect().contains(onLine.toPoint()) && view.rect().contains(beside.toPoint()));
     QVERIFY(colorAt(onLine).lightness() < colorAt(beside).lightness() - 4);
     QVERIFY(isBackground(onLine));
-    // On the corner's triad.
+    // A click on the corner's triad.
     QVERIFY(isBackground(QPointF(42.0, view.height() - 42.0)));
 }
 

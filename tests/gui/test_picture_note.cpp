@@ -1,4 +1,4 @@
-// What the view says where there is nothing to be seen.
+// The note over the view when the picture is empty.
 
 #include "document_edits.h"
 #include "gui/document/scene_edits.h"

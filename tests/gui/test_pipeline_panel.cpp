@@ -1,4 +1,5 @@
-// The pipeline panel: its numbers are read from its models, and compared with the originals' or with hand-made ones.
+// The pipeline panel: its numbers are read from its models, and compared with the originals' or
+// with hand-made ones.
 
 #include "document_edits.h"
 #include "pipeline_figures.h"
@@ -247,7 +248,7 @@ void TestPipelinePanel::pointsAreLinesWithAWInEverySpace()
                 QCOMPARE(coordinate(point, 3), 1.0);
         }
     }
-    QCOMPARE(model.point(Space::World)->coordinates().size(), std::size_t(3)); // its w is not one of its own
+    QCOMPARE(model.point(Space::World)->coordinates().size(), std::size_t(3)); // its w is not an independent number
     QCOMPARE(model.point(Space::Clip)->coordinates().size(), std::size_t(4));
     model.setDirection(PipelineDirection::Forward);
     document.picks().clearPick();
@@ -281,7 +282,7 @@ void TestPipelinePanel::theWayBackDividesByItsOwnW()
     QCOMPARE(undivided->name(), QStringLiteral("eye · w′"));
     QCOMPARE(undivided->indexOf(3).data(NumberGridModel::kLabelRole).toString(), QStringLiteral("w′"));
     QVERIFY(std::abs(coordinate(undivided, 3) - w) < kRounding);
-    // What projection⁻¹ makes of the NDC point, row by row.
+    // The inverse of the projection takes the NDC point to this, row by row.
     const MatrixModel *inverse = panel.model().matrix(Stage::ProjectionMatrix);
     const PointModel *ndc = panel.model().point(Space::Ndc);
     for (int row = 0; row < 4; ++row) {
@@ -291,7 +292,7 @@ void TestPipelinePanel::theWayBackDividesByItsOwnW()
         QVERIFY(std::abs(coordinate(undivided, row) - sum) < kRounding);
         QVERIFY(std::abs(coordinate(eye, row) - sum / coordinate(undivided, 3)) < kRounding);
     }
-    // It says so, below the chain.
+    // The label below the chain explains it.
     const QLabel *division = nullptr;
     for (const QLabel *label : panel.findChildren<QLabel *>()) {
         if (label->text().contains(QStringLiteral("divide by its own w′")))
@@ -329,7 +330,7 @@ void TestPipelinePanel::doublesShowAllTheirDigitsOnDemand()
     const QString inDouble = digitsOf(Digits::Double, false), inFloat = digitsOf(Digits::Float, false);
     QVERIFY2(inDouble.size() >= inFloat.size(), qPrintable(inDouble + QStringLiteral(" and ") + inFloat));
     QCOMPARE(inDouble.left(9), QStringLiteral("0.3333333"));
-    // In a narrow panel all digits are there to be scrolled to.
+    // A narrow panel shows all digits by scrolling.
     panel.setMatrixView({MatrixLayout::Column, false, Digits::Double, true});
     for (NumberGrid *grid : panel.findChildren<NumberGrid *>()) {
         if (grid->model() != projection)
@@ -375,10 +376,10 @@ void TestPipelinePanel::aFilesMatrixIsShownAsGivenBesideItsConversion()
     QVERIFY(panel.model().givenNote().contains(QStringLiteral("from 0 to 1"))
             && panel.model().givenNote().contains(QStringLiteral("reversed")));
     QVERIFY(asGiven->copyText(MatrixSyntax::NumPy).startsWith(QStringLiteral("clipFromEyeAsGiven = ")));
-    // Beside it OpenGL's: -(f+n)/(f-n) and -2fn/(f-n).
+    // Next to it is OpenGL's: -(f+n)/(f-n) and -2fn/(f-n).
     const MatrixModel *converted = panel.model().matrix(Stage::ProjectionMatrix);
     QVERIFY(std::abs(value(converted, 2, 2) + 1.25) < kRounding && std::abs(value(converted, 2, 3) + 2.25) < kRounding);
-    // Another projection is no file's.
+    // Another projection is not the file's.
     setProjection(document, Ortho{-3, 3, -3, 3, -10, 10});
     QVERIFY(!isShown());
     QVERIFY(panel.model().givenNote().isEmpty());
@@ -446,7 +447,7 @@ void TestPipelinePanel::theObjectIsThePickedOneUntilAnotherIsChosen()
     QCOMPARE(model.object(), PipelineModel::kAutomaticObject);
     model.setObject(PipelineModel::kNoObject);
 
-    // Without objects there is only the world.
+    // A scene without objects has only the world.
     openObjects(document, {});
     model.update();
     QVERIFY(!model.shownObject());
@@ -481,7 +482,7 @@ void TestPipelinePanel::aRefusedChangeLeavesTheNumbers()
     QVERIFY(!editProjection(document, {Ortho{1, 1, -10, 10, -10, 10}, false, false}, {QStringLiteral("Left")}));
     QCOMPARE(value(panel.model().matrix(Stage::ProjectionMatrix), 0, 0), 0.1);
 
-    // Valid step by step, but too small for the inverse to be a number.
+    // Each step is valid, but the product is too small for its inverse to be a number.
     const Check refused = editTransform(document, 0, {Scale{glm::dvec3(1e-200)}}, {QStringLiteral("Scale")});
     QVERIFY(!refused);
     QCOMPARE(refused.error().code, ErrorCode::ObjectTooSmall);

@@ -1,4 +1,4 @@
-// The pipeline panel as a widget: what it copies, what fits, and what it does while nobody sees it.
+// The pipeline panel as a widget: its copies, its fit, and its work while it is hidden.
 
 #include "document_edits.h"
 #include "pipeline_figures.h"
@@ -112,7 +112,7 @@ void TestPipelineWidgets::numbersThatAreTooLongLoseDigitsNotPlaces()
     view->setCapacity(7);
     QCOMPARE(cell(view, 2, 3), QStringLiteral("-12346"));
     QCOMPARE(view->fullText(2, 3), QStringLiteral("-12345.678901"));
-    // Aligned: the decimal points of a column stand under each other.
+    // The decimal points of a column are aligned.
     view->setCapacity(12);
     QCOMPARE(view->index(2, 3).data().toString().size(), view->index(0, 3).data().toString().size());
 }
@@ -345,7 +345,7 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
     panel.takeApart(PipelineStage::ProjectionMatrix);
     const FactorShares *shares = panel.findChildren<FactorShares *>().back();
     QVERIFY(shares->isVisible());
-    QVERIFY(!panel.findChildren<FactorShares *>().front()->isVisible()); // a view carries no volume to the cube
+    QVERIFY(!panel.findChildren<FactorShares *>().front()->isVisible()); // a view takes no volume to the cube
     const auto sliders = [shares] {
         QList<QSlider *> shown;
         for (QSlider *slider : shares->findChildren<QSlider *>()) {
@@ -373,7 +373,7 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
     sliders()[0]->clearFocus();
     QCoreApplication::sendEvent(sliders()[0], &past);
     QCOMPARE(sliders()[0]->value(), 100);
-    // By keys alone.
+    // The keys alone suffice.
     sliders()[2]->setFocus();
     QTest::keyClick(sliders()[2], Qt::Key_Home);
     QCOMPARE(product()[2][2], 2.0 / 7.0);
@@ -403,7 +403,7 @@ void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()
         });
     };
     QCOMPARE(saysWhy(), 1);
-    panel.setDirection(PipelineDirection::Backward); // which says that there are no factors at all
+    panel.setDirection(PipelineDirection::Backward); // where no factors exist
     QCOMPARE(saysWhy(), 0);
     panel.setDirection(PipelineDirection::Forward);
     QCOMPARE(saysWhy(), 1);
@@ -551,7 +551,7 @@ void TestPipelineWidgets::theConventionsBringTheirLayoutOnce()
     panel.show();
     QVERIFY(editConventions(document, Api::Direct3d, {QStringLiteral("Conventions")}));
     QVERIFY(panel.matrixView().layout == MatrixLayout::Row);
-    // What is chosen after they changed stays, also where nobody saw them change.
+    // A choice after they changed stays, also if the panel was hidden during the change.
     panel.hide();
     QVERIFY(editConventions(document, Api::OpenGl, {QStringLiteral("Conventions")}));
     panel.setMatrixView({MatrixLayout::Row, true});

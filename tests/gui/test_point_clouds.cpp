@@ -1,4 +1,5 @@
-// Points without faces: dots that can be seen and clicked, and what is claimed of a point that was clicked by its dot.
+// Points without faces: dots that can be seen and clicked, and the claimed uncertainty of a point
+// clicked by its dot.
 
 #include "core/geometry/proportions.h"
 #include "core/mesh/import/mesh_import.h"
@@ -95,7 +96,7 @@ void TestPointClouds::aPointIsADot()
         const DevicePixel pixel = pixelUnder(view, middle);
         QVERIFY(with.pixelColor(pixel.i, pixel.j).lightness() < without.pixelColor(pixel.i, pixel.j).lightness() - 60);
         int hits = 0;
-        double farthest = 0.0; // from the point, of what is claimed
+        double farthest = 0.0; // from the point, of the claimed uncertainty
         for (int i = -dot; i <= dot; ++i) {
             for (int j = -dot; j <= dot; ++j) {
                 click(view, middle + QPointF(i, j) / view.devicePixelRatio());
@@ -105,7 +106,8 @@ void TestPointClouds::aPointIsADot()
                     continue;
                 ++hits;
                 QCOMPARE(pick.object, std::optional<std::size_t>(0));
-                // Wherever in the dot: the point lies within what is claimed.
+                // The click may be anywhere in the dot: the point lies within the claimed
+                // uncertainty.
                 const glm::dvec3 off = glm::abs(pick.point.world[Method::Formula]->coordinates() - point);
                 const WorldVector claimed = pick.uncertainty.world;
                 const double snapped = 1.01; // the rasteriser's 1/256 pixel

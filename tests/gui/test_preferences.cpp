@@ -1,4 +1,4 @@
-// The form of what lasts from one start to the next, and the menu's Copy.
+// The dialog of the settings that last from one start to the next, and the menu's Copy.
 
 #include "document_edits.h"
 #include "language_user.h"

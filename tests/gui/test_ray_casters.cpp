@@ -1,5 +1,5 @@
-// What prepares models for rays: at once or on a thread of its own, and never longer than somebody has them. No window: what
-// the thread sanitizer can follow.
+// The preparation of models for rays: at once or on a thread of its own, and kept no longer than
+// the model is used. No window: the thread sanitizer can follow this.
 
 #include "core/examples/solids.h"
 #include "gui/document/ray_casters.h"

@@ -1,5 +1,6 @@
-// What the comparison says of the ray on the mesh, situation by situation: its coordinates, how far they are from the formula's,
-// which to trust, and what is copied. No window of OpenGL is needed.
+// The comparison's report on the ray's hit on the mesh, case by case: its coordinates, their
+// distance from the formula's, the one to trust, and the copied text. No window of OpenGL is
+// needed.
 
 #include "document_edits.h"
 #include "told_changes.h"
@@ -41,8 +42,8 @@ Mesh pointAt(const glm::vec3 &position)
     return mesh;
 }
 
-/// Two cubes of edge 2 behind each other, "front" and "back", and a point, seen along -z from (0, 0, 12): the fronts are at z = 1
-/// and -4. A pixel is 0.02 wide.
+/// Opens two cubes of edge 2 behind each other, "front" and "back", and a point, seen along -z from
+/// (0, 0, 12): the fronts are at z = 1 and -4. A pixel is 0.02 wide.
 void openCubes(SceneDocument &document)
 {
     const auto cube = modelOf(examples::cubeMesh(2.0));
@@ -58,7 +59,7 @@ void openCubes(SceneDocument &document)
     QVERIFY(document.open(scene));
 }
 
-/// What the depth buffer has of a height.
+/// The depth sample of a height.
 DepthSample at(double z, std::size_t object)
 {
     return {(12.0 - z - 1.0) / 40.0, object, 24};
@@ -160,10 +161,10 @@ void TestRayPanel::theTableHasTheRaysNumbers()
     QVERIFY2(detail.contains(QStringLiteral("vertex %1 is 1.0 away").arg(hit.vertex.id))
                  || detail.contains(QStringLiteral("vertex %1 is 1 away").arg(hit.vertex.id)),
              qPrintable(detail));
-    // Black are the digits that the mesh and the arithmetic leave.
+    // The black digits are those certain by mesh and arithmetic.
     const QModelIndex cell = panel.rayModel().index(0, RayModel::Met);
     QVERIFY(cell.data(CoordinatesModel::kCertainLengthRole).toInt() >= 8);
-    // Of a background that the ray meets nothing behind, there is nothing.
+    // A background pixel whose ray hits nothing has no values.
     pickAt(document, WidgetPoint(20, 20), kBackground);
     QVERIFY(std::isnan(value(panel, 0, RayModel::Met)) && std::isnan(value(panel, 0, RayModel::Taken)));
 }
@@ -213,7 +214,7 @@ void TestRayPanel::whatAClickTakesIsShown()
     const QString text = said(panel, "Triangle, vertex and edge");
     for (const QString &part : detail)
         QVERIFY2(text.contains(part), qPrintable(text));
-    // What is taken later is another matter.
+    // A later snap mode does not change this pick.
     document.picks().setSnap(Snap::Surface);
     QCOMPARE(said(panel, "Triangle, vertex and edge"), text);
 }
@@ -233,7 +234,8 @@ void TestRayPanel::theAnswerComesByItself()
     QVERIFY(std::abs(value(panel, 2, RayModel::Met) - 1.5) < 1e-3);
 }
 
-/// A pixel is 0.02 wide: half of it left and up is 0.0141 off. The cube's upper edge is at row 100, above it is the far plane.
+/// A pixel is 0.02 wide: half of it left and up is 0.0141 off. The cube's upper edge is at row 100;
+/// above it is the far plane.
 void TestRayPanel::otherProgramsAnswerTheSameClick()
 {
     SceneDocument document;
@@ -246,7 +248,7 @@ void TestRayPanel::otherProgramsAnswerTheSameClick()
     ComparisonPanel panel(document);
     pickOf({220, 140}, at(1.0, 0));
     QVERIFY(document.picks().pickedRay()->others);
-    // With a cloud in the scene nobody knows what was drawn beside.
+    // The frame around the pixel is unknown if the scene has a cloud.
     QVERIFY(!(*document.picks().pickedRay()->others)[2].point);
     QVERIFY(removeObject(document, 2));
     pickOf({220, 140}, at(1.0, 0));

@@ -1,4 +1,4 @@
-// What a crash has left is offered at the next start.
+// Unsaved changes left by a crash are offered at the next start.
 
 #include "tests/gui/kept_scene.h"
 #include "tests/support/patience.h"
@@ -71,7 +71,8 @@ void answerNext(QMessageBox::StandardButton answer)
     timer->start(10);
 }
 
-/// The program until it is killed: opens a scene, changes it, tells when the change is kept.
+/// Runs the program until it is killed: opens a scene, changes it, and reports when the change is
+/// kept.
 int runUntilKilled(const QString &folder, const QString &file)
 {
     const auto window = windowKeepingIn(folder);
@@ -111,7 +112,7 @@ private slots:
     void namesAreNoMarkup();
 
 private:
-    /// What a crash leaves: a window with a change that goes without being closed.
+    /// Leaves the state of a crash: a window with a change that goes without being closed.
     void leaveChanges(const QString &file, double d);
 
     std::unique_ptr<Folder> m_folder;

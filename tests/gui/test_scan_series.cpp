@@ -1,4 +1,4 @@
-// A series of scans: each one's points are kept beside it, whatever comes between.
+// A series of scans: the points of each are saved next to it, in any sequence of actions.
 
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
@@ -87,7 +87,7 @@ void TestScanSeries::aSeriesThatIsNotWantedLeavesTheOneBefore()
     QCOMPARE(m_series->scans().size(), std::size_t(1));
     QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
     QCOMPARE(m_series->scans()[0].placedCount(), points().size());
-    // And its points are kept as before.
+    // Its points are kept as before.
     QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(4.0, 3.0, 0.0)));
     QVERIFY(m_series->keep());
     QVERIFY2(read(QStringLiteral("square.obj.points.csv")).contains(",3,3,0"),
@@ -108,7 +108,7 @@ void TestScanSeries::aSeriesGoesOnWhereItWasLeft()
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     QCOMPARE(m_series->scans().size(), std::size_t(3));
     QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
-    QCOMPARE(points().size(), std::size_t(2)); // what was to be placed is what is to be placed
+    QCOMPARE(points().size(), std::size_t(2)); // the next point to place is still the same
     m_answers->saveQuestions = 0;
     placeAll(1.0);
     m_series->next();
@@ -128,10 +128,10 @@ void TestScanSeries::aSeriesGoesOnWhereItWasLeft()
     QCOMPARE(points()[1].world->x, 2.0);
     QVERIFY(!m_document->isModified());
     QVERIFY(!m_document->undoStack().canUndo());
-    // Nothing was placed on the third: there is nothing of it to keep.
+    // No point was placed on the third: nothing is saved for it.
     QVERIFY(!QFile::exists(path(QStringLiteral("c.obj.points.csv"))));
 
-    // Whoever leaves the program keeps the points, without a question.
+    // A user who quits the program keeps the points, without a question.
     QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(9.0, 9.0, 0.0)));
     QVERIFY(m_session->mayLeave());
     QCOMPARE(m_answers->saveQuestions, 0);
@@ -166,7 +166,7 @@ void TestScanSeries::aScanComesBackAfterALesson()
     QVERIFY(read(QStringLiteral("t.obj.points.csv")).contains("third,3,1,0"));
     QVERIFY(!m_document->isEdited());
 
-    // Its points are those of the placing that it was left in.
+    // The points are the ones of its last placing.
     QVERIFY(player.start("pipeline"));
     m_series->setPlacing(2);
     QCOMPARE(m_series->scans()[1].placedCount(), std::size_t(0));
@@ -174,7 +174,8 @@ void TestScanSeries::aScanComesBackAfterALesson()
     QCOMPARE(m_series->placing(), 1);
     QCOMPARE(m_series->scans()[1].placedCount(), std::size_t(3));
 
-    // From a lesson it goes on behind the scan that was left for it, and nothing is asked about what the steps tell to do.
+    // The series goes on from a lesson behind the scan that was left for it. Edits that the steps
+    // ask for cause no question.
     QVERIFY(player.start("pipeline"));
     QVERIFY(editClipPlanes(*m_document, {{0.0, 1.0, 0.0, 0.25}}, {}, {QStringLiteral("Plane")}));
     m_series->next();
@@ -185,7 +186,7 @@ void TestScanSeries::aScanComesBackAfterALesson()
     QCOMPARE(points().size(), std::size_t(3)); // which wait here
     QVERIFY(points()[2].isMissing());
 
-    // What was opened instead of it is no scan, whatever comes back to it.
+    // A scene opened in the scan's place is no scan, also after it comes back.
     QVERIFY(player.start("pipeline"));
     m_session->openBundledScene();
     QVERIFY(player.start("pipeline") && player.leave());
@@ -201,7 +202,7 @@ void TestScanSeries::aScanThatIsNotKeptIsAskedAboutInALesson()
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
     placeOne("first", 1.0);
-    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\nfirst,5,5,0\n"); // by somebody else
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\nfirst,5,5,0\n"); // by another program
     LessonPlayer player(*m_document, *m_session);
     const std::vector<std::function<void()>> ways = {[this] { QVERIFY(!m_session->mayLeave()); },
                                                      [this] { m_series->next(); },
@@ -215,12 +216,12 @@ void TestScanSeries::aScanThatIsNotKeptIsAskedAboutInALesson()
             leaves();
             QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
             QCOMPARE(m_answers->saveQuestions, 1);
-            if (answer == Answer::Cancel) { // who stays is in the lesson, and the scan still behind it
+            if (answer == Answer::Cancel) { // a user who cancels is in the lesson, and the scan still behind it
                 QVERIFY(player.lesson());
                 QCOMPARE(m_series->current(), std::optional<std::size_t>());
                 QVERIFY(player.leave());
             }
-            QVERIFY(!player.lesson()); // it is back to be saved, and was not, since it has got no name
+            QVERIFY(!player.lesson()); // it is back for saving, which failed, since it has no name
             QCOMPARE(m_series->current(), std::optional<std::size_t>(0));
             QCOMPARE(m_series->scans().size(), std::size_t(2));
             placeOne("another", 2.0);
@@ -258,7 +259,7 @@ void TestScanSeries::aScanThatIsGivenUpLeavesTheOneShown()
     QVERIFY(m_series->keep());
     QVERIFY(read(QStringLiteral("other.obj.points.csv")).contains("a,5,5,0"));
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,2,2,0"));
-    // And what is opened next is not taken for it.
+    // The next opened file is not taken for it.
     m_session->openBundledScene();
     QVERIFY(points().empty());
 }
@@ -308,7 +309,8 @@ void TestScanSeries::aDamagedFileOfPointsIsNotWrittenOver()
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("two"));
 }
 
-/// A quarter turn about z takes (x, y) to (-y, x): what is placed in the scene stands in the file by the file's own coordinates.
+/// A quarter turn about z takes (x, y) to (-y, x): the file has points of the scene in its own
+/// coordinates.
 void TestScanSeries::aTurnedScanKeepsItsFilesNumbers()
 {
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,2,0\nb,,,\nc,,,\n");
@@ -318,7 +320,7 @@ void TestScanSeries::aTurnedScanKeepsItsFilesNumbers()
     QVERIFY(editTransform(*m_document, 0, {Rotate{90.0, {0, 0, 1}}, Scale{{2, 2, 2}}}, {QStringLiteral("turn")}));
     QVERIFY(glm::distance(points()[0].world->coordinates(), glm::dvec3(-4, 2, 0)) < 1e-12); // it has gone with its scan
     QVERIFY(m_series->keep());
-    QCOMPARE(read(QStringLiteral("square.obj.points.csv")), before); // nothing of it has changed
+    QCOMPARE(read(QStringLiteral("square.obj.points.csv")), before); // it is unchanged
     Landmark held;
     held.object = "square.obj";
     held.anchor = landmarks::OnTriangle{0, glm::dvec3(0.5, 0.25, 0.25)};
@@ -337,7 +339,7 @@ void TestScanSeries::aTurnedScanKeepsItsFilesNumbers()
     QCOMPARE(rows[1].object, std::string("square.obj"));
     QVERIFY(glm::distance(rows[2].world->coordinates(), glm::dvec3(3.0, 4.0, 1.0)) < 1e-12);
     QVERIFY(m_series->scans()[0].points == kept->sets.front()); // as tables have them
-    // Read again into the scene as it stands, they are where they were.
+    // The points read again into the turned scene are in the same positions.
     const std::vector<Landmark> shown = points();
     m_series->setPlacing(2);
     m_series->setPlacing(1);
@@ -345,7 +347,7 @@ void TestScanSeries::aTurnedScanKeepsItsFilesNumbers()
         QVERIFY(glm::distance(points()[i].world->coordinates(), shown[i].world->coordinates()) < 1e-12);
         QCOMPARE(points()[i].object, std::string("turned"));
     }
-    // Without the scan in the scene its points have the places that it gave them.
+    // Without the scan in the scene its points have the positions that it gave them.
     QVERIFY(removeObject(*m_document, 0));
     QVERIFY(m_document->sceneLandmarks().rename(0, QStringLiteral("A")));
     QVERIFY(m_series->keep());
@@ -380,12 +382,13 @@ void TestScanSeries::aDamagedPlacingIsNotGoneOver()
     QCOMPARE(m_series->placing(), 1);
     QCOMPARE(m_failures.size(), 1);
     QVERIFY(m_failures[0].contains(QStringLiteral("points-2.csv:2:")));
-    QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(5.0, 5.0, 0.0))); // and what is shown is still kept
+    QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(5.0, 5.0, 0.0))); // and the shown points are still kept
     QVERIFY(m_series->keep());
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,5,5,0"));
     QCOMPARE(read(QStringLiteral("square.obj.points-2.csv")), damaged);
 
-    // From a damaged one it is gone on to one that is not, and what was placed meanwhile is asked about.
+    // The series goes on from a damaged scan to one that is not, and asks about points placed
+    // meanwhile.
     write(QStringLiteral("square.obj.points.csv"), damaged);
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
@@ -403,7 +406,8 @@ void TestScanSeries::aDamagedPlacingIsNotGoneOver()
     QCOMPARE(read(QStringLiteral("square.obj.points.csv")), damaged);
 }
 
-/// Whatever is done in whatever order, while files come and go: each scan's file has what was last seen on that scan, and no other's.
+/// In any order of actions, while files come and go, each scan's file has the points last seen on
+/// that scan, and no other's.
 void TestScanSeries::noScanGetsThePointsOfAnother()
 {
     QVERIFY(QFile::remove(path(QStringLiteral("square.obj"))));
@@ -424,7 +428,7 @@ void TestScanSeries::noScanGetsThePointsOfAnother()
         }
         return placed;
     };
-    const auto look = [&](bool isOther = false) { // other than last time only by a deed
+    const auto look = [&](bool isOther = false) { // changed since last time only by an action
         if (!isScan())
             return;
         const auto kept = landmark_files::landmarksBeside(m_document->objects()[0].file, m_series->placing());
@@ -467,7 +471,7 @@ void TestScanSeries::noScanGetsThePointsOfAnother()
             QVERIFY(m_document->sceneLandmarks().place(landmark));
         }
         look(kind == 10 || kind == 11);
-        if (below(3) > 0) { // else what is loading is met by what comes next
+        if (below(3) > 0) { // otherwise the next action meets a scan that is still loading
             QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
             look();
         }

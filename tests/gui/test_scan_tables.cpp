@@ -1,4 +1,4 @@
-// The tables that are written of a series of scans.
+// The tables that are written for a series of scans.
 
 #include "core/landmark_files/landmark_file.h"
 #include "gui/landmarks/landmark_templates.h"
@@ -40,7 +40,7 @@ void TestScanTables::tablesOfASeries()
     QVERIFY(m_series->exportTable(file(QStringLiteral("long.csv")), ScanSeries::Table::Long));
     QVERIFY(read(QStringLiteral("long.csv")).startsWith("specimen,name,x,y,z"));
     QVERIFY(!m_series->exportTable(file(QStringLiteral("no/folder/x.csv")), ScanSeries::Table::Wide));
-    // Nor over what the table is made of.
+    // The table does not replace the files that it is made of either.
     for (const QString &name : {QStringLiteral("square.obj"), QStringLiteral("other.obj.points.csv")}) {
         const QByteArray before = read(name);
         QVERIFY(!before.isEmpty());
@@ -105,7 +105,7 @@ void TestScanTables::whatATableLacksIsSaid()
     }
     QVERIFY2(read(QStringLiteral("all.csv")).contains("other,a,2,3,4.5,0,"),
              read(QStringLiteral("all.csv")).constData());
-    // Nor are centimetres and millimetres averaged.
+    // Centimetres and millimetres are not averaged either.
     QString failure;
     connect(m_series.get(), &ScanSeries::failed, this, [&failure](const QString &text) { failure = text; });
     write(QStringLiteral("other.obj.points-3.csv"), "name,x,y,z,unit\na,3,5,0,mm\n");
@@ -115,8 +115,8 @@ void TestScanTables::whatATableLacksIsSaid()
              qPrintable(failure));
 }
 
-/// Each scan is a triangle of its own size, on which three points have been placed; one file is broken, and so are the points of
-/// another one.
+/// Each scan is a triangle of its own size with three placed points; one file is broken, and so are
+/// the points of another one.
 void TestScanTables::aHundredScansAndABrokenOne()
 {
     constexpr int kScans = 100, kBroken = 41, kDamaged = 70;

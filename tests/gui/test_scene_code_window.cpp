@@ -1,4 +1,4 @@
-// The scene as code in its window: it is that of the scene as it is now, copied and saved as it is read.
+// The scene as code in its window: the code of the current scene, copied and saved as displayed.
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
@@ -144,7 +144,7 @@ void TestSceneCodeWindow::filesOfTheSceneAreNotWrittenOver()
     QCOMPARE(m_code->exportTo(pathOf(QStringLiteral("new.cpp"))), QString());
 }
 
-/// What looks like markup in names and paths is shown as it is written.
+/// Names and paths that look like markup are shown as plain text.
 void TestSceneCodeWindow::namesAreNoMarkup()
 {
     const QString name = QStringLiteral("<img src=x><b>bold"),

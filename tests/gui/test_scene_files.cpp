@@ -103,7 +103,7 @@ void TestSceneFiles::modelsAreFoundBesideTheScene()
     QVERIFY(ortho && *ortho == (Ortho{-3.0, 3.0, -2.0, 2.0, 1.0, 9.0}));
 }
 
-/// No window shows them yet, and none loses them.
+/// No window shows them yet, and none drops them.
 void TestSceneFiles::landmarksStay()
 {
     const QByteArray landmarks =

@@ -1,4 +1,4 @@
-// Loading on a thread of its own, without a window: what the thread sanitizer can follow.
+// Loading on a thread of its own, without a window: the thread sanitizer can follow this.
 
 #include "gui/document/scene_opener.h"
 #include "tests/support/patience.h"
@@ -123,7 +123,7 @@ void TestSceneOpener::aSecondLoadingTakesTheFirstOnesPlace()
     QVERIFY(result.objects[0].file == m_small);
 }
 
-/// Who waits for the end waits for the last one's.
+/// A caller that waits for the end waits for the last opening's.
 void TestSceneOpener::anOpeningThatStartsTheNextHasNotEnded()
 {
     SceneOpener opener;

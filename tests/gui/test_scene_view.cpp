@@ -1,5 +1,5 @@
-// Clicks on a drawn scene, followed from the mouse event to the world. Run at several pixel ratios (QT_SCALE_FACTOR),
-// each with and without smooth edges.
+// Clicks on a drawn scene, followed from the mouse event to the world. Run at several pixel ratios
+// (QT_SCALE_FACTOR), each with and without smooth edges.
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
@@ -23,12 +23,14 @@ using namespace unprojector::unproject;
 
 namespace {
 
-/// The rasterizer computes in single precision: the matrix and the corners are rounded, depth is interpolated, all to
-/// 24 bits, so that the depth that is stored can be this many steps of a 24-bit buffer off.
+/// The rasterizer computes in single precision: it rounds the matrix and the corners, interpolates
+/// the depth, and rounds to 24 bits. So the stored depth can be this many steps of a 24-bit buffer
+/// off.
 constexpr double kRasterizerSteps = 6.0;
 /// Corners are snapped to 1/256 of a pixel before depth is interpolated between them.
 constexpr double kSubpixel = 1.0 / 256.0;
-/// The farthest that a quantity of the plane point is from its value at the centre when the sample lies beside it.
+/// The largest difference of a quantity of the plane point from its value at the centre, for a
+/// sample beside it.
 template <class Quantity>
 double slopeTerm(const Setup &g, const glm::dvec2 &window, double reach, const glm::dvec3 &point,
                  const glm::dvec3 &normal, Quantity quantity)
@@ -49,7 +51,8 @@ glm::dvec2 obliqueWindowHalf(const SceneView &view)
     return {2.2 * view.width() / view.height(), 2.2};
 }
 
-/// The projections of the rows, for the view's aspect; the clip distances are fitted by the document.
+/// The projections of the rows, for the view's aspect; the clip distances are fitted by the
+/// document.
 Projection projectionNamed(const QString &name, const SceneView &view)
 {
     const glm::dvec2 half = obliqueWindowHalf(view);
@@ -63,8 +66,8 @@ Projection projectionNamed(const QString &name, const SceneView &view)
     return Oblique{box, 1.35, 1.85};
 }
 
-/// From in front of a face, to the side and above, so that it is seen at a slant; what is looked at is put where the
-/// middle of an off-centre or sheared picture is.
+/// A camera in front of a face, moved to the side and up, so that it sees the face at a slant. Its
+/// target is in the middle of an off-centre or sheared picture.
 LookAt cameraBefore(const Face &face, const Setup &g)
 {
     const glm::dvec3 middle = kCubeCenter + face.normal;
@@ -167,13 +170,14 @@ void TestSceneView::clickFace(MainWindow &window, const Face &face, const glm::d
                                 .arg(face.name)
                                 .arg(glm::dot(off, forwardOf(g.camera())))
                                 .arg(tolerance)));
-        // Across the ray there is nothing to read, so nothing to be off by but rounding.
+        // Nothing is read across the ray, so the point is off only by rounding.
         QVERIFY(glm::length(glm::cross(off, ray.direction)) <= 1e-10);
-        // Along the ray that is so far from the face's plane.
+        // The distance along the ray to the face's plane is bounded.
         QVERIFY(std::abs(glm::dot(point->coordinates() - aimed, face.normal))
                 <= tolerance * std::abs(glm::dot(ray.direction, face.normal)) + 1e-10);
     }
-    // The way forward, from the plane's point that was found without core: back in the middle of the pixel.
+    // The projection of the plane's point, which was found without core: back in the middle of the
+    // pixel.
     const glm::dvec2 back = placeOf(window, expected);
     QVERIFY(std::abs(back.x - center.x) <= 1e-8 && std::abs(back.y - center.y) <= 1e-8);
 }
@@ -255,7 +259,7 @@ void TestSceneView::depthIsReadInTheRowAndColumnClicked()
                                 .arg(pick.window.z, 0, 'g', 12)
                                 .arg(expected, 0, 'g', 12)
                                 .arg(tolerance)));
-        // The test can fail: half a pixel beside is outside that.
+        // The test can fail: half a pixel to the side is outside that.
         for (const double aside : {-0.5, 0.5}) {
             const glm::dvec2 wrong = center + (byRow ? glm::dvec2(0.0, aside) : glm::dvec2(aside, 0.0));
             QVERIFY(std::abs(depthAt(onPlane(rayThrough(g, wrong), middle, normal)) - expected) > 1.5 * tolerance);
@@ -283,7 +287,7 @@ void TestSceneView::everyDevicePixelCanBeClicked()
         const QPoint corner = view.mapTo(window.get(), QPoint(0, 0));
         for (const int origin : {corner.x(), corner.y()})
             fractions.insert(origin * ratio - std::floor(origin * ratio));
-        // The pointer stands on whole device pixels of the window; Qt divides by the ratio.
+        // The pointer is on whole device pixels of the window; Qt divides by the ratio.
         const QPoint first(static_cast<int>(std::floor(corner.x() * ratio + 0.5)),
                            static_cast<int>(std::floor(corner.y() * ratio + 0.5)));
         for (int k = 0; k < 12; ++k) {
@@ -300,7 +304,8 @@ void TestSceneView::everyDevicePixelCanBeClicked()
 
 void TestSceneView::theViewIsComposedOntoWholeDevicePixels()
 {
-    // Docked at the left, and with a tool bar above: the view's corner falls between device pixels at 1.25 and 1.5.
+    // The dock is at the left, and a tool bar above: the view's corner falls between device pixels
+    // at 1.25 and 1.5.
     const auto window = shownWindow(false, {400, 361});
     auto *bar = new QDockWidget;
     bar->setFixedWidth(61);

@@ -1,4 +1,5 @@
-// The program as a script runs it: --screenshot with clicks, its JSON, its picture, its exit codes and its words.
+// The program as a script runs it: --screenshot with clicks, its JSON, its picture, its exit codes
+// and its words.
 
 #include "tests/gui/program_run.h"
 
@@ -228,7 +229,7 @@ void TestScreenshot::aMistakeIsToldOnStderr_data()
     QVERIFY(broken.open(QIODevice::WriteOnly));
     broken.write("v 0 0 0\nf 1 2 9\n");
     broken.close();
-    QFile scene(path("scene.png")); // told to be one by what it holds
+    QFile scene(path("scene.png")); // recognised by its contents
     QVERIFY(scene.open(QIODevice::WriteOnly));
     scene.write(kScene);
     scene.close();
@@ -343,7 +344,7 @@ void TestScreenshot::helpAndVersionNeedNoDisplay()
     QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
     QVERIFY2(result.output.contains(words), result.output.constData());
 #ifdef Q_OS_LINUX
-    // Without one, a picture is refused in words, not by the platform plugin's abort.
+    // Without a display, a picture fails with a message, not by the platform plugin's abort.
     const Run picture = run({"--screenshot", path("never.png")}, {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"});
     QVERIFY(picture.hasExited);
     QCOMPARE(picture.exitCode, 2);

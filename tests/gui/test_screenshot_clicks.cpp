@@ -1,4 +1,5 @@
-// Clicks that the program prints: computed again from their JSON, by core and by the command, they are the same points.
+// Clicks that the program prints: computed again from their JSON, by core and by the command, they
+// are the same points.
 
 #include "core/scene_file/clicks.h"
 
@@ -26,7 +27,7 @@ glm::dvec3 vectorOf(const Json &json)
     return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
-/// What is needed to compute the click again, from the JSON alone: its scene is a scene file.
+/// The setup to compute the click again, from the JSON alone: its scene is a scene file.
 Setup clickedPicture(const Json &scene)
 {
     return setupOf(parseScene(scene.dump(), "scene").value());
@@ -117,7 +118,7 @@ void TestScreenshotClicks::theNumbersReadBackAndComputedAgainAreTheSame()
         };
         if (click["hit"].get<bool>()) {
             QVERIFY(isSame(click["eye"], click["world"], window.z));
-            // The mesh itself is where the depth says, as far as that goes.
+            // The mesh itself is at the depth, within its precision.
             const glm::dvec3 onMesh = vectorOf(click["rayOnMesh"]["world"]);
             QVERIFY(glm::length(onMesh - vectorOf(click["world"]["formula"])) < 1e-4);
         } else {
@@ -164,7 +165,8 @@ void TestScreenshotClicks::theCommandComputesTheSamePoints()
     }
 }
 
-/// A surface and the background: a far-plane depth that a float or the buffer rounds is background all the same.
+/// A surface and the background: a far-plane depth that a float or the buffer rounds is background
+/// all the same.
 void TestScreenshotClicks::everyDepthRangeIsClickedAndComputedAgain()
 {
     const DepthRange range = depthranges::ofThisRow();

@@ -1,4 +1,4 @@
-// A session without a window: what it opens, saves and asks. Questions are answered by the test.
+// A session without a window: its opening, saving and questions. The test answers the questions.
 
 #include "core/examples/bundled_scene.h"
 #include "session_desk.h"
@@ -225,7 +225,7 @@ void TestSession::whatLoadsIsEndedBeforeAQuestion()
     desk->cut();
     const QStringList names = desk->names();
     QSignalSpy ended(&desk->session, &Session::loadingEnded);
-    // Both would replace the scene if they ended while the question stands.
+    // Both would replace the scene if they ended while the question is open.
     desk->session.openFiles({pathOf(file(QStringLiteral("triangle.obj")))});
     QVERIFY(desk->session.isLoading());
     desk->answers.whileAsking = [&] { QTest::qWait(300); };

@@ -1,4 +1,4 @@
-// A lesson over a session without a window: what becomes of the scene that was shown before it.
+// A lesson over a session without a window: the fate of the scene shown before it.
 
 #include "gui/lessons/lesson_player.h"
 #include "session_desk.h"
@@ -14,7 +14,7 @@ using namespace unprojector::scene;
 
 namespace {
 
-/// A language in which lessons cannot be read: their texts are to be in a file that holds something else.
+/// A language whose lessons cannot be read: its lesson texts are a file that holds something else.
 class BrokenTexts : public QTranslator {
 public:
     bool isEmpty() const override { return false; }
@@ -95,7 +95,7 @@ void TestSessionLessons::theSceneBehindALessonIsAskedAbout()
     const QStringList names = desk->names();
     step(*desk);
     QCOMPARE(desk->answers.asked, QStringList(QStringLiteral("save Bundled scene")));
-    // Who stays is where they were, and the scene is still behind it.
+    // A user who cancels stays in place, and the scene is still behind the lesson.
     QVERIFY(player.lesson());
     QCOMPARE(player.index(), std::size_t(1));
     QCOMPARE(desk->names(), names);
@@ -113,7 +113,7 @@ void TestSessionLessons::theSceneBehindALessonIsAskedAbout()
     desk->session.end();
     QCOMPARE(kept(), 0);
 
-    // Where nothing is unsaved nothing is asked, and nothing comes back.
+    // The session asks nothing and brings nothing back without unsaved changes.
     desk->session.openBundledScene();
     desk->answers.asked.clear();
     QVERIFY(player.start("pipeline"));
@@ -189,7 +189,7 @@ void TestSessionLessons::changesThatCannotBeKeptAreToldAgain()
     QVERIFY2(desk->notices[0].contains(QStringLiteral("cannot be kept")), qPrintable(desk->notices[0]));
     LessonPlayer player(desk->document, desk->session);
     QVERIFY(player.start("pipeline"));
-    QCOMPARE(desk->notices.size(), 2); // nobody tries again for as long as the scene is behind the lesson
+    QCOMPARE(desk->notices.size(), 2); // no retry as long as the scene is behind the lesson
     QVERIFY(player.next() && player.leave());
     QVERIFY(QFile::remove(inTheWay));
     QVERIFY(player.start("pipeline")); // and now it is tried

@@ -1,4 +1,4 @@
-// What is said of a pick when the document is another one since, and that it can be picked anew.
+// The message about a pick when the document has changed since, and its repetition by a new pick.
 
 #include "document_edits.h"
 #include "gui/click/answer_view.h"
@@ -46,7 +46,8 @@ QString labelText(const QWidget &panel, const char *accessibleName)
     return {};
 }
 
-/// Seen from (0, 0, 5) by glFrustum with near 2 and far 10 in 400 x 300; the pixel in the middle lies on z = 0.
+/// Opens a scene seen from (0, 0, 5) by glFrustum with near 2 and far 10 in 400 x 300; the pixel in
+/// the middle lies on z = 0. Picks it.
 void openAndPick(SceneDocument &document)
 {
     Scene scene;
@@ -196,10 +197,10 @@ void TestSinceClick::whatHappenedSinceTheClickIsSaid()
         QVERIFY2(!pipeline.model().status().contains(part), qPrintable(pipeline.model().status()));
     }
     QVERIFY(againButton(panel)->isEnabled());
-    // Another click is of the view as it is. What is not drawn is not clicked.
+    // Another click uses the current view. It cannot hit an object that is not drawn.
     const bool isDrawn = !document.objects()[0].isHidden && document.scene().clipPlanes.empty();
     pickAt(document, WidgetPoint(200.0, 150.0), isDrawn ? DepthSample{0.75, 0, 24} : DepthSample{1.0, {}, 24});
-    QVERIFY(againButton(panel)->parentWidget()->isHidden()); // nothing has changed since, so nothing is said of it
+    QVERIFY(againButton(panel)->parentWidget()->isHidden()); // nothing has changed since, so there is no message
 }
 
 void TestSinceClick::aBackgroundSaysOnlyThatTheViewChanged()

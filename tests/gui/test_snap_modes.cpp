@@ -24,7 +24,8 @@ namespace {
 
 /// The corner that is nearest to the eye.
 const glm::dvec3 kCorner = kCubeCenter + glm::dvec3(1.0, 1.0, 1.0);
-/// In the middle of an edge from there, far from the diagonals of the faces, which are edges of triangles as well.
+/// The middle of an edge from there, far from the diagonals of the faces, which are edges of
+/// triangles as well.
 const glm::dvec3 kOnEdge = kCubeCenter + glm::dvec3(1.0, 0.0, 1.0);
 
 /// The cube's window with the focus in its view.
@@ -128,14 +129,14 @@ void TestSnapModes::aClickTakesWhatIsChosen()
     QVERIFY(ray && ray->state == PickedRay::State::Answered && ray->met && ray->taken);
     QVERIFY(ray->met->object == window->document().picks().pick()->object);
     const glm::dvec3 surface = ray->met->hit.world.coordinates(), taken = ray->taken->hit.world.coordinates();
-    // What the depth says is the mesh, as far as it goes.
+    // The depth's point lies on the mesh, within its precision.
     const WorldPoint &formula = *window->document().picks().pick()->point.world[Method::Formula];
     QVERIFY(glm::length(formula.coordinates() - surface) < 1e-5);
     const glm::dvec3 way = glm::abs(taken - kCubeCenter);
     int onFaces = 0; // of an edge two, of a corner three
     for (int axis = 0; axis < 3; ++axis)
         onFaces += std::abs(way[axis] - 1.0) < 1e-9 ? 1 : 0;
-    // The panel speaks of what was taken, from its headline on.
+    // The panel names the snap's target, from its headline on.
     const ComparisonPanel panel(window->document());
     const QString text = panel.text();
     switch (static_cast<Snap>(snap)) {

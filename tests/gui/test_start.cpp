@@ -1,4 +1,4 @@
-// How the program starts: what the command line says, and the window that a user and a screenshot run get by it.
+// The program's start: the command line, and the resulting window for a user and for a screenshot.
 
 #include "gui/document/picks.h"
 #include "gui/lessons/lesson_player.h"
@@ -27,7 +27,7 @@ StartOptions optionsOf(const QStringList &words)
     return options.value();
 }
 
-/// What a window shows, as far as the command line says it.
+/// A window's state, as far as the command line sets it.
 QStringList stateOf(MainWindow &window)
 {
     if (!QTest::qWaitFor([&window] { return !window.session().isLoading(); }, kPatienceMilliseconds))
@@ -133,7 +133,7 @@ void TestStart::theFirstScreenHasAPick()
     QTRY_VERIFY_WITH_TIMEOUT(window.findChild<ObserverPanel *>() && window.findChild<ObserverPanel *>()->isVisible(),
                              kPatienceMilliseconds);
     QVERIFY(!window.session().hasUnsavedChanges());
-    // In a view of another size too, until the user does something.
+    // The first pick follows the view's size, until the user does something.
     window.resize(1100, 760);
     QTRY_VERIFY_WITH_TIMEOUT(picks.pick()->setup.surface.widthPixels == window.view().width()
                                  && !picks.sinceClick().isAnything(),
@@ -143,7 +143,7 @@ void TestStart::theFirstScreenHasAPick()
     window.resize(1000, 700);
     guitest::settle(100);
     QVERIFY(picks.pick()->setup == before);
-    // A file or a lesson has none.
+    // A start with a file or a lesson has no pick.
     MainWindow other(options);
     QCOMPARE(startWindow(other, optionsOf({"--lesson", "rows"})), QString());
     guitest::settle(100);

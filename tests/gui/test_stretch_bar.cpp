@@ -1,4 +1,4 @@
-// A projection and a viewport of two aspects: what is said over the view, and the way out.
+// A projection and a viewport of two aspects: the message over the view, and the remedy.
 
 #include "document_edits.h"
 #include "gui/shell/stretch_bar.h"
@@ -18,7 +18,7 @@ namespace {
 
 const EditLabel kLabel{QStringLiteral("edit")};
 
-/// In a window of 400 x 360 pixels.
+/// Opens the cube in a window of 400 x 360 pixels.
 void openCube(SceneDocument &document, const Projection &projection, bool followsViewport = false)
 {
     Scene scene;
@@ -112,7 +112,7 @@ void TestStretchBar::theButtonLetterboxes()
     QVERIFY(!isPictureStretched(document));
     document.undoStack().undo();
     QVERIFY(!bar.isHidden());
-    // Of few pixels none has the aspect: what is offered would change nothing.
+    // A viewport of few pixels cannot have the aspect: the offer would change nothing.
     letterbox(document);
     document.setSurface({20, 31, 1.0});
     QVERIFY(bar.isHidden());

@@ -1,4 +1,4 @@
-// Pictures on models: decoded by the loader, scaled down where they are too large, and never left out in silence.
+// Textures of models: decoded by the loader, scaled down if too large, and never left out silently.
 
 #include "gui/document/texture_decoding.h"
 #include "gui/text/note_text.h"

@@ -122,7 +122,7 @@ void TestTranslation::everyMessageIsTranslated()
             QVERIFY2(found(m.source, p) == found(m.translation, p),
                      qPrintable(m.source + QStringLiteral(" -> ") + m.translation));
         }
-        // A key to reach it by stays one.
+        // A menu's access key stays one.
         const QString key = QStringLiteral("&[A-Za-z]");
         QVERIFY2(found(m.source, key).size() == found(m.translation, key).size(),
                  qPrintable(m.source + QStringLiteral(" -> ") + m.translation));
@@ -151,7 +151,7 @@ void TestTranslation::theWindowSpeaksChinese()
     const Translation translation(kChinese);
     MainWindow window({});
     QCOMPARE(window.menuBar()->actions().constFirst()->text(), QStringLiteral("文件(&F)"));
-    // Of a free function, whose texts are not those of a class of Qt's.
+    // A text of a free function, which is not in a context of a Qt class.
     QCOMPARE(errorText(Error{ErrorCode::NotFinite, 2.5}), QStringLiteral("2.5 不是有限的数；请给出一个数。"));
     QCOMPARE(SceneOpener::tr("%1 and %n more", nullptr, 3).arg(QStringLiteral("a.obj")),
              QStringLiteral("a.obj 及另外 3 个"));

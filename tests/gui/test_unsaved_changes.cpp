@@ -1,4 +1,4 @@
-// What counts as an unsaved change, what is asked about, and what the answers do.
+// Unsaved changes: their kinds, the questions about them, and the effects of the answers.
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
@@ -34,7 +34,7 @@ using namespace unprojector::scene_file;
 namespace {
 
 using Act = std::function<void(MainWindow &)>;
-/// What a deed leaves to save: nothing; a look, which belongs to a scene that has a file; work.
+/// The unsaved result of an action: nothing; a look, which belongs to a scene with a file; work.
 enum class Kind { Nothing, Look, Work };
 
 void setCamera(MainWindow &window, double z)
@@ -58,7 +58,7 @@ void type(MainWindow &window, const char *field, const QString &text)
     QTest::keyClick(line, Qt::Key_Return);
 }
 
-/// A window that asks, as the user's does, and keeps its settings where the test is.
+/// A window that asks, as the user's does, with its settings in the test's folder.
 std::unique_ptr<MainWindow> askingWindow(const QString &recoveryFolder)
 {
     MainWindow::Options options;
@@ -67,7 +67,7 @@ std::unique_ptr<MainWindow> askingWindow(const QString &recoveryFolder)
     return std::make_unique<MainWindow>(options);
 }
 
-/// What happens to the dialogs that come up while a deed is done. None may be left without an answer.
+/// Records and answers the dialogs that come up during an action. Each must get an answer.
 class MessageBoxAnswers {
 public:
     explicit MessageBoxAnswers(std::optional<QMessageBox::StandardButton> answer)
@@ -193,7 +193,7 @@ void TestUnsavedChanges::onlyWorkIsAskedAbout()
                      QStringLiteral("Save the changes to Bundled scene as a scene file? Model files are not changed."))
                         : QStringList());
     }
-    // Of a scene that has a file, the view is a part.
+    // The view is part of a scene that has a file.
     const auto titled = window();
     titled->session().openBundledScene();
     QVERIFY(titled->session().saveScene(path()));
@@ -230,7 +230,7 @@ void TestUnsavedChanges::aHandThatMovesNothingChangesNothing()
         drag(view, place, place, button);
     fitAll(titled->document());
     QVERIFY(!titled->isWindowModified());
-    // Once a drag is one, a hand that rests adds nothing to it.
+    // A drag changes the scene; after saving, a drag or wheel without movement adds nothing.
     drag(view, place, place + QPointF(40.0, 20.0), Qt::LeftButton);
     QVERIFY(titled->isWindowModified());
     QVERIFY(titled->session().saveScene(path()));

@@ -1,4 +1,5 @@
-// Keys on the view: the standard views, fit, home, the projection; turning, moving, zooming and picking at the crosshair.
+// Keys on the view: the standard views, fit, home, the projection; turning, moving, zooming and
+// picking at the crosshair.
 
 #include "document_edits.h"
 #include "gui/document/camera_looks.h"
@@ -117,7 +118,7 @@ void TestViewKeys::keysLookFromTheSides()
     QVERIFY(glm::length(forwardOf(after) - forward) < 1e-12);
     QCOMPARE(after.center.coordinates(), before.center.coordinates());
     const QImage picture = window->view().grabFramebuffer();
-    // A little beside the middle, where the bottom is crossed by the ground's lines.
+    // The pixel is a little beside the middle, where the ground's lines cross the bottom.
     const int shown = faceOfColor(picture.pixelColor(picture.width() / 2 + 9, picture.height() / 2 + 7));
     QVERIFY(shown >= 0);
     QCOMPARE(QString::fromLatin1(cubeFaces()[static_cast<std::size_t>(shown)].name), face);
@@ -190,7 +191,7 @@ void TestViewKeys::arrowsTurnAboutThePointAtTheCrosshair()
     QVERIFY(std::abs(std::asin(after.y) - std::asin(before.y) + way.y() * kTenDegrees) < 1e-9);
 }
 
-/// As of a click by the mouse: the number stands in the status bar, whatever panel is in front.
+/// The number is in the status bar, as after a mouse click, with any panel in front.
 void TestViewKeys::whatEnterPicksIsTold()
 {
     const auto window = activeCubeWindow();
@@ -268,7 +269,7 @@ void TestViewKeys::enterPicksAtTheCrosshair()
     QTest::keyClick(&view, Qt::Key_Down, Qt::ControlModifier | Qt::ShiftModifier);
     QTest::keyClick(&view, Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
     QCOMPARE(pickedByEnter(*window), start + QPoint(-9, 9));
-    // It moves no camera and no pointer's readout, and what it picks is what a click there picks.
+    // It moves no camera and no pointer's readout, and picks the same as a click there.
     const Pick byKey = *window->document().picks().pick();
     click(view, QPointF(byKey.widget.x, byKey.widget.y));
     QCOMPARE(window->document().picks().pick()->window.z, byKey.window.z);
@@ -292,10 +293,10 @@ void TestViewKeys::theCrosshairStaysInTheView()
         QTest::keyClick(&view, Qt::Key_Down, Qt::ControlModifier | Qt::ShiftModifier);
     }
     QCOMPARE(pickedByEnter(*window), QPoint(surface.widthPixels - 1, surface.heightPixels - 1));
-    // In a smaller view that pixel is no more.
+    // The pixel does not exist in a smaller view.
     QVERIFY(resized(*window, {420, 360}));
     QCOMPARE(pickedByEnter(*window), middleOf(*window));
-    // The middle is that of the viewport.
+    // The crosshair starts in the middle of the viewport.
     ViewportRule rule;
     rule.kind = ViewportRule::Kind::Fixed;
     rule.fixed = {20.0, 30.0, 100.0, 80.0};
@@ -338,7 +339,7 @@ void TestViewKeys::tabGoesToTheViewAndOn()
     field->setFocus();
     QTest::keyClick(field, Qt::Key_Tab);
     QVERIFY(view.hasFocus());
-    QVERIFY(view.grabFramebuffer() != plain); // the crosshair tells where the focus is
+    QVERIFY(view.grabFramebuffer() != plain); // the crosshair shows the focus
     QTest::keyClick(&view, Qt::Key_Tab);
     QVERIFY(!view.hasFocus());
     QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(5, 5));

@@ -1,4 +1,4 @@
-// The context menu of the view, and what is hidden in it.
+// The context menu of the view, and its hidden entries.
 
 #include "document_edits.h"
 #include "tests/gui/gui_scene.h"
@@ -46,7 +46,7 @@ void clickRight(SceneView &view, const QPointF &local)
     sendMouse(view, QEvent::MouseButtonRelease, local, Qt::RightButton, Qt::NoButton);
 }
 
-/// Opens the menu, does one thing of it and closes it.
+/// Opens the menu, triggers one entry and closes it.
 void choose(SceneView &view, const QPointF &local, const char *name)
 {
     clickRight(view, local);
@@ -87,7 +87,8 @@ void TestViewMenu::aRightClickOpensIt()
     QVERIFY(openMenu(view));
     QVERIFY(!window->document().picks().pick()); // until it is asked for
     openMenu(view)->close();
-    // Qt tells of the same click once more, by an event of its own: that is not for the window's menu either.
+    // Qt reports the same click once more, by an event of its own: that is not for the window's
+    // menu either.
     QContextMenuEvent again(QContextMenuEvent::Mouse, QPoint(50, 50), view.mapToGlobal(QPoint(50, 50)));
     QVERIFY(QCoreApplication::sendEvent(&view, &again) && again.isAccepted());
     QVERIFY(!openMenu(view));
@@ -102,7 +103,7 @@ void TestViewMenu::aRightDragDoesNot()
     const QPointF from(100.0, 100.0);
     drag(view, from, from + QPointF(QApplication::startDragDistance() + 5.0, 0.0), Qt::RightButton);
     QVERIFY(!openMenu(view));
-    // Nor there and back again, nor in the middle of another drag.
+    // The menu does not open after a drag there and back, or in the middle of another drag.
     sendMouse(view, QEvent::MouseButtonPress, from, Qt::RightButton, Qt::RightButton);
     sendMouse(view, QEvent::MouseMove, from + QPointF(40.0, 0.0), Qt::NoButton, Qt::RightButton);
     sendMouse(view, QEvent::MouseMove, from, Qt::NoButton, Qt::RightButton);
@@ -114,7 +115,7 @@ void TestViewMenu::aRightDragDoesNot()
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::RightButton, Qt::MiddleButton);
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::MiddleButton, Qt::NoButton);
     QVERIFY(!openMenu(view));
-    // A tremble is none.
+    // A tremble is no drag.
     sendMouse(view, QEvent::MouseButtonPress, from, Qt::RightButton, Qt::RightButton);
     sendMouse(view, QEvent::MouseMove, from + QPointF(1.0, 1.0), Qt::NoButton, Qt::RightButton);
     sendMouse(view, QEvent::MouseButtonRelease, from, Qt::RightButton, Qt::NoButton);
@@ -187,7 +188,7 @@ void TestViewMenu::theCopiedPointHasAllDigits()
 {
     const auto window = cubeWindow(false);
     SceneView &view = window->view();
-    click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, -0.5, 0.4))); // something else than what is copied
+    click(view, localOf(*window, kCubeCenter + glm::dvec3(1.0, -0.5, 0.4))); // different from the copied point
     const QPointF local = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1));
     choose(view, local, "copyPoint");
     QCOMPARE(window->document().picks().pick()->devicePixel, pixelUnder(view, local));
@@ -207,7 +208,7 @@ void TestViewMenu::whatTheModeTakesIsCopied()
     choose(window->view(), localOf(*window, corner) + QPointF(-2.5, 3.0), "copyPoint");
     QCOMPARE(QApplication::clipboard()->text(),
              QStringLiteral("%1, %2, %3").arg(shortestText(corner.x), shortestText(corner.y), shortestText(corner.z)));
-    // Where no vertex is within reach, it is what is picked instead: the surface.
+    // A click without a vertex within reach picks the surface.
     const QPointF onFace = localOf(*window, kCubeCenter + glm::dvec3(1.0, 0.2, 0.1));
     choose(window->view(), onFace, "copyPoint");
     QCOMPARE(window->document().picks().pickedPoint(),

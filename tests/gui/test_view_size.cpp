@@ -1,4 +1,5 @@
-// A view of a size that the user has chosen: smaller than its widget, and larger. Run at several pixel ratios.
+// A view of a size that the user has chosen: smaller than its widget, and larger. Run at several
+// pixel ratios.
 
 #include "core/scene_file/scene_file.h"
 #include "document_edits.h"
@@ -25,7 +26,7 @@ using namespace unprojector::unproject;
 namespace {
 
 const EditLabel kLabel{QStringLiteral("edit")};
-/// Of the view's widget, logical pixels.
+/// The size of the view's widget, in logical pixels.
 constexpr QSize kRoom(500, 400);
 
 void setSize(SceneDocument &document, const Surface &surface)
@@ -47,7 +48,8 @@ std::unique_ptr<MainWindow> planeWindow()
     return window;
 }
 
-/// The position of the mouse over a position on the surface, by hand: centred, and no larger than the view.
+/// The position of the mouse over a position on the surface, by hand: centred, and no larger than
+/// the view.
 QPointF mouseOver(const SceneView &view, const Surface &surface, const glm::dvec2 &device)
 {
     const double ratio = view.devicePixelRatio();
@@ -170,7 +172,8 @@ void TestViewSize::aClickReadsThePixelUnderIt()
     setSize(document, surface);
     QCOMPARE(document.setup().surface, surface);
     settle();
-    // The last pixels that a mouse comes to: of a surface that is shown smaller, its last position covers several.
+    // The last pixels that a mouse reaches: if the surface is shown smaller, its last position
+    // covers several.
     const auto last = [](int pixels, int logical) { return pixels - 1 - pixels / logical; };
     const int right = last(surface.widthPixels, kRoom.width()), bottom = last(surface.heightPixels, kRoom.height());
     for (const DevicePixel &pixel : {DevicePixel{0, 0}, DevicePixel{right, 0}, DevicePixel{0, bottom},
@@ -199,7 +202,7 @@ void TestViewSize::thePapersPointIsFound()
     const Surface surface = surfaceFromWidget(width, height, ratio);
     setSize(document, surface);
     settle();
-    // In the paper's window the point is at (165, 165, 0.9), 135 from the top.
+    // The paper's window has the point at (165, 165, 0.9), 135 from the top.
     const Result<WindowPoint> point = windowFromWorld(document.setup(), WorldPoint(15, 15, -9));
     QVERIFY(point);
     const double across = surface.widthPixels / 300.0, up = surface.heightPixels / 300.0;
@@ -207,7 +210,7 @@ void TestViewSize::thePapersPointIsFound()
     QVERIFY(std::abs(point->z - 0.9) < 1e-12);
     const WidgetPoint widget = widgetFromDevice(surface, deviceFromWindow(surface, *point));
     QVERIFY(std::abs(widget.y - 135.0 * up / ratio) < 1e-9);
-    // A hair beside the edge between pixels, which the point lies on.
+    // The click is a hair beside the edge between pixels, on which the point lies.
     click(window->view(), mouseOver(window->view(), surface, {165 * across + 0.25, 135 * up + 0.25}));
     QVERIFY(document.picks().pick() && document.picks().pick()->hit());
     const glm::dvec3 world = document.picks().pick()->point.world[Method::Formula]->coordinates();
@@ -233,7 +236,7 @@ void TestViewSize::besideTheSurfaceNothingIsRead()
     QVERIFY(!document.picks().pick());
 }
 
-/// The red face of a cube is seen where a click reads it.
+/// A click reads the red face of a cube where it is drawn.
 void TestViewSize::whatIsDrawnStandsWhereItIsClicked()
 {
     QFETCH(int, width);
@@ -266,7 +269,8 @@ void TestViewSize::whatIsDrawnStandsWhereItIsClicked()
 
 void TestViewSize::aDragTurnsAsItDoesInAWholeView()
 {
-    // A way across the same share of the picture turns by the same angle, however large the surface is.
+    // A way across the same share of the picture turns by the same angle, however large the surface
+    // is.
     const auto turned = [](const Surface &surface) {
         const auto window = cubeWindow(true);
         setSize(window->document(), surface);
@@ -298,7 +302,7 @@ void TestViewSize::theSizeIsUndoneAndFitsAgain()
     document.undoStack().redo();
     QCOMPARE(document.setup().surface, (Surface{300, 300, 1.0}));
     QVERIFY(resized(*window, kRoom + QSize(40, 20)));
-    QCOMPARE(document.setup().surface, (Surface{300, 300, 1.0})); // whatever the window's size
+    QCOMPARE(document.setup().surface, (Surface{300, 300, 1.0})); // for any size of the window
     fit->trigger();
     settle();
     QCOMPARE(document.setup().surface, window->view().widgetSurface());

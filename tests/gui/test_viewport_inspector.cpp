@@ -43,7 +43,7 @@ bool isAt(const CornersModel &model, int row, int column, double x, double y)
     return false;
 }
 
-/// Runs of blanks as one: the padding is not what is tested.
+/// Collapses runs of blanks: the padding is not tested.
 QString plain(const QString &text)
 {
     return text.simplified().replace(QStringLiteral("( "), QStringLiteral("("));
@@ -146,7 +146,7 @@ void TestViewportInspector::aQuarterViewportMovesNdcOnly()
     QVERIFY(isAt(panel.corners(), CornersModel::BottomRight, CornersModel::Ndc, 0.9975, -299 / 300.0));
     QVERIFY(isAt(panel.corners(), CornersModel::TopLeft, CornersModel::Window, 0.5, 599.5));
     QVERIFY(isAt(panel.corners(), CornersModel::TopLeft, CornersModel::Ndc, -2.9975, 599.5 / 150.0 - 1.0));
-    // What lies outside the viewport looks different.
+    // Rows outside the viewport look different.
     const auto ink = [&panel](int row) {
         return panel.corners().index(row, CornersModel::Ndc).data(Qt::ForegroundRole);
     };
@@ -240,7 +240,7 @@ void TestViewportInspector::indexesAreSetAsSuch()
     QVERIFY2(markup.contains(QStringLiteral("(x<sub>w</sub> − left) = (x<sub>v</sub> − v<sub>x</sub>) / width<br>"
                                             "  = (y<sub>v</sub> − v<sub>y</sub>)")),
              qPrintable(markup));
-    // In the panel too, where copied words stay plain.
+    // The panel does the same, and copied words stay plain.
     SceneDocument document;
     document.setSurface({800, 600, 1.0});
     ViewportInspector panel(document);

@@ -1,5 +1,5 @@
-// The whole window at the fonts of the desktops, in both languages, on usual screens: nothing is cut off, nothing lies on
-// anything else, no bar scrolls sideways, and the view stands still.
+// The whole window at the fonts of the desktops, in both languages, on usual screens: nothing is
+// cut off, nothing overlaps, no bar scrolls sideways, and the view stands still.
 
 #include "cut_texts.h"
 #include "gui_scene.h"
@@ -30,11 +30,11 @@ namespace {
 
 constexpr QSize kLeast(800, 600);
 
-/// What is wrong with the widgets of the window that are to be seen, each in words.
-/// @param looked  the panels that were to be seen are put here
+/// The faults of the window's visible widgets, each in words. @param looked  receives the visible
+/// panels
 QStringList faultsOf(MainWindow &window, QSet<QString> &looked)
 {
-    // In the least window, panels may scroll.
+    // Panels may scroll in the least window.
     const bool hasRoom = window.width() > kLeast.width();
     QStringList faults;
     for (const QDockWidget *dock : window.findChildren<QDockWidget *>()) {
@@ -159,7 +159,7 @@ void TestWindowGrid::everythingFits()
                     faults += faultsOf(window, looked);
                     QCOMPARE(window.view().size(), viewSize);
                 }
-                // And the tabs that stand behind others.
+                // Tabs behind others count as well.
                 for (const QDockWidget *dock : window.findChildren<QDockWidget *>()) {
                     if (dock->isHidden() || window.workspaces().isFront(*dock))
                         continue;

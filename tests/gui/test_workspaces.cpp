@@ -1,5 +1,5 @@
-// What the window's panels come back to: sizes after narrow windows, other places and restarts, and the panels that go along
-// from place to place.
+// The window's panels over time: sizes after narrow windows, other workspaces and restarts, and the
+// panels that go along from workspace to workspace.
 
 #include "window_user.h"
 
@@ -193,7 +193,8 @@ void TestWorkspaces::theViewKeepsItsSizeAndItsClick_data()
     QTest::newRow("narrow") << QSize(1024, 700);
 }
 
-/// The panels on the right are as wide in every workspace, also once the user has made them wider in one of them.
+/// The panels on the right are as wide in every workspace, also after the user has made them wider
+/// in one of them.
 void TestWorkspaces::theViewKeepsItsSizeAndItsClick()
 {
     QFETCH(QSize, size);
@@ -286,7 +287,7 @@ void TestWorkspaces::theViewFromOutsideComesBackAsItWasLeft()
     const auto window = windowOfSize(kWide, true);
     QAction *action = actionOf(*window, QStringLiteral("View from Outside"));
     QCOMPARE(action->isChecked(), isShown);
-    // A lesson that brings it in between changes nothing of that.
+    // A lesson that shows it in between does not change that.
     auto &lessons = part<LessonPlayer>(*window);
     QVERIFY(lessons.start("first") && lessons.goTo(3) && action->isChecked() && lessons.leave());
     QCOMPARE(action->isChecked(), isShown);
@@ -415,7 +416,7 @@ void TestWorkspaces::theInsetsBorderAloneHasItsPointer()
     QVERIFY(panel->cursor().shape() != Qt::SizeFDiagCursor);
 }
 
-/// At the first start, with the name of a file that is not there.
+/// The window starts for the first time, with the name of a missing file.
 void TestWorkspaces::messagesAreReadBesideTheFirstSteps()
 {
     const auto window = windowOfSize(kWide, true);
@@ -432,7 +433,7 @@ void TestWorkspaces::messagesAreReadBesideTheFirstSteps()
     };
     QVERIFY(message->isVisible() && steps->isVisible());
     QVERIFY(!placeOf(*message).intersects(placeOf(*steps)));
-    // Beside them the view is clicked.
+    // A click next to them reaches the view.
     const QPoint beside = placeOf(*steps).center() + QPoint(steps->width(), 0);
     QCOMPARE(window->childAt(beside), &window->view());
 }
@@ -452,7 +453,7 @@ void TestWorkspaces::theFirstStepsStayInTheirPlace()
     window->workspaces().enter(Workspace::Landmarks);
     window->workspaces().enter(Workspace::Click);
     QVERIFY(steps->isHidden());
-    // Who asks for them is taken to where they are.
+    // A user who asks for them is taken to them.
     window->workspaces().enter(Workspace::Pipeline);
     actionOf(*window, QStringLiteral("First Steps"))->trigger();
     QVERIFY(window->workspaces().current() == Workspace::Click);
@@ -467,7 +468,7 @@ void TestWorkspaces::aSmallWindowHasEveryPanelOfItsPlace_data()
     QTest::newRow("narrow") << kNarrow;
 }
 
-/// Where there is no room for all side by side, some are tabs.
+/// Some panels are tabs where there is no room for all side by side.
 void TestWorkspaces::aSmallWindowHasEveryPanelOfItsPlace()
 {
     QFETCH(QSize, size);

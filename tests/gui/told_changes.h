@@ -9,12 +9,12 @@
 #include <functional>
 #include <vector>
 
-/// What the tests of the document share.
+/// Helpers that the tests of the document share.
 namespace documenttest {
 
 using Verb = std::function<void(unprojector::gui::SceneDocument &)>;
 
-/// What a document has told, one entry a telling.
+/// The changes that a document has reported, one entry a signal.
 class Told {
 public:
     explicit Told(unprojector::gui::SceneDocument &document)

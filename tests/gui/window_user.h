@@ -10,7 +10,7 @@
 
 #include <memory>
 
-/// What the tests of the whole window do with it.
+/// Actions on the whole window that its tests share.
 namespace guitest {
 
 inline QDockWidget *dockOf(const unprojector::gui::MainWindow &window, const char *name)
@@ -28,8 +28,8 @@ inline QAction *actionOf(const unprojector::gui::MainWindow &window, const QStri
     return nullptr;
 }
 
-/// With the bundled scene, its view ready.
-/// @param size  where it remembers nothing; else it has the size that it was left with
+/// A window with the bundled scene and its view ready. @param size  its size if it restores no
+/// settings; otherwise it has its last size
 inline std::unique_ptr<unprojector::gui::MainWindow> windowOfSize(const QSize &size, bool remembers = false)
 {
     unprojector::gui::MainWindow::Options options;
@@ -44,13 +44,14 @@ inline std::unique_ptr<unprojector::gui::MainWindow> windowOfSize(const QSize &s
     return window;
 }
 
-/// On the screen, not behind another tab.
+/// Returns whether the panel is on the screen and not behind another tab.
 inline bool isSeen(unprojector::gui::MainWindow &window, const char *name)
 {
     return window.workspaces().isFront(*dockOf(window, name));
 }
 
-/// Whether a text stands in the place of a panel, which would show the answer to a lesson's question.
+/// Returns whether a text covers the panel, which would otherwise show the answer to a lesson's
+/// question.
 inline bool isCovered(const unprojector::gui::MainWindow &window, const char *name)
 {
     return dockOf(window, name)->widget()->objectName() == QLatin1String("cover");

@@ -1,4 +1,5 @@
-// What is installed beside the programs: one version, the manual and the completions that name what there is, the icon.
+// The installed files next to the programs: one version, the manual and the completions with the
+// actual names, the icon.
 
 #include "core/scene_file/scene_file.h"
 #include "gui/shell/about_dialog.h"
@@ -40,7 +41,7 @@ QString manualFile(const QString &name)
     return QStringLiteral(UNPROJECTOR_MANUAL "/") + name;
 }
 
-/// What a program says on standard output; nothing where it ends with another exit code than 0.
+/// A program's standard output; empty if its exit code is not 0.
 QString said(const QString &program, const QStringList &arguments)
 {
     QProcess process;
@@ -134,7 +135,7 @@ void TestPackaging::everythingSaysTheSameVersion_data()
     const QString vcpkg = textOf(QStringLiteral(UNPROJECTOR_SOURCES "/vcpkg.json"));
     row("vcpkg", vcpkg.mid(vcpkg.indexOf(QStringLiteral("\"version\""))), QStringLiteral("\"version\": \"%1\""));
     const QString page = textOf(manualFile(QStringLiteral("unproject.1")));
-    // Whatever wrote it before.
+    // The file may come from any program.
     const auto scene = unprojector::scene_file::parseScene(R"({"unprojector": 1, "generator": ["Other", 7],
         "window": {"width": 9, "height": 9},
         "projection": {"type": "ortho", "left": -3, "right": 3, "bottom": -2, "top": 2, "near": 1, "far": 9},

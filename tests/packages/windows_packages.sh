@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# bash windows_packages.sh EMULATOR BUILD [PROGRAM]: packs the program for Windows in the folder BUILD, as zip and as installer,
-# and uses both as a person does, by EMULATOR (Wine): opens a model, clicks on it, uninstalls. PROGRAM: unprojector for this
-# system, which must pick the same.
+# bash windows_packages.sh EMULATOR BUILD [PROGRAM]: packs the program for Windows in the folder
+# BUILD, as zip and as installer. Uses both as a person does, by EMULATOR (Wine): opens a model,
+# clicks on it, uninstalls. PROGRAM: unprojector for this system, which must pick the same.
 set -euo pipefail
 emulator=$1 build=$2 program=${3:-}
 work=$(mktemp -d)
@@ -17,7 +17,7 @@ windows() { "$emulator" "$@" 2>>"$work/errors.txt" || { cat "$work/errors.txt" >
 place="$work/空 格 folder"
 mkdir -p "$place"
 printf 'v -50 -50 1.25\nv 50 -50 1.25\nv 0 50 1.25\nf 1 2 3\n' >"$place/茶壶 1.obj"
-# picks PROGRAM…: the coordinates, by formula and by matrix, that it gives to a click on a plane of z = 1.25
+# picks PROGRAM…: the coordinates, by formula and by matrix, of its click on a plane of z = 1.25
 picks() {
     (cd "$place" && "$@" --screenshot 图.png --view-size 600x500 --click 300,250 "茶壶 1.obj") >"$work/picked.json"
     [ -s "$place/图.png" ] || fail "no picture by $*"
@@ -56,7 +56,7 @@ if [ -s "$setup" ]; then
     command=$(windows reg query 'HKCU\Software\Classes\Unprojector.File\shell\open\command' | tr -d '\r')
     [[ $command == *'unprojector.exe" "%1"'* ]] || fail "files are opened by: $command"
     [ "$(picks windows "$installed/unprojector.exe")" = "$zipped" ] || fail "what is installed picks something else"
-    touch "$installed/kept.txt" # what somebody put there stays
+    touch "$installed/kept.txt" # a user's file stays
     windows reg add 'HKCU\Software\Unprojector\Unprojector' /v chosen /d kept /f >/dev/null
     windows "$setup" /S # over itself, as over an older version, where it was
     windows reg query 'HKCU\Software\Unprojector\Unprojector' /v chosen >/dev/null

@@ -13,7 +13,7 @@
 #include <functional>
 #include <random>
 
-/// What core makes of the scenes whose code is compiled.
+/// Core's results for the scenes whose code is compiled.
 namespace core_clicks {
 
 inline unprojector::scene_file::SceneFile sceneNamed(const char *name)
@@ -31,7 +31,8 @@ struct Click {
     glm::dvec3 world;
 };
 
-/// A hundred pixels of the viewport with any depths of the depth range, by the formulas; the same in every run.
+/// A hundred pixels of the viewport with any depths of the depth range, by the formulas; the same
+/// in every run.
 inline std::vector<Click> hundredClicks(const unprojector::scene_file::SceneFile &scene)
 {
     const unprojector::geometry::Setup setup = setupOf(scene);
@@ -57,7 +58,7 @@ inline std::vector<Click> hundredClicks(const unprojector::scene_file::SceneFile
     return clicks;
 }
 
-/// That every number of a matrix is off by no more than this share of its largest.
+/// Verifies that every number of a matrix is off by at most this share of its largest.
 inline void compareMatrices(const glm::dmat4 &found, const glm::dmat4 &expected, double share)
 {
     double largest = 0.0, off = 0.0;
@@ -72,8 +73,8 @@ inline void compareMatrices(const glm::dmat4 &found, const glm::dmat4 &expected,
 
 using Screen2World = std::function<glm::dvec3(int, int, double)>;
 
-/// That a hundred clicks are as core has them. Every mistake moves points by half a pixel or more: the tolerance must be far less.
-/// @param share  of a point's size and its distance
+/// Verifies that a hundred clicks equal core's. Every mistake moves points by half a pixel or more:
+/// the tolerance must be far less. @param share  of a point's size and its distance
 inline void compareClicks(const unprojector::scene_file::SceneFile &scene, const Screen2World &screen2world,
                           double share)
 {

@@ -1,7 +1,8 @@
 #pragma once
 
-// As much of Windows and of MFC as the handlers of the GLU code ask for, on the OpenGL context that is current: they are
-// compiled and run where neither is. On Windows the real ones would be in the way.
+// Stand-ins for the part of Windows and MFC that the handlers of the GLU code use, on the current
+// OpenGL context. The handlers are compiled and run where neither exists; on Windows the real ones
+// would conflict.
 #ifndef _WIN32
 #define __AFXWIN_H__
 
@@ -122,7 +123,7 @@ protected:
     HWND m_hWnd = &things[2];
 };
 
-// Which handlers the map names: of what the real one does with the names, that they are the class's.
+// The message map: like the real one, it requires that its handlers belong to the class.
 #define _T(text) text
 #define afx_msg
 #define DECLARE_DYNCREATE(type)

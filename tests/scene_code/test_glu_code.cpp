@@ -1,4 +1,5 @@
-// The code for OpenGL with GLU, compiled and run on OpenGL: its matrices and its way back from a pixel are core's.
+// The code for OpenGL with GLU, compiled and run on OpenGL: its matrices and its unprojection equal
+// core's.
 
 #include "tests/scene_code/core_clicks.h"
 #include "tests/scene_code/mfc_stand_ins.h"
@@ -161,7 +162,7 @@ void TestGluCode::objectsAreWhereCoreHasThem()
     QCOMPARE(frustum::facesDrawn, 1);
     GLdouble plane[4];
     glGetClipPlane(GL_CLIP_PLANE0, plane);
-    // In eye space: planes are given by the inverse of the camera's matrix.
+    // The planes are in eye space: the inverse of the camera's matrix gives them.
     const glm::dmat4 view = *eyeFromWorld(setupOf(scene));
     const glm::dvec4 expected = scene.clipPlanes[0] * glm::inverse(view);
     for (int k = 0; k < 4; ++k)

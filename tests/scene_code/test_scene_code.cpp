@@ -1,4 +1,4 @@
-// The code that is written for a scene, compiled: its matrices and its way back from a pixel are core's.
+// The generated code of a scene, compiled: its matrices and its unprojection equal core's.
 
 #include "core/scene_code/scene_code.h"
 #include "tests/scene_code/core_clicks.h"
@@ -161,7 +161,8 @@ void TestSceneCode::matricesAreCores()
 void TestSceneCode::aHundredPointsAreCores()
 {
     QFETCH(Compiled, code);
-    // The distance of a perspective multiplies what rounding has left in a depth by itself and by 1 / near, up to 20.
+    // The distance of a perspective multiplies a depth's rounding by itself and by 1 / near, up to
+    // 20.
     core_clicks::compareClicks(core_clicks::sceneNamed(code.scene.c_str()), code.screen2world, 20.0 * code.share);
 }
 
@@ -204,7 +205,7 @@ void TestSceneCode::numbersKeepAllTheirDigits()
     QVERIFY(sceneCode(scene, dialect).find("33.3") != std::string::npos);
 }
 
-/// Nothing that an object may be called ends the comment that its name stands in, or makes a name of its own invalid.
+/// No name of an object ends the comment that contains it, or makes an identifier invalid.
 void TestSceneCode::namesStayInTheirComments()
 {
     SceneFile scene;
@@ -253,7 +254,7 @@ void TestSceneCode::whatADialectCannotSayIsSaid()
     QVERIFY2(beyond.find("// No float holds 4e+300: here that is infinite. No float holds 1e-300: here that is 0.")
                  != std::string::npos,
              beyond.c_str());
-    // A float's least is 1.4e-45; what is more than half of that becomes it.
+    // A float's least is 1.4e-45; a number above half of that is rounded up to it.
     scene.projection = Perspective{radiansFromDegrees(33.3), 1.5, 7.1e-46, 1.0};
     QVERIFY(sceneCode(scene, CodeDialect::Qt).find("No float holds") == std::string::npos);
     scene.projection = Perspective{radiansFromDegrees(33.3), 1.5, 6.9e-46, 1.0};
