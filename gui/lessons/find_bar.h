@@ -8,9 +8,13 @@
 class QLabel;
 class QLineEdit;
 class QTextEdit;
+class QRegularExpression;
 class QToolButton;
 
 namespace unprojector::gui {
+
+/// The words as they are typed, whatever their case; a typed hyphen and a straight quote find those of print.
+QRegularExpression findPattern(const QString &words);
 
 /// Finds words in a page of text: all hits are marked, and one of them is the present one. Hidden until it is opened.
 class FindBar : public QWidget {
@@ -21,6 +25,8 @@ public:
 
     /// Shows the field with what was looked for before, selected.
     void openField();
+    /// Shows the field with these words, and their first hit from a position of the text on; the focus stays where it is.
+    void find(const QString &words, int from);
     /// Takes the marks away; the present hit stays selected in the page.
     void closeField();
     /// To the hit after the present one or before it, round the page's ends. Opens the bar where it is closed.

@@ -18,6 +18,7 @@ class QMainWindow;
 class QSettings;
 
 namespace unprojector::gui {
+class PanelHelp;
 using lessons::Panel;
 using lessons::Workspace;
 
@@ -60,6 +61,8 @@ public:
     QDockWidget &dock(Panel panel) const;
     /// Whether a dock stands in the window, in front where others share its place: it is seen.
     bool isFront(const QDockWidget &dock) const;
+    /// The place of the manual on the panel that has the focus; on the first one of the workspace where the focus is elsewhere.
+    QString manualPlace() const;
     Workspace current() const { return m_current; }
     /// Goes to a workspace and leaves the one before as it is. A panel that the workspace does not show is hidden.
     void enter(Workspace workspace);
@@ -157,6 +160,7 @@ private:
     bool m_isArranged = false;
     bool m_arePanelsHidden = false;
     QByteArray m_layoutWithPanels;
+    PanelHelp *m_help;
 };
 
 } // namespace unprojector::gui
