@@ -18,17 +18,6 @@ namespace {
 constexpr int kFieldLetters = 28;
 constexpr int kMostHits = 9999;
 
-/// A pattern for the typed words in any case; a typed hyphen and a straight quote match typographic
-/// ones.
-QRegularExpression patternOf(const QString &words)
-{
-    QString pattern = QRegularExpression::escape(words);
-    pattern.replace(QStringLiteral("\\-"), QStringLiteral("[-−–]"));
-    pattern.replace(QStringLiteral("\\'"), QStringLiteral("['’′]"));
-    return QRegularExpression(pattern, QRegularExpression::CaseInsensitiveOption
-                                           | QRegularExpression::UseUnicodePropertiesOption);
-}
-
 QToolButton *button(const QString &tip)
 {
     auto *made = new QToolButton;
@@ -40,6 +29,15 @@ QToolButton *button(const QString &tip)
 }
 
 } // namespace
+
+QRegularExpression findPattern(const QString &words)
+{
+    QString pattern = QRegularExpression::escape(words);
+    pattern.replace(QStringLiteral("\\-"), QStringLiteral("[-−–]"));
+    pattern.replace(QStringLiteral("\\'"), QStringLiteral("['’′]"));
+    return QRegularExpression(pattern, QRegularExpression::CaseInsensitiveOption
+                                           | QRegularExpression::UseUnicodePropertiesOption);
+}
 
 FindBar::FindBar(QTextEdit &page, QWidget *parent)
     : QWidget(parent), m_page(page), m_field(new QLineEdit), m_count(new QLabel),
@@ -91,6 +89,15 @@ void FindBar::openField()
     m_field->selectAll();
 }
 
+void FindBar::find(const QString &words, int from)
+{
+    show();
+    m_start = from;
+    const QSignalBlocker blocker(m_field);
+    m_field->setText(words);
+    search(m_start);
+}
+
 void FindBar::closeField()
 {
     if (m_present >= 0)
@@ -119,7 +126,7 @@ void FindBar::search(int from)
     m_hits.clear();
     m_present = -1;
     if (!m_field->text().isEmpty()) {
-        const QRegularExpression pattern = patternOf(m_field->text());
+        const QRegularExpression pattern = findPattern(m_field->text());
         const QTextDocument &text = *m_page.document();
         for (QTextCursor hit = text.find(pattern, 0); !hit.isNull() && hit.hasSelection();
              hit = text.find(pattern, hit))

@@ -8,12 +8,15 @@
 class QLabel;
 class QLineEdit;
 class QTextEdit;
+class QRegularExpression;
 class QToolButton;
 
 namespace unprojector::gui {
 
-/// Finds words in a page of text: marks all hits, one of them as the current one. Hidden until it
-/// is opened.
+/// The words as they are typed, whatever their case; a typed hyphen and a straight quote find those of print.
+QRegularExpression findPattern(const QString &words);
+
+/// Finds words in a page of text: all hits are marked, and one of them is the present one. Hidden until it is opened.
 class FindBar : public QWidget {
     Q_OBJECT
 public:
@@ -22,7 +25,9 @@ public:
 
     /// Shows the field with the last search text, selected.
     void openField();
-    /// Removes the marks; the current hit stays selected in the page.
+    /// Shows the field with these words, and their first hit from a position of the text on; the focus stays where it is.
+    void find(const QString &words, int from);
+    /// Takes the marks away; the present hit stays selected in the page.
     void closeField();
     /// Goes to the hit after or before the current one, and wraps around. Opens the bar if it is
     /// closed.

@@ -1,17 +1,12 @@
 #pragma once
 
-#include <QDialog>
-
-class QAction;
-class QTextBrowser;
+#include "gui/lessons/figure_object.h"
+#include "gui/lessons/reading_window.h"
 
 namespace unprojector::gui {
 
-class FindBar;
-
 /// All formulas, typeset as a handout, each with its source, and the errors found in the tutorials.
-/// Not modal.
-class FormulasWindow : public QDialog {
+class FormulasWindow : public ReadingWindow {
     Q_OBJECT
 public:
     explicit FormulasWindow(QWidget *parent = nullptr);
@@ -20,24 +15,11 @@ public:
     /// @param anchor  a name in formulas.html: "ortho", "errors"
     void showFormula(const QString &anchor);
 
-    /// The size of the text in percent of the default.
-    int zoomPercent() const;
-    /// @param percent  clamped to 60 … 300
-    void setZoomPercent(int percent);
-
-    QTextBrowser &page() { return *m_page; }
-    FindBar &findBar() { return *m_find; }
-
 protected:
-    void changeEvent(QEvent *event) override;
-    void keyPressEvent(QKeyEvent *event) override;
+    void setText(const PageColors &colors) override;
 
 private:
-    void showPage();
-
-    QTextBrowser *m_page;
-    FindBar *m_find;
-    QAction *m_usualSize = nullptr;
+    FigureObject m_figures;
 };
 
 } // namespace unprojector::gui

@@ -10,6 +10,7 @@
 #include "gui/lessons/lesson_panel.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/lessons/lesson_text.h"
+#include "gui/lessons/manual_window.h"
 #include "gui/view/scene_view.h"
 #include "gui/view/view_keys.h"
 #include "gui/widgets/help_link.h"
@@ -33,6 +34,16 @@
 #include <QToolButton>
 
 namespace unprojector::gui {
+namespace {
+
+void bringToFront(QWidget &window)
+{
+    window.show();
+    window.raise();
+    window.activateWindow();
+}
+
+} // namespace
 
 class LessonsFeature : public Feature {
     Q_OBJECT
@@ -62,6 +73,7 @@ private:
     void change(const std::string &name);
     void trigger(const lessons::ActionLink &link);
     void showFormulas(const QString &anchor);
+    void showManual(const QString &place);
     void showFirstSteps(bool isShown);
     /// Shows the first steps only in the workspace Click, to which they refer.
     void placeFirstSteps();
@@ -76,7 +88,8 @@ private:
     LessonPanel *m_panel;
     LessonLayout *m_stage;
     QMenu *m_menu = nullptr;              ///< of the lessons
-    FormulasWindow *m_formulas = nullptr; ///< created on demand
+    FormulasWindow *m_formulas = nullptr; ///< made when it is first asked for
+    ManualWindow *m_manual = nullptr;     ///< the same
     FirstSteps *m_firstSteps = nullptr;   ///< the same
     bool m_areFirstStepsShown = false;    ///< whether the user wants them
     QPointF m_pressed;                    ///< position of the left button's press in the view
@@ -158,7 +171,8 @@ void LessonsFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
         m_menu = menu.addMenu(tr("&Lessons"));
         addLessonActions(*m_menu);
     } else if (kind == MenuKind::Help) {
-        new HelpOpener([this](const QString &anchor) { showFormulas(anchor); }, this);
+        new HelpOpener([this](const QString &anchor) { showFormulas(anchor); },
+                       [this](const QString &place) { showManual(place); }, this);
         addAction(menu, tr("&Formulas"), QKeySequence::HelpContents,
                   tr("All formulas with their sources, and the errors in the originals"), [this] { showFormulas({}); });
         addAction(menu, tr("First &Steps"), {}, tr("Three things to try"), [this] {
@@ -293,13 +307,19 @@ void LessonsFeature::trigger(const lessons::ActionLink &link)
         action->trigger();
 }
 
+void LessonsFeature::showManual(const QString &place)
+{
+    if (!m_manual)
+        m_manual = new ManualWindow(&m_window);
+    bringToFront(*m_manual);
+    m_manual->open(place);
+}
+
 void LessonsFeature::showFormulas(const QString &anchor)
 {
     if (!m_formulas)
         m_formulas = new FormulasWindow(&m_window);
-    m_formulas->show();
-    m_formulas->raise();
-    m_formulas->activateWindow();
+    bringToFront(*m_formulas);
     if (!anchor.isEmpty())
         m_formulas->showFormula(anchor);
 }

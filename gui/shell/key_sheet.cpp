@@ -105,6 +105,9 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     rows += row(keysOf({QKeySequence::ZoomIn, QKeySequence::ZoomOut, Qt::CTRL | Qt::Key_0}),
                 tr("larger text, smaller, in its usual size"));
     rows += row(keysOf({Qt::ALT | Qt::Key_Up}), tr("back to the contents"));
+    rows += row(keysOf({Qt::ALT | Qt::Key_Left, Qt::ALT | Qt::Key_Right}),
+                tr("in the manual, go back to the place before, forward again"));
+    rows += row(keysOf({Qt::CTRL | Qt::SHIFT | Qt::Key_F}), tr("search all pages of the manual"));
     for (const QAction *action : menus.actions()) {
         const QString keys = rowsOf(*action->menu());
         if (!keys.isEmpty())

@@ -7,6 +7,7 @@
 #include "gui/shell/window_questions.h"
 #include "gui/text/error_text.h"
 #include "gui/widgets/digits_font.h"
+#include "gui/widgets/help_link.h"
 #include "gui/widgets/save_name.h"
 #include "gui/widgets/segmented_switch.h"
 
@@ -53,7 +54,7 @@ SceneCodeWindow::SceneCodeWindow(const SceneDocument &document, const Session &s
     // The text can be selected by the keyboard too.
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
 
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::Help);
     QPushButton *copies = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
     copies->setToolTip(tr("Put all of the code on the clipboard"));
     QPushButton *saves = buttons->addButton(tr("&Save…"), QDialogButtonBox::ActionRole);
@@ -85,6 +86,8 @@ SceneCodeWindow::SceneCodeWindow(const SceneDocument &document, const Session &s
     connect(copies, &QPushButton::clicked, this, &SceneCodeWindow::copy);
     connect(saves, &QPushButton::clicked, this, &SceneCodeWindow::save);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(buttons, &QDialogButtonBox::helpRequested, this,
+            [] { openManual(QStringLiteral("conventions.md#a-scene-as-code")); });
 }
 
 CodeDialect SceneCodeWindow::dialect() const

@@ -14,6 +14,7 @@
 #include "gui/shell/view_size_dialog.h"
 #include "gui/text/error_text.h"
 #include "gui/view/scene_view.h"
+#include "gui/widgets/help_link.h"
 #include "gui/window/actions.h"
 #include "gui/window/window.h"
 
@@ -309,6 +310,11 @@ void WindowMenus::addWorkspaceActions(QMenu &menu)
 void WindowMenus::addHelpMenu()
 {
     QMenu &menu = *addMenu(tr("&Help"));
+    addAction(menu, tr("Ma&nual"), {}, tr("How to do each task in this window, with contents and search"),
+              [] { openManual({}); });
+    addAction(menu, tr("Manual of This &Panel"), Qt::SHIFT | Qt::Key_F1,
+              tr("The page of the manual on the panel that has the focus, or on that of the workspace"),
+              [this] { openManual(m_window.workspaces().manualPlace()); });
     addAction(menu, tr("&Mouse and Keys"), Qt::Key_Question, tr("What the mouse and every key do"),
               [this] { showKeys(); });
     addFeatureActions(MenuKind::Help, menu);
@@ -317,7 +323,7 @@ void WindowMenus::addHelpMenu()
     auto *button = new QToolButton;
     button->setText(tr("Help"));
     button->setIcon(drawnIcon(Drawing::Help));
-    button->setToolTip(tr("Formulas, keys and what this program is"));
+    button->setToolTip(tr("Manual, formulas, keys and what this program is"));
     button->setMenu(&menu);
     button->setPopupMode(QToolButton::InstantPopup);
     m_bar->addWidget(button);

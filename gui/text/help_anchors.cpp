@@ -46,4 +46,29 @@ QString helpAddress(const QString &anchor)
     return QStringLiteral("formulas:") + anchor;
 }
 
+QString manualPlaceOf(lessons::Panel panel)
+{
+    using lessons::Panel;
+    switch (panel) {
+    case Panel::Comparison: return QStringLiteral("picking.md#the-comparison-panel-top-to-bottom");
+    case Panel::Pipeline: return QStringLiteral("pipeline.md#the-pipeline-panel");
+    case Panel::Parameters: return QStringLiteral("pipeline.md#parameters");
+    case Panel::Inspector: return QStringLiteral("pipeline.md#viewport");
+    case Panel::Lifecycle: return QStringLiteral("pipeline.md#life-of-the-view");
+    case Panel::Precision: return QStringLiteral("maps.md#depth-precision");
+    case Panel::Objects: return QStringLiteral("models.md");
+    case Panel::Landmarks: return QStringLiteral("landmarks.md#the-landmarks-panel");
+    case Panel::Series: return QStringLiteral("series.md");
+    case Panel::Doctor: return QStringLiteral("doctor.md#ask-the-doctor");
+    case Panel::Observer: return QStringLiteral("maps.md#view-from-outside");
+    case Panel::Lesson: return QStringLiteral("lessons.md");
+    }
+    Q_UNREACHABLE();
+}
+
+QString manualAddress(const QString &place)
+{
+    return QStringLiteral("manual:") + place;
+}
+
 } // namespace unprojector::gui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/projection.h"
+#include "core/lessons/link.h"
 
 #include <QString>
 
@@ -18,5 +19,11 @@ QString helpAnchorOfSteps(geometry::ProjectionKind kind);
 
 /// The link to an anchor of the help, for a label and QDesktopServices: "formulas:w9".
 QString helpAddress(const QString &anchor);
+
+/// Where the manual explains a panel: "pipeline.md#viewport".
+QString manualPlaceOf(lessons::Panel panel);
+
+/// The link to a place of the manual, as helpAddress: "manual:pipeline.md#viewport".
+QString manualAddress(const QString &place);
 
 } // namespace unprojector::gui

@@ -30,22 +30,33 @@ void openHelp(const QString &anchor)
     QDesktopServices::openUrl(QUrl(helpAddress(anchor)));
 }
 
-HelpOpener::HelpOpener(std::function<void(const QString &)> open, QObject *parent)
-    : QObject(parent), m_open(std::move(open))
+void openManual(const QString &place)
 {
-    QDesktopServices::setUrlHandler(QUrl(helpAddress({})).scheme(), this, "openUrl");
+    QDesktopServices::openUrl(QUrl(manualAddress(place)));
+}
+
+HelpOpener::HelpOpener(Open open, Open openManual, QObject *parent)
+    : QObject(parent), m_open(std::move(open)), m_openManual(std::move(openManual))
+{
+    for (const QString &address : {helpAddress({}), manualAddress({})})
+        QDesktopServices::setUrlHandler(QUrl(address).scheme(), this, "openUrl");
     current = this;
 }
 
 HelpOpener::~HelpOpener()
 {
-    if (current == this) // else another one has replaced it
-        QDesktopServices::unsetUrlHandler(QUrl(helpAddress({})).scheme());
+    if (current != this) // another one has taken over
+        return;
+    for (const QString &address : {helpAddress({}), manualAddress({})})
+        QDesktopServices::unsetUrlHandler(QUrl(address).scheme());
 }
 
 void HelpOpener::openUrl(const QUrl &url)
 {
-    m_open(url.path());
+    if (url.scheme() == QUrl(manualAddress({})).scheme())
+        m_openManual(url.path() + (url.hasFragment() ? u'#' + url.fragment() : QString()));
+    else
+        m_open(url.path());
 }
 
 } // namespace unprojector::gui

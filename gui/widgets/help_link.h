@@ -25,21 +25,26 @@ private:
 
 /// Opens the help at an anchor, by the current HelpOpener.
 void openHelp(const QString &anchor);
+/// The same of the manual.
+/// @param place  "pipeline.md#viewport"; empty: its first page
+void openManual(const QString &place);
 
-/// Handles the links to the help, in labels too (helpAddress), while it lives or until another one
-/// is created.
+/// Takes over the links to Help and to the manual, those of labels too (helpAddress, manualAddress), for as long as it lives or
+/// until another one does.
 class HelpOpener : public QObject {
     Q_OBJECT
 public:
-    /// @param open  receives the anchor
-    HelpOpener(std::function<void(const QString &)> open, QObject *parent);
+    using Open = std::function<void(const QString &)>;
+    /// @param open        given the anchor
+    /// @param openManual  given the place
+    HelpOpener(Open open, Open openManual, QObject *parent);
     ~HelpOpener() override;
 
 public slots:
     void openUrl(const QUrl &url);
 
 private:
-    std::function<void(const QString &)> m_open;
+    Open m_open, m_openManual;
 };
 
 } // namespace unprojector::gui

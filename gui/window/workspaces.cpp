@@ -1,9 +1,12 @@
 #include "gui/window/workspaces.h"
 
+#include "gui/text/help_anchors.h"
 #include "gui/window/kept_bytes.h"
+#include "gui/window/panel_help.h"
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QDockWidget>
 #include <QEvent>
 #include <QLayout>
@@ -57,7 +60,7 @@ QString settingOf(const char *what, const QByteArray &place)
 } // namespace
 
 Workspaces::Workspaces(QMainWindow &window, std::vector<PanelSpec> panels, std::vector<WorkspaceSpec> workspaces)
-    : QObject(&window), m_window(window)
+    : QObject(&window), m_window(window), m_help(new PanelHelp(window))
 {
     const auto byId = [](const auto &a, const auto &b) { return a.id < b.id; };
     std::sort(panels.begin(), panels.end(), byId);
@@ -70,6 +73,7 @@ Workspaces::Workspaces(QMainWindow &window, std::vector<PanelSpec> panels, std::
         QAction *toggle = dock->toggleViewAction();
         toggle->setShortcut(panel.key);
         dock->installEventFilter(this);
+        m_help->add(*dock, manualPlaceOf(panel.id));
         connect(dock, &QDockWidget::topLevelChanged, this, &Workspaces::settle, Qt::QueuedConnection);
         connect(dock, &QDockWidget::dockLocationChanged, this, &Workspaces::settle, Qt::QueuedConnection);
         connect(toggle, &QAction::toggled, this, &Workspaces::settle, Qt::QueuedConnection);
@@ -126,6 +130,18 @@ QDockWidget &Workspaces::dock(Panel panel) const
     return *std::find_if(m_panels.begin(), m_panels.end(), [&](const Docked &one) {
                 return one.spec.id == panel;
             })->dock;
+}
+
+QString Workspaces::manualPlace() const
+{
+    const QWidget *focus = QApplication::focusWidget(); // in a floating panel, which is a window of its own
+    if (!focus)
+        focus = m_window.focusWidget();
+    for (const Docked &panel : m_panels) {
+        if (focus && panel.dock->isAncestorOf(focus))
+            return manualPlaceOf(panel.spec.id);
+    }
+    return manualPlaceOf(entered(m_current).spec.panels.front());
 }
 
 const Workspaces::Entered &Workspaces::entered(Workspace workspace) const
@@ -431,6 +447,7 @@ void Workspaces::settle()
 {
     setTitleBars();
     applySizes();
+    m_help->settle();
 }
 
 /// A tab already has the panel's name.

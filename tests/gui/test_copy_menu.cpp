@@ -117,7 +117,7 @@ void TestCopyMenu::aLinkOfTheChainIsCopied()
 
 void TestCopyMenu::aTermOfAFormulaIsCopied()
 {
-    const HelpOpener opener([](const QString &) {}, nullptr);
+    const HelpOpener opener([](const QString &) {}, [](const QString &) {}, nullptr);
     FormulaView view;
     view.resize(420, 900);
     view.setFormulas(formulasOf(somePick()));

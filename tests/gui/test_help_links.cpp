@@ -94,7 +94,7 @@ private slots:
 
 private:
     QStringList m_opened;
-    HelpOpener m_opener{[this](const QString &anchor) { m_opened << anchor; }, this};
+    HelpOpener m_opener{[this](const QString &anchor) { m_opened << anchor; }, [](const QString &) {}, this};
 };
 
 void TestHelpLinks::everyFormulaHasItsPlace_data()

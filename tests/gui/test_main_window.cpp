@@ -17,9 +17,11 @@
 #include "tests/support/patience.h"
 
 #include <QAbstractButton>
+#include <QFile>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QSettings>
 #include <QSlider>
@@ -66,7 +68,8 @@ private slots:
     void theMorphHasRoomInACorner();
     void noPanelTakesAMenusLetter();
     void aDarkWindowHasADarkView();
-    void helpStandsInTheReadmesOrder();
+    void helpBeginsWithTheManual();
+    void theManualNamesEveryKey();
     void theKeySheetNamesEveryKey();
     void aPanelLeadsToItsFormulas();
     void newcomersSeeThreeStepsUntilTheyAreDone();
@@ -351,14 +354,37 @@ void TestMainWindow::aDarkWindowHasADarkView()
     QVERIFY(corner() > 160);
 }
 
-/// Help has the order of the README.
-void TestMainWindow::helpStandsInTheReadmesOrder()
+/// What answers most questions stands first.
+void TestMainWindow::helpBeginsWithTheManual()
 {
     const auto window = windowOfSize({700, 500});
     QStringList texts;
     for (const QAction *action : window->menuBar()->actions().last()->menu()->actions())
         texts << action->text().remove(u'&');
-    QCOMPARE(texts, QStringList({"Mouse and Keys", "Formulas", "First Steps", "", "About Unprojector"}));
+    QCOMPARE(texts, QStringList({"Manual", "Manual of This Panel", "Mouse and Keys", "Formulas", "First Steps", "",
+                                 "About Unprojector"}));
+}
+
+void TestMainWindow::theManualNamesEveryKey()
+{
+    QFile file(QStringLiteral(":/manual/keyboard.md"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    static const QRegularExpression betweenKeys(QStringLiteral("[|,;\\n]"));
+    QStringList said;
+    for (const QString &key : QString::fromUtf8(file.readAll()).split(betweenKeys))
+        said << key.trimmed();
+    const auto window = windowOfSize({700, 500});
+    QStringList missing;
+    for (const QAction *menu : window->menuBar()->actions()) {
+        for (const QAction *action : menu->menu()->actions()) {
+            const QList<QKeySequence> keys = action->shortcuts(); // the first differs from desktop to desktop
+            if (!keys.isEmpty() && std::none_of(keys.begin(), keys.end(), [&](const QKeySequence &key) {
+                    return said.contains(key.toString());
+                }))
+                missing << keys.first().toString();
+        }
+    }
+    QCOMPARE(missing.join(u' '), QString());
 }
 
 void TestMainWindow::theKeySheetNamesEveryKey()
@@ -408,6 +434,8 @@ void TestMainWindow::theKeySheetNamesEveryKey()
              "Ctrl+F: find words in the page",
              "F3, Shift+F3: go to the next place that has them, to the one before",
              "Alt+Up: back to the contents",
+             "Alt+Left, Alt+Right: in the manual, go back to the place before, forward again",
+             "Ctrl+Shift+F: search all pages of the manual",
          })
         QVERIFY2(said.contains(QString::fromUtf8(other)), other);
     int keys = 0;

@@ -2,6 +2,7 @@
 
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
+#include "gui/lessons/manual_window.h"
 #include "gui/shell/plain_tool_tip.h"
 #include "gui/shell/scene_code_window.h"
 #include "gui/shell/window_questions.h"
@@ -12,6 +13,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QDialogButtonBox>
 #include <QFile>
 #include <QGuiApplication>
 #include <QLabel>
@@ -21,6 +23,7 @@
 #include <QScrollBar>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QTreeWidget>
 #include <QUndoCommand>
 
 #include <algorithm>
@@ -40,6 +43,7 @@ private slots:
     void everyDialectIsCopiedAndSaved();
     void filesOfTheSceneAreNotWrittenOver();
     void namesAreNoMarkup();
+    void helpOpensItsPage();
 
 private:
     QString shown() const { return m_code->findChild<QPlainTextEdit *>()->toPlainText(); }
@@ -178,6 +182,15 @@ void TestSceneCodeWindow::namesAreNoMarkup()
     QVERIFY(!action.toolTip().contains(escaped) && action.toolTip().contains(QStringLiteral("Undo")));
     m_window->document().undoStack().push(new QUndoCommand(QStringLiteral("Move ") + name));
     QVERIFY(m_window->findChild<QAction *>(QStringLiteral("undo"))->toolTip().contains(escaped));
+}
+
+void TestSceneCodeWindow::helpOpensItsPage()
+{
+    m_code->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Help)->click();
+    auto *manual = m_window->findChild<ManualWindow *>();
+    QVERIFY(manual && manual->isVisible());
+    QCOMPARE(manual->currentPage().name, QStringLiteral("conventions"));
+    QCOMPARE(manual->contents().currentItem()->text(0), QStringLiteral("A scene as code"));
 }
 
 QTEST_MAIN(TestSceneCodeWindow)
