@@ -92,8 +92,11 @@ ClickFeature::ClickFeature(Window &window)
     connect(m_strip, &PickStrip::stageRequested, &window, [this](matrices::PipelineStage stage) {
         m_window.workspaces().enter(Workspace::Pipeline);
         m_window.follow(lessons::MatrixLink{stage});
+        emit m_window.clickValuesWanted(); // the numbers that were clicked
     });
     connect(&m_document, &SceneDocument::changed, m_strip, [this](Changes changes) {
+        const SinceClick since = m_document.picks().sinceClick();
+        m_strip->setStale(since.isOtherSetup || since.isObjectMoved);
         if (changes & (Change::Pick | Change::Ray | Change::Objects))
             m_strip->setPick(m_document.picks().keptPick(), m_document.picks().pickedPoint(),
                              m_document.picks().pick() ? pickedUncertainty(m_document.picks()) : WorldVector());

@@ -28,13 +28,14 @@ class RayModel;
 class SceneDocument;
 class SegmentedSwitch;
 class SteadyLabel;
+class ThenAndNowView;
 class VerdictView;
 struct MetPlace;
 
 /// The answer of a click, from what most users ask first to what few ask: the coordinate with its uncertainty, whether the two
 /// methods agree, both of them in a table, the formula with its numbers, and folded the way of the pixel, the exact hit on the mesh,
-/// other programs, other APIs and the last picks of the scene. All of it is of the moment of the click; where the view has changed since, the panel says so and
-/// offers to pick the same pixel again.
+/// other programs, other APIs and the last picks of the scene. All of it is of the moment of the click; where the view has changed since, the panel says so,
+/// shows the values now beside those of the click, and offers to pick the same pixel again.
 class ComparisonPanel : public QWidget {
     Q_OBJECT
 public:
@@ -44,7 +45,7 @@ public:
     void setShowsFloat(bool shows);
     bool showsRay() const;
     void setShowsRay(bool shows);
-    /// The names of the folds that are open: "pixel", "ray", "programs", "apis", "picks".
+    /// The names of the folds that are open: "now", "pixel", "ray", "programs", "apis", "picks".
     QStringList openFolds() const;
     void setOpenFolds(const QStringList &names);
 
@@ -87,6 +88,8 @@ private:
     QWidget *m_changed; ///< the banner and its button
     QLabel *m_sinceClick;
     QPushButton *m_again;
+    Fold *m_nowFold; ///< shown with the banner
+    ThenAndNowView *m_now;
     SegmentedSwitch *m_space;
     QCheckBox *m_showsFloat;
     QCheckBox *m_showsRay;

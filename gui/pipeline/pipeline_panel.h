@@ -58,6 +58,9 @@ public:
     /// Follows the point that is given, also where a click came after it.
     void followGiven() { m_model->followGiven(true); }
 
+    /// Shows points and matrices as they were at the click, where they differ from those now.
+    void showClickValues() { m_model->setShowsClick(true); }
+
     /// Back to the first row; no number is explained and no matrix taken apart any more.
     void startOver();
     /// Shows the factors of the view's or the projection's matrix, forward, and what there is to try with them.

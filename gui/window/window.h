@@ -62,6 +62,8 @@ public:
 signals:
     /// The pointer is over a pixel of the view, or over none.
     void pointed(const std::optional<unprojector::unproject::PixelClick> &click);
+    /// The pipeline shall show the values at the click.
+    void clickValuesWanted();
     void smoothEdgesChanged(bool isSmooth);
     /// The window closes for good, and is about to keep its layout.
     void closing();
