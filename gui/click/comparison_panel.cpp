@@ -100,6 +100,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
         if (m_document.picks().pick())
             emit pickRequested(m_document.picks().pick()->widget);
     });
+    connect(m_formula, &FormulaView::termPointed, this, &ComparisonPanel::termPointed);
     connect(m_answer, &AnswerView::copyAllRequested, this, [this] { copyToClipboard(text()); });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Conventions)
@@ -425,6 +426,11 @@ void ComparisonPanel::setOpenFolds(const QStringList &names)
 void ComparisonPanel::copyAnswer()
 {
     m_answer->copy();
+}
+
+void ComparisonPanel::markTerm(const QString &term)
+{
+    m_formula->setMarkedTerm(term);
 }
 
 QString ComparisonPanel::text() const

@@ -53,6 +53,8 @@ public:
     void copyAnswer();
     /// Everything the panel shows, with all digits, in every space.
     QString text() const;
+    /// Marks a term of the formula whose quantity is pointed at in a view; empty: none.
+    void markTerm(const QString &term);
     const ComparisonModel &model() const { return *m_model; }
     const RayModel &rayModel() const { return *m_rayModel; }
 
@@ -60,6 +62,8 @@ public:
     QSize sizeHint() const override;
 
 signals:
+    /// The pointer is over a term of the formula, or over none (empty).
+    void termPointed(const QString &term);
     /// The position of the pick shall be picked again, in the view as it is now.
     void pickRequested(const unprojector::geometry::WidgetPoint &position);
 

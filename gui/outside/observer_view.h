@@ -28,17 +28,22 @@ public:
     /// What a lesson letters in the picture.
     void setHighlights(const std::set<lessons::Highlight> &highlights);
 
+    /// Marks a quantity of the pick's formulas, see quantity_marks.h; empty: none.
+    void setMarkedTerm(const QString &term);
+
     /// Shows the eye, the view volume and the points that another program got fully, from the direction that the observer looks in.
     void fit();
 
     const geometry::LookAt &observer() const { return m_observer.camera(); }
     /// Where a world point stands in this view's picture, logical pixels; nothing when it has no place in it.
     std::optional<QPointF> placeOf(const geometry::WorldPoint &point) const;
-    /// What of a lesson is written into the picture as it is now.
+    /// What of a lesson and of a marked quantity is written into the picture as it is now.
     HighlightMarks highlightMarks() const;
 
 signals:
     void morphChanged(double t);
+    /// The pointer is over the edge of the near plane ("n") or of the far plane ("f"), or over none (empty).
+    void quantityPointed(const QString &term);
     /// Whether all points that another program got lie in the picture. Told while it is drawn.
     void wrongPointsSeen(bool areSeen);
 
@@ -89,6 +94,7 @@ private:
     geometry::Surface m_drawnOn; ///< the same of its surface
     double m_t = 0.0;
     std::set<lessons::Highlight> m_highlights;
+    QString m_markedTerm;
     geometry::Setup m_observer;
     geometry::Placement m_reference; ///< where the cube stands
     bool m_isPlaced = false;

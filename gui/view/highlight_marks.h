@@ -10,6 +10,7 @@
 #include <QPointF>
 #include <QRectF>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -26,6 +27,7 @@ struct HighlightMarks {
     enum class Tips {
         End,     ///< of an axis
         Both,    ///< of a length
+        None,    ///< a plain line, lettered as a length is
         Towards, ///< the axis is seen end-on and points to the viewer: a ring with a dot, as in drawings on paper
         Away     ///< the same, pointing away: a ring with a cross
     };
@@ -46,7 +48,25 @@ struct HighlightMarks {
     std::vector<QRectF> things; ///< such as marks: the same
 
     bool isEmpty() const { return arrows.empty() && texts.empty(); }
+    void add(HighlightMarks more);
 };
+
+/// Whether the letter of an arrow stands beside its line, and not at its tip.
+inline bool isLength(const HighlightMarks::Arrow &arrow)
+{
+    return arrow.tips == HighlightMarks::Tips::Both || arrow.tips == HighlightMarks::Tips::None;
+}
+
+/// How the marks are coloured.
+namespace mark_color {
+inline const std::array<QColor, 3> kAxes{QColor(0xb4, 0x1c, 0x20), QColor(0x1b, 0x74, 0x2a), QColor(0x1c, 0x48, 0xb8)};
+inline const QColor kDark(0x18, 0x1a, 0x1c);
+// Of the planes in View from Outside, as text.
+inline const QColor kNear(0x0c, 0x4c, 0x9c), kFar(0x9c, 0x4a, 0x00);
+} // namespace mark_color
+
+/// Of an axis that is seen across, logical pixels.
+double axisLength(const geometry::Setup &setup);
 
 /// Those of the view: axes and viewport. Axes whose origin or end is behind the eye or in it, as the eye's own are in a perspective,
 /// are not in it.
@@ -75,5 +95,7 @@ void drawHighlights(QPainter &painter, const HighlightMarks &marks, const std::v
 
 /// The logical pixels that a clip-space point of a picture is seen at; nothing behind the eye.
 std::optional<QPointF> placeInPicture(const geometry::Setup &setup, const glm::dvec4 &clip);
+/// The part of a line of clip space in front of the eye, logical pixels.
+std::optional<QLineF> lineInPicture(const geometry::Setup &setup, glm::dvec4 from, glm::dvec4 to);
 
 } // namespace unprojector::gui

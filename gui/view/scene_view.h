@@ -66,6 +66,9 @@ public:
     /// What a lesson letters in the picture.
     void setHighlights(const std::set<lessons::Highlight> &highlights);
 
+    /// Marks a quantity of the pick's formulas, see quantity_marks.h; empty: none.
+    void setMarkedTerm(const QString &term);
+
     /// Whether the coordinates of the picked point stand beside its lines along the axes.
     void setHasDropLabels(bool hasThem);
 
@@ -146,6 +149,7 @@ private:
 
     QImage m_map;
     std::set<lessons::Highlight> m_highlights;
+    QString m_markedTerm;
     bool m_hasDropLabels = true;
     QPointer<QWidget> m_corner;
     std::optional<SnapMark> m_mark;

@@ -12,7 +12,7 @@ class QMenu;
 namespace unprojector::gui {
 
 /// Formulas as on paper, each in symbols with its numbers below. A term under the pointer is marked wherever it stands, and
-/// a tooltip names it. They are set to the view's width, and the view is as high as they are.
+/// a tooltip names it; a view can mark its quantity. They are set to the view's width, and the view is as high as they are.
 class FormulaView : public QAbstractScrollArea {
     Q_OBJECT
 public:
@@ -23,6 +23,8 @@ public:
 
     /// What is marked, by its short name.
     const QString &markedTerm() const { return m_marked; }
+    /// Marks a term that is pointed at elsewhere; empty: none.
+    void setMarkedTerm(const QString &term);
     /// Where a term stands in the viewport.
     std::vector<QRectF> placesOf(const QString &term) const;
     /// What its tooltip says of a term: "n = 2" and its name.
@@ -36,6 +38,10 @@ public:
     QSize minimumSizeHint() const override;
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
+
+signals:
+    /// The pointer is over a term, or over none (empty).
+    void termPointed(const QString &term);
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -64,6 +70,7 @@ private:
     QString termAt(const QPoint &position) const;
     const Line *numberAt(const QPoint &position) const;
     void addHelpActions(QMenu &menu, const QPoint &position, bool isOfAll) const;
+    /// By the pointer.
     void mark(const QString &term);
     void copyAll() const;
 

@@ -62,6 +62,10 @@ public:
 signals:
     /// The pointer is over a pixel of the view, or over none.
     void pointed(const std::optional<unprojector::unproject::PixelClick> &click);
+    /// The pointer is over a term of the pick's formulas, or over none (empty): the views mark its quantity.
+    void termPointed(const QString &term);
+    /// The pointer is over a quantity in a view, or over none (empty): the formulas mark its term.
+    void quantityPointed(const QString &term);
     /// The pipeline shall show the values at the click.
     void clickValuesWanted();
     void smoothEdgesChanged(bool isSmooth);
