@@ -19,8 +19,31 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <cmath>
+#include <utility>
+
 namespace unprojector::gui {
 using namespace geometry;
+
+namespace {
+
+/// Whether a pixel of the view lies on the mark of the picked point as it is seen now.
+bool isAtPickMark(const SceneDocument &document, const DevicePixel &pixel)
+{
+    constexpr double kReach = 8.0; // logical pixels, of the mark
+    const std::optional<WorldPoint> point = document.picks().pickedPoint();
+    const Setup &setup = document.setup();
+    const Result<glm::dmat4> clip = clipFromWorld(setup);
+    if (!point || !clip || !((*clip * glm::dvec4(point->coordinates(), 1.0)).w > 0.0))
+        return false;
+    const Result<WindowPoint> window = windowFromWorld(setup, *point);
+    if (!window)
+        return false;
+    const DevicePoint mark = deviceFromWindow(setup.surface, *window), at = pixelCenter(pixel);
+    return std::hypot(mark.x - at.x, mark.y - at.y) <= kReach * setup.surface.devicePixelRatio;
+}
+
+} // namespace
 
 class ClickFeature : public Feature {
     Q_OBJECT
@@ -81,6 +104,7 @@ private:
     QToolBar *m_bar; ///< of the strip
     bool m_isStripWanted = true;
     bool m_isInLesson = false;
+    bool m_isAtPick = false; ///< the pointer
     QActionGroup *m_snaps = nullptr;
 };
 
@@ -89,11 +113,22 @@ ClickFeature::ClickFeature(Window &window)
       m_strip(new PickStrip), m_bar(new QToolBar(tr("Pick in Every Space"), &window))
 {
     connect(m_comparison, &ComparisonPanel::pickRequested, &window.view(), &SceneView::onLButtonDown);
+    connect(m_comparison, &ComparisonPanel::termPointed, &window, &Window::termPointed);
+    connect(&window, &Window::termPointed, &window.view(), &SceneView::setMarkedTerm);
+    connect(&window, &Window::quantityPointed, m_comparison, &ComparisonPanel::markTerm);
+    connect(&window, &Window::pointed, this, [this](const std::optional<unproject::PixelClick> &click) {
+        const bool isAtPick = click && isAtPickMark(m_document, click->pixel);
+        if (std::exchange(m_isAtPick, isAtPick) != isAtPick)
+            emit m_window.quantityPointed(isAtPick ? QStringLiteral("world") : QString());
+    });
     connect(m_strip, &PickStrip::stageRequested, &window, [this](matrices::PipelineStage stage) {
         m_window.workspaces().enter(Workspace::Pipeline);
         m_window.follow(lessons::MatrixLink{stage});
+        emit m_window.clickValuesWanted(); // the numbers that were clicked
     });
     connect(&m_document, &SceneDocument::changed, m_strip, [this](Changes changes) {
+        const SinceClick since = m_document.picks().sinceClick();
+        m_strip->setStale(since.isOtherSetup || since.isObjectMoved);
         if (changes & (Change::Pick | Change::Ray | Change::Objects))
             m_strip->setPick(m_document.picks().keptPick(), m_document.picks().pickedPoint(),
                              m_document.picks().pick() ? pickedUncertainty(m_document.picks()) : WorldVector());

@@ -7,6 +7,7 @@
 #include "gui/click/earlier_picks_view.h"
 #include "gui/click/other_programs_view.h"
 #include "gui/click/ray_model.h"
+#include "gui/click/then_and_now_view.h"
 #include "gui/click/verdict_view.h"
 #include "gui/document/object_names.h"
 #include "gui/document/picks.h"
@@ -99,6 +100,7 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
         if (m_document.picks().pick())
             emit pickRequested(m_document.picks().pick()->widget);
     });
+    connect(m_formula, &FormulaView::termPointed, this, &ComparisonPanel::termPointed);
     connect(m_answer, &AnswerView::copyAllRequested, this, [this] { copyToClipboard(text()); });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Conventions)
@@ -131,6 +133,11 @@ QWidget *ComparisonPanel::answerPart()
     m_changed->setAutoFillBackground(true);
     m_changed->setBackgroundRole(QPalette::ToolTipBase);
     m_sinceClick->setForegroundRole(QPalette::ToolTipText);
+    m_now = new ThenAndNowView(m_document);
+    m_nowFold =
+        new Fold(tr("Values at the click and now"),
+                 tr("The picked point in the view as it was at the click and as it is now, and what differs"), m_now);
+    m_folds.emplace_back(QStringLiteral("now"), m_nowFold);
 
     m_space =
         new SegmentedSwitch(tr("Space"), {{tr("World"), tr("The coordinate in world space")},
@@ -171,6 +178,7 @@ QWidget *ComparisonPanel::answerPart()
     layout->addWidget(m_answer);
     layout->addWidget(m_verdict);
     layout->addWidget(m_changed);
+    layout->addWidget(m_nowFold);
     layout->addLayout(switches);
     layout->addWidget(m_table);
     layout->addLayout(formulaLine);
@@ -255,8 +263,10 @@ void ComparisonPanel::showSinceClick()
 {
     const bool isStale = m_document.picks().sinceClick().isAnything();
     m_changed->setVisible(isStale);
+    m_nowFold->setVisible(isStale);
     if (!isStale)
         return;
+    m_now->refresh();
     m_sinceClick->setText(sinceClickText(m_document));
     const std::optional<Pick> &pick = m_document.picks().pick();
     m_again->setEnabled(devicePixelFromWidget(m_document.setup().surface, pick->widget).hasValue());
@@ -418,6 +428,11 @@ void ComparisonPanel::copyAnswer()
     m_answer->copy();
 }
 
+void ComparisonPanel::markTerm(const QString &term)
+{
+    m_formula->setMarkedTerm(term);
+}
+
 QString ComparisonPanel::text() const
 {
     const std::optional<Pick> &pick = m_document.picks().pick();
@@ -425,7 +440,7 @@ QString ComparisonPanel::text() const
         return {};
     QString text = m_answer->heading() + u'\n' + m_answer->text() + u'\n' + m_verdict->text();
     if (m_document.picks().sinceClick().isAnything())
-        text += m_sinceClick->text() + u'\n';
+        text += m_sinceClick->text() + u'\n' + m_now->text();
     for (const SteadyLabel *link : m_chain) {
         const bool isDepth = link == m_chain[Depth];
         text += link->accessibleName() + u'\t'

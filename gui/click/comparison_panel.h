@@ -28,14 +28,14 @@ class RayModel;
 class SceneDocument;
 class SegmentedSwitch;
 class SteadyLabel;
+class ThenAndNowView;
 class VerdictView;
 struct MetPlace;
 
-/// The answer of a click, ordered by how often users ask for it: the coordinate with its
-/// uncertainty, the agreement of the two methods, both of them in a table, and the formula with its
-/// numbers. Below, folded: the pixel in each space, the exact hit on the mesh, other programs,
-/// other APIs and the last picks of the scene. Everything describes the moment of the click; if the
-/// view has changed since, the panel says so and offers to pick the same pixel again.
+/// The answer of a click, from what most users ask first to what few ask: the coordinate with its uncertainty, whether the two
+/// methods agree, both of them in a table, the formula with its numbers, and folded the way of the pixel, the exact hit on the mesh,
+/// other programs, other APIs and the last picks of the scene. All of it is of the moment of the click; where the view has changed since, the panel says so,
+/// shows the values now beside those of the click, and offers to pick the same pixel again.
 class ComparisonPanel : public QWidget {
     Q_OBJECT
 public:
@@ -45,7 +45,7 @@ public:
     void setShowsFloat(bool shows);
     bool showsRay() const;
     void setShowsRay(bool shows);
-    /// The names of the open folds: "pixel", "ray", "programs", "apis", "picks".
+    /// The names of the folds that are open: "now", "pixel", "ray", "programs", "apis", "picks".
     QStringList openFolds() const;
     void setOpenFolds(const QStringList &names);
 
@@ -53,6 +53,8 @@ public:
     void copyAnswer();
     /// The text of the whole panel, with all digits, in every space.
     QString text() const;
+    /// Marks a term of the formula whose quantity is pointed at in a view; empty: none.
+    void markTerm(const QString &term);
     const ComparisonModel &model() const { return *m_model; }
     const RayModel &rayModel() const { return *m_rayModel; }
 
@@ -60,7 +62,9 @@ public:
     QSize sizeHint() const override;
 
 signals:
-    /// Emitted when the position should be picked again, in the present view.
+    /// The pointer is over a term of the formula, or over none (empty).
+    void termPointed(const QString &term);
+    /// The position of the pick shall be picked again, in the view as it is now.
     void pickRequested(const unprojector::geometry::WidgetPoint &position);
 
 private:
@@ -88,6 +92,8 @@ private:
     QWidget *m_changed; ///< the banner and its button
     QLabel *m_sinceClick;
     QPushButton *m_again;
+    Fold *m_nowFold; ///< shown with the banner
+    ThenAndNowView *m_now;
     SegmentedSwitch *m_space;
     QCheckBox *m_showsFloat;
     QCheckBox *m_showsRay;

@@ -51,9 +51,9 @@ QString noText()
 } // namespace
 
 PickStrip::PickStrip(QWidget *parent)
-    : QWidget(parent), m_pages(new QStackedLayout(this)),
-      m_spaces(new QWidget), m_names{tr("pixel"), tr("window"), tr("NDC"),   tr("clip"),
-                                     tr("eye"),   tr("world"),  tr("object")}
+    : QWidget(parent), m_pages(new QStackedLayout(this)), m_spaces(new QWidget),
+      m_atClick(new QLabel(tr("at the\nclick:"))), m_names{tr("pixel"), tr("window"), tr("NDC"),   tr("clip"),
+                                                           tr("eye"),   tr("world"),  tr("object")}
 {
     auto *before =
         new QLabel(tr("Click the view: this line then shows the point in every space, from the pixel to the object."));
@@ -79,6 +79,11 @@ PickStrip::PickStrip(QWidget *parent)
     auto *line = new QHBoxLayout(m_spaces);
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(0);
+    m_atClick->setAlignment(Qt::AlignCenter);
+    m_atClick->setContentsMargins(6, 0, 6, 0);
+    m_atClick->setToolTip(tr("The view has changed since: this line has the values at the click"));
+    m_atClick->hide();
+    line->addWidget(m_atClick);
     for (int space = 0; space < SpaceCount; ++space) {
         auto *button = new QToolButton;
         button->setAutoRaise(true);
@@ -152,12 +157,21 @@ void PickStrip::setPick(const KeptPick &kept, const std::optional<WorldPoint> &p
     showTexts();
 }
 
+void PickStrip::setStale(bool isStale)
+{
+    if (m_atClick->isHidden() != isStale)
+        return;
+    m_atClick->setVisible(isStale);
+    showTexts();
+}
+
 void PickStrip::showTexts()
 {
     constexpr int kPadding = 10;
     const auto textOf = [this](int space, int digits) { return m_texts[space] ? m_texts[space](digits) : noText(); };
     const QFontMetrics metrics(m_buttons[Pixel]->font());
-    const int arrows = (SpaceCount - 1) * metrics.horizontalAdvance(u'›');
+    const int arrows = (SpaceCount - 1) * metrics.horizontalAdvance(u'›')
+                       + (m_atClick->isHidden() ? 0 : m_atClick->sizeHint().width());
     std::array<int, SpaceCount> widths{};
     int digits = kMostDigits;
     for (;; --digits) {
@@ -178,8 +192,9 @@ void PickStrip::showTexts()
         button.setText(m_names[space] + u'\n' + text);
         button.setAccessibleName(m_names[space] + u' ' + text);
         button.setEnabled(static_cast<bool>(m_texts[space]));
-        line->setStretch(2 * space, widths[space]); // an arrow stands between two
+        line->setStretch(1 + 2 * space, widths[space]); // behind the label, an arrow between two
     }
+    line->activate(); // the label may have come or gone
 }
 
 void PickStrip::resizeEvent(QResizeEvent *event)

@@ -16,8 +16,8 @@ class QToolButton;
 
 namespace unprojector::gui {
 
-/// A pick in every space, in one line: pixel › window › NDC › clip › eye › world › object. A click
-/// on a space asks for the matrix that leads there.
+/// A pick in every space, in one line: pixel › window › NDC › clip › eye › world › object. A click on a space asks for the
+/// matrix that leads there. All of it is of the moment of the click; where the view has changed since, the line says so.
 class PickStrip : public QWidget {
     Q_OBJECT
 public:
@@ -27,6 +27,9 @@ public:
     /// @param uncertainty  of the point
     void setPick(const KeptPick &kept, const std::optional<geometry::WorldPoint> &point,
                  const geometry::WorldVector &uncertainty);
+
+    /// Whether the numbers are other ones now.
+    void setStale(bool isStale);
 
     QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
 
@@ -43,6 +46,7 @@ private:
 
     QStackedLayout *m_pages;
     QWidget *m_spaces;
+    QLabel *m_atClick; ///< shown while the numbers are other ones now
     QString m_names[SpaceCount];
     std::array<QToolButton *, SpaceCount> m_buttons;
     /// Returns a coordinate with at most so many significant digits; empty before the first pick.

@@ -324,8 +324,7 @@ void DoctorPanel::goToPixel(const DevicePoint &pixel)
 void DoctorPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
-    if (m_form->points().empty())
-        takePick();
+    takePick(); // the last click, wherever it was made
     refresh();
 }
 
@@ -333,6 +332,7 @@ void DoctorPanel::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
     m_diagnoser->cancel();
+    m_takenBefore = m_taken; // no drag that follows takes a click back here
     m_document.picks().markWrongPoints({});
 }
 

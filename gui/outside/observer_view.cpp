@@ -7,6 +7,7 @@
 #include "gui/document/picks.h"
 #include "gui/text/error_text.h"
 #include "gui/view/navigation.h"
+#include "gui/view/quantity_marks.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -82,6 +83,12 @@ void ObserverView::setMorph(double t)
 void ObserverView::setHighlights(const std::set<lessons::Highlight> &highlights)
 {
     m_highlights = highlights;
+    update();
+}
+
+void ObserverView::setMarkedTerm(const QString &term)
+{
+    m_markedTerm = term;
     update();
 }
 
@@ -195,8 +202,12 @@ void ObserverView::paintGL()
     updateFrame(*p);
     if (!showFrame())
         return;
-    // A lesson that labels the same axes uses other names, and has another f.
-    m_overlay.draw(*p, m_hotPlane,
+    // A lesson that letters the same axes names them otherwise, and has another f.
+    m_overlay.draw(*p,
+                   m_hotPlane             ? m_hotPlane
+                   : m_markedTerm == u"n" ? std::optional(ClipPlane::Near)
+                   : m_markedTerm == u"f" ? std::optional(ClipPlane::Far)
+                                          : std::nullopt,
                    !m_highlights.contains(lessons::Highlight::Axes)
                        && !m_highlights.contains(lessons::Highlight::Volume));
     tellWrongPoints(*p);
@@ -250,7 +261,11 @@ void ObserverView::tellWrongPoints(const ObserverPicture &p)
 HighlightMarks ObserverView::highlightMarks() const
 {
     const std::optional<ObserverPicture> p = picture();
-    return p ? highlightsFromOutside(m_document, *p, m_highlights) : HighlightMarks();
+    if (!p)
+        return {};
+    HighlightMarks marks = highlightsFromOutside(m_document, *p, m_highlights);
+    marks.add(termFromOutside(m_document, *p, m_markedTerm));
+    return marks;
 }
 
 void ObserverView::drawHighlighted()
@@ -276,6 +291,7 @@ void ObserverView::setHotPlane(const std::optional<ClipPlaneDrag> &drag)
         return;
     m_hotPlane = plane;
     update();
+    emit quantityPointed(!plane ? QString() : plane == ClipPlane::Near ? QStringLiteral("n") : QStringLiteral("f"));
 }
 
 void ObserverView::dragPlane(const QPointF &position)

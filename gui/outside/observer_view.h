@@ -28,19 +28,23 @@ public:
     /// Sets the lesson's labels in the view.
     void setHighlights(const std::set<lessons::Highlight> &highlights);
 
-    /// Fits the eye, the view volume and another program's points, keeping the observer's
-    /// direction.
+    /// Marks a quantity of the pick's formulas, see quantity_marks.h; empty: none.
+    void setMarkedTerm(const QString &term);
+
+    /// Shows the eye, the view volume and the points that another program got fully, from the direction that the observer looks in.
     void fit();
 
     const geometry::LookAt &observer() const { return m_observer.camera(); }
     /// The position of a world point in this view, logical pixels; nothing if it is not in it.
     std::optional<QPointF> placeOf(const geometry::WorldPoint &point) const;
-    /// The lesson's labels in the present view.
+    /// What of a lesson and of a marked quantity is written into the picture as it is now.
     HighlightMarks highlightMarks() const;
 
 signals:
     void morphChanged(double t);
-    /// Emitted with whether all points of another program are in the view, while it is drawn.
+    /// The pointer is over the edge of the near plane ("n") or of the far plane ("f"), or over none (empty).
+    void quantityPointed(const QString &term);
+    /// Whether all points that another program got lie in the picture. Told while it is drawn.
     void wrongPointsSeen(bool areSeen);
 
 protected:
@@ -91,6 +95,7 @@ private:
     geometry::Surface m_drawnOn; ///< the same for its surface
     double m_t = 0.0;
     std::set<lessons::Highlight> m_highlights;
+    QString m_markedTerm;
     geometry::Setup m_observer;
     geometry::Placement m_reference; ///< of the cube
     bool m_isPlaced = false;

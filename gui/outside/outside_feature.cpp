@@ -117,6 +117,8 @@ void OutsideFeature::create()
     m_panel->view().setModelStore(m_window.session().models());
     m_panel->view().setHighlights(m_highlights);
     connect(&m_panel->view(), &ObserverView::failed, &m_window, &Window::showFailure);
+    connect(&m_panel->view(), &ObserverView::quantityPointed, &m_window, &Window::quantityPointed);
+    connect(&m_window, &Window::termPointed, &m_panel->view(), &ObserverView::setMarkedTerm);
     connect(m_panel, &ObserverPanel::dockRequested, this, &OutsideFeature::dock);
     connect(m_panel, &ObserverPanel::closeRequested, m_action, [this] { m_action->setChecked(false); });
     dock(wasDocked());

@@ -56,7 +56,7 @@ void DerivationLine::startOver()
 void DerivationLine::refresh()
 {
     const EntryDerivation derivation =
-        m_chosen ? entryDerivation(m_model, m_document.setup(), m_chosen->space, m_chosen->coordinate)
+        m_chosen ? entryDerivation(m_model, m_model.setup(), m_chosen->space, m_chosen->coordinate)
                  : EntryDerivation{entryHint(), {}, 0, {}, {}};
     m_label->setText(unbrokenTerms(derivation.text));
     m_help->setAnchor(helpOf(derivation));
@@ -84,7 +84,7 @@ void DerivationLine::refresh()
 QString DerivationLine::helpOf(const EntryDerivation &derivation) const
 {
     if (derivation.stage)
-        return stageHelp(*derivation.stage, m_model.direction(), kindOf(m_document.setup().projection()));
+        return stageHelp(*derivation.stage, m_model.direction(), kindOf(m_model.setup().projection()));
     if (!m_chosen || !derivation.source)
         return QStringLiteral("spaces");
     // The flip, and the division.

@@ -70,6 +70,7 @@ PipelineFeature::PipelineFeature(Window &window)
             m_inspector->clearPointer();
     });
     connect(m_inspector, &ViewportInspector::sizeRequested, &window, [&window] { trigger(window, kViewSizeAction); });
+    connect(&window, &Window::clickValuesWanted, m_pipeline, &PipelinePanel::showClickValues);
     connect(&window, &Window::stepShown, this, &PipelineFeature::showStep);
 }
 

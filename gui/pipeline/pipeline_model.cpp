@@ -46,6 +46,8 @@ PipelineModel::PipelineModel(SceneDocument &document, QObject *parent)
     connect(&document, &SceneDocument::opened, this, [this] { m_isIdentity = false; });
     // Follows changes while hidden too: the later of the two is shown.
     connect(&document, &SceneDocument::changed, this, [this](Changes changes) {
+        if (changes & Change::Pick)
+            m_showsClick = false;
         if (changes & Change::GivenPoint)
             m_followsGiven = m_document.scene().givenPoint.has_value();
         else if (changes & Change::Pick && m_document.picks().pick())
@@ -71,6 +73,46 @@ void PipelineModel::followGiven(bool follows)
     emit followedChanged();
 }
 
+bool PipelineModel::canShowClick() const
+{
+    const SinceClick since = m_document.picks().sinceClick();
+    return !followsGiven() && (since.isOtherSetup || since.isObjectMoved);
+}
+
+void PipelineModel::setShowsClick(bool shows)
+{
+    shows = shows && canShowClick();
+    if (std::exchange(m_showsClick, shows) == shows)
+        return;
+    update();
+    emit followedChanged();
+}
+
+const Setup &PipelineModel::setup() const
+{
+    return showsClick() ? m_document.picks().pick()->setup : m_document.setup();
+}
+
+bool PipelineModel::isViewGiven() const
+{
+    return !showsClick() && m_document.scene().camera.matrix();
+}
+
+bool PipelineModel::isProjectionGiven() const
+{
+    return !showsClick() && m_document.scene().projection.matrix();
+}
+
+glm::dmat4 PipelineModel::placement() const
+{
+    const std::optional<std::size_t> object = shownObject();
+    if (!object)
+        return glm::dmat4(1.0);
+    const KeptPick &kept = m_document.picks().keptPick();
+    return showsClick() && kept.pick->object == object ? kept.placement
+                                                       : worldFromObject(m_document.objects()[*object].transform);
+}
+
 void PipelineModel::removeGiven()
 {
     static_cast<void>(m_document.edit({tr("Remove Your Point")}, [](Scene &scene) { scene.givenPoint.reset(); }));
@@ -78,6 +120,10 @@ void PipelineModel::removeGiven()
 
 void PipelineModel::take(Space space, int coordinate, const QString &typed)
 {
+    if (showsClick()) {
+        emit refused(tr("These are the values at the click. To give a point, choose “Now” first."));
+        return;
+    }
     const std::size_t count = point(space)->ownCount();
     std::vector<double> values = point(space)->coordinates();
     if (values.empty()) { // a clip point's w is 1 until it is typed
@@ -188,10 +234,9 @@ void PipelineModel::setView(const MatrixView &view)
 
 void PipelineModel::update()
 {
+    m_showsClick = showsClick(); // where the view is as it was again, the next change is seen
     const std::optional<Pick> &pick = m_document.picks().pick();
-    const std::optional<std::size_t> object = shownObject();
-    const glm::dmat4 model = object ? worldFromObject(m_document.objects()[*object].transform) : glm::dmat4(1.0);
-    const Result<Pipeline> pipeline = matrices::pipeline(m_document.setup(), model);
+    const Result<Pipeline> pipeline = matrices::pipeline(setup(), placement());
     if (!pipeline) {
         // The matrices keep their last valid values.
         clearPoints();
@@ -200,7 +245,7 @@ void PipelineModel::update()
     }
     showApi();
     showGiven();
-    const ProjectionKind kind = kindOf(m_document.setup().projection());
+    const ProjectionKind kind = kindOf(setup().projection());
     const Pipeline shown = m_api == Api::OpenGl ? *pipeline : inApi(*pipeline, m_spaces);
     for (const PipelineStage stage : kPipelineStages) {
         const glm::dmat4 &entries = shown.matrix(stage, m_direction);
@@ -237,12 +282,11 @@ std::optional<std::vector<MatrixFactor>> PipelineModel::factors(PipelineStage st
 {
     if (m_direction == PipelineDirection::Backward)
         return std::nullopt;
-    const Setup &setup = m_document.setup();
     if (stage == PipelineStage::ViewMatrix) {
-        if (const auto parts = matrices::factors(setup.camera()))
+        if (const auto parts = matrices::factors(setup().camera()))
             return inConventions(*parts, m_spaces.world, m_spaces.eye);
     } else if (stage == PipelineStage::ProjectionMatrix) {
-        if (const auto parts = matrices::factors(setup.projection()))
+        if (const auto parts = matrices::factors(setup().projection()))
             return inConventions(*parts, m_spaces.eye, m_spaces.clip);
     }
     return std::nullopt;
@@ -257,7 +301,7 @@ void PipelineModel::setApi(Api api)
 void PipelineModel::showApi()
 {
     m_api = m_document.scene().conventions;
-    m_spaces = apiSpaces(m_document.setup(), m_api);
+    m_spaces = apiSpaces(setup(), m_api);
     for (PointModel *point : m_points)
         point->setApi(m_api);
     m_apiNote.clear();
@@ -266,9 +310,8 @@ void PipelineModel::showApi()
     m_apiNote = apiText(m_api);
     if (m_api != Api::OpenCv)
         return;
-    // OpenCV's camera has no clip space and no depth buffer: these rows are OpenGL's from OpenCV's
-    // eye.
-    const auto camera = apiCamera(m_document.setup(), m_api);
+    // Its own camera has no clip space and no buffer of depths: these rows are OpenGL's from OpenCV's eye.
+    const auto camera = apiCamera(setup(), m_api);
     m_apiNote =
         joinSentences({m_apiNote, tr("Here clip, NDC and depth stay OpenGL's; the view's matrix is [R t].")}) + u'\n';
     m_apiNote += camera && camera->intrinsics ? intrinsicsText(*camera->intrinsics)
@@ -280,8 +323,8 @@ void PipelineModel::showGiven()
     m_givenNote.clear();
     m_projectionFindings.clear();
     m_viewFindings.clear();
-    const MatrixProjection *given = m_document.scene().projection.matrix();
-    if (const glm::dmat4 *view = m_document.scene().camera.matrix()) {
+    const MatrixProjection *given = isProjectionGiven() ? m_document.scene().projection.matrix() : nullptr;
+    if (const glm::dmat4 *view = isViewGiven() ? m_document.scene().camera.matrix() : nullptr) {
         m_givenView->setMatrix(viewFromOurs(*view, m_api), PipelineDirection::Forward, ProjectionKind::Perspective);
         m_viewFindings =
             findings(*view, MatrixRole::View, std::nullopt, given ? std::optional(given->clipFromEye) : std::nullopt);
@@ -345,8 +388,15 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
     } else {
         m_status = tr("Forward from the clicked point.");
     }
-    // The changes since the click are worded as in the comparison. Only the pipeline shows numbers
-    // of the other view instead of the click's.
+    // What has changed since the click is said in the words of the comparison; only that the numbers of the other view are
+    // shown here, and not those of the click, is the pipeline's own.
+    if (showsClick()) {
+        m_status = m_direction == PipelineDirection::Forward
+                       ? tr("Values at the click: forward from the clicked point.")
+                       : tr("Values at the click: backward from the pixel's centre and its depth.");
+        showAll(points);
+        return;
+    }
     const SinceClick since = m_document.picks().sinceClick();
     const bool isOutside = since.isOtherSetup && points.clip && !isInsideViewVolume(*points.clip);
     if (since.isObjectMoved || since.isObjectHidden || since.isCutAway || isOutside)
@@ -402,7 +452,7 @@ bool PipelineModel::isDepthRead() const
     if (followsGiven())
         return false;
     const std::optional<Pick> &pick = m_document.picks().pick();
-    return pick && pick->hit() && pick->setup == m_document.setup();
+    return pick && pick->hit() && pick->setup == setup();
 }
 
 void PipelineModel::clearPoints()
@@ -423,7 +473,7 @@ QString PipelineModel::text() const
     }
     for (const MatrixModel *model : m_matrices)
         text += QStringLiteral("\n%1\n%2").arg(model->variableName(), model->copyText(MatrixSyntax::Text));
-    if (m_document.scene().camera.matrix())
+    if (isViewGiven())
         text += QStringLiteral("\n%1\n%2").arg(m_givenView->variableName(), m_givenView->copyText(MatrixSyntax::Text));
     if (!m_givenNote.isEmpty())
         text += QStringLiteral("\n%1\n%2").arg(m_given->variableName(), m_given->copyText(MatrixSyntax::Text));

@@ -66,6 +66,17 @@ public:
     void followGiven(bool follows);
     void removeGiven();
 
+    /// Whether the values at the click are other than those now: the setup has changed since, or the object was moved.
+    bool canShowClick() const;
+    /// Whether points and matrices are those at the click. A new click shows the values now.
+    bool showsClick() const { return m_showsClick && canShowClick(); }
+    void setShowsClick(bool shows);
+    /// The setup that is shown: that of the click or the document's.
+    const geometry::Setup &setup() const;
+    /// Whether the view that is shown is given as a matrix, and the projection.
+    bool isViewGiven() const;
+    bool isProjectionGiven() const;
+
     /// The object whose space is shown; nothing for the identity.
     std::optional<std::size_t> shownObject() const;
     /// The conventions of points and matrices: the scene's.
@@ -84,15 +95,16 @@ public:
     QString text() const;
 
 signals:
-    /// Emitted when another point is shown, or the user's point is added or removed.
+    /// Which point is shown, whether there is a given one, or whether the values are those at the click.
     void followedChanged();
     /// Emitted when the typed text is no point, with the reason.
     void refused(const QString &reason);
 
 private:
     void showGiven();
-    /// Parses the typed text for one coordinate of a space, or for all of them, as the user's
-    /// point.
+    /// worldFromObject of the object whose space is shown.
+    glm::dmat4 placement() const;
+    /// Makes what was typed for a coordinate of a space, or for all of them, the given point.
     void take(PointModel::Space space, int coordinate, const QString &typed);
     void showGivenPoint(const matrices::Pipeline &pipeline);
     void showAll(const matrices::PipelinePoints &points);
@@ -104,6 +116,7 @@ private:
 
     SceneDocument &m_document;
     bool m_followsGiven = false;
+    bool m_showsClick = false;
     matrices::PipelineDirection m_direction = matrices::PipelineDirection::Forward;
     FollowedObject *m_chosen;
     bool m_isIdentity = false;

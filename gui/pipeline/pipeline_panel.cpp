@@ -173,7 +173,7 @@ void PipelinePanel::arrange()
         }
     }
     m_division->setText(isForward ? tr("↓  divide by w") : tr("↓  divide by its own w′, as gluUnProject does"));
-    m_flip->setText(flipText(*m_model, m_document.setup().surface));
+    m_flip->setText(flipText(*m_model, m_model->setup().surface));
     showTitles();
     showOpened();
 }
@@ -308,7 +308,7 @@ void PipelinePanel::showHelp()
 {
     for (const PipelineStage stage : kPipelineStages)
         m_sections[static_cast<std::size_t>(stage)]->setHelp(
-            stageHelp(stage, m_model->direction(), kindOf(m_document.setup().projection())));
+            stageHelp(stage, m_model->direction(), kindOf(m_model->setup().projection())));
 }
 
 void PipelinePanel::showTitles()
@@ -325,7 +325,7 @@ void PipelinePanel::showTitles()
 
 void PipelinePanel::showFactors()
 {
-    const Projection projection = m_document.setup().projection();
+    const Projection projection = m_model->setup().projection();
     const auto show = [this](PipelineStage stage, FactorsView *view, bool isGiven, const Projection *of) {
         if (!m_sections[static_cast<std::size_t>(stage)]->showsFactors())
             return;
@@ -334,9 +334,8 @@ void PipelinePanel::showFactors()
         else if (m_model->direction() == PipelineDirection::Backward) // else they stay, as the matrices do
             view->setNone(tr("Forward shows the factors; this matrix is the inverse of their product."));
     };
-    show(PipelineStage::ViewMatrix, m_viewFactors, m_document.scene().camera.matrix() != nullptr, nullptr);
-    show(PipelineStage::ProjectionMatrix, m_projectionFactors, m_document.scene().projection.matrix() != nullptr,
-         &projection);
+    show(PipelineStage::ViewMatrix, m_viewFactors, m_model->isViewGiven(), nullptr);
+    show(PipelineStage::ProjectionMatrix, m_projectionFactors, m_model->isProjectionGiven(), &projection);
 }
 
 void PipelinePanel::showStatus()
@@ -346,7 +345,7 @@ void PipelinePanel::showStatus()
     showHelp();
     showFactors();
     m_derivation->refresh();
-    m_flip->setText(flipText(*m_model, m_document.setup().surface));
+    m_flip->setText(flipText(*m_model, m_model->setup().surface));
     m_apiNote->setText(m_model->apiNote());
     m_apiNote->setVisible(!m_model->apiNote().isEmpty());
 }
@@ -360,8 +359,8 @@ void PipelinePanel::showGiven()
     setTitle(m_given, PipelineStage::ProjectionMatrix, m_model->givenNote());
     m_given->setVisible(!m_model->givenNote().isEmpty() && isOpen(PipelineStage::ProjectionMatrix));
     setTitle(m_givenView, PipelineStage::ViewMatrix, {});
-    m_givenView->setVisible(m_document.scene().camera.matrix() && isOpen(PipelineStage::ViewMatrix));
-    // Matrices in the scene are stored by columns.
+    m_givenView->setVisible(m_model->isViewGiven() && isOpen(PipelineStage::ViewMatrix));
+    // Of what the scene keeps, the order is that of columns.
     m_givenFindings->setFindings(m_model->givenFindings(MatrixRole::Projection), MatrixRole::Projection,
                                  NumberOrder::ByColumns);
     m_givenViewFindings->setFindings(m_model->givenFindings(MatrixRole::View), MatrixRole::View,

@@ -59,7 +59,10 @@ public:
     /// Shows the user's point, even if a click came after it.
     void followGiven() { m_model->followGiven(true); }
 
-    /// Scrolls to the first row, and closes derivations and decompositions.
+    /// Shows points and matrices as they were at the click, where they differ from those now.
+    void showClickValues() { m_model->setShowsClick(true); }
+
+    /// Back to the first row; no number is explained and no matrix taken apart any more.
     void startOver();
     /// Shows the factors of the view's or the projection's matrix, forward, and their sliders.
     void takeApart(matrices::PipelineStage stage);

@@ -21,20 +21,10 @@ namespace {
 
 using Tips = HighlightMarks::Tips;
 
-const std::array<QColor, 3> kAxisColors{QColor(0xb4, 0x1c, 0x20), QColor(0x1b, 0x74, 0x2a), QColor(0x1c, 0x48, 0xb8)};
-const QColor kDark(0x18, 0x1a, 0x1c), kRim(0xff, 0xff, 0xff, 225);
-// The text colours of the planes in View from Outside.
-const QColor kNear(0x0c, 0x4c, 0x9c), kFar(0x9c, 0x4a, 0x00);
+const QColor kRim(0xff, 0xff, 0xff, 225);
 constexpr double kHead = 8.0;
 
-double axisLength(const Setup &setup)
-{
-    constexpr double kMostLogical = 64.0, kMostShare = 0.16;
-    return std::min(kMostLogical, kMostShare * std::min(setup.viewport.width, setup.viewport.height)
-                                      / setup.surface.devicePixelRatio);
-}
-
-/// @param origin, tip  clip space of the setup
+/// @param origin, tip  clip space of the picture
 void addAxis(HighlightMarks &marks, const Setup &setup, const glm::dvec4 &origin, const glm::dvec4 &tip,
              std::size_t axis, const std::string &name)
 {
@@ -61,20 +51,8 @@ void addAxis(HighlightMarks &marks, const Setup &setup, const glm::dvec4 &origin
             return;
         }
     }
-    marks.texts.push_back({*to, {letter, name}, kAxisColors[axis], marks.arrows.size()});
-    marks.arrows.push_back({line, tips, kAxisColors[axis]});
-}
-
-/// The part of a line in front of the eye, logical pixels.
-std::optional<QLineF> lineInPicture(const Setup &setup, glm::dvec4 from, glm::dvec4 to)
-{
-    const double least = 1e-3 * std::max(from.w, to.w);
-    if (from.w < least)
-        std::swap(from, to);
-    if (to.w < least)
-        to = glm::mix(from, to, (from.w - least) / (from.w - to.w));
-    const std::optional<QPointF> one = placeInPicture(setup, from), other = placeInPicture(setup, to);
-    return one && other ? std::optional(QLineF(*one, *other)) : std::nullopt;
+    marks.texts.push_back({*to, {letter, name}, mark_color::kAxes[axis], marks.arrows.size()});
+    marks.arrows.push_back({line, tips, mark_color::kAxes[axis]});
 }
 
 void drawArrow(QPainter &painter, const HighlightMarks::Arrow &arrow)
@@ -93,6 +71,10 @@ void drawArrow(QPainter &painter, const HighlightMarks::Arrow &arrow)
             }
             painter.setBrush(color);
             painter.drawEllipse(to, 1.5, 1.5);
+            return;
+        }
+        if (arrow.tips == Tips::None) {
+            painter.drawLine(arrow.line);
             return;
         }
         const double length = arrow.line.length();
@@ -150,6 +132,36 @@ std::optional<QPointF> placeInPicture(const Setup &setup, const glm::dvec4 &clip
     return QPointF(widget.x, widget.y);
 }
 
+std::optional<QLineF> lineInPicture(const Setup &setup, glm::dvec4 from, glm::dvec4 to)
+{
+    const double least = 1e-3 * std::max(from.w, to.w);
+    if (from.w < least)
+        std::swap(from, to);
+    if (to.w < least)
+        to = glm::mix(from, to, (from.w - least) / (from.w - to.w));
+    const std::optional<QPointF> one = placeInPicture(setup, from), other = placeInPicture(setup, to);
+    return one && other ? std::optional(QLineF(*one, *other)) : std::nullopt;
+}
+
+double axisLength(const Setup &setup)
+{
+    constexpr double kMostLogical = 64.0, kMostShare = 0.16;
+    return std::min(kMostLogical, kMostShare * std::min(setup.viewport.width, setup.viewport.height)
+                                      / setup.surface.devicePixelRatio);
+}
+
+void HighlightMarks::add(HighlightMarks more)
+{
+    for (Text &text : more.texts) {
+        if (text.arrow)
+            *text.arrow += arrows.size();
+        texts.push_back(std::move(text));
+    }
+    arrows.insert(arrows.end(), more.arrows.begin(), more.arrows.end());
+    lines.insert(lines.end(), more.lines.begin(), more.lines.end());
+    things.insert(things.end(), more.things.begin(), more.things.end());
+}
+
 HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Highlight> &highlights)
 {
     HighlightMarks marks;
@@ -179,7 +191,7 @@ HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Hi
              lessons::viewportArrows(g.viewport, g.surface, kInset * g.surface.devicePixelRatio)) {
             const bool isAxis = arrow.kind == lessons::LetteredArrow::Kind::Axis;
             const QLineF line(seen(arrow.from), seen(arrow.to));
-            const QColor color = isAxis ? kAxisColors[arrow.letter.letter == "x" ? 0 : 1] : kDark;
+            const QColor color = isAxis ? mark_color::kAxes[arrow.letter.letter == "x" ? 0 : 1] : mark_color::kDark;
             marks.texts.push_back({isAxis ? line.p2() : line.center(), arrow.letter, color, marks.arrows.size()});
             marks.arrows.push_back({line, isAxis ? Tips::End : Tips::Both, color});
         }
@@ -234,15 +246,16 @@ HighlightMarks highlightsFromOutside(const SceneDocument &document, const Observ
         const auto letters = lessons::volumeLetters(picture.projection);
         for (std::size_t side = 0; side < letters.size(); ++side)
             add(picture.drawnFromEye * glm::dvec4(letters[side].at.coordinates(), 1.0), letters[side].letter,
-                side == 4   ? kNear
-                : side == 5 ? kFar
-                            : kDark);
+                side == 4   ? mark_color::kNear
+                : side == 5 ? mark_color::kFar
+                            : mark_color::kDark);
     }
     if (highlights.contains(Highlight::Cube) && cubeOpacity(picture.t) > 0.0f) {
         const glm::dmat4 drawnFromNdc = matrixOf(picture.placement) * picture.morph.morphedFromNdc;
         const auto letters = lessons::cubeLetters();
         for (std::size_t i = 0; i < letters.size(); ++i)
-            add(drawnFromNdc * glm::dvec4(letters[i].at.coordinates(), 1.0), letters[i].letter, kAxisColors[i / 2]);
+            add(drawnFromNdc * glm::dvec4(letters[i].at.coordinates(), 1.0), letters[i].letter,
+                mark_color::kAxes[i / 2]);
     }
     // The camera symbol: a body behind the eye.
     if (const std::optional<WorldPoint> eye = picture.drawnPoint(EyePoint());

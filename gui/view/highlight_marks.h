@@ -10,6 +10,7 @@
 #include <QPointF>
 #include <QRectF>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -27,8 +28,9 @@ struct HighlightMarks {
     enum class Tips {
         End,     ///< of an axis
         Both,    ///< of a length
-        Towards, ///< the axis points to the viewer: a ring with a dot, as in drawings on paper
-        Away     ///< the axis points away from the viewer: a ring with a cross
+        None,    ///< a plain line, lettered as a length is
+        Towards, ///< the axis is seen end-on and points to the viewer: a ring with a dot, as in drawings on paper
+        Away     ///< the same, pointing away: a ring with a cross
     };
     struct Arrow {
         QLineF line;
@@ -47,10 +49,28 @@ struct HighlightMarks {
     std::vector<QRectF> things; ///< such as marks: letters avoid them too
 
     bool isEmpty() const { return arrows.empty() && texts.empty(); }
+    void add(HighlightMarks more);
 };
 
-/// The marks of the view: axes and viewport. Axes with their origin or end at or behind the eye,
-/// such as the eye's own in a perspective, are left out.
+/// Whether the letter of an arrow stands beside its line, and not at its tip.
+inline bool isLength(const HighlightMarks::Arrow &arrow)
+{
+    return arrow.tips == HighlightMarks::Tips::Both || arrow.tips == HighlightMarks::Tips::None;
+}
+
+/// How the marks are coloured.
+namespace mark_color {
+inline const std::array<QColor, 3> kAxes{QColor(0xb4, 0x1c, 0x20), QColor(0x1b, 0x74, 0x2a), QColor(0x1c, 0x48, 0xb8)};
+inline const QColor kDark(0x18, 0x1a, 0x1c);
+// Of the planes in View from Outside, as text.
+inline const QColor kNear(0x0c, 0x4c, 0x9c), kFar(0x9c, 0x4a, 0x00);
+} // namespace mark_color
+
+/// Of an axis that is seen across, logical pixels.
+double axisLength(const geometry::Setup &setup);
+
+/// Those of the view: axes and viewport. Axes whose origin or end is behind the eye or in it, as the eye's own are in a perspective,
+/// are not in it.
 HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Highlight> &highlights);
 
 /// The marks of View from Outside: axes, the volume's sides, and the numbers at the cube once the
@@ -78,5 +98,7 @@ void drawHighlights(QPainter &painter, const HighlightMarks &marks, const std::v
 
 /// The logical pixel position of a clip-space point; nothing behind the eye.
 std::optional<QPointF> placeInPicture(const geometry::Setup &setup, const glm::dvec4 &clip);
+/// The part of a line of clip space in front of the eye, logical pixels.
+std::optional<QLineF> lineInPicture(const geometry::Setup &setup, glm::dvec4 from, glm::dvec4 to);
 
 } // namespace unprojector::gui

@@ -142,7 +142,7 @@ private:
     bool isLength(std::size_t text) const
     {
         const HighlightMarks::Arrow *arrow = arrowOf(text);
-        return arrow && arrow->tips == Tips::Both;
+        return arrow && gui::isLength(*arrow);
     }
     QSizeF sizeOf(std::size_t text) const
     {
@@ -313,7 +313,7 @@ std::optional<QLineF> leaderOf(const HighlightMarks &marks, std::size_t text, co
     if (box.isNull())
         return std::nullopt;
     constexpr double kMostGap = kGaps.back() + 1.0;
-    const bool isLength = mine.arrow && marks.arrows[*mine.arrow].tips == Tips::Both;
+    const bool isLength = mine.arrow && gui::isLength(marks.arrows[*mine.arrow]);
     const QPointF to = nearestOf(box, mine.at), way = to - mine.at;
     if (isLength ? distanceOf(box, marks.arrows[*mine.arrow].line) < kMostGap
                  : std::max(std::abs(way.x()), std::abs(way.y())) < kMostGap)

@@ -5,6 +5,7 @@
 #include "gui/view/drop_labels.h"
 #include "gui/view/highlight_marks.h"
 #include "gui/view/lifecycle_timer.h"
+#include "gui/view/quantity_marks.h"
 #include "gui/view/scene_overlay.h"
 #include "gui/view/view_menu.h"
 #include "gui/view/view_tool.h"
@@ -99,6 +100,12 @@ void SceneView::setMap(const QImage &map)
 void SceneView::setHighlights(const std::set<lessons::Highlight> &highlights)
 {
     m_highlights = highlights;
+    update();
+}
+
+void SceneView::setMarkedTerm(const QString &term)
+{
+    m_markedTerm = term;
     update();
 }
 
@@ -232,7 +239,9 @@ void SceneView::drawMap()
 void SceneView::drawTexts(const PictureMarks &marks)
 {
     const bool isPicture = isDrawingPicture();
-    const HighlightMarks highlights = marks.axes ? highlightsInView(m_document, m_highlights) : HighlightMarks();
+    HighlightMarks highlights = marks.axes ? highlightsInView(m_document, m_highlights) : HighlightMarks();
+    if (!isPicture)
+        highlights.add(termInView(m_document, m_markedTerm));
     const bool hasTool = m_tool && marks.landmarks && (isPicture || m_tool->prepareToDraw());
     const bool hasLabels = m_hasDropLabels && marks.pick && m_document.picks().pickedPoint();
     if (!hasTool && !hasLabels && highlights.isEmpty())

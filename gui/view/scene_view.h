@@ -69,7 +69,10 @@ public:
     /// Sets the lesson's labels in the view.
     void setHighlights(const std::set<lessons::Highlight> &highlights);
 
-    /// Sets whether the coordinates of the picked point are shown beside its lines along the axes.
+    /// Marks a quantity of the pick's formulas, see quantity_marks.h; empty: none.
+    void setMarkedTerm(const QString &term);
+
+    /// Whether the coordinates of the picked point stand beside its lines along the axes.
     void setHasDropLabels(bool hasThem);
 
     /// Sets the tool that gets mouse and keys before navigation and picking. It lives as long as
@@ -151,6 +154,7 @@ private:
 
     QImage m_map;
     std::set<lessons::Highlight> m_highlights;
+    QString m_markedTerm;
     bool m_hasDropLabels = true;
     QPointer<QWidget> m_corner;
     std::optional<SnapMark> m_mark;

@@ -45,7 +45,7 @@ FormulaView::FormulaView(QWidget *parent) : QAbstractScrollArea(parent)
 void FormulaView::setFormulas(PickFormulas formulas)
 {
     m_formulas = std::move(formulas);
-    m_marked.clear();
+    mark({});
     setAccessibleDescription(m_formulas.text());
     set();
 }
@@ -177,12 +177,18 @@ QString FormulaView::toolTipOf(const QString &term) const
     return QStringLiteral("<p style='white-space: pre'>%1</p><p>%2</p>").arg(equation, named.name.toHtmlEscaped());
 }
 
+void FormulaView::setMarkedTerm(const QString &term)
+{
+    m_marked = term;
+    viewport()->update();
+}
+
 void FormulaView::mark(const QString &term)
 {
     if (term == m_marked)
         return;
-    m_marked = term;
-    viewport()->update();
+    setMarkedTerm(term);
+    emit termPointed(term);
 }
 
 void FormulaView::mouseMoveEvent(QMouseEvent *event)

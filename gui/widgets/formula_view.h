@@ -11,9 +11,8 @@ class QMenu;
 
 namespace unprojector::gui {
 
-/// Typeset formulas, each in symbols with its numbers below. Hovering a term marks all its
-/// occurrences, and a tooltip names it. The formulas are wrapped to the view's width, and the view
-/// is as high as they are.
+/// Formulas as on paper, each in symbols with its numbers below. A term under the pointer is marked wherever it stands, and
+/// a tooltip names it; a view can mark its quantity. They are set to the view's width, and the view is as high as they are.
 class FormulaView : public QAbstractScrollArea {
     Q_OBJECT
 public:
@@ -24,7 +23,9 @@ public:
 
     /// The short name of the marked term.
     const QString &markedTerm() const { return m_marked; }
-    /// The rectangles of a term in the viewport.
+    /// Marks a term that is pointed at elsewhere; empty: none.
+    void setMarkedTerm(const QString &term);
+    /// Where a term stands in the viewport.
     std::vector<QRectF> placesOf(const QString &term) const;
     /// The tooltip of a term: "n = 2" and its name.
     QString toolTipOf(const QString &term) const;
@@ -38,6 +39,10 @@ public:
     QSize minimumSizeHint() const override;
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
+
+signals:
+    /// The pointer is over a term, or over none (empty).
+    void termPointed(const QString &term);
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -66,6 +71,7 @@ private:
     QString termAt(const QPoint &position) const;
     const Line *numberAt(const QPoint &position) const;
     void addHelpActions(QMenu &menu, const QPoint &position, bool isOfAll) const;
+    /// By the pointer.
     void mark(const QString &term);
     void copyAll() const;
 

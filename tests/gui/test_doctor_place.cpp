@@ -33,6 +33,7 @@
 #include <glm/matrix.hpp>
 
 #include <cmath>
+#include <functional>
 
 using namespace unprojector;
 using namespace unprojector::gui;
@@ -44,6 +45,8 @@ using namespace unprojector::unproject;
 namespace {
 
 constexpr QSize kWindow(1280, 800);
+
+using Happening = std::function<void(MainWindow &)>;
 
 /// The window at the place, with a cube before it.
 std::unique_ptr<MainWindow> doctorWindow()
@@ -163,6 +166,10 @@ private slots:
     void rowsCanBePasted();
     void thePictureStaysThatOfTheClick();
     void theChosenCandidateStaysWhileTheViewTurns();
+    void aClickMadeBeforeIsTaken_data();
+    void aClickMadeBeforeIsTaken();
+    void aClickMadeElsewhereIsAddedToThePoints();
+    void anEarlierPickTakesNothingBack();
     void theMarksGoWithThePlace();
     void theWrongPointIsFoundFromOutside();
 };
@@ -567,6 +574,97 @@ void TestDoctorPlace::theChosenCandidateStaysWhileTheViewTurns()
     QCOMPARE(answers.size(), 0);
     QCOMPARE(candidates->currentRow(), 2);
     QCOMPARE(panelOf(*window).code().text(), code);
+}
+
+void TestDoctorPlace::aClickMadeBeforeIsTaken_data()
+{
+    QTest::addColumn<Workspace>("workspace");
+    QTest::addColumn<Happening>("happening");
+    const auto nothing = [](MainWindow &) {};
+    const auto orbit = [](MainWindow &window) {
+        setCamera(window.document(), {WorldPoint(20, 3, 4), WorldPoint(kCubeCenter), {0, 1, 0}});
+    };
+    const auto lens = [](MainWindow &window) { setProjection(window.document(), Ortho{-5, 5, -4, 4, 1, 30}); };
+    const auto resize = [](MainWindow &window) {
+        QVERIFY(resized(window, {1000, 700}));
+        settle();
+    };
+    QTest::newRow("Click") << Workspace::Click << Happening(nothing);
+    QTest::newRow("Click, orbit") << Workspace::Click << Happening(orbit);
+    QTest::newRow("Click, projection") << Workspace::Click << Happening(lens);
+    QTest::newRow("Click, window size") << Workspace::Click << Happening(resize);
+    QTest::newRow("Pipeline, orbit") << Workspace::Pipeline << Happening(orbit);
+    QTest::newRow("Points") << Workspace::Landmarks << Happening(nothing);
+    QTest::newRow("Points, orbit") << Workspace::Landmarks << Happening(orbit);
+}
+
+/// Whatever has changed since, the form has the click, and the mistake is found in the picture of the click.
+void TestDoctorPlace::aClickMadeBeforeIsTaken()
+{
+    QFETCH(Workspace, workspace);
+    QFETCH(Happening, happening);
+    const auto window = doctorWindow();
+    window->workspaces().enter(workspace);
+    settle();
+    const glm::dvec3 got = clickedAndWrong(*window);
+    const Pick pick = *window->document().picks().pick();
+    QVERIFY(pick.hit());
+    happening(*window);
+    window->workspaces().enter(Workspace::Doctor);
+    settle();
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).value(0)->text(),
+             QStringLiteral("%1, %2").arg(pick.devicePixel.i + 0.5).arg(pick.devicePixel.j + 0.5));
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Depth")).value(0)->text(), QString::number(pick.window.z, 'f', 7));
+    type(gotOf(*window), pointText(got));
+    const auto *form = panelOf(*window).findChild<WrongPointsForm *>();
+    QCOMPARE(form->points().at(0).depth, std::optional(pick.window.z));
+    QTRY_COMPARE_WITH_TIMEOUT(verdictOf(*window), QString::fromLatin1(doctor::remedyOf("y-not-flipped").sentence),
+                              kPatienceMilliseconds);
+}
+
+/// In the picture of the points that are there: the clicked point has a pixel in it.
+void TestDoctorPlace::aClickMadeElsewhereIsAddedToThePoints()
+{
+    const auto window = doctorWindow();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    const Setup first = window->document().picks().pick()->setup;
+    window->workspaces().enter(Workspace::Click);
+    setCamera(window->document(),
+              {WorldPoint(kCubeCenter + glm::dvec3(-2.5, 2.0, 6.0)), WorldPoint(kCubeCenter), {0.0, 1.0, 0.0}});
+    settle();
+    click(window->view(), localOf(*window, kCubeCenter + glm::dvec3(-0.7, 0.3, 1.0)));
+    const WorldPoint world = *window->document().picks().pickedPoint();
+    window->workspaces().enter(Workspace::Doctor);
+    settle();
+    const QList<QLineEdit *> pixels = fieldsOf(*window, QStringLiteral("Pixel"));
+    QCOMPARE(pixels.size(), 2);
+    const DevicePoint at = deviceFromWindow(first.surface, *windowFromWorld(first, world));
+    QCOMPARE(pixels[1]->text(), QStringLiteral("%1, %2").arg(std::floor(at.x) + 0.5).arg(std::floor(at.y) + 0.5));
+    // Another look takes it no second time.
+    window->workspaces().enter(Workspace::Click);
+    window->workspaces().enter(Workspace::Doctor);
+    settle();
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).size(), 2);
+}
+
+void TestDoctorPlace::anEarlierPickTakesNothingBack()
+{
+    const auto window = doctorWindow();
+    type(gotOf(*window), pointText(clickedAndWrong(*window)));
+    const KeptPick first = window->document().picks().keptPick();
+    clickedAndWrong(*window, {-0.7, 0.3, 1.0});
+    const QString second = fieldsOf(*window, QStringLiteral("Pixel")).value(1)->text();
+    QVERIFY(!second.isEmpty());
+    window->workspaces().enter(Workspace::Click);
+    window->document().picks().show({});
+    window->workspaces().enter(Workspace::Doctor);
+    settle();
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).value(1)->text(), second);
+    window->workspaces().enter(Workspace::Click);
+    window->document().picks().show(first);
+    window->workspaces().enter(Workspace::Doctor);
+    settle();
+    QCOMPARE(fieldsOf(*window, QStringLiteral("Pixel")).size(), 2);
 }
 
 void TestDoctorPlace::theMarksGoWithThePlace()

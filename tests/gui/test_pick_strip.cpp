@@ -7,10 +7,12 @@
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
 #include "gui/lessons/lesson_player.h"
+#include "gui/pipeline/pipeline_panel.h"
 #include "gui/text/number_text.h"
 #include "gui/view/drop_labels.h"
 #include "tests/support/patience.h"
 
+#include <QLabel>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QToolBar>
@@ -65,6 +67,7 @@ private slots:
     void aNarrowStripRounds();
     void theViewKeepsItsSizeAtTheFirstPick();
     void aSpaceOpensItsMatrix();
+    void itSaysThatItIsOfTheClick();
     void itIsHiddenWhereItWouldTellOrTakeRoom();
     void itStaysHiddenAfterARestart();
     void theLinesAlongTheAxesHaveTheirCoordinates();
@@ -167,6 +170,33 @@ void TestPickStrip::aSpaceOpensItsMatrix()
     QVERIFY(window->workspaces().current() == Workspace::Pipeline);
     QCOMPARE(asked[0][0].value<matrices::PipelineStage>(), matrices::PipelineStage::ProjectionMatrix);
     QTRY_VERIFY_WITH_TIMEOUT(isSeen(*window, "pipeline"), kPatienceMilliseconds);
+}
+
+void TestPickStrip::itSaysThatItIsOfTheClick()
+{
+    const auto window = windowOfSize({1280, 800});
+    clickMiddle(*window);
+    const PickStrip &strip = part<PickStrip>(*window);
+    const QLabel *label = nullptr;
+    for (const QLabel *each : strip.findChildren<QLabel *>()) {
+        if (each->text().startsWith(QStringLiteral("at the")))
+            label = each;
+    }
+    QVERIFY(label && !label->isVisible());
+    const QStringList texts = textsOf(strip);
+    LookAt camera = window->document().setup().camera();
+    camera.eye.x += 0.5;
+    setCamera(window->document(), camera);
+    QVERIFY(label->isVisible());
+    QCOMPARE(textsOf(strip).size(), texts.size());
+    QCOMPARE(numbersOf(textsOf(strip)[0]), numbersOf(texts[0]));
+    QVERIFY(std::abs(numbersOf(textsOf(strip)[4])[0] - numbersOf(texts[4])[0]) < 0.01);
+    // From there the pipeline shows the same numbers.
+    spacesOf(strip)[4]->click();
+    QVERIFY(part<PipelinePanel>(*window).model().showsClick());
+    clickMiddle(*window);
+    QVERIFY(!label->isVisible());
+    QVERIFY(!part<PipelinePanel>(*window).model().showsClick());
 }
 
 void TestPickStrip::itIsHiddenWhereItWouldTellOrTakeRoom()

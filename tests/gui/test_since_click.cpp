@@ -4,17 +4,24 @@
 #include "gui/click/answer_view.h"
 #include "gui/click/comparison_model.h"
 #include "gui/click/comparison_panel.h"
+#include "gui/click/then_and_now.h"
+#include "gui/click/then_and_now_view.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
 #include "gui/document/since_click_text.h"
 #include "gui/pipeline/pipeline_panel.h"
+#include "gui/widgets/segmented_switch.h"
+#include "gui/widgets/whole_table.h"
 #include "tests/gui/gui_scene.h"
 
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include <glm/matrix.hpp>
+
+#include <cmath>
 #include <functional>
 
 using namespace guitest;
@@ -80,6 +87,14 @@ private slots:
     void aBackgroundSaysOnlyThatTheViewChanged();
     void chainDepthAndFormulasStayThoseOfTheClick();
     void thePipelineCallsNoDepthReadThatWasNot();
+    void valuesNowStandBesideThoseOfTheClick();
+    void thePointNowIsOnItsObject();
+    void behindTheEyeThereIsNoWindowPoint();
+    void rowsOfTheSameValueArePlain();
+    void changesOfTheSetupHaveBothValues();
+    void aBackgroundHasOnlyTheChangesOfTheSetup();
+    void thePipelineShowsTheValuesAtTheClick();
+    void thePipelineFollowsTheViewAgain();
     void computingAgainPicksTheSamePixelOfTheViewAsItIs();
     void aPositionThatIsGoneCannotBePickedAgain();
 };
@@ -227,7 +242,7 @@ void TestSinceClick::chainDepthAndFormulasStayThoseOfTheClick()
     setProjection(document, Ortho{-3, 3, -3, 3, 1, 9});
     document.setSurface({500, 400, 2.0});
     QString now = panel.text();
-    const QString since = labelText(panel, "Since the click") + u'\n';
+    const QString since = labelText(panel, "Since the click") + u'\n' + panel.findChild<ThenAndNowView *>()->text();
     QVERIFY(now.contains(since));
     QCOMPARE(now.remove(since), whole);
 }
@@ -253,6 +268,181 @@ void TestSinceClick::thePipelineCallsNoDepthReadThatWasNot()
     QVERIFY(says("z > w: behind the far plane"));
     document.undoStack().undo();
     QVERIFY(says("depth as read"));
+}
+
+void TestSinceClick::valuesNowStandBesideThoseOfTheClick()
+{
+    SceneDocument document;
+    openAndPick(document);
+    ComparisonPanel panel(document);
+    panel.show();
+    panel.setOpenFolds({QStringLiteral("now")});
+    const auto &view = *panel.findChild<ThenAndNowView *>();
+    QVERIFY(!view.isVisible() && !view.parentWidget()->isVisible()); // it takes no room
+    setCamera(document, cameraAt(0.5, 0, 5));
+    QVERIFY(view.isVisible());
+    // 400 pixels are 5 units wide at z = 0: half a unit is 40 pixels.
+    const std::vector<ThenAndNow> rows = thenAndNow(document);
+    QCOMPARE(rows.size(), std::size_t(9));
+    QCOMPARE(rows[0].name, QStringLiteral("Window x"));
+    QCOMPARE(rows[0].then, QStringLiteral("200.5"));
+    QCOMPARE(rows[0].now, QStringLiteral("160.50"));
+    QCOMPARE(rows[1].then, QStringLiteral("149.5"));
+    QVERIFY(std::abs(rows[3].now.toDouble() - rows[3].then.toDouble() + 0.5) < 1e-5); // eye x
+    QVERIFY(std::abs(rows[2].then.toDouble() - 0.75) < 1e-6);
+    // Only these two differ, and that is seen without colours.
+    for (int row = 0; row < 9; ++row) {
+        const bool differs = row == 0 || row == 3;
+        QCOMPARE(rows[std::size_t(row)].differs, differs);
+        QCOMPARE(rows[std::size_t(row)].now == rows[std::size_t(row)].then, !differs);
+        QCOMPARE(view.table().item(row, 1)->text(), rows[std::size_t(row)].now);
+        QCOMPARE(view.table().item(row, 1)->font().bold(), differs);
+        QCOMPARE(view.table().verticalHeaderItem(row)->text().endsWith(u'≠'), differs);
+    }
+    QVERIFY2(panel.text().contains(QStringLiteral("Window x\t200.5\t160.5\n")), qPrintable(panel.text()));
+    document.undoStack().undo();
+    QVERIFY(!view.isVisible());
+}
+
+void TestSinceClick::thePointNowIsOnItsObject()
+{
+    SceneDocument document;
+    openAndPick(document);
+    const glm::dmat4 before = worldFromObject(document.objects()[0].transform);
+    const WorldPoint then = *document.picks().pickedPoint();
+    QVERIFY(editTransform(document, 0, {Translate{kCubeCenter + glm::dvec3(0.2, 0.1, -0.5)}, Scale{{1.1, 1, 1}}},
+                          {QStringLiteral("Move")}));
+    const glm::dmat4 moved = worldFromObject(document.objects()[0].transform) * glm::inverse(before);
+    const WorldPoint now(glm::dvec3(moved * glm::dvec4(then.coordinates(), 1.0)));
+    const std::vector<ThenAndNow> rows = thenAndNow(document);
+    QCOMPARE(rows.size(), std::size_t(9));
+    const auto window = windowFromWorld(document.setup(), now);
+    for (int axis = 0; axis < 3; ++axis) {
+        const ThenAndNow &world = rows[std::size_t(6 + axis)];
+        QVERIFY2(std::abs(world.then.toDouble() - then[axis]) < 1e-4, qPrintable(world.then));
+        QVERIFY2(std::abs(world.now.toDouble() - now[axis]) < 1e-4, qPrintable(world.now));
+        const QString shown = rows[std::size_t(axis)].now;
+        QVERIFY2(std::abs(shown.toDouble() - (*window)[axis]) < (axis < 2 ? 0.1 : 1e-4), qPrintable(shown));
+    }
+}
+
+void TestSinceClick::behindTheEyeThereIsNoWindowPoint()
+{
+    SceneDocument document;
+    openAndPick(document);
+    ComparisonPanel panel(document);
+    setCamera(document, cameraAt(0, 0, -3));
+    const std::vector<ThenAndNow> rows = thenAndNow(document);
+    for (std::size_t row = 0; row < 3; ++row)
+        QCOMPARE(rows[row].now, QStringLiteral("–"));
+    QVERIFY(std::abs(rows[5].now.toDouble() - 3.0) < 1e-4);
+    QVERIFY(placeNowText(document).contains(QStringLiteral("w < 0: behind the eye")));
+    QVERIFY(panel.findChild<ThenAndNowView *>()->text().contains(placeNowText(document)));
+    setCamera(document, cameraAt(0, 0, 12));
+    QVERIFY(placeNowText(document).contains(QStringLiteral("z > w: behind the far plane")));
+    setCamera(document, cameraAt(0.5, 0, 5));
+    QVERIFY(placeNowText(document).isEmpty());
+}
+
+void TestSinceClick::rowsOfTheSameValueArePlain()
+{
+    SceneDocument document;
+    openAndPick(document);
+    QVERIFY(editProjection(document, {Frustum{-1, 1, -1, 1, 2, 20}, false, false}, {QStringLiteral("Far")}));
+    const std::vector<ThenAndNow> rows = thenAndNow(document);
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        QCOMPARE(rows[row].differs, row == 2); // d = f (z - n) / (z (f - n)) = 20 × 3 / (5 × 18)
+    QVERIFY2(std::abs(rows[2].now.toDouble() - 2.0 / 3.0) < 1e-4, qPrintable(rows[2].now));
+}
+
+void TestSinceClick::changesOfTheSetupHaveBothValues()
+{
+    SceneDocument document;
+    openAndPick(document);
+    QVERIFY(setupChanges(document).isEmpty());
+    setCamera(document, cameraAt(0.5, 0, 5));
+    QCOMPARE(setupChanges(document), QStringList{QStringLiteral("Eye: (0, 0, 5) → (0.5, 0, 5)")});
+    document.undoStack().undo();
+    QVERIFY(editProjection(document, {Frustum{-2, 2, -2, 2, 2, 11}, false, false}, {QStringLiteral("Lens")}));
+    QCOMPARE(setupChanges(document),
+             (QStringList{QStringLiteral("Vertical field of view: 53.1301° → 90°"), QStringLiteral("Far: 10 → 11")}));
+    document.undoStack().undo();
+    QVERIFY(editProjection(document, {Frustum{-1, 1, -1, 1, 2, 10.0000001}, false, false}, {QStringLiteral("Far")}));
+    QCOMPARE(setupChanges(document), QStringList{QStringLiteral("Far: 10 → 10.0000001")});
+    document.undoStack().undo();
+    document.setSurface({500, 300, 1.0});
+    QCOMPARE(setupChanges(document), (QStringList{QStringLiteral("Viewport: (0, 0) 400 × 300 → (0, 0) 500 × 300"),
+                                                  QStringLiteral("Window size: 400 × 300 → 500 × 300")}));
+}
+
+void TestSinceClick::aBackgroundHasOnlyTheChangesOfTheSetup()
+{
+    SceneDocument document;
+    openAndPick(document);
+    pickAt(document, WidgetPoint(200.0, 150.0), {1.0, {}, 24});
+    setCamera(document, cameraAt(0, 0, 6));
+    QVERIFY(thenAndNow(document).empty() && placeNowText(document).isEmpty());
+    QCOMPARE(setupChanges(document), QStringList{QStringLiteral("Eye: (0, 0, 5) → (0, 0, 6)")});
+}
+
+void TestSinceClick::thePipelineShowsTheValuesAtTheClick()
+{
+    SceneDocument document;
+    openAndPick(document);
+    PipelinePanel panel(document);
+    panel.show();
+    auto &values = *panel.findChild<SegmentedSwitch *>(QStringLiteral("values"));
+    const auto numbers = [&panel] { return panel.model().text().section(u'\n', 1); };
+    for (const PipelineDirection direction : {PipelineDirection::Forward, PipelineDirection::Backward}) {
+        panel.setDirection(direction);
+        const QString then = numbers();
+        QVERIFY(!values.isVisible());
+        setCamera(document, cameraAt(1, 2, 9));
+        setProjection(document, Ortho{-3, 3, -3, 3, 1, 12});
+        QVERIFY(editTransform(document, 0, {Translate{{5, 0, 0}}}, {QStringLiteral("Move")}));
+        document.setSurface({500, 400, 1.0});
+        QVERIFY(values.isVisible());
+        QCOMPARE(values.choice(), 1);
+        const QString now = numbers();
+        QVERIFY(now != then);
+        values.setChoice(0);
+        QCOMPARE(numbers(), then);
+        QVERIFY2(panel.model().status().startsWith(QStringLiteral("Values at the click")),
+                 qPrintable(panel.model().status()));
+        // A point is given in the view as it is: here it is not taken.
+        panel.model().point(PointModel::Space::World)->typeAll(QStringLiteral("1 2 3"));
+        QVERIFY(!document.scene().givenPoint);
+        values.setChoice(1);
+        QCOMPARE(numbers(), now);
+        document.setSurface({400, 300, 1.0});
+        for (int i = 0; i < 3; ++i)
+            document.undoStack().undo();
+    }
+}
+
+void TestSinceClick::thePipelineFollowsTheViewAgain()
+{
+    SceneDocument document;
+    openAndPick(document);
+    PipelinePanel panel(document);
+    panel.show();
+    panel.showClickValues();
+    QVERIFY(!panel.model().showsClick()); // they are those now
+    setCamera(document, cameraAt(0.5, 0, 5));
+    QVERIFY(!panel.model().showsClick());
+    panel.showClickValues();
+    QVERIFY(panel.model().showsClick());
+    setCamera(document, cameraAt(1, 0, 5)); // turns no more
+    QVERIFY(panel.model().showsClick());
+    document.undoStack().undo();
+    document.undoStack().undo();
+    QVERIFY(!panel.model().showsClick());
+    setCamera(document, cameraAt(0.5, 0, 5));
+    QVERIFY(!panel.model().showsClick());
+    panel.showClickValues();
+    pickAt(document, WidgetPoint(200.0, 150.0), {0.75, 0, 24});
+    setCamera(document, cameraAt(1, 0, 5));
+    QVERIFY(!panel.model().showsClick());
 }
 
 void TestSinceClick::computingAgainPicksTheSamePixelOfTheViewAsItIs()
