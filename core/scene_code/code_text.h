@@ -35,6 +35,7 @@ std::string list(const glm::dmat4 &matrix, MatrixOrder order, NumberStyle style,
 std::string windowText(const geometry::Surface &surface);
 
 /// The comments that every dialect has on top: the window, what is not in the code.
-std::string headerComment(const scene_file::SceneFile &scene, const std::string &what);
+/// @param mark  begins a comment
+std::string headerComment(const scene_file::SceneFile &scene, const std::string &what, const std::string &mark = "//");
 
 } // namespace unprojector::scene_code
