@@ -22,7 +22,7 @@ public:
     quint64 session() const { return m_session; }
 
 signals:
-    /// The user moved it there; three digits that mean what they say.
+    /// The user moved it there; three digits, or tenths of a step, that mean what they say.
     void moved(double number);
 
 protected:

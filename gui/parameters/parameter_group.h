@@ -68,9 +68,9 @@ protected:
     /// A row of its own, at the end of a layout.
     ParameterRow *addRow(QBoxLayout *layout, const QString &title);
     NumberField *addField(ParameterRow *row, const QString &letter, const QString &unit, NumberBinding binding);
-    /// Puts a slider beneath the field of a row. The group keeps its numbers and its place.
+    /// Puts a slider beside a field of a row. The group keeps its numbers and its place.
     /// @param within  brings a number to the nearest one that the scene takes
-    NumberSlider *addSlider(ParameterRow *row, NumberSlider::Scale scale,
+    NumberSlider *addSlider(ParameterRow *row, const NumberField *of, NumberSlider::Scale scale,
                             std::function<double(const scene::Scene &, double)> within);
     /// Forgets and deletes the fields inside a widget that is about to go.
     void removeFieldsIn(QWidget *container);

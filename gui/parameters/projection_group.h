@@ -30,7 +30,7 @@ private:
     };
     void addNumber(Number number, const QString &name, const QString &objectName, const QString &help);
     /// For what one explores: the field of view, near and far; null for the others.
-    NumberSlider *sliderFor(Number number, ParameterRow *row);
+    NumberSlider *sliderFor(Number number, ParameterRow *row, const NumberField *field);
     void rangeSliders();
     void choose(geometry::ProjectionKind kind);
 
