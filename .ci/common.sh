@@ -24,7 +24,7 @@ onVirtualDisplay() {
     env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1280x1024x24 +extension GLX" "$@"
 }
 
-# Additional needs of the tests: the fonts that tests/fonts names, and lld, which links 200 tests in
-# seconds.
+# What the tests need besides the program: the fonts that tests/fonts names, lld, which links 200 tests in seconds, and the
+# NumPy that runs the scene's code.
 # shellcheck disable=SC2034 # for the scripts that source this
-testPackages=(fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation lld)
+testPackages=(fonts-noto-cjk fonts-noto-core fonts-noto-mono fonts-liberation lld python3-numpy)

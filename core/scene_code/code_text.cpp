@@ -84,19 +84,20 @@ std::string windowText(const Surface &surface)
     return std::to_string(surface.widthPixels) + " x " + std::to_string(surface.heightPixels) + " device pixels";
 }
 
-std::string headerComment(const SceneFile &scene, const std::string &what)
+std::string headerComment(const SceneFile &scene, const std::string &what, const std::string &mark)
 {
     const Setup setup = setupOf(scene);
     const Surface &surface = setup.surface;
-    std::string text = "// " + what + ". Written by Unprojector.\n//\n";
-    text += "// Its window has " + windowText(surface);
+    std::string text = mark + ' ' + what + ". Written by Unprojector.\n" + mark + '\n';
+    text += mark + " Its window has " + windowText(surface);
     if (surface.devicePixelRatio != 1.0)
         text += ", " + shortestText(surface.devicePixelRatio) + " to a logical one: positions of the mouse times that";
     text += ".\n";
     if (isWholeWindow(setup) && !hasViewportsAspect(setup))
-        text += "// In a window of another shape, the projection's width has to follow, or circles become ellipses.\n";
+        text +=
+            mark + " In a window of another shape, the projection's width has to follow, or circles become ellipses.\n";
     if (!scene.objects.empty())
-        text += "// Models are not in it, only their files' names.\n";
+        text += mark + " Models are not in it, only their files' names.\n";
     return text;
 }
 

@@ -35,7 +35,8 @@ std::string list(const glm::dmat4 &matrix, MatrixOrder order, NumberStyle style,
 /// "800 x 600 device pixels"
 std::string windowText(const geometry::Surface &surface);
 
-/// The comments at the top of every dialect's code: the window, and what the code leaves out.
-std::string headerComment(const scene_file::SceneFile &scene, const std::string &what);
+/// The comments that every dialect has on top: the window, what is not in the code.
+/// @param mark  begins a comment
+std::string headerComment(const scene_file::SceneFile &scene, const std::string &what, const std::string &mark = "//");
 
 } // namespace unprojector::scene_code

@@ -12,5 +12,6 @@ std::string gluCode(const scene_file::SceneFile &scene);
 std::string glmCode(const scene_file::SceneFile &scene);
 std::string qtCode(const scene_file::SceneFile &scene);
 std::string threeCode(const scene_file::SceneFile &scene);
+std::string numpyCode(const scene_file::SceneFile &scene);
 
 } // namespace unprojector::scene_code

@@ -12,6 +12,7 @@ std::string sceneCode(const SceneFile &scene, CodeDialect dialect)
     case CodeDialect::Glm: return glmCode(scene);
     case CodeDialect::Qt: return qtCode(scene);
     case CodeDialect::ThreeJs: return threeCode(scene);
+    case CodeDialect::NumPy: return numpyCode(scene);
     }
     return {};
 }

@@ -9,10 +9,11 @@
 namespace unprojector::scene_code {
 
 enum class CodeDialect {
-    Glu,    ///< C++, OpenGL 1.1 with GLU; a view of MFC with the paper's handlers, compiled only after <afxwin.h>
-    Glm,    ///< C++, GLM in double precision
-    Qt,     ///< C++, QMatrix4x4: single precision
-    ThreeJs ///< JavaScript, a module
+    Glu,     ///< C++, OpenGL 1.1 with GLU; a view of MFC with the paper's handlers, compiled only after <afxwin.h>
+    Glm,     ///< C++, GLM in double precision
+    Qt,      ///< C++, QMatrix4x4: single precision
+    ThreeJs, ///< JavaScript, a module
+    NumPy    ///< Python, a script: its matrices, the way there and, by formula and by inverse, back
 };
 
 /// Generates source code with the setup of a scene: window, viewport, depth range, projection,

@@ -258,8 +258,8 @@ QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, i
         case Ulps: return tr("in ulp");
         case MatrixInFloat: return tr("Float");
         case FloatDifference: return tr("Formula − float");
-        case Ray: return tr("Exact ray");
-        case RayDifference: return tr("Formula − ray");
+        case Ray: return tr("Exact hit");
+        case RayDifference: return tr("Formula − hit");
         default: return {};
         }
     }
@@ -274,7 +274,7 @@ QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, i
         case Ray:
             return tr("Where the ray through the pixel's centre meets the mesh itself, in double, without the depth "
                       "buffer");
-        case RayDifference: return tr("Formula minus ray");
+        case RayDifference: return tr("Formula minus exact hit");
         default: return {};
         }
     }

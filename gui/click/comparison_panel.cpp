@@ -146,7 +146,7 @@ QWidget *ComparisonPanel::answerPart()
                                           {tr("Object"), tr("The coordinate in the space of the clicked object")}});
     m_showsFloat = new QCheckBox(tr("Floa&t"));
     m_showsFloat->setToolTip(tr("Add the matrix inverse in single precision, as most programs compute it"));
-    m_showsRay = new QCheckBox(tr("Exact &ray"));
+    m_showsRay = new QCheckBox(tr("Exact hi&t"));
     m_showsRay->setToolTip(tr("Add the point where the ray through the pixel's centre meets the mesh itself"));
     auto *switches = new QHBoxLayout;
     switches->addWidget(m_space);
@@ -247,8 +247,8 @@ QWidget *ComparisonPanel::rayPart()
 {
     auto *table = new CoordinatesTable(m_rayModel);
     table->setAccessibleName(tr("The hit, its normal and the nearest vertex"));
-    m_ray = steadyLabel(tr("Ray on mesh"),
-                        tr("What the ray through the pixel's centre meets on the mesh itself, in double"));
+    m_ray =
+        steadyLabel(tr("Exact hit"), tr("What the ray through the pixel's centre meets on the mesh itself, in double"));
     m_rayDetail = steadyLabel(tr("Triangle, vertex and edge"),
                               tr("By their numbers in the model: triangles and vertices are counted from 0"));
     auto *part = new QWidget;

@@ -28,7 +28,7 @@ OtherProgramsView::OtherProgramsView(QWidget *parent)
       m_reason(new QLabel)
 {
     m_table->setAccessibleName(tr("Other programs"));
-    m_table->setHorizontalHeaderLabels({tr("Off by"), tr("Because it")});
+    m_table->setHorizontalHeaderLabels({tr("Distance"), tr("Because it")});
     m_table->horizontalHeaderItem(OffBy)->setToolTip(tr("Distance from the formula's point; world units"));
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);

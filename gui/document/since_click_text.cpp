@@ -53,7 +53,7 @@ QString sinceClickText(const SceneDocument &document)
     if (since.isCutAway)
         return SinceClickTexts::tr("A clip plane cuts the point of this click away now.");
     if (!since.isOtherSetup)
-        return SinceClickTexts::tr("The view is as it was at the click.");
+        return {};
     const Result<WorldPoint> &world = pick->point.world[Method::Formula];
     const Result<glm::dmat4> matrix = clipFromWorld(document.setup());
     if (pick->hit() && world && matrix) {

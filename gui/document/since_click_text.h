@@ -12,11 +12,10 @@ class SceneDocument;
 /// @return nothing for a point inside the view volume
 QString clipTestText(const geometry::ClipPoint &point);
 
-/// The changes since the click, in words: the view is the same; or it is another one and the point
-/// is inside or outside its view volume; or the object was moved, is hidden, or is cut there by a
-/// clip plane. For a moved object the text doesn't locate the point in the volume: no surface is
-/// there any more.
-/// @return nothing without a pick
+/// How the pick stands to the document as it is now: that the view is another one and whether the
+/// point is in its view volume, or that the object was moved, is hidden, or is cut away there by a clip plane. Of a moved object's point it does not say where it is in the
+/// volume: there is nothing at that point any more.
+/// @return nothing without a pick, or where the view is as it was
 QString sinceClickText(const SceneDocument &document);
 
 } // namespace unprojector::gui

@@ -98,7 +98,7 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
     m_rows->setAccessibleName(tr("Curves"));
     m_rows->setRootIsDecorated(false);
     m_rows->setUniformRowHeights(true);
-    m_rows->setHeaderLabels({tr("Curve"), tr("Points"), tr("Way"), tr("n"), tr("Length")});
+    m_rows->setHeaderLabels({tr("Curve"), tr("Points"), tr("Kind"), tr("n"), tr("Length")});
     m_rows->headerItem()->setToolTip(
         Count, plainToolTip(tr("Semilandmarks, in equal steps along the curve, both ends included; they are "
                                "written into files with the points")));

@@ -282,7 +282,7 @@ ModelGroup::Row ModelGroup::makeRow(std::size_t step)
                                                                 : tr("Translation");
     const bool isScale = std::holds_alternative<Scale>(shown);
     ParameterRow *angle = isRotation ? addRow(layout, tr("Angle")) : nullptr;
-    ParameterRow *vector = addRow(layout, isRotation ? tr("Axis") : isScale ? tr("Factor") : tr("Way"));
+    ParameterRow *vector = addRow(layout, isRotation ? tr("Axis") : isScale ? tr("Factor") : tr("Offset"));
     for (int i = 0; i < numbersOf(shown); ++i) {
         const QString axis = QString(QChar(u'x' + (isRotation ? i - 1 : i)));
         const bool isAngle = isRotation && i == 0;
@@ -293,7 +293,7 @@ ModelGroup::Row ModelGroup::makeRow(std::size_t step)
                              : isRotation
                                  ? tr("Axis of the rotation, %1; its length does not matter (glRotate: %1)").arg(axis)
                              : isScale ? tr("Factor along %1, not 0 (glScale: %1)").arg(axis)
-                                       : tr("Way along %1, world units (glTranslate: %1)").arg(axis);
+                                       : tr("Offset along %1, world units (glTranslate: %1)").arg(axis);
         const std::size_t object = m_shown->index().value();
         const QString unit = isAngle ? degrees() : isRotation ? ofAnyLength() : isScale ? QString() : worldUnits();
         NumberField *field =

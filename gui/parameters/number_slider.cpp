@@ -51,7 +51,9 @@ double NumberSlider::numberAt(int position) const
 {
     if (m_scale == Scale::Linear) {
         const double number = m_lowest + position * m_step;
-        return QString::number(std::abs(number) < 0.5 * m_step ? 0.0 : number, 'g', kDigits + 1).toDouble();
+        // Down to a tenth of a step, however far from zero.
+        const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(m_step))));
+        return QString::number(std::abs(number) < 0.5 * m_step ? 0.0 : number, 'f', decimals).toDouble();
     }
     const double number = m_lowest * std::pow(10.0, static_cast<double>(position) / kStepsOfDecade);
     return QString::number(number, 'g', kDigits).toDouble();

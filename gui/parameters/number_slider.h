@@ -23,7 +23,7 @@ public:
     quint64 session() const { return m_session; }
 
 signals:
-    /// Emitted when the user moved the slider; three significant digits.
+    /// The user moved it there; three digits, or tenths of a step, that mean what they say.
     void moved(double number);
 
 protected:

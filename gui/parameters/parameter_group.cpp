@@ -112,16 +112,16 @@ NumberField *ParameterGroup::addField(ParameterRow *row, const QString &letter, 
     return widget;
 }
 
-NumberSlider *ParameterGroup::addSlider(ParameterRow *row, NumberSlider::Scale scale,
+NumberSlider *ParameterGroup::addSlider(ParameterRow *row, const NumberField *of, NumberSlider::Scale scale,
                                         std::function<double(const Scene &, double)> within)
 {
-    const auto found = std::find_if(m_fields.begin(), m_fields.end(),
-                                    [row](const FieldPointer &field) { return field->widget == row->firstField(); });
+    const auto found =
+        std::find_if(m_fields.begin(), m_fields.end(), [of](const FieldPointer &field) { return field->widget == of; });
     Q_ASSERT(found != m_fields.end());
     const NumberBinding &binding = (*found)->binding;
     auto *slider = new NumberSlider(binding.name, binding.help, scale);
     (*found)->slider = slider;
-    row->setSlider(slider);
+    row->setSlider(of, slider);
     connect(slider, &NumberSlider::moved, this,
             [this, slider, within = std::move(within), field = *found](double number) {
                 const QString mergeKey = QStringLiteral("%1 ~%2").arg(field->binding.name).arg(slider->session());

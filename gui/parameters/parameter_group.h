@@ -71,9 +71,9 @@ protected:
     /// Appends a row to a layout.
     ParameterRow *addRow(QBoxLayout *layout, const QString &title);
     NumberField *addField(ParameterRow *row, const QString &letter, const QString &unit, NumberBinding binding);
-    /// Adds a slider beneath the field of a row. The group sets its range and value.
-    /// @param within  clamps a number to the nearest one that the scene accepts
-    NumberSlider *addSlider(ParameterRow *row, NumberSlider::Scale scale,
+    /// Puts a slider beside a field of a row. The group keeps its numbers and its place.
+    /// @param within  brings a number to the nearest one that the scene takes
+    NumberSlider *addSlider(ParameterRow *row, const NumberField *of, NumberSlider::Scale scale,
                             std::function<double(const scene::Scene &, double)> within);
     /// Unbinds and deletes the fields inside a widget that is about to be removed.
     void removeFieldsIn(QWidget *container);

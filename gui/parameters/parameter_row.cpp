@@ -55,9 +55,12 @@ void ParameterRow::addField(NumberField *field, const QString &letter, const QSt
     updateGeometry();
 }
 
-void ParameterRow::setSlider(QWidget *slider)
+void ParameterRow::setSlider(const NumberField *field, QWidget *slider)
 {
-    m_slider = slider;
+    const auto cell =
+        std::find_if(m_cells.begin(), m_cells.end(), [field](const Cell &other) { return other.field == field; });
+    Q_ASSERT(cell != m_cells.end());
+    cell->slider = slider;
     slider->setParent(this);
     slider->show();
     updateGeometry();
@@ -68,8 +71,8 @@ QWidgetList ParameterRow::tabStops() const
     QWidgetList stops;
     for (const Cell &cell : m_cells)
         stops << cell.field;
-    if (m_slider)
-        stops << m_slider;
+    if (m_cells.size() == 1 && m_cells.front().slider)
+        stops << m_cells.front().slider;
     return stops;
 }
 
@@ -83,6 +86,8 @@ ParameterRow::Columns ParameterRow::ownColumns() const
     Columns columns{m_title->sizeHint().width(), 0};
     for (const Cell &cell : m_cells)
         columns.unit = std::max(columns.unit, cell.unit->sizeHint().width());
+    if (m_cells.size() > 1 && hasSliders())
+        columns.title = std::max(columns.title, columns.unit);
     if (const int letter = letterWidth())
         columns.title += gap() + letter;
     return columns;
@@ -94,6 +99,11 @@ int ParameterRow::letterWidth() const
     for (const Cell &cell : m_cells)
         width = std::max(width, cell.letter->text().isEmpty() ? 0 : cell.letter->sizeHint().width());
     return width;
+}
+
+bool ParameterRow::hasSliders() const
+{
+    return std::any_of(m_cells.begin(), m_cells.end(), [](const Cell &cell) { return cell.slider; });
 }
 
 void ParameterRow::setColumns(const Columns &columns)
@@ -120,7 +130,13 @@ int ParameterRow::arrange(int width, Place place) const
     const int shared = (right - left - (count - 1) * (letter + 2 * space)) / count;
     const bool isShared = count > 1 && shared >= m_cells.front().field->minimumSizeHint().width();
 
+    const bool areSlidersBeside = count > 1 && !isShared && hasSliders();
+
     int y = 0;
+    const auto putSlider = [&](const Cell &cell, const QRect &at) {
+        if (cell.slider)
+            place(cell.slider, at);
+    };
     const auto putReason = [&](const Cell &cell) {
         if (!cell.field->isBad()) {
             place(cell.reason, {});
@@ -136,7 +152,14 @@ int ParameterRow::arrange(int width, Place place) const
         const bool endsLine = !isShared || &cell == &m_cells.back();
         place(cell.letter, {x - space - letter, y, letter, line});
         place(cell.field, {x, y, endsLine ? right - x : shared, line});
-        place(cell.unit, endsLine ? QRect(unitLeft, y, m_columns.unit, line) : QRect());
+        if (!areSlidersBeside)
+            place(cell.unit, endsLine ? QRect(unitLeft, y, m_columns.unit, line) : QRect());
+        else // that of all fields, beneath the title
+            place(cell.unit, &cell == &m_cells[1] ? QRect(0, y, cell.unit->sizeHint().width(), line) : QRect());
+        if (areSlidersBeside)
+            putSlider(cell, {unitLeft, y, m_columns.unit, line});
+        else if (isShared && cell.slider)
+            putSlider(cell, {x, y + line, shared, cell.slider->sizeHint().height()});
         if (isShared) {
             x += shared + 2 * space + letter;
         } else {
@@ -145,13 +168,13 @@ int ParameterRow::arrange(int width, Place place) const
         }
     }
     if (isShared) {
-        y += line + between;
+        y += line + between + (hasSliders() ? m_cells.front().slider->sizeHint().height() : 0);
         for (const Cell &cell : m_cells)
             putReason(cell);
     }
-    if (m_slider) {
-        const int height = m_slider->sizeHint().height();
-        place(m_slider, {left, y, width - left, height});
+    if (count == 1 && hasSliders()) {
+        const int height = m_cells.front().slider->sizeHint().height();
+        putSlider(m_cells.front(), {left, y, width - left, height});
         y += height + between;
     }
     return y - between;

@@ -10,9 +10,10 @@ namespace unprojector::gui {
 
 class NumberField;
 
-/// A title and its numbers, each with its unit and, right beneath it, the reason why it is
-/// rejected. They are side by side if the row is wide enough, else stacked. Its columns are common
-/// to all rows of the panel; all lengths depend on the font.
+/// A title and the numbers that belong to it, each with its unit and, right beneath it, the reason why it is refused.
+/// They stand beside each other where the row is wide enough, else beneath each other. Its columns are those of all
+/// rows of the panel; all lengths come from the font. A slider stands beneath its field; where several fields stand beneath
+/// each other, in the units' column beside it, and the unit that they share beneath the title.
 class ParameterRow : public QWidget {
     Q_OBJECT
 public:
@@ -26,10 +27,9 @@ public:
 
     /// @param letter  identifies one of several: "x"; empty for a single one
     void addField(NumberField *field, const QString &letter, const QString &unit);
-    /// Adds a slider beneath the field.
-    void setSlider(QWidget *slider);
-    NumberField *firstField() const { return m_cells.front().field; }
-    /// The widgets that Tab reaches, from left to right and top to bottom.
+    void setSlider(const NumberField *field, QWidget *slider);
+    /// Those that Tab reaches, from left to right and above to below. Of several fields the sliders are left out: with the
+    /// keyboard each field steps its number.
     QWidgetList tabStops() const;
 
     /// The columns that its texts need.
@@ -51,6 +51,7 @@ private:
         NumberField *field;
         QLabel *unit;
         QLabel *reason;
+        QWidget *slider = nullptr;
     };
     /// Called for each child with its rectangle, or an empty one.
     using Place = void (*)(QWidget *child, const QRect &place);
@@ -62,10 +63,10 @@ private:
     void colourReasons();
     int gap() const;
     int letterWidth() const;
+    bool hasSliders() const;
 
     QLabel *m_title;
     std::vector<Cell> m_cells;
-    QWidget *m_slider = nullptr;
     Columns m_columns;
 };
 

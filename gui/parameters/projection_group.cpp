@@ -157,25 +157,25 @@ void ProjectionGroup::addNumber(Number number, const QString &name, const QStrin
     field->setObjectName(objectName);
     if (isAngle(number))
         field->setFixedStep(1.0);
-    m_rows.push_back({number, row, sliderFor(number, row)});
+    m_rows.push_back({number, row, sliderFor(number, row, field)});
 }
 
-NumberSlider *ProjectionGroup::sliderFor(Number number, ParameterRow *row)
+NumberSlider *ProjectionGroup::sliderFor(Number number, ParameterRow *row, const NumberField *field)
 {
     using Scale = NumberSlider::Scale;
     constexpr double kApart = 0.01; // the share of one of them that a slider keeps between near and far
     if (number == Number::Fovy) {
-        NumberSlider *slider = addSlider(row, Scale::Linear, [](const Scene &, double fovy) { return fovy; });
+        NumberSlider *slider = addSlider(row, field, Scale::Linear, [](const Scene &, double fovy) { return fovy; });
         slider->setNumbers(1.0, 179.0);
         return slider;
     }
     if (number == Number::Near)
-        return addSlider(row, Scale::Logarithmic, [](const Scene &scene, double distance) {
+        return addSlider(row, field, Scale::Logarithmic, [](const Scene &scene, double distance) {
             const double farDistance = projectionWindow(scene.projection).farDistance;
             return std::min(distance, farDistance - kApart * std::abs(farDistance));
         });
     if (number == Number::Far)
-        return addSlider(row, Scale::Logarithmic, [](const Scene &scene, double distance) {
+        return addSlider(row, field, Scale::Logarithmic, [](const Scene &scene, double distance) {
             const double nearDistance = projectionWindow(scene.projection).nearDistance;
             return std::max(distance, nearDistance + kApart * std::abs(nearDistance));
         });

@@ -30,9 +30,8 @@ private:
         NumberSlider *slider; ///< or null
     };
     void addNumber(Number number, const QString &name, const QString &objectName, const QString &help);
-    /// The slider for a number that users explore: the field of view, near and far; null for the
-    /// others.
-    NumberSlider *sliderFor(Number number, ParameterRow *row);
+    /// For what one explores: the field of view, near and far; null for the others.
+    NumberSlider *sliderFor(Number number, ParameterRow *row, const NumberField *field);
     void rangeSliders();
     void choose(geometry::ProjectionKind kind);
 

@@ -3,6 +3,7 @@
 #include "gui/document/scene_document.h"
 #include "gui/parameters/group_heading.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace unprojector::gui {
@@ -17,19 +18,19 @@ ViewGroup::ViewGroup(SceneDocument &document, QWidget *parent)
 {
     heading().setHelp(QStringLiteral("view"));
     addPoint(tr("Eye"), tr("Eye %1"), QStringLiteral("eye"), worldUnits(),
-             tr("Where the camera stands, world units (gluLookAt: eye%1)"),
+             tr("Where the camera stands, world units (gluLookAt: eye%1)"), Sliders::Yes,
              [](LookAt &view, int i) { return &view.eye[i]; });
     addPoint(tr("Center"), tr("Center %1"), QStringLiteral("center"), worldUnits(),
-             tr("The point the camera looks at, world units (gluLookAt: center%1)"),
+             tr("The point the camera looks at, world units (gluLookAt: center%1)"), Sliders::Yes,
              [](LookAt &view, int i) { return &view.center[i]; });
     m_lengths = findChildren<NumberField *>();
     addPoint(tr("Up"), tr("Up %1"), QStringLiteral("up"), ofAnyLength(),
              tr("The direction that is upwards in the picture; its length does not matter (gluLookAt: up%1)"),
-             [](LookAt &view, int i) { return &view.up[i]; });
+             Sliders::No, [](LookAt &view, int i) { return &view.up[i]; });
 }
 
 void ViewGroup::addPoint(const QString &title, const QString &name, const QString &objectName, const QString &unit,
-                         const QString &help, const std::function<double *(LookAt &, int)> &number)
+                         const QString &help, Sliders sliders, const std::function<double *(LookAt &, int)> &number)
 {
     ParameterRow *row = addRow(content(), title);
     for (int i = 0; i < 3; ++i) {
@@ -46,6 +47,12 @@ void ViewGroup::addPoint(const QString &title, const QString &name, const QStrin
                                            scene.camera = view;
                                        }});
         field->setObjectName(objectName + axis.toUpper());
+        if (sliders == Sliders::Yes) {
+            NumberSlider *slider = addSlider(row, field, NumberSlider::Scale::Linear,
+                                             [](const Scene &, double coordinate) { return coordinate; });
+            slider->setFocusPolicy(Qt::ClickFocus); // the field is the way of the keyboard
+            m_slides.push_back({slider, i});
+        }
     }
 }
 
@@ -54,8 +61,36 @@ void ViewGroup::setDefaults(Scene &scene) const
     scene.camera = scene.home;
 }
 
+void ViewGroup::rangeSliders()
+{
+    const auto isHeld = [](const Slide &slide) { return slide.slider->isSliderDown(); };
+    if (std::any_of(m_slides.begin(), m_slides.end(), isHeld))
+        return;
+    // Twice as far round the objects as the eye is, or they are wide.
+    const Box &bounds = document().bounds();
+    const double size = bounds.diagonal();
+    const bool areObjects = size > 0.0 && std::isfinite(size);
+    const LookAt &view = document().scene().camera;
+    const WorldPoint middle = areObjects ? WorldPoint(bounds.center()) : view.center;
+    const double wanted =
+        std::max({areObjects ? size : 0.0, distance(middle, view.eye), distance(middle, view.center)});
+    const double power = std::pow(10.0, std::floor(std::log10(wanted)));
+    const double reach = 2.0 * power * (wanted <= 2.0 * power ? 2.0 : wanted <= 5.0 * power ? 5.0 : 10.0);
+    if (!(reach > 0.0) || !std::isfinite(reach) || (reach == m_slidesReach && middle == m_slidesMiddle))
+        return;
+    m_slidesReach = reach;
+    m_slidesMiddle = middle;
+    constexpr double kSteps = 200.0;
+    const double step = reach / kSteps;
+    for (const Slide &slide : m_slides) {
+        const double start = std::round(middle[slide.axis] / step) * step;
+        slide.slider->setNumbers(start - reach, start + reach, step);
+    }
+}
+
 void ViewGroup::showScene()
 {
+    rangeSliders();
     // A step moves the eye by about a hundredth of its distance.
     const LookAt &view = document().scene().camera;
     const double step = std::pow(10.0, std::floor(std::log10(distance(view.center, view.eye) / 50.0)));

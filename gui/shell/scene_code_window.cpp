@@ -29,8 +29,9 @@ using namespace scene_code;
 
 namespace {
 
-/// The dialects in the order of the switch.
-constexpr std::array kDialects{CodeDialect::Glu, CodeDialect::Glm, CodeDialect::Qt, CodeDialect::ThreeJs};
+/// In the order of the switch.
+constexpr std::array kDialects{CodeDialect::Glu, CodeDialect::Glm, CodeDialect::Qt, CodeDialect::ThreeJs,
+                               CodeDialect::NumPy};
 
 } // namespace
 
@@ -46,7 +47,9 @@ SceneCodeWindow::SceneCodeWindow(const SceneDocument &document, const Session &s
         {{tr("GLU and MFC"), tr("OpenGL's own calls and GLU's, with the paper's handlers for a view of MFC")},
          {QStringLiteral("GLM"), tr("C++ with GLM, in double precision")},
          {QStringLiteral("Qt"), tr("C++ with QMatrix4x4, in single precision")},
-         {QStringLiteral("three.js"), tr("JavaScript with three.js")}});
+         {QStringLiteral("three.js"), tr("JavaScript with three.js")},
+         {QStringLiteral("NumPy"),
+          tr("Python with NumPy alone: the matrices, and a click by formula and by inverse")}});
     m_text->setReadOnly(true);
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_text->setFont(digitsFont(font()));
@@ -127,7 +130,9 @@ void SceneCodeWindow::copy() const
 
 void SceneCodeWindow::save()
 {
-    const QString filter = dialect() == CodeDialect::ThreeJs ? tr("JavaScript (*.js)") : tr("C++ (*.cpp)");
+    const QString filter = dialect() == CodeDialect::ThreeJs ? tr("JavaScript (*.js)")
+                           : dialect() == CodeDialect::NumPy ? tr("Python (*.py)")
+                                                             : tr("C++ (*.cpp)");
     const std::filesystem::path file =
         askSaveName(*this, tr("Save Code"), {filter}, pathText(m_session.proposedName().stem())).file;
     if (file.empty())

@@ -25,7 +25,7 @@ StatusReadout::StatusReadout(Window &window)
         std::max(m_pointed->sizeHint().height(), lineHeight(m_pointed->font(), tr("background, %1"))));
     m_projection->setAccessibleName(tr("Projection"));
     m_projection->setToolTip(tr("Projection and distances of the near and far planes, world units"));
-    m_preparing->setAccessibleName(tr("Preparing the ray on the mesh"));
+    m_preparing->setAccessibleName(tr("Preparing the exact hit"));
     m_preparing->setToolTip(
         tr("Clicks have the depth buffer's answer already; the ray's comes when the model is prepared "
            "for it"));
@@ -59,7 +59,7 @@ void StatusReadout::showPreparing(double share)
     constexpr qint64 kUnnoticedMilliseconds = 500;
     if (!m_sincePreparing.isValid())
         m_sincePreparing.start();
-    m_preparing->setText(tr("Preparing the ray on the mesh: %1 %").arg(static_cast<int>(100.0 * share)));
+    m_preparing->setText(tr("Preparing the exact hit: %1 %").arg(static_cast<int>(100.0 * share)));
     m_preparing->setVisible(m_sincePreparing.hasExpired(kUnnoticedMilliseconds));
 }
 

@@ -288,7 +288,7 @@ void WindowMenus::addAppearanceMenu(QMenu &menu)
         action->setActionGroup(group);
         action->setChecked(appearance == currentAppearance());
     };
-    add(Appearance::Desktop, tr("As the &Desktop Has Them"), tr("Light or dark as the desktop is"));
+    add(Appearance::Desktop, tr("&System"), tr("Light or dark as the desktop is"));
     add(Appearance::Light, tr("&Light"), tr("Dark letters on a light ground"));
     add(Appearance::Dark, tr("D&ark"), tr("Light letters on a dark ground"));
 }

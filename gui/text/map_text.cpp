@@ -21,8 +21,8 @@ QString quantityName(Quantity quantity)
 {
     switch (quantity) {
     case Quantity::FormulaMatrix: return MapText::tr("Formula − matrix");
-    case Quantity::FormulaRay: return MapText::tr("Formula − ray on the mesh");
-    case Quantity::MatrixRay: return MapText::tr("Matrix − ray on the mesh");
+    case Quantity::FormulaRay: return MapText::tr("Formula − exact hit");
+    case Quantity::MatrixRay: return MapText::tr("Matrix − exact hit");
     case Quantity::Uncertainty: return MapText::tr("Uncertainty");
     case Quantity::Displacement: return MapText::tr("Displacement by…");
     }

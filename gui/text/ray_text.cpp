@@ -60,7 +60,7 @@ QString planeText(const SceneHit &hit)
 QString surfaceText(const SceneHit &hit)
 {
     const TriangleDetail &triangle = *hit.triangle;
-    return RayTexts::tr("Triangle %1 at (%2, %3, %4); vertex %5 is %6 away, edge %7–%8 %9 away.")
+    return RayTexts::tr("Triangle %1, barycentric (%2, %3, %4); vertex %5 is %6 away, edge %7–%8 %9 away.")
         .arg(numbered(triangle.triangle), significantText(triangle.barycentric.x, 4),
              significantText(triangle.barycentric.y, 4), significantText(triangle.barycentric.z, 4),
              numbered(hit.vertex.id), readableText(hit.vertex.distance), numbered(triangle.edge.ids[0]),
@@ -77,29 +77,29 @@ QString rayComparisonText(const RayComparison &comparison, const QString &shown,
     switch (comparison.kind) {
     case Kind::SameSurface:
         return RayTexts::tr(
-                   "Ray on mesh: %1 from the formula; in depth steps %2. Trust the ray: it does not go through the "
-                   "depth buffer.")
+                   "Exact hit: %1 from the formula, in depth steps %2. Trust the exact hit: it does not use the depth "
+                   "buffer.")
             .arg(distance, steps);
     case Kind::OtherPart:
         return isBehind
-                   ? RayTexts::tr("Ray on mesh: %1 behind the formula: an edge passes the pixel's centre, and the GPU "
-                                  "draws edges to 1/256 pixel. Trust the ray.")
+                   ? RayTexts::tr("Exact hit: %1 behind the formula: an edge passes the pixel's centre, and the GPU "
+                                  "draws edges to 1/256 pixel. Trust the exact hit.")
                          .arg(distance)
-                   : RayTexts::tr("Ray on mesh: %1 before the formula: an edge passes the pixel's centre, and the GPU "
-                                  "draws edges to 1/256 pixel. Trust the ray.")
+                   : RayTexts::tr("Exact hit: %1 before the formula: an edge passes the pixel's centre, and the GPU "
+                                  "draws edges to 1/256 pixel. Trust the exact hit.")
                          .arg(distance);
     case Kind::OtherObject:
         return isBehind
                    ? RayTexts::tr("The ray meets %1, %2 behind %3: an edge passes the pixel's centre, and the GPU "
-                                  "draws edges to 1/256 pixel. Trust the ray.")
+                                  "draws edges to 1/256 pixel. Trust the exact hit.")
                          .arg(ray, distance, frame)
                    : RayTexts::tr("The ray meets %1, %2 before %3: an edge, or a sliver that the GPU leaves out. Trust "
-                                  "the ray.")
+                                  "the exact hit.")
                          .arg(ray, distance, frame);
     case Kind::SameDepth:
         return RayTexts::tr(
                    "Two surfaces at one depth, %1 apart: %2 is drawn, the ray meets %3. Which is in front neither "
-                   "can tell; trust the ray's coordinates.")
+                   "can tell; trust the exact hit's coordinates.")
             .arg(distance, frame, ray);
     case Kind::OnlyFrame:
         return RayTexts::tr(
@@ -109,11 +109,11 @@ QString rayComparisonText(const RayComparison &comparison, const QString &shown,
     case Kind::OnlyRay:
         return RayTexts::tr(
                    "The ray meets %1, nothing is drawn: an outline passes the pixel's centre, or a sliver that "
-                   "the GPU leaves out. Trust the ray.")
+                   "the GPU leaves out. Trust the exact hit.")
             .arg(ray);
     case Kind::TooFar:
         return RayTexts::tr("The ray meets %1, nothing is drawn: the depth buffer rounds its depth to that of the far "
-                            "plane. Trust the ray, or move near and far closer together.")
+                            "plane. Trust the exact hit, or move near and far closer together.")
             .arg(ray);
     case Kind::Nothing: return RayTexts::tr("The ray meets no mesh either.");
     case Kind::CloudPoint:
@@ -128,13 +128,13 @@ QString rayComparisonText(const RayComparison &comparison, const QString &shown,
 
 QString rayPreparingText()
 {
-    return RayTexts::tr("The ray on the mesh comes as soon as the model is prepared for it.");
+    return RayTexts::tr("The exact hit comes as soon as the model is prepared for it.");
 }
 
 QString rayImpossibleText(const QString &reason)
 {
     return reason.isEmpty() ? RayTexts::tr("This picture has no ray.")
-                            : RayTexts::tr("There is no ray on the mesh: %1.").arg(reason);
+                            : RayTexts::tr("There is no exact hit: %1.").arg(reason);
 }
 
 QString rayDetailText(Snap snap, const std::optional<SceneHit> &hit)

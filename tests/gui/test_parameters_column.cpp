@@ -35,6 +35,8 @@ private slots:
     void resetIsOneStep_data();
     void resetIsOneStep();
     void aDragIsOneStep();
+    void theEyesSlidersFollowTheScene();
+    void aDragOfTheEyeIsOneStep();
     void keysOnASliderAreOneStep();
     void nearAndFarDoNotPassEachOtherBySlider();
     void nearOfABoxGoesBelowZeroBySlider();
@@ -48,9 +50,9 @@ private slots:
     void tabGoesDownTheColumn();
 
 private:
-    NumberSlider *slider(const QString &name)
+    NumberSlider *slider(const QString &name, const QString &group = QStringLiteral("projectionGroup"))
     {
-        for (auto *found : showGroup(QStringLiteral("projectionGroup"))->findChildren<NumberSlider *>()) {
+        for (auto *found : showGroup(group)->findChildren<NumberSlider *>()) {
             if (found->accessibleName() == name)
                 return found;
         }
@@ -207,6 +209,57 @@ void TestParametersColumn::aDragIsOneStep()
     QCOMPARE(field(QStringLiteral("fovy"))->text(), QStringLiteral("90"));
     m_document->undoStack().undo();
     QVERIFY(isSameScene(scene(), prepared));
+}
+
+/// Their range goes by the objects and by how far the eye is, and their steps are round numbers, also far from zero.
+void TestParametersColumn::theEyesSlidersFollowTheScene()
+{
+    const auto ends = [this](const QString &name) {
+        NumberSlider *eye = slider(name, QStringLiteral("viewGroup"));
+        eye->setSliderDown(true); // it keeps its range
+        eye->setValue(eye->minimum());
+        const double lowest = scene().camera->eye.x;
+        eye->setValue(eye->maximum());
+        const double highest = scene().camera->eye.x;
+        eye->setSliderDown(false);
+        m_document->undoStack().undo();
+        return std::pair(lowest, highest);
+    };
+    for (const double offset : {0.0, 5412349.5}) {
+        Scene prepared = startScene();
+        prepared.objects[0].transform = {Translate{{offset, 0.0, 0.0}}};
+        prepared.camera = {WorldPoint(offset + 3.0, 2.0, 5.0), WorldPoint(offset, 0.0, 0.0), {0.0, 1.0, 0.0}};
+        open(prepared);
+        const double size = m_document->bounds().diagonal();
+        const double reach = std::max(size, 6.2);
+        const auto [lowest, highest] = ends(QStringLiteral("Eye x"));
+        QVERIFY2(lowest <= offset - reach && highest >= offset + reach, qPrintable(QString::number(lowest, 'g', 12)));
+        QVERIFY2(highest - lowest <= 12.0 * reach, qPrintable(QString::number(highest - lowest)));
+        QVERIFY(field(QStringLiteral("eyeX"))->text().size() <= 11);
+    }
+    for (const char *name : {"Eye y", "Eye z", "Center x", "Center y", "Center z"})
+        QVERIFY2(slider(QString::fromLatin1(name), QStringLiteral("viewGroup")), name);
+    QVERIFY(!slider(QStringLiteral("Up x"), QStringLiteral("viewGroup")));
+}
+
+void TestParametersColumn::aDragOfTheEyeIsOneStep()
+{
+    NumberSlider *eye = slider(QStringLiteral("Eye x"), QStringLiteral("viewGroup"));
+    const Scene before = scene();
+    eye->setSliderDown(true);
+    const int lowest = eye->minimum(), highest = eye->maximum();
+    for (const int position : {lowest, highest}) {
+        eye->setValue(position);
+        QCOMPARE(field(QStringLiteral("eyeX"))->text().toDouble(), scene().camera->eye.x);
+        QCOMPARE(eye->maximum(), highest); // it keeps its range while it is held
+    }
+    eye->setSliderDown(false);
+    QVERIFY(scene().camera->eye.x > before.camera->eye.x);
+    QVERIFY(scene().camera->eye.y == before.camera->eye.y && scene().camera->center == before.camera->center);
+    QCOMPARE(m_document->undoStack().count(), 1);
+    QCOMPARE(m_document->undoStack().undoText(), QStringLiteral("Eye x"));
+    m_document->undoStack().undo();
+    QVERIFY(isSameScene(scene(), before));
 }
 
 void TestParametersColumn::keysOnASliderAreOneStep()

@@ -3,6 +3,10 @@
 #include "window_user.h"
 
 #include "core/matrices/pipeline.h"
+#include "gui/click/answer_view.h"
+#include "gui/click/comparison_model.h"
+#include "gui/click/comparison_panel.h"
+#include "gui/click/earlier_picks_view.h"
 #include "gui/click/pick_strip.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/picks.h"
@@ -10,6 +14,7 @@
 #include "gui/pipeline/pipeline_panel.h"
 #include "gui/text/number_text.h"
 #include "gui/view/drop_labels.h"
+#include "gui/widgets/whole_table.h"
 #include "tests/support/patience.h"
 
 #include <QLabel>
@@ -64,6 +69,8 @@ private slots:
     void everySpaceHasItsCoordinate();
     void theBackgroundHasNoPoint();
     void noUncertainDigitIsShown();
+    void thePointHasTheSameDigitsEverywhere_data();
+    void thePointHasTheSameDigitsEverywhere();
     void aNarrowStripRounds();
     void theViewKeepsItsSizeAtTheFirstPick();
     void aSpaceOpensItsMatrix();
@@ -134,6 +141,75 @@ void TestPickStrip::noUncertainDigitIsShown()
         const int decimals = number.contains(u'.') ? int(number.size() - number.indexOf(u'.') - 1) : 0;
         QVERIFY2(std::pow(10.0, -decimals) >= 0.2 * least, qPrintable(texts[space]));
     }
+}
+
+void TestPickStrip::thePointHasTheSameDigitsEverywhere_data()
+{
+    QTest::addColumn<double>("nearDistance");
+    QTest::addColumn<double>("farDistance");
+    QTest::newRow("the opening's planes") << 0.0 << 0.0;
+    QTest::newRow("planes far apart") << 0.001 << 1e5;
+}
+
+/// The headline, the table, the line below the view, the lines along the axes and the list of picks: each has the coordinate
+/// rounded to a place of its own, and none has a black digit below the certain place.
+void TestPickStrip::thePointHasTheSameDigitsEverywhere()
+{
+    QFETCH(double, nearDistance);
+    QFETCH(double, farDistance);
+    const auto window = windowOfSize({1280, 800});
+    if (nearDistance > 0.0) {
+        QVERIFY(window->document().edit({QStringLiteral("Near")},
+                                        [](scene::Scene &scene) { scene.clipDistancesFitObjects = false; }));
+        setProjection(window->document(), Perspective{radiansFromDegrees(45.0), 1.2, nearDistance, farDistance});
+    }
+    const auto lastPlaceOf = [](const QString &number) {
+        return number.contains(u'.') ? int(number.indexOf(u'.') - number.size() + 1) : 0;
+    };
+    const auto numbersIn = [](const QString &text) {
+        return text.section(u'(', 1).section(u')', 0, 0).split(QStringLiteral(", "));
+    };
+    int clicks = 0;
+    for (const double share : {0.44, 0.47, 0.5, 0.53, 0.56}) {
+        window->view().onLButtonDown(WidgetPoint(window->view().width() * share, window->view().height() * share));
+        const unproject::Pick &pick = *window->document().picks().pick();
+        if (!pick.hit())
+            continue;
+        ++clicks;
+        const WorldPoint point = *window->document().picks().pickedPoint();
+        const std::vector<DropLabel> labels = dropLabels(window->document(), window->view().font(), {});
+        ComparisonPanel &panel = part<ComparisonPanel>(*window);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double uncertainty = pick.uncertainty.world[axis];
+            const QModelIndex cell = panel.model().index(axis, ComparisonModel::Formula);
+            const QString table = cell.data().toString(),
+                          black = table.left(cell.data(ComparisonModel::kCertainLengthRole).toInt());
+            const QString headline = numbersIn(part<AnswerView>(*window).text())[axis];
+            QCOMPARE(headline, table);
+            QVERIFY2(black.isEmpty() || std::pow(10.0, lastPlaceOf(black)) >= uncertainty, qPrintable(black));
+            QStringList shown{numbersIn(textsOf(part<PickStrip>(*window))[5])[axis],
+                              numbersIn(part<EarlierPicksView>(*window).table().item(0, 1)->text())[axis]};
+            for (const DropLabel &label : labels) {
+                if (label.text.startsWith(QStringLiteral("xyz")[axis]))
+                    shown << label.text.mid(2);
+            }
+            for (const QString &number : shown)
+                QVERIFY2(std::pow(10.0, lastPlaceOf(number)) >= uncertainty, qPrintable(number));
+            shown << table;
+            for (const QString &number : shown)
+                QCOMPARE(number, fixedText(point[axis], -lastPlaceOf(number)));
+            // Of the other columns a black digit is no finer than how far they are from the formula.
+            for (const int column : {ComparisonModel::Matrix, ComparisonModel::MatrixInFloat}) {
+                const QModelIndex other = panel.model().index(axis, column);
+                const QString certain =
+                    other.data().toString().left(other.data(ComparisonModel::kCertainLengthRole).toInt());
+                const double off = std::abs(other.data(ComparisonModel::kValueRole).toDouble() - point[axis]);
+                QVERIFY2(certain.isEmpty() || std::pow(10.0, lastPlaceOf(certain)) >= off + uncertainty,
+                         qPrintable(certain));
+            }
+        }
+    }
+    QVERIFY(clicks >= 3);
 }
 
 void TestPickStrip::aNarrowStripRounds()

@@ -107,16 +107,18 @@ void TestRayPanel::eachSituationIsExplained_data()
     const auto row = [](const char *name, const WidgetPoint &position, const DepthSample &sample,
                         const QStringList &expected) { QTest::newRow(name) << position << sample << expected; };
     const WidgetPoint onCube(220, 140), beside(20, 20), nearPoint(352, 146);
-    row("the same surface", onCube, at(1.0, 0), {" from the formula; in depth steps 0. Trust the ray"});
+    row("the same surface", onCube, at(1.0, 0), {" from the formula, in depth steps 0. Trust the exact hit"});
     row("a step off", onCube, at(1.0 - 40.0 / 16777215.0, 0),
-        {"Ray on mesh: 0.000002 from the formula; in depth steps 1. Trust the ray"});
-    row("another part of it", onCube, at(-1.0, 0), {"2 before the formula: an edge", "Trust the ray"});
-    row("another object is drawn behind", onCube, at(-4.0, 1), {"The ray meets front, 5 before back", "Trust the ray"});
-    row("another object is drawn before", onCube, at(3.0, 1), {"The ray meets front, 2 behind back", "Trust the ray"});
+        {"Exact hit: 0.000002 from the formula, in depth steps 1. Trust the exact hit"});
+    row("another part of it", onCube, at(-1.0, 0), {"2 before the formula: an edge", "Trust the exact hit"});
+    row("another object is drawn behind", onCube, at(-4.0, 1),
+        {"The ray meets front, 5 before back", "Trust the exact hit"});
+    row("another object is drawn before", onCube, at(3.0, 1),
+        {"The ray meets front, 2 behind back", "Trust the exact hit"});
     row("two surfaces at one depth", onCube, at(1.0, 1),
         {"Two surfaces at one depth, ", "back is drawn, the ray meets front."});
     row("only drawn", beside, at(1.0, 0), {"The ray meets nothing, front is drawn", "Trust the formula"});
-    row("only met", onCube, kBackground, {"The ray meets front, nothing is drawn", "Trust the ray"});
+    row("only met", onCube, kBackground, {"The ray meets front, nothing is drawn", "Trust the exact hit"});
     row("nothing", beside, kBackground, {"The ray meets no mesh either."});
     row("a point of a cloud", nearPoint, at(0.0, 2), {"The ray takes the nearest point", "it is the file's"});
     row("a point beside which nothing is drawn", nearPoint, kBackground, {"The ray takes the nearest point, within 8"});
@@ -130,9 +132,9 @@ void TestRayPanel::eachSituationIsExplained()
     SceneDocument document;
     openCubes(document);
     const ComparisonPanel panel(document);
-    QCOMPARE(said(panel, "Ray on mesh"), QString());
+    QCOMPARE(said(panel, "Exact hit"), QString());
     pickAt(document, position, sample);
-    const QString text = said(panel, "Ray on mesh");
+    const QString text = said(panel, "Exact hit");
     for (const QString &part : expected)
         QVERIFY2(text.contains(part), qPrintable(text));
 }
@@ -157,7 +159,8 @@ void TestRayPanel::theTableHasTheRaysNumbers()
     }
     QCOMPARE(panel.rayModel().headerData(RayModel::Taken, Qt::Horizontal).toString(), QStringLiteral("Vertex"));
     const QString detail = said(panel, "Triangle, vertex and edge");
-    QVERIFY2(detail.startsWith(QStringLiteral("Triangle %1 at (").arg(hit.triangle->triangle)), qPrintable(detail));
+    QVERIFY2(detail.startsWith(QStringLiteral("Triangle %1, barycentric (").arg(hit.triangle->triangle)),
+             qPrintable(detail));
     QVERIFY2(detail.contains(QStringLiteral("vertex %1 is 1.0 away").arg(hit.vertex.id))
                  || detail.contains(QStringLiteral("vertex %1 is 1 away").arg(hit.vertex.id)),
              qPrintable(detail));
@@ -226,11 +229,11 @@ void TestRayPanel::theAnswerComesByItself()
     const ComparisonPanel panel(document);
     QVERIFY(addObjects(document, {{"ball", {}, modelOf(examples::sphereMesh(1.5, 7)), {}}}));
     pickAt(document, WidgetPoint(200, 150), at(1.5, 3));
-    QCOMPARE(said(panel, "Ray on mesh"), rayPreparingText());
+    QCOMPARE(said(panel, "Exact hit"), rayPreparingText());
     QVERIFY(std::isnan(value(panel, 2, RayModel::Met)));
     QVERIFY(QTest::qWaitFor([&] { return document.picks().pickedRay()->state == PickedRay::State::Answered; },
                             kPatienceMilliseconds));
-    QVERIFY2(said(panel, "Ray on mesh").contains("Trust the ray"), qPrintable(said(panel, "Ray on mesh")));
+    QVERIFY2(said(panel, "Exact hit").contains("Trust the exact hit"), qPrintable(said(panel, "Exact hit")));
     QVERIFY(std::abs(value(panel, 2, RayModel::Met) - 1.5) < 1e-3);
 }
 
@@ -285,7 +288,7 @@ void TestRayPanel::allOfItIsCopied()
     pickAt(document, WidgetPoint(220, 140), at(1.0, 0));
     const QString copied = panel.text().replace(QChar::Nbsp, u' ');
     QVERIFY(copied.contains(panel.rayModel().text()));
-    QVERIFY(copied.contains(said(panel, "Ray on mesh")) && copied.contains(said(panel, "Triangle, vertex and edge")));
+    QVERIFY(copied.contains(said(panel, "Exact hit")) && copied.contains(said(panel, "Triangle, vertex and edge")));
     QVERIFY(panel.rayModel().text().contains(shortestText(document.picks().pickedRay()->met->hit.world.x)));
     const QModelIndex cell = panel.rayModel().index(1, RayModel::Met);
     QCOMPARE(panel.rayModel().pointAt(cell).size(), std::size_t(3));

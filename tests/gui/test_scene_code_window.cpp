@@ -100,7 +100,8 @@ void TestSceneCodeWindow::everyDialectIsCopiedAndSaved()
     for (const auto &[dialect, word] : {std::pair(CodeDialect::Glu, "gluUnProject"),
                                         {CodeDialect::Glm, "glm::unProject"},
                                         {CodeDialect::Qt, "QMatrix4x4"},
-                                        {CodeDialect::ThreeJs, "THREE."}}) {
+                                        {CodeDialect::ThreeJs, "THREE."},
+                                        {CodeDialect::NumPy, "import numpy as np"}}) {
         m_code->setDialect(dialect);
         QVERIFY2(shown().contains(QLatin1String(word)), word);
         (*copies)->click();

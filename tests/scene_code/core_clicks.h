@@ -31,8 +31,8 @@ struct Click {
     glm::dvec3 world;
 };
 
-/// A hundred pixels of the viewport with any depths of the depth range, by the formulas; the same
-/// in every run.
+/// A hundred pixels of the viewport with any depths of the depth range, by the formulas, or by the inverse of a matrix that
+/// they do not know; the same in every run.
 inline std::vector<Click> hundredClicks(const unprojector::scene_file::SceneFile &scene)
 {
     const unprojector::geometry::Setup setup = setupOf(scene);
@@ -48,9 +48,11 @@ inline std::vector<Click> hundredClicks(const unprojector::scene_file::SceneFile
             setup.surface, unprojector::geometry::WindowPoint(v.x + share() * v.width, v.y + share() * v.height, 0.0));
         const unprojector::geometry::DevicePixel pixel{int(std::floor(at.x)), int(std::floor(at.y))};
         const double depth = setup.depthRange.atNear + share() * (setup.depthRange.atFar - setup.depthRange.atNear);
-        const auto world =
-            unprojector->worldAt(unprojector::unproject::Method::Formula,
-                                 windowFromDevice(setup.surface, unprojector::geometry::pixelCenter(pixel), depth));
+        const unprojector::geometry::WindowPoint window =
+            windowFromDevice(setup.surface, unprojector::geometry::pixelCenter(pixel), depth);
+        auto world = unprojector->worldAt(unprojector::unproject::Method::Formula, window);
+        if (!world)
+            world = unprojector->worldAt(unprojector::unproject::Method::Matrix, window);
         if (!world)
             qFatal("no point");
         clicks.push_back({pixel.i, pixel.j, depth, glm::dvec3(world->x, world->y, world->z)});

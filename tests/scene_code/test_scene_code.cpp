@@ -173,6 +173,7 @@ void TestSceneCode::numbersKeepAllTheirDigits_data()
     QTest::newRow("GLM") << CodeDialect::Glm;
     QTest::newRow("Qt") << CodeDialect::Qt;
     QTest::newRow("three.js") << CodeDialect::ThreeJs;
+    QTest::newRow("NumPy") << CodeDialect::NumPy;
 }
 
 /// The numbers are read out of the text: three.js' is not run.
@@ -219,7 +220,8 @@ void TestSceneCode::namesStayInTheirComments()
         scene.objects.back().name = name;
         scene.objects.back().file = "evil.obj";
     }
-    for (const CodeDialect dialect : {CodeDialect::Glu, CodeDialect::Glm, CodeDialect::Qt, CodeDialect::ThreeJs}) {
+    for (const CodeDialect dialect :
+         {CodeDialect::Glu, CodeDialect::Glm, CodeDialect::Qt, CodeDialect::ThreeJs, CodeDialect::NumPy}) {
         QString text = QString::fromStdString(sceneCode(scene, dialect));
         for (const QChar c : text) // bidirectional controls turn code round to the eye
             QVERIFY2(c == QLatin1Char('\n') || c.category() == QChar::Other_Surrogate || c.isPrint(), qPrintable(text));

@@ -163,16 +163,20 @@ void addCode(CLI::App &app, Run &run)
                            {{"glu", CodeDialect::Glu},
                             {"glm", CodeDialect::Glm},
                             {"qt", CodeDialect::Qt},
-                            {"three", CodeDialect::ThreeJs}},
+                            {"three", CodeDialect::ThreeJs},
+                            {"numpy", CodeDialect::NumPy}},
                            tr("What it is written for"));
-    addFile(*command, "-o,--output", options->output, tr("C++, or JavaScript for three; - is standard output"))
+    addFile(*command, "-o,--output", options->output,
+            tr("C++, JavaScript for three, Python for numpy; - is standard output"))
         ->default_str("-");
     command->footer(
         tr("Its screen2world(i, j, depth) unprojects the centre of a pixel, counted from the top left corner in\n"
            "device pixels. For glu, handlers for a view of MFC stand at the end. Models are only named; what the\n"
            "library has no word for is said in comments.")
         + "\n\n" + tr("Examples:")
-        + "\n  unproject code scene.json --for glm\n  unproject code scene.json --for three -o scene.js");
+        + "\n  unproject code scene.json --for glm\n  unproject code scene.json --for three -o scene.js\n  unproject "
+          "code scene.json "
+          "--for numpy -o scene.py && python3 scene.py");
     command->callback([options, &run] { run = [options] { return runCode(*options); }; });
 }
 
