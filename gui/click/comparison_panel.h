@@ -32,10 +32,11 @@ class ThenAndNowView;
 class VerdictView;
 struct MetPlace;
 
-/// The answer of a click, from what most users ask first to what few ask: the coordinate with its uncertainty, whether the two
-/// methods agree, both of them in a table, the formula with its numbers, and folded the way of the pixel, the exact hit on the mesh,
-/// other programs, other APIs and the last picks of the scene. All of it is of the moment of the click; where the view has changed since, the panel says so,
-/// shows the values now beside those of the click, and offers to pick the same pixel again.
+/// The answer of a click, from what most users ask first to what few ask: the coordinate with its uncertainty, whether
+/// the two methods agree, both of them in a table, the formula with its numbers, and folded the way of the pixel, the
+/// exact hit on the mesh, other programs, other APIs and the last picks of the scene. All of it is of the moment of the
+/// click; where the view has changed since, the panel says so, shows the values now beside those of the click, and
+/// offers to pick the same pixel again.
 class ComparisonPanel : public QWidget {
     Q_OBJECT
 public:

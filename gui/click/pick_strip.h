@@ -16,8 +16,9 @@ class QToolButton;
 
 namespace unprojector::gui {
 
-/// A pick in every space, in one line: pixel › window › NDC › clip › eye › world › object. A click on a space asks for the
-/// matrix that leads there. All of it is of the moment of the click; where the view has changed since, the line says so.
+/// A pick in every space, in one line: pixel › window › NDC › clip › eye › world › object. A click on a space asks for
+/// the matrix that leads there. All of it is of the moment of the click; where the view has changed since, the line
+/// says so.
 class PickStrip : public QWidget {
     Q_OBJECT
 public:

@@ -19,12 +19,14 @@ struct ThenAndNow {
     std::optional<double> exactNow = {}; ///< nothing: there is none, and `now` is "–"
 };
 
-/// Window x, y and depth; then x, y, z in eye space and in world space. The point is carried along with its object, so that it
-/// stays on the surface that was clicked. A point in the plane of the eye or behind it has no window point now: "–".
+/// Window x, y and depth; then x, y, z in eye space and in world space. The point is carried along with its object, so
+/// that it stays on the surface that was clicked. A point in the plane of the eye or behind it has no window point now:
+/// "–".
 /// @return nothing without a picked point
 std::vector<ThenAndNow> thenAndNow(const SceneDocument &document);
 
-/// "Now the point is outside the view volume: z > w: behind the far plane."; empty where it is inside, and without a point.
+/// "Now the point is outside the view volume: z > w: behind the far plane."; empty where it is inside, and without a
+/// point.
 QString placeNowText(const SceneDocument &document);
 
 /// The changes of the setup since the click, a phrase with both values each: "Near: 2 → 1".

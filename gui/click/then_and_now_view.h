@@ -9,8 +9,8 @@ namespace unprojector::gui {
 class SceneDocument;
 class WholeTable;
 
-/// The picked point at the click and in the view as it is now, side by side, and below it the changes of the setup. Rows that
-/// differ are bold and have a "≠" behind their name. Hidden, it does nothing; shown again, it catches up.
+/// The picked point at the click and in the view as it is now, side by side, and below it the changes of the setup.
+/// Rows that differ are bold and have a "≠" behind their name. Hidden, it does nothing; shown again, it catches up.
 class ThenAndNowView : public QWidget {
     Q_OBJECT
 public:

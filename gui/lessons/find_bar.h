@@ -25,7 +25,8 @@ public:
 
     /// Shows the field with the last search text, selected.
     void openField();
-    /// Shows the field with these words, and their first hit from a position of the text on; the focus stays where it is.
+    /// Shows the field with these words, and their first hit from a position of the text on; the focus stays where it
+    /// is.
     void find(const QString &words, int from);
     /// Takes the marks away; the present hit stays selected in the page.
     void closeField();

@@ -44,8 +44,8 @@ struct ManualPlace {
 /// @param address  "picking.md#snap-to-the-mesh", "picking", "#limits"
 ManualPlace manualPlace(const QString &address);
 
-/// What to mark of typed words in a section that matches them: all of them where they stand there as typed, else the longest;
-/// empty where not each of them is in the section.
+/// What to mark of typed words in a section that matches them: all of them where they stand there as typed, else the
+/// longest; empty where not each of them is in the section.
 QString wordsIn(const ManualSection &section, const QString &words);
 
 } // namespace unprojector::gui

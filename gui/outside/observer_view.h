@@ -31,7 +31,8 @@ public:
     /// Marks a quantity of the pick's formulas, see quantity_marks.h; empty: none.
     void setMarkedTerm(const QString &term);
 
-    /// Shows the eye, the view volume and the points that another program got fully, from the direction that the observer looks in.
+    /// Shows the eye, the view volume and the points that another program got fully, from the direction that the
+    /// observer looks in.
     void fit();
 
     const geometry::LookAt &observer() const { return m_observer.camera(); }

@@ -12,8 +12,8 @@ class NumberField;
 
 /// A title and the numbers that belong to it, each with its unit and, right beneath it, the reason why it is refused.
 /// They stand beside each other where the row is wide enough, else beneath each other. Its columns are those of all
-/// rows of the panel; all lengths come from the font. A slider stands beneath its field; where several fields stand beneath
-/// each other, in the units' column beside it, and the unit that they share beneath the title.
+/// rows of the panel; all lengths come from the font. A slider stands beneath its field; where several fields stand
+/// beneath each other, in the units' column beside it, and the unit that they share beneath the title.
 class ParameterRow : public QWidget {
     Q_OBJECT
 public:
@@ -28,8 +28,8 @@ public:
     /// @param letter  identifies one of several: "x"; empty for a single one
     void addField(NumberField *field, const QString &letter, const QString &unit);
     void setSlider(const NumberField *field, QWidget *slider);
-    /// Those that Tab reaches, from left to right and above to below. Of several fields the sliders are left out: with the
-    /// keyboard each field steps its number.
+    /// Those that Tab reaches, from left to right and above to below. Of several fields the sliders are left out: with
+    /// the keyboard each field steps its number.
     QWidgetList tabStops() const;
 
     /// The columns that its texts need.

@@ -11,8 +11,8 @@ class SceneDocument;
 class SegmentedSwitch;
 class SteadyLabel;
 
-/// What the points of the pipeline are, and buttons that follow the other one of click and given point, and remove the latter.
-/// Where the view has changed since the click, a switch chooses the values at the click or those now.
+/// What the points of the pipeline are, and buttons that follow the other one of click and given point, and remove the
+/// latter. Where the view has changed since the click, a switch chooses the values at the click or those now.
 class FollowedPointRow : public QWidget {
     Q_OBJECT
 public:

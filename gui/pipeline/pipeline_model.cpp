@@ -388,8 +388,8 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
     } else {
         m_status = tr("Forward from the clicked point.");
     }
-    // What has changed since the click is said in the words of the comparison; only that the numbers of the other view are
-    // shown here, and not those of the click, is the pipeline's own.
+    // What has changed since the click is said in the words of the comparison; only that the numbers of the other view
+    // are shown here, and not those of the click, is the pipeline's own.
     if (showsClick()) {
         m_status = m_direction == PipelineDirection::Forward
                        ? tr("Values at the click: forward from the clicked point.")

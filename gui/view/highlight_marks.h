@@ -69,8 +69,8 @@ inline const QColor kNear(0x0c, 0x4c, 0x9c), kFar(0x9c, 0x4a, 0x00);
 /// Of an axis that is seen across, logical pixels.
 double axisLength(const geometry::Setup &setup);
 
-/// Those of the view: axes and viewport. Axes whose origin or end is behind the eye or in it, as the eye's own are in a perspective,
-/// are not in it.
+/// Those of the view: axes and viewport. Axes whose origin or end is behind the eye or in it, as the eye's own are in a
+/// perspective, are not in it.
 HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Highlight> &highlights);
 
 /// The marks of View from Outside: axes, the volume's sides, and the numbers at the cube once the

@@ -11,8 +11,9 @@ class QMenu;
 
 namespace unprojector::gui {
 
-/// Formulas as on paper, each in symbols with its numbers below. A term under the pointer is marked wherever it stands, and
-/// a tooltip names it; a view can mark its quantity. They are set to the view's width, and the view is as high as they are.
+/// Formulas as on paper, each in symbols with its numbers below. A term under the pointer is marked wherever it stands,
+/// and a tooltip names it; a view can mark its quantity. They are set to the view's width, and the view is as high as
+/// they are.
 class FormulaView : public QAbstractScrollArea {
     Q_OBJECT
 public:

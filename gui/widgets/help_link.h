@@ -29,8 +29,8 @@ void openHelp(const QString &anchor);
 /// @param place  "pipeline.md#viewport"; empty: its first page
 void openManual(const QString &place);
 
-/// Takes over the links to Help and to the manual, those of labels too (helpAddress, manualAddress), for as long as it lives or
-/// until another one does.
+/// Takes over the links to Help and to the manual, those of labels too (helpAddress, manualAddress), for as long as it
+/// lives or until another one does.
 class HelpOpener : public QObject {
     Q_OBJECT
 public:

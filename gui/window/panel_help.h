@@ -10,8 +10,8 @@ class QTabBar;
 
 namespace unprojector::gui {
 
-/// The "?" of the panels: at the right of a panel's title bar, or at the end of the row of tabs that it is in front of. It
-/// opens the panel's page of the manual.
+/// The "?" of the panels: at the right of a panel's title bar, or at the end of the row of tabs that it is in front of.
+/// It opens the panel's page of the manual.
 class PanelHelp : public QObject {
     Q_OBJECT
 public:

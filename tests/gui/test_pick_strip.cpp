@@ -151,8 +151,8 @@ void TestPickStrip::thePointHasTheSameDigitsEverywhere_data()
     QTest::newRow("planes far apart") << 0.001 << 1e5;
 }
 
-/// The headline, the table, the line below the view, the lines along the axes and the list of picks: each has the coordinate
-/// rounded to a place of its own, and none has a black digit below the certain place.
+/// The headline, the table, the line below the view, the lines along the axes and the list of picks: each has the
+/// coordinate rounded to a place of its own, and none has a black digit below the certain place.
 void TestPickStrip::thePointHasTheSameDigitsEverywhere()
 {
     QFETCH(double, nearDistance);

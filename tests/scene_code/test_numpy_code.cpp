@@ -1,5 +1,5 @@
-// The script that is written for a scene: its matrices, its way there and its two ways back are core's. Python runs it where
-// there is one with NumPy.
+// The script that is written for a scene: its matrices, its way there and its two ways back are core's. Python runs it
+// where there is one with NumPy.
 
 #include "core/scene_code/scene_code.h"
 #include "tests/scene_code/core_clicks.h"
@@ -154,7 +154,8 @@ void TestNumpyCode::itsNumbersAreCores()
         core_clicks::compareMatrices(matrixOf(models.at(i)), worldFromObject(scene.objects[std::size_t(i)].transform),
                                      kShare);
 
-    // Far away a depth's rounding counts by the square of the distance; half a pixel would be a thousand million times as much.
+    // Far away a depth's rounding counts by the square of the distance; half a pixel would be a thousand million times
+    // as much.
     constexpr double kWorld = 1e-11, kPixel = 1e-9;
     QCOMPARE(answer["formula"].toArray().isEmpty(), !hasFormula);
     for (int k = 0; k < int(clicks.size()); ++k) {
