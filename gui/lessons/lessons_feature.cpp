@@ -312,7 +312,7 @@ void LessonsFeature::showManual(const QString &place)
     if (!m_manual)
         m_manual = new ManualWindow(&m_window);
     bringToFront(*m_manual);
-    m_manual->open(place);
+    m_manual->openPlace(place);
 }
 
 void LessonsFeature::showFormulas(const QString &anchor)

@@ -62,7 +62,7 @@ ManualWindow::ManualWindow(QWidget *parent)
     m_back = addTool(tr("Go Back"), tr("Back to the place before"), {Qt::ALT | Qt::Key_Left}, [this] { goBack(); });
     m_forward = addTool(tr("Go Forward"), tr("Forward to the place that was left last"), {Qt::ALT | Qt::Key_Right},
                         [this] { goForward(); });
-    addTool(tr("Contents"), tr("Back to the contents"), {Qt::ALT | Qt::Key_Up}, [this] { open({}); });
+    addTool(tr("Contents"), tr("Back to the contents"), {Qt::ALT | Qt::Key_Up}, [this] { openPlace({}); });
     addReadingTools();
     addTool(tr("Search"), tr("Search all pages"), {Qt::CTRL | Qt::SHIFT | Qt::Key_F}, [this] {
         m_side->show();
@@ -106,7 +106,7 @@ void ManualWindow::makeSide()
     connect(m_contents, &QTreeWidget::itemActivated, this, openItem);
 }
 
-void ManualWindow::open(const QString &address)
+void ManualWindow::openPlace(const QString &address)
 {
     const ManualPlace place = manualPlace(address);
     Place found{m_present.page, 0, -1};
@@ -123,7 +123,7 @@ void ManualWindow::open(const QString &address)
 void ManualWindow::follow(const QUrl &link)
 {
     if (link.isRelative())
-        open(link.toString());
+        openPlace(link.toString());
     else
         QDesktopServices::openUrl(link); // a browser's, or a place of the formulas
 }

@@ -20,7 +20,7 @@ public:
 
     /// Shows a place, after which Back leads to the one before.
     /// @param address  as a link of a page: "picking.md#snap-to-the-mesh"; empty: the first page
-    void open(const QString &address);
+    void openPlace(const QString &address);
     /// Of the pages visited.
     void goBack() { walk(-1); }
     void goForward() { walk(1); }

@@ -56,7 +56,7 @@ QString manualPlaceOf(lessons::Panel panel)
     case Panel::Inspector: return QStringLiteral("pipeline.md#viewport");
     case Panel::Lifecycle: return QStringLiteral("pipeline.md#life-of-the-view");
     case Panel::Precision: return QStringLiteral("maps.md#depth-precision");
-    case Panel::Objects: return QStringLiteral("models.md");
+    case Panel::Objects: return QStringLiteral("first-steps.md#the-objects-panel");
     case Panel::Landmarks: return QStringLiteral("landmarks.md#the-landmarks-panel");
     case Panel::Series: return QStringLiteral("series.md");
     case Panel::Doctor: return QStringLiteral("doctor.md#ask-the-doctor");

@@ -219,15 +219,15 @@ void TestManual::aLinkOpensItsHeading()
     window.resize(900, 500);
     window.show();
     QCOMPARE(window.currentPage().name, QStringLiteral("index"));
-    window.open(QStringLiteral("picking.md#snap-to-the-mesh"));
+    window.openPlace(QStringLiteral("picking.md#snap-to-the-mesh"));
     QCOMPARE(window.currentPage().name, QStringLiteral("picking"));
     QCOMPARE(firstLine(window), QStringLiteral("Snap to the mesh"));
     QCOMPARE(window.contents().currentItem()->text(0), QStringLiteral("Snap to the mesh"));
-    window.open(QStringLiteral("#earlier-picks"));
+    window.openPlace(QStringLiteral("#earlier-picks"));
     QCOMPARE(window.currentPage().name, QStringLiteral("picking"));
     QCOMPARE(firstLine(window), QStringLiteral("Earlier picks"));
     // As the user: the first link of a page.
-    window.open(QStringLiteral("index.md"));
+    window.openPlace(QStringLiteral("index.md"));
     emit window.page().anchorClicked(QUrl(QStringLiteral("doctor.md#read-the-verdict")));
     QCOMPARE(window.currentPage().name, QStringLiteral("doctor"));
     QCOMPARE(firstLine(window), QStringLiteral("Read the verdict"));
@@ -240,9 +240,9 @@ void TestManual::backReturnsToWhereThePageWas()
     window.show();
     QVERIFY(QTest::qWaitForWindowActive(&window, kPatienceMilliseconds));
     QVERIFY(!tool(window, QStringLiteral("Go Back"))->isEnabled());
-    window.open(QStringLiteral("picking.md"));
+    window.openPlace(QStringLiteral("picking.md#view-size"));
     window.page().verticalScrollBar()->setValue(432);
-    window.open(QStringLiteral("doctor.md#limits"));
+    window.openPlace(QStringLiteral("doctor.md#limits"));
     QTest::keyClick(&window, Qt::Key_Left, Qt::AltModifier);
     QCOMPARE(window.currentPage().name, QStringLiteral("picking"));
     QCOMPARE(window.page().verticalScrollBar()->value(), 432);
@@ -319,7 +319,7 @@ void TestManual::theWindowFollowsColours()
     ManualWindow window;
     window.resize(900, 500);
     window.show();
-    window.open(QStringLiteral("picking.md#snap-to-the-mesh"));
+    window.openPlace(QStringLiteral("picking.md#snap-to-the-mesh"));
     const auto colours = [&] {
         QSet<QRgb> found;
         eachFragment(*window.page().document(), [&](const QTextCharFormat &format) {
@@ -342,7 +342,7 @@ void TestManual::tablesHaveBordersAndBoldHeads()
 {
     ManualWindow window;
     for (const ManualPage &page : window.pages()) {
-        window.open(page.name);
+        window.openPlace(page.name);
         for (QTextFrame *frame : window.page().document()->rootFrame()->childFrames()) {
             const auto *table = qobject_cast<QTextTable *>(frame);
             QVERIFY(table && table->format().border() >= 1.0 && table->format().cellPadding() > 2.0);
@@ -364,7 +364,7 @@ void TestManual::theZoomTakesEverythingWithIt()
     ManualWindow window;
     window.resize(900, 500);
     window.show();
-    window.open(QStringLiteral("command-line.md")); // without an image, which the zoom leaves alone
+    window.openPlace(QStringLiteral("command-line.md")); // without an image, which the zoom leaves alone
     eachFragment(*window.page().document(), [](const QTextCharFormat &format) {
         QVERIFY(!format.hasProperty(QTextFormat::FontPointSize) && !format.hasProperty(QTextFormat::FontPixelSize));
     });
@@ -379,7 +379,7 @@ void TestManual::imagesFitTheColumn()
     ManualWindow window;
     window.resize(1100, 600);
     window.show();
-    window.open(QStringLiteral("doctor.md"));
+    window.openPlace(QStringLiteral("doctor.md"));
     for (const int width : {1100, 500, 800}) {
         window.resize(width, 600);
         QCoreApplication::processEvents();
