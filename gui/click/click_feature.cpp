@@ -13,6 +13,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QEvent>
 #include <QLayout>
 #include <QMenu>
 #include <QSettings>
@@ -21,6 +22,24 @@
 
 namespace unprojector::gui {
 using namespace geometry;
+
+/// A tool bar without margins, whatever style it is drawn in.
+class FlushBar : public QToolBar {
+    Q_OBJECT
+public:
+    FlushBar(const QString &title, QWidget *parent) : QToolBar(title, parent)
+    {
+        layout()->setContentsMargins(0, 0, 0, 0);
+    }
+
+protected:
+    void changeEvent(QEvent *event) override
+    {
+        QToolBar::changeEvent(event);
+        if (event->type() == QEvent::StyleChange)
+            layout()->setContentsMargins(0, 0, 0, 0);
+    }
+};
 
 class ClickFeature : public Feature {
     Q_OBJECT
@@ -86,7 +105,7 @@ private:
 
 ClickFeature::ClickFeature(Window &window)
     : Feature(&window), m_window(window), m_document(window.document()), m_comparison(new ComparisonPanel(m_document)),
-      m_strip(new PickStrip), m_bar(new QToolBar(tr("Pick in Every Space"), &window))
+      m_strip(new PickStrip), m_bar(new FlushBar(tr("Pick in Every Space"), &window))
 {
     connect(m_comparison, &ComparisonPanel::pickRequested, &window.view(), &SceneView::onLButtonDown);
     connect(m_strip, &PickStrip::stageRequested, &window, [this](matrices::PipelineStage stage) {
@@ -100,7 +119,6 @@ ClickFeature::ClickFeature(Window &window)
     });
     m_bar->setObjectName(QStringLiteral("strip"));
     m_bar->setMovable(false);
-    m_bar->layout()->setContentsMargins(0, 0, 0, 0);
     m_bar->addWidget(m_strip);
     connect(m_bar->toggleViewAction(), &QAction::triggered, this, [this](bool isShown) { m_isStripWanted = isShown; });
     connect(&window, &Window::stepShown, this, [this](const lessons::Step *step) {

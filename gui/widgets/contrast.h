@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QColor>
-#include <QPalette>
 
 namespace unprojector::gui {
 
@@ -18,9 +17,5 @@ QColor quietInk(const QColor &ink, const QColor &base);
 
 /// @param shareOfB  0: a, 1: b
 QColor mixed(const QColor &a, const QColor &b, double shareOfB);
-
-/// Of a field whose text cannot be taken: reddish, mixed from the theme's own colours, so that it is readable on a dark one as
-/// well.
-QPalette refusedPalette();
 
 } // namespace unprojector::gui
