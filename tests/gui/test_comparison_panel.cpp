@@ -9,23 +9,19 @@
 #include "gui/text/formula_text.h"
 #include "gui/text/number_text.h"
 #include "gui/widgets/figure_view.h"
-#include "gui/widgets/fold.h"
 #include "gui/widgets/formula_view.h"
 #include "gui/widgets/whole_table.h"
 
 #include "comparison_picks.h"
 #include "depth_ranges.h"
-#include "tests/support/patience.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QLabel>
 #include <QMenu>
-#include <QScrollArea>
 #include <QScrollBar>
 #include <QTest>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include <cmath>
 
@@ -49,7 +45,6 @@ private slots:
     void nothingIsEmptyBeforeAClick();
     void theFormulaIsWhole();
     void foldsAreRemembered();
-    void whatAFoldOpensIsInSight();
     void theWholePanelIsCopied();
     void theCoordinateIsCopied();
     void selectedCellsAreCopiedWithAllDigits();
@@ -283,35 +278,6 @@ void TestComparisonPanel::foldsAreRemembered()
     QVERIFY(panel.openFolds().isEmpty());
     panel.setOpenFolds({QStringLiteral("ray"), QStringLiteral("apis"), QStringLiteral("gone")});
     QCOMPARE(panel.openFolds(), (QStringList{QStringLiteral("ray"), QStringLiteral("apis")}));
-}
-
-void TestComparisonPanel::whatAFoldOpensIsInSight()
-{
-    QLabel content(QStringLiteral("opened"));
-    content.setFixedHeight(60);
-    QScrollArea area;
-    area.setWidgetResizable(true);
-    auto *panel = new QWidget;
-    auto *layout = new QVBoxLayout(panel);
-    auto *above = new QWidget;
-    above->setFixedHeight(400);
-    layout->addWidget(above);
-    auto *fold = new Fold(QStringLiteral("fold"), {}, &content);
-    layout->addWidget(fold);
-    area.setWidget(panel);
-    area.resize(200, 430);
-    area.show();
-    const auto isInSight = [&] {
-        const QRect seen(content.mapTo(area.viewport(), QPoint()), content.size());
-        return content.isVisible() && area.viewport()->rect().contains(seen);
-    };
-    fold->setOpen(true); // as a layout is restored
-    QTest::qWait(20);
-    QVERIFY(!isInSight());
-    fold->setOpen(false);
-    fold->findChild<QToolButton *>()->click();
-    QTRY_VERIFY_WITH_TIMEOUT(isInSight(), kPatienceMilliseconds);
-    content.setParent(nullptr);
 }
 
 void TestComparisonPanel::theWholePanelIsCopied()
