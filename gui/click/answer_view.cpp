@@ -118,11 +118,19 @@ void AnswerView::showPoint()
     const QString bound = boundText(std::max({m_uncertainty.x, m_uncertainty.y, m_uncertainty.z}));
     const QString format = QStringLiteral("(%1) ±%2%3");
     m_plain = format.arg(plain.join(QStringLiteral(", ")), QStringLiteral(" "), bound);
-    // A line that is too long breaks after a comma, never within a number.
-    const bool fits = m_point->fontMetrics().horizontalAdvance(m_plain) <= width();
+    // A line that is too long ends behind a comma, never within a number.
+    const QString ofEach = QChar(u' ') + tr("each", "± of a coordinate");
+    const bool fits =
+        m_point->fontMetrics().horizontalAdvance(m_plain) + fontMetrics().horizontalAdvance(ofEach) <= width();
     m_point->setText(format.arg(marked.join(fits ? QStringLiteral(", ") : QStringLiteral(",<br>&nbsp;")),
-                                QString(QChar::Nbsp), bound));
-    m_point->setToolTip(each.join(u'\n') + u'\n' + tr("World units. Grey digits are below the last certain place."));
+                                QString(QChar::Nbsp), bound)
+                     + QStringLiteral("<span style='font-family:\"%1\"; font-size:%2pt'>%3</span>")
+                           .arg(QApplication::font(this).family())
+                           .arg(QApplication::font(this).pointSizeF())
+                           .arg(ofEach));
+    m_point->setToolTip(each.join(u'\n') + u'\n'
+                        + tr("World units. Beside the point stands the largest of the three ±; Why? has that along the "
+                             "view.\nGrey digits are below the last certain place."));
     m_point->setAccessibleDescription(m_plain);
 }
 

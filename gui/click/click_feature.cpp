@@ -13,6 +13,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QEvent>
 #include <QLayout>
 #include <QMenu>
 #include <QSettings>
@@ -25,25 +26,23 @@
 namespace unprojector::gui {
 using namespace geometry;
 
-namespace {
+/// A tool bar without margins, whatever style it is drawn in.
+class FlushBar : public QToolBar {
+    Q_OBJECT
+public:
+    FlushBar(const QString &title, QWidget *parent) : QToolBar(title, parent)
+    {
+        layout()->setContentsMargins(0, 0, 0, 0);
+    }
 
-/// Whether a pixel of the view lies on the mark of the picked point as it is seen now.
-bool isAtPickMark(const SceneDocument &document, const DevicePixel &pixel)
-{
-    constexpr double kReach = 8.0; // logical pixels, of the mark
-    const std::optional<WorldPoint> point = document.picks().pickedPoint();
-    const Setup &setup = document.setup();
-    const Result<glm::dmat4> clip = clipFromWorld(setup);
-    if (!point || !clip || !((*clip * glm::dvec4(point->coordinates(), 1.0)).w > 0.0))
-        return false;
-    const Result<WindowPoint> window = windowFromWorld(setup, *point);
-    if (!window)
-        return false;
-    const DevicePoint mark = deviceFromWindow(setup.surface, *window), at = pixelCenter(pixel);
-    return std::hypot(mark.x - at.x, mark.y - at.y) <= kReach * setup.surface.devicePixelRatio;
-}
-
-} // namespace
+protected:
+    void changeEvent(QEvent *event) override
+    {
+        QToolBar::changeEvent(event);
+        if (event->type() == QEvent::StyleChange)
+            layout()->setContentsMargins(0, 0, 0, 0);
+    }
+};
 
 class ClickFeature : public Feature {
     Q_OBJECT
@@ -110,7 +109,7 @@ private:
 
 ClickFeature::ClickFeature(Window &window)
     : Feature(&window), m_window(window), m_document(window.document()), m_comparison(new ComparisonPanel(m_document)),
-      m_strip(new PickStrip), m_bar(new QToolBar(tr("Pick in Every Space"), &window))
+      m_strip(new PickStrip), m_bar(new FlushBar(tr("Pick in Every Space"), &window))
 {
     connect(m_comparison, &ComparisonPanel::pickRequested, &window.view(), &SceneView::onLButtonDown);
     connect(m_comparison, &ComparisonPanel::termPointed, &window, &Window::termPointed);
@@ -135,7 +134,6 @@ ClickFeature::ClickFeature(Window &window)
     });
     m_bar->setObjectName(QStringLiteral("strip"));
     m_bar->setMovable(false);
-    m_bar->layout()->setContentsMargins(0, 0, 0, 0);
     m_bar->addWidget(m_strip);
     connect(m_bar->toggleViewAction(), &QAction::triggered, this, [this](bool isShown) { m_isStripWanted = isShown; });
     connect(&window, &Window::stepShown, this, [this](const lessons::Step *step) {

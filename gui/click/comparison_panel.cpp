@@ -141,8 +141,8 @@ QWidget *ComparisonPanel::answerPart()
 
     m_space =
         new SegmentedSwitch(tr("Space"), {{tr("World"), tr("The coordinate in world space")},
-                                          {tr("Eye"), tr("The coordinate in eye space: the eye is the origin, "
-                                                         "and it looks along −z")},
+                                          {tr("Eye", "space"), tr("The coordinate in eye space: the eye is the origin, "
+                                                                  "and it looks along −z")},
                                           {tr("Object"), tr("The coordinate in the space of the clicked object")}});
     m_showsFloat = new QCheckBox(tr("Floa&t"));
     m_showsFloat->setToolTip(tr("Add the matrix inverse in single precision, as most programs compute it"));

@@ -21,7 +21,7 @@ constexpr int kRowsSeen = 5;
 
 CandidatesTable::CandidatesTable(QWidget *parent) : QTableWidget(0, ColumnCount, parent)
 {
-    setHorizontalHeaderLabels({tr("Mistake"), tr("Its answer"), tr("Digits"), tr("Off, last digits")});
+    setHorizontalHeaderLabels({tr("Mistake"), tr("Its answer"), tr("Digits"), tr("Off by")});
     horizontalHeaderItem(Off)->setToolTip(tr("Units of the last digit given: the greatest difference of a coordinate"));
     horizontalHeaderItem(Digits)->setToolTip(tr("How many of the digits given it explains"));
     horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);

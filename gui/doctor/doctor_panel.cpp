@@ -11,8 +11,8 @@
 #include "gui/document/picks.h"
 #include "gui/text/bundled_names.h"
 #include "gui/text/error_text.h"
-#include "gui/widgets/contrast.h"
 #include "gui/widgets/help_link.h"
+#include "gui/widgets/refused_field.h"
 #include "gui/widgets/typing_pause.h"
 
 #include <QComboBox>
@@ -215,7 +215,7 @@ QWidget *DoctorPanel::createProgram()
         for (QLineEdit *field : {m_window, m_otherSize}) {
             const QString text = field->text().trimmed();
             const bool isBad = !text.isEmpty() && !sizeOf(text);
-            field->setPalette(isBad ? refusedPalette() : QPalette());
+            setRefused(*field, isBad);
             if (isBad && fault.isEmpty())
                 fault = tr("“%1” is no size: type width and height in whole pixels, such as 1000 x 700.").arg(text);
         }

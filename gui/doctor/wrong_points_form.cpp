@@ -3,7 +3,7 @@
 #include "core/doctor/written_points.h"
 #include "gui/text/number_text.h"
 #include "gui/text/sentences.h"
-#include "gui/widgets/contrast.h"
+#include "gui/widgets/refused_field.h"
 #include "gui/widgets/typing_pause.h"
 
 #include <QClipboard>
@@ -385,7 +385,7 @@ void WrongPointsForm::markFaults()
         if (fault && fault->field->hasFocus() && row->left != fault->field)
             fault.reset();
         for (QLineEdit *field : row->fields())
-            field->setPalette(fault && fault->field == field ? refusedPalette() : QPalette());
+            setRefused(*field, fault && fault->field == field);
         if (fault && text.isEmpty())
             text = fault->text;
     }

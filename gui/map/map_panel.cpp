@@ -17,6 +17,9 @@
 namespace unprojector::gui {
 namespace {
 
+/// The two methods differ by rounding only, which says little of a picture.
+constexpr maps::Quantity kFirstShown = maps::Quantity::Uncertainty;
+
 QString helpOf(maps::Quantity quantity)
 {
     switch (quantity) {
@@ -87,13 +90,15 @@ void ColorScale::paintEvent(QPaintEvent *)
 MapPanel::MapPanel(QWidget *parent)
     : QFrame(parent), m_quantity(new QComboBox), m_convention(new QComboBox), m_unit(new QComboBox),
       m_colors(new QComboBox), m_scale(new ColorScale), m_value(new QLabel), m_note(new QLabel),
-      m_export(new QPushButton(tr("E&xport…"))), m_help(new HelpLink(helpOf(maps::kQuantities.front())))
+      m_export(new QPushButton(tr("E&xport…"))), m_help(new HelpLink(helpOf(kFirstShown)))
 {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     for (const maps::Quantity quantity : maps::kQuantities) {
         m_quantity->addItem(quantityName(quantity));
         m_quantity->setItemData(m_quantity->count() - 1, quantityText(quantity), Qt::ToolTipRole);
+        if (quantity == kFirstShown)
+            m_quantity->setCurrentIndex(m_quantity->count() - 1);
     }
     m_quantity->setAccessibleName(tr("What the map shows"));
     m_quantity->setToolTip(tr("What the map shows"));

@@ -3,7 +3,7 @@
 #include "gui/parameters/digit_step.h"
 #include "gui/text/error_text.h"
 #include "gui/text/number_text.h"
-#include "gui/widgets/contrast.h"
+#include "gui/widgets/refused_field.h"
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -106,7 +106,7 @@ void NumberField::setReason(const QString &reason)
     m_reason = reason;
     setAccessibleDescription(isBad() ? reason : m_help);
     if (wasBad != isBad())
-        setPalette(isBad() ? refusedPalette() : QPalette());
+        setRefused(*this, isBad());
     emit reasonChanged();
 }
 
@@ -232,10 +232,6 @@ bool NumberField::event(QEvent *event)
             commitBeforeShortcut(key);
         return isTaken;
     }
-    case QEvent::ApplicationPaletteChange:
-        if (isBad())
-            setPalette(refusedPalette());
-        break;
     default: break;
     }
     return QLineEdit::event(event);

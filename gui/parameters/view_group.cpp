@@ -66,16 +66,17 @@ void ViewGroup::rangeSliders()
     const auto isHeld = [](const Slide &slide) { return slide.slider->isSliderDown(); };
     if (std::any_of(m_slides.begin(), m_slides.end(), isHeld))
         return;
-    // Twice as far round the objects as the eye is, or they are wide.
+    // As far round the objects as the eye is, or they are wide, and somewhat further.
     const Box &bounds = document().bounds();
     const double size = bounds.diagonal();
     const bool areObjects = size > 0.0 && std::isfinite(size);
     const LookAt &view = document().scene().camera;
     const WorldPoint middle = areObjects ? WorldPoint(bounds.center()) : view.center;
+    constexpr double kFurther = 1.25;
     const double wanted =
-        std::max({areObjects ? size : 0.0, distance(middle, view.eye), distance(middle, view.center)});
+        kFurther * std::max({areObjects ? size : 0.0, distance(middle, view.eye), distance(middle, view.center)});
     const double power = std::pow(10.0, std::floor(std::log10(wanted)));
-    const double reach = 2.0 * power * (wanted <= 2.0 * power ? 2.0 : wanted <= 5.0 * power ? 5.0 : 10.0);
+    const double reach = power * (wanted <= 2.0 * power ? 2.0 : wanted <= 5.0 * power ? 5.0 : 10.0);
     if (!(reach > 0.0) || !std::isfinite(reach) || (reach == m_slidesReach && middle == m_slidesMiddle))
         return;
     m_slidesReach = reach;

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QFontDatabase>
 #include <QFontInfo>
+#include <QLabel>
 #include <QLocale>
 #include <QPainter>
 #include <QPalette>
@@ -76,7 +77,9 @@ QPalette paletteOf(const QColor &window, const QColor &base, const QColor &alter
     QPalette palette(button, window);
     palette.setColor(QPalette::Base, base);
     palette.setColor(QPalette::AlternateBase, alternate);
-    palette.setColor(QPalette::ToolTipBase, alternate);
+    // Also the ground of what is to be noticed in a panel.
+    palette.setColor(QPalette::ToolTipBase,
+                     text.lightnessF() < 0.5F ? QColor(0xff, 0xff, 0xdc) : QColor(0x4a, 0x44, 0x24));
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
         palette.setColor(role, text);
     palette.setColor(QPalette::Link, link);
@@ -86,6 +89,23 @@ QPalette paletteOf(const QColor &window, const QColor &base, const QColor &alter
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, faint);
     return palette;
+}
+
+/// Qt keeps the colours of the links of a text, and those of a widget with a style sheet, from when they were set.
+void setAgainWhatKeepsItsColours()
+{
+    for (QWidget *widget : QApplication::allWidgets()) {
+        if (const QString sheet = widget->styleSheet(); !sheet.isEmpty()) {
+            widget->setStyleSheet({});
+            widget->setStyleSheet(sheet);
+        }
+        auto *label = qobject_cast<QLabel *>(widget);
+        if (!label || !label->text().contains(QStringLiteral("<a ")))
+            continue;
+        const QString text = label->text();
+        label->setText({});
+        label->setText(text);
+    }
 }
 
 } // namespace
@@ -114,7 +134,8 @@ void setAppearance(Appearance appearance)
             QApplication::setStyle(new RoomyFusion);
         else
             QApplication::setStyle(desktopStyle);
-        QApplication::setPalette(QPalette()); // resets to the desktop's palette
+        QApplication::setPalette(QPalette()); // none of ours: the desktop's is asked for
+        setAgainWhatKeepsItsColours();
         return;
     }
     // The only style that draws every control in any colours.
@@ -126,6 +147,7 @@ void setAppearance(Appearance appearance)
                         QColor(0x2f, 0x6c, 0xb3), QColor(0x8b, 0x8f, 0x96))
             : paletteOf(QColor(0xef, 0xef, 0xef), Qt::white, QColor(0xf6, 0xf6, 0xf6), QColor(0xef, 0xef, 0xef),
                         Qt::black, QColor(0x1f, 0x4e, 0x8c), QColor(0x30, 0x8c, 0xc6), QColor(0x80, 0x80, 0x80)));
+    setAgainWhatKeepsItsColours();
 }
 
 void preferHanziOfChina()

@@ -1,7 +1,5 @@
 #include "gui/widgets/contrast.h"
 
-#include <QApplication>
-
 #include <algorithm>
 #include <cmath>
 
@@ -43,13 +41,6 @@ QColor quietInk(const QColor &ink, const QColor &base)
         quiet = next;
     }
     return quiet;
-}
-
-QPalette refusedPalette()
-{
-    QPalette palette = QApplication::palette();
-    palette.setColor(QPalette::Base, mixed(palette.color(QPalette::Base), QColor(255, 60, 60), 0.35));
-    return palette;
 }
 
 } // namespace unprojector::gui

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QColor>
-#include <QPalette>
 
 namespace unprojector::gui {
 
@@ -18,9 +17,5 @@ QColor quietInk(const QColor &ink, const QColor &base);
 
 /// @param shareOfB  0: a, 1: b
 QColor mixed(const QColor &a, const QColor &b, double shareOfB);
-
-/// The palette of a field with invalid text: reddish, mixed from the theme's own colours, so that
-/// it is readable on dark themes too.
-QPalette refusedPalette();
 
 } // namespace unprojector::gui

@@ -3,6 +3,8 @@
 #include "gui/widgets/help_link.h"
 
 #include <QHBoxLayout>
+#include <QScrollArea>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -35,6 +37,22 @@ Fold::Fold(const QString &title, const QString &toolTip, QWidget *content, const
         content->setVisible(isOpen);
         emit toggled(isOpen);
     });
+    // Only what the user opens: a layout that is restored leaves the panel where it is.
+    connect(m_head, &QToolButton::clicked, this, [this](bool isOpen) {
+        if (isOpen) // its place is known only after the layout
+            QTimer::singleShot(0, this, &Fold::bringIntoSight);
+    });
+}
+
+void Fold::bringIntoSight()
+{
+    for (QWidget *above = parentWidget(); above; above = above->parentWidget()) {
+        if (auto *area = qobject_cast<QScrollArea *>(above)) {
+            area->ensureWidgetVisible(this, 0, 0);
+            area->ensureWidgetVisible(m_head, 0, 0); // where the part is higher than the area
+            return;
+        }
+    }
 }
 
 bool Fold::isOpen() const

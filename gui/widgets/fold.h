@@ -23,6 +23,9 @@ signals:
     void toggled(bool isOpen);
 
 private:
+    /// Scrolls what is around it to what it has opened.
+    void bringIntoSight();
+
     QToolButton *m_head;
 };
 

@@ -21,7 +21,7 @@ public:
 
     bool eventFilter(QObject *watched, QEvent *event) override
     {
-        if (event->type() == QEvent::ApplicationPaletteChange)
+        if (event->type() == QEvent::PaletteChange)
             tint();
         return QObject::eventFilter(watched, event);
     }
@@ -29,14 +29,20 @@ public:
 private:
     void tint()
     {
-        QPalette palette = QApplication::palette(&m_view);
+        const QPalette colours = QApplication::palette(&m_view);
+        QPalette own; // all its other colours stay the application's
+        bool isTinted = true;
         for (const QPalette::ColorGroup group : {QPalette::Active, QPalette::Inactive, QPalette::Disabled}) {
-            palette.setColor(
-                group, QPalette::Highlight,
-                mixed(palette.color(group, QPalette::Base), palette.color(group, QPalette::Highlight), kTint));
-            palette.setColor(group, QPalette::HighlightedText, palette.color(group, QPalette::Text));
+            const QColor ground =
+                mixed(colours.color(group, QPalette::Base), colours.color(group, QPalette::Highlight), kTint);
+            own.setColor(group, QPalette::Highlight, ground);
+            own.setColor(group, QPalette::HighlightedText, colours.color(group, QPalette::Text));
+            isTinted =
+                isTinted && m_view.palette().color(group, QPalette::Highlight) == ground
+                && m_view.palette().color(group, QPalette::HighlightedText) == colours.color(group, QPalette::Text);
         }
-        m_view.setPalette(palette);
+        if (!isTinted) // what is set comes back as a change
+            m_view.setPalette(own);
     }
 
     QAbstractItemView &m_view;

@@ -125,6 +125,7 @@ void TestMapOverlay::itComesAndGoes()
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
     const Setup before = window->document().setup();
     QVERIFY(part<MapOverlay>(*window).map()->setup == before);
+    QVERIFY(part<MapOverlay>(*window).map()->question.quantity == maps::Quantity::Uncertainty);
 
     LookAt camera = before.camera();
     camera.eye += WorldVector(0.5, 0.0, 0.0);
@@ -146,6 +147,7 @@ void TestMapOverlay::itComesAndGoes()
 void TestMapOverlay::itIsOfThePicture()
 {
     const auto window = windowOfSize({900, 600});
+    boxOf(*window, "What the map shows")->setCurrentIndex(0);
     part<MapOverlay>(*window).setShown(true);
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
     const MadeMap &made = *part<MapOverlay>(*window).map();

@@ -234,7 +234,7 @@ void TestParametersColumn::theEyesSlidersFollowTheScene()
         const double reach = std::max(size, 6.2);
         const auto [lowest, highest] = ends(QStringLiteral("Eye x"));
         QVERIFY2(lowest <= offset - reach && highest >= offset + reach, qPrintable(QString::number(lowest, 'g', 12)));
-        QVERIFY2(highest - lowest <= 12.0 * reach, qPrintable(QString::number(highest - lowest)));
+        QVERIFY2(highest - lowest <= 7.0 * reach, qPrintable(QString::number(highest - lowest)));
         QVERIFY(field(QStringLiteral("eyeX"))->text().size() <= 11);
     }
     for (const char *name : {"Eye y", "Eye z", "Center x", "Center y", "Center z"})

@@ -174,9 +174,8 @@ void addCode(CLI::App &app, Run &run)
            "device pixels. For glu, handlers for a view of MFC stand at the end. Models are only named; what the\n"
            "library has no word for is said in comments.")
         + "\n\n" + tr("Examples:")
-        + "\n  unproject code scene.json --for glm\n  unproject code scene.json --for three -o scene.js\n  unproject "
-          "code scene.json "
-          "--for numpy -o scene.py && python3 scene.py");
+        + "\n  unproject code scene.json --for glm\n  unproject code scene.json --for three -o scene.js\n"
+          "  unproject code scene.json --for numpy -o scene.py");
     command->callback([options, &run] { run = [options] { return runCode(*options); }; });
 }
 
