@@ -18,7 +18,7 @@ class SceneDocument;
 class SegmentedSwitch;
 
 /// How the pipeline is shown: direction and object, and a menu with layout, arrangement, digits and conventions. Each choice goes
-/// into the model at once. Beside them stand the buttons that copy the pipeline and paste matrices. Lessons link to the choices
+/// into the model at once. Where the view has changed since the click, one more chooses the values at the click or those now. Beside them stand the buttons that copy the pipeline and paste matrices. Lessons link to the choices
 /// by the names of actions.
 class PipelineSwitches : public QWidget {
     Q_OBJECT
@@ -48,6 +48,7 @@ private:
     void createDirectionActions();
     void takeView();
     void showObjects();
+    void showWhen();
     void showFormat();
     void takeConventions(geometry::Api api);
     /// Takes over the document's conventions, seen or not: what is chosen after that stays.
@@ -58,6 +59,7 @@ private:
     SceneDocument &m_document;
     PipelineModel &m_model;
     SegmentedSwitch *m_directionSwitch;
+    SegmentedSwitch *m_when;
     QToolButton *m_format;
     QActionGroup *m_layouts;
     QActionGroup *m_arrangements;
