@@ -159,10 +159,10 @@ void addCameraChanges(QStringList &changes, const Setup &then, const Setup &now)
     const Result<EyeFrame> from = eyeFrame(then.camera()), to = eyeFrame(now.camera());
     if (!from || !to)
         return;
-    addChange(changes, Texts::tr("Eye"), from->eye, to->eye, triple);
+    addChange(changes, Texts::tr("Eye position"), from->eye, to->eye, triple);
     addChange(changes, Texts::tr("View direction"), from->forward, to->forward, triple);
     if (from->forward == to->forward) // else it turns with the direction
-        addChange(changes, Texts::tr("Up"), from->upward, to->upward, triple);
+        addChange(changes, Texts::tr("Up direction"), from->upward, to->upward, triple);
 }
 
 void addProjectionChanges(QStringList &changes, const Projection &then, const Projection &now)
@@ -175,7 +175,7 @@ void addProjectionChanges(QStringList &changes, const Projection &then, const Pr
             const double angle = std::atan(w.top / w.nearDistance) - std::atan(w.bottom / w.nearDistance);
             return number(degreesFromRadians(angle), digits) + u'°';
         });
-        addChange(changes, Texts::tr("Width : height"), from, to, [](const ProjectionWindow &w, int digits) {
+        addChange(changes, Texts::tr("Aspect"), from, to, [](const ProjectionWindow &w, int digits) {
             return number((w.right - w.left) / (w.top - w.bottom), digits);
         });
     } else {

@@ -3,30 +3,18 @@
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/pipeline/pipeline_model.h"
-#include "gui/widgets/segmented_switch.h"
 #include "gui/widgets/steady_label.h"
 
 #include <QHBoxLayout>
-#include <QSignalBlocker>
 #include <QToolButton>
 
 namespace unprojector::gui {
 
-namespace {
-
-enum When { AtTheClick, Now };
-
-} // namespace
-
 FollowedPointRow::FollowedPointRow(const SceneDocument &document, PipelineModel &model, QWidget *parent)
-    : QWidget(parent), m_document(document), m_model(model), m_status(new SteadyLabel),
-      m_when(
-          new SegmentedSwitch(tr("Values"), {{tr("At the click"), tr("Points and matrices as they were at the click")},
-                                             {tr("Now"), tr("The clicked point in the view as it is now")}})),
-      m_follow(new QToolButton), m_remove(new QToolButton)
+    : QWidget(parent), m_document(document), m_model(model), m_status(new SteadyLabel), m_follow(new QToolButton),
+      m_remove(new QToolButton)
 {
     m_status->setAccessibleName(tr("What the points are"));
-    m_when->setObjectName(QStringLiteral("values"));
     m_follow->setAutoRaise(true);
     m_remove->setAutoRaise(true);
     m_remove->setText(QStringLiteral("✕"));
@@ -35,8 +23,6 @@ FollowedPointRow::FollowedPointRow(const SceneDocument &document, PipelineModel 
     m_follow->setAccessibleName(tr("Which point to follow"));
     connect(m_follow, &QToolButton::clicked, this, [this] { m_model.followGiven(!m_model.followsGiven()); });
     connect(m_remove, &QToolButton::clicked, &m_model, &PipelineModel::removeGiven);
-    connect(m_when, &SegmentedSwitch::chosen, &m_model,
-            [&model](int choice) { model.setShowsClick(choice == AtTheClick); });
     // The rows below stay where they are when these come.
     for (QToolButton *button : {m_follow, m_remove}) {
         QSizePolicy policy = button->sizePolicy();
@@ -47,7 +33,6 @@ FollowedPointRow::FollowedPointRow(const SceneDocument &document, PipelineModel 
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(2);
     line->addWidget(m_status, 1);
-    line->addWidget(m_when, 0, Qt::AlignTop);
     line->addWidget(m_follow, 0, Qt::AlignTop);
     line->addWidget(m_remove, 0, Qt::AlignTop);
     connect(&m_model, &PipelineModel::refused, this, &FollowedPointRow::showStatus);
@@ -70,9 +55,6 @@ void FollowedPointRow::showStatus(const QString &text)
 void FollowedPointRow::showButtons()
 {
     const bool isGiven = m_model.followsGiven();
-    const QSignalBlocker blocker(m_when);
-    m_when->setChoice(m_model.showsClick() ? AtTheClick : Now);
-    m_when->setVisible(m_model.canShowClick());
     m_follow->setText(isGiven ? tr("The click") : tr("Your point"));
     m_follow->setToolTip(isGiven ? tr("Follow the clicked point again; yours stays")
                                  : tr("Follow the point that you have given in numbers"));

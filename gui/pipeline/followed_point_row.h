@@ -8,11 +8,9 @@ namespace unprojector::gui {
 
 class PipelineModel;
 class SceneDocument;
-class SegmentedSwitch;
 class SteadyLabel;
 
-/// What the points of the pipeline are, and buttons that follow the other one of click and given point, and remove the
-/// latter. Where the view has changed since the click, a switch chooses the values at the click or those now.
+/// What the points of the pipeline are, and buttons that follow the other one of click and given point, and remove the latter.
 class FollowedPointRow : public QWidget {
     Q_OBJECT
 public:
@@ -27,7 +25,6 @@ private:
     const SceneDocument &m_document;
     PipelineModel &m_model;
     SteadyLabel *m_status;
-    SegmentedSwitch *m_when;
     QToolButton *m_follow;
     QToolButton *m_remove;
 };

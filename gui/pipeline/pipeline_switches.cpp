@@ -37,6 +37,8 @@ constexpr int kAutomaticItem = 0;
 constexpr int kNoneItem = 1;
 constexpr int kFirstObjectItem = 2;
 
+enum When { AtClick, Now };
+
 } // namespace
 
 PipelineSwitches::PipelineSwitches(SceneDocument &document, PipelineModel &model, QWidget *parent)
@@ -45,6 +47,12 @@ PipelineSwitches::PipelineSwitches(SceneDocument &document, PipelineModel &model
     m_directionSwitch = new SegmentedSwitch(
         tr("Direction"), {{tr("Forward"), tr("From the object to the widget")},
                           {tr("Backward"), tr("From the window to the object, by the inverse of each matrix")}});
+    m_when = new SegmentedSwitch(tr("Values"), {{tr("At click"), tr("Points and matrices as they were at the click")},
+                                                {tr("Now"), tr("The clicked point in the view as it is now")}});
+    m_when->setObjectName(QStringLiteral("values"));
+    QSizePolicy policy = m_when->sizePolicy();
+    policy.setRetainSizeWhenHidden(true); // nothing moves when it comes
+    m_when->setSizePolicy(policy);
     createFormatMenu();
 
     m_object = new QComboBox;
@@ -68,6 +76,7 @@ PipelineSwitches::PipelineSwitches(SceneDocument &document, PipelineModel &model
     auto *first = new QHBoxLayout;
     first->addWidget(m_directionSwitch);
     first->addStretch();
+    first->addWidget(m_when);
     first->addWidget(m_format);
     first->addWidget(new HelpLink(QStringLiteral("conventions")));
     auto *second = new QHBoxLayout;
@@ -82,6 +91,7 @@ PipelineSwitches::PipelineSwitches(SceneDocument &document, PipelineModel &model
         m_model.setDirection(index == 0 ? PipelineDirection::Forward : PipelineDirection::Backward);
         emit directionChanged();
     });
+    connect(m_when, &SegmentedSwitch::chosen, this, [this](int index) { m_model.setShowsClick(index == AtClick); });
     connect(m_object, &QComboBox::activated, this, [this](int item) {
         m_model.setObject(item == kAutomaticItem ? PipelineModel::kAutomaticObject
                           : item == kNoneItem    ? PipelineModel::kNoObject
@@ -96,6 +106,7 @@ PipelineSwitches::PipelineSwitches(SceneDocument &document, PipelineModel &model
     createDirectionActions();
     followConventions();
     showFormat();
+    showWhen();
 }
 
 void PipelineSwitches::createFormatMenu()
@@ -199,6 +210,14 @@ void PipelineSwitches::refresh()
 {
     showObjects();
     showFormat();
+    showWhen();
+}
+
+void PipelineSwitches::showWhen()
+{
+    const QSignalBlocker blocker(m_when);
+    m_when->setChoice(m_model.showsClick() ? AtClick : Now);
+    m_when->setVisible(m_model.canShowClick());
 }
 
 void PipelineSwitches::showFormat()

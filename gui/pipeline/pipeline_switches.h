@@ -17,9 +17,9 @@ namespace unprojector::gui {
 class SceneDocument;
 class SegmentedSwitch;
 
-/// The display options of the pipeline: direction and object, and a menu with layout, arrangement,
-/// digits and conventions. Each choice is applied to the model at once. Buttons beside them copy
-/// the pipeline and paste matrices. Lessons link to the choices by the names of actions.
+/// How the pipeline is shown: direction and object, and a menu with layout, arrangement, digits and conventions. Each choice goes
+/// into the model at once. Where the view has changed since the click, one more chooses the values at the click or those now. Beside them stand the buttons that copy the pipeline and paste matrices. Lessons link to the choices
+/// by the names of actions.
 class PipelineSwitches : public QWidget {
     Q_OBJECT
 public:
@@ -48,6 +48,7 @@ private:
     void createDirectionActions();
     void takeView();
     void showObjects();
+    void showWhen();
     void showFormat();
     void takeConventions(geometry::Api api);
     /// Applies the document's conventions, even while hidden: later choices stay.
@@ -58,6 +59,7 @@ private:
     SceneDocument &m_document;
     PipelineModel &m_model;
     SegmentedSwitch *m_directionSwitch;
+    SegmentedSwitch *m_when;
     QToolButton *m_format;
     QActionGroup *m_layouts;
     QActionGroup *m_arrangements;

@@ -361,7 +361,7 @@ void TestSinceClick::changesOfTheSetupHaveBothValues()
     openAndPick(document);
     QVERIFY(setupChanges(document).isEmpty());
     setCamera(document, cameraAt(0.5, 0, 5));
-    QCOMPARE(setupChanges(document), QStringList{QStringLiteral("Eye: (0, 0, 5) → (0.5, 0, 5)")});
+    QCOMPARE(setupChanges(document), QStringList{QStringLiteral("Eye position: (0, 0, 5) → (0.5, 0, 5)")});
     document.undoStack().undo();
     QVERIFY(editProjection(document, {Frustum{-2, 2, -2, 2, 2, 11}, false, false}, {QStringLiteral("Lens")}));
     QCOMPARE(setupChanges(document),
@@ -382,7 +382,7 @@ void TestSinceClick::aBackgroundHasOnlyTheChangesOfTheSetup()
     pickAt(document, WidgetPoint(200.0, 150.0), {1.0, {}, 24});
     setCamera(document, cameraAt(0, 0, 6));
     QVERIFY(thenAndNow(document).empty() && placeNowText(document).isEmpty());
-    QCOMPARE(setupChanges(document), QStringList{QStringLiteral("Eye: (0, 0, 5) → (0, 0, 6)")});
+    QCOMPARE(setupChanges(document), QStringList{QStringLiteral("Eye position: (0, 0, 5) → (0, 0, 6)")});
 }
 
 void TestSinceClick::thePipelineShowsTheValuesAtTheClick()
