@@ -1,4 +1,4 @@
-// Points that are one of the scene's, and mistakes that cannot be told apart. What the programs get is computed apart from this
+// Points that are one of the scene's, and mistakes that cannot be separated. What the programs get is computed apart from this
 // program, as in test_doctor, or by the oracle.
 #include "core/doctor/diagnosis.h"
 #include "core/doctor/mesh_vertices.h"
@@ -345,7 +345,7 @@ void TestDoctorVerdicts::whatFewDigitsLeaveAlikeIsSaid()
     QCOMPARE(reversed->alike, Alike::InDigits);
     QVERIFY(!reversed->shared);
     QCOMPARE(alikeSentence(*reversed),
-             std::string("They cannot be told apart by these digits: give more digits, or another click."));
+             std::string("These digits cannot separate them: give more digits, or another click."));
 }
 
 /// That two mistakes give the same is no doubt about either.
@@ -427,7 +427,7 @@ void TestDoctorVerdicts::theyAreWordedInBothLanguages()
                                 Shared::Matrix, Shared::Point}) {
         candidate.shared = shared;
         const std::string english = alikeSentence(candidate);
-        QVERIFY(english.find("cannot be told apart") != std::string::npos);
+        QVERIFY(english.find("cannot be separated") != std::string::npos);
         text::setLanguage(text::Language::Chinese);
         const std::string chinese = alikeSentence(candidate);
         text::setLanguage(text::Language::English);

@@ -241,7 +241,7 @@ std::string doctorText(const Diagnosis &diagnosis, const WrongPoint &first)
     if (!diagnosis.known.empty() && diagnosis.namesMistake())
         text += line(tr("is also|row"), knownPointName(diagnosis.known));
     if (diagnosis.next && diagnosis.verdict != "right" && !isKnown)
-        text += line(tr("tell apart"), nextClickText(diagnosis));
+        text += line(tr("to be sure"), nextClickText(diagnosis));
     text += line(tr("projects|row"), projectedText(diagnosis));
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
         text += line(tr("right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
