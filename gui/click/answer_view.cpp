@@ -38,7 +38,7 @@ AnswerView::AnswerView(QWidget *parent)
     QFont bold = m_heading->font();
     bold.setBold(true);
     m_heading->setFont(bold);
-    m_heading->setAccessibleName(tr("What was clicked"));
+    m_heading->setAccessibleName(tr("Clicked object"));
     m_point->setAccessibleName(tr("World coordinate"));
     m_point->setTextFormat(Qt::RichText);
     m_point->setWordWrap(true);
@@ -89,7 +89,7 @@ void AnswerView::showPoint()
 {
     m_plain.clear();
     m_point->setVisible(m_at.has_value());
-    m_copy->setToolTip(m_at ? tr("Copy the coordinate with all its digits; in other forms by the arrow")
+    m_copy->setToolTip(m_at ? tr("Copy the coordinate with all digits; the arrow offers other forms")
                             : tr("Copy everything about this click"));
     if (!m_at) {
         m_point->clear();
@@ -122,7 +122,7 @@ void AnswerView::showPoint()
     const bool fits = m_point->fontMetrics().horizontalAdvance(m_plain) <= width();
     m_point->setText(format.arg(marked.join(fits ? QStringLiteral(", ") : QStringLiteral(",<br>&nbsp;")),
                                 QString(QChar::Nbsp), bound));
-    m_point->setToolTip(each.join(u'\n') + u'\n' + tr("World units. Grey digits are below the last certain place."));
+    m_point->setToolTip(each.join(u'\n') + u'\n' + tr("World units. Grey digits are smaller than the uncertainty."));
     m_point->setAccessibleDescription(m_plain);
 }
 

@@ -101,7 +101,7 @@ const std::vector<Landmark> &SceneLandmarks::all() const
 QString SceneLandmarks::shownNameOf(const std::vector<Landmark> &landmarks, std::size_t index)
 {
     const QString name = index < landmarks.size() ? shownName(landmarks[index].name) : QString();
-    return name.isEmpty() ? tr("point %1").arg(index + 1) : name;
+    return name.isEmpty() ? tr("landmark %1").arg(index + 1) : name;
 }
 
 // ---- what is selected --------------------------------------------------------------------------------------------
@@ -193,7 +193,7 @@ std::string SceneLandmarks::freeName() const
         return std::any_of(all().begin(), all().end(), [&](const Landmark &landmark) { return landmark.name == name; });
     };
     for (std::size_t number = all().size() + 1;; ++number) {
-        if (std::string name = tr("Point %1").arg(number).toStdString(); !isTaken(name))
+        if (std::string name = tr("Landmark %1").arg(number).toStdString(); !isTaken(name))
             return name;
     }
 }
@@ -251,7 +251,7 @@ Check SceneLandmarks::moveAll(const std::vector<Move> &moves, const QString &mer
         indices.push_back(move.index);
     std::size_t next = 0; // they come in this order
     return edit(
-        indices, tr("Move %1"), tr("Move %n points", nullptr, static_cast<int>(indices.size())),
+        indices, tr("Move %1"), tr("Move %n landmarks", nullptr, static_cast<int>(indices.size())),
         [&](Landmark &landmark) { takePlace(landmark, moves[next++].to); }, mergeKey);
 }
 
@@ -283,7 +283,7 @@ Check SceneLandmarks::setNote(std::size_t index, const QString &note)
 
 Check SceneLandmarks::setColor(const std::vector<std::size_t> &indices, const std::optional<glm::u8vec3> &color)
 {
-    return edit(indices, tr("Colour of %1"), tr("Colour of %n points", nullptr, static_cast<int>(indices.size())),
+    return edit(indices, tr("Colour of %1"), tr("Colour of %n landmarks", nullptr, static_cast<int>(indices.size())),
                 [&](Landmark &landmark) { landmark.color = color; });
 }
 
@@ -291,7 +291,7 @@ Check SceneLandmarks::setHidden(const std::vector<std::size_t> &indices, bool is
 {
     const int count = static_cast<int>(indices.size());
     return edit(indices, isHidden ? tr("Hide %1") : tr("Show %1"),
-                isHidden ? tr("Hide %n points", nullptr, count) : tr("Show %n points", nullptr, count),
+                isHidden ? tr("Hide %n landmarks", nullptr, count) : tr("Show %n landmarks", nullptr, count),
                 [&](Landmark &landmark) { landmark.isHidden = isHidden; });
 }
 
@@ -300,7 +300,7 @@ Check SceneLandmarks::setMissing(const std::vector<std::size_t> &indices)
     const ChangeNotifier::Batch batch(m_changes);
     const std::optional<std::size_t> nextUnplaced = m_nextUnplaced; // what is not there is not what is placed next
     const Check done =
-        edit(indices, tr("%1 missing"), tr("%n points missing", nullptr, static_cast<int>(indices.size())),
+        edit(indices, tr("%1 missing"), tr("%n landmarks missing", nullptr, static_cast<int>(indices.size())),
              [](Landmark &landmark) { takePlace(landmark, {}); });
     setNextUnplaced(nextUnplaced);
     return done;
@@ -316,7 +316,7 @@ Check SceneLandmarks::remove(const std::vector<std::size_t> &indices)
     if (left.size() == all().size())
         return std::monostate{};
     const QString text = indices.size() == 1 ? tr("Remove %1").arg(shownNameOf(all(), indices.front()))
-                                             : tr("Remove %n points", nullptr, static_cast<int>(indices.size()));
+                                             : tr("Remove %n landmarks", nullptr, static_cast<int>(indices.size()));
     return editLandmarks(m_document, std::move(left), {text});
 }
 
@@ -346,7 +346,7 @@ Check SceneLandmarks::arrange(const std::vector<std::size_t> &order)
     landmarks.reserve(order.size());
     for (const std::size_t index : order)
         landmarks.push_back(all()[index]);
-    return editLandmarks(m_document, std::move(landmarks), {tr("Order of points")});
+    return editLandmarks(m_document, std::move(landmarks), {tr("Order of landmarks")});
 }
 
 } // namespace unprojector::gui
