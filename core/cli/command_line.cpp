@@ -44,11 +44,11 @@ std::string mistakeText(const CLI::App &app, const CLI::ParseError &error)
     const auto unknown = std::find_if(left.begin(), left.end(),
                                       [](const std::string &word) { return word.size() > 1 && word.front() == '-'; });
     if (unknown != left.end())
-        return tr("%1 is no option of '%2'; '%2 --help' names them", *unknown, called);
+        return tr("%1 is not an option of '%2'; '%2 --help' lists them", *unknown, called);
     std::string what = error.what();
     // Words behind -- do not reach the command; the library's sentence ends with them.
     if (dynamic_cast<const CLI::ExtrasError *>(&error) != nullptr)
-        return tr("\"%1\" is one word too many for '%2'; '%2 --help' says what it takes",
+        return tr("\"%1\" is one argument too many for '%2'; see '%2 --help'",
                   left.empty() ? what.substr(what.find_last_of(" :") + 1) : left.back(), called);
 
     // The library's sentence is English, so the names are extracted from it.
@@ -68,37 +68,37 @@ std::string mistakeText(const CLI::App &app, const CLI::ParseError &error)
     if (dynamic_cast<const CLI::ValidationError *>(&error) != nullptr)
         return what; // from this program's own checks, which use the user's language
     if (const auto both = parts(" requires "); both && dynamic_cast<const CLI::RequiresError *>(&error) != nullptr)
-        return tr("%1 requires %2; '%3 --help' says more", both->first, both->second, called);
+        return tr("%1 requires %2; see '%3 --help'", both->first, both->second, called);
     if (dynamic_cast<const CLI::RequiredError *>(&error) != nullptr) {
         if (what == "A subcommand is required")
-            return tr("A subcommand is required; '%1 --help' says more", called);
+            return tr("A subcommand is required; see '%1 --help'", called);
         if (const auto both = parts(" is required"))
-            return tr("%1 is required; '%2 --help' says more", both->first, called);
+            return tr("%1 is required; see '%2 --help'", both->first, called);
     }
     const CLI::Option *option = command.get_option_no_throw(what.substr(0, what.find(':')));
     if (option == nullptr || dynamic_cast<const CLI::ArgumentMismatch *>(&error) == nullptr)
-        return tr("%1; '%2 --help' says more", what, called);
+        return tr("%1; see '%2 --help'", what, called);
     const int needed = option->get_items_expected_min();
     const std::string given = asGiven(command, option->get_name());
-    return needed > 1 ? tr("%1: %2 or more are needed behind it, and %3 is given; '%4 --help' says what it takes",
-                           given, needed, option->results().size(), called)
-                      : tr("%1: %2 is missing behind it; '%3 --help' says what it takes", given,
-                           typeName(option->get_type_name()), called);
+    return needed > 1 ? tr("%1 needs %2 or more values and got %3; see '%4 --help'", given, needed,
+                           option->results().size(), called)
+                      : tr("%1 needs a value, %2; see '%3 --help'", given, typeName(option->get_type_name()), called);
 }
 
 } // namespace
 
 ExitCode runCommandLine(const std::vector<std::string> &arguments)
 {
-    CLI::App app(tr("The world coordinates under pixels, computed twice: by formulas in closed form and by the "
-                    "inverted matrix."),
-                 "unproject");
+    CLI::App app(
+        tr("Computes the world coordinates of pixels twice: by closed-form formulas and by the inverted matrix."),
+        "unproject");
     app.allow_windows_style_options(false); // on Windows too, /scans/face.json is a file
     app.require_subcommand(1);
     app.set_help_flag("-h,--help", tr("Print this help message and exit"));
     app.set_version_flag("--version", "unproject " UNPROJECTOR_VERSION,
                          tr("Display program version information and exit"));
-    app.footer(tr("unproject COMMAND --help says more.\n\nExit code: 0 done, 1 some rows bad, 2 unusable input."));
+    app.footer(tr("For the options of a command: unproject COMMAND --help\n\nExit code: 0 done, 1 some rows bad, 2 "
+                  "unusable input."));
     app.formatter(helpFormatter());
     Run run;
     addPoints(app, run);
@@ -123,7 +123,7 @@ ExitCode runCommandLine(const std::vector<std::string> &arguments)
             names += ", " + command->get_name();
         }
         if (!isKnown) {
-            complain(tr("\"%1\" is no command; give one of %2", arguments[1], names.substr(2)));
+            complain(tr("\"%1\" is not a command; give one of %2", arguments[1], names.substr(2)));
             return ExitCode::UnusableInput;
         }
     }

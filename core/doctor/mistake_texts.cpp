@@ -30,15 +30,15 @@ std::string reasonOf(const KnownPoint &known)
         return tr("the program returns where the ray begins: the translation of the view's inverse, or the point at a "
                   "distance of 0");
     case KnownPoint::Kind::ViewTranslation:
-        return tr("the program takes the last column of the view matrix for the eye, which is the last column of its "
+        return tr("the program reads the eye from the last column of the view matrix; it is in the last column of the "
                   "inverse");
     case KnownPoint::Kind::CameraCentre:
-        return tr("the program returns the point that the camera looks at, whatever is clicked");
+        return tr("the program returns the point that the camera looks at, for every click");
     case KnownPoint::Kind::WorldOrigin:
-        return tr("the result was never set: a call failed, or the ray met nothing, and the program did not check it");
+        return tr("the result was never set: a call failed or the ray hit nothing, and the program did not check it");
     case KnownPoint::Kind::ObjectOrigin:
-        return tr("the program returns the translation of the model matrix: where the object stands, not where it is "
-                  "clicked");
+        return tr(
+            "the program returns the translation of the model matrix: the object's position, not the clicked point");
     case KnownPoint::Kind::Vertex: break;
     }
     return tr("the program returns the nearest vertex of the mesh, not the point that is clicked");
@@ -119,13 +119,12 @@ std::string alikeSentence(const Candidate &candidate)
     const std::string shared = candidate.shared ? sharedSentence(*candidate.shared) : std::string();
     switch (candidate.alike) {
     case Alike::No: break;
-    case Alike::InDigits: return tr("They cannot be told apart by these digits: give more digits, or another click.");
+    case Alike::InDigits: return tr("These digits cannot separate them: give more digits, or another click.");
     case Alike::Here:
-        return tr("%1 %2|sentences", shared,
-                  tr("They cannot be told apart here: another click gives different points."));
+        return tr("%1 %2|sentences", shared, tr("They give the same point here: another click separates them."));
     case Alike::Always:
         return tr("%1 %2|sentences", shared,
-                  tr("They cannot be told apart: every click in this scene gives the same point."));
+                  tr("They cannot be separated: every click in this scene gives the same point."));
     }
     return {};
 }

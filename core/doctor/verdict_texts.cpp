@@ -13,8 +13,8 @@ std::string rightnessText(const Diagnosis &diagnosis)
     const bool isByRay = diagnosis.depthKnown == DepthKnown::ByRay;
     switch (diagnosis.wrong) {
     case ErrorKind::Right:
-        return tr(isByRay ? "as far as the digits given tell, the pixel is right"
-                          : "as far as the digits given tell, pixel and depth are right");
+        return tr(isByRay ? "within the given digits, the pixel is right"
+                          : "within the given digits, pixel and depth are right");
     case ErrorKind::Pixel: return tr("the depth is right, the pixel is not: pixel, viewport or lens");
     case ErrorKind::Depth: return tr("the pixel is right, the depth is not");
     case ErrorKind::Matrix:
@@ -37,7 +37,7 @@ std::string verdictName(const Diagnosis &diagnosis)
         return knownPointName(diagnosis.known);
     if (diagnosis.verdict != "right")
         return tr("unknown|verdict");
-    return diagnosis.depthKnown == DepthKnown::ByRay ? tr("right, as far as the ray tells") : tr("right|verdict");
+    return diagnosis.depthKnown == DepthKnown::ByRay ? tr("right, as far as the ray shows") : tr("right|verdict");
 }
 
 std::string verdictSentence(const Diagnosis &diagnosis)
@@ -47,14 +47,14 @@ std::string verdictSentence(const Diagnosis &diagnosis)
     if (diagnosis.verdict == "known-point")
         return knownPointSentence(diagnosis.known);
     if (diagnosis.verdict == "right")
-        return tr(isByRay ? "The point lies on the ray of this pixel, between near and far. Whether its depth is right "
-                            "is not known: give the depth."
+        return tr(isByRay ? "The point lies on the ray of this pixel, between near and far. Its right depth is not "
+                            "known: give the depth."
                           : "The point is right to the digits given.");
     if (!first.explains)
-        return tr("Nothing that is known explains this point: none of %1 mistakes and pairs of them.", diagnosis.tried);
+        return tr("No known mistake explains this point: %1 mistakes and pairs of them were tried.", diagnosis.tried);
     if (isByRay && diagnosis.wrong == ErrorKind::Depth)
-        return tr("The pixel is right, and the depth is not; by the ray alone the mistakes of the depth cannot be told "
-                  "from each other: give the depth.");
+        return tr("The pixel is right, and the depth is not. The ray alone cannot separate mistakes of the depth: give "
+                  "the depth.");
     return tr("\"%1\" would explain the point, but that may be chance: give more digits, or another click.",
               candidateName(first));
 }
@@ -98,23 +98,20 @@ std::string chanceText(double chance)
 
 std::string precisionSentence()
 {
-    return tr("More digits were given than single precision holds; this is to the digits that it leaves.");
+    return tr("More digits were given than single precision holds; only the digits that it holds are compared.");
 }
 
 std::string nextClickText(const Diagnosis &diagnosis)
 {
-    return tr(diagnosis.isNextFromRunnerUp()
-                  ? "from the next best by a click at %1 %2: the answers are %3 or more apart there"
-                  : "by a click at %1 %2: the answers are %3 or more apart there",
-              shortestText(diagnosis.next->x), shortestText(diagnosis.next->y),
-              significantText(diagnosis.nextApart, 3));
+    return tr(
+        diagnosis.isNextFromRunnerUp() ? "against the next best, click at %1 %2: the answers are %3 or more apart there"
+                                       : "click at %1 %2: the answers are %3 or more apart there",
+        shortestText(diagnosis.next->x), shortestText(diagnosis.next->y), significantText(diagnosis.nextApart, 3));
 }
 
 std::string twoChangesSentence(const std::string &first, const std::string &second)
 {
-    return tr("Two changes: first \"%1\", then \"%2\" in what that leaves; each is written here as if it were the only "
-              "one.",
-              first, second);
+    return tr("Two changes: first \"%1\", then \"%2\". Each is shown here as if it were the only one.", first, second);
 }
 
 } // namespace unprojector::doctor

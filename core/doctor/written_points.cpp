@@ -125,21 +125,18 @@ std::string faultText(const NumbersFault &fault, const std::string &wanted)
 {
     if (!fault.word.empty())
         return fault.isNotFinite() ? text::tr(
-                   "\"%1\" is no finite number: nothing can be told from it; give a click for which the program "
-                   "has a point",
-                   fault.word)
-                                   : text::tr("\"%1\" is no number; give %2", fault.word, wanted);
+                   "\"%1\" is not a finite number; give a click for which the program has a point", fault.word)
+                                   : text::tr("\"%1\" is not a number; give %2", fault.word, wanted);
     if (fault.areCommasMixed)
-        return text::tr(
-            "commas stand between some of its numbers and not between others; for decimals give a point, %1", wanted);
+        return text::tr("it has commas between some numbers and not between others; write decimals with a point, %1",
+                        wanted);
     return text::tr(fault.found == 1 ? "it has %1 number; give %2" : "it has %1 numbers; give %2", fault.found, wanted);
 }
 
 std::string depthOutsideText(const std::string &depth, const DepthRange &range)
 {
     return text::tr(
-        "the depth %1 lies outside the depth range, which goes from %2 to %3. A distance is no depth: leave "
-        "it out",
+        "the depth %1 lies outside the depth range, which goes from %2 to %3. A distance is not a depth: leave it out",
         depth, text::shortestText(range.atNear), text::shortestText(range.atFar));
 }
 

@@ -37,7 +37,7 @@ Landmark landmarkOf(const Lines &lines)
     constexpr std::array kAxes{"x", "y", "z"};
     const std::vector<std::string_view> words = wordsOf(lines.text());
     if (words.size() != kAxes.size())
-        throw Failure{lines.number(), tr("%1 is no point; write x, y and z", text::quoted(lines.text()))};
+        throw Failure{lines.number(), tr("%1 is not a point; write x, y and z", text::quoted(lines.text()))};
     Landmark landmark;
     if (std::all_of(words.begin(), words.end(), isMissingWord))
         return landmark;
@@ -95,8 +95,7 @@ ReadLandmarks readAmira(std::string_view text)
         } else if (lines.text().starts_with('@')) {
             isOther = true;
         } else if (!read.sets.empty() && !isOther && !lines.text().starts_with('#')) {
-            throw Failure{lines.number(), tr("%1 stands behind the points; write the right number behind \"define "
-                                             "Markers\"",
+            throw Failure{lines.number(), tr("%1 follows the points; write the right number behind \"define Markers\"",
                                              text::quoted(lines.text()))};
         }
     }

@@ -185,9 +185,8 @@ Landmark landmarkOf(const Table &table, const CsvRow &row, Notes &notes)
         if (isNothing(cell))
             continue;
         if (name.empty())
-            throw Failure{
-                row.line,
-                tr("the cell \"%1\" stands in a column without a name; give it one in the first line", cell.text)};
+            throw Failure{row.line, tr("the cell \"%1\" is in a column without a name; give it one in the first line",
+                                       cell.text)};
         landmark.extra.edit()[name] = jsonOf(cell.text);
     }
     return landmark;
@@ -234,7 +233,7 @@ std::size_t semilandmarkNumber(std::string_view name, const std::string &curve, 
     }
     if (number == 0)
         throw Failure{line,
-                      tr("\"%1\" is no semilandmark of the curve \"%2\"; their names are \"%3\", \"%4\" and so on",
+                      tr("\"%1\" is not a semilandmark of the curve \"%2\"; their names are \"%3\", \"%4\" and so on",
                          name, curve, semilandmarkName(curve, 0, 2), semilandmarkName(curve, 1, 2))};
     return number;
 }
@@ -297,7 +296,7 @@ void sortRows(CurveRows &known)
     std::stable_sort(rows.begin(), rows.end(), [](const auto &a, const auto &b) { return a.number < b.number; });
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i].number == i)
-            throw Failure{rows[i].line, tr("the semilandmark \"%1\" stands in line %2 already; remove one of them",
+            throw Failure{rows[i].line, tr("the semilandmark \"%1\" is already in line %2; remove one of them",
                                            semilandmarkName(curve, i - 1, rows.size()), rows[i - 1].line)};
         if (rows[i].number > i + 1)
             throw Failure{
@@ -329,7 +328,7 @@ Curve curveOf(CurveRows known)
                 ? tr("the curve \"%1\" has %2 semilandmarks here, and curveCount is %3; give all of them, or one "
                      "row without coordinates",
                      curve.name, rows.size(), curve.count)
-                : tr("the curve \"%1\" has one semilandmark; a curve has 2 at least", curve.name)};
+                : tr("the curve \"%1\" has one semilandmark; a curve needs at least 2", curve.name)};
     if (!isCounted && rows.size() > 1)
         throw Failure{rows[1].line, tr("the curve \"%1\" has a second row without coordinates; remove it, or give the "
                                        "coordinates of its semilandmarks",

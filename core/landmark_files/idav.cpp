@@ -34,7 +34,7 @@ Landmark landmarkOf(std::string_view row, std::size_t line)
 {
     const std::vector<std::string_view> words = wordsOf(row);
     if (words.size() < 4)
-        throw Failure{line, tr("%1 is no point; write its name, x, y and z", text::quoted(row))};
+        throw Failure{line, tr("%1 is not a point; write its name, x, y and z", text::quoted(row))};
     // A name may contain blanks: the coordinates are the last three words.
     const std::string_view lastOfName = words[words.size() - 4];
     if (words.size() > 4 && text::doubleFromWord(lastOfName))
@@ -65,7 +65,7 @@ ReadLandmarks readIdav(std::string_view text)
         throw Failure{1, tr("the file is empty; IDAV Landmark begins it with \"Version 1.0\"")};
     const std::string first = lowerCase(lines.text());
     if (first.starts_with("version:"))
-        throw Failure{lines.number(), tr("this is a .pts of dlib, points in a picture; only those of IDAV Landmark, "
+        throw Failure{lines.number(), tr("this is a .pts of dlib, points in an image; only those of IDAV Landmark, "
                                          "which begin with \"Version 1.0\", are points in space")};
     if (!first.starts_with("version"))
         throw Failure{lines.number(),
@@ -79,7 +79,7 @@ ReadLandmarks readIdav(std::string_view text)
                          "its rows are name, x, y and z",
                          text::quoted(lines.text()))};
     if (!lines.nextFilled())
-        throw Failure{lines.number(), tr("the number of points is missing; it stands behind \"Version 1.0\"")};
+        throw Failure{lines.number(), tr("the number of points is missing; it follows \"Version 1.0\"")};
     const std::size_t countLine = lines.number();
     const std::uint32_t count = countOf(lines.text(), countLine, marked("the number of points"));
     ReadLandmarks read;

@@ -91,7 +91,7 @@ Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_view text, F
         if (text.size() > kMostLandmarkBytes)
             throw Failure{0, {}, LandmarkFileError::Code::TooLarge};
         if (text.find('\0') != text.npos || text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-            throw Failure{0, tr("this is no text in UTF-8; save it as UTF-8")};
+            throw Failure{0, tr("this is not a text in UTF-8; save it as UTF-8")};
         // A name in Latin-1, if written unchanged, would make an XML or JSON file that other
         // programs reject.
         if (const std::size_t end = text::firstNotUtf8(text); end != text.npos)

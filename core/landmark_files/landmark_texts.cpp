@@ -38,7 +38,7 @@ std::string sentence(const LandmarkFileError &error)
     switch (error.code) {
     case LandmarkFileError::Code::NotFound: return tr("there is no such file");
     case LandmarkFileError::Code::IsDirectory: return tr("this is a folder, not a file of landmarks");
-    case LandmarkFileError::Code::NotReadable: return tr("the file cannot be read; look at its permissions");
+    case LandmarkFileError::Code::NotReadable: return tr("the file cannot be read; check its permissions");
     case LandmarkFileError::Code::UnknownFormat:
         return tr("the name must end in %1", suffixList([](Format) { return true; }));
     case LandmarkFileError::Code::NotWritten: return tr("the name must end in %1", suffixList(isWritten));
@@ -105,8 +105,8 @@ std::string noteText(const LandmarkNote &note)
         return said(marked("%1 point has two coordinates; z is 0"), marked("%1 points have two coordinates; z is 0"));
     case Kind::Scaled: return tr("coordinates are multiplied by the SCALE of the file, %1", note.detail);
     case Kind::CurvesLeftOut:
-        return said(marked("%1 point of curves are left out: a curve has two at least"),
-                    marked("%1 points of curves are left out: a curve has two at least"));
+        return said(marked("%1 point of curves are left out: a curve needs at least two"),
+                    marked("%1 points of curves are left out: a curve needs at least two"));
     case Kind::CurveCellsLeftOut:
         return said(marked("%1 row of a curve says more than where a semilandmark is, which is left out"),
                     marked("%1 rows of curves say more than where a semilandmark is, which is left out"));
@@ -120,10 +120,9 @@ std::string noteText(const LandmarkNote &note)
         return said(marked("the names of %1 curve and what they go through are left out"),
                     marked("the names of %1 curves and what they go through are left out"));
     case Kind::CurveUnknown:
-        return tr(
-            "the curve \"%1\" has no semilandmarks and is left out: where it goes is worked out where its mesh is open",
-            note.detail);
-    case Kind::UnitUnknown: return tr("%1; its coordinates are taken to be in that unit", note.detail);
+        return tr("the curve \"%1\" has no semilandmarks and is left out: its path is computed when its mesh is open",
+                  note.detail);
+    case Kind::UnitUnknown: return tr("%1; its coordinates are read in that unit", note.detail);
     case Kind::MissingHadPosition:
         return said(marked("%1 point is marked as not placed and had coordinates, which are left out"),
                     marked("%1 points are marked as not placed and had coordinates, which are left out"));
@@ -131,7 +130,7 @@ std::string noteText(const LandmarkNote &note)
         return said(marked("the blanks around %1 text are left out; quotes keep them"),
                     marked("the blanks around %1 texts are left out; quotes keep them"));
     case Kind::HeaderMissing:
-        return tr("the table has no first line that names its columns; they are taken for %1", note.detail);
+        return tr("the table has no first line that names its columns; they are read as %1", note.detail);
     case Kind::DecimalCommas: return tr("the numbers have a decimal comma: 1,5 is one and a half");
     case Kind::EmptyRowsLeftOut:
         return said(marked("%1 empty row at the end of the table is left out"),

@@ -32,15 +32,15 @@ Landmark landmarkOf(const Json &point, const std::string &key)
     if (point.is_null())
         return landmark;
     if (point.is_array() && point.size() == 2)
-        fail(tr("%1 has two coordinates: these are points in a picture, not in space", key));
+        fail(tr("%1 has two coordinates: these are points in an image, not in space", key));
     if (!point.is_array() || point.size() != 3)
-        fail(tr("%1 is no point; write three numbers, or null for a missing one", key));
+        fail(tr("%1 is not a point; write three numbers, or null for a missing one", key));
     if (std::all_of(point.begin(), point.end(), [](const Json &value) { return value.is_null(); }))
         return landmark;
     glm::dvec3 v(0.0);
     for (std::size_t i = 0; i < 3; ++i) {
         if (!scene_file::isNumber(point[i]))
-            fail(tr("%1 is no point; write three numbers, or null for a missing one", key));
+            fail(tr("%1 is not a point; write three numbers, or null for a missing one", key));
         v[static_cast<int>(i)] = scene_file::numberOf(point[i]);
     }
     landmark.world = WorldPoint(v);

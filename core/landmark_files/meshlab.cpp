@@ -124,7 +124,7 @@ Tree treeOf(const std::string &text, std::size_t firstLine)
         boost::property_tree::read_xml(stream, tree, boost::property_tree::xml_parser::trim_whitespace);
         return tree;
     } catch (const boost::property_tree::xml_parser_error &error) {
-        throw Failure{error.line() + firstLine - 1, tr("this is no XML: %1", error.message())};
+        throw Failure{error.line() + firstLine - 1, tr("this is not XML: %1", error.message())};
     }
 }
 

@@ -53,7 +53,7 @@ Parameters parametersOf(std::string_view line, std::size_t number)
     const std::size_t key = upper.find("DIM");
     const std::size_t equals = key == upper.npos ? key : upper.find('=', key);
     if (equals == upper.npos)
-        throw Failure{number, tr("%1 does not say DIM=3; this is no matrix of landmarks", text::quoted(line))};
+        throw Failure{number, tr("%1 has no DIM=3; this is not a matrix of landmarks", text::quoted(line))};
     const std::string_view behind = trimmed(std::string_view(upper).substr(equals + 1));
     const std::size_t end = std::min(behind.find_first_of(" \t"), behind.size());
     Parameters parameters;
@@ -63,7 +63,7 @@ Parameters parametersOf(std::string_view line, std::size_t number)
     const std::string rest = upper.substr(0, key) + ' ' + std::string(behind.substr(end));
     std::vector<std::string_view> words = wordsOf(rest);
     if (words.size() < 3 || words.front() != "1")
-        throw Failure{number, tr("%1 is no line of parameters; a matrix of landmarks begins with one like %2",
+        throw Failure{number, tr("%1 is not a line of parameters; a matrix of landmarks begins with one like %2",
                                  text::quoted(line), "1 12L 63 1 9999 DIM=3")};
     parameters.rowLabels = takeLetter(words[1], "LBE");
     parameters.hasColumnLabels = takeLetter(words[2], "LBE") != 0;
@@ -72,7 +72,7 @@ Parameters parametersOf(std::string_view line, std::size_t number)
     if (words.size() > 4 && words[3] != "0")
         parameters.missing = numberOf(words[4], number, marked("the number for missing values"));
     if (parameters.columns == 0 || parameters.columns % parameters.dimensions != 0)
-        throw Failure{number, tr("%1 columns are no whole number of points of %2 coordinates", parameters.columns,
+        throw Failure{number, tr("%1 columns are not a whole number of points of %2 coordinates", parameters.columns,
                                  parameters.dimensions)};
     return parameters;
 }
@@ -174,7 +174,7 @@ ReadLandmarks readNts(std::string_view text)
         ++comments;
     }
     if (!isThere)
-        throw Failure{1, tr("there are no points; NTSYS has them behind a line like %1", "1 12L 63 1 9999 DIM=3")};
+        throw Failure{1, tr("there are no points; in NTSYS they follow a line like %1", "1 12L 63 1 9999 DIM=3")};
     const Parameters parameters = parametersOf(lines.text(), lines.number());
     const std::size_t axes = parameters.axes();
     Words words(lines, notes);
@@ -209,9 +209,9 @@ ReadLandmarks readNts(std::string_view text)
             set.name = words.need();
     }
     if (const auto word = words.next())
-        throw Failure{words.line(), tr("%1 stands behind the matrix; write the right numbers of rows and columns into "
-                                       "the parameters",
-                                       text::quoted(*word))};
+        throw Failure{words.line(),
+                      tr("%1 follows the matrix; write the right numbers of rows and columns into the parameters",
+                         text::quoted(*word))};
     if (axes == 2)
         notes.add(LandmarkNote::Kind::FlatPoints, std::size_t{parameters.rows} * (parameters.columns / 2));
     if (read.sets.empty())

@@ -30,8 +30,8 @@ void checkUnits(const RepeatedSpecimen &specimen, Notes &notes)
         first = first.value_or(i);
         if (!unitOf(i).empty() && !isSameUnit(unitOf(i), unitOf(*with)))
             throw Failure{0,
-                          tr("%1 is in %2 and %3 in %4; write both in the same unit, and compare them then",
-                             specimen.files[*with], unitOf(*with), specimen.files[i], unitOf(i)),
+                          tr("%1 is in %2 and %3 in %4; write both in the same unit first", specimen.files[*with],
+                             unitOf(*with), specimen.files[i], unitOf(i)),
                           LandmarkFileError::Code::CannotHold};
     }
     if (with && without)

@@ -274,12 +274,14 @@ ReadLandmarks readSlicerCsv(std::string_view text)
         const std::size_t most = hasVersion ? kFieldCount : kOldFieldCount;
         row.trimPadding(most);
         if (row.cells.size() < 4 || row.cells.size() > most)
-            throw Failure{row.line,
-                          tr(hasVersion ? "%1 is no point; write id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,"
-                                          "associatedNodeID, with labels that have commas in quotes"
-                                        : "%1 is no point; without a line \"# Markups fiducial file version = "
-                                          "5.8\" points are label,x,y,z,sel,vis",
-                             text::quoted(trimmed(row.source)))};
+            throw Failure{
+                row.line,
+                tr(hasVersion
+                       ? "%1 is not a point; write id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID, with "
+                         "labels that have commas in quotes"
+                       : "%1 is not a point; without a line \"# Markups fiducial file version = 5.8\" points are "
+                         "label,x,y,z,sel,vis",
+                   text::quoted(trimmed(row.source)))};
         for (std::size_t index = 0; index < row.cells.size(); ++index) {
             if (row.cells[index].hadBlanks && (hasVersion ? index == Label || index == Description : index == 0))
                 notes.add(LandmarkNote::Kind::BlanksLeftOut);

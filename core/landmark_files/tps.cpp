@@ -69,7 +69,7 @@ std::vector<std::string_view> rowOf(Lines &lines, std::size_t size, const std::s
     std::vector<std::string_view> words = wordsOf(lines.text());
     if (words.size() != size || keyValueOf(lines.text()))
         throw Failure{lines.number(),
-                      tr("%1 is no row of %2 numbers, which %3 announces; write the right number of points there",
+                      tr("%1 is not a row of %2 numbers, which %3 announces; write the right number of points there",
                          text::quoted(lines.text()), size, announced)};
     return words;
 }
@@ -101,9 +101,9 @@ ReadLandmarks readTps(std::string_view text)
     while (lines.nextFilled()) {
         const std::optional<KeyValue> entry = keyValueOf(lines.text());
         if (!entry)
-            throw Failure{lines.number(), tr("%1 belongs to nothing; rows of numbers stand behind LM3= or LM= and "
-                                             "their number, as many as it says",
-                                             text::quoted(lines.text()))};
+            throw Failure{lines.number(),
+                          tr("%1 belongs to nothing; LM3= or LM= and a number come first, then as many rows of numbers",
+                             text::quoted(lines.text()))};
         const std::string announced = tr("line %1", lines.number());
         const auto &[key, value] = *entry;
         if (key == "LM3" || key == "LM") {
@@ -129,8 +129,7 @@ ReadLandmarks readTps(std::string_view text)
         LandmarkSet &set = read.sets.back();
         const bool isRepeated = key.starts_with("POINTS") || key.starts_with("CURVES");
         if (!isRepeated && !keys.insert(key).second)
-            throw Failure{lines.number(),
-                          tr("%1 stands here for the second time in a specimen; remove one of them", key)};
+            throw Failure{lines.number(), tr("%1 is here for the second time in a specimen; remove one of them", key)};
         if (key == "ID") {
             set.name = value;
         } else if (key == "IMAGE") {
@@ -165,13 +164,12 @@ ReadLandmarks readTps(std::string_view text)
                                      count, announced)};
                 const std::vector<std::string_view> words = wordsOf(lines.text());
                 if (words.size() != 2 && words.size() != 3)
-                    throw Failure{lines.number(), tr("%1 is no point of a curve; write two or three numbers",
+                    throw Failure{lines.number(), tr("%1 is not a point of a curve; write two or three numbers",
                                                      text::quoted(lines.text()))};
                 const Landmark place = landmarkOf(words, lines.number());
                 if (place.isMissing() || (words.size() == 2 && isMinusOnes(words)))
                     throw Failure{lines.number(),
-                                  tr("a point of a curve is %1, which stands for a missing one; a curve "
-                                     "has all its points",
+                                  tr("a point of a curve is %1, which means a missing one; a curve has all its points",
                                      lines.text())};
                 curve.semilandmarks.push_back(WorldPoint(place.world->coordinates() * scaleOfSet));
                 if (!isFinite(curve.semilandmarks.back()))
@@ -190,7 +188,7 @@ ReadLandmarks readTps(std::string_view text)
         }
     }
     if (read.sets.empty())
-        throw Failure{1, tr("there are no points; TPS has them behind LM3= and their number")};
+        throw Failure{1, tr("there are no points; in TPS they follow LM3= and their number")};
     read.notes = notes.take();
     return read;
 }

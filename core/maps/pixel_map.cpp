@@ -274,7 +274,7 @@ bool needsRays(Quantity quantity)
 
 std::string noCloudsText()
 {
-    return text::tr("the points of clouds are left out; maps are of surfaces");
+    return text::tr("the points of clouds are left out; maps show surfaces");
 }
 
 void RowPixels::read(const SurfaceImage &surfaces, int row)

@@ -135,11 +135,10 @@ std::optional<Decomposition> decomposed(const dmat4 &clipFromWorld)
 
 std::string decompositionText(const Decomposition &apart)
 {
-    return text::tr(
-        apart.isBox ? "taken apart into projection and view, which make it again up to %1 of its largest entry; of a "
-                      "box the eye may be anywhere along the view: it is put on the near plane"
-                    : "taken apart into projection and view, which make it again up to %1 of its largest entry",
-        numberText(apart.residual, Digits::Double, 1));
+    return text::tr(apart.isBox ? "decomposed into projection and view, with a residual of %1 of its largest entry; an "
+                                  "orthographic eye may be anywhere along the view: it is put on the near plane"
+                                : "decomposed into projection and view, with a residual of %1 of its largest entry",
+                    numberText(apart.residual, Digits::Double, 1));
 }
 
 } // namespace unprojector::matrices

@@ -351,52 +351,49 @@ std::string findingText(const MatrixFinding &finding, MatrixRole role)
     switch (finding.fault) {
     case MatrixFault::Transposed:
         return tr(isView ? "looks transposed: its last column, not its last row, is 0 0 0 1"
-                         : "looks transposed: only with rows for columns has it a projection's form");
+                         : "looks transposed: only its transpose has a projection's form");
     case MatrixFault::Inverse:
-        return tr(isView ? "may be the camera's own matrix, world from eye: as a view it has the world's origin out of "
-                           "sight, its inverse has it in sight"
+        return tr(isView ? "may be the camera's own matrix, world from eye: as a view it hides the world's origin, its "
+                           "inverse shows it"
                          : "is an inverse: its own inverse has a projection's form");
     case MatrixFault::Exchanged:
-        return tr(isView ? "has a projection's form: view and projection seem to be exchanged"
-                         : "has a view's form: view and projection seem to be exchanged");
+        return tr(isView ? "has a projection's form: view and projection seem to be swapped"
+                         : "has a view's form: view and projection seem to be swapped");
     case MatrixFault::UnknownForm:
         return isView                           ? tr("is not rotation + translation")
                : role == MatrixRole::Projection ? tr("is neither a perspective nor an orthographic projection")
                                                 : tr("is not a perspective or orthographic projection times a view");
     case MatrixFault::DepthZeroToOne:
-        return std::isnan(finding.other)
-                   ? tr("goes by NDC depths from 0 to 1 (Direct3D, Vulkan), and is read so: near is %1",
-                        number(finding.value))
-                   : tr("seems to go by NDC depths from 0 to 1 (Direct3D, Vulkan): near is then %1; it is read by "
-                        "depths "
-                        "from -1 to 1, near %2",
-                        number(finding.value), number(finding.other));
+        return std::isnan(finding.other) ? tr(
+                   "uses NDC depths from 0 to 1 (Direct3D, Vulkan), and is read so: near is %1", number(finding.value))
+                                         : tr("seems to use NDC depths from 0 to 1 (Direct3D, Vulkan): near is then "
+                                              "%1; it is read with depths from -1 to 1, near %2",
+                                              number(finding.value), number(finding.other));
     case MatrixFault::DepthReversed: return tr("has reversed depths: near, %1, is at 1", number(finding.value));
     case MatrixFault::FarAtInfinity: return tr("has its far plane at infinity: depths there have no point");
-    case MatrixFault::YDown: return tr("turns y round, as is done for Vulkan: the picture is upside down for OpenGL");
+    case MatrixFault::YDown: return tr("flips y, as is done for Vulkan: the view is upside down in OpenGL");
     case MatrixFault::Mirrored: return tr(isView ? "is mirrored: its axes are left-handed" : "mirrors x");
     case MatrixFault::LeftHanded: return tr("is for an eye space that looks along +z (Direct3D, OpenCV)");
     case MatrixFault::Negated:
-        return tr("has every entry with the other sign: the same points, but w < 0 in front of the eye, which OpenGL "
-                  "cuts off");
+        return tr("has every entry negated: the same points, but w < 0 in front of the eye, which OpenGL cuts off");
     case MatrixFault::Rounded:
-        return tr("has axes that are %1 off being perpendicular and of length 1, as few digits or many turns leave "
-                  "them; the formulas need them within 0.00001; more decimals are better",
+        return tr("has axes that deviate by %1 from perpendicular and length 1, as after rounding or many rotations; "
+                  "the formulas need 0.00001; give more decimals",
                   numberText(finding.value, Digits::Double, 2));
     case MatrixFault::OtherOrder:
         return tr(isView ? "is read in the order that makes 0 0 0 1 its last row"
                          : "is read in the order that gives it a projection's form");
     case MatrixFault::OrderOfOthers:
         return tr("has the same form in both orders, and is read in that of the other matrices");
-    case MatrixFault::OrderOpen: return tr("is a camera's by rows and by columns, a different one in each order");
+    case MatrixFault::OrderOpen:
+        return tr("is a camera's matrix by rows and by columns, a different one in each order");
     case MatrixFault::Scaled: break;
     }
     return tr(
         finding.repair == MatrixRepair::None
-            ? "has axes of unlike lengths or not at right angles, the longest %1: what comes out are the object's "
-              "coordinates, not the world's"
-            : "scales by %1: a model's scale is in it, and what comes out are the object's coordinates, not the "
-              "world's",
+            ? "has axes of different lengths or not perpendicular, the longest %1: results are object coordinates, not "
+              "world coordinates"
+            : "scales by %1: it contains a model's scale, so results are object coordinates, not world coordinates",
         number(finding.value));
 }
 

@@ -73,7 +73,7 @@ public:
             return *m_error;
         if (std::optional<PastedMatrix> &view = m_read.parts.view) {
             for (const std::string &one : m_leftOut)
-                view->call += tr(". %1 is left out: the view is read without it", one);
+                view->call += tr(". %1 is ignored: the view is read without it", one);
         }
         for (const AssignmentText &one : m_assignments) { // width = 800 is no number of a matrix
             if (m_arguments.number(one.value))
@@ -191,8 +191,7 @@ private:
             return;
         }
         if (m_read.parts.projection) {
-            m_read.parts.projection->call +=
-                tr(". %1 stands behind it and is left out: one projection is read", call.written);
+            m_read.parts.projection->call += tr(". %1 follows and is ignored: one projection is read", call.written);
             return;
         }
         if (signature.isLeftHanded || signature.ndcDepth == NdcDepth::ZeroToOne)
@@ -293,7 +292,7 @@ private:
             return;
         }
         if (m_read.parts.view) {
-            m_read.parts.view->call += tr(". %1 stands behind it and is left out: one view is read", call.written);
+            m_read.parts.view->call += tr(". %1 follows and is ignored: one view is read", call.written);
             return;
         }
         std::string said = tr("%1: eye %2, center %3, up %4", call.written, vectorText(camera.eye.coordinates()),
@@ -401,7 +400,7 @@ private:
                 if (isCamera(object))
                     move(one, object, int(kAxes.find(member)));
             } else if (isCamera(object) && m_read.parts.projection && isOfLens(member)) {
-                m_read.parts.projection->call += tr(". %1 is left out: put its value into the call", one.name);
+                m_read.parts.projection->call += tr(". %1 is ignored: put its value into the call", one.name);
             }
         }
     }

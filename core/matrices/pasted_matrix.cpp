@@ -240,9 +240,8 @@ bool lacksInverse(const PastedMatrix &matrix)
 
 std::string inverseText(const PastedMatrix &matrix)
 {
-    return text::tr(lacksInverse(matrix)
-                        ? "by its name it is an inverse, but it has none itself: it is taken as it stands"
-                        : "by its name it is an inverse: its own inverse is taken");
+    return text::tr(lacksInverse(matrix) ? "by its name it is an inverse, but it is singular: it is used unchanged"
+                                         : "by its name it is an inverse: it is inverted");
 }
 
 bool isWindowsOwn(const DepthRange &range)
@@ -280,9 +279,9 @@ std::string callText(const PasteError &error)
 {
     switch (error.fault) {
     case CallFault::NoNumber:
-        return text::tr("%1: the argument '%2' is no number. Put its value there", error.call, error.argument);
+        return text::tr("%1: the argument '%2' is not a number. Put its value there", error.call, error.argument);
     case CallFault::NoVector:
-        return text::tr("%1: the argument '%2' is no vector of numbers. Put three numbers there", error.call,
+        return text::tr("%1: the argument '%2' is not a vector of numbers. Put three numbers there", error.call,
                         error.argument);
     case CallFault::Count:
         return text::tr("%1: %2 arguments found, %3 are needed", error.call, error.found, error.wanted);

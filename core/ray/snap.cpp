@@ -303,11 +303,11 @@ std::string nothingText(Snap snap)
 {
     switch (snap) {
     case Snap::Surface: break;
-    case Snap::Vertex: return text::tr("no vertex is in sight within %1 pixels", int(kSnapPixels));
-    case Snap::Edge: return text::tr("no edge is in sight within %1 pixels", int(kSnapPixels));
-    case Snap::Face: return text::tr("no face is in sight within %1 pixels", int(kSnapPixels));
+    case Snap::Vertex: return text::tr("no vertex is visible within %1 pixels", int(kSnapPixels));
+    case Snap::Edge: return text::tr("no edge is visible within %1 pixels", int(kSnapPixels));
+    case Snap::Face: return text::tr("no face is visible within %1 pixels", int(kSnapPixels));
     }
-    return text::tr("nothing is met");
+    return text::tr("no hit");
 }
 
 } // namespace unprojector::ray

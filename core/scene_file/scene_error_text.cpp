@@ -58,12 +58,12 @@ std::string sentence(const SceneFileError &e)
     case SceneFileErrorCode::ChangedMeanwhile:
         return tr("the file was changed by another program or window since it was opened");
     case SceneFileErrorCode::IsOwnModel:
-        return tr("the scene shows this model and would be written over it; give another name");
+        return tr("the scene shows this model and would overwrite it; give another name");
     case SceneFileErrorCode::EmptyFile: return tr("the file is empty");
     case SceneFileErrorCode::TooLarge: return tr("a scene may have at most %1", bytesText(e.limit));
     case SceneFileErrorCode::NumberTooLarge: return tr("%1 is too large for a number", e.found);
     case SceneFileErrorCode::TooDeep: return tr("brackets are nested deeper than %1 levels", shortestText(e.limit));
-    case SceneFileErrorCode::DuplicateKey: return tr("the key \"%1\" stands here for the second time", e.found);
+    case SceneFileErrorCode::DuplicateKey: return tr("the key \"%1\" is here for the second time", e.found);
     case SceneFileErrorCode::UnknownVersion:
         return tr("version %1 cannot be read, only version %2", shortestText(e.value), shortestText(e.limit));
     case SceneFileErrorCode::Missing: return tr("is missing");
@@ -83,9 +83,9 @@ std::string sentence(const SceneFileError &e)
                   choicesText(e.choices));
     case SceneFileErrorCode::NotOneChoice: return tr("must have exactly one of %1", choicesText(e.choices));
     case SceneFileErrorCode::OtherAngle:
-        return tr("%1 is not the angle of %2, %3 degrees; remove the one that does not hold", shortestText(e.value),
-                  e.found, shortestText(e.limit));
-    case SceneFileErrorCode::BadFileName: return tr("this is no name of a file");
+        return tr("%1 is not the angle of %2, %3 degrees; remove the wrong one", shortestText(e.value), e.found,
+                  shortestText(e.limit));
+    case SceneFileErrorCode::BadFileName: return tr("this is not a name of a file");
     case SceneFileErrorCode::NotUtf8: return tr("the name is not UTF-8 and cannot be written; rename it");
     case SceneFileErrorCode::InvalidValue: return e.cause ? errorText(*e.cause) : std::string();
     }

@@ -209,9 +209,9 @@ bool CsvReader::readQuoted(CsvCell &cell)
         --m_at; // one of the blanks is the separator
         return true;
     }
-    m_error = CsvError{m_line, tr("behind the closing quote stands \"%1\"; put the whole cell in quotes and double "
-                                  "those in it",
-                                  printableLine(firstCharacters(m_text.substr(m_at), 1)))};
+    m_error =
+        CsvError{m_line, tr("\"%1\" follows the closing quote; put the whole cell in quotes and double those in it",
+                            printableLine(firstCharacters(m_text.substr(m_at), 1)))};
     return false;
 }
 

@@ -36,8 +36,8 @@ std::string viewFault(const Error &error)
 {
     const int column = static_cast<int>(error.other) / 4, row = static_cast<int>(error.other) % 4;
     if (row == 3)
-        return tr(column == 3 ? "%1 stands in row 4, column %2; it must be greater than 0"
-                              : "%1 stands in row 4, column %2; it must be 0",
+        return tr(column == 3 ? "%1 is in row 4, column %2; it must be greater than 0"
+                              : "%1 is in row 4, column %2; it must be 0",
                   shortestText(error.value), column + 1);
     if (row == column) {
         const double length = std::sqrt(1.0 + error.value);
@@ -69,7 +69,7 @@ std::string errorText(const Error &error)
         return tr("the angle is %1 degrees; it must lie between 0 and 180, both excluded", degreesText(error.value));
     case ErrorCode::EyeEqualsCenter: return tr("eye and center are the same point; move one of them");
     case ErrorCode::UpIsZero: return tr("up is (0, 0, 0); give it a length");
-    case ErrorCode::UpParallelToView: return tr("up points along the view direction; choose another one");
+    case ErrorCode::UpParallelToView: return tr("up points along the view direction; choose another direction");
     case ErrorCode::EmptyViewport:
         return tr("the viewport is %1 x %2 pixels; width and height must be greater than 0", value, other);
     case ErrorCode::EmptyFramebuffer:
@@ -81,7 +81,7 @@ std::string errorText(const Error &error)
     case ErrorCode::ViewportNotWhole: return tr("%1 is not a whole number of pixels", value);
     case ErrorCode::ViewportTooLarge: return tr("%1 pixels are too many; use at most %2", value, other);
     case ErrorCode::FramebufferTooLarge:
-        return tr("the window is %1 x %2 pixels, which is more than is drawn; make it smaller", value, other);
+        return tr("the window is %1 x %2 pixels, which is more than can be drawn; make it smaller", value, other);
     case ErrorCode::DepthRangeNotDrawable: return tr("the depth is %1; it must lie between 0 and 1", value);
     case ErrorCode::SingularMatrix: return tr("the matrix has no inverse");
     case ErrorCode::PointAtInfinity: return tr("the point lies at infinity");
@@ -89,12 +89,12 @@ std::string errorText(const Error &error)
     case ErrorCode::RotationAxisIsZero: return tr("the rotation axis is (0, 0, 0); give it a length");
     case ErrorCode::ClipPlaneHasNoNormal: return tr("A, B and C of the clip plane are all 0; one of them must differ");
     case ErrorCode::MatrixNotAProjection:
-        return tr("the projection matrix is of no known form: %1 stands in row %2, column %3", value,
+        return tr("the projection matrix has no known form: %1 is in row %2, column %3", value,
                   static_cast<int>(error.other) % 4 + 1, static_cast<int>(error.other) / 4 + 1);
     case ErrorCode::ObjectTooFar:
-        return tr("an object reaches to %1, farther than can be computed; look at its scales and translations", value);
+        return tr("an object reaches to %1, farther than can be computed; check its scales and translations", value);
     case ErrorCode::ObjectTooSmall:
-        return tr("an object measures %1, less than can be computed; look at its scales", value);
+        return tr("an object measures %1, less than can be computed; check its scales", value);
     case ErrorCode::ViewNotRigid: return tr("the view matrix is not rotation + translation: %1", viewFault(error));
     case ErrorCode::ViewMirrored:
         return tr("the view matrix is mirrored: its axes are left-handed; negate one of its first three rows");

@@ -26,17 +26,17 @@ constexpr Kind kKinds[] = {
                                  "\\t or \\u and its number")},
     {"forbidden character", marked("a text in quotes holds a backslash that JSON does not know; write \\\\ for a "
                                    "backslash")},
-    {"4 hex digits", marked("\\u stands without its 4 hexadecimal digits")},
+    {"4 hex digits", marked("\\u lacks its 4 hexadecimal digits")},
     {"surrogate", marked("a pair of \\u for one character is not whole")},
     {"unexpected end of input", marked("the file ends too early; a bracket or a value is missing")},
-    {"invalid number", marked("%1 is no number; write one such as 1, -0.5 or 2e3")},
-    {"expected end of input", marked("%1 stands behind the end")},
-    {"while parsing object key", marked("%1 stands where a key in double quotes is expected")},
-    {"while parsing object separator", marked("%1 stands where \":\" is expected")},
-    {"while parsing object", marked("%1 stands where \",\" or \"}\" is expected")},
-    {"while parsing array", marked("%1 stands where \",\" or \"]\" is expected")},
-    {"while parsing value", marked("%1 stands where a value is expected")},
-    {"", marked("this is no JSON")},
+    {"invalid number", marked("%1 is not a number; write one such as 1, -0.5 or 2e3")},
+    {"expected end of input", marked("%1 follows the end")},
+    {"while parsing object key", marked("%1 found where a key in double quotes is expected")},
+    {"while parsing object separator", marked("%1 found where \":\" is expected")},
+    {"while parsing object", marked("%1 found where \",\" or \"}\" is expected")},
+    {"while parsing array", marked("%1 found where \",\" or \"]\" is expected")},
+    {"while parsing value", marked("%1 found where a value is expected")},
+    {"", marked("this is not JSON")},
 };
 
 constexpr std::string_view kSigns = ",:{}[]\"";

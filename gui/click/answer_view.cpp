@@ -38,7 +38,7 @@ AnswerView::AnswerView(QWidget *parent)
     QFont bold = m_heading->font();
     bold.setBold(true);
     m_heading->setFont(bold);
-    m_heading->setAccessibleName(tr("What was clicked"));
+    m_heading->setAccessibleName(tr("Clicked object"));
     m_point->setAccessibleName(tr("World coordinate"));
     m_point->setTextFormat(Qt::RichText);
     m_point->setWordWrap(true);
@@ -89,7 +89,7 @@ void AnswerView::showPoint()
 {
     m_plain.clear();
     m_point->setVisible(m_at.has_value());
-    m_copy->setToolTip(m_at ? tr("Copy the coordinate with all its digits; in other forms by the arrow")
+    m_copy->setToolTip(m_at ? tr("Copy the coordinate with all digits; the arrow offers other forms")
                             : tr("Copy everything about this click"));
     if (!m_at) {
         m_point->clear();
@@ -128,9 +128,10 @@ void AnswerView::showPoint()
                            .arg(QApplication::font(this).family())
                            .arg(QApplication::font(this).pointSizeF())
                            .arg(ofEach));
-    m_point->setToolTip(each.join(u'\n') + u'\n'
-                        + tr("World units. Beside the point stands the largest of the three ±; Why? has that along the "
-                             "view.\nGrey digits are below the last certain place."));
+    m_point->setToolTip(
+        each.join(u'\n') + u'\n'
+        + tr("World units. The ± beside the point is the largest of the three; Why? has the ± along the "
+             "view.\nGrey digits are smaller than the uncertainty."));
     m_point->setAccessibleDescription(m_plain);
 }
 

@@ -56,7 +56,7 @@ public:
     }
     std::optional<WorkspaceSpec> workspace() override
     {
-        return WorkspaceSpec{Workspace::Click, tr("Click"), tr("The view and what a click gives"),
+        return WorkspaceSpec{Workspace::Click, tr("Click"), tr("The view and the answer to a click"),
                              Drawing::Click,   Qt::Key_F5,  {Panel::Comparison, Panel::Objects}};
     }
     void addActions(MenuKind kind, QMenu &menu, QToolBar &bar) override;
@@ -179,14 +179,14 @@ void ClickFeature::addSnaps(QMenu &menu)
         action->setObjectName(QLatin1String(name)); // for links in lessons
         action->setIcon(drawnIcon(drawing));
     };
-    add("surface", ray::Snap::Surface, tr("&Surface"), Qt::Key_S, tr("A click takes the surface under it"),
+    add("surface", ray::Snap::Surface, tr("&Surface"), Qt::Key_S, tr("A click picks the surface under the pointer"),
         Drawing::Surface);
     add("vertex", ray::Snap::Vertex, tr("&Vertex"), Qt::Key_V,
-        tr("A click takes the vertex in sight within 8 pixels, its very coordinate"), Drawing::Vertex);
+        tr("A click picks the visible vertex within 8 pixels, with its exact coordinate"), Drawing::Vertex);
     add("edge", ray::Snap::Edge, tr("&Edge"), Qt::Key_E,
-        tr("A click takes the nearest point of an edge in sight within 8 pixels"), Drawing::Edge);
+        tr("A click picks the nearest point of a visible edge within 8 pixels"), Drawing::Edge);
     add("face", ray::Snap::Face, tr("&Face"), Qt::SHIFT | Qt::Key_F,
-        tr("A click takes the face under it, with its plane"), Drawing::Face);
+        tr("A click picks the face under the pointer, with its plane"), Drawing::Face);
 }
 
 /// Last on the bar: its text changes its width.
@@ -196,7 +196,7 @@ void ClickFeature::addSnapButton(QToolBar &bar)
     button->setMenu(new QMenu(button));
     button->menu()->addActions(m_snaps->actions());
     button->setPopupMode(QToolButton::InstantPopup);
-    button->setToolTip(tr("What a click takes of a mesh"));
+    button->setToolTip(tr("Snap clicks to the surface, a vertex, an edge or a face"));
     button->setObjectName(QStringLiteral("snap"));
     const auto show = [button](const QAction *action) {
         button->setText(tr("Snap: %1").arg(action->iconText()));

@@ -207,7 +207,7 @@ QVariant ComparisonModel::data(const QModelIndex &index, int role) const
             return {};
         if (!isCoordinate(column) || uncertainty(row, column) == 0.0)
             return shortestText(*v);
-        return tr("%1 ± %2\nGrey digits are below the last certain place.")
+        return tr("%1 ± %2\nGrey digits are smaller than the uncertainty.")
             .arg(shortestText(*v), boundText(uncertainty(row, column)));
     case Qt::TextAlignmentRole: return QVariant(Qt::AlignRight | Qt::AlignVCenter);
     default: return {};
@@ -265,11 +265,11 @@ QVariant ComparisonModel::headerData(int section, Qt::Orientation orientation, i
     }
     if (role == Qt::ToolTipRole) {
         switch (section) {
-        case Formula: return tr("By the closed-form formulas (9) to (12), in double");
-        case Matrix: return tr("By the inverse of projection × view, in double, as gluUnProject does");
+        case Formula: return tr("Closed-form formulas (9) to (12) in double precision");
+        case Matrix: return tr("Inverse of projection × view in double precision, as in gluUnProject");
         case Difference: return tr("Formula minus matrix inverse");
         case Ulps: return tr("The difference in units in the last place of the point's largest component");
-        case MatrixInFloat: return tr("The matrix inverse done in single precision, as many programs do");
+        case MatrixInFloat: return tr("The inverted matrix computed in single precision, as in many programs");
         case FloatDifference: return tr("Formula minus the single-precision result");
         case Ray:
             return tr("Where the ray through the pixel's centre meets the mesh itself, in double, without the depth "

@@ -64,7 +64,7 @@ QString positionText(double x, double y)
 QString clickedDepthText(const QString &text, bool isRead)
 {
     return isRead ? ComparisonPanel::tr("%1, as read").arg(text)
-                  : ComparisonPanel::tr("%1, the far plane's: nothing to read").arg(text);
+                  : ComparisonPanel::tr("%1, the far plane: no surface").arg(text);
 }
 
 enum ChainLink { Widget, DevicePixelOf, Window, Depth };
@@ -125,7 +125,7 @@ QWidget *ComparisonPanel::answerPart()
     m_sinceClick->setAccessibleName(tr("Since the click"));
     m_sinceClick->setWordWrap(true);
     m_again = new QPushButton(tr("Pick a&gain"));
-    m_again->setToolTip(tr("Pick what is now under the pixel of this click"));
+    m_again->setToolTip(tr("Click the same pixel again in the current view"));
     auto *changed = new QHBoxLayout(m_changed);
     changed->setContentsMargins(4, 2, 4, 2);
     changed->addWidget(m_sinceClick, 1);
@@ -190,15 +190,15 @@ QWidget *ComparisonPanel::answerPart()
         layout->addWidget(fold);
     };
     addFold(QStringLiteral("pixel"), tr("From the pixel to the window point"),
-            tr("The way of the click from the mouse to window coordinates"), pixelPart(), QStringLiteral("half-pixel"));
+            tr("Steps from the mouse position to window coordinates"), pixelPart(), QStringLiteral("half-pixel"));
     addFold(QStringLiteral("ray"), tr("Exact hit on the mesh"),
             tr("What the ray through the pixel's centre meets on the mesh itself, without the depth buffer"), rayPart(),
             QStringLiteral("certainty"));
-    addFold(QStringLiteral("programs"), tr("What other programs would give"),
-            tr("For the same click: how far their points are from the formula's, and why"), m_others,
+    addFold(QStringLiteral("programs"), tr("Answers of other programs"),
+            tr("Distance of their points from the formula's for the same click, with the reason"), m_others,
             QStringLiteral("half-pixel"));
     addFold(QStringLiteral("apis"), tr("In other APIs"),
-            tr("The same click as Vulkan, Direct3D, Unity, OpenCV and others count it"), m_apis,
+            tr("The same click in the conventions of Vulkan, Direct3D, Unity, OpenCV and others"), m_apis,
             QStringLiteral("conventions"));
 
     connect(m_space, &SegmentedSwitch::chosen, this,
@@ -218,7 +218,7 @@ Fold *ComparisonPanel::earlierPart()
 {
     auto *picks = new EarlierPicksView(m_document);
     auto *fold =
-        new Fold(tr("Earlier picks"), tr("The last picks of this scene: to show them again and to compare two"), picks);
+        new Fold(tr("Earlier picks"), tr("The last picks of this scene. Show one again, or compare two"), picks);
     fold->setVisible(picks->table().rowCount() > 0);
     connect(picks, &EarlierPicksView::filled, fold, &QWidget::setVisible);
     m_folds.emplace_back(QStringLiteral("picks"), fold);
@@ -250,7 +250,7 @@ QWidget *ComparisonPanel::rayPart()
     m_ray =
         steadyLabel(tr("Exact hit"), tr("What the ray through the pixel's centre meets on the mesh itself, in double"));
     m_rayDetail = steadyLabel(tr("Triangle, vertex and edge"),
-                              tr("By their numbers in the model: triangles and vertices are counted from 0"));
+                              tr("Indices in the model; triangles and vertices are counted from 0"));
     auto *part = new QWidget;
     auto *layout = columnOf(*part);
     layout->addWidget(table);
@@ -270,7 +270,7 @@ void ComparisonPanel::showSinceClick()
     m_sinceClick->setText(sinceClickText(m_document));
     const std::optional<Pick> &pick = m_document.picks().pick();
     m_again->setEnabled(devicePixelFromWidget(m_document.setup().surface, pick->widget).hasValue());
-    m_again->setToolTip(m_again->isEnabled() ? tr("Pick what is now under the pixel of this click")
+    m_again->setToolTip(m_again->isEnabled() ? tr("Click the same pixel again in the current view")
                                              : tr("The pixel of this click is outside the view now."));
 }
 

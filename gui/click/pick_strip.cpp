@@ -74,7 +74,7 @@ PickStrip::PickStrip(QWidget *parent)
         {PipelineStage::ProjectionMatrix, tr("Clip coordinates x, y, z, w: divided by w they are NDC")},
         {PipelineStage::ProjectionMatrix, tr("Eye coordinates: seen from the camera, which looks along −z")},
         {PipelineStage::ViewMatrix, tr("World coordinates: the answer of the click")},
-        {PipelineStage::ModelMatrix, tr("Coordinates of the object that was clicked, as its file has them")},
+        {PipelineStage::ModelMatrix, tr("Object coordinates, as in the file of the clicked object")},
     }};
     auto *line = new QHBoxLayout(m_spaces);
     line->setContentsMargins(0, 0, 0, 0);

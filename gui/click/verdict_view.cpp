@@ -29,7 +29,7 @@ VerdictView::VerdictView(QWidget *parent)
 {
     m_verdict->setAccessibleName(tr("Do the methods agree?"));
     m_why->setText(tr("&Why?"));
-    m_why->setToolTip(tr("What the difference comes from, and how far the coordinate can be off"));
+    m_why->setToolTip(tr("Cause of the difference, and uncertainty of the coordinate"));
     m_why->setCheckable(true);
     m_why->setAutoRaise(true);
     m_accuracy->setAccessibleName(tr("Accuracy"));

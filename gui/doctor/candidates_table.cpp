@@ -22,8 +22,8 @@ constexpr int kRowsSeen = 5;
 CandidatesTable::CandidatesTable(QWidget *parent) : QTableWidget(0, ColumnCount, parent)
 {
     setHorizontalHeaderLabels({tr("Mistake"), tr("Its answer"), tr("Digits"), tr("Off by")});
-    horizontalHeaderItem(Off)->setToolTip(tr("Units of the last digit given: the greatest difference of a coordinate"));
-    horizontalHeaderItem(Digits)->setToolTip(tr("How many of the digits given it explains"));
+    horizontalHeaderItem(Off)->setToolTip(tr("Greatest difference of a coordinate, in units of the last given digit"));
+    horizontalHeaderItem(Digits)->setToolTip(tr("Number of given digits that the mistake explains"));
     horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
     for (const int column : {Answer, Digits, Off})
         horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
@@ -34,7 +34,7 @@ CandidatesTable::CandidatesTable(QWidget *parent) : QTableWidget(0, ColumnCount,
     setTabKeyNavigation(false);
     setWordWrap(false);
     setAccessibleName(tr("Candidates"));
-    setToolTip(tr("What could have made the point, the best first. The code to change is that of the chosen one"));
+    setToolTip(tr("Mistakes that explain the point, the best first. The code to change belongs to the selected one"));
     const int row = lineHeight(font(), tr("Mistake")) + 6;
     verticalHeader()->setDefaultSectionSize(row);
     setFixedHeight(kRowsSeen * row + horizontalHeader()->sizeHint().height() + 2 * frameWidth());

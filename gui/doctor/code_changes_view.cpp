@@ -50,7 +50,7 @@ CodeChangesView::CodeChangesView(QWidget *parent)
     m_lines->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_lines->setAccessibleName(tr("Code to change"));
     m_lines->setFont(digitsFont(font()));
-    m_copy->setToolTip(tr("Copy the lines as they stand and as they should"));
+    m_copy->setToolTip(tr("Copy the lines before and after the change"));
     auto *tools = new QHBoxLayout;
     tools->addWidget(m_library);
     tools->addStretch();
@@ -115,10 +115,11 @@ void CodeChangesView::showLines()
                                QString::fromUtf8(change.right.data(), static_cast<qsizetype>(change.right.size())));
         }
         if (!hasLine)
-            rows += QStringLiteral("<tr><td></td><td>%1</td></tr>")
-                        .arg(tr("%1: no line of this library makes it; the other libraries show where it is made.")
-                                 .arg(QString::fromStdString(doctor::mistakeName(part.toStdString())))
-                                 .toHtmlEscaped());
+            rows +=
+                QStringLiteral("<tr><td></td><td>%1</td></tr>")
+                    .arg(tr("%1: no line of this library causes it. Choose another library to see the line that does.")
+                             .arg(QString::fromStdString(doctor::mistakeName(part.toStdString())))
+                             .toHtmlEscaped());
     }
     QString title = tr("To change: %1").arg(QString::fromStdString(doctor::mistakeName(m_id)));
     if (parts.size() == 2)

@@ -23,11 +23,11 @@ DiagnosisView::DiagnosisView(QWidget *parent)
     m_verdict->setAccessibleName(tr("Verdict"));
     m_facts->setWordWrap(true);
     m_facts->setTextFormat(Qt::RichText);
-    m_facts->setAccessibleName(tr("What speaks for it"));
+    m_facts->setAccessibleName(tr("Evidence"));
     for (QLabel *label : {m_verdict, m_facts})
         label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_click->setToolTip(
-        tr("Pick that pixel, and type what your program gets there: it tells the first from the others"));
+        tr("Pick that pixel and type your program's result there; it separates the first mistake from the others"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
@@ -129,7 +129,7 @@ void DiagnosisView::showAnswer(const Shown &shown)
     if (diagnosis.right && diagnosis.depthKnown != DepthKnown::ByRay)
         addPlain(tr("Right is"), pointText(*diagnosis.right, glm::dvec3(diagnosis.rightLastDigit)));
     if (diagnosis.depthKnown == DepthKnown::FromMesh)
-        addPlain(tr("Depth"), tr("that of the mesh under the pixel"));
+        addPlain(tr("Depth"), tr("from the mesh under the pixel"));
     if (diagnosis.isSinglePrecision)
         addPlain(tr("Digits"), QString::fromStdString(precisionSentence()));
     const bool asks = diagnosis.next && diagnosis.verdict != "right" && !isKnown;

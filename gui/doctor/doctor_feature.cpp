@@ -23,7 +23,7 @@ public:
     std::optional<WorkspaceSpec> workspace() override
     {
         return WorkspaceSpec{
-            Workspace::Doctor, tr("Doctor"), tr("Find the mistake by which your program gets a wrong coordinate"),
+            Workspace::Doctor, tr("Doctor"), tr("Find the mistake that gives your program a wrong coordinate"),
             Drawing::Doctor,   Qt::Key_F8,   {Panel::Doctor, Panel::Objects}};
     }
 

@@ -75,14 +75,14 @@ QLineEdit *sizeField(const QString &name, const QString &help)
 
 DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
     : QWidget(parent), m_document(document), m_diagnoser(new Diagnoser(this)), m_form(new WrongPointsForm),
-      m_space(new QComboBox), m_setupText(new QLabel), m_currentSetup(new QPushButton(tr("As it is &now"))),
+      m_space(new QComboBox), m_setupText(new QLabel), m_currentSetup(new QPushButton(tr("Use curre&nt view"))),
       m_answer(new DiagnosisView), m_code(new CodeChangesView), m_candidates(new CandidatesTable)
 {
     auto *spaceLine = new QHBoxLayout;
     auto *spaceLabel = new QLabel(tr("&In the space:"));
     spaceLabel->setBuddy(m_space);
     m_space->setAccessibleName(tr("Space of the points that the program got"));
-    m_space->setToolTip(tr("The space that the program means its points in"));
+    m_space->setToolTip(tr("Space in which the program expresses its points"));
     m_space->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_space->setMinimumContentsLength(8);
     spaceLine->addWidget(spaceLabel);
@@ -90,8 +90,8 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
 
     m_setupText->setWordWrap(true);
     m_setupText->setTextFormat(Qt::PlainText); // it repeats the typed text
-    m_setupText->setAccessibleName(tr("The picture of the pixels"));
-    m_currentSetup->setToolTip(tr("Take the pixels for those of the view as it is now"));
+    m_setupText->setAccessibleName(tr("Setup of the pixels"));
+    m_currentSetup->setToolTip(tr("Read the pixels in the current view"));
     // The widgets below don't move when this appears.
     QSizePolicy policy = m_currentSetup->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
@@ -139,7 +139,7 @@ DoctorPanel::DoctorPanel(SceneDocument &document, QWidget *parent)
     });
     connect(m_diagnoser, &Diagnoser::jobFailed, this, [this](const JobFailure &failure) {
         showNothing(
-            tr("The mistakes could not be tried: %1. Close other programs, then ask again.").arg(failureText(failure)));
+            tr("The mistakes could not be tried: %1. Close other programs, then try again.").arg(failureText(failure)));
     });
     connect(&document, &SceneDocument::opened, this, [this] {
         m_setup.reset();
@@ -175,7 +175,7 @@ QWidget *DoctorPanel::createProgram()
 {
     m_fold = new QToolButton;
     m_fold->setText(tr("More about your program"));
-    m_fold->setToolTip(tr("The size of its window, and another size that it may still go by"));
+    m_fold->setToolTip(tr("The size of its window, and another size that it may use by mistake"));
     m_fold->setCheckable(true);
     m_fold->setAutoRaise(true);
     m_fold->setArrowType(Qt::RightArrow);
@@ -183,7 +183,7 @@ QWidget *DoctorPanel::createProgram()
     m_window = sizeField(tr("Its window"), tr("Device pixels, such as 1000 x 700. Empty: as large as the view"));
     m_otherSize =
         sizeField(tr("Another size"),
-                  tr("Device pixels, such as 640 x 480: that of the window before, or of another framebuffer"));
+                  tr("Device pixels, such as 640 x 480: an earlier size of the window, or another framebuffer's"));
     m_otherSize->setPlaceholderText(tr("none"));
     m_sizeFault = new QLabel;
     m_sizeFault->setWordWrap(true);
@@ -193,7 +193,7 @@ QWidget *DoctorPanel::createProgram()
     auto *form = new QFormLayout(m_program);
     form->setContentsMargins(16, 0, 0, 0);
     form->addRow(tr("Its &window:"), m_window);
-    form->addRow(tr("Another &size it may go by:"), m_otherSize);
+    form->addRow(tr("Another &size it may use:"), m_otherSize);
     form->addRow(m_sizeFault);
     m_program->hide();
     auto *whole = new QWidget;
@@ -217,7 +217,7 @@ QWidget *DoctorPanel::createProgram()
             const bool isBad = !text.isEmpty() && !sizeOf(text);
             setRefused(*field, isBad);
             if (isBad && fault.isEmpty())
-                fault = tr("“%1” is no size: type width and height in whole pixels, such as 1000 x 700.").arg(text);
+                fault = tr("“%1” is not a size: type width and height in whole pixels, such as 1000 x 700.").arg(text);
         }
         m_sizeFault->setText(fault);
         m_sizeFault->setVisible(!fault.isEmpty());
@@ -298,12 +298,12 @@ void DoctorPanel::takePick()
     // The clicked point in the program's own setup.
     const std::optional<WorldPoint> world = m_document.picks().pickedPoint();
     if (!world) {
-        m_setupText->setText(tr("Not taken: the background is at no pixel of another picture."));
+        m_setupText->setText(tr("Not used: a click on the background has no pixel in another setup."));
         return;
     }
     const Result<WindowPoint> window = windowFromWorld(*own, *world);
     if (!window) {
-        m_setupText->setText(tr("Not taken: %1").arg(errorText(window.error())));
+        m_setupText->setText(tr("Not used: %1").arg(errorText(window.error())));
         return;
     }
     m_setup = own;
@@ -354,13 +354,13 @@ void DoctorPanel::showSetup()
     m_window->setPlaceholderText(tr("as the view, %1").arg(sizeText(m_document.setup().surface)));
     const std::optional<Setup> own = setup(), now = setupNow();
     if (!own) {
-        m_setupText->setText(tr("The scene has no picture in a window of %1.").arg(m_window->text()));
+        m_setupText->setText(tr("The scene cannot be drawn in a window of %1.").arg(m_window->text()));
         m_currentSetup->hide();
         return;
     }
     const QString size = sizeText(own->surface);
     const bool isPast = now && *own != *now;
-    m_setupText->setText(isPast ? tr("Pixels of %1, of the view as it was when they were given").arg(size)
+    m_setupText->setText(isPast                     ? tr("Pixels of %1, of the view when they were entered").arg(size)
                          : sizeOf(m_window->text()) ? tr("Pixels of your program's window, %1").arg(size)
                                                     : tr("Pixels of the view, %1").arg(size));
     m_currentSetup->setVisible(isPast);
@@ -395,9 +395,10 @@ void DoctorPanel::ask()
     const std::optional<Setup> own = setup();
     if (m_asked.empty() || !own) {
         m_diagnoser->cancel();
-        showNothing(m_form->isEmpty() ? tr("Click the pixel in the view that your program was asked for, and type the "
-                                           "wrong coordinate that it got.")
-                                      : tr("Give the pixel, and the three coordinates that your program got for it."));
+        showNothing(
+            m_form->isEmpty()
+                ? tr("Click the pixel that you gave to your program, and type the wrong coordinate that it returned.")
+                : tr("Enter the pixel and the three coordinates that your program returned for it."));
         return;
     }
     Case scene;

@@ -178,10 +178,10 @@ WrongPointsForm::WrongPointsForm(QWidget *parent)
         m_grid->addWidget(new QLabel(heads[column]), 0, column);
     m_fault->setWordWrap(true);
     m_fault->setTextFormat(Qt::PlainText);
-    m_fault->setAccessibleName(tr("What cannot be taken"));
+    m_fault->setAccessibleName(tr("Reason why the input is rejected"));
     m_fault->hide();
     m_add->setToolTip(
-        tr("Another click of the same program: it settles what one leaves open. A click in the view fills it"));
+        tr("Add another click of the same program to separate similar mistakes. A click in the view fills it"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
@@ -213,14 +213,13 @@ WrongPointsForm::Row &WrongPointsForm::addRow()
     row.pixel->setAccessibleName(tr("Pixel"));
     row.pixel->setToolTip(tr("Device pixels from the top-left corner; the first pixel's centre is 0.5, 0.5"));
     row.depth = new QLineEdit;
-    row.depth->setPlaceholderText(tr("by the mesh"));
+    row.depth->setPlaceholderText(tr("from the mesh"));
     row.depth->setAccessibleName(tr("Depth"));
-    row.depth->setToolTip(
-        tr("The right depth there, in the depth range of the view. Empty: that of the mesh under the pixel; where "
-           "there is none, any depth is allowed for. That of a click is used with all its digits"));
+    row.depth->setToolTip(tr("Correct depth of the pixel, in the view's depth range. Empty: the mesh's depth; without "
+                             "a mesh, any depth is possible. A click's depth is used with all digits"));
     row.got = new PasteField;
     row.got->setPlaceholderText(tr("0.7051 -0.4122 0.0918"));
-    row.got->setAccessibleName(tr("What your program got"));
+    row.got->setAccessibleName(tr("Your program's coordinate"));
     row.got->setToolTip(
         tr("The wrong coordinate, as the program prints it: 1 2 3, vec3(1, 2, 3), [1. 2. 3.]. Its digits count: 1.50 "
            "has two decimals. Rows of px,py,depth,x,y,z can be pasted"));
@@ -321,7 +320,7 @@ bool WrongPointsForm::takeTable(Row &row, const QString &text)
     m_tableFault =
         refused.isEmpty()
             ? QString()
-            : tr("Not taken of what was pasted, since it is no number: %1.").arg(refused.join(QStringLiteral("; ")));
+            : tr("Ignored in the pasted text, because it is not a number: %1.").arg(refused.join(QStringLiteral("; ")));
     arrange();
     markFaults();
     emit changed();
@@ -348,12 +347,12 @@ std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) c
         const auto position = numbersOrFault(row.pixel->text().toStdString(), 2);
         if (!position)
             return Fault{row.pixel,
-                         tr("%1 is no pixel: %2", "the field's text, why")
-                             .arg(quoted(*row.pixel), why(position.error(), tr("its x and y, such as 400.5, 300.5")))};
+                         tr("%1 is not a pixel: %2", "the field's text, why")
+                             .arg(quoted(*row.pixel), why(position.error(), tr("type x and y, such as 400.5, 300.5")))};
         const double x = (*position)[0].value, y = (*position)[1].value;
         if (m_setup
             && !(x >= 0.0 && y >= 0.0 && x <= m_setup->surface.widthPixels && y <= m_setup->surface.heightPixels))
-            return Fault{row.pixel, tr("Pixel %1 lies outside the picture of %2 × %3.")
+            return Fault{row.pixel, tr("Pixel %1 lies outside the view of %2 × %3.")
                                         .arg(row.pixel->text().trimmed())
                                         .arg(m_setup->surface.widthPixels)
                                         .arg(m_setup->surface.heightPixels)};
@@ -361,7 +360,8 @@ std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) c
     if (isFilled(*row.depth)) {
         const auto depth = row.givenDepth();
         if (!depth)
-            return Fault{row.depth, tr("%1 is no depth: type one number, or leave it empty.").arg(quoted(*row.depth))};
+            return Fault{row.depth,
+                         tr("%1 is not a depth: type one number, or leave it empty.").arg(quoted(*row.depth))};
         if (m_setup && !unitDepth(m_setup->depthRange, depth->value))
             return Fault{row.depth,
                          sentence(depthOutsideText(row.depth->text().trimmed().toStdString(), m_setup->depthRange))};
@@ -369,10 +369,12 @@ std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) c
     if (!isFilled(*row.got))
         return std::nullopt;
     if (const auto got = numbersOrFault(row.got->text().toStdString(), 3); !got)
-        return Fault{row.got,
-                     tr("%1 is no point: %2", "the field's text, why")
-                         .arg(quoted(*row.got), why(got.error(), tr("three coordinates as the program prints them, "
-                                                                    "such as 0.7051 -0.4122 0.0918")))};
+        return Fault{
+            row.got,
+            tr("%1 is not a point: %2", "the field's text, why")
+                .arg(quoted(*row.got),
+                     why(got.error(),
+                         tr("type three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918")))};
     return std::nullopt;
 }
 

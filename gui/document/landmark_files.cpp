@@ -79,7 +79,7 @@ QString semilandmarksText(const landmarks::LandmarkSet &set, std::size_t taken)
         names << QString::fromStdString(curve->name).simplified();
         count += curve->semilandmarks.size();
     }
-    return LandmarkFiles::tr("Besides, its semilandmarks: %1, of %2; they are no points to place.")
+    return LandmarkFiles::tr("Semilandmarks, not imported as landmarks: %1, of %2.")
         .arg(QString::number(count), namesText(names));
 }
 
@@ -88,7 +88,7 @@ void tellUnmatched(const JoinedLandmarks &joined, const landmarks::LandmarkSet &
                    QStringList &notes, QStringList &said)
 {
     if (joined.filled > 0)
-        said << LandmarkFiles::tr("Names that have their point now: %1.").arg(joined.filled);
+        said << LandmarkFiles::tr("Names filled: %1.").arg(joined.filled);
     if (joined.unmatched.empty())
         return;
     QStringList unmatched, waiting, sentences;
@@ -101,12 +101,12 @@ void tellUnmatched(const JoinedLandmarks &joined, const landmarks::LandmarkSet &
             waiting << QString::fromStdString(landmark.name).simplified();
     }
     if (!unmatched.isEmpty())
-        sentences << LandmarkFiles::tr("%1: names that nothing waits for, put behind the others: %2.")
+        sentences << LandmarkFiles::tr("%1: names that are not in the template, appended: %2.")
                          .arg(file, namesText(unmatched));
     if (const qsizetype nameless = static_cast<qsizetype>(joined.unmatched.size()) - unmatched.size(); nameless > 0)
-        sentences << LandmarkFiles::tr("%1: points without a name, put behind the others: %2.").arg(file).arg(nameless);
+        sentences << LandmarkFiles::tr("%1: landmarks without a name, appended: %2.").arg(file).arg(nameless);
     if (!waiting.isEmpty())
-        sentences << LandmarkFiles::tr("Still without a place: %1.").arg(namesText(waiting));
+        sentences << LandmarkFiles::tr("Still to place: %1.").arg(namesText(waiting));
     notes << joinSentences(sentences);
 }
 
@@ -140,7 +140,7 @@ QString LandmarkFiles::importFilter()
     }
     for (const char *other : {"*.dta", "*.txt", "*.tsv"}) // NTSYS's matrices, and tables
         patterns << QLatin1String(other);
-    return tr("Points (%1)").arg(patterns.join(u' '));
+    return tr("Landmarks (%1)").arg(patterns.join(u' '));
 }
 
 QString LandmarkFiles::exportFilters()
@@ -196,11 +196,10 @@ std::optional<QString> LandmarkFiles::tieAll(std::vector<landmarks::Landmark> &l
         (isStray ? farOff : onMesh).add(now->distance, share, SceneLandmarks::shownNameOf(landmarks, i));
     }
     if (!strays.empty()) {
-        const QString text =
-            tr("Points far from every object: %1. “%2” is %3 off, which is %4 % of the object's size. Are they "
-               "of another object, or in other axes?")
-                .arg(QString::number(strays.size()), farOff.name, readableText(farOff.most),
-                     readableText(100.0 * farOff.share));
+        const QString text = tr("Landmarks far from every object: %1. “%2” is %3 away, %4 % of the object's size. Do "
+                                "they belong to another object, or use other axes?")
+                                 .arg(QString::number(strays.size()), farOff.name, readableText(farOff.most),
+                                      readableText(100.0 * farOff.share));
         QGuiApplication::setOverrideCursor(Qt::ArrowCursor);
         const auto answer = m_questions ? m_questions->askStray(text) : LandmarkFileQuestions::Stray::LeaveFree;
         QGuiApplication::restoreOverrideCursor();
@@ -227,9 +226,9 @@ std::optional<QString> LandmarkFiles::tieAll(std::vector<landmarks::Landmark> &l
                                                 .arg(readableText(onMesh.most), onMesh.name)
                                           : tr("They lie on the mesh."));
     if (free > 0 && !targets.empty())
-        said << tr("Free where they are, far from it: %1.").arg(free);
+        said << tr("Left free, far from the mesh: %1.").arg(free);
     if (missing > 0)
-        said << tr("Without a place: %1.").arg(missing);
+        said << tr("Not placed: %1.").arg(missing);
     return joinSentences(said);
 }
 
@@ -257,12 +256,11 @@ bool LandmarkFiles::nameAll(std::vector<landmarks::Landmark> &landmarks, Landmar
     if (!areNameless(landmarks) || waiting == 0 || isReplacing)
         return true;
     if (landmarks.size() != waiting) {
-        const QString text =
-            tr("%1 has no names, only an order: %2 points. Names that wait for a place: %3. Shall the points take "
-               "these names in their order, as far as both go, or be put behind them without a name?")
-                .arg(file)
-                .arg(landmarks.size())
-                .arg(waiting);
+        const QString text = tr("%1 has landmarks without names: %2. Names to place: %3. Assign these names in order, "
+                                "or append the landmarks without names?")
+                                 .arg(file)
+                                 .arg(landmarks.size())
+                                 .arg(waiting);
         const auto answer = m_questions ? m_questions->askOrder(text) : LandmarkFileQuestions::Order::Behind;
         if (answer == LandmarkFileQuestions::Order::Cancel)
             return false;
@@ -270,7 +268,7 @@ bool LandmarkFiles::nameAll(std::vector<landmarks::Landmark> &landmarks, Landmar
             return true;
     }
     nameByOrder(landmarks, there);
-    notes << tr("%1 has no names: its points took those that waited, by their order. See that the order is the same.")
+    notes << tr("%1 has no names: its landmarks took the unplaced names in order. Check that the order is right.")
                  .arg(file);
     return true;
 }
@@ -300,18 +298,18 @@ bool LandmarkFiles::importFrom(const std::filesystem::path &file)
     if (!done)
         return false;
     if (!isSameScene) {
-        emit failed(tr("%1: the scene has changed meanwhile. Import the points again.").arg(name));
+        emit failed(tr("%1: the scene has changed meanwhile. Import the landmarks again.").arg(name));
         return false;
     }
     const std::size_t count = set.landmarks.size();
-    QStringList said{tr("Points read from %1: %2.").arg(name).arg(count), *done};
+    QStringList said{tr("Landmarks read from %1: %2.").arg(name).arg(count), *done};
     if (taken > 0)
         said << semilandmarksText(set, taken);
     const landmarks::LandmarkSet &before = m_document.scene().landmarks;
     if (const QString lost = landmarkNotesText(name, read.notes); !lost.isEmpty())
         notes << lost;
     if (read.sets.size() > 1)
-        notes << tr("%1 has %2 specimens; the points of the first are shown.").arg(name).arg(read.sets.size());
+        notes << tr("%1 has %2 specimens; the landmarks of the first are shown.").arg(name).arg(read.sets.size());
     JoinedLandmarks joined;
     if (join == LandmarkFileQuestions::Join::Append) {
         joined = appendLandmarks(set, before, taken, name);
@@ -324,12 +322,12 @@ bool LandmarkFiles::importFrom(const std::filesystem::path &file)
     }
     notes << joined.notes;
     tellUnmatched(joined, set, name, notes, said);
-    static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Import points")}));
+    static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Import landmarks")}));
     if (!notes.isEmpty())
         emit warned(notes.join(u'\n'));
     if (m_document.objects().empty()) {
         fitAll(m_document);
-        said << tr("There is no object that they lie on: open their scan together with them.");
+        said << tr("No object is under them: open their scan together with them.");
     }
     emit noticed(joinSentences(said));
     return true;
@@ -360,7 +358,7 @@ bool LandmarkFiles::exportTo(const std::filesystem::path &file)
     const QString name = pathText(file.filename());
     if (!written->empty())
         emit warned(landmarkNotesText(name, *written));
-    emit noticed(tr("Points written to %1: %2.").arg(name).arg(set.landmarks.size()));
+    emit noticed(tr("Landmarks written to %1: %2.").arg(name).arg(set.landmarks.size()));
     return true;
 }
 

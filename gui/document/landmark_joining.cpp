@@ -78,8 +78,7 @@ QStringList leaveKnownOut(std::vector<Curve> &curves, std::size_t taken, const s
 void tellKnown(QStringList &notes, const QStringList &known, const QString &file)
 {
     if (!known.isEmpty())
-        notes << Texts::tr("%1: the scene has these curves itself, and its own stay: %2.")
-                     .arg(file, known.join(QStringLiteral(", ")));
+        notes << Texts::tr("%1: the scene keeps its own curves: %2.").arg(file, known.join(QStringLiteral(", ")));
 }
 
 /// Fills names to place with landmarks.
@@ -200,7 +199,7 @@ JoinedLandmarks replaceLandmarks(LandmarkSet &set, const LandmarkSet &before, st
         for (std::size_t i = 0; i < set.landmarks.size(); ++i)
             set.landmarks[i].name = before.landmarks[i].name;
         joined.notes
-            << Texts::tr("%1 has no names: its points have those of the points before, by their order.").arg(file);
+            << Texts::tr("%1 has no names: its landmarks took the names of the former ones, in order.").arg(file);
     }
     std::map<QString, std::string> names; // of the scene
     for (const Landmark &landmark : before.landmarks) {
@@ -223,7 +222,7 @@ JoinedLandmarks replaceLandmarks(LandmarkSet &set, const LandmarkSet &before, st
     if (set.unit.empty())
         set.unit = before.unit;
     else if (!before.unit.empty() && set.unit != before.unit)
-        joined.notes << Texts::tr("%1 is in %2: that is the scene's unit now, instead of %3. Nothing is converted.")
+        joined.notes << Texts::tr("%1 is in %2, which replaces the scene's unit, %3. Coordinates are not converted.")
                             .arg(file, QString::fromStdString(set.unit), QString::fromStdString(before.unit));
     if (set.name.empty())
         set.name = before.name;
@@ -248,12 +247,12 @@ JoinedLandmarks appendLandmarks(LandmarkSet &set, const LandmarkSet &before, std
                       std::make_move_iterator(set.curves.end()));
     if (!set.unit.empty() && set.unit != before.unit)
         joined.notes << (before.unit.empty()
-                             ? Texts::tr("%1 is in %2, and what the scene is in is not known. Nothing is converted.")
+                             ? Texts::tr("%1 is in %2; the scene has no unit. Coordinates are not converted.")
                                    .arg(file, QString::fromStdString(set.unit))
-                             : Texts::tr("%1 is in %2, and the scene in %3. Nothing is converted.")
+                             : Texts::tr("%1 is in %2, the scene in %3. Coordinates are not converted.")
                                    .arg(file, QString::fromStdString(set.unit), QString::fromStdString(before.unit)));
     if (const QStringList leftOut = addKeys(all.extra, set.extra); !leftOut.isEmpty())
-        joined.notes << Texts::tr("%1: the scene has other values of these already, which stay: %2.")
+        joined.notes << Texts::tr("%1: the scene keeps its own values of these: %2.")
                             .arg(file, leftOut.join(QStringLiteral(", ")));
     set = std::move(all);
     return joined;

@@ -110,15 +110,16 @@ QString detachStale(std::vector<Landmark> &landmarks, const std::vector<SceneObj
     }
     QStringList said;
     if (absent > 0)
-        said << Texts::tr("Points on an object that is not here: %1, as %2.").arg(absent).arg(firstAbsent);
+        said << Texts::tr("Landmarks on a missing object: %1, such as %2.").arg(absent).arg(firstAbsent);
     if (unknown > 0)
-        said << Texts::tr("Points held by what their object does not have: %1, as %2.").arg(unknown).arg(firstUnknown);
+        said << Texts::tr("Landmarks whose triangle, edge or vertex does not exist: %1, such as %2.")
+                    .arg(unknown)
+                    .arg(firstUnknown);
     if (elsewhere > 0)
-        said << Texts::tr(
-                    "Points that are elsewhere than what holds them, as if the model had been changed: %1; %2 by %3.")
+        said << Texts::tr("Landmarks away from their anchor, as if the model had been changed: %1; %2 by %3.")
                     .arg(QString::number(elsewhere), firstElsewhere, readableText(farthest));
     if (!said.isEmpty())
-        said << Texts::tr("They are free where they are; B puts selected points onto the surface.");
+        said << Texts::tr("They are free now. To put selected landmarks onto the surface, press B.");
     return joinSentences(said);
 }
 

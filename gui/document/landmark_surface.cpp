@@ -55,7 +55,7 @@ Check putOnSurface(SceneDocument &document, const std::vector<std::size_t> &indi
     }
     const QString text = indices.size() == 1 ? SceneLandmarks::tr("Put %1 on the surface")
                                                    .arg(SceneLandmarks::shownNameOf(document.landmarks(), indices[0]))
-                                             : SceneLandmarks::tr("Put %n points on the surface", nullptr,
+                                             : SceneLandmarks::tr("Put %n landmarks on the surface", nullptr,
                                                                   static_cast<int>(indices.size()));
     return editLandmarks(document, std::move(all), {text});
 }

@@ -49,8 +49,7 @@ QString overwritingText(const SceneDocument &document, const Session &session, c
     const std::vector<scene::SceneObject> &objects = document.objects();
     const bool isScene = files::isSameFile(session.file(), file);
     return isScene || isOfAny(objects, file)
-               ? SceneFiles::tr(
-                     "%1: the scene that is open uses this file, which would be destroyed. Give another name.")
+               ? SceneFiles::tr("%1: the open scene uses this file and would destroy it. Choose another name.")
                      .arg(pathText(file))
                : QString();
 }

@@ -94,17 +94,16 @@ QString faultOf(const curves::CurveError &error, const std::vector<Landmark> &la
 {
     using Code = curves::CurveError::Code;
     switch (error.code) {
-    case Code::TooFew: return Texts::tr("a curve has two points at least");
+    case Code::TooFew: return Texts::tr("a curve needs at least two landmarks");
     case Code::Missing: return Texts::tr("“%1” is not placed").arg(quoted(landmarks, error.point));
     case Code::NotOnSurface:
-        return Texts::tr("“%1” is not on a surface; B puts it there").arg(quoted(landmarks, error.point));
+        return Texts::tr("“%1” is not on a surface; select it and press B").arg(quoted(landmarks, error.point));
     case Code::NotConnected:
         return Texts::tr("the surface between “%1” and “%2” is not in one piece")
             .arg(quoted(landmarks, error.point - 1), quoted(landmarks, error.point));
     case Code::NoSection:
-        return Texts::tr(
-                   "no plane along the surface's normals leads from “%1” to “%2”; take the geodesic, or place a point "
-                   "between them")
+        return Texts::tr("no plane along the surface's normals leads from “%1” to “%2”; use the geodesic, or place a "
+                         "landmark between them")
             .arg(quoted(landmarks, error.point - 1), quoted(landmarks, error.point));
     case Code::Stopped: break;
     }
@@ -193,7 +192,7 @@ void SceneCurves::locate(Request &request) const
         if (landmarks[i].isMissing())
             request.fault = tr("“%1” is not placed").arg(quoted(landmarks, i));
         else if (landmarks[i].object.empty())
-            request.fault = tr("“%1” is not on a surface; B puts it there").arg(quoted(landmarks, i));
+            request.fault = tr("“%1” is not on a surface; select it and press B").arg(quoted(landmarks, i));
         else if (landmarks[i].object != landmarks.front().object)
             request.fault = tr("“%1” lies on another object than “%2”").arg(quoted(landmarks, i), quoted(landmarks, 0));
     }
@@ -223,9 +222,9 @@ SceneCurves::Request SceneCurves::requestOf(const Curve &curve) const
         const auto found = std::find_if(all.begin(), all.end(), hasName);
         const QString shown = QString::fromStdString(name).simplified();
         if (found == all.end())
-            request.fault = tr("there is no point “%1”").arg(shown);
+            request.fault = tr("there is no landmark “%1”").arg(shown);
         else if (std::any_of(found + 1, all.end(), hasName))
-            request.fault = tr("several points are called “%1”; rename all but one").arg(shown);
+            request.fault = tr("several landmarks are called “%1”; rename all but one").arg(shown);
         if (!request.fault.isEmpty())
             return request;
         request.points.push_back(*found);
@@ -278,7 +277,7 @@ void SceneCurves::refresh()
             request.points.back().name = SceneLandmarks::shownNameOf(m_document.landmarks(), index).toStdString();
         }
         if (selection.size() > kMostMeasured)
-            request.fault = tr("it is worked out for at most %1 points").arg(kMostMeasured);
+            request.fault = tr("it can have at most %1 landmarks").arg(kMostMeasured);
         else
             locate(request);
         m_selected = std::make_unique<Known>(known({}, std::move(request), formerSelected.get()));
@@ -364,7 +363,7 @@ bool SceneCurves::complete()
 geometry::Result<landmarks::LandmarkSet, QString> SceneCurves::withSemilandmarks()
 {
     if (!complete())
-        return tr("somebody gave up waiting for its curves");
+        return tr("computing its curves was cancelled");
     for (const Known &known : m_known) {
         if (known.line.failure)
             return failureText(*known.line.failure);
@@ -408,7 +407,7 @@ QString SceneCurves::join(const std::vector<std::size_t> &points, landmarks::Cur
     for (const std::size_t index : points) {
         const Landmark &landmark = landmarks[index];
         if (landmark.name.empty())
-            return tr("%1 has no name; a curve knows its points by their names")
+            return tr("%1 has no name; give it one, because curves refer to landmarks by name")
                 .arg(SceneLandmarks::shownNameOf(landmarks, index));
         curve.points.push_back(landmark.name);
     }

@@ -102,7 +102,7 @@ const std::vector<Landmark> &SceneLandmarks::all() const
 QString SceneLandmarks::shownNameOf(const std::vector<Landmark> &landmarks, std::size_t index)
 {
     const QString name = index < landmarks.size() ? shownName(landmarks[index].name) : QString();
-    return name.isEmpty() ? tr("point %1").arg(index + 1) : name;
+    return name.isEmpty() ? tr("landmark %1").arg(index + 1) : name;
 }
 
 // ---- selection ----------------------------------------------------------------------------------
@@ -194,7 +194,7 @@ std::string SceneLandmarks::freeName() const
         return std::any_of(all().begin(), all().end(), [&](const Landmark &landmark) { return landmark.name == name; });
     };
     for (std::size_t number = all().size() + 1;; ++number) {
-        if (std::string name = tr("Point %1").arg(number).toStdString(); !isTaken(name))
+        if (std::string name = tr("Landmark %1").arg(number).toStdString(); !isTaken(name))
             return name;
     }
 }
@@ -252,7 +252,7 @@ Check SceneLandmarks::moveAll(const std::vector<Move> &moves, const QString &mer
         indices.push_back(move.index);
     std::size_t next = 0; // they are in this order
     return edit(
-        indices, tr("Move %1"), tr("Move %n points", nullptr, static_cast<int>(indices.size())),
+        indices, tr("Move %1"), tr("Move %n landmarks", nullptr, static_cast<int>(indices.size())),
         [&](Landmark &landmark) { takePlace(landmark, moves[next++].to); }, mergeKey);
 }
 
@@ -284,7 +284,7 @@ Check SceneLandmarks::setNote(std::size_t index, const QString &note)
 
 Check SceneLandmarks::setColor(const std::vector<std::size_t> &indices, const std::optional<glm::u8vec3> &color)
 {
-    return edit(indices, tr("Colour of %1"), tr("Colour of %n points", nullptr, static_cast<int>(indices.size())),
+    return edit(indices, tr("Colour of %1"), tr("Colour of %n landmarks", nullptr, static_cast<int>(indices.size())),
                 [&](Landmark &landmark) { landmark.color = color; });
 }
 
@@ -292,7 +292,7 @@ Check SceneLandmarks::setHidden(const std::vector<std::size_t> &indices, bool is
 {
     const int count = static_cast<int>(indices.size());
     return edit(indices, isHidden ? tr("Hide %1") : tr("Show %1"),
-                isHidden ? tr("Hide %n points", nullptr, count) : tr("Show %n points", nullptr, count),
+                isHidden ? tr("Hide %n landmarks", nullptr, count) : tr("Show %n landmarks", nullptr, count),
                 [&](Landmark &landmark) { landmark.isHidden = isHidden; });
 }
 
@@ -301,7 +301,7 @@ Check SceneLandmarks::setMissing(const std::vector<std::size_t> &indices)
     const ChangeNotifier::Batch batch(m_changes);
     const std::optional<std::size_t> nextUnplaced = m_nextUnplaced; // a landmark made missing is not the next to place
     const Check done =
-        edit(indices, tr("%1 missing"), tr("%n points missing", nullptr, static_cast<int>(indices.size())),
+        edit(indices, tr("%1 missing"), tr("%n landmarks missing", nullptr, static_cast<int>(indices.size())),
              [](Landmark &landmark) { takePlace(landmark, {}); });
     setNextUnplaced(nextUnplaced);
     return done;
@@ -317,7 +317,7 @@ Check SceneLandmarks::remove(const std::vector<std::size_t> &indices)
     if (left.size() == all().size())
         return std::monostate{};
     const QString text = indices.size() == 1 ? tr("Remove %1").arg(shownNameOf(all(), indices.front()))
-                                             : tr("Remove %n points", nullptr, static_cast<int>(indices.size()));
+                                             : tr("Remove %n landmarks", nullptr, static_cast<int>(indices.size()));
     return editLandmarks(m_document, std::move(left), {text});
 }
 
@@ -347,7 +347,7 @@ Check SceneLandmarks::arrange(const std::vector<std::size_t> &order)
     landmarks.reserve(order.size());
     for (const std::size_t index : order)
         landmarks.push_back(all()[index]);
-    return editLandmarks(m_document, std::move(landmarks), {tr("Order of points")});
+    return editLandmarks(m_document, std::move(landmarks), {tr("Order of landmarks")});
 }
 
 } // namespace unprojector::gui

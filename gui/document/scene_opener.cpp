@@ -126,8 +126,8 @@ Result<Opening, QString> SceneOpener::readScene(const std::filesystem::path &fil
         return errorText(*reason);
     opening.contents = std::move(scene).value();
     const LostKeys lost = lostKeys(*text, opening.contents);
-    addNote(lost.ofSteps, tr("%1: unknown in a step of a transform, and not saved."), opening);
-    addNote(lost.ofPlanes, tr("%1: unknown, and not saved once the clip plane is switched on."), opening);
+    addNote(lost.ofSteps, tr("%1: unknown key in a transform step; it is not saved."), opening);
+    addNote(lost.ofPlanes, tr("%1: unknown key; it is not saved once the clip plane is switched on."), opening);
     return opening;
 }
 

@@ -302,12 +302,12 @@ QString Session::droppedMatrices() const
 {
     const bool projection = m_document.scene().projection.hadMatrix(), view = m_document.scene().camera.hadMatrix();
     if (projection && view)
-        return tr("Saved. The projection and the view have changed since they came as matrices; they are written by "
-                  "their arguments.");
+        return tr("Saved. The projection and the view have changed since they were given as matrices; they are saved "
+                  "as arguments.");
     if (projection)
-        return tr("Saved. The projection has changed since it came as a matrix; it is written by its arguments.");
+        return tr("Saved. The projection has changed since it was given as a matrix; it is saved as arguments.");
     if (view)
-        return tr("Saved. The view has changed since it came as a matrix; it is written as eye, center and up.");
+        return tr("Saved. The view has changed since it was given as a matrix; it is saved as eye, center and up.");
     return {};
 }
 
@@ -395,7 +395,7 @@ void Session::createAutosave()
     m_autosave = new Autosave(
         folder, m_options.autosave, [this] { return unsavedContent(); }, this);
     connect(m_autosave, &Autosave::failed, this, [this](const QString &reason) {
-        emit noticed(tr("In case of a crash unsaved changes would be lost. They cannot be kept: %1").arg(reason));
+        emit noticed(tr("A crash would lose unsaved changes, because they cannot be kept: %1").arg(reason));
     });
 }
 
@@ -432,8 +432,8 @@ void Session::offerRecovery()
         if (file->info())
             m_offered.push_back(std::move(file));
         else
-            damaged << tr("Unsaved changes of an earlier session are damaged and cannot be recovered. The file was put "
-                          "aside as %1.")
+            damaged << tr("Unsaved changes of an earlier session are damaged and cannot be recovered. The file was "
+                          "kept as %1.")
                            .arg(QDir::toNativeSeparators(file->putAside()));
     }
     emit offeredChanged();
@@ -466,7 +466,7 @@ void Session::recover(std::size_t index)
     if (!info || !scene) {
         const QString reason = scene ? QString() : QString::fromStdString(sceneErrorText(scene.error()));
         const QString aside = takeOffered(index)->putAside();
-        emit failed(tr("The unsaved changes are damaged and cannot be recovered. The file was put aside as %1.\n%2")
+        emit failed(tr("The unsaved changes are damaged and cannot be recovered. The file was kept as %1.\n%2")
                         .arg(QDir::toNativeSeparators(aside), reason));
         return;
     }

@@ -32,7 +32,7 @@ bool waitForCurves(QWidget &window, SceneDocument &document)
     if (!curves.isComputing())
         return true;
 
-    QProgressDialog dialog(Texts::tr("Curves are worked out on the surface…"), Texts::tr("Cancel"), 0, 0, &window);
+    QProgressDialog dialog(Texts::tr("Computing curves on the surface…"), Texts::tr("Cancel"), 0, 0, &window);
     dialog.setWindowTitle(Texts::tr("Curves"));
     dialog.setWindowModality(Qt::ApplicationModal);
     dialog.setAutoReset(false);
@@ -44,7 +44,7 @@ bool waitForCurves(QWidget &window, SceneDocument &document)
             return; // a single curve has no measurable progress
         dialog.setRange(0, count);
         dialog.setValue(done);
-        dialog.setLabelText(Texts::tr("Curves are worked out on the surface: %1 of %2").arg(done).arg(count));
+        dialog.setLabelText(Texts::tr("Computing curves on the surface: %1 of %2").arg(done).arg(count));
     };
     QTimer tick;
     QObject::connect(&tick, &QTimer::timeout, &dialog, show);

@@ -98,10 +98,10 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
     m_rows->setAccessibleName(tr("Curves"));
     m_rows->setRootIsDecorated(false);
     m_rows->setUniformRowHeights(true);
-    m_rows->setHeaderLabels({tr("Curve"), tr("Points"), tr("Kind"), tr("n"), tr("Length")});
+    m_rows->setHeaderLabels({tr("Curve"), tr("Landmarks"), tr("Kind"), tr("n"), tr("Length")});
     m_rows->headerItem()->setToolTip(
-        Count, plainToolTip(tr("Semilandmarks, in equal steps along the curve, both ends included; they are "
-                               "written into files with the points")));
+        Count, plainToolTip(tr(
+                   "Semilandmarks at equal steps along the curve, both ends included; exported with the landmarks")));
     m_rows->setTextElideMode(Qt::ElideMiddle);
     m_rows->setItemDelegate(new CurveDelegate(m_rows));
     m_rows->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
@@ -123,12 +123,11 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
 
     m_reason->setWordWrap(true);
     m_reason->setTextFormat(Qt::PlainText);
-    m_reason->setAccessibleName(tr("Why there is no curve"));
+    m_reason->setAccessibleName(tr("Reason for the missing curve"));
     m_reason->hide();
 
     m_join->setText(tr("Join"));
-    m_join->setToolTip(
-        tr("Join the selected points on the surface, in their order in the list: a curve with semilandmarks"));
+    m_join->setToolTip(tr("Join the selected landmarks on the surface, in list order, to a curve with semilandmarks"));
     m_join->setFocusPolicy(Qt::StrongFocus);
     m_join->setPopupMode(QToolButton::InstantPopup);
     auto *menu = new QMenu(m_join);
@@ -136,11 +135,11 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
     const auto add = [&](const QString &text, const QString &tip, CurveKind kind) {
         menu->addAction(text, this, [this, kind] { join(kind); })->setToolTip(tip);
     };
-    add(tr("On the &Surface") + QStringLiteral("\tJ"), tr("A geodesic: as a thread pulled tight on the surface"),
+    add(tr("On the &Surface") + QStringLiteral("\tJ"), tr("Geodesic: like a thread pulled tight on the surface"),
         CurveKind::Geodesic);
     add(tr("Along a &Plane") + QStringLiteral("\t")
             + QKeySequence(Qt::SHIFT | Qt::Key_J).toString(QKeySequence::NativeText),
-        tr("Where the plane through two points and the surface's normals at them cuts the surface"),
+        tr("Section of the surface with the plane through two landmarks and the surface's normals there"),
         CurveKind::PlaneSection);
     m_join->setMenu(menu);
 
@@ -281,7 +280,7 @@ void CurvesView::apply(int row, int column, const QVariant &typed)
         return;
     if (column == Name) {
         if (!curves.rename(index, typed.toString()))
-            say(tr("“%1” is no name for it: it is empty, or another curve's.").arg(typed.toString().trimmed()));
+            say(tr("“%1” cannot be the name: it is empty, or another curve has it.").arg(typed.toString().trimmed()));
     } else if (column == Count && !curves.all()[index].points.empty()) {
         bool isNumber = false;
         const int count = typed.toString().trimmed().toInt(&isNumber);
@@ -312,7 +311,7 @@ void CurvesView::showMenu(const QPoint &place)
     if (!shown.points.empty()) {
         const bool isGeodesic = shown.kind == CurveKind::Geodesic;
         menu->addAction(
-            isGeodesic ? tr("Lead Along a &Plane") : tr("Lead on the &Surface"), this, [this, curve, isGeodesic] {
+            isGeodesic ? tr("Follow a &Plane") : tr("Follow the &Surface"), this, [this, curve, isGeodesic] {
                 m_document.curves().setKind(*curve, isGeodesic ? CurveKind::PlaneSection : CurveKind::Geodesic);
             });
     }

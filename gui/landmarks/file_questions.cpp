@@ -24,16 +24,16 @@ int askOwn(QWidget &window, const QString &title, const QString &text, const QSt
 
 LandmarkFileQuestions::Join FileQuestions::askJoin(const Counts &counts)
 {
-    QString text = tr("Points that are placed already: %1. Points in the file: %2. Replace them, or put the new ones "
-                      "behind them?")
-                       .arg(counts.placed)
-                       .arg(counts.coming);
+    QString text =
+        tr("Landmarks already placed: %1. Landmarks in the file: %2. Replace the placed ones, or append the new ones?")
+            .arg(counts.placed)
+            .arg(counts.coming);
     if (counts.waiting > 0)
         text += QStringLiteral("\n\n")
-                + tr("Names of the template that wait for their points: %1. Replace takes them away as well; Append "
-                     "gives those that the file has their places.")
+                + tr("Template names not placed yet: %1. Replace removes them as well; Append fills those that the "
+                     "file contains.")
                       .arg(counts.waiting);
-    switch (askOwn(m_window, tr("Import Points"), text, {tr("&Replace"), tr("&Append")})) {
+    switch (askOwn(m_window, tr("Import Landmarks"), text, {tr("&Replace"), tr("&Append")})) {
     case 0: return Join::Replace;
     case 1: return Join::Append;
     default: return Join::Cancel;
@@ -42,7 +42,7 @@ LandmarkFileQuestions::Join FileQuestions::askJoin(const Counts &counts)
 
 LandmarkFileQuestions::Stray FileQuestions::askStray(const QString &text)
 {
-    switch (askOwn(m_window, tr("Import Points"), text,
+    switch (askOwn(m_window, tr("Import Landmarks"), text,
                    {tr("&Move Them onto the Mesh"), tr("&Leave Them Where They Are")})) {
     case 0: return Stray::Tie;
     case 1: return Stray::LeaveFree;
@@ -52,7 +52,7 @@ LandmarkFileQuestions::Stray FileQuestions::askStray(const QString &text)
 
 LandmarkFileQuestions::Order FileQuestions::askOrder(const QString &text)
 {
-    switch (askOwn(m_window, tr("Import Points"), text, {tr("&Take the Names in Order"), tr("&Put Them Behind")})) {
+    switch (askOwn(m_window, tr("Import Landmarks"), text, {tr("&Take the Names in Order"), tr("&Append Them")})) {
     case 0: return Order::Fill;
     case 1: return Order::Behind;
     default: return Order::Cancel;

@@ -290,7 +290,7 @@ QString landmarkTip(const SceneDocument &document, const LandmarkMark &mark)
     if (!landmark.note.empty())
         lines << QString::fromStdString(landmark.note);
     if (mark.isBehind)
-        lines << Texts::tr("It is behind what is seen here.");
+        lines << Texts::tr("A surface hides it in this view.");
     return lines.join(u'\n').toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
 }
 

@@ -389,7 +389,7 @@ void LandmarkTool::nudge(const QPointF &way)
     const auto unmoved = static_cast<int>(wanted) - static_cast<int>(moves.size());
     if (wanted == 1 && left)
         QToolTip::showText(m_view.mapToGlobal(*left).toPoint(),
-                           tr("It is behind what is seen here: turn the view, or go to it (G)."), &m_view);
+                           tr("A surface hides it: turn the view, or go to it (G)."), &m_view);
     else if (wanted > 1 && unmoved > 0)
         tellUnmoved(static_cast<std::size_t>(unmoved), left.value_or(QPointF(m_view.rect().center())));
 }
@@ -397,7 +397,7 @@ void LandmarkTool::nudge(const QPointF &way)
 void LandmarkTool::tellUnmoved(std::size_t count, const QPointF &at)
 {
     QToolTip::showText(m_view.mapToGlobal(at).toPoint(),
-                       tr("Selected points that were not moved, behind what is seen here or beside it: %1.").arg(count),
+                       tr("Selected landmarks not moved, because they are hidden or outside the view: %1.").arg(count),
                        &m_view);
 }
 

@@ -40,8 +40,8 @@ public:
     std::optional<WorkspaceSpec> workspace() override
     {
         return WorkspaceSpec{Workspace::Landmarks,
-                             tr("Points"),
-                             tr("Place points on the surface, name them, move them, measure between them"),
+                             tr("Landmarks"),
+                             tr("Place landmarks on the surface, name and move them, and measure between them"),
                              Drawing::Points,
                              Qt::Key_F7,
                              {Panel::Landmarks, Panel::Objects}};
@@ -105,7 +105,7 @@ LandmarksFeature::LandmarksFeature(Window &window)
 std::vector<PanelSpec> LandmarksFeature::panels()
 {
     return {
-        {Panel::Landmarks, tr("Points"), m_panel, Qt::RightDockWidgetArea, Qt::ALT | Qt::Key_7},
+        {Panel::Landmarks, tr("Landmarks"), m_panel, Qt::RightDockWidgetArea, Qt::ALT | Qt::Key_7},
         {Panel::Series, tr("Series"), m_seriesPanel, Qt::BottomDockWidgetArea, Qt::ALT | Qt::Key_8},
     };
 }
@@ -136,8 +136,9 @@ void LandmarksFeature::openFiles(const std::vector<std::filesystem::path> &files
 void LandmarksFeature::importLandmarks()
 {
     m_window.session().commitTyped();
-    const QString name = QFileDialog::getOpenFileName(
-        &m_window, tr("Import Points"), {}, LandmarkFiles::importFilter() + QStringLiteral(";;") + tr("All files (*)"));
+    const QString name =
+        QFileDialog::getOpenFileName(&m_window, tr("Import Landmarks"), {},
+                                     LandmarkFiles::importFilter() + QStringLiteral(";;") + tr("All files (*)"));
     if (!name.isEmpty())
         m_files->importFrom(std::filesystem::path(name.toStdU16String()));
 }
@@ -146,7 +147,7 @@ void LandmarksFeature::exportLandmarks()
 {
     m_window.session().commitTyped();
     const SaveName named =
-        askSaveName(m_window, tr("Export Points"), LandmarkFiles::exportFilters().split(QStringLiteral(";;")),
+        askSaveName(m_window, tr("Export Landmarks"), LandmarkFiles::exportFilters().split(QStringLiteral(";;")),
                     pathText(m_window.session().proposedName().stem()));
     if (!named.file.empty() && m_window.mayExportTo(named.file))
         m_files->exportTo(named.file);
@@ -154,27 +155,28 @@ void LandmarksFeature::exportLandmarks()
 
 void LandmarksFeature::addFileActions(QMenu &menu)
 {
-    addAction(menu, tr("&Import Points…"), {}, tr("Read points from a file of this or another program"),
+    addAction(menu, tr("&Import Landmarks…"), {}, tr("Import landmarks from a file of this or another program"),
               [this] { importLandmarks(); });
-    addAction(menu, tr("E&xport Points…"), {}, tr("Write the points to a file; its suffix says for which program"),
+    addAction(menu, tr("E&xport Landmarks…"), {}, tr("Export the landmarks to a file; its suffix selects the format"),
               [this] { exportLandmarks(); });
     addSeriesActions(*menu.addMenu(tr("Series of S&cans")));
 }
 
 void LandmarksFeature::addSeriesActions(QMenu &menu)
 {
-    addAction(menu, tr("&Open Folder…"), {}, tr("Open a folder of scans, to place the same points on each"), [this] {
+    addAction(menu, tr("&Open Folder…"), {}, tr("Open a folder of scans and place the same landmarks on each"), [this] {
         if (m_seriesPanel->chooseFolder())
             m_window.workspaces().show(Panel::Series);
     });
     QAction *next = addAction(menu, tr("&Next Scan"), Qt::CTRL | Qt::Key_PageDown,
-                              tr("Keep the points and show the next scan"), [this] { m_series->next(); });
-    QAction *previous = addAction(menu, tr("&Previous Scan"), Qt::CTRL | Qt::Key_PageUp,
-                                  tr("Keep the points and show the scan before"), [this] { m_series->previous(); });
+                              tr("Keep the landmarks and show the next scan"), [this] { m_series->next(); });
+    QAction *previous =
+        addAction(menu, tr("&Previous Scan"), Qt::CTRL | Qt::Key_PageUp,
+                  tr("Keep the landmarks and show the previous scan"), [this] { m_series->previous(); });
     QAction *repeats = addAction(menu, tr("&Repeats…"), {},
-                                 tr("Write the mean of each point's placings, and how far they scatter, to a table"),
+                                 tr("Write the mean and the scatter of each landmark's placings to a table"),
                                  [this] { m_seriesPanel->exportRepeats(); });
-    QAction *close = addAction(menu, tr("&Close Series"), {}, tr("Keep the points and leave the series"), [this] {
+    QAction *close = addAction(menu, tr("&Close Series"), {}, tr("Keep the landmarks and leave the series"), [this] {
         if (m_series->close())
             m_window.workspaces().dock(Panel::Series).hide();
     });
@@ -190,9 +192,9 @@ void LandmarksFeature::addSeriesActions(QMenu &menu)
 
 void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
 {
-    menu.addSection(tr("Points"));
+    menu.addSection(tr("Landmarks"));
     m_placing =
-        addSwitch(menu, tr("&Place Points"), Qt::Key_P, tr("A click places a point; what is dragged turns the view"));
+        addSwitch(menu, tr("&Place Landmarks"), Qt::Key_P, tr("A click places a landmark; a drag turns the view"));
     m_placing->setObjectName(QStringLiteral("place_points")); // for links in lessons
     connect(m_placing, &QAction::toggled, this, [this](bool isOn) {
         m_tool->setPlacing(isOn);
@@ -203,10 +205,10 @@ void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
     putOnBar(bar, *m_placing, Drawing::Points);
     bar.addSeparator();
     addAction(
-        menu, tr("&Go to Point"), Qt::Key_G, tr("Turn the camera to face the surface at the selected point"),
+        menu, tr("&Go to Landmark"), Qt::Key_G, tr("Turn the camera to face the surface at the selected landmark"),
         [this] { withCurrent([](SceneDocument &document, std::size_t index) { goToLandmark(document, index); }); });
     addAction(menu, tr("&Zoom to ± 0.01"), Qt::SHIFT | Qt::Key_G,
-              tr("Get closer to the selected point until its pixel leaves no more open than 0.01"),
+              tr("Move closer to the selected landmark until its pixel has an uncertainty of at most 0.01"),
               [this] {
                   withCurrent([](SceneDocument &document, std::size_t index) {
                       constexpr double kHalf = 0.01;
@@ -215,13 +217,13 @@ void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
               })
         ->setObjectName(QStringLiteral("zoom_to_point"));
     addAction(menu, tr("Put &Back on the Surface"), Qt::Key_B,
-              tr("Put the selected points onto the surface, where it is closest to them"),
+              tr("Move the selected landmarks to the closest point of the surface"),
               [this] { putSelectedOnSurface(); });
     addAction(menu, tr("&Join on the Surface"), Qt::Key_J,
-              tr("Lead a curve through the selected points as a thread pulled tight on the surface"),
+              tr("Draw a curve through the selected landmarks, like a thread pulled tight on the surface"),
               [this] { join(landmarks::CurveKind::Geodesic); });
     addAction(menu, tr("Join Along a P&lane"), Qt::SHIFT | Qt::Key_J,
-              tr("Lead a curve through the selected points where the plane along the surface's normals cuts it"),
+              tr("Draw a curve through the selected landmarks, where the plane along the surface's normals cuts it"),
               [this] { join(landmarks::CurveKind::PlaneSection); });
 }
 
@@ -231,7 +233,8 @@ void LandmarksFeature::withCurrent(void (*change)(SceneDocument &, std::size_t))
     if (index && isPlaced(*index))
         change(m_document, *index);
     else
-        m_window.notice(tr("Select a placed point first: its mark in the view, or its row under Points."));
+        m_window.notice(
+            tr("Select a placed landmark first: its marker in the view, or its row in the Landmarks panel."));
 }
 
 void LandmarksFeature::putSelectedOnSurface()
@@ -240,13 +243,14 @@ void LandmarksFeature::putSelectedOnSurface()
     if (std::any_of(selected.begin(), selected.end(), [this](std::size_t index) { return isPlaced(index); }))
         static_cast<void>(putOnSurface(m_document, selected));
     else
-        m_window.notice(tr("Select placed points first: their marks in the view, or their rows under Points."));
+        m_window.notice(
+            tr("Select placed landmarks first: their markers in the view, or their rows in the Landmarks panel."));
 }
 
 void LandmarksFeature::join(landmarks::CurveKind kind)
 {
     if (m_document.sceneLandmarks().selection().size() < 2) {
-        m_window.notice(tr("Select two points or more first: their rows under Points, with Ctrl."));
+        m_window.notice(tr("Select two or more landmarks first: their rows in the Landmarks panel, with Ctrl."));
         return;
     }
     m_window.workspaces().show(Panel::Landmarks); // lists the curve, or tells why there is none

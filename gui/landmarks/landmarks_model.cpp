@@ -117,15 +117,15 @@ QString LandmarksModel::toolTip(const QModelIndex &index) const
         const int axis = axisOf(index.column());
         const QString value = writtenText((*landmark.world)[axis]);
         return landmark.uncertainty ? tr("%1 ± %2, world units").arg(value, boundText((*landmark.uncertainty)[axis]))
-                                    : tr("%1, world units; how far it can be off is not known").arg(value);
+                                    : tr("%1, world units; uncertainty unknown").arg(value);
     }
     switch (index.column()) {
     case Name: return landmark.isHidden ? tr("%1, hidden").arg(shownName(landmark.name)) : shownName(landmark.name);
     case PlusMinus:
         return !landmark.world ? QString()
                : landmark.uncertainty
-                   ? tr("How far the point can be off, world units: the length of what each coordinate can be")
-                   : tr("How far the point can be off is not known, so none of its digits counts as certain");
+                   ? tr("Uncertainty, world units: the length of the uncertainties of the coordinates")
+                   : tr("The uncertainty is unknown, so all digits are grey");
     case HeldBy: return heldByExplanation(landmark);
     case Note: return QString::fromStdString(landmark.note);
     default: return text(index).toString();
@@ -190,18 +190,17 @@ QVariant LandmarksModel::headerData(int section, Qt::Orientation orientation, in
         return {};
     const bool isTip = role == Qt::ToolTipRole;
     switch (section) {
-    case Number: return isTip ? tr("Its number in the list, and in files that have no names") : QStringLiteral("№");
+    case Number: return isTip ? tr("Number in the list, and in files without names") : QStringLiteral("№");
     case Name: return tr("Name");
-    case X: return isTip ? tr("World x; black as far as it is certain") : QStringLiteral("x");
-    case Y: return isTip ? tr("World y; black as far as it is certain") : QStringLiteral("y");
-    case Z: return isTip ? tr("World z; black as far as it is certain") : QStringLiteral("z");
+    case X: return isTip ? tr("World x; grey digits are smaller than the uncertainty") : QStringLiteral("x");
+    case Y: return isTip ? tr("World y; grey digits are smaller than the uncertainty") : QStringLiteral("y");
+    case Z: return isTip ? tr("World z; grey digits are smaller than the uncertainty") : QStringLiteral("z");
     case PlusMinus:
-        return isTip ? tr(
-                   "How far the point can be off, world units: half a pixel to the side, and how far a click is off "
-                   "(which alone is what the comparison and the map of uncertainty have)")
+        return isTip ? tr("Uncertainty, world units: half a pixel to the side, and the click's uncertainty. The "
+                          "Comparison panel and the map show only the latter")
                      : QStringLiteral("±");
-    case Object: return isTip ? tr("The object that it lies on") : tr("Object");
-    case HeldBy: return isTip ? tr("What of the object's mesh holds it") : tr("Held by");
+    case Object: return isTip ? tr("Object under the landmark") : tr("Object");
+    case HeldBy: return isTip ? tr("Triangle, edge or vertex that holds the landmark") : tr("Held by");
     case Note: return tr("Note");
     default: return {};
     }
@@ -230,8 +229,8 @@ bool LandmarksModel::setCoordinate(std::size_t index, int axis, const QString &t
             return false;
         }
         if (!landmark.world) {
-            emit refused(
-                tr("This point has no place yet. Type all three coordinates, as “1 2 3”, or place it in the view."));
+            emit refused(tr(
+                "This landmark is not placed yet. Type all three coordinates, as “1 2 3”, or place it in the view."));
             return false;
         }
         to[axis] = *value;

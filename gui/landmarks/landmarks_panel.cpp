@@ -65,7 +65,7 @@ LandmarksPanel::LandmarksPanel(SceneDocument &document, LandmarkTemplates &templ
     m_empty->setWordWrap(true);
     m_reason->setWordWrap(true);
     m_reason->setTextFormat(Qt::PlainText);
-    m_reason->setAccessibleName(tr("Why the number was refused"));
+    m_reason->setAccessibleName(tr("Reason why the number was rejected"));
     m_reason->hide();
     connect(m_model, &LandmarksModel::refused, m_reason, [this](const QString &reason) {
         m_reason->setText(reason);
@@ -82,9 +82,9 @@ LandmarksPanel::LandmarksPanel(SceneDocument &document, LandmarkTemplates &templ
         button->setFocusPolicy(Qt::StrongFocus);
     };
     set(m_template, tr("Template"), tr("Names to place one after the other"));
-    set(m_up, tr("Up"), tr("Put the selected point before the one above it"));
-    set(m_down, tr("Down"), tr("Put the selected point behind the one below it"));
-    set(m_remove, tr("Remove"), tr("Remove the selected points (Del)"));
+    set(m_up, tr("Up"), tr("Move the selected landmark up"));
+    set(m_down, tr("Down"), tr("Move the selected landmark down"));
+    set(m_remove, tr("Remove"), tr("Remove the selected landmarks (Del)"));
     m_template->setPopupMode(QToolButton::InstantPopup);
     fillTemplateMenu();
     connect(m_up, &QToolButton::clicked, this, [this] { moveSelected(-1); });
@@ -143,11 +143,11 @@ QSize LandmarksPanel::minimumSizeHint() const
 void LandmarksPanel::setPlacing(bool isPlacing)
 {
     m_next->setPlacing(isPlacing);
-    m_empty->setText(isPlacing
-                         ? tr("No points yet. Click where one is to be; or choose a template, and its points are "
-                              "placed one after the other.")
-                         : tr("No points yet. Press P, then click where one is to be; or choose a template, and its "
-                              "points are placed one after the other."));
+    m_empty->setText(
+        isPlacing ? tr(
+            "No landmarks yet. Click the surface. Or choose a template and place its landmarks one after the other.")
+                  : tr("No landmarks yet. Press P, then click the surface. Or choose a template and place its "
+                       "landmarks one after the other."));
 }
 
 void LandmarksPanel::join(landmarks::CurveKind kind)
@@ -195,7 +195,7 @@ void LandmarksPanel::fillTemplateMenu()
                         }
                         static_cast<void>(m_document.sceneLandmarks().remove(missing));
                     })
-        ->setToolTip(tr("Take away the names that are not placed: points are placed freely"));
+        ->setToolTip(tr("Remove the names not placed yet and place landmarks freely"));
     menu->addSeparator();
     menu->addAction(tr("&Load Template…"), this, &LandmarksPanel::loadTemplate);
     menu->addAction(tr("&Save Names as Template…"), this, &LandmarksPanel::saveTemplate);
@@ -208,7 +208,7 @@ void LandmarksPanel::fillTemplateMenu()
         m_document.sceneLandmarks().waitForNext(std::nullopt);
         beginPlacing();
     });
-    again->setToolTip(tr("The names stay, and every point is placed anew"));
+    again->setToolTip(tr("Keep the names and place every landmark again"));
     m_template->setMenu(menu);
 }
 
@@ -216,7 +216,7 @@ void LandmarksPanel::loadTemplate()
 {
     const QString name = QFileDialog::getOpenFileName(
         this, tr("Load Template"), {},
-        tr("Templates and points (%1)").arg(QStringLiteral("*.pptpl *.csv *.pp *.mrk.json *.fcsv *.pts *.tps")));
+        tr("Templates and landmarks (%1)").arg(QStringLiteral("*.pptpl *.csv *.pp *.mrk.json *.fcsv *.pts *.tps")));
     if (name.isEmpty())
         return;
     takeTemplate(std::filesystem::path(name.toStdU16String()));
@@ -303,7 +303,7 @@ void LandmarksPanel::copySelected()
 
 void LandmarksPanel::chooseColor()
 {
-    const QColor color = QColorDialog::getColor(Qt::white, this, tr("Colour of Points"));
+    const QColor color = QColorDialog::getColor(Qt::white, this, tr("Colour of Landmarks"));
     // The colour is for the present selection: the list may have changed during the dialog, and the
     // selection follows it.
     if (color.isValid())
@@ -317,7 +317,7 @@ void LandmarksPanel::addColorMenu(QMenu &menu)
     const auto set = [this](const std::optional<glm::u8vec3> &color) {
         static_cast<void>(m_document.sceneLandmarks().setColor(m_document.sceneLandmarks().selection(), color));
     };
-    colors->addAction(tr("&Usual"), this, [set] { set(std::nullopt); });
+    colors->addAction(tr("&Default"), this, [set] { set(std::nullopt); });
     const std::array names{tr("Orange"), tr("Sky Blue"),  tr("Green"), tr("Yellow"),
                            tr("Blue"),   tr("Vermilion"), tr("Purple")};
     for (std::size_t i = 0; i < kColors.size(); ++i)
@@ -347,7 +347,7 @@ void LandmarksPanel::showMenu(const QPoint &place)
     addColorMenu(*menu);
     menu->addSeparator();
     if (areMissing)
-        menu->addAction(tr("&Place This One Next"), this,
+        menu->addAction(tr("&Place Next"), this,
                         [this] { m_document.sceneLandmarks().setNextUnplaced(m_document.sceneLandmarks().current()); });
     else
         menu->addAction(tr("Mark as &Missing"), this, [this] {

@@ -61,7 +61,7 @@ LandmarksTable::LandmarksTable(SceneDocument &document, LandmarksModel *model, Q
     auto *digits = new CertainDigitsDelegate(this);
     for (const int column : {LandmarksModel::X, LandmarksModel::Y, LandmarksModel::Z})
         setItemDelegateForColumn(column, digits);
-    setAccessibleName(tr("Placed points"));
+    setAccessibleName(tr("Placed landmarks"));
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setAllColumnsShowFocus(true);

@@ -104,7 +104,7 @@ std::vector<MeasureRow> measuresOf(const LandmarkSet &set, const std::vector<std
 QString curveLengthText(const SceneCurves::Line &line, const QString &unit)
 {
     if (line.isComputing)
-        return Measures::tr("being worked out…");
+        return Measures::tr("computing…");
     return line.line ? lengthText(line.line->length, unit) : line.reason;
 }
 
@@ -148,9 +148,10 @@ std::vector<MeasureRow> madeFrom(const LandmarkSet &set, const std::vector<landm
         if (!set.landmarks[index].uncertainty)
             open.push_back(index);
     }
-    const QString from = middle.empty() ? Measures::tr("pairs: %1").arg(paired / 2)
-                                        : Measures::tr("pairs: %1; taken to be in the middle: %2")
-                                              .arg(QString::number(paired / 2), listOf(set, middle));
+    const QString from =
+        middle.empty()
+            ? Measures::tr("pairs: %1").arg(paired / 2)
+            : Measures::tr("pairs: %1; in the middle: %2").arg(QString::number(paired / 2), listOf(set, middle));
     std::vector<MeasureRow> rows{{Measures::tr("Made from"), from, {}}};
     if (!open.empty())
         rows.push_back({Measures::tr("Without ±"), listOf(set, open), Measures::tr("leave the errors open")});
@@ -188,9 +189,8 @@ std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
         for (MeasureRow &row : madeFrom(set, pairs, symmetry->counted))
             rows.push_back(std::move(row));
     } else {
-        rows.push_back({Measures::tr("Mirror plane"),
-                        {},
-                        Measures::tr("none is better than another yet; place more left and right points")});
+        rows.push_back(
+            {Measures::tr("Mirror plane"), {}, Measures::tr("too few pairs; place more left and right landmarks")});
     }
     const auto add = [&](const QString &kind, const QString &points, std::size_t index, std::size_t partner) {
         MeasureRow row{kind, points, {}};
@@ -217,7 +217,8 @@ std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
         if (landmarks::isSided(set.landmarks[i].name))
             rows.push_back({Measures::tr("Left out"), nameOf(set, i), Measures::tr("no partner on the other side")});
         else
-            add(Measures::tr("Off the middle"), nameOf(set, i), i, i); // between the landmark and its image
+            add(Measures::tr("Distance from the mirror plane"), nameOf(set, i), i,
+                i); // between the landmark and its image
     }
     return rows;
 }

@@ -23,19 +23,20 @@ namespace unprojector::gui {
 
 MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     : QWidget(parent), m_document(document),
-      m_what(new SegmentedSwitch(tr("What is measured"),
-                                 {{tr("Selected"), tr("Distances, angles and heights of the points that are selected")},
-                                  {tr("Left and Right"), tr("Points whose names are the same but for left and right, "
-                                                            "and the plane that mirrors them best")}})),
+      m_what(new SegmentedSwitch(
+          tr("Measured quantity"),
+          {{tr("Selected"), tr("Distances, angles and heights of the selected landmarks")},
+           {tr("Left and Right"),
+            tr("Landmarks whose names differ only in left and right, and the plane that mirrors them best")}})),
       m_unit(new QComboBox), m_rows(new QTreeWidget), m_empty(new QLabel)
 {
     m_rows->setAccessibleName(tr("Measures"));
     m_rows->setRootIsDecorated(false);
     m_rows->setUniformRowHeights(true);
-    m_rows->setHeaderLabels({tr("Measure"), tr("Points"), tr("Value")});
+    m_rows->setHeaderLabels({tr("Measure"), tr("Landmarks"), tr("Value")});
     m_rows->setTextElideMode(Qt::ElideMiddle);
     m_rows->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_rows->setToolTip(tr("The measure that is chosen here is shown in the view; once more, and it is not"));
+    m_rows->setToolTip(tr("Select a measure to show it in the view; select it again to hide it"));
     connect(m_rows, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem *item) {
         const QString kind = item->text(0);
         const bool isAgain = m_chosen && *m_chosen == m_rows->indexOfTopLevelItem(item);
@@ -57,7 +58,7 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     connect(m_rows, &QWidget::customContextMenuRequested, this, &MeasuresView::showMenu);
     m_empty->setWordWrap(true);
     m_unit->setAccessibleName(tr("Unit of the scene"));
-    m_unit->setToolTip(tr("What a world unit of this scene is; nothing is converted"));
+    m_unit->setToolTip(tr("Length of a world unit of this scene; coordinates are not converted"));
     connect(m_unit, &QComboBox::activated, this, &MeasuresView::setUnit);
     connect(m_what, &SegmentedSwitch::chosen, this, [this] { showRows(); });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
@@ -129,24 +130,21 @@ void MeasuresView::showRows()
         QString tip =
             tr("%1 %2: %3", "what is measured, of which points, its value").arg(row.kind, row.points, row.value);
         if (row.shown && row.shown->shape == ShownMeasure::Shape::Surface)
-            tip +=
-                QStringLiteral(". ")
-                + tr(
-                    "From point to point a geodesic of the mesh: as a thread pulled tight over its triangles, exact to "
-                    "rounding for these. Which way around a hole or a hill it goes, is that of the shortest of the "
-                    "ways over "
-                    "places on the edges.");
+            tip += QStringLiteral(". ")
+                   + tr("Geodesic of the mesh from landmark to landmark, like a thread pulled tight, exact to rounding "
+                        "for the triangles. Around a hole or a hill it follows the shortest of the paths over sample "
+                        "points on the edges.");
         if (isSides && m_rows->topLevelItemCount() <= kPlaneRows)
             tip += QStringLiteral(". ")
-                   + tr("A point whose name says neither left nor right is taken to be in the middle. One that is "
-                        "hidden is left "
-                        "out.");
+                   + tr("A landmark without left or right in its name counts as in the middle. A hidden landmark is "
+                        "left out.");
         for (int column = 0; column < 3; ++column)
             item->setToolTip(column, plainToolTip(tip));
     }
-    m_empty->setText(isSides
-                         ? tr("No pairs: name points alike but for “left” and “right”, as “eye left” and “eye right”.")
-                         : tr("Select two points or more to measure between them."));
+    m_empty->setText(
+        isSides ? tr(
+            "No pairs. Give landmarks names that differ only in “left” and “right”, as “eye left” and “eye right”.")
+                : tr("Select two or more landmarks to measure between them."));
     m_empty->setVisible(m_listed.empty());
     m_rows->setVisible(!m_listed.empty());
     layout()->activate();

@@ -27,12 +27,12 @@ NextLandmarkBar::NextLandmarkBar(SceneDocument &document, Hint hint, Picture pic
         label->setTextFormat(Qt::PlainText); // names come from files
         label->setWordWrap(label != m_count);
     }
-    m_name->setAccessibleName(tr("The point that is placed next"));
-    m_how->setAccessibleName(tr("How it is placed"));
-    m_where->setAccessibleName(tr("Where that is"));
-    m_drawing->setAccessibleName(tr("The template's picture of it"));
+    m_name->setAccessibleName(tr("Landmark to place next"));
+    m_how->setAccessibleName(tr("Instruction for placing"));
+    m_where->setAccessibleName(tr("Definition of the landmark"));
+    m_drawing->setAccessibleName(tr("Image from the template"));
     m_drawing->hide();
-    m_count->setAccessibleName(tr("How many points are placed"));
+    m_count->setAccessibleName(tr("Number of placed landmarks"));
     m_skip->setText(tr("Skip"));
     m_skip->setToolTip(tr("Leave this one missing and go on with the next"));
     m_skip->setFocusPolicy(Qt::StrongFocus);
@@ -62,8 +62,8 @@ NextLandmarkBar::NextLandmarkBar(SceneDocument &document, Hint hint, Picture pic
 
 void NextLandmarkBar::setPlacing(bool isPlacing)
 {
-    m_how->setText(isPlacing ? tr("Click where it is; P or Esc ends placing.")
-                             : tr("Press P, then click where it is."));
+    m_how->setText(isPlacing ? tr("Click its position; P or Esc ends placing.")
+                             : tr("Press P, then click its position."));
 }
 
 void NextLandmarkBar::useFonts()
@@ -96,7 +96,7 @@ void NextLandmarkBar::showPicture(const std::filesystem::path &file)
     reader.setAutoTransform(true);
     const QImage image = reader.read();
     if (image.isNull()) {
-        m_drawing->setText(tr("The picture %1 cannot be shown: %2.").arg(name, reader.errorString()));
+        m_drawing->setText(tr("The image %1 cannot be shown: %2.").arg(name, reader.errorString()));
         return;
     }
     constexpr int kLines = 9;

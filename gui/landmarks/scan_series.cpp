@@ -79,8 +79,7 @@ void readKept(Scan &scan, int placing)
     else if (read->sets.size() > 1)
         scan.problem =
             ScanSeries::tr(
-                "%1: the points of %2 specimens stand here; a scan is one specimen, so put each into a file of "
-                "its own.")
+                "%1: this file has the landmarks of %2 specimens. A scan is one specimen: put each into its own file.")
                 .arg(pathText(file))
                 .arg(read->sets.size());
     else
@@ -158,9 +157,9 @@ bool ScanSeries::open(const std::filesystem::path &folder)
             scans.push_back({it->path(), {}, {}});
     }
     if (error || scans.empty()) {
-        emit failed(error ? QString::fromStdString(landmark_files::folderErrorText(folder, error))
-                          : tr("%1: there is no model file in this folder. %2 are read.")
-                                .arg(pathText(folder), modelFileFilter()));
+        emit failed(
+            error ? QString::fromStdString(landmark_files::folderErrorText(folder, error))
+                  : tr("%1: this folder has no model file. Supported: %2.").arg(pathText(folder), modelFileFilter()));
         return false;
     }
     std::sort(scans.begin(), scans.end(), [](const Scan &a, const Scan &b) { return a.file < b.file; });
@@ -275,10 +274,9 @@ void ScanSeries::takeShown()
     m_stamp = files::stampOf(landmarksBeside(scan.file, m_placing));
     readKept(scan, m_placing);
     if (scan.isDamaged) { // not overwritten: the user may want to repair it
-        emit failed(
-            scan.problem + u'\n'
-            + tr("It is not written over: what is placed now is kept only by saving the scene. Mend the file, or "
-                 "move it away, and open the scan again."));
+        emit failed(scan.problem + u'\n'
+                    + tr("The file is not overwritten: to keep new landmarks, save the scene. Or repair or move the "
+                         "file, and open the scan again."));
         emit changed();
         return;
     }
@@ -308,7 +306,7 @@ void ScanSeries::takeShown()
     scan.points = set;
     if (std::optional<landmarks::LandmarkSet> placed = transformed(set, inFile, m_object))
         set = std::move(*placed);
-    static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Points of the scan")}));
+    static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Landmarks of the scan")}));
     // The saved landmarks are the starting point: undo goes back no further.
     m_document.undoStack().clear();
     m_document.markSaved();
@@ -396,16 +394,15 @@ bool ScanSeries::keep()
     if (m_shown != shown) // another scan arrived during the wait, after these were saved
         return true;
     if (!known) {
-        emit failed(tr("The points of %1 are not kept yet: %2.")
+        emit failed(tr("The landmarks of %1 are not saved yet: %2.")
                         .arg(pathText(m_scans[*m_shown].file.filename()), known.error()));
         return false;
     }
     Scan &scan = m_scans[*m_shown];
     if (!takeLandmarks(std::move(known).value())) {
-        emit failed(
-            tr("The points of %1 cannot be kept: by the scale of the object they have no coordinates in its file. "
-               "Set its glScale back.")
-                .arg(pathText(scan.file.filename())));
+        emit failed(tr("The landmarks of %1 cannot be saved: because of the object's scale they have no coordinates in "
+                       "its file. Reset its glScale.")
+                        .arg(pathText(scan.file.filename())));
         return false;
     }
     // A scan without landmarks needs no file.
@@ -413,8 +410,8 @@ bool ScanSeries::keep()
         const std::filesystem::path file = landmarksBeside(scan.file, m_placing);
         std::error_code error;
         if (std::filesystem::exists(file, error) && !files::isAsAt(m_stamp, file)) {
-            emit failed(tr("%1 has been changed by another window or program since it was read here. It is not written "
-                           "over; move it away to keep the points that are shown.")
+            emit failed(tr("Another window or program has changed %1 since it was read. It is not overwritten; move it "
+                           "away to keep the shown landmarks.")
                             .arg(pathText(file)));
             return false;
         }
@@ -428,7 +425,7 @@ bool ScanSeries::keep()
         m_stamp = files::stampOf(file);
         if (!written->empty())
             emit warned(landmarkNotesText(pathText(file.filename()), *written));
-        emit noticed(tr("Points of %1 kept beside it.").arg(pathText(scan.file.filename())));
+        emit noticed(tr("Landmarks of %1 saved beside it.").arg(pathText(scan.file.filename())));
     }
     // After other changes, the scene still asks about them.
     if (isScanAlone())
@@ -465,7 +462,7 @@ bool ScanSeries::mayPlaceAs(int placing)
     readKept(other, placing);
     if (other.isDamaged) {
         emit failed(other.problem + u'\n'
-                    + tr("Placing %1 is gone on with. Mend the file, or move it away.").arg(m_placing));
+                    + tr("Placing %1 continues. Repair the file, or move it away.").arg(m_placing));
         return false;
     }
     // Changes that are not saved beside the scan would be lost.

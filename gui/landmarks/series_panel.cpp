@@ -41,11 +41,11 @@ SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
         button->setToolTip(tip);
         button->setFocusPolicy(Qt::StrongFocus);
     };
-    set(m_open, tr("Folder…"), tr("Open a folder of scans, to place the same points on each"));
-    set(m_previous, tr("Previous"), tr("Keep the points and show the scan before (Ctrl+PgUp)"));
-    set(m_next, tr("Next"), tr("Keep the points and show the next scan (Ctrl+PgDown)"));
-    set(m_export, tr("Export…"), tr("Write the points of all scans to one table"));
-    set(m_repeats, tr("Repeats…"), tr("Write the mean of each point's placings, and how far they scatter, to a table"));
+    set(m_open, tr("Folder…"), tr("Open a folder of scans and place the same landmarks on each"));
+    set(m_previous, tr("Previous"), tr("Keep the landmarks and show the previous scan (Ctrl+PgUp)"));
+    set(m_next, tr("Next"), tr("Keep the landmarks and show the next scan (Ctrl+PgDown)"));
+    set(m_export, tr("Export…"), tr("Write the landmarks of all scans to one table"));
+    set(m_repeats, tr("Repeats…"), tr("Write the mean and the scatter of each landmark's placings to a table"));
     connect(m_repeats, &QToolButton::clicked, this, &SeriesPanel::exportRepeats);
     connect(m_open, &QToolButton::clicked, this, &SeriesPanel::chooseFolder);
     connect(m_previous, &QToolButton::clicked, &m_series, &ScanSeries::previous);
@@ -54,9 +54,8 @@ SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     m_placing->setRange(1, kMostPlacings);
     m_placing->setKeyboardTracking(false); // typing 12 must not switch to 1
     m_placing->setAccessibleName(tr("Placing"));
-    m_placing->setToolTip(
-        tr("Which time the series is gone through, or by which observer: the points of each are kept by "
-           "themselves, and Repeats tells how far they scatter"));
+    m_placing->setToolTip(tr("Number of the pass through the series, or of the observer. Each placing has its own "
+                             "landmarks; Repeats shows their scatter"));
     connect(m_placing, &QSpinBox::valueChanged, &m_series, &ScanSeries::setPlacing);
     connect(&m_series, &ScanSeries::changed, this, &SeriesPanel::refresh);
 
@@ -112,14 +111,14 @@ void SeriesPanel::exportTable()
 {
     using Table = ScanSeries::Table;
     const std::array<std::pair<Table, QString>, 4> kinds{
-        {{Table::Wide, tr("A row a scan (%1)").arg(QStringLiteral("*.csv"))},
-         {Table::Long, tr("A row a point (%1)").arg(QStringLiteral("*.csv"))},
+        {{Table::Wide, tr("One row per scan (%1)").arg(QStringLiteral("*.csv"))},
+         {Table::Long, tr("One row per landmark (%1)").arg(QStringLiteral("*.csv"))},
          {Table::Tps, tr("TPS of geomorph and tpsDig (%1)").arg(QStringLiteral("*.tps"))},
          {Table::Nts, tr("NTSYS (%1)").arg(QStringLiteral("*.nts"))}}};
     QStringList filters;
     for (const auto &[table, filter] : kinds)
         filters << filter;
-    const SaveName named = askSaveName(*this, tr("Export Points of All Scans"), filters);
+    const SaveName named = askSaveName(*this, tr("Export Landmarks of All Scans"), filters);
     if (!named.file.empty())
         m_series.exportTable(named.file, kinds[static_cast<std::size_t>(named.filter)].first);
 }

@@ -125,11 +125,11 @@ Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, Se
                                            const std::vector<Scan> &scans, const std::vector<Landmark> &names)
 {
     if (holds(scans, file))
-        return Texts::tr("%1: the series has this file, which would be destroyed. Give another name.")
+        return Texts::tr("%1: the series uses this file and it would be destroyed. Choose another name.")
             .arg(pathText(file));
     const std::vector<LandmarkSet> sets = alignedSets(scans, names);
     if (sets.empty())
-        return Texts::tr("On no scan of the series is a point yet.");
+        return Texts::tr("No scan of the series has a landmark yet. Place one first.");
     QStringList problems = table == SeriesTable::Repeats ? QStringList() : leftOut(scans);
     QString ofRepeats;
     const auto textOf = [&]() -> Result<WrittenLandmarks, LandmarkFileError> {
@@ -152,7 +152,7 @@ Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, Se
         return QStringLiteral("%1: %2").arg(pathText(file),
                                             QString::fromStdString(files::fileErrorText(written.error())));
     if (!problems.isEmpty())
-        problems.prepend(Texts::tr("Not in %1, since they could not be read:").arg(pathText(file.filename())));
+        problems.prepend(Texts::tr("Missing in %1, because they could not be read:").arg(pathText(file.filename())));
     if (const QString lost = landmarkNotesText(pathText(file.filename()), text->notes); !lost.isEmpty())
         problems << lost;
     const QString warning = problems.join(u'\n');
@@ -161,7 +161,7 @@ Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, Se
             warning, joinSentences({Texts::tr("Repeats written to %1.").arg(pathText(file.filename())), ofRepeats})};
     const std::size_t without = scans.size() - sets.size();
     return WrittenSeries{
-        warning, without > 0 ? Texts::tr("Scans written to %1: %2. Not in it, without a point: %3.")
+        warning, without > 0 ? Texts::tr("Scans written to %1: %2. Left out, without a landmark: %3.")
                                    .arg(pathText(file.filename()))
                                    .arg(sets.size())
                                    .arg(without)

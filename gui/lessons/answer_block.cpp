@@ -60,13 +60,13 @@ AnswerBlock::AnswerBlock(LessonPlayer &player, QWidget *parent)
     makeNarrow(*m_check);
     makeNarrow(*m_reveal);
     m_check->setToolTip(tr("Compare your answer with the program's"));
-    m_reveal->setToolTip(tr("Show the answer, and why it is so"));
+    m_reveal->setToolTip(tr("Show the answer and its explanation"));
     connect(m_answer, &QLineEdit::returnPressed, this, &AnswerBlock::check);
     connect(m_check, &QPushButton::clicked, this, &AnswerBlock::check);
     connect(m_reveal, &QPushButton::clicked, this, &AnswerBlock::reveal);
     m_verdict->setTextFormat(Qt::PlainText); // it repeats the typed text
     m_verdict->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_verdict->setAccessibleName(tr("Whether your answer is right"));
+    m_verdict->setAccessibleName(tr("Verdict on your answer"));
 
     auto *scroll = new QScrollArea;
     scroll->setFrameShape(QFrame::NoFrame);

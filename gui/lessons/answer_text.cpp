@@ -85,12 +85,12 @@ QString slipText(SlipKind kind, const Asked &asked, double given)
         return asked.kind == AskedKind::WindowDepth
                    ? Answers::tr("%1 is z in NDC, from −1 to 1. The depth goes from %2 to %3.")
                          .arg(number, numberText(asked.depthAtNear), numberText(asked.depthAtFar))
-                   : Answers::tr("%1 comes out when z in NDC, from −1 to 1, stands for the depth.").arg(number);
+                   : Answers::tr("%1 comes out when z in NDC, from −1 to 1, is used as the depth.").arg(number);
     case SlipKind::DepthForNdc:
         return asked.kind == AskedKind::NdcZ
                    ? Answers::tr("%1 is the depth, from %2 to %3. In NDC z goes from −1 to 1.")
                          .arg(number, numberText(asked.depthAtNear), numberText(asked.depthAtFar))
-                   : Answers::tr("%1 comes out when the depth stands for z in NDC, from −1 to 1.").arg(number);
+                   : Answers::tr("%1 comes out when the depth is used as z in NDC, from −1 to 1.").arg(number);
     case SlipKind::EvenDepth:
         return Answers::tr("%1 comes out on an even scale. A perspective gives most depths to what is close.")
             .arg(number);

@@ -41,16 +41,16 @@ QRegularExpression findPattern(const QString &words)
 
 FindBar::FindBar(QTextEdit &page, QWidget *parent)
     : QWidget(parent), m_page(page), m_field(new QLineEdit), m_count(new QLabel),
-      m_previous(button(tr("The hit before (Shift+F3)"))), m_next(button(tr("The next hit (F3)")))
+      m_previous(button(tr("Previous match (Shift+F3)"))), m_next(button(tr("Next match (F3)")))
 {
     m_field->setPlaceholderText(tr("Find in the page"));
     m_field->setAccessibleName(tr("Find in the page"));
-    m_field->setToolTip(tr("Words or a part of one, in capitals or not"));
+    m_field->setToolTip(tr("Text to find; capitals do not matter"));
     m_field->setClearButtonEnabled(true);
     m_field->setFixedWidth(kFieldLetters * fontMetrics().horizontalAdvance(u'n'));
     m_previous->setArrowType(Qt::UpArrow);
     m_next->setArrowType(Qt::DownArrow);
-    m_count->setAccessibleName(tr("Hits"));
+    m_count->setAccessibleName(tr("Matches"));
     int widest = 0;
     for (const QString &text : {tr("%1 of %2").arg(kMostHits).arg(kMostHits), tr("Nothing found")})
         widest = std::max(widest, fontMetrics().horizontalAdvance(text));

@@ -55,7 +55,7 @@ LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget 
     m_close->setText(QStringLiteral("×"));
     m_close->setAutoRaise(true);
     m_close->setFocusPolicy(Qt::TabFocus);
-    m_close->setToolTip(tr("Leave the lesson; the scene that was shown before it comes back"));
+    m_close->setToolTip(tr("Leave the lesson and return to the scene before it"));
     m_close->setAccessibleName(tr("Leave the lesson"));
     m_close->hide();
     connect(m_close, &QToolButton::clicked, this, &LessonPanel::closeRequested);
@@ -72,7 +72,7 @@ LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget 
     m_text->setOpenLinks(false);
     m_text->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_text->document()->setDocumentMargin(0.0);
-    m_text->setAccessibleName(tr("What to look at"));
+    m_text->setAccessibleName(tr("Explanation"));
     // The text has the panel's background, unlike an input field.
     m_text->viewport()->setAutoFillBackground(false);
     connect(m_text, &QTextBrowser::anchorClicked, this, [this](const QUrl &url) { follow(url.toString()); });
@@ -81,9 +81,9 @@ LessonPanel::LessonPanel(LessonPlayer &player, SceneDocument &document, QWidget 
     m_hint->setForegroundRole(QPalette::PlaceholderText);
     connect(m_hint, &QLabel::linkActivated, this, &LessonPanel::follow);
 
-    m_back->setToolTip(tr("The step before (Alt+Page Up)"));
+    m_back->setToolTip(tr("The previous step (Alt+Page Up)"));
     connect(m_back, &QPushButton::clicked, this, &LessonPanel::goBack);
-    m_leave->setToolTip(tr("Leave the lesson; the scene that was shown before it comes back"));
+    m_leave->setToolTip(tr("Leave the lesson and return to the scene before it"));
     m_leave->hide();
     connect(m_leave, &QPushButton::clicked, this, &LessonPanel::finished);
     connect(m_next, &QPushButton::clicked, this, &LessonPanel::goOn);
@@ -163,7 +163,7 @@ void LessonPanel::showWayOn()
         m_next->show();
         m_next->setText(m_player.hasNext() ? tr("Next ›") : tr("Finish"));
         m_next->setToolTip(m_player.hasNext() ? tr("The next step (Alt+Page Down)")
-                                              : tr("How the questions were answered, and the next lesson"));
+                                              : tr("Summary of the answers, and the next lesson"));
         return;
     }
     const Lesson *following = m_player.following();
@@ -217,10 +217,9 @@ void LessonPanel::showHint()
     if (!m_player.lesson() || m_isAtEnd)
         hint.clear(); // no step is shown
     else if (!m_player.isAsTheStep())
-        hint = tr("The picture is not as the step has it. <a href='restart:'>Put it back</a>");
+        hint = tr("The view differs from the step. <a href='restart:'>Restore it</a>");
     else if (!m_player.hasViewOfStep())
-        hint = tr("The pixels that are spoken of are those of a view of <a href='view:%1x%2'>%1 × %2</a>. This one is "
-                  "%3 × %4.")
+        hint = tr("The text uses the pixels of a view of <a href='view:%1x%2'>%1 × %2</a>. This view is %3 × %4.")
                    .arg(m_player.step().view->x)
                    .arg(m_player.step().view->y)
                    .arg(surface.widthPixels)

@@ -272,8 +272,7 @@ bool LessonPlayer::change(const std::string &name)
     if (found == step().changes.end())
         return false;
     const auto refuse = [this](const QString &reason) {
-        emit failed(
-            tr("The scene as it is now cannot be changed so. Put it back as the step has it. (%1)").arg(reason));
+        emit failed(tr("The change does not fit the current scene. Restore the step's scene first. (%1)").arg(reason));
         return false;
     };
     const auto settings = lessons::settingsWith(m_document.scene(), m_document.setup(), found->second);

@@ -226,10 +226,9 @@ void LessonsFeature::addLessonActions(QMenu &menu)
     QAction *next = addAction(menu, tr("&Next Step"), Qt::ALT | Qt::Key_PageDown, tr("The next step of the lesson"),
                               [this] { m_player->next(); });
     QAction *back = addAction(menu, tr("&Previous Step"), Qt::ALT | Qt::Key_PageUp,
-                              tr("The step of the lesson before this one"), [this] { m_player->previous(); });
-    QAction *leave =
-        addAction(menu, tr("L&eave Lesson"), {}, tr("End the lesson; the scene that was shown before it comes back"),
-                  [this] { m_player->leave(); });
+                              tr("The previous step of the lesson"), [this] { m_player->previous(); });
+    QAction *leave = addAction(menu, tr("L&eave Lesson"), {}, tr("Leave the lesson and return to the scene before it"),
+                               [this] { m_player->leave(); });
     const auto enable = [this, next, back, leave] {
         next->setEnabled(m_player->hasNext());
         back->setEnabled(m_player->hasPrevious());
@@ -281,8 +280,7 @@ void LessonsFeature::click(const std::string &point)
     if (const auto pixel = m_player->clickedPixel(point))
         m_window.view().pickPixel(*pixel);
     else
-        m_window.showMessage(
-            tr("The point is not in the picture as it is now. Put the picture back as the step has it."));
+        m_window.showMessage(tr("The point is outside the current view. Restore the step's view first."));
 }
 
 void LessonsFeature::change(const std::string &name)

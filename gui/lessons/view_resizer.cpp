@@ -77,8 +77,8 @@ void ViewResizer::tell(bool isFitted)
     if (isFitted) {
         //: Sizes in pixels: what the view has, then what it should have;
         //: the last is the scale of the screen, such as 1.75.
-        m_window.showMessage(with(tr("The view is %1 × %2 now, and cannot be %3 × %4 on a screen that is scaled by %5: "
-                                     "numbers differ a little from those of the text."))
+        m_window.showMessage(with(tr("The view is %1 × %2 now. It cannot be %3 × %4 on a screen scaled by %5: numbers "
+                                     "differ a little from the text."))
                                  .arg(m_window.view().devicePixelRatioF()));
     } else {
         //: Sizes in pixels: what the view has, then what it should have.

@@ -55,15 +55,15 @@ void MapFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
     if (kind != MenuKind::View)
         return;
     m_action = addSwitch(menu, tr("&Error Map"), Qt::Key_M,
-                         tr("Show over the view, for every pixel, how far the methods differ, how sure a click is, or "
-                            "what another program is off"));
+                         tr("Show for every pixel the difference of the methods, the uncertainty of a click, or the "
+                            "error of another program"));
     connect(m_action, &QAction::toggled, m_map, &MapOverlay::setShown);
 }
 
 void MapFeature::exportMap()
 {
     const SaveName named =
-        askSaveName(m_window, tr("Export Map"), {tr("Picture with its scale (*.png)"), tr("Float map (*.pfm)")},
+        askSaveName(m_window, tr("Export Map"), {tr("Image with its scale (*.png)"), tr("Float map (*.pfm)")},
                     pathText(m_window.session().proposedName().stem()) + QStringLiteral("-map"));
     if (named.file.empty() || !m_window.mayExportTo(named.file))
         return;

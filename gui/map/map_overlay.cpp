@@ -35,7 +35,7 @@ MapOverlay::MapOverlay(SceneDocument &document, SceneView &view)
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (m_isShown && (changes & kVisibleChanges)) {
             drop();
-            m_panel->setNote(tr("The map comes when the view rests."));
+            m_panel->setNote(tr("The map appears when the view stops moving."));
             m_rest.start();
         }
     });
@@ -49,7 +49,7 @@ MapOverlay::MapOverlay(SceneDocument &document, SceneView &view)
         m_panel->setNote(tr("Computing the map: %1 %").arg(static_cast<int>(100.0 * share)));
     });
     connect(&m_maker, &MapMaker::failed, this, [this](const Error &error) {
-        m_panel->setNote(tr("There is no such map of this picture: %1").arg(errorText(error)));
+        m_panel->setNote(tr("This view has no such map: %1").arg(errorText(error)));
     });
     connect(&m_maker, &MapMaker::jobFailed, this, [this](const JobFailure &failure) {
         m_panel->setNote(
@@ -99,9 +99,9 @@ void MapOverlay::ask()
         m_panel->setNote(tr("Computing the map…"));
     else if (const auto failure = m_document.picks().rayCasters().failureOf(m_document.objects()))
         m_panel->setNote(
-            tr("There is no map, since the model is not prepared for rays: %1.").arg(failureText(*failure)));
+            tr("There is no map, because the model is not prepared for rays: %1.").arg(failureText(*failure)));
     else
-        m_panel->setNote(tr("The map comes when the model is prepared for rays."));
+        m_panel->setNote(tr("The map appears when the model is prepared for rays."));
 }
 
 void MapOverlay::show(const std::shared_ptr<const MadeMap> &map)
@@ -110,7 +110,7 @@ void MapOverlay::show(const std::shared_ptr<const MadeMap> &map)
     m_scale = LogScale::of(map->statistics);
     const maps::MapStatistics &s = map->statistics;
     const auto number = [](double value) { return significantText(value, 3); };
-    QString note = s.count == 0 ? tr("No pixel has a number.")
+    QString note = s.count == 0 ? tr("No pixel has a value.")
                                 : tr("%1 pixels: median %2, 99 % at most %3, greatest %4")
                                       .arg(QLocale().toString(static_cast<qulonglong>(s.count)), number(s.median),
                                            number(s.percentile99), number(s.greatest));
@@ -119,9 +119,8 @@ void MapOverlay::show(const std::shared_ptr<const MadeMap> &map)
             tr("%1 pixels: no difference beyond rounding.").arg(QLocale().toString(static_cast<qulonglong>(s.count)));
     if (map->question.quantity == maps::Quantity::Uncertainty)
         note += QStringLiteral("\n")
-                + tr("It is the length of the ± that the comparison states for a click there. Half a step of the depth "
-                     "buffer is "
-                     "a part of it; the ± of a placed point has half a pixel to the side besides.");
+                + tr("It is the length of the ± that the Comparison panel shows for a click there. Half a step of the "
+                     "depth buffer is a part of it. The ± of a landmark adds half a pixel to the side.");
     if (map->leavesPointsOut)
         note += QStringLiteral("\n") + sentence(maps::noCloudsText());
     m_panel->setNote(note);
@@ -185,7 +184,7 @@ QImage MapOverlay::withScale() const
 QString MapOverlay::exportTo(const std::filesystem::path &file) const
 {
     if (!m_map)
-        return tr("There is no map to write.");
+        return tr("There is no map to export.");
     const QString suffix = pathText(file.extension()).toLower();
     QByteArray bytes;
     if (suffix == QLatin1String(".pfm")) {
@@ -195,7 +194,7 @@ QString MapOverlay::exportTo(const std::filesystem::path &file) const
         buffer.open(QIODevice::WriteOnly);
         withScale().save(&buffer, "PNG");
     } else {
-        return tr("%1: a map is written as .png or .pfm; give the name one of these suffixes.").arg(pathText(file));
+        return tr("%1: maps are written as .png or .pfm. End the name with one of these.").arg(pathText(file));
     }
     const files::Written written =
         files::replaceFile(file, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));

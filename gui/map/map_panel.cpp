@@ -38,8 +38,7 @@ ColorScale::ColorScale(QWidget *parent) : QWidget(parent)
 {
     setAccessibleName(tr("Scale of the map"));
     setToolTip(
-        tr("Logarithmic: from the number that one pixel in a hundred is below, to the greatest. What is smaller, 0 "
-           "too, has the darkest colour"));
+        tr("Logarithmic, from the first percentile to the maximum. Smaller values, also 0, have the darkest colour"));
 }
 
 void ColorScale::setScale(const std::optional<LogScale> &scale, ColorMap colors)
@@ -100,15 +99,15 @@ MapPanel::MapPanel(QWidget *parent)
         if (quantity == kFirstShown)
             m_quantity->setCurrentIndex(m_quantity->count() - 1);
     }
-    m_quantity->setAccessibleName(tr("What the map shows"));
-    m_quantity->setToolTip(tr("What the map shows"));
+    m_quantity->setAccessibleName(tr("Quantity that the map shows"));
+    m_quantity->setToolTip(tr("Quantity that the map shows"));
     for (const maps::NamedConvention &convention : maps::namedConventions()) {
         m_convention->addItem(conventionName(convention));
         if (const auto *program = std::get_if<unproject::OtherProgram>(&convention.other))
             m_convention->setItemData(m_convention->count() - 1, programReason(*program), Qt::ToolTipRole);
     }
-    m_convention->setAccessibleName(tr("Whose displacement"));
-    m_convention->setToolTip(tr("Which program answers, or which mistake is made"));
+    m_convention->setAccessibleName(tr("Program or mistake of the displacement"));
+    m_convention->setToolTip(tr("Program that answers, or mistake that is made"));
     m_convention->hide();
     for (const maps::Unit unit : {maps::Unit::World, maps::Unit::Ulps})
         m_unit->addItem(unitName(unit));
@@ -116,7 +115,7 @@ MapPanel::MapPanel(QWidget *parent)
     m_unit->setToolTip(tr("World units, or units in the last place of the point's largest coordinate"));
     m_colors->addItems({QStringLiteral("viridis"), QStringLiteral("cividis")});
     m_colors->setAccessibleName(tr("Colours"));
-    m_colors->setToolTip(tr("Colours from dark to light, to be told apart by the colour-blind too"));
+    m_colors->setToolTip(tr("Colours from dark to light, also for colour-blind users"));
     for (QComboBox *box : {m_quantity, m_convention, m_unit, m_colors}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(6);
@@ -124,12 +123,12 @@ MapPanel::MapPanel(QWidget *parent)
     m_value->setAccessibleName(tr("The map's number under the pointer"));
     m_note->setWordWrap(true);
     m_note->setAccessibleName(tr("The map's numbers"));
-    m_export->setToolTip(tr("Write the map as a picture with its scale (PNG), or as numbers (PFM)"));
+    m_export->setToolTip(tr("Write the map as an image with its scale (PNG), or as numbers (PFM)"));
     m_export->setEnabled(false);
     auto *close = new QToolButton;
     close->setText(QStringLiteral("×"));
     close->setAutoRaise(true);
-    close->setToolTip(tr("Take the map away"));
+    close->setToolTip(tr("Close the map"));
     close->setAccessibleName(close->toolTip());
 
     auto *head = new QHBoxLayout;

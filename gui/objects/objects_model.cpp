@@ -130,9 +130,9 @@ bool ObjectsModel::setData(const QModelIndex &index, const QVariant &value, int 
     switch (renameObject(m_document, place,
                          name == readName(own, m_document.objects()) ? QString::fromStdString(own) : name)) {
     case NameFault::None: emit nameAccepted(); return true;
-    case NameFault::Empty: emit nameRefused(tr("An object needs a name: it kept its own.")); return false;
+    case NameFault::Empty: emit nameRefused(tr("An object needs a name. The old name is kept.")); return false;
     case NameFault::Taken:
-        emit nameRefused(tr("Another object is called “%1” already. Give this one a name of its own.").arg(name));
+        emit nameRefused(tr("Another object is already called “%1”. Choose another name.").arg(name));
         return false;
     }
     return false;

@@ -42,7 +42,7 @@ ObjectsPanel::ObjectsPanel(SceneDocument &document, QWidget *parent)
 
     m_reason->setWordWrap(true);
     m_reason->setTextFormat(Qt::PlainText); // it contains the name
-    m_reason->setAccessibleName(tr("Why the name was refused"));
+    m_reason->setAccessibleName(tr("Reason why the name was rejected"));
     m_reason->hide();
     connect(m_model, &ObjectsModel::nameRefused, m_reason, [this](const QString &reason) {
         m_reason->setText(reason);
@@ -51,9 +51,9 @@ ObjectsPanel::ObjectsPanel(SceneDocument &document, QWidget *parent)
     connect(m_model, &ObjectsModel::nameAccepted, m_reason, &QWidget::hide);
 
     m_fit->setText(tr("Fit"));
-    m_fit->setToolTip(tr("Look at this object: it fills the view"));
+    m_fit->setToolTip(tr("Move the camera so that this object fills the view"));
     m_remove->setText(tr("Remove"));
-    m_remove->setToolTip(tr("Take this object out of the scene (Del)"));
+    m_remove->setToolTip(tr("Remove this object from the scene (Del)"));
     for (QToolButton *button : {m_fit, m_remove})
         button->setFocusPolicy(Qt::StrongFocus);
     connect(m_fit, &QToolButton::clicked, this, &ObjectsPanel::fitCurrent);

@@ -81,10 +81,9 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     constexpr int kLeastHeights = 3; // a corner leaves room to drag its handle
     m_slider->setMinimumWidth(kLeastHeights * m_slider->sizeHint().height());
     m_slider->setAccessibleName(tr("From eye space to the canonical view volume"));
-    m_slider->setToolTip(
-        tr("Morph the picture from eye space (left, 0 %) into the canonical view volume (right, 100 %).\n"
-           "The view volume becomes the cube [−1, 1]³ of NDC; straight lines stay straight.\n"
-           "The cube's z axis points away from the eye, because NDC is left-handed."));
+    m_slider->setToolTip(tr("Morph the view from eye space (left, 0 %) into the canonical view volume (right, 100 "
+                            "%).\nThe view volume becomes the cube [−1, 1]³ of NDC; straight lines stay straight.\nThe "
+                            "cube's z axis points away from the eye, because NDC is left-handed."));
     m_percent = new QLabel;
     m_percent->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_percent->setMinimumWidth(m_percent->fontMetrics().horizontalAdvance(tr("%1 %").arg(100)));
@@ -105,10 +104,10 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     setTextWidth(*fit, 0);
 
     auto *ends = new QHBoxLayout;
-    ends->addWidget(endLabel(tr("Eye space"), tr("As the scene is: lengths and angles are true")));
+    ends->addWidget(endLabel(tr("Eye space"), tr("Before the projection: lengths and angles are true")));
     ends->addStretch();
     ends->addWidget(
-        endLabel(tr("Canonical view volume"), tr("As the projection makes it: NDC, each coordinate from −1 to 1")));
+        endLabel(tr("Canonical view volume"), tr("After the projection: NDC, each coordinate from −1 to 1")));
     m_help = new HelpLink({}); // the row of tools is the widest, even in a corner
     ends->addWidget(m_help);
     auto *tools = new QHBoxLayout;
@@ -152,8 +151,8 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     m_nearDistance = addEntry(observer_color::kNearPlane, tr("Near: projection window"), dragHint);
     m_farDistance = addEntry(observer_color::kFarPlane, tr("Far"), dragHint);
     m_ray = addEntry(observer_color::kRay, tr("Ray of the clicked pixel"),
-                     tr("From the eye (in a box: from the near plane) through the clicked pixel to the far plane, and "
-                        "whether it hits a surface"));
+                     tr("From the eye (orthographic: from the near plane) through the clicked pixel to the far plane, "
+                        "and whether it hits a surface"));
 
     auto *bar = new QVBoxLayout;
     bar->setContentsMargins(8, 4, 8, 6);
@@ -184,8 +183,7 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
             showDistances();
     });
     m_outOfSight = new QPushButton(tr("× out of sight: show it"));
-    m_outOfSight->setToolTip(
-        tr("The point that your program got lies outside of this picture. Move back until it is in it"));
+    m_outOfSight->setToolTip(tr("Your program's point is outside this view. Move back until it is visible"));
     m_outOfSight->hide();
     auto *overView = new QVBoxLayout(m_view);
     overView->setSizeConstraint(QLayout::SetNoConstraint);
@@ -203,7 +201,7 @@ void ObserverPanel::setIsInset(bool isInset)
 {
     m_legend->setVisible(!isInset);
     m_close->setVisible(isInset); // a dock has its own button
-    const QString where = isInset ? tr("Into a panel of its own") : tr("Back into the corner of the view");
+    const QString where = isInset ? tr("Move into its own panel") : tr("Move back into the corner of the view");
     m_toDock->setAccessibleName(where);
     m_toDock->setToolTip(where);
 }

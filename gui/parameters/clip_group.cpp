@@ -90,7 +90,8 @@ ClipGroup::ClipGroup(SceneDocument &document, QWidget *parent)
                      {tr("Clip planes"), tr("Planes that cut the objects (glClipPlane)"), tr("No clip planes")}, parent)
 {
     heading().setHelp(QStringLiteral("clip-planes"));
-    content()->addWidget(wrappedLabel(tr("Kept is where A x + B y + C z + D ≥ 0, in world coordinates.")));
+    content()->addWidget(
+        wrappedLabel(tr("The plane keeps points with A x + B y + C z + D ≥ 0, in world coordinates.")));
     m_list = new QVBoxLayout;
     m_list->setSpacing(2 * content()->spacing());
     content()->addLayout(m_list);
@@ -164,7 +165,7 @@ ClipGroup::Row ClipGroup::makeRow(std::size_t line)
     row.isOn = new QCheckBox(tr("%1:").arg(number));
     row.isOn->setObjectName(QStringLiteral("isOn"));
     row.isOn->setAccessibleName(tr("Plane %1 cuts").arg(number));
-    row.isOn->setToolTip(tr("Whether this plane cuts the objects (glEnable, glDisable)"));
+    row.isOn->setToolTip(tr("Switch this plane on or off (glEnable, glDisable)"));
     row.equation = wrappedLabel();
     row.equation->setAccessibleName(tr("Side of plane %1 that is kept").arg(number));
     row.remove = new QToolButton;

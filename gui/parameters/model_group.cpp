@@ -69,8 +69,8 @@ QString callText(const TransformStep &step)
 
 ModelGroup::ModelGroup(SceneDocument &document, QWidget *parent)
     : ParameterGroup(document, Change::Objects | Change::Names | Change::Placement,
-                     {tr("Model"), tr("Where each object stands (glTranslate, glRotate, glScale)"),
-                      tr("No steps: the object that is shown stands where its file puts it")},
+                     {tr("Model"), tr("Position of each object (glTranslate, glRotate, glScale)"),
+                      tr("No steps: the shown object has the coordinates of its file")},
                      parent),
       m_shown(new FollowedObject(document, this))
 {
@@ -78,7 +78,7 @@ ModelGroup::ModelGroup(SceneDocument &document, QWidget *parent)
     m_object = new QComboBox;
     m_object->setObjectName(QStringLiteral("object"));
     m_object->setAccessibleName(tr("Object"));
-    m_object->setToolTip(tr("The object that is placed by these steps"));
+    m_object->setToolTip(tr("Object that these steps move"));
     m_object->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_object->setMinimumContentsLength(12);
     ignoreWheelWithoutFocus(m_object);
@@ -238,8 +238,8 @@ void ModelGroup::rebuildRows()
         m_list->addWidget(m_rows.back().widget);
         m_rows.back().widget->show();
     }
-    m_hint->setText(document().objects().empty() ? tr("There are no objects to place.")
-                    : m_rows.empty()             ? tr("No steps: the object stands where its file puts it.")
+    m_hint->setText(document().objects().empty() ? tr("The scene has no objects.")
+                    : m_rows.empty()             ? tr("No steps: the object has the coordinates of its file.")
                                      : tr("In the order of the calls: the last step is applied to the object first."));
     emit rowsChanged();
 }

@@ -33,7 +33,7 @@ ParameterGroup::ParameterGroup(SceneDocument &document, Changes shown, const Tit
     m_content = new QVBoxLayout(m_body);
     m_content->setContentsMargins(em / 2, em / 4, em / 2, em / 2);
     m_content->setSpacing(em / 4);
-    m_reason->setAccessibleName(tr("Why the change is not made"));
+    m_reason->setAccessibleName(tr("Reason why the change was rejected"));
     m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_reason->hide();
     m_content->addWidget(m_reason);
@@ -336,7 +336,7 @@ void ParameterGroup::updateReasons()
         if (!field->widget->isBad())
             continue;
         const QString reason = refusalOf(*field);
-        field->widget->setReason(reason.isEmpty() ? tr("%1 can be taken now; press Enter.").arg(field->binding.name)
+        field->widget->setReason(reason.isEmpty() ? tr("%1 is valid now; press Enter.").arg(field->binding.name)
                                                   : reason);
     }
 }

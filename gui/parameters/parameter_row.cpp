@@ -45,7 +45,7 @@ void ParameterRow::addField(NumberField *field, const QString &letter, const QSt
     cell.reason->setWordWrap(true);
     cell.reason->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     cell.reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    cell.reason->setAccessibleName(tr("Why the number is not taken"));
+    cell.reason->setAccessibleName(tr("Reason why the number was rejected"));
     cell.reason->hide();
     field->setParent(this);
     field->show();

@@ -22,15 +22,14 @@ using namespace geometry;
 ProjectionGroup::ProjectionGroup(SceneDocument &document, QWidget *parent)
     : ParameterGroup(document, Change::Setup,
                      {tr("Projection"), tr("glFrustum, gluPerspective, glOrtho, oblique"),
-                      tr("A perspective of 45°, its aspect the viewport's, near and far around the objects")},
+                      tr("A perspective of 45°, the viewport's aspect, near and far around the objects")},
                      parent)
 {
     m_kind = new QComboBox;
     m_kind->setObjectName(QStringLiteral("projectionKind"));
     m_kind->setAccessibleName(tr("Kind of projection"));
-    m_kind->setToolTip(tr(
-        "Another kind shows the same picture as nearly as it can: what lies at the center's distance keeps its place "
-        "and its size"));
+    m_kind->setToolTip(tr("Switching the kind keeps the view as similar as possible: objects at the center's distance "
+                          "keep their position and size"));
     m_kind->addItem(tr("Frustum (glFrustum)"), static_cast<int>(ProjectionKind::Frustum));
     m_kind->addItem(tr("Perspective (gluPerspective)"), static_cast<int>(ProjectionKind::Perspective));
     m_kind->addItem(tr("Orthographic (glOrtho)"), static_cast<int>(ProjectionKind::Ortho));
@@ -42,7 +41,7 @@ ProjectionGroup::ProjectionGroup(SceneDocument &document, QWidget *parent)
     addNumber(Number::Fovy, tr("Field of view"), QStringLiteral("fovy"),
               tr("Vertical angle of view in degrees, between 0 and 180 (gluPerspective: fovy)"));
     addNumber(Number::Aspect, tr("Aspect"), QStringLiteral("aspect"),
-              tr("Width divided by height of the picture (gluPerspective: aspect)"));
+              tr("Width divided by height of the view (gluPerspective: aspect)"));
     addNumber(Number::Left, tr("Left"), QStringLiteral("left"),
               tr("Left edge of the view volume, eye units; of a frustum on its near plane"));
     addNumber(Number::Right, tr("Right"), QStringLiteral("right"),
@@ -67,14 +66,12 @@ ProjectionGroup::ProjectionGroup(SceneDocument &document, QWidget *parent)
 
     m_followsViewport = new QCheckBox;
     m_followsViewport->setObjectName(QStringLiteral("followsViewport"));
-    m_followsViewport->setToolTip(
-        tr("The width is always that of the viewport for this height, so that a circle stays a circle. "
-           "Typing left, right or the aspect switches this off"));
+    m_followsViewport->setToolTip(tr("Compute the width from the height and the viewport's aspect, so that a circle "
+                                     "stays a circle. Typing left, right or the aspect switches this off"));
     m_fitsObjects = new QCheckBox(tr("Fit near and far to the objects"));
     m_fitsObjects->setObjectName(QStringLiteral("fitsObjects"));
-    m_fitsObjects->setToolTip(
-        tr("The near and far planes hold the objects tightly, which makes the depth as exact as it can be. "
-           "Typing one of them switches this off"));
+    m_fitsObjects->setToolTip(tr("Set near and far tightly around the objects, for the most accurate depth. Typing one "
+                                 "of them switches this off"));
     content()->addWidget(m_followsViewport);
     content()->addWidget(m_fitsObjects);
 

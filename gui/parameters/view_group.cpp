@@ -13,20 +13,20 @@ using namespace scene;
 ViewGroup::ViewGroup(SceneDocument &document, QWidget *parent)
     : ParameterGroup(
         document, Change::Setup,
-        {tr("View"), tr("Where the camera stands (gluLookAt)"), tr("Back to the view that the scene opened with")},
+        {tr("View"), tr("Position and direction of the camera (gluLookAt)"), tr("Return to the scene's initial view")},
         parent)
 {
     heading().setHelp(QStringLiteral("view"));
     addPoint(tr("Eye"), tr("Eye %1"), QStringLiteral("eye"), worldUnits(),
-             tr("Where the camera stands, world units (gluLookAt: eye%1)"), Sliders::Yes,
+             tr("Position of the camera, world units (gluLookAt: eye%1)"), Sliders::Yes,
              [](LookAt &view, int i) { return &view.eye[i]; });
     addPoint(tr("Center"), tr("Center %1"), QStringLiteral("center"), worldUnits(),
              tr("The point the camera looks at, world units (gluLookAt: center%1)"), Sliders::Yes,
              [](LookAt &view, int i) { return &view.center[i]; });
     m_lengths = findChildren<NumberField *>();
     addPoint(tr("Up"), tr("Up %1"), QStringLiteral("up"), ofAnyLength(),
-             tr("The direction that is upwards in the picture; its length does not matter (gluLookAt: up%1)"),
-             Sliders::No, [](LookAt &view, int i) { return &view.up[i]; });
+             tr("Direction that points up in the view; its length does not matter (gluLookAt: up%1)"), Sliders::No,
+             [](LookAt &view, int i) { return &view.up[i]; });
 }
 
 void ViewGroup::addPoint(const QString &title, const QString &name, const QString &objectName, const QString &unit,

@@ -45,13 +45,13 @@ ViewportGroup::ViewportGroup(SceneDocument &document, QWidget *parent)
     m_kind = new QComboBox;
     m_kind->setObjectName(QStringLiteral("viewportKind"));
     m_kind->setAccessibleName(tr("Part of the window"));
-    m_kind->setToolTip(tr("Which part of the window the picture takes (glViewport)"));
+    m_kind->setToolTip(tr("Part of the window that the viewport covers (glViewport)"));
     const auto add = [this](const QString &text, ViewportRule::Kind kind, const QString &tip) {
         m_kind->addItem(text, static_cast<int>(kind));
         m_kind->setItemData(m_kind->count() - 1, tip, Qt::ToolTipRole);
     };
     add(tr("Whole window"), ViewportRule::Kind::WholeWindow, tr("glViewport(0, 0, width, height)"));
-    add(tr("Fixed rectangle"), ViewportRule::Kind::Fixed, tr("The same pixels whatever the size of the window"));
+    add(tr("Fixed rectangle"), ViewportRule::Kind::Fixed, tr("The same pixels for every size of the window"));
     add(tr("Keep aspect (letterbox)"), ViewportRule::Kind::KeepAspect,
         tr("The largest rectangle of this aspect, centred, with bars beside or above it"));
     add(tr("Lower right quarter"), ViewportRule::Kind::Quarter, tr("glViewport(width/2, 0, width/2, height/2)"));
@@ -83,7 +83,7 @@ ViewportGroup::ViewportGroup(SceneDocument &document, QWidget *parent)
     m_call = selectable(tr("Viewport in use"));
     m_call->setToolTip(tr("The viewport in use: x, y, width, height in device pixels from the lower left corner"));
     m_window = selectable(tr("Size of the window"));
-    m_window->setToolTip(tr("Size of the picture's window in device pixels"));
+    m_window->setToolTip(tr("Size of the window in device pixels"));
     m_window->setTextFormat(Qt::RichText);
     m_window->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(m_window, &QLabel::linkActivated, this, &ViewportGroup::sizeRequested);
@@ -105,9 +105,9 @@ ViewportGroup::ViewportGroup(SceneDocument &document, QWidget *parent)
         field->setFixedStep(0.01);
     };
     addDepth(tr("Near plane"), tr("Depth of the near plane"), QStringLiteral("depthAtNear"),
-             tr("Depth that the near plane gets, from 0 to 1; usually 0 (glDepthRange)"), &DepthRange::atNear);
+             tr("Depth of the near plane, from 0 to 1; usually 0 (glDepthRange)"), &DepthRange::atNear);
     addDepth(tr("Far plane"), tr("Depth of the far plane"), QStringLiteral("depthAtFar"),
-             tr("Depth that the far plane gets, from 0 to 1; usually 1 (glDepthRange)"), &DepthRange::atFar);
+             tr("Depth of the far plane, from 0 to 1; usually 1 (glDepthRange)"), &DepthRange::atFar);
     m_depthCall = selectable(tr("Depth range in use"));
     m_depthCall->setToolTip(tr("The depth range in use: OpenGL takes its ends in single precision"));
     content()->addWidget(m_depthCall);

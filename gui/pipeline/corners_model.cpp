@@ -150,8 +150,7 @@ QVariant CornersModel::headerData(int section, Qt::Orientation orientation, int 
     }
     if (role == Qt::ToolTipRole && isColumn) {
         switch (section) {
-        case Widget:
-            return tr("Logical pixels from the top-left corner, y down: where a click on that pixel is reported");
+        case Widget: return tr("Logical pixels from the top-left corner, y down; mouse events report this position");
         case Device: return tr("Column and row in device pixels from the top-left corner: widget × device pixel ratio");
         case Window: return tr("The pixel's centre in device pixels from the bottom-left corner, y up");
         case Ndc: return tr("The pixel's centre, −1 to 1 across the viewport, y up; no unit");

@@ -49,7 +49,7 @@ QString timesText(double times)
 /// The words before any click.
 QString assumedText()
 {
-    return DepthPrecisionPanel::tr("24 bits are assumed: the first click tells what the depth buffer has.");
+    return DepthPrecisionPanel::tr("24 bits are assumed until the first click reads the depth buffer.");
 }
 
 /// The point that words and mark refer to.
@@ -140,13 +140,12 @@ void DepthPrecisionPanel::refresh()
     std::vector<DepthPrecisionPlot::Curve> curves{{drawn.arg(formatName(format)), scale, format}};
 
     QStringList said{
-        (place.isPoint
-             ? tr("At the point, %1 in front of the eye, rounding the depth leaves ±%2 open.")
-             : tr("In the middle of the picture, %1 in front of the eye, rounding the depth leaves ±%2 open."))
+        (place.isPoint ? tr("At the point, %1 in front of the eye, a rounded depth is accurate to ±%2.")
+                       : tr("In the middle of the view, %1 in front of the eye, a rounded depth is accurate to ±%2."))
             .arg(writtenText(place.distance, 4), errorText(now))};
     if (!scale.isPerspective) {
-        said << tr("In a box, as of glOrtho, that is so at every distance; only less room between near and far "
-                   "makes it less.");
+        said << tr(
+            "With glOrtho the error is the same at every distance. Only a shorter range from near to far reduces it.");
     } else {
         std::vector<Box> boxes;
         for (const SceneObject &object : m_document.objects()) {
@@ -164,7 +163,7 @@ void DepthPrecisionPanel::refresh()
                             .arg(name, writtenText(scale.nearDistance, 4), timesText(now / then), errorText(then));
             }
         } else if (nearestDistance(setup, boxes)) {
-            said << tr("Near is about as far away as the objects let it be.");
+            said << tr("Near is about as large as the objects allow.");
         }
         DepthScale reversed = scale;
         reversed.range = {1.0, 0.0};
@@ -174,12 +173,12 @@ void DepthPrecisionPanel::refresh()
         if (!(format == floats && scale == reversed))
             curves.push_back({tr("floats, reversed"), reversed, floats});
         if (now / then >= kWorthwhile) {
-            said << tr("A buffer of floats, with NDC depths from 0 to 1 (glClipControl) and a projection that has 1 "
-                       "at near, would make it "
-                       "%1 times better (±%2).")
+            said << tr("A float buffer with NDC depths from 0 to 1 (glClipControl) and reversed depths (1 at near) "
+                       "would be %1 times better (±%2).")
                         .arg(timesText(now / then), errorText(then));
         } else if (curves.size() > 1 && curves.back().format == floats) {
-            said << tr("A buffer of floats with 1 at near would change little here (±%1).").arg(errorText(then));
+            said << tr("A float buffer with reversed depths (1 at near) would change little here (±%1).")
+                        .arg(errorText(then));
         }
     }
     if (!m_document.picks().pick())

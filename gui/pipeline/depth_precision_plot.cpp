@@ -52,11 +52,10 @@ struct DepthPrecisionPlot::Axes {
 
 DepthPrecisionPlot::DepthPrecisionPlot(QWidget *parent) : QWidget(parent)
 {
-    setAccessibleName(tr("What rounding a depth leaves open, over the distance"));
-    setToolTip(tr(
-        "Across: the distance in front of the eye, from the near to the far plane.\n"
-        "Up: how far along the view a surface may be from where its rounded depth says, ±.\n"
-        "Both in the scene's units. The circle is the clicked point. What drawing is off besides is in a click's ±."));
+    setAccessibleName(tr("Error of a rounded depth over the distance"));
+    setToolTip(tr("Across: the distance in front of the eye, from the near to the far plane.\nUp: the error that "
+                  "rounding the depth causes along the view, ±.\nBoth in the scene's units. The circle is the clicked "
+                  "point. A click's ± also contains the errors of drawing."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 

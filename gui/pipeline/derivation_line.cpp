@@ -18,7 +18,7 @@ DerivationLine::DerivationLine(const SceneDocument &document, PipelineModel &mod
     : QWidget(parent), m_document(document), m_model(model), m_label(new SteadyLabel), m_help(new HelpLink({}))
 {
     m_label->setObjectName(QStringLiteral("derivation"));
-    m_label->setAccessibleName(tr("How the chosen number is computed"));
+    m_label->setAccessibleName(tr("Computation of the chosen number"));
     auto *line = new QHBoxLayout(this);
     line->setContentsMargins(0, 0, 0, 0);
     line->setSpacing(2);

@@ -101,10 +101,10 @@ QString resultText(const Numbers &numbers, const Sum &sum, double shown)
     // The relative difference that nine digits show.
     constexpr double kSame = 1e-9;
     if (std::abs(sum.value - shown) > kSame * sum.size)
-        return Texts::tr("%1; the number shown, %2, was given, and what leads to it was computed back from there")
+        return Texts::tr("%1; the number shown, %2, is the input, and the steps before it were computed back from it")
             .arg(numbers.text(sum.value), numbers.text(shown));
     if (shown != 0.0 && std::abs(shown) <= rounding)
-        return Texts::tr("0: the %1 shown is no more than rounding leaves").arg(numbers.text(shown, 2));
+        return Texts::tr("0: the %1 shown is only rounding error").arg(numbers.text(shown, 2));
     if (shown == 0.0 || rounding == 0.0)
         return numbers.text(shown);
     const double certain = std::floor(std::log10(std::abs(shown) / rounding)) + 1.0;
@@ -187,7 +187,7 @@ EntryDerivation flipped(const Numbers &numbers, const Setup &setup, const Pipeli
     EntryDerivation result;
     const QString name = entryName(point, coordinate);
     if (coordinate > 1) { // of a window point, on the way back
-        result.text = coordinate == 3       ? Texts::tr("%1 = 1, as of every point").arg(name)
+        result.text = coordinate == 3       ? Texts::tr("%1 = 1, as for every point").arg(name)
                       : model.isDepthRead() ? Texts::tr("%1 is the depth that was read at the click").arg(name)
                                             : Texts::tr("%1 was computed: a widget position has no depth").arg(name);
         return result;

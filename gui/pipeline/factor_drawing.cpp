@@ -80,9 +80,8 @@ void drawLetter(QPainter &painter, const QPointF &middle, const QString &letter,
 FactorDrawing::FactorDrawing(QWidget *parent) : QWidget(parent)
 {
     setAccessibleName(tr("The view volume and the cube from −1 to 1"));
-    setToolTip(tr("Solid: the view volume as the factors leave it, its near side blue, its far side orange.\n"
-                  "Dashed: the cube from −1 to 1 with its axes, which the whole product takes it to.\n"
-                  "Both are as large as fits."));
+    setToolTip(tr("Solid: the view volume after the factors, its near side blue, its far side orange.\nDashed: the "
+                  "cube from −1 to 1 with its axes, the result of the whole product.\nBoth are scaled to fit."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 

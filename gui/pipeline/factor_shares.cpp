@@ -55,7 +55,7 @@ FactorShares::FactorShares(QWidget *parent)
       m_extent(wrapped()), m_drawing(new FactorDrawing)
 {
     auto *none = new QPushButton(tr("None")), *all = new QPushButton(tr("All"));
-    none->setToolTip(tr("Set every factor to 0 %: nothing is done to the view volume"));
+    none->setToolTip(tr("Set every factor to 0 %: the view volume stays unchanged"));
     all->setToolTip(tr("Set every factor to 100 %: the whole matrix"));
     none->setAccessibleName(tr("None of the factors"));
     all->setAccessibleName(tr("All of the factors"));
@@ -92,9 +92,9 @@ FactorShares::FactorShares(QWidget *parent)
         connect(row.slider, &QSlider::valueChanged, this, &FactorShares::showProduct);
     }
     auto *grid = new NumberGrid(m_model);
-    grid->setAccessibleName(tr("The product of what acts"));
-    m_said->setAccessibleName(tr("Whether it is the projection's matrix"));
-    m_extent->setAccessibleName(tr("Where the view volume is"));
+    grid->setAccessibleName(tr("Product of the active factors"));
+    m_said->setAccessibleName(tr("Comparison with the projection matrix"));
+    m_extent->setAccessibleName(tr("Bounds of the view volume"));
     // Two lines each, so that nothing below them jumps while a slider moves.
     for (QLabel *label : {m_said, m_extent}) {
         label->setAlignment(Qt::AlignLeft | Qt::AlignTop);

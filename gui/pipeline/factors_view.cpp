@@ -61,13 +61,13 @@ QString textOf(MatrixStep step)
     case MatrixStep::Shear: return FactorsView::tr("shears: x and y go along with z, by cot θ and cot φ");
     case MatrixStep::MoveBox: return FactorsView::tr("moves the box's middle to the origin");
     case MatrixStep::ScaleBox: return FactorsView::tr("scales the box's sides to 2");
-    case MatrixStep::TurnZ: return FactorsView::tr("turns z round: greater is then farther away");
+    case MatrixStep::TurnZ: return FactorsView::tr("flips z: greater is then farther away");
     case MatrixStep::OntoNear:
         return FactorsView::tr(
             "projects onto the near plane, once w = −z divides: n·x, n·y, and a·z + b for the depth");
     case MatrixStep::NearToSquare: return FactorsView::tr("takes the near plane's window to −1 to 1 across and up");
-    case MatrixStep::FromConventions: return FactorsView::tr("from the axes of the conventions shown to OpenGL's");
-    case MatrixStep::ToConventions: return FactorsView::tr("from OpenGL's axes to those of the conventions shown");
+    case MatrixStep::FromConventions: return FactorsView::tr("converts the axes of the chosen conventions to OpenGL's");
+    case MatrixStep::ToConventions: return FactorsView::tr("converts OpenGL's axes to those of the chosen conventions");
     }
     Q_UNREACHABLE();
 }
@@ -76,8 +76,8 @@ QString textOf(MatrixStep step)
 
 FactorsView::FactorsView(QWidget *parent)
     : QWidget(parent), m_product(new QLabel), m_shares(new FactorShares),
-      m_noShares(new QLabel(tr("To try a part of each factor, choose OpenGL's conventions: it is OpenGL's cube that "
-                               "the view volume is drawn beside.")))
+      m_noShares(new QLabel(tr("To change the strength of each factor, choose OpenGL's conventions: the drawing "
+                               "compares with OpenGL's cube.")))
 {
     m_noShares->setWordWrap(true);
     m_noShares->hide();
@@ -141,8 +141,8 @@ void FactorsView::setFactors(const std::vector<MatrixFactor> &factors, const glm
                        ? tr("= %1, to the last digit").arg(product)
                        : tr("= %1, to within %2 ulp (units in the last place)").arg(product, significantText(off, 2));
     if (isGiven)
-        text += u'\n'
-                + tr("As sixteen numbers, as it was given, there is nothing to take apart; this is its conversion's.");
+        text +=
+            u'\n' + tr("The sixteen numbers as given cannot be decomposed; these are the factors of their conversion.");
     m_product->setText(text);
     // The cube from −1 to 1 is OpenGL's.
     const bool areOurs = std::none_of(factors.begin(), factors.end(), [](const MatrixFactor &factor) {

@@ -14,13 +14,13 @@ FollowedPointRow::FollowedPointRow(const SceneDocument &document, PipelineModel 
     : QWidget(parent), m_document(document), m_model(model), m_status(new SteadyLabel), m_follow(new QToolButton),
       m_remove(new QToolButton)
 {
-    m_status->setAccessibleName(tr("What the points are"));
+    m_status->setAccessibleName(tr("Meaning of the points"));
     m_follow->setAutoRaise(true);
     m_remove->setAutoRaise(true);
     m_remove->setText(QStringLiteral("✕"));
     m_remove->setToolTip(tr("Remove your point"));
     m_remove->setAccessibleName(m_remove->toolTip());
-    m_follow->setAccessibleName(tr("Which point to follow"));
+    m_follow->setAccessibleName(tr("Point to follow"));
     connect(m_follow, &QToolButton::clicked, this, [this] { m_model.followGiven(!m_model.followsGiven()); });
     connect(m_remove, &QToolButton::clicked, &m_model, &PipelineModel::removeGiven);
     // The rows below stay where they are when these come.
@@ -56,8 +56,8 @@ void FollowedPointRow::showButtons()
 {
     const bool isGiven = m_model.followsGiven();
     m_follow->setText(isGiven ? tr("The click") : tr("Your point"));
-    m_follow->setToolTip(isGiven ? tr("Follow the clicked point again; yours stays")
-                                 : tr("Follow the point that you have given in numbers"));
+    m_follow->setToolTip(isGiven ? tr("Follow the clicked point again; your point is kept")
+                                 : tr("Follow the point that you typed"));
     m_follow->setVisible(m_document.scene().givenPoint && (!isGiven || m_document.picks().pick()));
     m_remove->setVisible(m_document.scene().givenPoint.has_value());
 }

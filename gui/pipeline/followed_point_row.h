@@ -10,7 +10,8 @@ class PipelineModel;
 class SceneDocument;
 class SteadyLabel;
 
-/// What the points of the pipeline are, and buttons that follow the other one of click and given point, and remove the latter.
+/// What the points of the pipeline are, and buttons that follow the other one of click and given point, and remove the
+/// latter.
 class FollowedPointRow : public QWidget {
     Q_OBJECT
 public:

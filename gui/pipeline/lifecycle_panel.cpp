@@ -31,7 +31,7 @@ LifecyclePanel::LifecyclePanel(LifecycleLog &log, QWidget *parent) : QWidget(par
     m_table = new QTreeView;
     m_table->setModel(&m_log);
     m_table->setAccessibleName(tr("Steps of the view's life"));
-    m_table->setToolTip(tr("A row that stands for several steps can be opened: click its arrow, or press Right"));
+    m_table->setToolTip(tr("To open a row of several steps, click its arrow or press Right"));
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setUniformRowHeights(true); // a call has one line; the current row is shown in full below
     m_table->setAllColumnsShowFocus(true);

@@ -93,8 +93,8 @@ void MatrixSection::putBelowNumbers(QWidget *widget)
 FactorsView *MatrixSection::addFactors()
 {
     m_takeApart = new QToolButton;
-    m_takeApart->setText(tr("Take apart"));
-    m_takeApart->setToolTip(tr("Show the factors that the matrix is made of, and what each of them does"));
+    m_takeApart->setText(tr("Decompose"));
+    m_takeApart->setToolTip(tr("Show the factors of the matrix and the effect of each"));
     m_takeApart->setObjectName(QStringLiteral("takeApart"));
     m_takeApart->setAutoRaise(true);
     m_takeApart->setCheckable(true);
@@ -138,7 +138,7 @@ void MatrixSection::setTitle(const QString &title, const QString &name, const QS
     m_heading->setText(title);
     m_copy->setAccessibleName(tr("Copy %1").arg(name));
     if (m_takeApart)
-        m_takeApart->setAccessibleName(tr("Take %1 apart").arg(name));
+        m_takeApart->setAccessibleName(tr("Decompose %1").arg(name));
     m_grid->setAccessibleName(title);
     m_product->setText(product);
     m_product->setVisible(!product.isEmpty());

@@ -49,13 +49,13 @@ QString partName(PastedPart part)
 QString adviceFor(const MatrixFinding &finding)
 {
     switch (finding.fault) {
-    case MatrixFault::DepthReversed: return MatrixText::tr("The depth range is turned round for it.");
-    case MatrixFault::FarAtInfinity: return MatrixText::tr("It is drawn up to a million times near.");
+    case MatrixFault::DepthReversed: return MatrixText::tr("The depth range is reversed to match.");
+    case MatrixFault::FarAtInfinity: return MatrixText::tr("It is drawn up to one million times near.");
     case MatrixFault::UnknownForm:
         return MatrixText::tr("The window cannot show it; only the inverted matrix can answer.");
     case MatrixFault::OrderOpen: return MatrixText::tr("Choose the order in which your program prints it.");
     case MatrixFault::Scaled:
-        return finding.repair == MatrixRepair::None ? MatrixText::tr("Paste the view alone.") : QString();
+        return finding.repair == MatrixRepair::None ? MatrixText::tr("Paste only the view.") : QString();
     default: return {};
     }
 }
@@ -100,15 +100,15 @@ QString repairName(const MatrixFinding &finding, NumberOrder order)
     case MatrixRepair::OtherOrder:
         return order == NumberOrder::ByColumns ? MatrixText::tr("Read as Row-major")
                                                : MatrixText::tr("Read as Column-major");
-    case MatrixRepair::Invert: return MatrixText::tr("Take Its Inverse");
-    case MatrixRepair::Exchange: return MatrixText::tr("Exchange Them");
+    case MatrixRepair::Invert: return MatrixText::tr("Invert");
+    case MatrixRepair::Exchange: return MatrixText::tr("Swap Them");
     case MatrixRepair::DepthZeroToOne:
         return std::isnan(finding.other) ? MatrixText::tr("Keep 0 to 1") : MatrixText::tr("Read as 0 to 1");
-    case MatrixRepair::TurnY: return MatrixText::tr("Turn y Back");
-    case MatrixRepair::TurnX: return MatrixText::tr("Turn x Back");
-    case MatrixRepair::WithoutScale: return MatrixText::tr("Take the Scale Out");
+    case MatrixRepair::TurnY: return MatrixText::tr("Flip y");
+    case MatrixRepair::TurnX: return MatrixText::tr("Flip x");
+    case MatrixRepair::WithoutScale: return MatrixText::tr("Remove the Scale");
     case MatrixRepair::Orthonormal: return MatrixText::tr("Make Perpendicular");
-    case MatrixRepair::Negate: return MatrixText::tr("Turn the Signs");
+    case MatrixRepair::Negate: return MatrixText::tr("Negate");
     case MatrixRepair::TurnEye: break;
     }
     return MatrixText::tr("Turn to −z");
@@ -151,7 +151,7 @@ QString cameraText(const Setup &setup, const std::optional<MatrixProjection> &le
         said << MatrixText::tr("Perspective: field of view %1° high, width to height %2, %3.")
                     .arg(number(degreesFromRadians(std::abs(up - down))), number(width / height), planes);
     } else {
-        said << MatrixText::tr("Box: %1 wide, %2 high, %3.").arg(number(width), number(height), planes);
+        said << MatrixText::tr("Orthographic: %1 wide, %2 high, %3.").arg(number(width), number(height), planes);
     }
     const auto form = lens ? recognised(*lens) : Error{};
     if (form)

@@ -41,9 +41,9 @@ PasteMatricesDialog::PasteMatricesDialog(SceneDocument &document, QWidget *paren
 {
     setWindowTitle(tr("Paste Matrices"));
     m_kind = new SegmentedSwitch(
-        tr("What is pasted"),
+        tr("Pasted matrices"),
         {{tr("Projection and view"), tr("The two matrices, or one of them; the scene keeps the other")},
-         {tr("Product"), tr("Projection times view, or times modelview (MVP), taken apart into the two")}});
+         {tr("Product"), tr("Projection times view, or times modelview (MVP), decomposed into the two")}});
     auto *boxes = new QWidget;
     auto *columns = new QHBoxLayout(boxes);
     columns->setContentsMargins(0, 0, 0, 0);
@@ -83,12 +83,12 @@ PasteMatricesDialog::PasteMatricesDialog(SceneDocument &document, QWidget *paren
     m_meaning->setTextFormat(Qt::PlainText);
     m_meaning->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_meaning->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_meaning->setAccessibleName(tr("What the matrices mean"));
+    m_meaning->setAccessibleName(tr("Meaning of the matrices"));
     constexpr int kLines = 3;
     m_meaning->setMinimumHeight(kLines * fontMetrics().lineSpacing());
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     m_ok = buttons->button(QDialogButtonBox::Ok);
-    m_ok->setToolTip(tr("Take the camera of the scene from these matrices; undone with Ctrl+Z"));
+    m_ok->setToolTip(tr("Set the scene's camera from these matrices; Ctrl+Z undoes it"));
     connect(buttons, &QDialogButtonBox::accepted, this, &PasteMatricesDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &PasteMatricesDialog::reject);
 
@@ -170,7 +170,7 @@ QString PasteMatricesDialog::meaning(const MatrixPaste::Camera &camera, bool &is
 {
     isUsable = false;
     if (isProduct() && m_paste.pasted(MatrixRole::Product) && !camera.isAnything())
-        return tr("The product cannot be taken apart: it is not a perspective or orthographic projection times a view. "
+        return tr("The product cannot be decomposed: it is not a perspective or orthographic projection times a view. "
                   "Paste projection and view.");
     if (!camera.isAnything())
         return {};
@@ -187,11 +187,11 @@ QString PasteMatricesDialog::meaning(const MatrixPaste::Camera &camera, bool &is
     if (isProduct())
         said << sentence(decompositionText(*m_paste.apart()));
     if (camera.viewport)
-        said << tr("The viewport becomes that of glViewport: %1 × %2 at (%3, %4).")
+        said << tr("The viewport is set by glViewport: %1 × %2 at (%3, %4).")
                     .arg(writtenText(camera.viewport->width, 6), writtenText(camera.viewport->height, 6),
                          writtenText(camera.viewport->x, 6), writtenText(camera.viewport->y, 6));
     else if (const auto viewport = m_paste.viewport())
-        said << tr("The viewport, %1 × %2, is left out: that of the view stays (Parameters, Viewport).")
+        said << tr("The viewport, %1 × %2, is ignored: the view keeps its own (Parameters, Viewport).")
                     .arg(writtenText(viewport->width, 6), writtenText(viewport->height, 6));
     return joinSentences(said);
 }

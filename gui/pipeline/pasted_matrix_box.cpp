@@ -76,7 +76,7 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
                                    {tr("By rows"), tr("Row-major: the first four numbers are the first row")}});
     m_ndcDepth = new SegmentedSwitch(
         tr("NDC depths"),
-        {{tr("By default"), tr("By −1 to 1, but where the numbers can only be by 0 to 1")},
+        {{tr("By default"), tr("−1 to 1, unless the numbers allow only 0 to 1")},
          {tr("−1 to 1"), tr("The depths of NDC go from −1 at near to 1 at far: OpenGL")},
          {tr("0 to 1"), tr("The depths of NDC go from 0 to 1: Vulkan, Direct3D, Metal, WebGPU, glClipControl")}});
     auto *depths = new QWidget;
@@ -92,7 +92,7 @@ PastedMatrixBox::PastedMatrixBox(MatrixRole role, QWidget *parent) : QWidget(par
     depths->setHidden(role == MatrixRole::View);
     m_asPasted = new QToolButton;
     m_asPasted->setText(tr("As Pasted"));
-    m_asPasted->setToolTip(tr("Take back what was done to the matrix"));
+    m_asPasted->setToolTip(tr("Undo the changes to the matrix"));
     QSizePolicy keepsRoom = m_asPasted->sizePolicy();
     keepsRoom.setRetainSizeWhenHidden(true);
     m_asPasted->setSizePolicy(keepsRoom);
@@ -182,7 +182,7 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
     if (pasted && pasted->isInverse)
         said << sentence(inverseText(*pasted));
     if (paste.leavesInverseOut(m_role))
-        said << tr("Its inverse, beside it in the text, is left out.");
+        said << tr("Its inverse in the text is ignored.");
     QStringList done;
     for (const MatrixFinding &finding : paste.repairs(m_role))
         done << repairName(finding, paste.order(m_role) == NumberOrder::ByColumns ? NumberOrder::ByRows
@@ -193,7 +193,7 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
     if (const auto named = paste.namedRole(m_role)) {
         const bool isProduct = *named == MatrixRole::Product;
         m_move->setText(isProduct ? tr("Read as product") : tr("Read as projection and view"));
-        m_move->setToolTip(isProduct ? tr("The text names a product (MVP): take it apart into projection and view")
+        m_move->setToolTip(isProduct ? tr("The text names a product (MVP): decompose it into projection and view")
                                      : tr("The text has a projection or a view: read it as these"));
     }
     m_move->setVisible(paste.namedRole(m_role).has_value());

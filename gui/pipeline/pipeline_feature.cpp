@@ -93,7 +93,7 @@ void PipelineFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
         return;
     menu.addSeparator();
     addAction(menu, tr("Paste &Matrices…"), {},
-              tr("Take the camera from projection and view, or their product, as another program prints them"), [this] {
+              tr("Set the camera from another program's projection and view, or from their product"), [this] {
                   m_window.session().commitTyped();
                   PasteMatricesDialog::open(m_window.document(), &m_window);
               });

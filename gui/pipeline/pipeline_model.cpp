@@ -167,7 +167,7 @@ void PipelineModel::take(Space space, int coordinate, const QString &typed)
         const std::vector<double> window = point(Space::Window)->coordinates();
         if (window.empty()) {
             emit refused(
-                tr("A widget position says nothing of the depth. Give the window point, whose third number it is."));
+                tr("A widget position has no depth. Type the window point instead: its third number is the depth."));
             return;
         }
         const Surface &surface = m_document.setup().surface;
@@ -337,11 +337,11 @@ void PipelineModel::showGiven()
                        kindOf(m_document.setup().projection()), m_api == Api::OpenGl);
     QStringList said{form->ndcDepth == NdcDepth::ZeroToOne ? tr("z of NDC from 0 to 1") : tr("z of NDC from −1 to 1")};
     if (form->reversed)
-        said << tr("reversed: the depth range is turned round for it");
+        said << tr("reversed: the depth range is reversed to match");
     if (form->infiniteFar)
         said << tr("the far plane at infinity: here at a million times near");
-    m_givenNote = tr("As it was given: %1. Clip and NDC are those of its conversion, OpenGL's matrix of the same view "
-                     "volume, which follows.")
+    m_givenNote = tr("The matrix as given: %1. Clip and NDC use its conversion, which follows: OpenGL's matrix of the "
+                     "same view volume.")
                       .arg(said.join(QStringLiteral("; ")));
 }
 
@@ -413,7 +413,7 @@ void PipelineModel::showGivenPoint(const Pipeline &pipeline)
     const QString space = point(static_cast<Space>(given.point.index()))->name();
     const bool isObject = std::holds_alternative<ObjectPoint>(given.point);
     if (isObject && !given.object.empty() && !indexOf(given, m_document.objects()))
-        m_status = tr("Your point was given in the space of “%1”, which is not here: taken as a world point.")
+        m_status = tr("Your point was given in the space of “%1”, which does not exist: it is read as a world point.")
                        .arg(shownObjectName(given.object, m_document.objects()));
     else if (const QString outside = points.clip ? clipTestText(*points.clip) : QString(); !outside.isEmpty())
         m_status = tr("Your point in %1 coordinates is outside the view volume: %2.").arg(space, outside);

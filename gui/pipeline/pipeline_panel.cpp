@@ -111,7 +111,7 @@ void PipelinePanel::createStages()
     m_apiNote = new QLabel;
     m_apiNote->setWordWrap(true);
     m_apiNote->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_apiNote->setAccessibleName(tr("What is otherwise than in OpenGL"));
+    m_apiNote->setAccessibleName(tr("Differences from OpenGL"));
     m_division = new QLabel;
     m_flip = new QLabel;
     const auto addHelp = [](QLabel *step, const char *anchor) {

@@ -66,7 +66,7 @@ PipelineSwitches::PipelineSwitches(SceneDocument &document, PipelineModel &model
     copy->setToolTip(tr("Copy all points and matrices with all digits"));
     connect(copy, &QPushButton::clicked, this, [this] { copyToClipboard(m_model.text()); });
     auto *paste = new QPushButton(tr("P&aste…"));
-    paste->setToolTip(tr("Take the camera from matrices that another program prints (Ctrl+V here)"));
+    paste->setToolTip(tr("Set the camera from another program's matrices (Ctrl+V here)"));
     paste->setAccessibleName(tr("Paste matrices"));
     connect(paste, &QPushButton::clicked, this, &PipelineSwitches::pasteWanted);
 
@@ -128,13 +128,13 @@ void PipelineSwitches::createFormatMenu()
         {{QStringLiteral("square"), tr("4 × 4"), tr("Rows and columns, as matrices are printed")},
          {QStringLiteral("memory_order"), QStringLiteral("m[0..15]"),
           tr("The memory order that glGetFloatv gives and a debugger shows, the same for column and row vectors")}});
-    m_digits = addGroup(*menu, tr("Digits"),
-                        {{QStringLiteral("double_digits"), QStringLiteral("double"),
-                          tr("Nine digits of the double; all of them in the tooltip and when copied")},
-                         {QStringLiteral("all_digits"), tr("All digits"),
-                          tr("The double with all its digits, up to 17; they need room")},
-                         {QStringLiteral("float_digits"), QStringLiteral("float"),
-                          tr("Rounded to single precision, with all the digits that it has")}});
+    m_digits = addGroup(
+        *menu, tr("Digits"),
+        {{QStringLiteral("double_digits"), QStringLiteral("double"),
+          tr("Nine digits of the double; all of them in the tooltip and when copied")},
+         {QStringLiteral("all_digits"), tr("All digits"), tr("All digits of the double, up to 17; needs more space")},
+         {QStringLiteral("float_digits"), QStringLiteral("float"),
+          tr("Rounded to single precision, with all its digits")}});
     menu->addSeparator();
     m_conventionsMenu = menu->addMenu(tr("Conventions"));
     m_conventionsMenu->setToolTipsVisible(true);
@@ -229,8 +229,8 @@ void PipelineSwitches::showFormat()
     for (const QActionGroup *group : {m_layouts, m_arrangements, m_digits})
         chosen << group->checkedAction()->text();
     chosen << name;
-    m_format->setToolTip(tr("How vectors, matrices and digits are written, and in whose conventions. Now: %1")
-                             .arg(chosen.join(tr(", "))));
+    m_format->setToolTip(
+        tr("Format of vectors, matrices and digits, and the conventions. Now: %1").arg(chosen.join(tr(", "))));
     m_format->setAccessibleName(m_format->text());
     m_format->setAccessibleDescription(m_format->toolTip());
 }

@@ -80,10 +80,9 @@ QPointF atShare(const QRectF &rect, double x, double y)
 ViewportDrawing::ViewportDrawing(QWidget *parent) : QWidget(parent)
 {
     setAccessibleName(tr("Window, viewport and projection window to scale"));
-    setToolTip(tr(
-        "Left: the window with the viewport in it, to scale in device pixels.\n"
-        "Right: the projection window, to scale in eye units, with the lines x = 0 and y = 0.\n"
-        "The dot is the pointer; the circle of the projection window is drawn in the viewport as it comes out there."));
+    setToolTip(tr("Left: the window with the viewport in it, to scale in device pixels.\nRight: the projection window, "
+                  "to scale in eye units, with the lines x = 0 and y = 0.\nThe dot is the pointer. The viewport shows "
+                  "how the circle of the projection window is stretched."));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 

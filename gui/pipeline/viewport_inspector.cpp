@@ -60,7 +60,7 @@ QString sidesOf(const ProportionText &text)
 ViewportInspector::ViewportInspector(SceneDocument &document, QWidget *parent)
     : QWidget(parent), m_document(document), m_corners(new CornersModel(this)), m_drawing(new ViewportDrawing)
 {
-    m_page = new SegmentedSwitch(tr("What is shown"),
+    m_page = new SegmentedSwitch(tr("Shown page"),
                                  {{tr("Proportions"), tr("The proportions (3) and (4) with their numbers")},
                                   {tr("Drawing"), tr("Window, viewport and projection window, drawn to scale")},
                                   {tr("Corners"), tr("The window's corners and centre in all coordinates")}});
@@ -102,8 +102,7 @@ QWidget *ViewportInspector::createProportions()
         made->setToolTip(toolTip);
         return made;
     };
-    m_window =
-        label(tr("Window"), tr("The view's framebuffer in device pixels, and how many of them make a logical pixel"));
+    m_window = label(tr("Window"), tr("The view's framebuffer in device pixels, and its pixel ratio"));
     m_window->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(m_window, &QLabel::linkActivated, this, &ViewportInspector::sizeRequested);
     m_viewport = label(tr("Viewport"), tr("x, y, width, height in device pixels from the window's bottom-left corner"));
@@ -299,7 +298,7 @@ void ViewportInspector::showSetup()
     const ProjectionWindow w = projectionWindow(m_shown->projection());
     m_circle->setText(circleText(aspect));
     m_circle->setToolTip(
-        tr("Of a circle parallel to the projection plane: the viewport is %1 : 1, the projection window %2 : 1")
+        tr("Shape of a circle parallel to the projection plane: the viewport is %1 : 1, the projection window %2 : 1")
             .arg(significantText(v.width / v.height, 4),
                  significantText(std::abs((w.right - w.left) / (w.top - w.bottom)), 4)));
     QFont font = m_circle->font();

@@ -19,8 +19,8 @@ AboutDialog::AboutDialog(const QString &openGL, const QString &note, QWidget *pa
                           QGuiApplication::platformName(), openGL.isEmpty() ? tr("not started") : openGL,
                           QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture());
     auto *what = new QLabel(tr("Click a pixel of a 3-D view and get its world coordinate, computed twice: by the "
-                               "closed-form inverse formulas of Weng, Huang and Cai (2008) and by the inverted matrix, "
-                               "with the difference, its cause and how certain the coordinate is."));
+                               "closed-form inverse formulas of Weng, Huang and Cai (2008) and by the inverted matrix. "
+                               "The window shows the difference, its cause and the uncertainty of the coordinate."));
     auto *versions = new QLabel(m_versions);
     versions->setTextFormat(Qt::PlainText);
     versions->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

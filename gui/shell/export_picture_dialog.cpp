@@ -60,19 +60,19 @@ ExportPictureDialog::ExportPictureDialog(const SceneView &view, QWidget *parent)
     : QDialog(parent), m_view(surfaceFromWidget(view.width(), view.height(), view.devicePixelRatio())),
       m_largest(view.largestPicture()), m_problem(new QLabel)
 {
-    setWindowTitle(tr("Export Picture"));
+    setWindowTitle(tr("Export Image"));
     auto *form = new QFormLayout;
     addSize(*form);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
     addMarks(*layout, view.hasMap());
     m_problem->setWordWrap(true);
-    m_problem->setAccessibleName(tr("Why there is no such picture"));
+    m_problem->setAccessibleName(tr("Reason why the image cannot be exported"));
     layout->addWidget(m_problem);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     m_export = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
     m_export->setDefault(true);
-    m_export->setToolTip(tr("Choose a file and write the picture"));
+    m_export->setToolTip(tr("Choose a file and write the image"));
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -81,16 +81,16 @@ ExportPictureDialog::ExportPictureDialog(const SceneView &view, QWidget *parent)
 
 void ExportPictureDialog::addSize(QFormLayout &form)
 {
-    m_width = pixelsBox(tr("Width"), tr("Width of the picture in pixels"), m_view.widthPixels);
-    m_height = pixelsBox(tr("Height"), tr("Height of the picture in pixels"), m_view.heightPixels);
+    m_width = pixelsBox(tr("Width"), tr("Width of the image in pixels"), m_view.widthPixels);
+    m_height = pixelsBox(tr("Height"), tr("Height of the image in pixels"), m_view.heightPixels);
     m_ratio = new QDoubleSpinBox;
     m_ratio->setRange(kLeastRatio, kMostRatio);
     m_ratio->setSingleStep(0.25);
     m_ratio->setValue(m_view.devicePixelRatio);
     m_ratio->setAccessibleName(tr("Pixel ratio"));
-    m_ratio->setToolTip(tr("Pixels of the picture for a logical pixel: how large lines, marks and letters are"));
+    m_ratio->setToolTip(tr("Image pixels per logical pixel; sets the size of lines, markers and letters"));
     m_keepsProportions = checkBox(tr("&Keep the view's proportions"),
-                                  tr("Width, height and pixel ratio change together: the same picture, larger"));
+                                  tr("Width, height and pixel ratio change together: the same image at another size"));
     form.addRow(tr("&Width:"), m_width);
     form.addRow(tr("&Height:"), m_height);
     form.addRow(tr("Pixel &ratio:"), m_ratio);
@@ -107,7 +107,7 @@ void ExportPictureDialog::addSize(QFormLayout &form)
 
 void ExportPictureDialog::addMarks(QVBoxLayout &layout, bool hasMap)
 {
-    auto *shown = new QGroupBox(tr("Shown besides the objects"));
+    auto *shown = new QGroupBox(tr("Also shown"));
     auto *boxes = new QVBoxLayout(shown);
     m_pick = checkBox(tr("&Pick"), tr("The picked point with its lines to the ground"));
     m_landmarks = checkBox(tr("&Landmarks"), tr("The placed landmarks with their names"));
@@ -115,16 +115,14 @@ void ExportPictureDialog::addMarks(QVBoxLayout &layout, bool hasMap)
     m_grid = checkBox(tr("&Ground and clip planes"), tr("The grid on the ground, and the planes that cut the objects"));
     m_axes = checkBox(tr("&Axes"), tr("The axes of the world, and their directions in the corner"));
     m_map = checkBox(tr("Error &map"),
-                     hasMap ? tr("The colours of the map over the objects; only with the proportions of the view")
+                     hasMap ? tr("The map's colours over the objects; needs the proportions of the view")
                             : tr("The view shows no map. View > Error Map shows one."),
                      hasMap);
     m_map->setEnabled(hasMap);
     for (QCheckBox *box : {m_pick, m_landmarks, m_curves, m_grid, m_axes, m_map})
         boxes->addWidget(box);
-    m_isTransparent = checkBox(tr("&Transparent background"),
-                               tr("Nothing is drawn behind the objects, so that what lies below the "
-                                  "picture is seen"),
-                               false);
+    m_isTransparent =
+        checkBox(tr("&Transparent background"), tr("Leave the background of the image transparent"), false);
     layout.addWidget(shown);
     layout.addWidget(m_isTransparent);
 }
@@ -160,14 +158,14 @@ QString ExportPictureDialog::problem() const
 {
     const int width = m_width->value(), height = m_height->value();
     if (m_largest == 0)
-        return tr("OpenGL has not started, so there is no picture to export.");
+        return tr("OpenGL has not started, so no image can be exported.");
     if (width > m_largest || height > m_largest)
         return tr("The graphics driver draws at most %1 × %1 pixels. You entered %2 × %3.")
             .arg(m_largest)
             .arg(width)
             .arg(height);
     if (std::int64_t(width) * height > kMostPixels)
-        return tr("A picture has at most %1 million pixels. %2 × %3 are %4 million.")
+        return tr("An image has at most %1 million pixels. You entered %2 × %3, which are %4 million.")
             .arg(kMostPixels / 1'000'000)
             .arg(width)
             .arg(height)
@@ -181,7 +179,7 @@ void ExportPictureDialog::showProblem()
     m_problem->setText(text);
     m_problem->setVisible(!text.isEmpty());
     m_export->setEnabled(text.isEmpty());
-    m_export->setToolTip(text.isEmpty() ? tr("Choose a file and write the picture") : text);
+    m_export->setToolTip(text.isEmpty() ? tr("Choose a file and write the image") : text);
 }
 
 QString writePicture(SceneView &view, const PictureOptions &options, const std::filesystem::path &file)
@@ -192,7 +190,7 @@ QString writePicture(SceneView &view, const PictureOptions &options, const std::
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (picture->isNull() || !picture->save(&buffer, "png"))
-        return ExportPictureDialog::tr("OpenGL has no memory for a picture of %1 × %2 pixels. Choose a smaller size.")
+        return ExportPictureDialog::tr("OpenGL has no memory for an image of %1 × %2 pixels. Choose a smaller size.")
             .arg(options.surface.widthPixels)
             .arg(options.surface.heightPixels);
     const files::Written written =
@@ -207,14 +205,14 @@ void exportPicture(Window &window)
     if (dialog.exec() != QDialog::Accepted)
         return;
     const SaveName named =
-        askSaveName(window, ExportPictureDialog::tr("Export Picture"), {ExportPictureDialog::tr("Picture (*.png)")},
+        askSaveName(window, ExportPictureDialog::tr("Export Image"), {ExportPictureDialog::tr("Image (*.png)")},
                     pathText(window.session().proposedName().stem()));
     if (named.file.empty() || !window.mayExportTo(named.file))
         return;
     if (const QString problem = writePicture(window.view(), dialog.options(), named.file); !problem.isEmpty())
         window.showFailure(problem);
     else
-        window.notice(ExportPictureDialog::tr("Picture written to %1").arg(pathText(named.file.filename())));
+        window.notice(ExportPictureDialog::tr("Image written to %1").arg(pathText(named.file.filename())));
 }
 
 } // namespace unprojector::gui

@@ -57,34 +57,33 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     setWindowTitle(tr("Mouse and Keys"));
     QString rows = heading(tr("Mouse in the view"));
     rows += row(tr("left button"), tr("read the world coordinate of the pixel"));
-    rows +=
-        row(tr("left drag"), tr("turn the camera about the point under the pointer; the point picked before stays"));
+    rows += row(tr("left drag"), tr("turn the camera about the point under the pointer; the pick is kept"));
     rows += row(tr("middle drag, or Shift + left drag"), tr("move the camera sideways"));
     rows += row(tr("wheel"), tr("zoom towards the pointer"));
     rows += row(tr("double-click"), tr("bring the point to the middle"));
-    rows += row(tr("right click, or the menu key"), tr("what there is to do with the pixel and its object"));
+    rows += row(tr("right click, or the menu key"), tr("menu for the pixel and its object"));
     rows += heading(tr("Keys in the view"));
     rows += row(tr("arrows"), tr("turn the camera"));
     rows += row(tr("Shift + arrows"), tr("move the camera sideways"));
     rows += row(tr("+, −, Page Up, Page Down"), tr("zoom at the crosshair"));
     rows += row(tr("Ctrl + arrows"), tr("move the crosshair by a pixel, with Shift by ten"));
     rows += row(tr("Enter"), tr("read the world coordinate at the crosshair"));
-    rows += row(tr("Esc"), tr("stop opening the files that are on their way"));
-    rows += heading(tr("Placed points"));
-    rows += row(tr("left button on a mark"), tr("select the point, with Ctrl besides the others"));
-    rows += row(tr("left drag of a mark"), tr("slide the point on the surface; Esc puts it back"));
-    rows += row(tr("left drag of an arrow at the selected point, while points are placed"),
-                tr("move the point along the axis, off the surface"));
-    rows += row(tr("left button, while points are placed"), tr("place a point; Esc ends it"));
-    rows += row(tr("arrows, while points are placed"),
-                tr("move the selected point by a pixel, with Shift by ten, with Alt by a tenth"));
-    rows += row(tr("Del"), tr("remove the selected points"));
+    rows += row(tr("Esc"), tr("cancel opening files"));
+    rows += heading(tr("Landmarks"));
+    rows += row(tr("left button on a marker"), tr("select the landmark; with Ctrl, add it to the selection"));
+    rows += row(tr("left drag of a marker"), tr("slide the landmark on the surface; Esc cancels"));
+    rows += row(tr("left drag of an arrow at the selected landmark, while placing"),
+                tr("move the landmark along the axis, off the surface"));
+    rows += row(tr("left button, while placing"), tr("place a landmark; Esc ends placing"));
+    rows += row(tr("arrows, while placing"),
+                tr("move the selected landmark by a pixel, with Shift by ten, with Alt by a tenth"));
+    rows += row(tr("Del"), tr("remove the selected landmarks"));
     rows += heading(tr("View from Outside"));
     rows += row(tr("drag of a plane"), tr("move the near or the far plane"));
     rows += row(tr("left drag, or arrows"), tr("turn about the view volume"));
     rows += row(tr("middle drag, or Shift + left drag"), tr("move sideways"));
     rows += row(tr("wheel, or +, −"), tr("zoom"));
-    rows += row(tr("F"), tr("see all of it"));
+    rows += row(tr("F"), tr("show everything"));
     rows += heading(tr("Keys in the list of objects"));
     rows += row(tr("Space, Enter, Del"), tr("show or hide the object, rename it, remove it"));
     rows += heading(tr("Keys in a table of numbers"));
@@ -96,12 +95,11 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     rows += row(tr("Up, Down"), tr("go to the group above, below"));
     rows += heading(tr("Keys in a field"));
     rows += row(tr("Enter, Tab"), tr("apply the number or the expression, such as 1/3 or 2*pi"));
-    rows += row(tr("Esc"), tr("restore what was there"));
-    rows += row(tr("Up, Down, Page Up, Page Down"), tr("step the digit at the caret by one, by ten"));
+    rows += row(tr("Esc"), tr("restore the former value"));
+    rows += row(tr("Up, Down, Page Up, Page Down"), tr("change the digit at the caret by one, by ten"));
     rows += heading(tr("Keys in Help"));
     rows += row(keysOf({QKeySequence::Find}), tr("find words in the page"));
-    rows +=
-        row(keysOf({Qt::Key_F3, Qt::SHIFT | Qt::Key_F3}), tr("go to the next place that has them, to the one before"));
+    rows += row(keysOf({Qt::Key_F3, Qt::SHIFT | Qt::Key_F3}), tr("go to the next match, to the previous one"));
     rows += row(keysOf({QKeySequence::ZoomIn, QKeySequence::ZoomOut, Qt::CTRL | Qt::Key_0}),
                 tr("larger text, smaller, in its usual size"));
     rows += row(keysOf({Qt::ALT | Qt::Key_Up}), tr("back to the contents"));

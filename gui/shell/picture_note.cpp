@@ -78,8 +78,8 @@ QString emptyPictureText(const SceneDocument &document)
             .arg(writtenText(window.nearDistance, 4), writtenText(window.farDistance, 4),
                  writtenText(extent.nearest, 4), writtenText(extent.farthest, 4));
     if (isPerspective(projection) && isLostInDepth(window, extent.farthest))
-        return PictureNote::tr("Far is %1 times near: the depth buffer cannot hold that, and surfaces are taken for "
-                               "background. Give near a larger distance.")
+        return PictureNote::tr("Far is %1 times near: the depth buffer is too coarse for it, and surfaces look like "
+                               "background. Increase near.")
             .arg(readableText(window.farDistance / window.nearDistance));
     return {};
 }
@@ -87,7 +87,7 @@ QString emptyPictureText(const SceneDocument &document)
 PictureNote::PictureNote(const SceneDocument &document, QWidget *parent) : QLabel(parent), m_document(document)
 {
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAccessibleName(tr("Why nothing is seen"));
+    setAccessibleName(tr("Reason for the empty view"));
     setTextFormat(Qt::PlainText);
     setWordWrap(true);
     setAlignment(Qt::AlignCenter);

@@ -32,7 +32,7 @@ PreferencesDialog::PreferencesDialog(const Choices &choices, QWidget *parent) : 
     if (choices.languages) {
         const QString toolTip = tr("The language of the program, from its next start on");
         form->addRow(tr("&Language:"), boxOf(*choices.languages, tr("Language"), toolTip));
-        auto *note = new QLabel(tr("Another language is used from the next start on."));
+        auto *note = new QLabel(tr("The new language is used from the next start on."));
         note->setWordWrap(true);
         form->addRow(QString(), note);
     }
@@ -47,7 +47,7 @@ PreferencesDialog::PreferencesDialog(const Choices &choices, QWidget *parent) : 
     steps->setToolTip(tr("Show the three things to try, now and at the next start"));
     connect(steps, &QPushButton::clicked, this, &PreferencesDialog::firstStepsRequested);
     auto *layoutReset = new QPushButton(tr("&Reset Layout"));
-    layoutReset->setToolTip(tr("Put the panels of all workspaces back to where they were at first"));
+    layoutReset->setToolTip(tr("Restore the default layout of all workspaces"));
     connect(layoutReset, &QPushButton::clicked, this, &PreferencesDialog::layoutResetRequested);
     form->addRow(tr("Start over:"), steps);
     form->addRow(QString(), layoutReset);

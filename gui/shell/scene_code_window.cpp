@@ -59,7 +59,7 @@ SceneCodeWindow::SceneCodeWindow(const SceneDocument &document, const Session &s
 
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::Help);
     QPushButton *copies = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
-    copies->setToolTip(tr("Put all of the code on the clipboard"));
+    copies->setToolTip(tr("Copy all of the code"));
     QPushButton *saves = buttons->addButton(tr("&Save…"), QDialogButtonBox::ActionRole);
     saves->setToolTip(tr("Write the code to a file"));
 

@@ -48,7 +48,7 @@ void ScreenshotRun::start()
     const std::filesystem::path picture(m_options.picture->toStdU16String());
     const auto isPicture = [&](const std::filesystem::path &file) { return files::isSameFile(picture, file); };
     if (std::any_of(m_options.files.begin(), m_options.files.end(), isPicture)) {
-        fail(tr("%1 is opened too and would be overwritten; give the picture another name.").arg(*m_options.picture));
+        fail(tr("%1 is also opened and would be overwritten; give the image another name.").arg(*m_options.picture));
         return;
     }
     MainWindow::Options options;
@@ -92,7 +92,7 @@ QString ScreenshotRun::savePicture()
     // PNG is lossless at any quality: this one takes a quarter of the time, and a few more bytes.
     const int quality = format.toLower() == "png" ? 75 : -1;
     if (!m_window->grab().save(&buffer, format.constData(), quality))
-        return tr("%1 is no picture's name; let it end in .png.").arg(*m_options.picture);
+        return tr("%1 is not an image name; end it with .png.").arg(*m_options.picture);
     const std::filesystem::path file(m_options.picture->toStdU16String());
     if (QString refusal = overwritingText(m_window->document(), m_window->session(), file); !refusal.isEmpty())
         return refusal;
@@ -112,8 +112,8 @@ void ScreenshotRun::pressAndSave()
     }
     if (m_options.viewSize && m_window->view().size() != *m_options.viewSize) {
         if (std::exchange(m_isSized, true)) {
-            fail(tr("The view is %1 × %2 logical pixels, not %3 × %4: the window cannot be made so here. --no-panels "
-                    "leaves it more room.")
+            fail(tr("The view is %1 × %2 logical pixels, not %3 × %4: the window cannot have that size here. Try "
+                    "--no-panels.")
                      .arg(m_window->view().width())
                      .arg(m_window->view().height())
                      .arg(m_options.viewSize->width())

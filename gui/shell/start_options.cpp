@@ -66,36 +66,32 @@ OptionReader::OptionReader()
     m_parser.addVersionOption();
     m_parser.addOptions({
         // Qt's own help option adds --help-all, which would be the same here.
-        {{"h", "help"}, tr("Say how the program is called, and quit.")},
-        {"screenshot", tr("Open, save a picture of the whole window, print the clicks as JSON, and quit."), "OUT.png"},
+        {{"h", "help"}, tr("Print this help and quit.")},
+        {"screenshot", tr("Open, save an image of the whole window, print the clicks as JSON, and quit."), "OUT.png"},
         {"size", tr("Size of the window in logical pixels (default 1280x800)."), "WxH", "1280x800"},
         {"view-size",
-         tr("Size of the view itself in logical pixels, whatever font and language make of the panels: the same "
-            "clicks then mean the same pixels everywhere. Instead of --size."),
+         tr("Size of the view itself in logical pixels, instead of --size. The same clicks then mean the same pixels "
+            "for every font and language."),
          "WxH"},
         {"no-panels", tr("Give the view the whole window.")},
         {"place",
-         tr("Work place to start at: %1. Without it that of the last time; for a picture the first of them.")
+         tr("Workspace to start in: %1. Default: the one used last; with --screenshot the first.")
              .arg(workspaceNames()),
          "PLACE"},
-        {"appearance", tr("Colours of the window: desktop (as the desktop has them; default), light or dark."),
+        {"appearance", tr("Colours of the window: desktop (the system's; default), light or dark."),
          "DESKTOP|LIGHT|DARK"},
-        {"language", tr("Language of the program: system (that of the desktop; default), en or zh_CN."),
-         "SYSTEM|EN|ZH_CN"},
+        {"language", tr("Language of the program: system (the desktop's; default), en or zh_CN."), "SYSTEM|EN|ZH_CN"},
         {"click",
          tr("With --screenshot: press the left button at this position of the view, logical pixels from its top-left "
             "corner. May be given several times."),
          "X,Y"},
         {"lesson", tr("Start with a lesson, or with one of its steps: first, weng:3."), "NAME[:STEP]"},
-        {"smooth-edges",
-         tr("Whether the edges of surfaces are drawn without steps: on or off. What clicks read is the same."),
-         "ON|OFF"},
+        {"smooth-edges", tr("Draw smooth edges: on or off. Clicks read the same depths either way."), "ON|OFF"},
     });
-    m_parser.addPositionalArgument(
-        "MODEL",
-        tr("A scene, or model files: OBJ, STL, PLY, OFF, glTF, GLB; files of points beside them. Without any, the "
-           "bundled scene."),
-        "[SCENE | MODEL …]");
+    m_parser.addPositionalArgument("MODEL",
+                                   tr("A scene, or model files (OBJ, STL, PLY, OFF, glTF, GLB) with files of "
+                                      "landmarks. Default: the bundled scene."),
+                                   "[SCENE | MODEL …]");
 }
 
 geometry::Result<StartOptions, QString> OptionReader::read(const QStringList &words)
@@ -121,7 +117,7 @@ geometry::Result<StartOptions, QString> OptionReader::read(const QStringList &wo
     readLooks();
     readClicks();
     if (m_options.lesson && !m_options.files.empty())
-        mistake(tr("Give --lesson or what to open, not both."));
+        mistake(tr("Give --lesson or files to open, not both."));
     if (!m_mistake.isEmpty())
         return m_mistake;
     return m_options;

@@ -19,7 +19,7 @@ StatusReadout::StatusReadout(Window &window)
     : QObject(&window), m_window(window), m_pointed(new QLabel), m_preparing(new QLabel), m_projection(new QLabel)
 {
     m_pointed->setAccessibleName(tr("World coordinate under the pointer"));
-    m_pointed->setToolTip(tr("World coordinate under the pointer, with the digits that its pixel leaves certain"));
+    m_pointed->setToolTip(tr("World coordinate under the pointer, without digits smaller than the uncertainty"));
     // An empty label has another height than one with text, and would change the view's size.
     m_pointed->setMinimumHeight(
         std::max(m_pointed->sizeHint().height(), lineHeight(m_pointed->font(), tr("background, %1"))));
@@ -27,8 +27,7 @@ StatusReadout::StatusReadout(Window &window)
     m_projection->setToolTip(tr("Projection and distances of the near and far planes, world units"));
     m_preparing->setAccessibleName(tr("Preparing the exact hit"));
     m_preparing->setToolTip(
-        tr("Clicks have the depth buffer's answer already; the ray's comes when the model is prepared "
-           "for it"));
+        tr("Clicks already use the depth buffer; the ray follows when the model is prepared for it"));
     m_preparing->hide();
     window.statusBar()->addWidget(m_pointed, 1);
     window.statusBar()->addPermanentWidget(m_preparing);

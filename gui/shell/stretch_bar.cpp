@@ -57,14 +57,14 @@ StretchBar::StretchBar(SceneDocument &document, QWidget *parent)
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_text->setAccessibleName(tr("Stretched picture"));
+    m_text->setAccessibleName(tr("Stretched view"));
     auto *fit = new QPushButton(tr("Letterbox"));
     fit->setToolTip(tr("Give the viewport the aspect of the projection, with bars beside or above it"));
     auto *close = new QToolButton;
     close->setText(QStringLiteral("×"));
     close->setAutoRaise(true);
     close->setFocusPolicy(Qt::StrongFocus);
-    close->setToolTip(tr("Leave the picture stretched and close this message"));
+    close->setToolTip(tr("Keep the view stretched and close this message"));
     close->setAccessibleName(close->toolTip());
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(10, 4, 6, 4);
@@ -98,7 +98,7 @@ void StretchBar::refresh()
         const Setup &setup = m_document.setup();
         const auto [projection, viewport] = aspectTexts(projectionAspect(setup), viewportAspect(setup));
         //: Two aspects, width to height, such as 4 : 3 and 1.11 : 1.
-        m_text->setText(tr("Projection %1, viewport %2: the picture is stretched.").arg(projection, viewport));
+        m_text->setText(tr("Projection %1, viewport %2: the view is stretched.").arg(projection, viewport));
     }
     setVisible(isStretched && !m_isClosed && !m_isInLesson);
 }

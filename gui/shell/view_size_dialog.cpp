@@ -45,7 +45,7 @@ ViewSizeDialog::ViewSizeDialog(SceneDocument &document, const SceneView &view, Q
                           tr("Height of the framebuffer (glViewport), device pixels"), "deviceHeight")};
     m_ratio->setObjectName(QStringLiteral("pixelRatio"));
     m_ratio->setAccessibleName(tr("Pixel ratio"));
-    m_ratio->setToolTip(tr("Device pixels to a logical pixel. This screen has %1").arg(view.devicePixelRatio()));
+    m_ratio->setToolTip(tr("Device pixels per logical pixel. This screen has %1").arg(view.devicePixelRatio()));
     m_ratio->setRange(kLeastRatio, kMostRatio);
     m_ratio->setDecimals(4);
     m_ratio->setSingleStep(0.25);
@@ -61,7 +61,7 @@ ViewSizeDialog::ViewSizeDialog(SceneDocument &document, const SceneView &view, Q
     form->addRow(tr("= device pixels"), device);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     QPushButton *fit = buttons->addButton(tr("&Fit the window"), QDialogButtonBox::ResetRole);
-    fit->setToolTip(tr("Let the view take all the room that the window has for it"));
+    fit->setToolTip(tr("Let the view fill the window"));
     fit->setAutoDefault(false);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("Set &size"));
     buttons->button(QDialogButtonBox::Ok)->setToolTip(tr("Give the view this size and keep it in the scene"));
@@ -155,10 +155,11 @@ void ViewSizeDialog::refresh()
 {
     const Surface size = typed();
     const double scale = SurfacePlace(m_view.widgetSurface(), size).scale();
-    m_note->setText(scale == 1.0 ? tr("The window has room for it: it is shown pixel on pixel.")
-                                 : tr("The window has less room: it is drawn at this size and shown at %1 %. Clicks "
-                                      "read its own pixels.")
-                                       .arg(significantText(100.0 * scale, 3)));
+    m_note->setText(
+        scale == 1.0
+            ? tr("The window is large enough: the view is shown pixel on pixel.")
+            : tr("The window is smaller: the view is drawn at this size and shown at %1 %. Clicks read its own pixels.")
+                  .arg(significantText(100.0 * scale, 3)));
 }
 
 void ViewSizeDialog::accept()

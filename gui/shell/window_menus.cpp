@@ -118,8 +118,8 @@ void WindowMenus::addFileMenu()
                                 session.openFiles(std::move(files));
                         }),
              Drawing::Open);
-    addAction(menu, tr("A&dd to Scene…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
-              tr("Put more models beside the objects of this scene"), [this, &session, models, all] {
+    addAction(menu, tr("A&dd to Scene…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O, tr("Add more models to this scene"),
+              [this, &session, models, all] {
                   std::vector<std::filesystem::path> files = askForModels(m_window, tr("Add Models"), models + all);
                   if (!files.empty())
                       session.addFiles(std::move(files));
@@ -132,12 +132,11 @@ void WindowMenus::addFileMenu()
     m_bar->addSeparator();
     addAction(menu, tr("Save Scene &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, tr("Write the scene to another file"),
               [&session] { session.saveAs(); });
-    addAction(
-        menu, tr("Sce&ne as Code…"), {},
-        tr("The calls that make this picture, for GLU and MFC, GLM, Qt or three.js, with the way back from a pixel"),
-        [this] { showCode(); });
-    addAction(menu, tr("&Export Picture…"), Qt::CTRL | Qt::Key_E,
-              tr("Write the view alone as a PNG file, at any size, with or without marks"),
+    addAction(menu, tr("Sce&ne as Code…"), {},
+              tr("Show the calls of this setup, for GLU and MFC, GLM, Qt or three.js, with the inverse from a pixel"),
+              [this] { showCode(); });
+    addAction(menu, tr("&Export Image…"), Qt::CTRL | Qt::Key_E,
+              tr("Write only the view as a PNG image, at any size, with or without markers"),
               [this] { exportPicture(m_window); });
     addFeatureActions(MenuKind::File, menu);
     menu.addSeparator();
@@ -187,8 +186,7 @@ void WindowMenus::addPreferences()
 {
     m_edit->addSeparator();
     addAction(*m_edit, tr("Prefere&nces…"), QKeySequence::Preferences,
-              tr("Colours, language, smooth edges; first steps and layout as they were at first"),
-              [this] { showPreferences(); })
+              tr("Colours, language, smooth edges; first steps and layout can be reset"), [this] { showPreferences(); })
         ->setMenuRole(QAction::PreferencesRole);
 }
 
@@ -203,7 +201,7 @@ void WindowMenus::addLooks(QMenu &menu)
                         [&document] { fitAll(document); }),
              Drawing::Fit);
     putOnBar(*m_bar,
-             *addAction(menu, tr("&Home"), Qt::Key_Home, tr("Back to the camera that the scene opened with"),
+             *addAction(menu, tr("&Home"), Qt::Key_Home, tr("Return to the scene's initial camera"),
                         [&document] { goHome(document); }),
              Drawing::Home);
     menu.addSeparator();
@@ -238,8 +236,7 @@ void WindowMenus::addViewMenu()
     addFeatureActions(MenuKind::View, menu);
     addSizeActions(menu);
     QAction *smooth =
-        addSwitch(menu, tr("&Smooth Edges"), {},
-                  tr("Draw the edges of surfaces without steps. The depths that clicks read stay the same"));
+        addSwitch(menu, tr("&Smooth Edges"), {}, tr("Draw smooth edges of surfaces. Clicks read the same depths"));
     smooth->setChecked(m_window.hasSmoothEdges());
     connect(smooth, &QAction::toggled, this, &WindowMenus::smoothEdgesChosen);
     QMenu *colours = menu.addMenu(tr("Co&lours"));
@@ -255,18 +252,16 @@ void WindowMenus::addViewMenu()
 void WindowMenus::addSizeActions(QMenu &menu)
 {
     SceneDocument &document = m_window.document();
-    QAction *size =
-        addAction(menu, tr("View Si&ze…"), {}, tr("Give the view a size in pixels, as a program or an article has it"),
-                  [this, &document] {
-                      m_window.session().commitTyped();
-                      auto *dialog = new ViewSizeDialog(document, m_window.view(), &m_window);
-                      dialog->setAttribute(Qt::WA_DeleteOnClose);
-                      dialog->open();
-                  });
+    QAction *size = addAction(menu, tr("View Si&ze…"), {},
+                              tr("Set the view's size in pixels, to match a program or an article"), [this, &document] {
+                                  m_window.session().commitTyped();
+                                  auto *dialog = new ViewSizeDialog(document, m_window.view(), &m_window);
+                                  dialog->setAttribute(Qt::WA_DeleteOnClose);
+                                  dialog->open();
+                              });
     size->setObjectName(kViewSizeAction);
-    QAction *fit =
-        addAction(menu, tr("Fit the Wi&ndow"), {}, tr("Let the view take all the room that the window has for it"),
-                  [&document] { fitWindow(document); });
+    QAction *fit = addAction(menu, tr("Fit the Wi&ndow"), {}, tr("Let the view fill the window"),
+                             [&document] { fitWindow(document); });
     const auto enable = [&document, fit] { fit->setEnabled(document.scene().windowSize.has_value()); };
     connect(&document, &SceneDocument::changed, fit, [enable](Changes changes) {
         if (changes & Change::Setup)
@@ -303,7 +298,7 @@ void WindowMenus::addWorkspaceActions(QMenu &menu)
     QAction *hides = addSwitch(menu, tr("H&ide All Panels"), Qt::Key_F9, tr("Give the view the whole window"));
     connect(hides, &QAction::toggled, &workspaces, &Workspaces::hidePanels);
     connect(&workspaces, &Workspaces::panelsHidden, hides, &QAction::setChecked);
-    addAction(menu, tr("R&eset Layout"), {}, tr("Put all panels of this workspace back to where they were at first"),
+    addAction(menu, tr("R&eset Layout"), {}, tr("Restore the default layout of this workspace"),
               [&workspaces] { workspaces.reset(); });
 }
 
@@ -315,15 +310,15 @@ void WindowMenus::addHelpMenu()
     addAction(menu, tr("Manual of This &Panel"), Qt::SHIFT | Qt::Key_F1,
               tr("The page of the manual on the panel that has the focus, or on that of the workspace"),
               [this] { openManual(m_window.workspaces().manualPlace()); });
-    addAction(menu, tr("&Mouse and Keys"), Qt::Key_Question, tr("What the mouse and every key do"),
+    addAction(menu, tr("&Mouse and Keys"), Qt::Key_Question, tr("List of mouse actions and keys"),
               [this] { showKeys(); });
     addFeatureActions(MenuKind::Help, menu);
     menu.addSeparator();
-    addAction(menu, tr("&About Unprojector"), {}, tr("What this program is"), [this] { showAbout(); });
+    addAction(menu, tr("&About Unprojector"), {}, tr("Version and licence of the program"), [this] { showAbout(); });
     auto *button = new QToolButton;
     button->setText(tr("Help"));
     button->setIcon(drawnIcon(Drawing::Help));
-    button->setToolTip(tr("Manual, formulas, keys and what this program is"));
+    button->setToolTip(tr("Manual, formulas, keys, version and licence"));
     button->setMenu(&menu);
     button->setPopupMode(QToolButton::InstantPopup);
     m_bar->addWidget(button);
@@ -364,10 +359,10 @@ void WindowMenus::showKeys()
 void WindowMenus::showAbout()
 {
     const SceneView &view = m_window.view();
-    const QString wayBack = view.objectIds() == ObjectIds::Colors
-                                ? tr("This graphics driver draws no integers, so the view tells by colours which "
-                                     "object was clicked.")
-                                : QString();
+    const QString wayBack =
+        view.objectIds() == ObjectIds::Colors
+            ? tr("This graphics driver cannot draw integers, so the view identifies clicked objects by colours.")
+            : QString();
     AboutDialog(view.openGLName(), wayBack, &m_window).exec();
 }
 

@@ -49,7 +49,7 @@ std::filesystem::path WindowQuestions::askFileName(const std::filesystem::path &
 
 bool WindowQuestions::askOverwrite(const std::filesystem::path &file)
 {
-    return ask(m_window, tr("Save Scene"), tr("%1 is there already. Replace it?").arg(pathText(file)),
+    return ask(m_window, tr("Save Scene"), tr("%1 exists already. Replace it?").arg(pathText(file)),
                QMessageBox::Yes | QMessageBox::Cancel, QMessageBox::Cancel)
            == QMessageBox::Yes;
 }

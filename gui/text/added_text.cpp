@@ -71,7 +71,8 @@ bool areFarApart(const std::vector<SceneObject> &objects)
 QString sizesText(const std::vector<SceneObject> &objects, std::size_t added)
 {
     if (areFarApart(objects))
-        return AddedText::tr("The objects lie so far apart that all of them are specks: Fit, in Objects, shows each.");
+        return AddedText::tr(
+            "The objects are so far apart that each looks like a dot. To see one, choose Fit in the Objects panel.");
     const std::optional<Misfit> misfit = misfitAmong(objects, added);
     if (!misfit)
         return {};
@@ -79,8 +80,12 @@ QString sizesText(const std::vector<SceneObject> &objects, std::size_t added)
     const double times = std::max(misfit->ratio, 1.0 / misfit->ratio);
     const QString ratio = QLocale().toString(std::round(times), 'f', 0);
     return misfit->ratio > 1.0
-               ? AddedText::tr("%1 is %2 times as large as the rest: Fit, in Objects, shows each.").arg(name, ratio)
-               : AddedText::tr("The rest is %2 times as large as %1: Fit, in Objects, shows each.").arg(name, ratio);
+               ? AddedText::tr(
+                     "%1 is %2 times as large as the rest. To see one object, choose Fit in the Objects panel.")
+                     .arg(name, ratio)
+               : AddedText::tr(
+                     "The rest is %2 times as large as %1. To see one object, choose Fit in the Objects panel.")
+                     .arg(name, ratio);
 }
 
 QString addedText(const std::vector<SceneObject> &objects, std::size_t added)

@@ -36,8 +36,7 @@ QString apiText(geometry::Api api)
     case Api::WebGpu: return ApiText::tr("z of NDC from 0 to 1; pixels from the top-left corner, y down.");
     case Api::ThreeJs:
         return ApiText::tr(
-            "Logical (CSS) pixels from the top-left corner, as clientX and clientY have them; all else as "
-            "in OpenGL.");
+            "Logical (CSS) pixels from the top-left corner, as in clientX and clientY; everything else as in OpenGL.");
     case Api::Unity:
         return ApiText::tr(
             "The world is left-handed: its z is negated. The camera's matrices are OpenGL's, pixels count "
@@ -45,7 +44,7 @@ QString apiText(geometry::Api api)
             "(SystemInfo.usesReversedZBuffer; where Unity runs on OpenGL it is not).");
     case Api::OpenCv:
         return ApiText::tr("x right, y down, z forward; pixels from the top-left corner with their centres at whole "
-                           "numbers; x / z and y / z in the place of NDC, z in that of the depth. Without distortion.");
+                           "numbers. x / z and y / z replace NDC, z replaces the depth. No lens distortion.");
     case Api::OpenCascade: return ApiText::tr("Row vectors, v · M; pixels from the top-left corner, y down.");
     }
     return {};

@@ -71,10 +71,10 @@ QString errorText(const text::ExpressionError &error, const QString &typed)
     const QString all = shortened(typed.trimmed());
     using Code = text::ExpressionErrorCode;
     switch (error.code) {
-    case Code::Empty: return Errors::tr("There is no number; type one.");
+    case Code::Empty: return Errors::tr("The field is empty. Type a number.");
     case Code::MissingNumber:
-        return part.isEmpty() ? Errors::tr("“%1” ends where a number is wanted.").arg(all)
-                              : Errors::tr("“%1”: a number is wanted before “%2” (character %3).")
+        return part.isEmpty() ? Errors::tr("“%1” ends where a number is expected. Complete it.").arg(all)
+                              : Errors::tr("“%1”: a number is missing before “%2” (character %3).")
                                     .arg(all, shortened(part))
                                     .arg(place);
     case Code::MissingOperator:
@@ -91,10 +91,10 @@ QString errorText(const text::ExpressionError &error, const QString &typed)
     case Code::UnknownName:
         return Errors::tr("“%1” is not a number; type one such as 0.5, 1e-3, 1/3 or 2*pi.").arg(shortened(part));
     case Code::UnknownCharacter:
-        return Errors::tr("“%1”: “%2” (character %3) means nothing here; + - * / and parentheses do.")
+        return Errors::tr("“%1”: “%2” (character %3) is not allowed here; use + - * / and parentheses.")
             .arg(all, part)
             .arg(place);
-    case Code::NotCalled: return Errors::tr("%1 wants its number in parentheses: %1(2).").arg(part);
+    case Code::NotCalled: return Errors::tr("%1 needs its number in parentheses: %1(2).").arg(part);
     case Code::UnclosedParenthesis:
         return Errors::tr("“%1”: the parenthesis at character %2 is not closed.").arg(all).arg(place);
     case Code::UnopenedParenthesis:
@@ -102,7 +102,7 @@ QString errorText(const text::ExpressionError &error, const QString &typed)
     case Code::DivisionByZero: return Errors::tr("“%1” divides by 0 (character %2).").arg(all).arg(place);
     case Code::RootOfNegative: return Errors::tr("“%1” takes the root of a negative number.").arg(all);
     case Code::OutOfRange: return Errors::tr("%1 is too large or too small for a number here.").arg(shortened(part));
-    case Code::TooDeep: return Errors::tr("“%1” has too many parentheses inside each other.").arg(all);
+    case Code::TooDeep: return Errors::tr("“%1” nests too many parentheses. Use fewer.").arg(all);
     }
     Q_UNREACHABLE();
 }

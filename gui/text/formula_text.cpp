@@ -80,13 +80,13 @@ FormulaTerms termsOf(const Pick &pick, const EyePoint &eye, const WorldPoint &wo
         {"n", scalar("n", Formulas::tr("Distance of the near plane, eye units"), w.nearDistance)},
         {"f", scalar("f", Formulas::tr("Distance of the far plane, eye units"), w.farDistance)},
         {"d", FormulaTerm{QStringLiteral("d"),
-                          Formulas::tr("The depth that was read, 0 at the near and 1 at the far plane"),
+                          Formulas::tr("Depth from the depth buffer, 0 at the near and 1 at the far plane"),
                           {depthText(depth).replace(u'-', u'−')},
                           {depth}}},
         {"z", scalar("z", Formulas::tr("Distance of the point in front of the eye, eye units"), z)},
-        {"x", scalar("x", Formulas::tr("The point to the right of the eye, eye units"), eye.x)},
-        {"y", scalar("y", Formulas::tr("The point above the eye, eye units"), eye.y)},
-        {"eye", vector("eye", Formulas::tr("Where the eye is, world units"), frame.eye, pick.uncertainty.world)},
+        {"x", scalar("x", Formulas::tr("Distance of the point to the right of the eye, eye units"), eye.x)},
+        {"y", scalar("y", Formulas::tr("Distance of the point above the eye, eye units"), eye.y)},
+        {"eye", vector("eye", Formulas::tr("Position of the eye, world units"), frame.eye, pick.uncertainty.world)},
         {"s", vector("<b>s</b>", Formulas::tr("The eye's axis to the right, world space"), frame.side)},
         {"u", vector("<b>u</b>", Formulas::tr("The eye's axis upwards, world space"), frame.upward)},
         {"forward", vector("<b>f</b>", Formulas::tr("The eye's axis forwards, world space"), frame.forward)},
@@ -100,7 +100,7 @@ FormulaTerms termsOf(const Pick &pick, const EyePoint &eye, const WorldPoint &wo
                 scalar(before, Formulas::tr("The point in the box, before the shear, eye units"),
                        sheared - cotangent(angle) * z);
             terms[QLatin1String(cot)] = {QString::fromUtf8(symbol),
-                                         Formulas::tr("How far the shear moves a unit of z"),
+                                         Formulas::tr("Shift by the shear per unit of z"),
                                          {QStringLiteral("cot %1°").arg(degrees)},
                                          {cotangent(angle)}};
         };
@@ -150,10 +150,11 @@ PickFormulas rayFormulas(const Pick &pick)
     PickFormulas result;
     result.terms = {
         {"p", {QStringLiteral("p(t)"), Formulas::tr("A point of the ray, world units"), {}, {}}},
-        {"t", {QStringLiteral("t"), Formulas::tr("The share of the way from the near to the far plane"), {}, {}}},
-        {"near", vector("near", Formulas::tr("Where the ray enters the view volume, world units"), *enter)},
-        {"way", vector("(far − near)", Formulas::tr("The way to where the ray leaves the view volume, world units"),
-                       *leave - *enter)}};
+        {"t", {QStringLiteral("t"), Formulas::tr("Fraction of the distance from the near to the far plane"), {}, {}}},
+        {"near", vector("near", Formulas::tr("Point where the ray enters the view volume, world units"), *enter)},
+        {"way",
+         vector("(far − near)", Formulas::tr("Vector to the point where the ray leaves the view volume, world units"),
+                *leave - *enter)}};
     result.formulas.emplace_back(QString(), QStringLiteral("p"), QStringLiteral("[near] + [t]*[way]"), result.terms,
                                  QStringLiteral(", 0 ≤ t ≤ 1"));
     return result;
@@ -179,8 +180,8 @@ QString certaintyText(const Pick &pick)
     if (pick.hit()) {
         const Certainty &c = pick.certainty;
         if (pick.sample.dotPixels > 1.0)
-            return Formulas::tr("The buffers leave ± %1 along the view and ± %2 × %3 across it "
-                                "(half of the %4 pixels that a point is drawn wide).")
+            return Formulas::tr("Accuracy ± %1 along the view and ± %2 × %3 across it (half of the %4 pixels that a "
+                                "point is drawn wide).")
                 .arg(boundText(c.distance), boundText(c.footprintWidth / 2.0), boundText(c.footprintHeight / 2.0),
                      significantText(pick.sample.dotPixels, 3));
         return Formulas::tr("Accuracy ± %1 along the view (depth buffer alone ± %2). A pixel covers %3 × %4 here.")

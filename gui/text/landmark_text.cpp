@@ -66,16 +66,16 @@ QString heldByText(const landmarks::Landmark &landmark)
 QString heldByExplanation(const landmarks::Landmark &landmark)
 {
     if (landmark.isMissing())
-        return Points::tr("It has no place: not placed yet, or not there on this object.");
+        return Points::tr("No position: not placed yet, or missing on this object.");
     return std::visit(
-        Cases{[](const landmarks::Free &) { return Points::tr("Held by nothing: its coordinates say where it is."); },
+        Cases{[](const landmarks::Free &) { return Points::tr("Free: only its coordinates define the position."); },
               [](const landmarks::OnTriangle &held) {
                   return Points::tr("On triangle %1 of the mesh, by barycentric coordinates %2, %3, %4.")
                       .arg(QString::number(held.triangle), writtenText(held.barycentric.x, 6),
                            writtenText(held.barycentric.y, 6), writtenText(held.barycentric.z, 6));
               },
               [](const landmarks::AtVertex &held) {
-                  return Points::tr("At vertex %1 of the mesh, its very coordinate.").arg(held.vertex);
+                  return Points::tr("At vertex %1 of the mesh, with its exact coordinate.").arg(held.vertex);
               },
               [](const landmarks::OnEdge &held) {
                   return Points::tr("On the edge from vertex %1 to vertex %2 of the mesh, %3 of the way.")
@@ -132,11 +132,11 @@ QString measureErrorText(const landmarks::MeasureError &error)
 {
     using Code = landmarks::MeasureError::Code;
     switch (error.code) {
-    case Code::Missing: return Points::tr("a point is missing");
-    case Code::TooFew: return Points::tr("there are fewer than two points");
-    case Code::SamePoint: return Points::tr("two points are at one place, so there is no direction");
+    case Code::Missing: return Points::tr("a landmark is missing");
+    case Code::TooFew: return Points::tr("there are fewer than two landmarks");
+    case Code::SamePoint: return Points::tr("two landmarks coincide, so there is no direction");
     case Code::NoPlane:
-        return Points::tr("as far as they are certain, the three points lie on one line, so there is no plane");
+        return Points::tr("within their uncertainty the three landmarks lie on one line, so there is no plane");
     }
     return {};
 }

@@ -32,18 +32,18 @@ QString quantityName(Quantity quantity)
 QString quantityText(Quantity quantity)
 {
     switch (quantity) {
-    case Quantity::FormulaMatrix: return MapText::tr("How far the formulas' point is from the inverted matrix's");
+    case Quantity::FormulaMatrix:
+        return MapText::tr("Distance between the points of the formulas and of the inverted matrix");
     case Quantity::FormulaRay:
-        return MapText::tr("How far the formulas' point is from where the pixel's ray meets the mesh");
+        return MapText::tr("Distance from the formulas' point to the hit of the pixel's ray on the mesh");
     case Quantity::MatrixRay:
-        return MapText::tr("How far the inverted matrix's point is from where the pixel's ray meets the mesh");
+        return MapText::tr("Distance from the inverted matrix's point to the hit of the pixel's ray on the mesh");
     case Quantity::Uncertainty:
-        return MapText::tr(
-            "How far the surface may be from the point of a click: the length of its ± in the comparison. A "
-            "placed point's ± has half a pixel to the side besides");
+        return MapText::tr("Greatest distance of the surface from the point of a click: the length of its ± in the "
+                           "Comparison panel. The ± of a landmark adds half a pixel to the side");
     case Quantity::Displacement:
-        return MapText::tr("How far what another program answers, or a program with a mistake, is from the formulas' "
-                           "point");
+        return MapText::tr(
+            "Distance from the formulas' point to the answer of another program, or of a program with a mistake");
     }
     return {};
 }

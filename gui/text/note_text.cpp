@@ -34,7 +34,8 @@ QString notesText(const QString &fileName, const std::vector<ModelNote> &notes)
         return note.kind == ModelNote::Kind::TextureUnusable;
     });
     if (isUnusable && !QImageReader::supportedImageFormats().contains("jpeg"))
-        sentences << NoteTexts::tr("JPEG is not known here: Qt's plugin for it is missing. Convert it to PNG.");
+        sentences << NoteTexts::tr(
+            "JPEG is not supported here: Qt's plugin for it is missing. Convert the file to PNG.");
     return sentences.isEmpty() ? QString() : ofFile(fileName, joinSentences(sentences));
 }
 

@@ -97,9 +97,8 @@ QString rayComparisonText(const RayComparison &comparison, const QString &shown,
                                   "the exact hit.")
                          .arg(ray, distance, frame);
     case Kind::SameDepth:
-        return RayTexts::tr(
-                   "Two surfaces at one depth, %1 apart: %2 is drawn, the ray meets %3. Which is in front neither "
-                   "can tell; trust the exact hit's coordinates.")
+        return RayTexts::tr("Two surfaces at one depth, %1 apart: %2 is drawn, the ray meets %3. Neither method shows "
+                            "which is in front; trust the exact hit's coordinates.")
             .arg(distance, frame, ray);
     case Kind::OnlyFrame:
         return RayTexts::tr(
@@ -133,7 +132,7 @@ QString rayPreparingText()
 
 QString rayImpossibleText(const QString &reason)
 {
-    return reason.isEmpty() ? RayTexts::tr("This picture has no ray.")
+    return reason.isEmpty() ? RayTexts::tr("This setup has no ray.")
                             : RayTexts::tr("There is no exact hit: %1.").arg(reason);
 }
 
@@ -144,16 +143,16 @@ QString rayDetailText(Snap snap, const std::optional<SceneHit> &hit)
     switch (snap) {
     case Snap::Surface: return hit ? surfaceText(*hit) : QString();
     case Snap::Vertex:
-        return hit ? RayTexts::tr("Taken: vertex %1, of triangle %2.")
+        return hit ? RayTexts::tr("Snapped to vertex %1 of triangle %2.")
                          .arg(numbered(hit->vertex.id), numbered(hit->triangle->triangle))
                    : sentence(ray::nothingText(snap));
     case Snap::Edge:
-        return hit ? RayTexts::tr("Taken: the nearest point of the edge %1 to %2, of triangle %3.")
+        return hit ? RayTexts::tr("Snapped to the nearest point of edge %1 to %2 of triangle %3.")
                          .arg(numbered(hit->triangle->edge.ids[0]), numbered(hit->triangle->edge.ids[1]),
                               numbered(hit->triangle->triangle))
                    : sentence(ray::nothingText(snap));
     case Snap::Face:
-        return hit ? RayTexts::tr("Taken: face %1, in the plane %2.")
+        return hit ? RayTexts::tr("Snapped to face %1 in the plane %2.")
                          .arg(numbered(hit->triangle->triangle), planeText(*hit))
                    : sentence(ray::nothingText(snap));
     }
@@ -176,16 +175,15 @@ QString takenCertaintyText(Snap snap, const SceneHit &taken)
     const WorldVector &u = taken.uncertainty;
     const QString most = boundText(std::max({u.x, u.y, u.z}));
     if (snap == Snap::Vertex || !taken.triangle)
-        return RayTexts::tr("The vertex taken is certain to ± %1: it is the file's. The table is of the pixel "
-                            "that was clicked.")
-            .arg(most);
+        return RayTexts::
+            tr("The vertex is accurate to ± %1: its coordinate comes from the file. The table shows the clicked pixel.")
+                .arg(most);
     if (snap == Snap::Edge)
-        return RayTexts::tr(
-                   "The point taken on the edge is certain to ± %1: it does not go through the depth buffer. The "
-                   "table is of the pixel that was clicked.")
+        return RayTexts::tr("The point on the edge is accurate to ± %1: it does not use the depth buffer. The table "
+                            "shows the clicked pixel.")
             .arg(most);
-    return RayTexts::tr("The point taken on the face is certain to ± %1: it does not go through the depth buffer. The "
-                        "table is of the pixel that was clicked.")
+    return RayTexts::tr("The point on the face is accurate to ± %1: it does not use the depth buffer. The table shows "
+                        "the clicked pixel.")
         .arg(most);
 }
 

@@ -150,8 +150,7 @@ bool FrameView::beginFrame(Frame &frame)
 {
     if (!beginFrame(frame, m_contents, false)) {
         const Surface &surface = m_contents.drawn.setup.surface;
-        emit failed(tr("OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics "
-                       "driver.")
+        emit failed(tr("OpenGL cannot draw %1 × %2 pixels. Make the window smaller, or update the graphics driver.")
                         .arg(surface.widthPixels)
                         .arg(surface.heightPixels));
         return false;

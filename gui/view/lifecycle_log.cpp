@@ -213,9 +213,9 @@ QString LifecycleLog::callsText(const QModelIndex &index) const
     const bool isStep = parent(index).isValid();
     const LifecycleEvent &event = isStep ? row.steps[std::size_t(index.row())].event : row.event();
     if (isStep ? event.hasStandIns : row.count == 1 && row.standIns > 0)
-        return tr("%1; large models were drawn coarse").arg(event.calls);
+        return tr("%1; large models were drawn coarsely").arg(event.calls);
     if (!isStep && row.standIns > 0)
-        return tr("%1; in %2 of %3 pictures large models were drawn coarse")
+        return tr("%1; in %2 of %3 frames large models were drawn coarsely")
             .arg(event.calls)
             .arg(row.standIns)
             .arg(row.count);
@@ -236,8 +236,8 @@ QString LifecycleLog::toolTip(const QModelIndex &index) const
     case StandsFor:
         return row.standIns == 0 ? text
                                  : text + u'\n'
-                                       + tr("While the view moves, large models are shown by coarse ones that stand in "
-                                            "for them. Clicks always read the full model.");
+                                       + tr("While the view moves, large models are drawn coarsely. Clicks always read "
+                                            "the full model.");
     default: break;
     }
     return isFolded && !row.event().isParameter() ? tr("The last of %1. Mean: %2 ms")
@@ -256,18 +256,18 @@ QVariant LifecycleLog::headerData(int section, Qt::Orientation orientation, int 
         switch (section) {
         case Time: return tr("Time");
         case Step: return tr("Step");
-        case StandsFor: return tr("Stands for");
+        case StandsFor: return tr("OpenGL calls");
         case Took: return tr("Took");
         }
     }
     if (role == Qt::ToolTipRole) {
         switch (section) {
-        case Time: return tr("Seconds since the view's first step; of a folded row, those of its first");
+        case Time: return tr("Seconds since the view's first step; a folded row shows its first step");
         case Step:
-            return tr("The step under its name in Weng et al. 2008, with its arguments (sizes in device pixels, "
-                      "positions in logical pixels from the top-left corner), or the parameter that changed");
-        case StandsFor: return tr("The OpenGL calls that the step makes, or the call that has the parameter");
-        case Took: return tr("Milliseconds of the step; of a folded row, those of its last");
+            return tr("Name of the step in Weng et al. 2008 with its arguments, or the changed parameter. Sizes are in "
+                      "device pixels, positions in logical pixels from the top-left corner");
+        case StandsFor: return tr("OpenGL calls of the step, or the call that takes the parameter");
+        case Took: return tr("Duration of the step in milliseconds; a folded row shows its last step");
         }
     }
     return {};

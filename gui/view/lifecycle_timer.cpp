@@ -32,8 +32,9 @@ QString formatText(const QSurfaceFormat &format)
 
 LifecycleEvent LifecycleTimer::preCreateWindow(const QSurfaceFormat &wanted, const QSurfaceFormat &given)
 {
-    return {
-        Kind::PreCreateWindow, {}, SceneView::tr("asked for: %1; came: %2").arg(formatText(wanted), formatText(given))};
+    return {Kind::PreCreateWindow,
+            {},
+            SceneView::tr("requested: %1; received: %2").arg(formatText(wanted), formatText(given))};
 }
 
 LifecycleEvent LifecycleTimer::onCreate() const

@@ -20,20 +20,19 @@ QString remedy()
 {
 #ifdef Q_OS_WIN
     return hasSoftwareOpenGL()
-               ? OpenGLCheck::tr(
-                   "Update the graphics driver. The opengl32sw.dll in the program's folder does not help; "
-                   "take a newer one of Mesa's.")
+               ? OpenGLCheck::tr("Update the graphics driver. The opengl32sw.dll in the program's folder does not "
+                                 "help; replace it with a newer one from Mesa.")
                : OpenGLCheck::tr("Update the graphics driver. On a remote desktop or in a virtual machine, put Mesa's "
                                  "opengl32sw.dll into the program's folder.");
 #else
-    return OpenGLCheck::tr("Install or update the graphics driver. Without a graphics card Mesa draws (Debian, Ubuntu: "
-                           "libgl1-mesa-dri).");
+    return OpenGLCheck::tr("Install or update the graphics driver. Without a graphics card, install Mesa (Debian, "
+                           "Ubuntu: libgl1-mesa-dri).");
 #endif
 }
 
 QString noOpenGL()
 {
-    return OpenGLCheck::tr("There is no OpenGL here; the view needs 3.3. %1").arg(remedy());
+    return OpenGLCheck::tr("OpenGL is missing; the view needs OpenGL 3.3. %1").arg(remedy());
 }
 
 } // namespace
@@ -57,7 +56,7 @@ QString openGLProblem(QOpenGLContext &context)
     if (actual.version() >= needed.version())
         return {};
     const auto *renderer = reinterpret_cast<const char *>(context.functions()->glGetString(GL_RENDERER));
-    return OpenGLCheck::tr("OpenGL is %1.%2 here (%3); the view needs 3.3. %4")
+    return OpenGLCheck::tr("This computer has OpenGL %1.%2 (%3); the view needs 3.3. %4")
         .arg(actual.majorVersion())
         .arg(actual.minorVersion())
         .arg(QString::fromLatin1(renderer), remedy());

@@ -43,7 +43,7 @@ void showViewMenu(SceneView &view, SceneDocument &document, const WidgetPoint &p
     add("copyPoint", SceneView::tr("Pick and Copy Point"), {},
         !surface      ? SceneView::tr("Background: no surface here")
         : !isPrepared ? rayPreparingText()
-                      : SceneView::tr("Read the world coordinate of this pixel and copy it, all its digits"),
+                      : SceneView::tr("Read the world coordinate of this pixel and copy it with all digits"),
         surface && isPrepared, [&view, &document, position] {
             view.pickAt(position);
             if (const std::optional<WorldPoint> point = document.picks().pickedPoint())
@@ -52,17 +52,18 @@ void showViewMenu(SceneView &view, SceneDocument &document, const WidgetPoint &p
                         .arg(shortestText(point->x), shortestText(point->y), shortestText(point->z)));
         });
     add("lookHere", SceneView::tr("Look at This Point"), {},
-        SceneView::tr("Bring it to the middle; the view turns about it"), surface.has_value(),
+        SceneView::tr("Centre the view on this point and turn about it"), surface.has_value(),
         [&document, surface] { setCamera(document, recentered(document.setup(), *surface)); });
     menu->addSeparator();
     add("fit", SceneView::tr("Fit"), Qt::Key_F, SceneView::tr("Move the camera until all objects fill the view"), true,
         [&document] { fitAll(document); });
-    add("fitObject", SceneView::tr("Fit This Object"), {}, SceneView::tr("Look at this object: it fills the view"),
-        object.has_value(), [&document, object] { fitObject(document, *object); });
+    add("fitObject", SceneView::tr("Fit This Object"), {},
+        SceneView::tr("Move the camera so that this object fills the view"), object.has_value(),
+        [&document, object] { fitObject(document, *object); });
     add("hideObject", SceneView::tr("Hide This Object"), {},
-        SceneView::tr("Neither draw nor click it; the Objects panel shows it again"), object.has_value(),
+        SceneView::tr("Hide it from the view and from clicks; the Objects panel shows it again"), object.has_value(),
         [&document, object] { static_cast<void>(setObjectHidden(document, *object, true)); });
-    add("showAll", SceneView::tr("Show All Objects"), {}, SceneView::tr("Those that are hidden as well"),
+    add("showAll", SceneView::tr("Show All Objects"), {}, SceneView::tr("Show the hidden objects again"),
         hasHiddenObjects(document.scene()), [&document] { static_cast<void>(showAllObjects(document)); });
     // The menu refers to objects by index, and to the pick.
     QObject::connect(&document, &SceneDocument::changed, menu, [menu](Changes changes) {

@@ -104,7 +104,7 @@ void SteadyLabel::contextMenuEvent(QContextMenuEvent *event)
     menu->setAttribute(Qt::WA_DeleteOnClose);
     QString copied = hasSelectedText() ? selectedText() : textFormat() == Qt::RichText ? m_plain : text();
     copied.replace(QChar::Nbsp, u' '); // they only keep lines from breaking
-    menu->addAction(hasSelectedText() ? tr("Copy the &selection") : tr("Copy the &words"), menu,
+    menu->addAction(hasSelectedText() ? tr("Copy the &selection") : tr("Copy the &text"), menu,
                     [copied] { copyToClipboard(copied); });
     if (!m_value.numbers.empty())
         menu->addSeparator();

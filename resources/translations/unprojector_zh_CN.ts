@@ -60,7 +60,7 @@
         <translation>%1 是 NDC 的 z，范围为 −1 到 1。深度的范围为 %2 到 %3。</translation>
     </message>
     <message>
-        <source>%1 comes out when z in NDC, from −1 to 1, stands for the depth.</source>
+        <source>%1 comes out when z in NDC, from −1 to 1, is used as the depth.</source>
         <translation>把 NDC 的 z（−1 到 1）当作深度，才会得到 %1。</translation>
     </message>
     <message>
@@ -68,7 +68,7 @@
         <translation>%1 是深度，范围为 %2 到 %3。NDC 的 z 范围为 −1 到 1。</translation>
     </message>
     <message>
-        <source>%1 comes out when the depth stands for z in NDC, from −1 to 1.</source>
+        <source>%1 comes out when the depth is used as z in NDC, from −1 to 1.</source>
         <translation>把深度当作 NDC 的 z（−1 到 1），才会得到 %1。</translation>
     </message>
     <message>
@@ -262,15 +262,15 @@
         <translation>模型 (%1)</translation>
     </message>
     <message>
-        <source>There is no number; type one.</source>
+        <source>The field is empty. Type a number.</source>
         <translation>没有输入数；请输入一个数。</translation>
     </message>
     <message>
-        <source>“%1” ends where a number is wanted.</source>
+        <source>“%1” ends where a number is expected. Complete it.</source>
         <translation>“%1”的末尾缺少一个数。</translation>
     </message>
     <message>
-        <source>“%1”: a number is wanted before “%2” (character %3).</source>
+        <source>“%1”: a number is missing before “%2” (character %3).</source>
         <translation>“%1”：“%2”（第 %3 个字符）之前缺少一个数。</translation>
     </message>
     <message>
@@ -286,11 +286,11 @@
         <translation>“%1”不是数；请输入如 0.5、1e-3、1/3 或 2*pi 的数。</translation>
     </message>
     <message>
-        <source>“%1”: “%2” (character %3) means nothing here; + - * / and parentheses do.</source>
+        <source>“%1”: “%2” (character %3) is not allowed here; use + - * / and parentheses.</source>
         <translation>“%1”：“%2”（第 %3 个字符）在此没有意义；可用 + - * / 和括号。</translation>
     </message>
     <message>
-        <source>%1 wants its number in parentheses: %1(2).</source>
+        <source>%1 needs its number in parentheses: %1(2).</source>
         <translation>%1 的数要写在括号里：%1(2)。</translation>
     </message>
     <message>
@@ -314,7 +314,7 @@
         <translation>%1 太大或太小，无法作为数使用。</translation>
     </message>
     <message>
-        <source>“%1” has too many parentheses inside each other.</source>
+        <source>“%1” nests too many parentheses. Use fewer.</source>
         <translation>“%1”的括号嵌套过多。</translation>
     </message>
     <message>
@@ -377,7 +377,7 @@
         <translation>远平面的距离，观察坐标单位</translation>
     </message>
     <message>
-        <source>The depth that was read, 0 at the near and 1 at the far plane</source>
+        <source>Depth from the depth buffer, 0 at the near and 1 at the far plane</source>
         <translation>读出的深度，近平面为 0，远平面为 1</translation>
     </message>
     <message>
@@ -385,15 +385,15 @@
         <translation>该点在视点前方的距离，观察坐标单位</translation>
     </message>
     <message>
-        <source>The point to the right of the eye, eye units</source>
+        <source>Distance of the point to the right of the eye, eye units</source>
         <translation>该点在视点右方的距离，观察坐标单位</translation>
     </message>
     <message>
-        <source>The point above the eye, eye units</source>
+        <source>Distance of the point above the eye, eye units</source>
         <translation>该点在视点上方的距离，观察坐标单位</translation>
     </message>
     <message>
-        <source>Where the eye is, world units</source>
+        <source>Position of the eye, world units</source>
         <translation>视点的位置，世界单位</translation>
     </message>
     <message>
@@ -417,7 +417,7 @@
         <translation>错切之前盒中的点，观察坐标单位</translation>
     </message>
     <message>
-        <source>How far the shear moves a unit of z</source>
+        <source>Shift by the shear per unit of z</source>
         <translation>错切使每单位 z 移动的距离</translation>
     </message>
     <message>
@@ -425,15 +425,15 @@
         <translation>射线上的一点，世界单位</translation>
     </message>
     <message>
-        <source>The share of the way from the near to the far plane</source>
+        <source>Fraction of the distance from the near to the far plane</source>
         <translation>从近平面到远平面的路程比例</translation>
     </message>
     <message>
-        <source>Where the ray enters the view volume, world units</source>
+        <source>Point where the ray enters the view volume, world units</source>
         <translation>射线进入视景体的位置，世界单位</translation>
     </message>
     <message>
-        <source>The way to where the ray leaves the view volume, world units</source>
+        <source>Vector to the point where the ray leaves the view volume, world units</source>
         <translation>到射线离开视景体处的位移，世界单位</translation>
     </message>
     <message>
@@ -441,7 +441,7 @@
         <translation>射线在 %1 处进入视景体，在 %2 处离开。</translation>
     </message>
     <message>
-        <source>The buffers leave ±&#xa0;%1 along the view and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half of the %4 pixels that a point is drawn wide).</source>
+        <source>Accuracy ± %1 along the view and ± %2 × %3 across it (half of the %4 pixels that a point is drawn wide).</source>
         <translation>缓冲所允许的误差：沿视线方向 ±&#xa0;%1（半个深度级），垂直于视线方向 ±&#xa0;%2&#xa0;×&#xa0;%3（点画成 %4 像素宽，此为其一半）。</translation>
     </message>
     <message>
@@ -452,7 +452,7 @@
 <context>
     <name>OpenGLCheck</name>
     <message>
-        <source>Update the graphics driver. The opengl32sw.dll in the program&apos;s folder does not help; take a newer one of Mesa&apos;s.</source>
+        <source>Update the graphics driver. The opengl32sw.dll in the program&apos;s folder does not help; replace it with a newer one from Mesa.</source>
         <translation>请更新显卡驱动程序。程序文件夹中的 opengl32sw.dll 无济于事，请换用较新的 Mesa 版本。</translation>
     </message>
     <message>
@@ -460,15 +460,15 @@
         <translation>请更新显卡驱动程序。若在远程桌面或虚拟机中，请把 Mesa 的 opengl32sw.dll 放入程序所在的文件夹。</translation>
     </message>
     <message>
-        <source>Install or update the graphics driver. Without a graphics card Mesa draws (Debian, Ubuntu: libgl1-mesa-dri).</source>
-        <translation>请安装或更新显卡驱动程序。没有显卡时可由 Mesa 绘制（Debian、Ubuntu：libgl1-mesa-dri）。</translation>
+        <source>Install or update the graphics driver. Without a graphics card, install Mesa (Debian, Ubuntu: libgl1-mesa-dri).</source>
+        <translation>请安装或更新图形驱动程序。没有显卡时请安装 Mesa（Debian、Ubuntu：libgl1-mesa-dri）。</translation>
     </message>
     <message>
-        <source>There is no OpenGL here; the view needs 3.3. %1</source>
+        <source>OpenGL is missing; the view needs OpenGL 3.3. %1</source>
         <translation>此处没有 OpenGL，而视图需要 OpenGL 3.3。%1</translation>
     </message>
     <message>
-        <source>OpenGL is %1.%2 here (%3); the view needs 3.3. %4</source>
+        <source>This computer has OpenGL %1.%2 (%3); the view needs 3.3. %4</source>
         <translation>此处的 OpenGL 版本为 %1.%2（%3），而视图需要 3.3。%4</translation>
     </message>
 </context>
@@ -502,7 +502,7 @@
         <translation>模型准备好后，即给出射线与网格的交点。</translation>
     </message>
     <message>
-        <source>This picture has no ray.</source>
+        <source>This setup has no ray.</source>
         <translation>此画面没有射线。</translation>
     </message>
     <message>
@@ -514,15 +514,15 @@
         <translation>点云中的点 %1。</translation>
     </message>
     <message>
-        <source>Taken: vertex %1, of triangle %2.</source>
+        <source>Snapped to vertex %1 of triangle %2.</source>
         <translation>所取：顶点 %1，属于三角形 %2。</translation>
     </message>
     <message>
-        <source>Taken: the nearest point of the edge %1 to %2, of triangle %3.</source>
+        <source>Snapped to the nearest point of edge %1 to %2 of triangle %3.</source>
         <translation>所取：边 %1–%2 上最近的点，属于三角形 %3。</translation>
     </message>
     <message>
-        <source>Taken: face %1, in the plane %2.</source>
+        <source>Snapped to face %1 in the plane %2.</source>
         <translation>所取：面 %1，所在平面 %2。</translation>
     </message>
     <message>
@@ -546,7 +546,7 @@
         <translation>射线与 %1 相交，在 %3 之后 %2：一条边经过像素中心，而 GPU 绘制边只精确到 1/256 像素。应信射线。</translation>
     </message>
     <message>
-        <source>Two surfaces at one depth, %1 apart: %2 is drawn, the ray meets %3. Which is in front neither can tell; trust the ray&apos;s coordinates.</source>
+        <source>Two surfaces at one depth, %1 apart: %2 is drawn, the ray meets %3. Neither method shows which is in front; trust the ray&apos;s coordinates.</source>
         <translation>两个表面在同一深度，相距 %1：绘出的是 %2，射线与 %3 相交。哪个在前两者都无法判断；坐标应信射线。</translation>
     </message>
     <message>
@@ -586,15 +586,15 @@
         <translation>“%2”的面 %1 上的点</translation>
     </message>
     <message>
-        <source>The vertex taken is certain to ± %1: it is the file&apos;s. The table is of the pixel that was clicked.</source>
+        <source>The vertex is accurate to ± %1: its coordinate comes from the file. The table shows the clicked pixel.</source>
         <translation>所取顶点的可靠程度为 ± %1：它是文件中的顶点。表格是所点击像素的数值。</translation>
     </message>
     <message>
-        <source>The point taken on the edge is certain to ± %1: it does not go through the depth buffer. The table is of the pixel that was clicked.</source>
+        <source>The point on the edge is accurate to ± %1: it does not use the depth buffer. The table shows the clicked pixel.</source>
         <translation>边上所取的点的可靠程度为 ± %1：它不经过深度缓冲。表格是所点击像素的数值。</translation>
     </message>
     <message>
-        <source>The point taken on the face is certain to ± %1: it does not go through the depth buffer. The table is of the pixel that was clicked.</source>
+        <source>The point on the face is accurate to ± %1: it does not use the depth buffer. The table shows the clicked pixel.</source>
         <translation>面上所取的点的可靠程度为 ± %1：它不经过深度缓冲。表格是所点击像素的数值。</translation>
     </message>
 </context>
@@ -668,8 +668,8 @@
         <translation>尚未启动</translation>
     </message>
     <message>
-        <source>Click a pixel of a 3-D view and get its world coordinate, computed twice: by the closed-form inverse formulas of Weng, Huang and Cai (2008) and by the inverted matrix, with the difference, its cause and how certain the coordinate is.</source>
-        <translation>点击三维视图中的一个像素，得到它的世界坐标，计算两遍：一遍用翁、黄、蔡（2008）的解析逆变换公式，一遍用逆矩阵，并给出两者之差、其原因以及坐标的可靠程度。</translation>
+        <source>Click a pixel of a 3-D view and get its world coordinate, computed twice: by the closed-form inverse formulas of Weng, Huang and Cai (2008) and by the inverted matrix. The window shows the difference, its cause and the uncertainty of the coordinate.</source>
+        <translation>点击三维视图中的一个像素，得到它的世界坐标，用两种方法计算：Weng、Huang 与 Cai（2008）的逆变换解析公式，以及逆矩阵。窗口显示两者之差、其原因，以及坐标的不确定度。</translation>
     </message>
     <message>
         <source>Versions</source>
@@ -712,15 +712,15 @@
         <translation>已添加 %1 个模型：%2</translation>
     </message>
     <message>
-        <source>%1 is %2 times as large as the rest: Fit, in Objects, shows each.</source>
+        <source>%1 is %2 times as large as the rest. To see one object, choose Fit in the Objects panel.</source>
         <translation>%1 的大小是其余物体的 %2 倍：用“物体”面板中的“适合窗口”可分别查看。</translation>
     </message>
     <message>
-        <source>The rest is %2 times as large as %1: Fit, in Objects, shows each.</source>
+        <source>The rest is %2 times as large as %1. To see one object, choose Fit in the Objects panel.</source>
         <translation>其余物体的大小是 %1 的 %2 倍：用“物体”面板中的“适合窗口”可分别查看。</translation>
     </message>
     <message>
-        <source>The objects lie so far apart that all of them are specks: Fit, in Objects, shows each.</source>
+        <source>The objects are so far apart that each looks like a dot. To see one, choose Fit in the Objects panel.</source>
         <translation>各物体相距太远，都只是小点：用“物体”面板中的“适合窗口”可分别查看。</translation>
     </message>
 </context>
@@ -751,11 +751,11 @@
         <translation>将您的答案与程序的答案比较</translation>
     </message>
     <message>
-        <source>Show the answer, and why it is so</source>
+        <source>Show the answer and its explanation</source>
         <translation>显示答案及其原因</translation>
     </message>
     <message>
-        <source>Whether your answer is right</source>
+        <source>Verdict on your answer</source>
         <translation>您的答案是否正确</translation>
     </message>
     <message>
@@ -770,7 +770,7 @@
 <context>
     <name>unprojector::gui::AnswerView</name>
     <message>
-        <source>What was clicked</source>
+        <source>Clicked object</source>
         <translation>点击的物体</translation>
     </message>
     <message>
@@ -782,12 +782,12 @@
         <translation>复制(&amp;C)</translation>
     </message>
     <message>
-        <source>Copy the coordinate with all its digits; in other forms by the arrow</source>
+        <source>Copy the coordinate with all digits; the arrow offers other forms</source>
         <translation>复制坐标的全部位数；其他形式见箭头</translation>
     </message>
     <message>
-        <source>World units. Grey digits are below the last certain place.</source>
-        <translation>世界单位。灰色数字在最后一个可靠位之后。</translation>
+        <source>World units. Grey digits are smaller than the uncertainty.</source>
+        <translation>世界单位。灰色数位小于不确定度。</translation>
     </message>
     <message>
         <source>Copy to the last certain digit</source>
@@ -852,7 +852,7 @@
         <translation>NDC 的 z 从 0 到 1；像素从左上角起计，y 向下。</translation>
     </message>
     <message>
-        <source>Logical (CSS) pixels from the top-left corner, as clientX and clientY have them; all else as in OpenGL.</source>
+        <source>Logical (CSS) pixels from the top-left corner, as in clientX and clientY; everything else as in OpenGL.</source>
         <translation>从左上角起计的逻辑（CSS）像素，与 clientX、clientY 相同；其余与 OpenGL 相同。</translation>
     </message>
     <message>
@@ -860,7 +860,7 @@
         <translation>世界坐标系为左手系：z 取负。相机矩阵与 OpenGL 相同，像素从左下角起计。深度缓冲反向，近平面为 1（SystemInfo.usesReversedZBuffer；Unity 在 OpenGL 上运行时不反向）。</translation>
     </message>
     <message>
-        <source>x right, y down, z forward; pixels from the top-left corner with their centres at whole numbers; x / z and y / z in the place of NDC, z in that of the depth. Without distortion.</source>
+        <source>x right, y down, z forward; pixels from the top-left corner with their centres at whole numbers. x / z and y / z replace NDC, z replaces the depth. No lens distortion.</source>
         <translation>x 向右，y 向下，z 向前；像素从左上角起计，像素中心在整数处；以 x / z、y / z 代替 NDC，以 z 代替深度。不含镜头畸变。</translation>
     </message>
     <message>
@@ -887,11 +887,11 @@
         <translation>相差</translation>
     </message>
     <message>
-        <source>Units of the last digit given: the greatest difference of a coordinate</source>
+        <source>Greatest difference of a coordinate, in units of the last given digit</source>
         <translation>以给出的末位为单位：各坐标之差中最大的</translation>
     </message>
     <message>
-        <source>How many of the digits given it explains</source>
+        <source>Number of given digits that the mistake explains</source>
         <translation>它能解释给出的多少位数字</translation>
     </message>
     <message>
@@ -899,7 +899,7 @@
         <translation>候选</translation>
     </message>
     <message>
-        <source>What could have made the point, the best first. The code to change is that of the chosen one</source>
+        <source>Mistakes that explain the point, the best first. The code to change belongs to the selected one</source>
         <translation>可能造成这个点的错误，最符合的在前。要改的代码是所选那一行的</translation>
     </message>
 </context>
@@ -914,7 +914,7 @@
         <translation>点击</translation>
     </message>
     <message>
-        <source>The view and what a click gives</source>
+        <source>The view and the answer to a click</source>
         <translation>视图，以及一次点击得到的结果</translation>
     </message>
     <message>
@@ -922,7 +922,7 @@
         <translation>表面(&amp;S)</translation>
     </message>
     <message>
-        <source>A click takes the surface under it</source>
+        <source>A click picks the surface under the pointer</source>
         <translation>点击选取其下的表面</translation>
     </message>
     <message>
@@ -930,7 +930,7 @@
         <translation>顶点(&amp;V)</translation>
     </message>
     <message>
-        <source>A click takes the vertex in sight within 8 pixels, its very coordinate</source>
+        <source>A click picks the visible vertex within 8 pixels, with its exact coordinate</source>
         <translation>点击选取 8 像素以内可见的顶点，给出其精确坐标</translation>
     </message>
     <message>
@@ -938,7 +938,7 @@
         <translation>边(&amp;E)</translation>
     </message>
     <message>
-        <source>A click takes the nearest point of an edge in sight within 8 pixels</source>
+        <source>A click picks the nearest point of a visible edge within 8 pixels</source>
         <translation>点击选取 8 像素以内可见的边上最近的点</translation>
     </message>
     <message>
@@ -946,7 +946,7 @@
         <translation>面(&amp;F)</translation>
     </message>
     <message>
-        <source>A click takes the face under it, with its plane</source>
+        <source>A click picks the face under the pointer, with its plane</source>
         <translation>点击选取其下的面及其所在平面</translation>
     </message>
     <message>
@@ -958,7 +958,7 @@
         <translation>捕捉到</translation>
     </message>
     <message>
-        <source>What a click takes of a mesh</source>
+        <source>Snap clicks to the surface, a vertex, an edge or a face</source>
         <translation>单击取网格上的什么</translation>
     </message>
     <message>
@@ -981,7 +981,7 @@
 <context>
     <name>unprojector::gui::ClipGroup</name>
     <message>
-        <source>Kept is where A x + B y + C z + D ≥ 0, in world coordinates.</source>
+        <source>The plane keeps points with A x + B y + C z + D ≥ 0, in world coordinates.</source>
         <translation>在世界坐标中，保留 A x + B y + C z + D ≥ 0 的一侧。</translation>
     </message>
     <message>
@@ -1009,7 +1009,7 @@
         <translation>平面 %1 起作用</translation>
     </message>
     <message>
-        <source>Whether this plane cuts the objects (glEnable, glDisable)</source>
+        <source>Switch this plane on or off (glEnable, glDisable)</source>
         <translation>此平面是否裁剪物体 (glEnable, glDisable)</translation>
     </message>
     <message>
@@ -1084,11 +1084,11 @@
         <translation>要改的代码</translation>
     </message>
     <message>
-        <source>Copy the lines as they stand and as they should</source>
+        <source>Copy the lines before and after the change</source>
         <translation>复制原来的行和应有的行</translation>
     </message>
     <message>
-        <source>%1: no line of this library makes it; the other libraries show where it is made.</source>
+        <source>%1: no line of this library causes it. Choose another library to see the line that does.</source>
         <translation>%1：这个库里没有哪一行会造成它；其他库的代码说明它出在哪里。</translation>
     </message>
     <message>
@@ -1107,7 +1107,7 @@
         <translation>映射图的刻度</translation>
     </message>
     <message>
-        <source>Logarithmic: from the number that one pixel in a hundred is below, to the greatest. What is smaller, 0 too, has the darkest colour</source>
+        <source>Logarithmic, from the first percentile to the maximum. Smaller values, also 0, have the darkest colour</source>
         <translation>对数刻度：从百分之一的像素低于的数到最大的数。更小的数，包括 0，用最深的颜色</translation>
     </message>
     <message>
@@ -1138,11 +1138,11 @@
         <translation>差</translation>
     </message>
     <message>
-        <source>By the closed-form formulas (9) to (12), in double</source>
+        <source>Closed-form formulas (9) to (12) in double precision</source>
         <translation>用解析公式 (9) 至 (12) 计算，double</translation>
     </message>
     <message>
-        <source>By the inverse of projection × view, in double, as gluUnProject does</source>
+        <source>Inverse of projection × view in double precision, as in gluUnProject</source>
         <translation>用“投影矩阵 × 观察矩阵”的逆矩阵计算，double，与 gluUnProject 相同</translation>
     </message>
     <message>
@@ -1154,7 +1154,7 @@
         <translation>差值，以该点最大分量的末位单位 (ulp) 计</translation>
     </message>
     <message>
-        <source>The matrix inverse done in single precision, as many programs do</source>
+        <source>The inverted matrix computed in single precision, as in many programs</source>
         <translation>用单精度求逆矩阵，许多程序都是这样做的</translation>
     </message>
     <message>
@@ -1167,9 +1167,9 @@
     </message>
     <message>
         <source>%1 ± %2
-Grey digits are below the last certain place.</source>
+Grey digits are smaller than the uncertainty.</source>
         <translation>%1 ± %2
-灰色数字在最后一个可靠位之后。</translation>
+灰色数位小于不确定度。</translation>
     </message>
     <message>
         <source>in ulp</source>
@@ -1263,7 +1263,7 @@ Grey digits are below the last certain place.</source>
         <translation>%1，读出的值</translation>
     </message>
     <message>
-        <source>%1, the far plane&apos;s: nothing to read</source>
+        <source>%1, the far plane: no surface</source>
         <translation>%1，远平面的值：没有可读的深度</translation>
     </message>
     <message>
@@ -1275,7 +1275,7 @@ Grey digits are below the last certain place.</source>
         <translation>来自深度缓冲，在深度范围内：默认 0 为近平面，1 为远平面</translation>
     </message>
     <message>
-        <source>Pick what is now under the pixel of this click</source>
+        <source>Click the same pixel again in the current view</source>
         <translation>拾取这次点击的像素下现在的内容</translation>
     </message>
     <message>
@@ -1291,7 +1291,7 @@ Grey digits are below the last certain place.</source>
         <translation>三角形、顶点和边</translation>
     </message>
     <message>
-        <source>By their numbers in the model: triangles and vertices are counted from 0</source>
+        <source>Indices in the model; triangles and vertices are counted from 0</source>
         <translation>以其在模型中的编号表示：三角形和顶点从 0 数起</translation>
     </message>
     <message>
@@ -1363,7 +1363,7 @@ Grey digits are below the last certain place.</source>
         <translation>从像素到窗口点</translation>
     </message>
     <message>
-        <source>The way of the click from the mouse to window coordinates</source>
+        <source>Steps from the mouse position to window coordinates</source>
         <translation>点击从鼠标到窗口坐标的过程</translation>
     </message>
     <message>
@@ -1375,11 +1375,11 @@ Grey digits are below the last certain place.</source>
         <translation>过像素中心的射线在网格本身上的交点，不用深度缓冲</translation>
     </message>
     <message>
-        <source>What other programs would give</source>
+        <source>Answers of other programs</source>
         <translation>其他程序会给出什么</translation>
     </message>
     <message>
-        <source>For the same click: how far their points are from the formula&apos;s, and why</source>
+        <source>Distance of their points from the formula&apos;s for the same click, with the reason</source>
         <translation>对同一次点击：它们的点与公式的点相距多远，以及原因</translation>
     </message>
     <message>
@@ -1387,7 +1387,7 @@ Grey digits are below the last certain place.</source>
         <translation>其他 API 中的表示</translation>
     </message>
     <message>
-        <source>The same click as Vulkan, Direct3D, Unity, OpenCV and others count it</source>
+        <source>The same click in the conventions of Vulkan, Direct3D, Unity, OpenCV and others</source>
         <translation>同一次点击在 Vulkan、Direct3D、Unity、OpenCV 等中的坐标</translation>
     </message>
     <message>
@@ -1407,7 +1407,7 @@ Grey digits are below the last certain place.</source>
         <translation>先前的拾取</translation>
     </message>
     <message>
-        <source>The last picks of this scene: to show them again and to compare two</source>
+        <source>The last picks of this scene. Show one again, or compare two</source>
         <translation>此场景最近的拾取：可再次显示，也可比较其中两次</translation>
     </message>
 </context>
@@ -1465,7 +1465,7 @@ Grey digits are below the last certain place.</source>
         <translation>指针</translation>
     </message>
     <message>
-        <source>Logical pixels from the top-left corner, y down: where a click on that pixel is reported</source>
+        <source>Logical pixels from the top-left corner, y down; mouse events report this position</source>
         <translation>逻辑像素，原点在左上角，y 向下：在该像素上点击时报告的位置</translation>
     </message>
     <message>
@@ -1496,7 +1496,7 @@ Grey digits are below the last certain place.</source>
 <context>
     <name>unprojector::gui::CurveWaiting</name>
     <message>
-        <source>Curves are worked out on the surface…</source>
+        <source>Computing curves on the surface…</source>
         <translation>正在曲面上计算曲线……</translation>
     </message>
     <message>
@@ -1508,7 +1508,7 @@ Grey digits are below the last certain place.</source>
         <translation>曲线</translation>
     </message>
     <message>
-        <source>Curves are worked out on the surface: %1 of %2</source>
+        <source>Computing curves on the surface: %1 of %2</source>
         <translation>正在曲面上计算曲线：%1 / %2</translation>
     </message>
 </context>
@@ -1523,8 +1523,8 @@ Grey digits are below the last certain place.</source>
         <translation>曲线</translation>
     </message>
     <message>
-        <source>Points</source>
-        <translation>点</translation>
+        <source>Landmarks</source>
+        <translation>标志点</translation>
     </message>
     <message>
         <source>Way</source>
@@ -1539,11 +1539,11 @@ Grey digits are below the last certain place.</source>
         <translation>长度</translation>
     </message>
     <message>
-        <source>Semilandmarks, in equal steps along the curve, both ends included; they are written into files with the points</source>
+        <source>Semilandmarks at equal steps along the curve, both ends included; exported with the landmarks</source>
         <translation>半标志点，沿曲线等距分布，包括两端；与点一起写入文件</translation>
     </message>
     <message>
-        <source>Why there is no curve</source>
+        <source>Reason for the missing curve</source>
         <translation>为何没有曲线</translation>
     </message>
     <message>
@@ -1551,7 +1551,7 @@ Grey digits are below the last certain place.</source>
         <translation>连接</translation>
     </message>
     <message>
-        <source>Join the selected points on the surface, in their order in the list: a curve with semilandmarks</source>
+        <source>Join the selected landmarks on the surface, in list order, to a curve with semilandmarks</source>
         <translation>按列表中的次序在曲面上连接所选的点：得到带半标志点的曲线</translation>
     </message>
     <message>
@@ -1563,7 +1563,7 @@ Grey digits are below the last certain place.</source>
         <translation>沿曲面(&amp;S)</translation>
     </message>
     <message>
-        <source>A geodesic: as a thread pulled tight on the surface</source>
+        <source>Geodesic: like a thread pulled tight on the surface</source>
         <translation>测地线：如同在曲面上拉紧的线</translation>
     </message>
     <message>
@@ -1571,8 +1571,8 @@ Grey digits are below the last certain place.</source>
         <translation>沿平面(&amp;P)</translation>
     </message>
     <message>
-        <source>Where the plane through two points and the surface&apos;s normals at them cuts the surface</source>
-        <translation>过两点及其处曲面法线的平面与曲面的交线</translation>
+        <source>Section of the surface with the plane through two landmarks and the surface&apos;s normals there</source>
+        <translation>过两标志点及其处曲面法线的平面与曲面的交线</translation>
     </message>
     <message>
         <source>as read</source>
@@ -1587,11 +1587,11 @@ Grey digits are below the last certain place.</source>
         <translation>平面</translation>
     </message>
     <message>
-        <source>Lead Along a &amp;Plane</source>
+        <source>Follow a &amp;Plane</source>
         <translation>改为沿平面(&amp;P)</translation>
     </message>
     <message>
-        <source>Lead on the &amp;Surface</source>
+        <source>Follow the &amp;Surface</source>
         <translation>改为沿曲面(&amp;S)</translation>
     </message>
     <message>
@@ -1599,7 +1599,7 @@ Grey digits are below the last certain place.</source>
         <translation>移除(&amp;M)</translation>
     </message>
     <message>
-        <source>“%1” is no name for it: it is empty, or another curve&apos;s.</source>
+        <source>“%1” cannot be the name: it is empty, or another curve has it.</source>
         <translation>“%1”不能作为它的名称：名称为空，或已是另一条曲线的名称。</translation>
     </message>
     <message>
@@ -1623,7 +1623,7 @@ Grey digits are below the last certain place.</source>
         <translation>%1 位</translation>
     </message>
     <message>
-        <source>In the middle of the picture, %1 in front of the eye, rounding the depth leaves ±%2 open.</source>
+        <source>In the middle of the view, %1 in front of the eye, a rounded depth is accurate to ±%2.</source>
         <translation>在画面中部、视点前方 %1 处，深度的舍入留下 ±%2 的不确定。</translation>
     </message>
     <message>
@@ -1631,7 +1631,7 @@ Grey digits are below the last certain place.</source>
         <translation>把近平面从 %2 改为 %1，这里的精度提高到 %3 倍（±%4）。</translation>
     </message>
     <message>
-        <source>A buffer of floats, with NDC depths from 0 to 1 (glClipControl) and a projection that has 1 at near, would make it %1 times better (±%2).</source>
+        <source>A float buffer with NDC depths from 0 to 1 (glClipControl) and reversed depths (1 at near) would be %1 times better (±%2).</source>
         <translation>改用浮点深度缓冲、NDC 深度取 0 到 1（glClipControl）、并让投影在近平面处为 1，精度可提高到 %1 倍（±%2）。</translation>
     </message>
     <message>
@@ -1639,7 +1639,7 @@ Grey digits are below the last certain place.</source>
         <translation>当前：%1</translation>
     </message>
     <message>
-        <source>At the point, %1 in front of the eye, rounding the depth leaves ±%2 open.</source>
+        <source>At the point, %1 in front of the eye, a rounded depth is accurate to ±%2.</source>
         <translation>在所选点处（视点前方 %1），深度的舍入留下 ±%2 的不确定。</translation>
     </message>
     <message>
@@ -1647,7 +1647,7 @@ Grey digits are below the last certain place.</source>
         <translation>近平面为 %1 时</translation>
     </message>
     <message>
-        <source>Near is about as far away as the objects let it be.</source>
+        <source>Near is about as large as the objects allow.</source>
         <translation>近平面已大致是物体所允许的最远处。</translation>
     </message>
     <message>
@@ -1655,11 +1655,11 @@ Grey digits are below the last certain place.</source>
         <translation>浮点，反向</translation>
     </message>
     <message>
-        <source>In a box, as of glOrtho, that is so at every distance; only less room between near and far makes it less.</source>
+        <source>With glOrtho the error is the same at every distance. Only a shorter range from near to far reduces it.</source>
         <translation>在 glOrtho 这样的长方体中，任何距离都是如此；只有缩短近、远平面之间的距离才能减小它。</translation>
     </message>
     <message>
-        <source>24 bits are assumed: the first click tells what the depth buffer has.</source>
+        <source>24 bits are assumed until the first click reads the depth buffer.</source>
         <translation>假定深度缓冲为 24 位：第一次点击后才知道实际位数。</translation>
     </message>
     <message>
@@ -1667,14 +1667,14 @@ Grey digits are below the last certain place.</source>
         <translation>按所绘：%1（假定）</translation>
     </message>
     <message>
-        <source>A buffer of floats with 1 at near would change little here (±%1).</source>
+        <source>A float buffer with reversed depths (1 at near) would change little here (±%1).</source>
         <translation>用近处为 1 的浮点深度缓冲，在这里几乎没有差别（±%1）。</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::DepthPrecisionPlot</name>
     <message>
-        <source>What rounding a depth leaves open, over the distance</source>
+        <source>Error of a rounded depth over the distance</source>
         <translation>深度舍入留下的不确定随距离的变化</translation>
     </message>
     <message>
@@ -1687,8 +1687,8 @@ Grey digits are below the last certain place.</source>
     </message>
     <message>
         <source>Across: the distance in front of the eye, from the near to the far plane.
-Up: how far along the view a surface may be from where its rounded depth says, ±.
-Both in the scene&apos;s units. The circle is the clicked point. What drawing is off besides is in a click&apos;s ±.</source>
+Up: the error that rounding the depth causes along the view, ±.
+Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s ± also contains the errors of drawing.</source>
         <translation>横轴：到视点的距离，从近平面到远平面。
 纵轴：沿视线方向，表面与舍入后的深度所示位置可能相差多少（±）。
 均以场景单位计。圆圈是点击的点。绘制本身的偏差另计在点击的 ± 中。</translation>
@@ -1697,7 +1697,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
 <context>
     <name>unprojector::gui::DerivationLine</name>
     <message>
-        <source>How the chosen number is computed</source>
+        <source>Computation of the chosen number</source>
         <translation>所选的数是怎样算出来的</translation>
     </message>
 </context>
@@ -1708,11 +1708,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>诊断</translation>
     </message>
     <message>
-        <source>What speaks for it</source>
+        <source>Evidence</source>
         <translation>依据</translation>
     </message>
     <message>
-        <source>Pick that pixel, and type what your program gets there: it tells the first from the others</source>
+        <source>Pick that pixel and type your program&apos;s result there; it separates the first mistake from the others</source>
         <translation>拾取那个像素，再键入您的程序在那里得到的坐标：由此可以区分第一个候选与其余候选</translation>
     </message>
     <message>
@@ -1749,7 +1749,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>深度</translation>
     </message>
     <message>
-        <source>that of the mesh under the pixel</source>
+        <source>from the mesh under the pixel</source>
         <translation>像素下的网格的深度</translation>
     </message>
     <message>
@@ -1785,15 +1785,15 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>诊断</translation>
     </message>
     <message>
-        <source>Find the mistake by which your program gets a wrong coordinate</source>
+        <source>Find the mistake that gives your program a wrong coordinate</source>
         <translation>找出您的程序因哪个错误得到了错误的坐标</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::DoctorPanel</name>
     <message>
-        <source>As it is &amp;now</source>
-        <translation>按现在的视图(&amp;N)</translation>
+        <source>Use curre&amp;nt view</source>
+        <translation>使用当前视图(&amp;N)</translation>
     </message>
     <message>
         <source>&amp;In the space:</source>
@@ -1804,19 +1804,19 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>程序所得的点所在的空间</translation>
     </message>
     <message>
-        <source>The space that the program means its points in</source>
+        <source>Space in which the program expresses its points</source>
         <translation>程序的点是哪个空间里的</translation>
     </message>
     <message>
-        <source>The picture of the pixels</source>
-        <translation>像素所属的画面</translation>
+        <source>Setup of the pixels</source>
+        <translation>像素所属的视图设置</translation>
     </message>
     <message>
-        <source>Take the pixels for those of the view as it is now</source>
+        <source>Read the pixels in the current view</source>
         <translation>把这些像素当作现在的视图的像素</translation>
     </message>
     <message>
-        <source>The mistakes could not be tried: %1. Close other programs, then ask again.</source>
+        <source>The mistakes could not be tried: %1. Close other programs, then try again.</source>
         <translation>无法试遍所有错误：%1。请关闭其他程序，然后重试。</translation>
     </message>
     <message>
@@ -1824,7 +1824,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>您的程序的其他情况</translation>
     </message>
     <message>
-        <source>The size of its window, and another size that it may still go by</source>
+        <source>The size of its window, and another size that it may use by mistake</source>
         <translation>它的窗口大小，以及它可能仍在沿用的另一个大小</translation>
     </message>
     <message>
@@ -1840,7 +1840,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>另一个大小</translation>
     </message>
     <message>
-        <source>Device pixels, such as 640 x 480: that of the window before, or of another framebuffer</source>
+        <source>Device pixels, such as 640 x 480: an earlier size of the window, or another framebuffer&apos;s</source>
         <translation>以设备像素计，例如 640 x 480：窗口以前的大小，或另一个帧缓冲的大小</translation>
     </message>
     <message>
@@ -1852,11 +1852,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>它的窗口(&amp;W)：</translation>
     </message>
     <message>
-        <source>Another &amp;size it may go by:</source>
+        <source>Another &amp;size it may use:</source>
         <translation>可能沿用的另一个大小(&amp;S)：</translation>
     </message>
     <message>
-        <source>“%1” is no size: type width and height in whole pixels, such as 1000 x 700.</source>
+        <source>“%1” is not a size: type width and height in whole pixels, such as 1000 x 700.</source>
         <translation>“%1”不是大小：请键入以整像素计的宽和高，例如 1000 x 700。</translation>
     </message>
     <message>
@@ -1864,11 +1864,11 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>与视图相同，%1</translation>
     </message>
     <message>
-        <source>The scene has no picture in a window of %1.</source>
+        <source>The scene cannot be drawn in a window of %1.</source>
         <translation>在 %1 的窗口里，这个场景没有画面。</translation>
     </message>
     <message>
-        <source>Pixels of %1, of the view as it was when they were given</source>
+        <source>Pixels of %1, of the view when they were entered</source>
         <translation>像素属于给出它们时的视图，%1</translation>
     </message>
     <message>
@@ -1892,19 +1892,19 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>物体：%1</translation>
     </message>
     <message>
-        <source>Click the pixel in the view that your program was asked for, and type the wrong coordinate that it got.</source>
+        <source>Click the pixel that you gave to your program, and type the wrong coordinate that it returned.</source>
         <translation>在视图里点击您的程序所处理的那个像素，再键入它得到的错误坐标。</translation>
     </message>
     <message>
-        <source>Give the pixel, and the three coordinates that your program got for it.</source>
+        <source>Enter the pixel and the three coordinates that your program returned for it.</source>
         <translation>请给出像素，以及您的程序为它得到的三个坐标。</translation>
     </message>
     <message>
-        <source>Not taken: the background is at no pixel of another picture.</source>
+        <source>Not used: a click on the background has no pixel in another setup.</source>
         <translation>未采用：背景在另一幅画面中没有对应的像素。</translation>
     </message>
     <message>
-        <source>Not taken: %1</source>
+        <source>Not used: %1</source>
         <translation>未采用：%1</translation>
     </message>
 </context>
@@ -1982,7 +1982,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
 <context>
     <name>unprojector::gui::EntryDerivation</name>
     <message>
-        <source>%1; the number shown, %2, was given, and what leads to it was computed back from there</source>
+        <source>%1; the number shown, %2, is the input, and the steps before it were computed back from it</source>
         <translation>%1；显示的数 %2 是给定的，通向它的数是由它反算得到的</translation>
     </message>
     <message>
@@ -1994,7 +1994,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>%3 · %2 的第 %1 列</translation>
     </message>
     <message>
-        <source>%1 = 1, as of every point</source>
+        <source>%1 = 1, as for every point</source>
         <translation>%1 = 1，每个点都如此</translation>
     </message>
     <message>
@@ -2006,7 +2006,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>%1 是算出来的：控件位置没有深度</translation>
     </message>
     <message>
-        <source>0: the %1 shown is no more than rounding leaves</source>
+        <source>0: the %1 shown is only rounding error</source>
         <translation>0：显示的 %1 不超过舍入的残余</translation>
     </message>
     <message>
@@ -2029,52 +2029,52 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
 <context>
     <name>unprojector::gui::ExportPictureDialog</name>
     <message>
-        <source>Export Picture</source>
-        <translation>导出图片</translation>
+        <source>Export Image</source>
+        <translation>导出图像</translation>
     </message>
     <message>
-        <source>Why there is no such picture</source>
-        <translation>为何无法导出这样的图片</translation>
+        <source>Reason why the image cannot be exported</source>
+        <translation>为何无法导出这样的图像</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
         <translation>导出(&amp;E)…</translation>
     </message>
     <message>
-        <source>Choose a file and write the picture</source>
-        <translation>选择文件并写入图片</translation>
+        <source>Choose a file and write the image</source>
+        <translation>选择文件并写入图像</translation>
     </message>
     <message>
         <source>Width</source>
         <translation>宽度</translation>
     </message>
     <message>
-        <source>Width of the picture in pixels</source>
-        <translation>图片的宽度，像素</translation>
+        <source>Width of the image in pixels</source>
+        <translation>图像的宽度，像素</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>高度</translation>
     </message>
     <message>
-        <source>Height of the picture in pixels</source>
-        <translation>图片的高度，像素</translation>
+        <source>Height of the image in pixels</source>
+        <translation>图像的高度，像素</translation>
     </message>
     <message>
         <source>Pixel ratio</source>
         <translation>像素比</translation>
     </message>
     <message>
-        <source>Pixels of the picture for a logical pixel: how large lines, marks and letters are</source>
-        <translation>一个逻辑像素对应的图片像素：决定线条、标记和文字的大小</translation>
+        <source>Image pixels per logical pixel; sets the size of lines, markers and letters</source>
+        <translation>一个逻辑像素对应的图像像素：决定线条、标记和文字的大小</translation>
     </message>
     <message>
         <source>&amp;Keep the view&apos;s proportions</source>
         <translation>保持视图的比例(&amp;K)</translation>
     </message>
     <message>
-        <source>Width, height and pixel ratio change together: the same picture, larger</source>
-        <translation>宽度、高度和像素比一同改变：同样的图片，更大</translation>
+        <source>Width, height and pixel ratio change together: the same image at another size</source>
+        <translation>宽度、高度和像素比一同改变：同样的图像，只是大小不同</translation>
     </message>
     <message>
         <source>&amp;Width:</source>
@@ -2089,7 +2089,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>像素比(&amp;R)：</translation>
     </message>
     <message>
-        <source>Shown besides the objects</source>
+        <source>Also shown</source>
         <translation>除物体外还显示</translation>
     </message>
     <message>
@@ -2133,7 +2133,7 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>世界坐标轴，以及角落里它们的方向</translation>
     </message>
     <message>
-        <source>The colours of the map over the objects; only with the proportions of the view</source>
+        <source>The map&apos;s colours over the objects; needs the proportions of the view</source>
         <translation>物体上方映射图的颜色；仅在保持视图比例时</translation>
     </message>
     <message>
@@ -2141,32 +2141,32 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>透明背景(&amp;T)</translation>
     </message>
     <message>
-        <source>Nothing is drawn behind the objects, so that what lies below the picture is seen</source>
-        <translation>物体后面不绘制任何内容，因此能看到图片下方的内容</translation>
+        <source>Leave the background of the image transparent</source>
+        <translation>让图像的背景透明</translation>
     </message>
     <message>
-        <source>OpenGL has not started, so there is no picture to export.</source>
-        <translation>OpenGL 尚未启动，没有可导出的图片。</translation>
+        <source>OpenGL has not started, so no image can be exported.</source>
+        <translation>OpenGL 尚未启动，没有可导出的图像。</translation>
     </message>
     <message>
         <source>The graphics driver draws at most %1 × %1 pixels. You entered %2 × %3.</source>
         <translation>显卡驱动最多绘制 %1 × %1 像素。您输入的是 %2 × %3。</translation>
     </message>
     <message>
-        <source>A picture has at most %1 million pixels. %2 × %3 are %4 million.</source>
-        <translation>图片最多 %1 百万像素。%2 × %3 是 %4 百万。</translation>
+        <source>An image has at most %1 million pixels. You entered %2 × %3, which are %4 million.</source>
+        <translation>图像最多 %1 百万像素。您输入的 %2 × %3 是 %4 百万。</translation>
     </message>
     <message>
-        <source>OpenGL has no memory for a picture of %1 × %2 pixels. Choose a smaller size.</source>
-        <translation>OpenGL 没有足够内存绘制 %1 × %2 像素的图片。请选择较小的尺寸。</translation>
+        <source>OpenGL has no memory for an image of %1 × %2 pixels. Choose a smaller size.</source>
+        <translation>OpenGL 没有足够内存绘制 %1 × %2 像素的图像。请选择较小的尺寸。</translation>
     </message>
     <message>
-        <source>Picture (*.png)</source>
-        <translation>图片 (*.png)</translation>
+        <source>Image (*.png)</source>
+        <translation>图像 (*.png)</translation>
     </message>
     <message>
-        <source>Picture written to %1</source>
-        <translation>图片已写入 %1</translation>
+        <source>Image written to %1</source>
+        <translation>图像已写入 %1</translation>
     </message>
     <message>
         <source>Error &amp;map</source>
@@ -2184,9 +2184,9 @@ Both in the scene&apos;s units. The circle is the clicked point. What drawing is
         <translation>视景体与从 −1 到 1 的立方体</translation>
     </message>
     <message>
-        <source>Solid: the view volume as the factors leave it, its near side blue, its far side orange.
-Dashed: the cube from −1 to 1 with its axes, which the whole product takes it to.
-Both are as large as fits.</source>
+        <source>Solid: the view volume after the factors, its near side blue, its far side orange.
+Dashed: the cube from −1 to 1 with its axes, the result of the whole product.
+Both are scaled to fit.</source>
         <translation>实线：经过各因子之后的视景体，近侧为蓝色，远侧为橙色。
 虚线：从 −1 到 1 的立方体及其坐标轴，完整的乘积把视景体变成它。
 两者都按能容纳的大小绘制。</translation>
@@ -2207,7 +2207,7 @@ Both are as large as fits.</source>
         <translation>全部</translation>
     </message>
     <message>
-        <source>Set every factor to 0 %: nothing is done to the view volume</source>
+        <source>Set every factor to 0 %: the view volume stays unchanged</source>
         <translation>把每个因子设为 0 %：视景体保持原样</translation>
     </message>
     <message>
@@ -2223,15 +2223,15 @@ Both are as large as fits.</source>
         <translation>使用所有因子</translation>
     </message>
     <message>
-        <source>The product of what acts</source>
+        <source>Product of the active factors</source>
         <translation>起作用的部分的乘积</translation>
     </message>
     <message>
-        <source>Whether it is the projection&apos;s matrix</source>
+        <source>Comparison with the projection matrix</source>
         <translation>它是否为投影矩阵</translation>
     </message>
     <message>
-        <source>Where the view volume is</source>
+        <source>Bounds of the view volume</source>
         <translation>视景体所在的范围</translation>
     </message>
     <message>
@@ -2286,7 +2286,7 @@ Both are as large as fits.</source>
         <translation>把长方体的各边缩放为 2</translation>
     </message>
     <message>
-        <source>turns z round: greater is then farther away</source>
+        <source>flips z: greater is then farther away</source>
         <translation>反转 z：此后越大越远</translation>
     </message>
     <message>
@@ -2298,15 +2298,15 @@ Both are as large as fits.</source>
         <translation>把近平面上的窗口变到横向、纵向的 −1 到 1</translation>
     </message>
     <message>
-        <source>from the axes of the conventions shown to OpenGL&apos;s</source>
+        <source>converts the axes of the chosen conventions to OpenGL&apos;s</source>
         <translation>从所示约定的坐标轴变到 OpenGL 的坐标轴</translation>
     </message>
     <message>
-        <source>from OpenGL&apos;s axes to those of the conventions shown</source>
+        <source>converts OpenGL&apos;s axes to those of the chosen conventions</source>
         <translation>从 OpenGL 的坐标轴变到所示约定的坐标轴</translation>
     </message>
     <message>
-        <source>To try a part of each factor, choose OpenGL&apos;s conventions: it is OpenGL&apos;s cube that the view volume is drawn beside.</source>
+        <source>To change the strength of each factor, choose OpenGL&apos;s conventions: the drawing compares with OpenGL&apos;s cube.</source>
         <translation>要试着让每个因子只作用一部分，请选择 OpenGL 的约定：视景体旁边画的是 OpenGL 的立方体。</translation>
     </message>
     <message>
@@ -2326,23 +2326,23 @@ Both are as large as fits.</source>
         <translation>= %1，相差不超过 %2 ulp（末位单位）</translation>
     </message>
     <message>
-        <source>As sixteen numbers, as it was given, there is nothing to take apart; this is its conversion&apos;s.</source>
+        <source>The sixteen numbers as given cannot be decomposed; these are the factors of their conversion.</source>
         <translation>给定的矩阵只是十六个数，无从分解；这里分解的是由它转换来的矩阵。</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::FileQuestions</name>
     <message>
-        <source>Points that are placed already: %1. Points in the file: %2. Replace them, or put the new ones behind them?</source>
-        <translation>已放置的点：%1 个。文件中的点：%2 个。替换它们，还是把新的点放在它们后面？</translation>
+        <source>Landmarks already placed: %1. Landmarks in the file: %2. Replace the placed ones, or append the new ones?</source>
+        <translation>已放置的标志点：%1 个。文件中的标志点：%2 个。替换它们，还是把新的标志点放在它们后面？</translation>
     </message>
     <message>
-        <source>Names of the template that wait for their points: %1. Replace takes them away as well; Append gives those that the file has their places.</source>
+        <source>Template names not placed yet: %1. Replace removes them as well; Append fills those that the file contains.</source>
         <translation>模板中等待放置的名称：%1 个。“替换”也会去掉它们；“追加”会让文件中有的点占据它们的位置。</translation>
     </message>
     <message>
-        <source>Import Points</source>
-        <translation>导入点</translation>
+        <source>Import Landmarks</source>
+        <translation>导入标志点</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
@@ -2365,18 +2365,18 @@ Both are as large as fits.</source>
         <translation>按顺序取用名称(&amp;T)</translation>
     </message>
     <message>
-        <source>&amp;Put Them Behind</source>
+        <source>&amp;Append Them</source>
         <translation>排在其后(&amp;P)</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::FindBar</name>
     <message>
-        <source>The hit before (Shift+F3)</source>
+        <source>Previous match (Shift+F3)</source>
         <translation>上一处（Shift+F3）</translation>
     </message>
     <message>
-        <source>The next hit (F3)</source>
+        <source>Next match (F3)</source>
         <translation>下一处（F3）</translation>
     </message>
     <message>
@@ -2384,11 +2384,11 @@ Both are as large as fits.</source>
         <translation>在页面中查找</translation>
     </message>
     <message>
-        <source>Words or a part of one, in capitals or not</source>
+        <source>Text to find; capitals do not matter</source>
         <translation>词语或其中一部分，不区分大小写</translation>
     </message>
     <message>
-        <source>Hits</source>
+        <source>Matches</source>
         <translation>查找结果</translation>
     </message>
     <message>
@@ -2446,7 +2446,7 @@ Both are as large as fits.</source>
 <context>
     <name>unprojector::gui::FollowedPointRow</name>
     <message>
-        <source>What the points are</source>
+        <source>Meaning of the points</source>
         <translation>各点的含义</translation>
     </message>
     <message>
@@ -2454,7 +2454,7 @@ Both are as large as fits.</source>
         <translation>移除您的点</translation>
     </message>
     <message>
-        <source>Which point to follow</source>
+        <source>Point to follow</source>
         <translation>跟随哪个点</translation>
     </message>
     <message>
@@ -2466,11 +2466,11 @@ Both are as large as fits.</source>
         <translation>您的点</translation>
     </message>
     <message>
-        <source>Follow the clicked point again; yours stays</source>
+        <source>Follow the clicked point again; your point is kept</source>
         <translation>重新跟踪点击的点；您的点仍保留</translation>
     </message>
     <message>
-        <source>Follow the point that you have given in numbers</source>
+        <source>Follow the point that you typed</source>
         <translation>跟踪您用数值给出的点</translation>
     </message>
 </context>
@@ -2552,19 +2552,19 @@ Both are as large as fits.</source>
 <context>
     <name>unprojector::gui::FrameView</name>
     <message>
-        <source>OpenGL draws no picture of %1 × %2 pixels. Make the window smaller, or update the graphics driver.</source>
+        <source>OpenGL cannot draw %1 × %2 pixels. Make the window smaller, or update the graphics driver.</source>
         <translation>OpenGL 无法绘制 %1 × %2 像素的画面。请缩小窗口，或更新显卡驱动。</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::GpuModel</name>
     <message>
-        <source>The graphics memory does not hold %1, which is not drawn whole. Close other programs, or open a smaller model.</source>
+        <source>The graphics memory is too small for %1: parts of it are not drawn. Close other programs, or open a smaller model.</source>
         <translation>显存容纳不下 %1，它没有被完整绘制。请关闭其他程序，或打开较小的模型。</translation>
     </message>
     <message>
-        <source>The picture %1 is larger than OpenGL draws here and is shown scaled down to a width of %2 pixels.</source>
-        <translation>图片 %1 超出了此处 OpenGL 能绘制的大小，已缩小到 %2 像素宽显示。</translation>
+        <source>The image %1 is larger than OpenGL allows here; it is shown scaled down to a width of %2 pixels.</source>
+        <translation>图像 %1 超出了此处 OpenGL 能绘制的大小，已缩小到 %2 像素宽显示。</translation>
     </message>
 </context>
 <context>
@@ -2710,7 +2710,7 @@ Both are as large as fits.</source>
         <translation>右键单击，或菜单键</translation>
     </message>
     <message>
-        <source>what there is to do with the pixel and its object</source>
+        <source>menu for the pixel and its object</source>
         <translation>可对该像素及其物体执行的操作</translation>
     </message>
     <message>
@@ -2734,7 +2734,7 @@ Both are as large as fits.</source>
         <translation>将该点移到中央</translation>
     </message>
     <message>
-        <source>turn the camera about the point under the pointer; the point picked before stays</source>
+        <source>turn the camera about the point under the pointer; the pick is kept</source>
         <translation>绕指针下的点转动相机；之前拾取的点保持不变</translation>
     </message>
     <message>
@@ -2794,7 +2794,7 @@ Both are as large as fits.</source>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>restore what was there</source>
+        <source>restore the former value</source>
         <translation>恢复原来的值</translation>
     </message>
     <message>
@@ -2802,7 +2802,7 @@ Both are as large as fits.</source>
         <translation>上、下、Page Up、Page Down</translation>
     </message>
     <message>
-        <source>step the digit at the caret by one, by ten</source>
+        <source>change the digit at the caret by one, by ten</source>
         <translation>将光标处的数位增减一、增减十</translation>
     </message>
     <message>
@@ -2814,7 +2814,7 @@ Both are as large as fits.</source>
         <translation>在页面中查找词语</translation>
     </message>
     <message>
-        <source>go to the next place that has them, to the one before</source>
+        <source>go to the next match, to the previous one</source>
         <translation>转到下一处、上一处</translation>
     </message>
     <message>
@@ -2826,7 +2826,7 @@ Both are as large as fits.</source>
         <translation>回到目录</translation>
     </message>
     <message>
-        <source>stop opening the files that are on their way</source>
+        <source>cancel opening files</source>
         <translation>停止打开正在载入的文件</translation>
     </message>
     <message>
@@ -2866,7 +2866,7 @@ Both are as large as fits.</source>
         <translation>F</translation>
     </message>
     <message>
-        <source>see all of it</source>
+        <source>show everything</source>
         <translation>显示全部</translation>
     </message>
     <message>
@@ -2902,63 +2902,63 @@ Both are as large as fits.</source>
         <translation>转到上一组、下一组</translation>
     </message>
     <message>
-        <source>Placed points</source>
-        <translation>放置的点</translation>
+        <source>Landmarks</source>
+        <translation>放置的标志点</translation>
     </message>
     <message>
-        <source>left button on a mark</source>
+        <source>left button on a marker</source>
         <translation>在标记上按左键</translation>
     </message>
     <message>
-        <source>select the point, with Ctrl besides the others</source>
-        <translation>选中该点；按住 Ctrl 则加选</translation>
+        <source>select the landmark; with Ctrl, add it to the selection</source>
+        <translation>选中该标志点；按住 Ctrl 则加选</translation>
     </message>
     <message>
-        <source>left drag of a mark</source>
+        <source>left drag of a marker</source>
         <translation>左键拖动标记</translation>
     </message>
     <message>
-        <source>slide the point on the surface; Esc puts it back</source>
-        <translation>让点在表面上滑动；Esc 放回原处</translation>
+        <source>slide the landmark on the surface; Esc cancels</source>
+        <translation>让标志点在表面上滑动；Esc 放回原处</translation>
     </message>
     <message>
-        <source>left drag of an arrow at the selected point, while points are placed</source>
-        <translation>放置点时，左键拖动选中点处的箭头</translation>
+        <source>left drag of an arrow at the selected landmark, while placing</source>
+        <translation>放置标志点时，左键拖动选中标志点处的箭头</translation>
     </message>
     <message>
-        <source>move the point along the axis, off the surface</source>
-        <translation>让点沿坐标轴移动，离开表面</translation>
+        <source>move the landmark along the axis, off the surface</source>
+        <translation>让标志点沿坐标轴移动，离开表面</translation>
     </message>
     <message>
-        <source>left button, while points are placed</source>
+        <source>left button, while placing</source>
         <translation>放置点时按左键</translation>
     </message>
     <message>
-        <source>place a point; Esc ends it</source>
-        <translation>放置一个点；Esc 结束放置</translation>
+        <source>place a landmark; Esc ends placing</source>
+        <translation>放置一个标志点；Esc 结束放置</translation>
     </message>
     <message>
-        <source>arrows, while points are placed</source>
+        <source>arrows, while placing</source>
         <translation>放置点时按方向键</translation>
     </message>
     <message>
-        <source>move the selected point by a pixel, with Shift by ten, with Alt by a tenth</source>
-        <translation>将选中的点移动一个像素，按住 Shift 移动十个，按住 Alt 移动十分之一个</translation>
+        <source>move the selected landmark by a pixel, with Shift by ten, with Alt by a tenth</source>
+        <translation>将选中的标志点移动一个像素，按住 Shift 移动十个，按住 Alt 移动十分之一个</translation>
     </message>
     <message>
         <source>Del</source>
         <translation>Del</translation>
     </message>
     <message>
-        <source>remove the selected points</source>
-        <translation>移除选中的点</translation>
+        <source>remove the selected landmarks</source>
+        <translation>移除选中的标志点</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::LandmarkFiles</name>
     <message>
-        <source>Points (%1)</source>
-        <translation>点 (%1)</translation>
+        <source>Landmarks (%1)</source>
+        <translation>标志点 (%1)</translation>
     </message>
     <message>
         <source>Table (%1)</source>
@@ -2989,8 +2989,8 @@ Both are as large as fits.</source>
         <translation>NTSYS (%1)</translation>
     </message>
     <message>
-        <source>Points far from every object: %1. “%2” is %3 off, which is %4 % of the object&apos;s size. Are they of another object, or in other axes?</source>
-        <translation>远离所有物体的点：%1 个。“%2”相距 %3，为物体大小的 %4 %。它们是另一个物体的，还是坐标轴不同？</translation>
+        <source>Landmarks far from every object: %1. “%2” is %3 away, %4 % of the object&apos;s size. Do they belong to another object, or use other axes?</source>
+        <translation>远离所有物体的标志点：%1 个。“%2”相距 %3，为物体大小的 %4 %。它们是另一个物体的，还是坐标轴不同？</translation>
     </message>
     <message>
         <source>They were moved onto the mesh by at most %1 (%2).</source>
@@ -3001,43 +3001,43 @@ Both are as large as fits.</source>
         <translation>它们就在网格上。</translation>
     </message>
     <message>
-        <source>%1 has %2 specimens; the points of the first are shown.</source>
-        <translation>%1 有 %2 个标本；显示的是第一个的点。</translation>
+        <source>%1 has %2 specimens; the landmarks of the first are shown.</source>
+        <translation>%1 有 %2 个标本；显示的是第一个的标志点。</translation>
     </message>
     <message>
-        <source>Import points</source>
-        <translation>导入点</translation>
+        <source>Import landmarks</source>
+        <translation>导入标志点</translation>
     </message>
     <message>
-        <source>Points read from %1: %2.</source>
-        <translation>从 %1 读取的点：%2 个。</translation>
+        <source>Landmarks read from %1: %2.</source>
+        <translation>从 %1 读取的标志点：%2 个。</translation>
     </message>
     <message>
-        <source>Points written to %1: %2.</source>
-        <translation>写入 %1 的点：%2 个。</translation>
+        <source>Landmarks written to %1: %2.</source>
+        <translation>写入 %1 的标志点：%2 个。</translation>
     </message>
     <message>
-        <source>%1 is in %2: that is the scene&apos;s unit now, instead of %3. Nothing is converted.</source>
+        <source>%1 is in %2, which replaces the scene&apos;s unit, %3. Coordinates are not converted.</source>
         <translation>%1 的单位是 %2：它现在取代 %3 成为场景的单位。没有进行任何换算。</translation>
     </message>
     <message>
-        <source>%1 is in %2, and what the scene is in is not known. Nothing is converted.</source>
+        <source>%1 is in %2; the scene has no unit. Coordinates are not converted.</source>
         <translation>%1 的单位是 %2，而场景的单位未知。没有进行任何换算。</translation>
     </message>
     <message>
-        <source>%1 is in %2, and the scene in %3. Nothing is converted.</source>
+        <source>%1 is in %2, the scene in %3. Coordinates are not converted.</source>
         <translation>%1 的单位是 %2，而场景的单位是 %3。没有进行任何换算。</translation>
     </message>
     <message>
-        <source>%1: the scene has other values of these already, which stay: %2.</source>
+        <source>%1: the scene keeps its own values of these: %2.</source>
         <translation>%1：场景中以下各项已有别的值，保持不变：%2。</translation>
     </message>
     <message>
-        <source>%1: the scene has changed meanwhile. Import the points again.</source>
-        <translation>%1：场景在此期间已经改变。请重新导入这些点。</translation>
+        <source>%1: the scene has changed meanwhile. Import the landmarks again.</source>
+        <translation>%1：场景在此期间已经改变。请重新导入这些标志点。</translation>
     </message>
     <message>
-        <source>There is no object that they lie on: open their scan together with them.</source>
+        <source>No object is under them: open their scan together with them.</source>
         <translation>没有它们所在的物体：请把它们的扫描与它们一起打开。</translation>
     </message>
     <message>
@@ -3045,11 +3045,11 @@ Both are as large as fits.</source>
         <translation>在网格上：%1 个。</translation>
     </message>
     <message>
-        <source>Free where they are, far from it: %1.</source>
+        <source>Left free, far from the mesh: %1.</source>
         <translation>远离网格，留在原处不固定：%1 个。</translation>
     </message>
     <message>
-        <source>Without a place: %1.</source>
+        <source>Not placed: %1.</source>
         <translation>没有位置：%1 个。</translation>
     </message>
     <message>
@@ -3070,40 +3070,40 @@ Both are as large as fits.</source>
         <translation>%1 及另外 %2 个</translation>
     </message>
     <message>
-        <source>Besides, its semilandmarks: %1, of %2; they are no points to place.</source>
+        <source>Semilandmarks, not imported as landmarks: %1, of %2.</source>
         <translation>另有半标志点 %1 个，属于 %2；它们不算放置的点。</translation>
     </message>
     <message>
-        <source>Names that have their point now: %1.</source>
+        <source>Names filled: %1.</source>
         <translation>已得到点的名称：%1 个。</translation>
     </message>
     <message>
-        <source>%1: names that nothing waits for, put behind the others: %2.</source>
+        <source>%1: names that are not in the template, appended: %2.</source>
         <translation>%1：没有等待放置的名称与之对应、排在其他点之后的：%2。</translation>
     </message>
     <message>
-        <source>Still without a place: %1.</source>
+        <source>Still to place: %1.</source>
         <translation>仍未放置：%1。</translation>
     </message>
     <message>
-        <source>%1 has no names, only an order: %2 points. Names that wait for a place: %3. Shall the points take these names in their order, as far as both go, or be put behind them without a name?</source>
-        <translation>%1 没有名称，只有顺序：%2 个点。等待放置的名称：%3 个。让这些点按顺序取用这些名称（到其中一方用完为止），还是不带名称排在其后？</translation>
+        <source>%1 has landmarks without names: %2. Names to place: %3. Assign these names in order, or append the landmarks without names?</source>
+        <translation>%1 没有名称，只有顺序：%2 个标志点。等待放置的名称：%3 个。让这些标志点按顺序取用这些名称（到其中一方用完为止），还是不带名称排在其后？</translation>
     </message>
     <message>
-        <source>%1 has no names: its points took those that waited, by their order. See that the order is the same.</source>
-        <translation>%1 没有名称：其中的点已按顺序取用等待放置的名称。请确认顺序一致。</translation>
+        <source>%1 has no names: its landmarks took the unplaced names in order. Check that the order is right.</source>
+        <translation>%1 没有名称：其中的标志点已按顺序取用等待放置的名称。请确认顺序一致。</translation>
     </message>
     <message>
-        <source>%1: the scene has these curves itself, and its own stay: %2.</source>
+        <source>%1: the scene keeps its own curves: %2.</source>
         <translation>%1：场景中已有这些曲线，保留场景自己的：%2。</translation>
     </message>
     <message>
-        <source>%1 has no names: its points have those of the points before, by their order.</source>
-        <translation>%1 没有名称：其中的点已按顺序取用原有各点的名称。</translation>
+        <source>%1 has no names: its landmarks took the names of the former ones, in order.</source>
+        <translation>%1 没有名称：其中的标志点已按顺序取用原有各标志点的名称。</translation>
     </message>
     <message>
-        <source>%1: points without a name, put behind the others: %2.</source>
-        <translation>%1：没有名称、排在其他点之后的点：%2 个。</translation>
+        <source>%1: landmarks without a name, appended: %2.</source>
+        <translation>%1：没有名称、排在其他标志点之后的标志点：%2 个。</translation>
     </message>
 </context>
 <context>
@@ -3114,7 +3114,7 @@ Both are as large as fits.</source>
         <translation>%1（在后面）</translation>
     </message>
     <message>
-        <source>It is behind what is seen here.</source>
+        <source>A surface hides it in this view.</source>
         <translation>它在此处可见的表面后面。</translation>
     </message>
 </context>
@@ -3125,24 +3125,24 @@ Both are as large as fits.</source>
         <translation>“%1”（%2）</translation>
     </message>
     <message>
-        <source>Points held by what their object does not have: %1, as %2.</source>
-        <translation>由其物体所没有的元素固定的点：%1 个，如 %2。</translation>
+        <source>Landmarks whose triangle, edge or vertex does not exist: %1, such as %2.</source>
+        <translation>由其物体所没有的元素固定的标志点：%1 个，如 %2。</translation>
     </message>
     <message>
-        <source>Points that are elsewhere than what holds them, as if the model had been changed: %1; %2 by %3.</source>
-        <translation>不在固定它们的元素处的点，似乎模型已被改动：%1 个；%2 相差 %3。</translation>
+        <source>Landmarks away from their anchor, as if the model had been changed: %1; %2 by %3.</source>
+        <translation>不在固定它们的元素处的标志点，似乎模型已被改动：%1 个；%2 相差 %3。</translation>
     </message>
     <message>
-        <source>They are free where they are; B puts selected points onto the surface.</source>
-        <translation>它们留在原处，不再固定；按 B 把选中的点放到曲面上。</translation>
+        <source>They are free now. To put selected landmarks onto the surface, press B.</source>
+        <translation>它们留在原处，不再固定；按 B 把选中的标志点放到曲面上。</translation>
     </message>
     <message>
         <source>“%1” (on “%2”)</source>
         <translation>“%1”（在“%2”上）</translation>
     </message>
     <message>
-        <source>Points on an object that is not here: %1, as %2.</source>
-        <translation>所在物体不在此场景中的点：%1 个，如 %2。</translation>
+        <source>Landmarks on a missing object: %1, such as %2.</source>
+        <translation>所在物体不在此场景中的标志点：%1 个，如 %2。</translation>
     </message>
 </context>
 <context>
@@ -3185,55 +3185,55 @@ Both are as large as fits.</source>
         <translation>背景：此处没有表面</translation>
     </message>
     <message>
-        <source>It is behind what is seen here: turn the view, or go to it (G).</source>
+        <source>A surface hides it: turn the view, or go to it (G).</source>
         <translation>它在此处所见之物的后面：请转动视图，或转到该点（G）。</translation>
     </message>
     <message>
-        <source>Selected points that were not moved, behind what is seen here or beside it: %1.</source>
-        <translation>选中而未移动的点（在此处所见之后或之外）：%1 个。</translation>
+        <source>Selected landmarks not moved, because they are hidden or outside the view: %1.</source>
+        <translation>选中而未移动的标志点（在此处所见之后或之外）：%1 个。</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::LandmarksFeature</name>
     <message>
-        <source>Points</source>
-        <translation>点</translation>
+        <source>Landmarks</source>
+        <translation>标志点</translation>
     </message>
     <message>
-        <source>Place points on the surface, name them, move them, measure between them</source>
-        <translation>在表面上放置点、命名、移动、测量</translation>
+        <source>Place landmarks on the surface, name and move them, and measure between them</source>
+        <translation>在表面上放置标志点、命名、移动、测量</translation>
     </message>
     <message>
         <source>Series</source>
         <translation>系列</translation>
     </message>
     <message>
-        <source>Import Points</source>
-        <translation>导入点</translation>
+        <source>Import Landmarks</source>
+        <translation>导入标志点</translation>
     </message>
     <message>
         <source>All files (*)</source>
         <translation>所有文件 (*)</translation>
     </message>
     <message>
-        <source>Export Points</source>
-        <translation>导出点</translation>
+        <source>Export Landmarks</source>
+        <translation>导出标志点</translation>
     </message>
     <message>
-        <source>&amp;Import Points…</source>
-        <translation>导入点(&amp;I)…</translation>
+        <source>&amp;Import Landmarks…</source>
+        <translation>导入标志点(&amp;I)…</translation>
     </message>
     <message>
-        <source>Read points from a file of this or another program</source>
-        <translation>从本程序或其他程序的文件读取点</translation>
+        <source>Import landmarks from a file of this or another program</source>
+        <translation>从本程序或其他程序的文件读取标志点</translation>
     </message>
     <message>
-        <source>E&amp;xport Points…</source>
-        <translation>导出点(&amp;X)…</translation>
+        <source>E&amp;xport Landmarks…</source>
+        <translation>导出标志点(&amp;X)…</translation>
     </message>
     <message>
-        <source>Write the points to a file; its suffix says for which program</source>
-        <translation>将点写入文件；由后缀决定供哪个程序使用</translation>
+        <source>Export the landmarks to a file; its suffix selects the format</source>
+        <translation>将标志点写入文件；由后缀决定供哪个程序使用</translation>
     </message>
     <message>
         <source>Series of S&amp;cans</source>
@@ -3244,100 +3244,100 @@ Both are as large as fits.</source>
         <translation>打开文件夹(&amp;O)…</translation>
     </message>
     <message>
-        <source>Open a folder of scans, to place the same points on each</source>
-        <translation>打开一个扫描文件夹，在每个扫描上放置相同的点</translation>
+        <source>Open a folder of scans and place the same landmarks on each</source>
+        <translation>打开一个扫描文件夹，在每个扫描上放置相同的标志点</translation>
     </message>
     <message>
         <source>&amp;Next Scan</source>
         <translation>下一个扫描(&amp;N)</translation>
     </message>
     <message>
-        <source>Keep the points and show the next scan</source>
-        <translation>保留各点并显示下一个扫描</translation>
+        <source>Keep the landmarks and show the next scan</source>
+        <translation>保留各标志点并显示下一个扫描</translation>
     </message>
     <message>
         <source>&amp;Previous Scan</source>
         <translation>上一个扫描(&amp;P)</translation>
     </message>
     <message>
-        <source>Keep the points and show the scan before</source>
-        <translation>保留各点并显示上一个扫描</translation>
+        <source>Keep the landmarks and show the previous scan</source>
+        <translation>保留各标志点并显示上一个扫描</translation>
     </message>
     <message>
         <source>&amp;Repeats…</source>
         <translation>重复测量(&amp;R)…</translation>
     </message>
     <message>
-        <source>Write the mean of each point&apos;s placings, and how far they scatter, to a table</source>
-        <translation>把每个点各次放置的平均值及离散程度写入表格</translation>
+        <source>Write the mean and the scatter of each landmark&apos;s placings to a table</source>
+        <translation>把每个标志点各次放置的平均值及离散程度写入表格</translation>
     </message>
     <message>
         <source>&amp;Close Series</source>
         <translation>关闭系列(&amp;C)</translation>
     </message>
     <message>
-        <source>Keep the points and leave the series</source>
-        <translation>保存各点并离开此系列</translation>
+        <source>Keep the landmarks and leave the series</source>
+        <translation>保存各标志点并离开此系列</translation>
     </message>
     <message>
-        <source>&amp;Place Points</source>
-        <translation>放置点(&amp;P)</translation>
+        <source>&amp;Place Landmarks</source>
+        <translation>放置标志点(&amp;P)</translation>
     </message>
     <message>
-        <source>A click places a point; what is dragged turns the view</source>
-        <translation>点击放置一个点；拖动则转动视图</translation>
+        <source>A click places a landmark; a drag turns the view</source>
+        <translation>点击放置一个标志点；拖动则转动视图</translation>
     </message>
     <message>
-        <source>&amp;Go to Point</source>
-        <translation>转到该点(&amp;G)</translation>
+        <source>&amp;Go to Landmark</source>
+        <translation>转到该标志点(&amp;G)</translation>
     </message>
     <message>
-        <source>Turn the camera to face the surface at the selected point</source>
-        <translation>转动相机，使其正对选中点处的表面</translation>
+        <source>Turn the camera to face the surface at the selected landmark</source>
+        <translation>转动相机，使其正对选中标志点处的表面</translation>
     </message>
     <message>
         <source>&amp;Zoom to ± 0.01</source>
         <translation>放大到 ± 0.01(&amp;Z)</translation>
     </message>
     <message>
-        <source>Get closer to the selected point until its pixel leaves no more open than 0.01</source>
-        <translation>靠近选中的点，直到它的像素所含的不确定不超过 0.01</translation>
+        <source>Move closer to the selected landmark until its pixel has an uncertainty of at most 0.01</source>
+        <translation>靠近选中的标志点，直到它的像素所含的不确定不超过 0.01</translation>
     </message>
     <message>
         <source>Put &amp;Back on the Surface</source>
         <translation>放回表面(&amp;B)</translation>
     </message>
     <message>
-        <source>Put the selected points onto the surface, where it is closest to them</source>
-        <translation>将选中的点放到表面上离它们最近的位置</translation>
+        <source>Move the selected landmarks to the closest point of the surface</source>
+        <translation>将选中的标志点放到表面上离它们最近的位置</translation>
     </message>
     <message>
         <source>&amp;Join on the Surface</source>
         <translation>沿曲面连接(&amp;J)</translation>
     </message>
     <message>
-        <source>Lead a curve through the selected points as a thread pulled tight on the surface</source>
-        <translation>像在曲面上拉紧的线那样，引一条曲线通过选中的点</translation>
+        <source>Draw a curve through the selected landmarks, like a thread pulled tight on the surface</source>
+        <translation>像在曲面上拉紧的线那样，引一条曲线通过选中的标志点</translation>
     </message>
     <message>
         <source>Join Along a P&amp;lane</source>
         <translation>沿平面连接(&amp;L)</translation>
     </message>
     <message>
-        <source>Lead a curve through the selected points where the plane along the surface&apos;s normals cuts it</source>
-        <translation>在沿曲面法线的平面与曲面相交处，引一条曲线通过选中的点</translation>
+        <source>Draw a curve through the selected landmarks, where the plane along the surface&apos;s normals cuts it</source>
+        <translation>在沿曲面法线的平面与曲面相交处，引一条曲线通过选中的标志点</translation>
     </message>
     <message>
-        <source>Select a placed point first: its mark in the view, or its row under Points.</source>
-        <translation>请先选择一个已放置的点：点击视图中的标记，或“点”面板中的那一行。</translation>
+        <source>Select a placed landmark first: its marker in the view, or its row in the Landmarks panel.</source>
+        <translation>请先选择一个已放置的标志点：点击视图中的标记，或“标志点”面板中的那一行。</translation>
     </message>
     <message>
-        <source>Select placed points first: their marks in the view, or their rows under Points.</source>
-        <translation>请先选择已放置的点：点击视图中的标记，或“点”面板中的各行。</translation>
+        <source>Select placed landmarks first: their markers in the view, or their rows in the Landmarks panel.</source>
+        <translation>请先选择已放置的标志点：点击视图中的标记，或“标志点”面板中的各行。</translation>
     </message>
     <message>
-        <source>Select two points or more first: their rows under Points, with Ctrl.</source>
-        <translation>请先选择两个或更多的点：按住 Ctrl 点击“点”面板中的各行。</translation>
+        <source>Select two or more landmarks first: their rows in the Landmarks panel, with Ctrl.</source>
+        <translation>请先选择两个或更多的标志点：按住 Ctrl 点击“标志点”面板中的各行。</translation>
     </message>
 </context>
 <context>
@@ -3347,7 +3347,7 @@ Both are as large as fits.</source>
         <translation>%1 ± %2，世界单位</translation>
     </message>
     <message>
-        <source>%1, world units; how far it can be off is not known</source>
+        <source>%1, world units; uncertainty unknown</source>
         <translation>%1，世界单位；可能相差多少不得而知</translation>
     </message>
     <message>
@@ -3355,11 +3355,11 @@ Both are as large as fits.</source>
         <translation>%1，已隐藏</translation>
     </message>
     <message>
-        <source>How far the point can be off, world units: the length of what each coordinate can be</source>
+        <source>Uncertainty, world units: the length of the uncertainties of the coordinates</source>
         <translation>该点可能相差多少，世界单位：各坐标可能相差之量的长度</translation>
     </message>
     <message>
-        <source>Its number in the list, and in files that have no names</source>
+        <source>Number in the list, and in files without names</source>
         <translation>它在列表中的编号，也是没有名称的文件中的编号</translation>
     </message>
     <message>
@@ -3367,19 +3367,19 @@ Both are as large as fits.</source>
         <translation>名称</translation>
     </message>
     <message>
-        <source>World x; black as far as it is certain</source>
+        <source>World x; grey digits are smaller than the uncertainty</source>
         <translation>世界 x；黑色部分是确定的</translation>
     </message>
     <message>
-        <source>World y; black as far as it is certain</source>
+        <source>World y; grey digits are smaller than the uncertainty</source>
         <translation>世界 y；黑色部分是确定的</translation>
     </message>
     <message>
-        <source>World z; black as far as it is certain</source>
+        <source>World z; grey digits are smaller than the uncertainty</source>
         <translation>世界 z；黑色部分是确定的</translation>
     </message>
     <message>
-        <source>The object that it lies on</source>
+        <source>Object under the landmark</source>
         <translation>它所在的物体</translation>
     </message>
     <message>
@@ -3387,7 +3387,7 @@ Both are as large as fits.</source>
         <translation>物体</translation>
     </message>
     <message>
-        <source>What of the object&apos;s mesh holds it</source>
+        <source>Triangle, edge or vertex that holds the landmark</source>
         <translation>它依附于物体网格的哪一部分</translation>
     </message>
     <message>
@@ -3399,26 +3399,26 @@ Both are as large as fits.</source>
         <translation>备注</translation>
     </message>
     <message>
-        <source>This point has no place yet. Type all three coordinates, as “1 2 3”, or place it in the view.</source>
-        <translation>这个点还没有位置。请一次输入三个坐标，如“1 2 3”，或在视图中放置它。</translation>
+        <source>This landmark is not placed yet. Type all three coordinates, as “1 2 3”, or place it in the view.</source>
+        <translation>这个标志点还没有位置。请一次输入三个坐标，如“1 2 3”，或在视图中放置它。</translation>
     </message>
     <message>
-        <source>How far the point can be off is not known, so none of its digits counts as certain</source>
+        <source>The uncertainty is unknown, so all digits are grey</source>
         <translation>该点可能偏差多少未知，因此没有一位数字算是确定的</translation>
     </message>
     <message>
-        <source>How far the point can be off, world units: half a pixel to the side, and how far a click is off (which alone is what the comparison and the map of uncertainty have)</source>
+        <source>Uncertainty, world units: half a pixel to the side, and the click&apos;s uncertainty. The Comparison panel and the map show only the latter</source>
         <translation>此点可能偏差多远（世界单位）：侧向半个像素，再加点击本身的偏差（“比较”和不确定度图只含后者）</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::LandmarksPanel</name>
     <message>
-        <source>No points yet. Press P, then click where one is to be; or choose a template, and its points are placed one after the other.</source>
-        <translation>还没有点。按 P，再点击要放置的地方；或选择一个模板，依次放置其中的点。</translation>
+        <source>No landmarks yet. Press P, then click the surface. Or choose a template and place its landmarks one after the other.</source>
+        <translation>还没有标志点。按 P，再点击要放置的地方；或选择一个模板，依次放置其中的标志点。</translation>
     </message>
     <message>
-        <source>Why the number was refused</source>
+        <source>Reason why the number was rejected</source>
         <translation>数字被拒绝的原因</translation>
     </message>
     <message>
@@ -3434,24 +3434,24 @@ Both are as large as fits.</source>
         <translation>上移</translation>
     </message>
     <message>
-        <source>Put the selected point before the one above it</source>
-        <translation>将所选的点移到上一个之前</translation>
+        <source>Move the selected landmark up</source>
+        <translation>将所选的标志点移到上一个之前</translation>
     </message>
     <message>
         <source>Down</source>
         <translation>下移</translation>
     </message>
     <message>
-        <source>Put the selected point behind the one below it</source>
-        <translation>将所选的点移到下一个之后</translation>
+        <source>Move the selected landmark down</source>
+        <translation>将所选的标志点移到下一个之后</translation>
     </message>
     <message>
         <source>Remove</source>
         <translation>移除</translation>
     </message>
     <message>
-        <source>Remove the selected points (Del)</source>
-        <translation>移除所选的点 (Del)</translation>
+        <source>Remove the selected landmarks (Del)</source>
+        <translation>移除所选的标志点 (Del)</translation>
     </message>
     <message>
         <source>&amp;Load Template…</source>
@@ -3466,16 +3466,16 @@ Both are as large as fits.</source>
         <translation>全部重新放置(&amp;P)</translation>
     </message>
     <message>
-        <source>The names stay, and every point is placed anew</source>
-        <translation>名称保留，每个点重新放置</translation>
+        <source>Keep the names and place every landmark again</source>
+        <translation>名称保留，每个标志点重新放置</translation>
     </message>
     <message>
         <source>Load Template</source>
         <translation>载入模板</translation>
     </message>
     <message>
-        <source>Templates and points (%1)</source>
-        <translation>模板与点 (%1)</translation>
+        <source>Templates and landmarks (%1)</source>
+        <translation>模板与标志点 (%1)</translation>
     </message>
     <message>
         <source>Save Names as Template</source>
@@ -3490,15 +3490,15 @@ Both are as large as fits.</source>
         <translation>带提示的表格 (%1)</translation>
     </message>
     <message>
-        <source>Colour of Points</source>
-        <translation>点的颜色</translation>
+        <source>Colour of Landmarks</source>
+        <translation>标志点的颜色</translation>
     </message>
     <message>
         <source>&amp;Colour</source>
         <translation>颜色(&amp;C)</translation>
     </message>
     <message>
-        <source>&amp;Usual</source>
+        <source>&amp;Default</source>
         <translation>通常(&amp;U)</translation>
     </message>
     <message>
@@ -3546,7 +3546,7 @@ Both are as large as fits.</source>
         <translation>隐藏(&amp;H)</translation>
     </message>
     <message>
-        <source>&amp;Place This One Next</source>
+        <source>&amp;Place Next</source>
         <translation>下一个放置这个点(&amp;P)</translation>
     </message>
     <message>
@@ -3566,19 +3566,19 @@ Both are as large as fits.</source>
         <translation>无(&amp;N)</translation>
     </message>
     <message>
-        <source>Take away the names that are not placed: points are placed freely</source>
-        <translation>去掉尚未放置的名称：自由放置各点</translation>
+        <source>Remove the names not placed yet and place landmarks freely</source>
+        <translation>去掉尚未放置的名称：自由放置各标志点</translation>
     </message>
     <message>
-        <source>No points yet. Click where one is to be; or choose a template, and its points are placed one after the other.</source>
-        <translation>还没有点。在要放点的地方单击；或选择一个模板，依次放置其中的点。</translation>
+        <source>No landmarks yet. Click the surface. Or choose a template and place its landmarks one after the other.</source>
+        <translation>还没有标志点。在要放标志点的地方单击；或选择一个模板，依次放置其中的标志点。</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::LandmarksTable</name>
     <message>
-        <source>Placed points</source>
-        <translation>已放置的点</translation>
+        <source>Placed landmarks</source>
+        <translation>已放置的标志点</translation>
     </message>
 </context>
 <context>
@@ -3623,7 +3623,7 @@ Both are as large as fits.</source>
         <translation>课程</translation>
     </message>
     <message>
-        <source>Leave the lesson; the scene that was shown before it comes back</source>
+        <source>Leave the lesson and return to the scene before it</source>
         <translation>退出课程；恢复之前显示的场景</translation>
     </message>
     <message>
@@ -3639,11 +3639,11 @@ Both are as large as fits.</source>
         <translation>正在显示的课程步骤</translation>
     </message>
     <message>
-        <source>What to look at</source>
+        <source>Explanation</source>
         <translation>观察要点</translation>
     </message>
     <message>
-        <source>The step before (Alt+Page Up)</source>
+        <source>The previous step (Alt+Page Up)</source>
         <translation>上一步 (Alt+Page Up)</translation>
     </message>
     <message>
@@ -3659,11 +3659,11 @@ Both are as large as fits.</source>
         <translation>出处：%1</translation>
     </message>
     <message>
-        <source>The picture is not as the step has it. &lt;a href=&apos;restart:&apos;&gt;Put it back&lt;/a&gt;</source>
+        <source>The view differs from the step. &lt;a href=&apos;restart:&apos;&gt;Restore it&lt;/a&gt;</source>
         <translation>画面与本步不同。&lt;a href=&apos;restart:&apos;&gt;恢复原样&lt;/a&gt;</translation>
     </message>
     <message>
-        <source>The pixels that are spoken of are those of a view of &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt;. This one is %3 × %4.</source>
+        <source>The text uses the pixels of a view of &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt;. This view is %3 × %4.</source>
         <translation>所说的像素是 &lt;a href=&apos;view:%1x%2&apos;&gt;%1 × %2&lt;/a&gt; 的视图中的像素。现在的视图是 %3 × %4。</translation>
     </message>
     <message>
@@ -3675,7 +3675,7 @@ Both are as large as fits.</source>
         <translation>离开</translation>
     </message>
     <message>
-        <source>How the questions were answered, and the next lesson</source>
+        <source>Summary of the answers, and the next lesson</source>
         <translation>答题情况和下一课</translation>
     </message>
     <message>
@@ -3691,7 +3691,7 @@ Both are as large as fits.</source>
         <translation>%1_zh_CN.json</translation>
     </message>
     <message>
-        <source>The scene as it is now cannot be changed so. Put it back as the step has it. (%1)</source>
+        <source>The change does not fit the current scene. Restore the step&apos;s scene first. (%1)</source>
         <translation>现在的场景无法这样更改。请恢复为本步骤的场景。（%1）</translation>
     </message>
     <message>
@@ -3751,7 +3751,7 @@ Both are as large as fits.</source>
         <translation>上一步(&amp;P)</translation>
     </message>
     <message>
-        <source>The step of the lesson before this one</source>
+        <source>The previous step of the lesson</source>
         <translation>课程的上一步</translation>
     </message>
     <message>
@@ -3759,11 +3759,11 @@ Both are as large as fits.</source>
         <translation>退出课程(&amp;E)</translation>
     </message>
     <message>
-        <source>End the lesson; the scene that was shown before it comes back</source>
+        <source>Leave the lesson and return to the scene before it</source>
         <translation>结束课程；恢复之前显示的场景</translation>
     </message>
     <message>
-        <source>The point is not in the picture as it is now. Put the picture back as the step has it.</source>
+        <source>The point is outside the current view. Restore the step&apos;s view first.</source>
         <translation>该点不在现在的画面中。请恢复本步的画面。</translation>
     </message>
     <message>
@@ -3798,23 +3798,23 @@ Both are as large as fits.</source>
         <translation>步骤</translation>
     </message>
     <message>
-        <source>Stands for</source>
-        <translation>对应调用</translation>
+        <source>OpenGL calls</source>
+        <translation>OpenGL 调用</translation>
     </message>
     <message>
         <source>Took</source>
         <translation>耗时</translation>
     </message>
     <message>
-        <source>While the view moves, large models are shown by coarse ones that stand in for them. Clicks always read the full model.</source>
+        <source>While the view moves, large models are drawn coarsely. Clicks always read the full model.</source>
         <translation>视图移动时，大模型由粗略的替身显示。点击读取的始终是完整的模型。</translation>
     </message>
     <message>
-        <source>%1; in %2 of %3 pictures large models were drawn coarse</source>
+        <source>%1; in %2 of %3 frames large models were drawn coarsely</source>
         <translation>%1；%3 幅画面中有 %2 幅对大模型作了粗略绘制</translation>
     </message>
     <message>
-        <source>%1; large models were drawn coarse</source>
+        <source>%1; large models were drawn coarsely</source>
         <translation>%1；对大模型作了粗略绘制</translation>
     </message>
     <message>
@@ -3834,19 +3834,19 @@ Both are as large as fits.</source>
         <translation>%1 次中的最后一次。平均：%2 ms</translation>
     </message>
     <message>
-        <source>Seconds since the view&apos;s first step; of a folded row, those of its first</source>
+        <source>Seconds since the view&apos;s first step; a folded row shows its first step</source>
         <translation>从视图的第一步算起的秒数；对折叠的行，为其中第一步的时刻</translation>
     </message>
     <message>
-        <source>The step under its name in Weng et al. 2008, with its arguments (sizes in device pixels, positions in logical pixels from the top-left corner), or the parameter that changed</source>
+        <source>Name of the step in Weng et al. 2008 with its arguments, or the changed parameter. Sizes are in device pixels, positions in logical pixels from the top-left corner</source>
         <translation>步骤及其参数，名称依 Weng 等 (2008)（大小以设备像素计，位置以逻辑像素计，原点在左上角），或改变了的参数</translation>
     </message>
     <message>
-        <source>The OpenGL calls that the step makes, or the call that has the parameter</source>
+        <source>OpenGL calls of the step, or the call that takes the parameter</source>
         <translation>该步骤所做的 OpenGL 调用，或含有该参数的调用</translation>
     </message>
     <message>
-        <source>Milliseconds of the step; of a folded row, those of its last</source>
+        <source>Duration of the step in milliseconds; a folded row shows its last step</source>
         <translation>该步骤的毫秒数；对折叠的行，为其中最后一步的值</translation>
     </message>
 </context>
@@ -3877,7 +3877,7 @@ Both are as large as fits.</source>
         <translation>复制</translation>
     </message>
     <message>
-        <source>A row that stands for several steps can be opened: click its arrow, or press Right</source>
+        <source>To open a row of several steps, click its arrow or press Right</source>
         <translation>代表多个步骤的行可以展开：点击其箭头，或按右方向键</translation>
     </message>
     <message>
@@ -3930,7 +3930,7 @@ Both are as large as fits.</source>
 <context>
     <name>unprojector::gui::MapFeature</name>
     <message>
-        <source>Show over the view, for every pixel, how far the methods differ, how sure a click is, or what another program is off</source>
+        <source>Show for every pixel the difference of the methods, the uncertainty of a click, or the error of another program</source>
         <translation>在视图上显示每个像素处两种方法相差多少、点击有多确定，或其他程序偏差多少</translation>
     </message>
     <message>
@@ -3938,8 +3938,8 @@ Both are as large as fits.</source>
         <translation>导出映射图</translation>
     </message>
     <message>
-        <source>Picture with its scale (*.png)</source>
-        <translation>带刻度的图片 (*.png)</translation>
+        <source>Image with its scale (*.png)</source>
+        <translation>带刻度的图像 (*.png)</translation>
     </message>
     <message>
         <source>Float map (*.pfm)</source>
@@ -3957,7 +3957,7 @@ Both are as large as fits.</source>
 <context>
     <name>unprojector::gui::MapOverlay</name>
     <message>
-        <source>The map comes when the view rests.</source>
+        <source>The map appears when the view stops moving.</source>
         <translation>视图静止后显示映射图。</translation>
     </message>
     <message>
@@ -3965,7 +3965,7 @@ Both are as large as fits.</source>
         <translation>正在计算映射图：%1 %</translation>
     </message>
     <message>
-        <source>There is no such map of this picture: %1</source>
+        <source>This view has no such map: %1</source>
         <translation>此画面没有这种映射图：%1</translation>
     </message>
     <message>
@@ -3977,15 +3977,15 @@ Both are as large as fits.</source>
         <translation>正在计算映射图…</translation>
     </message>
     <message>
-        <source>There is no map, since the model is not prepared for rays: %1.</source>
+        <source>There is no map, because the model is not prepared for rays: %1.</source>
         <translation>未能为射线准备模型，因此没有映射图：%1。</translation>
     </message>
     <message>
-        <source>The map comes when the model is prepared for rays.</source>
+        <source>The map appears when the model is prepared for rays.</source>
         <translation>模型为射线准备好后显示映射图。</translation>
     </message>
     <message>
-        <source>No pixel has a number.</source>
+        <source>No pixel has a value.</source>
         <translation>没有像素有数值。</translation>
     </message>
     <message>
@@ -4001,11 +4001,11 @@ Both are as large as fits.</source>
         <translation>此处：%1</translation>
     </message>
     <message>
-        <source>There is no map to write.</source>
+        <source>There is no map to export.</source>
         <translation>没有可写出的映射图。</translation>
     </message>
     <message>
-        <source>%1: a map is written as .png or .pfm; give the name one of these suffixes.</source>
+        <source>%1: maps are written as .png or .pfm. End the name with one of these.</source>
         <translation>%1：映射图写为 .png 或 .pfm；请给文件名加上其中一个后缀。</translation>
     </message>
     <message>
@@ -4013,8 +4013,8 @@ Both are as large as fits.</source>
         <translation>%1 个像素：除舍入外没有差别。</translation>
     </message>
     <message>
-        <source>It is the length of the ± that the comparison states for a click there. Half a step of the depth buffer is a part of it; the ± of a placed point has half a pixel to the side besides.</source>
-        <translation>这是“比较”对该处点击所给 ± 的长度。深度缓冲区的半步只是其中一部分；放置的点的 ± 还另含侧向半个像素。</translation>
+        <source>It is the length of the ± that the Comparison panel shows for a click there. Half a step of the depth buffer is a part of it. The ± of a landmark adds half a pixel to the side.</source>
+        <translation>这是“比较”对该处点击所给 ± 的长度。深度缓冲区的半步只是其中一部分；放置的标志点的 ± 还另含侧向半个像素。</translation>
     </message>
 </context>
 <context>
@@ -4024,15 +4024,15 @@ Both are as large as fits.</source>
         <translation>导出(&amp;X)…</translation>
     </message>
     <message>
-        <source>What the map shows</source>
+        <source>Quantity that the map shows</source>
         <translation>映射图显示什么</translation>
     </message>
     <message>
-        <source>Whose displacement</source>
+        <source>Program or mistake of the displacement</source>
         <translation>谁的偏移</translation>
     </message>
     <message>
-        <source>Which program answers, or which mistake is made</source>
+        <source>Program that answers, or mistake that is made</source>
         <translation>由哪个程序给出，或犯了哪个错误</translation>
     </message>
     <message>
@@ -4048,7 +4048,7 @@ Both are as large as fits.</source>
         <translation>颜色</translation>
     </message>
     <message>
-        <source>Colours from dark to light, to be told apart by the colour-blind too</source>
+        <source>Colours from dark to light, also for colour-blind users</source>
         <translation>由深到浅的颜色，色盲者也能分辨</translation>
     </message>
     <message>
@@ -4060,11 +4060,11 @@ Both are as large as fits.</source>
         <translation>映射图的数值</translation>
     </message>
     <message>
-        <source>Write the map as a picture with its scale (PNG), or as numbers (PFM)</source>
-        <translation>把映射图写成带刻度的图片（PNG）或数值（PFM）</translation>
+        <source>Write the map as an image with its scale (PNG), or as numbers (PFM)</source>
+        <translation>把映射图写成带刻度的图像（PNG）或数值（PFM）</translation>
     </message>
     <message>
-        <source>Take the map away</source>
+        <source>Close the map</source>
         <translation>移除映射图</translation>
     </message>
     <message>
@@ -4103,19 +4103,19 @@ Both are as large as fits.</source>
         <translation>偏移，来自…</translation>
     </message>
     <message>
-        <source>How far the formulas&apos; point is from the inverted matrix&apos;s</source>
+        <source>Distance between the points of the formulas and of the inverted matrix</source>
         <translation>公式的点与逆矩阵的点相距多远</translation>
     </message>
     <message>
-        <source>How far the formulas&apos; point is from where the pixel&apos;s ray meets the mesh</source>
+        <source>Distance from the formulas&apos; point to the hit of the pixel&apos;s ray on the mesh</source>
         <translation>公式的点与像素射线在网格上的交点相距多远</translation>
     </message>
     <message>
-        <source>How far the inverted matrix&apos;s point is from where the pixel&apos;s ray meets the mesh</source>
+        <source>Distance from the inverted matrix&apos;s point to the hit of the pixel&apos;s ray on the mesh</source>
         <translation>逆矩阵的点与像素射线在网格上的交点相距多远</translation>
     </message>
     <message>
-        <source>How far what another program answers, or a program with a mistake, is from the formulas&apos; point</source>
+        <source>Distance from the formulas&apos; point to the answer of another program, or of a program with a mistake</source>
         <translation>其他程序或带有某个错误的程序所得的点与公式的点相距多远</translation>
     </message>
     <message>
@@ -4155,8 +4155,8 @@ Both are as large as fits.</source>
         <translation>除以尺寸减一：视口中央正确，边缘偏差半个像素</translation>
     </message>
     <message>
-        <source>How far the surface may be from the point of a click: the length of its ± in the comparison. A placed point&apos;s ± has half a pixel to the side besides</source>
-        <translation>表面离点击所得的点可能有多远：即“比较”中 ± 的长度。放置的点的 ± 还另含侧向半个像素</translation>
+        <source>Greatest distance of the surface from the point of a click: the length of its ± in the Comparison panel. The ± of a landmark adds half a pixel to the side</source>
+        <translation>曲面离点击所得的点最远可能有多远：即“比较”面板中 ± 的长度。标志点的 ± 还另含侧向半个像素</translation>
     </message>
     <message>
         <source>takes the pixel&apos;s upper left corner</source>
@@ -4259,16 +4259,16 @@ Both are as large as fits.</source>
         <translation>四行以逗号分隔的数字，按显示的排列</translation>
     </message>
     <message>
-        <source>Take apart</source>
+        <source>Decompose</source>
         <translation>分解</translation>
     </message>
     <message>
-        <source>Show the factors that the matrix is made of, and what each of them does</source>
+        <source>Show the factors of the matrix and the effect of each</source>
         <translation>显示组成此矩阵的各因子，以及各自的作用</translation>
     </message>
     <message>
-        <source>Take %1 apart</source>
-        <translation>分解 %1</translation>
+        <source>Decompose %1</source>
+        <translation>分解%1</translation>
     </message>
 </context>
 <context>
@@ -4322,11 +4322,11 @@ Both are as large as fits.</source>
         <translation>按列优先读取</translation>
     </message>
     <message>
-        <source>Take Its Inverse</source>
+        <source>Invert</source>
         <translation>取它的逆</translation>
     </message>
     <message>
-        <source>Exchange Them</source>
+        <source>Swap Them</source>
         <translation>互换</translation>
     </message>
     <message>
@@ -4338,15 +4338,15 @@ Both are as large as fits.</source>
         <translation>按 0 到 1 读取</translation>
     </message>
     <message>
-        <source>Turn y Back</source>
+        <source>Flip y</source>
         <translation>把 y 反回来</translation>
     </message>
     <message>
-        <source>Turn x Back</source>
+        <source>Flip x</source>
         <translation>把 x 反回来</translation>
     </message>
     <message>
-        <source>Take the Scale Out</source>
+        <source>Remove the Scale</source>
         <translation>去掉缩放</translation>
     </message>
     <message>
@@ -4354,7 +4354,7 @@ Both are as large as fits.</source>
         <translation>使之正交</translation>
     </message>
     <message>
-        <source>Turn the Signs</source>
+        <source>Negate</source>
         <translation>改变符号</translation>
     </message>
     <message>
@@ -4378,8 +4378,8 @@ Both are as large as fits.</source>
         <translation>透视：垂直视场角 %1°，宽高比 %2，%3。</translation>
     </message>
     <message>
-        <source>Box: %1 wide, %2 high, %3.</source>
-        <translation>正交：宽 %1，高 %2，%3。</translation>
+        <source>Orthographic: %1 wide, %2 high, %3.</source>
+        <translation>正交投影：宽 %1，高 %2，%3。</translation>
     </message>
     <message>
         <source>Right-handed eye space, NDC depths from 0 to 1.</source>
@@ -4390,11 +4390,11 @@ Both are as large as fits.</source>
         <translation>观察坐标系为右手系，NDC 深度从 −1 到 1。</translation>
     </message>
     <message>
-        <source>The depth range is turned round for it.</source>
+        <source>The depth range is reversed to match.</source>
         <translation>深度范围已为它反转。</translation>
     </message>
     <message>
-        <source>It is drawn up to a million times near.</source>
+        <source>It is drawn up to one million times near.</source>
         <translation>绘制到近平面的一百万倍处为止。</translation>
     </message>
     <message>
@@ -4402,7 +4402,7 @@ Both are as large as fits.</source>
         <translation>请选择您的程序输出它的次序。</translation>
     </message>
     <message>
-        <source>Paste the view alone.</source>
+        <source>Paste only the view.</source>
         <translation>请只粘贴观察矩阵。</translation>
     </message>
     <message>
@@ -4467,8 +4467,8 @@ Both are as large as fits.</source>
         <translation>镜像平面</translation>
     </message>
     <message>
-        <source>none is better than another yet; place more left and right points</source>
-        <translation>目前没有哪个平面更好；请放置更多左右成对的点</translation>
+        <source>too few pairs; place more left and right landmarks</source>
+        <translation>目前没有哪个平面更好；请放置更多左右成对的标志点</translation>
     </message>
     <message>
         <source>normal (%1, %2, %3)</source>
@@ -4483,11 +4483,11 @@ Both are as large as fits.</source>
         <translation>不对称</translation>
     </message>
     <message>
-        <source>Off the middle</source>
-        <translation>偏离中线</translation>
+        <source>Distance from the mirror plane</source>
+        <translation>到镜像平面的距离</translation>
     </message>
     <message>
-        <source>being worked out…</source>
+        <source>computing…</source>
         <translation>正在计算…</translation>
     </message>
     <message>
@@ -4504,7 +4504,7 @@ Both are as large as fits.</source>
         <translation>成对：%1</translation>
     </message>
     <message>
-        <source>pairs: %1; taken to be in the middle: %2</source>
+        <source>pairs: %1; in the middle: %2</source>
         <translation>成对：%1；视为位于正中：%2</translation>
     </message>
     <message>
@@ -4539,7 +4539,7 @@ Both are as large as fits.</source>
 <context>
     <name>unprojector::gui::MeasuresView</name>
     <message>
-        <source>What is measured</source>
+        <source>Measured quantity</source>
         <translation>测量什么</translation>
     </message>
     <message>
@@ -4547,16 +4547,16 @@ Both are as large as fits.</source>
         <translation>所选</translation>
     </message>
     <message>
-        <source>Distances, angles and heights of the points that are selected</source>
-        <translation>所选各点的距离、角度和高度</translation>
+        <source>Distances, angles and heights of the selected landmarks</source>
+        <translation>所选各标志点的距离、角度和高度</translation>
     </message>
     <message>
         <source>Left and Right</source>
         <translation>左与右</translation>
     </message>
     <message>
-        <source>Points whose names are the same but for left and right, and the plane that mirrors them best</source>
-        <translation>名称只差“左”“右”（left、right）的点，以及使它们最好地互为镜像的平面</translation>
+        <source>Landmarks whose names differ only in left and right, and the plane that mirrors them best</source>
+        <translation>名称只差“左”“右”（left、right）的标志点，以及使它们最好地互为镜像的平面</translation>
     </message>
     <message>
         <source>Measures</source>
@@ -4567,8 +4567,8 @@ Both are as large as fits.</source>
         <translation>测量</translation>
     </message>
     <message>
-        <source>Points</source>
-        <translation>点</translation>
+        <source>Landmarks</source>
+        <translation>标志点</translation>
     </message>
     <message>
         <source>Value</source>
@@ -4579,7 +4579,7 @@ Both are as large as fits.</source>
         <translation>场景的单位</translation>
     </message>
     <message>
-        <source>What a world unit of this scene is; nothing is converted</source>
+        <source>Length of a world unit of this scene; coordinates are not converted</source>
         <translation>本场景的一个世界单位是什么；不作任何换算</translation>
     </message>
     <message>
@@ -4591,28 +4591,28 @@ Both are as large as fits.</source>
         <translation>单位</translation>
     </message>
     <message>
-        <source>No pairs: name points alike but for “left” and “right”, as “eye left” and “eye right”.</source>
-        <translation>没有成对的点：请让名称只差“左”和“右”，如“左外眼角”和“右外眼角”；“left”和“right”亦可。</translation>
+        <source>No pairs. Give landmarks names that differ only in “left” and “right”, as “eye left” and “eye right”.</source>
+        <translation>没有成对的标志点：请让名称只差“左”和“右”，如“左外眼角”和“右外眼角”；“left”和“right”亦可。</translation>
     </message>
     <message>
-        <source>Select two points or more to measure between them.</source>
-        <translation>选择两个或更多的点即可测量。</translation>
+        <source>Select two or more landmarks to measure between them.</source>
+        <translation>选择两个或更多的标志点即可测量。</translation>
     </message>
     <message>
         <source>Copy as C&amp;SV</source>
         <translation>复制为 CSV(&amp;S)</translation>
     </message>
     <message>
-        <source>The measure that is chosen here is shown in the view; once more, and it is not</source>
+        <source>Select a measure to show it in the view; select it again to hide it</source>
         <translation>在此选中的量显示在视图中；再点一次则不显示</translation>
     </message>
     <message>
-        <source>From point to point a geodesic of the mesh: as a thread pulled tight over its triangles, exact to rounding for these. Which way around a hole or a hill it goes, is that of the shortest of the ways over places on the edges.</source>
-        <translation>逐点之间为网格的测地线：如同在三角形上拉紧的线，对这些三角形精确到舍入误差。它从孔洞或隆起的哪一侧绕过，取决于经由边上各位置的路径中最短的一条。</translation>
+        <source>Geodesic of the mesh from landmark to landmark, like a thread pulled tight, exact to rounding for the triangles. Around a hole or a hill it follows the shortest of the paths over sample points on the edges.</source>
+        <translation>标志点之间为网格的测地线：如同在三角形上拉紧的线，对这些三角形精确到舍入误差。绕过孔洞或隆起时，取经由边上各采样点的路径中最短的一条。</translation>
     </message>
     <message>
-        <source>A point whose name says neither left nor right is taken to be in the middle. One that is hidden is left out.</source>
-        <translation>名称中没有左右之分的点视为位于正中。隐藏的点不计入。</translation>
+        <source>A landmark without left or right in its name counts as in the middle. A hidden landmark is left out.</source>
+        <translation>名称中没有左右之分的标志点视为位于正中。隐藏的标志点不计入。</translation>
     </message>
     <message>
         <source>%1 %2: %3</source>
@@ -4658,7 +4658,7 @@ Both are as large as fits.</source>
         <translation>物体</translation>
     </message>
     <message>
-        <source>The object that is placed by these steps</source>
+        <source>Object that these steps move</source>
         <translation>由这些步骤放置的物体</translation>
     </message>
     <message>
@@ -4706,11 +4706,11 @@ Both are as large as fits.</source>
         <translation>移除步骤</translation>
     </message>
     <message>
-        <source>There are no objects to place.</source>
+        <source>The scene has no objects.</source>
         <translation>没有可放置的物体。</translation>
     </message>
     <message>
-        <source>No steps: the object stands where its file puts it.</source>
+        <source>No steps: the object has the coordinates of its file.</source>
         <translation>没有步骤：物体位于其文件给出的位置。</translation>
     </message>
     <message>
@@ -4790,11 +4790,11 @@ Both are as large as fits.</source>
         <translation>模型</translation>
     </message>
     <message>
-        <source>Where each object stands (glTranslate, glRotate, glScale)</source>
+        <source>Position of each object (glTranslate, glRotate, glScale)</source>
         <translation>各物体的位置 (glTranslate, glRotate, glScale)</translation>
     </message>
     <message>
-        <source>No steps: the object that is shown stands where its file puts it</source>
+        <source>No steps: the shown object has the coordinates of its file</source>
         <translation>没有步骤：所示物体位于其文件给出的位置</translation>
     </message>
     <message>
@@ -4817,16 +4817,16 @@ Both are as large as fits.</source>
 <context>
     <name>unprojector::gui::NextLandmarkBar</name>
     <message>
-        <source>The point that is placed next</source>
-        <translation>下一个要放置的点</translation>
+        <source>Landmark to place next</source>
+        <translation>下一个要放置的标志点</translation>
     </message>
     <message>
-        <source>Where that is</source>
+        <source>Definition of the landmark</source>
         <translation>它在哪里</translation>
     </message>
     <message>
-        <source>How many points are placed</source>
-        <translation>已放置多少个点</translation>
+        <source>Number of placed landmarks</source>
+        <translation>已放置多少个标志点</translation>
     </message>
     <message>
         <source>Skip</source>
@@ -4845,23 +4845,23 @@ Both are as large as fits.</source>
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>The template&apos;s picture of it</source>
-        <translation>模板中该点的图片</translation>
+        <source>Image from the template</source>
+        <translation>模板中的图像</translation>
     </message>
     <message>
-        <source>The picture %1 cannot be shown: %2.</source>
-        <translation>无法显示图片 %1：%2。</translation>
+        <source>The image %1 cannot be shown: %2.</source>
+        <translation>无法显示图像 %1：%2。</translation>
     </message>
     <message>
-        <source>How it is placed</source>
+        <source>Instruction for placing</source>
         <translation>如何放置</translation>
     </message>
     <message>
-        <source>Press P, then click where it is.</source>
+        <source>Press P, then click its position.</source>
         <translation>按 P，再点击它所在之处。</translation>
     </message>
     <message>
-        <source>Click where it is; P or Esc ends placing.</source>
+        <source>Click its position; P or Esc ends placing.</source>
         <translation>点击它所在的位置；按 P 或 Esc 结束放置。</translation>
     </message>
 </context>
@@ -4873,7 +4873,7 @@ Both are as large as fits.</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>JPEG is not known here: Qt&apos;s plugin for it is missing. Convert it to PNG.</source>
+        <source>JPEG is not supported here: Qt&apos;s plugin for it is missing. Convert the file to PNG.</source>
         <translation>此处无法读取 JPEG：缺少 Qt 的相应插件。请转换为 PNG。</translation>
     </message>
 </context>
@@ -4914,11 +4914,11 @@ Both are as large as fits.</source>
         <translation>三角形</translation>
     </message>
     <message>
-        <source>An object needs a name: it kept its own.</source>
+        <source>An object needs a name. The old name is kept.</source>
         <translation>物体需要名称：已保留原名。</translation>
     </message>
     <message>
-        <source>Another object is called “%1” already. Give this one a name of its own.</source>
+        <source>Another object is already called “%1”. Choose another name.</source>
         <translation>已有另一个物体名为“%1”。请另取一个名称。</translation>
     </message>
 </context>
@@ -4929,7 +4929,7 @@ Both are as large as fits.</source>
         <translation>场景中的物体</translation>
     </message>
     <message>
-        <source>Why the name was refused</source>
+        <source>Reason why the name was rejected</source>
         <translation>名称被拒绝的原因</translation>
     </message>
     <message>
@@ -4937,7 +4937,7 @@ Both are as large as fits.</source>
         <translation>适合窗口</translation>
     </message>
     <message>
-        <source>Look at this object: it fills the view</source>
+        <source>Move the camera so that this object fills the view</source>
         <translation>看向该物体，使其充满视图</translation>
     </message>
     <message>
@@ -4945,7 +4945,7 @@ Both are as large as fits.</source>
         <translation>移除</translation>
     </message>
     <message>
-        <source>Take this object out of the scene (Del)</source>
+        <source>Remove this object from the scene (Del)</source>
         <translation>把该物体从场景中移除（Del）</translation>
     </message>
     <message>
@@ -4972,7 +4972,7 @@ Both are as large as fits.</source>
         <translation>从观察坐标系到规范视景体</translation>
     </message>
     <message>
-        <source>Morph the picture from eye space (left, 0 %) into the canonical view volume (right, 100 %).
+        <source>Morph the view from eye space (left, 0 %) into the canonical view volume (right, 100 %).
 The view volume becomes the cube [−1, 1]³ of NDC; straight lines stay straight.
 The cube&apos;s z axis points away from the eye, because NDC is left-handed.</source>
         <translation>让画面从观察坐标系（左端，0 %）渐变到规范视景体（右端，100 %）。
@@ -5004,7 +5004,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>观察坐标系</translation>
     </message>
     <message>
-        <source>As the scene is: lengths and angles are true</source>
+        <source>Before the projection: lengths and angles are true</source>
         <translation>场景的原样：长度和角度是真实的</translation>
     </message>
     <message>
@@ -5012,7 +5012,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>规范视景体</translation>
     </message>
     <message>
-        <source>As the projection makes it: NDC, each coordinate from −1 to 1</source>
+        <source>After the projection: NDC, each coordinate from −1 to 1</source>
         <translation>投影之后的样子：NDC，各坐标从 −1 到 1</translation>
     </message>
     <message>
@@ -5032,7 +5032,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>所点击像素的射线</translation>
     </message>
     <message>
-        <source>From the eye (in a box: from the near plane) through the clicked pixel to the far plane, and whether it hits a surface</source>
+        <source>From the eye (orthographic: from the near plane) through the clicked pixel to the far plane, and whether it hits a surface</source>
         <translation>从视点（长方体视景体：从近平面）经过所点击的像素到远平面，以及它是否碰到表面</translation>
     </message>
     <message>
@@ -5064,11 +5064,11 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>关闭“从外部观察”（0）</translation>
     </message>
     <message>
-        <source>Into a panel of its own</source>
+        <source>Move into its own panel</source>
         <translation>放入单独的面板</translation>
     </message>
     <message>
-        <source>Back into the corner of the view</source>
+        <source>Move back into the corner of the view</source>
         <translation>放回视图的一角</translation>
     </message>
     <message>
@@ -5076,7 +5076,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>× 在画面之外：显示它</translation>
     </message>
     <message>
-        <source>The point that your program got lies outside of this picture. Move back until it is in it</source>
+        <source>Your program&apos;s point is outside this view. Move back until it is visible</source>
         <translation>您的程序得到的点在这幅画面之外。向后退，直到看得见它</translation>
     </message>
 </context>
@@ -5164,11 +5164,11 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>%1为空；请输入一个数。</translation>
     </message>
     <message>
-        <source>%1 can be taken now; press Enter.</source>
+        <source>%1 is valid now; press Enter.</source>
         <translation>%1现在可以接受；请按回车键。</translation>
     </message>
     <message>
-        <source>Why the change is not made</source>
+        <source>Reason why the change was rejected</source>
         <translation>未作更改的原因</translation>
     </message>
     <message>
@@ -5203,7 +5203,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
 <context>
     <name>unprojector::gui::ParameterRow</name>
     <message>
-        <source>Why the number is not taken</source>
+        <source>Reason why the number was rejected</source>
         <translation>该数不被接受的原因</translation>
     </message>
 </context>
@@ -5228,7 +5228,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>粘贴矩阵</translation>
     </message>
     <message>
-        <source>What is pasted</source>
+        <source>Pasted matrices</source>
         <translation>粘贴的内容</translation>
     </message>
     <message>
@@ -5240,19 +5240,19 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>乘积</translation>
     </message>
     <message>
-        <source>Projection times view, or times modelview (MVP), taken apart into the two</source>
+        <source>Projection times view, or times modelview (MVP), decomposed into the two</source>
         <translation>投影乘观察矩阵，或乘模型视图矩阵（MVP），并拆成这两个矩阵</translation>
     </message>
     <message>
-        <source>What the matrices mean</source>
+        <source>Meaning of the matrices</source>
         <translation>矩阵的含义</translation>
     </message>
     <message>
-        <source>Take the camera of the scene from these matrices; undone with Ctrl+Z</source>
+        <source>Set the scene&apos;s camera from these matrices; Ctrl+Z undoes it</source>
         <translation>让场景的相机取自这些矩阵；可用 Ctrl+Z 撤销</translation>
     </message>
     <message>
-        <source>The viewport, %1 × %2, is left out: that of the view stays (Parameters, Viewport).</source>
+        <source>The viewport, %1 × %2, is ignored: the view keeps its own (Parameters, Viewport).</source>
         <translation>视口 %1 × %2 未采用：保留视图原有的视口（参数，视口）。</translation>
     </message>
     <message>
@@ -5264,11 +5264,11 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>两个矩阵，或其中之一；另一个保留场景原有的</translation>
     </message>
     <message>
-        <source>The product cannot be taken apart: it is not a perspective or orthographic projection times a view. Paste projection and view.</source>
-        <translation>无法拆开乘积：它不是透视投影或正交投影与观察矩阵的乘积。请分别粘贴投影矩阵和观察矩阵。</translation>
+        <source>The product cannot be decomposed: it is not a perspective or orthographic projection times a view. Paste projection and view.</source>
+        <translation>无法分解乘积：它不是透视投影或正交投影与观察矩阵的乘积。请分别粘贴投影矩阵和观察矩阵。</translation>
     </message>
     <message>
-        <source>The viewport becomes that of glViewport: %1 × %2 at (%3, %4).</source>
+        <source>The viewport is set by glViewport: %1 × %2 at (%3, %4).</source>
         <translation>视口改为 glViewport 的视口：%1 × %2，位于 (%3, %4)。</translation>
     </message>
 </context>
@@ -5303,7 +5303,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>恢复原样</translation>
     </message>
     <message>
-        <source>Take back what was done to the matrix</source>
+        <source>Undo the changes to the matrix</source>
         <translation>撤回对矩阵所做的改动</translation>
     </message>
     <message>
@@ -5323,7 +5323,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>NDC 深度</translation>
     </message>
     <message>
-        <source>By −1 to 1, but where the numbers can only be by 0 to 1</source>
+        <source>−1 to 1, unless the numbers allow only 0 to 1</source>
         <translation>按 −1 到 1；数值只可能是 0 到 1 时除外</translation>
     </message>
     <message>
@@ -5351,7 +5351,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>默认</translation>
     </message>
     <message>
-        <source>Its inverse, beside it in the text, is left out.</source>
+        <source>Its inverse in the text is ignored.</source>
         <translation>文本中与它并列的逆矩阵未采用。</translation>
     </message>
     <message>
@@ -5403,7 +5403,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <translation>读作投影和观察</translation>
     </message>
     <message>
-        <source>The text names a product (MVP): take it apart into projection and view</source>
+        <source>The text names a product (MVP): decompose it into projection and view</source>
         <translation>文本写明是乘积（MVP）：把它拆成投影矩阵和观察矩阵</translation>
     </message>
     <message>
@@ -5557,7 +5557,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <translation>世界坐标：单击的答案</translation>
     </message>
     <message>
-        <source>Coordinates of the object that was clicked, as its file has them</source>
+        <source>Object coordinates, as in the file of the clicked object</source>
         <translation>被单击物体的坐标，与其文件中一致</translation>
     </message>
     <message>
@@ -5576,11 +5576,11 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <translation>近平面 %1 与远平面 %2 之间没有任何内容：物体从 %3 开始，到 %4 结束。</translation>
     </message>
     <message>
-        <source>Far is %1 times near: the depth buffer cannot hold that, and surfaces are taken for background. Give near a larger distance.</source>
+        <source>Far is %1 times near: the depth buffer is too coarse for it, and surfaces look like background. Increase near.</source>
         <translation>远平面距离是近平面的 %1 倍：深度缓冲区无法容纳，表面被当作背景。请增大近平面距离。</translation>
     </message>
     <message>
-        <source>Why nothing is seen</source>
+        <source>Reason for the empty view</source>
         <translation>为何看不到任何内容</translation>
     </message>
     <message>
@@ -5662,7 +5662,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <translation>粘贴矩阵(&amp;M)…</translation>
     </message>
     <message>
-        <source>Take the camera from projection and view, or their product, as another program prints them</source>
+        <source>Set the camera from another program&apos;s projection and view, or from their product</source>
         <translation>让相机取自其他程序打印的投影矩阵和观察矩阵，或它们的乘积</translation>
     </message>
 </context>
@@ -5681,7 +5681,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <translation>NDC 的 z 从 −1 到 1</translation>
     </message>
     <message>
-        <source>reversed: the depth range is turned round for it</source>
+        <source>reversed: the depth range is reversed to match</source>
         <translation>反向：为此把深度范围倒过来</translation>
     </message>
     <message>
@@ -5693,7 +5693,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <translation>移除您的点</translation>
     </message>
     <message>
-        <source>A widget position says nothing of the depth. Give the window point, whose third number it is.</source>
+        <source>A widget position has no depth. Type the window point instead: its third number is the depth.</source>
         <translation>控件坐标不含深度。请给出窗口点，其第三个数就是深度。</translation>
     </message>
     <message>
@@ -5701,7 +5701,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <translation>给出%1坐标中的点</translation>
     </message>
     <message>
-        <source>Your point was given in the space of “%1”, which is not here: taken as a world point.</source>
+        <source>Your point was given in the space of “%1”, which does not exist: it is read as a world point.</source>
         <translation>您的点是在“%1”的空间中给出的，而该物体不在此处：按世界坐标处理。</translation>
     </message>
     <message>
@@ -5717,7 +5717,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <translation>非透视投影没有相机内参矩阵 K。</translation>
     </message>
     <message>
-        <source>As it was given: %1. Clip and NDC are those of its conversion, OpenGL&apos;s matrix of the same view volume, which follows.</source>
+        <source>The matrix as given: %1. Clip and NDC use its conversion, which follows: OpenGL&apos;s matrix of the same view volume.</source>
         <translation>原样保留：%1。裁剪坐标和 NDC 属于它的转换结果，即同一视景体的 OpenGL 矩阵，列于其后。</translation>
     </message>
     <message>
@@ -5760,7 +5760,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <translation>选“正向”可看各因子；此矩阵是它们乘积的逆矩阵。</translation>
     </message>
     <message>
-        <source>What is otherwise than in OpenGL</source>
+        <source>Differences from OpenGL</source>
         <translation>与 OpenGL 的不同之处</translation>
     </message>
     <message>
@@ -5839,11 +5839,11 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <translation>全部位数</translation>
     </message>
     <message>
-        <source>The double with all its digits, up to 17; they need room</source>
+        <source>All digits of the double, up to 17; needs more space</source>
         <translation>双精度的全部数字，最多 17 位；需要较宽的位置</translation>
     </message>
     <message>
-        <source>Rounded to single precision, with all the digits that it has</source>
+        <source>Rounded to single precision, with all its digits</source>
         <translation>舍入到单精度，显示其全部数位</translation>
     </message>
     <message>
@@ -5871,7 +5871,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <translation>粘贴(&amp;A)…</translation>
     </message>
     <message>
-        <source>Take the camera from matrices that another program prints (Ctrl+V here)</source>
+        <source>Set the camera from another program&apos;s matrices (Ctrl+V here)</source>
         <translation>让相机取自其他程序打印的矩阵（在此按 Ctrl+V）</translation>
     </message>
     <message>
@@ -5895,7 +5895,7 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <translation>格式（%1）</translation>
     </message>
     <message>
-        <source>How vectors, matrices and digits are written, and in whose conventions. Now: %1</source>
+        <source>Format of vectors, matrices and digits, and the conventions. Now: %1</source>
         <translation>向量、矩阵和数位的写法，以及按哪种 API 的约定。当前：%1</translation>
     </message>
     <message>
@@ -6047,11 +6047,11 @@ of a point that needs no division</source>
         <translation>边 %1–%2</translation>
     </message>
     <message>
-        <source>It has no place: not placed yet, or not there on this object.</source>
+        <source>No position: not placed yet, or missing on this object.</source>
         <translation>它没有位置：尚未放置，或此物体上没有这个点。</translation>
     </message>
     <message>
-        <source>Held by nothing: its coordinates say where it is.</source>
+        <source>Free: only its coordinates define the position.</source>
         <translation>不依附于任何东西：位置由坐标给出。</translation>
     </message>
     <message>
@@ -6059,7 +6059,7 @@ of a point that needs no division</source>
         <translation>在网格的三角形 %1 上，重心坐标为 %2、%3、%4。</translation>
     </message>
     <message>
-        <source>At vertex %1 of the mesh, its very coordinate.</source>
+        <source>At vertex %1 of the mesh, with its exact coordinate.</source>
         <translation>在网格的顶点 %1，即其坐标本身。</translation>
     </message>
     <message>
@@ -6067,20 +6067,20 @@ of a point that needs no division</source>
         <translation>在网格从顶点 %1 到顶点 %2 的边上，处于全程的 %3。</translation>
     </message>
     <message>
-        <source>a point is missing</source>
-        <translation>有一个点缺失</translation>
+        <source>a landmark is missing</source>
+        <translation>有一个标志点缺失</translation>
     </message>
     <message>
-        <source>there are fewer than two points</source>
-        <translation>少于两个点</translation>
+        <source>there are fewer than two landmarks</source>
+        <translation>少于两个标志点</translation>
     </message>
     <message>
-        <source>two points are at one place, so there is no direction</source>
-        <translation>两个点在同一处，因此没有方向</translation>
+        <source>two landmarks coincide, so there is no direction</source>
+        <translation>两个标志点在同一处，因此没有方向</translation>
     </message>
     <message>
-        <source>as far as they are certain, the three points lie on one line, so there is no plane</source>
-        <translation>在其确定程度内，这三个点在一条直线上，因此没有平面</translation>
+        <source>within their uncertainty the three landmarks lie on one line, so there is no plane</source>
+        <translation>在其确定程度内，这三个标志点在一条直线上，因此没有平面</translation>
     </message>
 </context>
 <context>
@@ -6114,7 +6114,7 @@ of a point that needs no division</source>
         <translation>语言</translation>
     </message>
     <message>
-        <source>Another language is used from the next start on.</source>
+        <source>The new language is used from the next start on.</source>
         <translation>更改的语言在下次启动时生效。</translation>
     </message>
     <message>
@@ -6134,7 +6134,7 @@ of a point that needs no division</source>
         <translation>重置布局(&amp;R)</translation>
     </message>
     <message>
-        <source>Put the panels of all workspaces back to where they were at first</source>
+        <source>Restore the default layout of all workspaces</source>
         <translation>把所有工作区的面板放回最初的位置</translation>
     </message>
     <message>
@@ -6196,7 +6196,7 @@ of a point that needs no division</source>
         <translation>宽高比</translation>
     </message>
     <message>
-        <source>Width divided by height of the picture (gluPerspective: aspect)</source>
+        <source>Width divided by height of the view (gluPerspective: aspect)</source>
         <translation>画面的宽除以高 (gluPerspective: aspect)</translation>
     </message>
     <message>
@@ -6256,7 +6256,7 @@ of a point that needs no division</source>
         <translation>φ</translation>
     </message>
     <message>
-        <source>The width is always that of the viewport for this height, so that a circle stays a circle. Typing left, right or the aspect switches this off</source>
+        <source>Compute the width from the height and the viewport&apos;s aspect, so that a circle stays a circle. Typing left, right or the aspect switches this off</source>
         <translation>宽度始终取与高度相应的视口比例，使圆仍是圆。输入左、右或宽高比会关闭此项</translation>
     </message>
     <message>
@@ -6264,7 +6264,7 @@ of a point that needs no division</source>
         <translation>近、远平面适合物体</translation>
     </message>
     <message>
-        <source>The near and far planes hold the objects tightly, which makes the depth as exact as it can be. Typing one of them switches this off</source>
+        <source>Set near and far tightly around the objects, for the most accurate depth. Typing one of them switches this off</source>
         <translation>近、远平面紧贴物体，使深度尽可能精确。输入其中之一会关闭此项</translation>
     </message>
     <message>
@@ -6284,11 +6284,11 @@ of a point that needs no division</source>
         <translation>glFrustum、gluPerspective、glOrtho、斜投影</translation>
     </message>
     <message>
-        <source>A perspective of 45°, its aspect the viewport&apos;s, near and far around the objects</source>
+        <source>A perspective of 45°, the viewport&apos;s aspect, near and far around the objects</source>
         <translation>45° 的透视投影，宽高比随视口，近、远平面包围物体</translation>
     </message>
     <message>
-        <source>Another kind shows the same picture as nearly as it can: what lies at the center&apos;s distance keeps its place and its size</source>
+        <source>Switching the kind keeps the view as similar as possible: objects at the center&apos;s distance keep their position and size</source>
         <translation>换一种投影时画面尽可能相同：位于观察中心距离处的内容保持位置和大小</translation>
     </message>
     <message>
@@ -6407,40 +6407,40 @@ of a point that needs no division</source>
 <context>
     <name>unprojector::gui::ScanSeries</name>
     <message>
-        <source>%1: there is no model file in this folder. %2 are read.</source>
+        <source>%1: this folder has no model file. Supported: %2.</source>
         <translation>%1：此文件夹中没有模型文件。可读取：%2。</translation>
     </message>
     <message>
-        <source>Points of the scan</source>
-        <translation>扫描的点</translation>
+        <source>Landmarks of the scan</source>
+        <translation>扫描的标志点</translation>
     </message>
     <message>
-        <source>Points of %1 kept beside it.</source>
-        <translation>%1 的点已保存在它旁边。</translation>
+        <source>Landmarks of %1 saved beside it.</source>
+        <translation>%1 的标志点已保存在它旁边。</translation>
     </message>
     <message>
-        <source>It is not written over: what is placed now is kept only by saving the scene. Mend the file, or move it away, and open the scan again.</source>
+        <source>The file is not overwritten: to keep new landmarks, save the scene. Or repair or move the file, and open the scan again.</source>
         <translation>该文件不会被覆盖：现在放置的点只有保存场景才能保留。请修好该文件或把它移走，然后重新打开这个扫描。</translation>
     </message>
     <message>
-        <source>The points of %1 cannot be kept: by the scale of the object they have no coordinates in its file. Set its glScale back.</source>
-        <translation>无法保存 %1 的点：按物体的缩放，它们在其文件中没有坐标。请把它的 glScale 改回去。</translation>
+        <source>The landmarks of %1 cannot be saved: because of the object&apos;s scale they have no coordinates in its file. Reset its glScale.</source>
+        <translation>无法保存 %1 的标志点：按物体的缩放，它们在其文件中没有坐标。请把它的 glScale 改回去。</translation>
     </message>
     <message>
-        <source>%1 has been changed by another window or program since it was read here. It is not written over; move it away to keep the points that are shown.</source>
-        <translation>%1 在此处读取之后已被另一个窗口或程序修改，不会被覆盖；要保存所显示的点，请先把该文件移走。</translation>
+        <source>Another window or program has changed %1 since it was read. It is not overwritten; move it away to keep the shown landmarks.</source>
+        <translation>%1 在此处读取之后已被另一个窗口或程序修改，不会被覆盖；要保存所显示的标志点，请先把该文件移走。</translation>
     </message>
     <message>
-        <source>Placing %1 is gone on with. Mend the file, or move it away.</source>
+        <source>Placing %1 continues. Repair the file, or move it away.</source>
         <translation>仍继续第 %1 遍。请修好该文件，或把它移走。</translation>
     </message>
     <message>
-        <source>The points of %1 are not kept yet: %2.</source>
-        <translation>%1 的点尚未保存：%2。</translation>
+        <source>The landmarks of %1 are not saved yet: %2.</source>
+        <translation>%1 的标志点尚未保存：%2。</translation>
     </message>
     <message>
-        <source>%1: the points of %2 specimens stand here; a scan is one specimen, so put each into a file of its own.</source>
-        <translation>%1：这里有 %2 个标本的点；一个扫描是一个标本，请把每个标本放进各自的文件。</translation>
+        <source>%1: this file has the landmarks of %2 specimens. A scan is one specimen: put each into its own file.</source>
+        <translation>%1：这里有 %2 个标本的标志点；一个扫描是一个标本，请把每个标本放进各自的文件。</translation>
     </message>
 </context>
 <context>
@@ -6482,7 +6482,7 @@ of a point that needs no division</source>
         <translation>复制(&amp;C)</translation>
     </message>
     <message>
-        <source>Put all of the code on the clipboard</source>
+        <source>Copy all of the code</source>
         <translation>把全部代码放到剪贴板</translation>
     </message>
     <message>
@@ -6513,19 +6513,19 @@ of a point that needs no division</source>
 <context>
     <name>unprojector::gui::SceneCurves</name>
     <message>
-        <source>somebody gave up waiting for its curves</source>
+        <source>computing its curves was cancelled</source>
         <translation>等待其曲线时被取消</translation>
     </message>
     <message>
-        <source>a curve has two points at least</source>
-        <translation>曲线至少要有两个点</translation>
+        <source>a curve needs at least two landmarks</source>
+        <translation>曲线至少要有两个标志点</translation>
     </message>
     <message>
         <source>“%1” is not placed</source>
         <translation>“%1”尚未放置</translation>
     </message>
     <message>
-        <source>“%1” is not on a surface; B puts it there</source>
+        <source>“%1” is not on a surface; select it and press B</source>
         <translation>“%1”不在曲面上；按 B 可放到曲面上</translation>
     </message>
     <message>
@@ -6533,8 +6533,8 @@ of a point that needs no division</source>
         <translation>“%1”与“%2”之间的曲面不连通</translation>
     </message>
     <message>
-        <source>no plane along the surface&apos;s normals leads from “%1” to “%2”; take the geodesic, or place a point between them</source>
-        <translation>没有沿曲面法线的平面从“%1”通到“%2”；请改用测地线，或在两者之间再放一个点</translation>
+        <source>no plane along the surface&apos;s normals leads from “%1” to “%2”; use the geodesic, or place a landmark between them</source>
+        <translation>没有沿曲面法线的平面从“%1”通到“%2”；请改用测地线，或在两者之间再放一个标志点</translation>
     </message>
     <message>
         <source>curve %1</source>
@@ -6549,20 +6549,20 @@ of a point that needs no division</source>
         <translation>没有物体“%1”</translation>
     </message>
     <message>
-        <source>there is no point “%1”</source>
-        <translation>没有点“%1”</translation>
+        <source>there is no landmark “%1”</source>
+        <translation>没有标志点“%1”</translation>
     </message>
     <message>
-        <source>it is worked out for at most %1 points</source>
-        <translation>最多对 %1 个点进行计算</translation>
+        <source>it can have at most %1 landmarks</source>
+        <translation>最多对 %1 个标志点进行计算</translation>
     </message>
     <message>
-        <source>several points are called “%1”; rename all but one</source>
-        <translation>有多个点名为“%1”；请只保留一个，其余改名</translation>
+        <source>several landmarks are called “%1”; rename all but one</source>
+        <translation>有多个标志点名为“%1”；请只保留一个，其余改名</translation>
     </message>
     <message>
-        <source>%1 has no name; a curve knows its points by their names</source>
-        <translation>%1 没有名称；曲线按名称认点</translation>
+        <source>%1 has no name; give it one, because curves refer to landmarks by name</source>
+        <translation>%1 没有名称；曲线按名称认标志点</translation>
     </message>
     <message>
         <source>Curve %1</source>
@@ -6639,19 +6639,19 @@ of a point that needs no division</source>
 <context>
     <name>unprojector::gui::SceneFiles</name>
     <message>
-        <source>%1: the scene that is open uses this file, which would be destroyed. Give another name.</source>
+        <source>%1: the open scene uses this file and would destroy it. Choose another name.</source>
         <translation>%1：打开的场景正在使用此文件，写入会毁掉它。请另给一个名称。</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::SceneLandmarks</name>
     <message>
-        <source>point %1</source>
-        <translation>点 %1</translation>
+        <source>landmark %1</source>
+        <translation>标志点 %1</translation>
     </message>
     <message>
-        <source>Point %1</source>
-        <translation>点 %1</translation>
+        <source>Landmark %1</source>
+        <translation>标志点 %1</translation>
     </message>
     <message>
         <source>Place %1</source>
@@ -6674,9 +6674,9 @@ of a point that needs no division</source>
         <translation>%1 的颜色</translation>
     </message>
     <message numerus="yes">
-        <source>Colour of %n points</source>
+        <source>Colour of %n landmarks</source>
         <translation>
-            <numerusform>%n 个点的颜色</numerusform>
+            <numerusform>%n 个标志点的颜色</numerusform>
         </translation>
     </message>
     <message>
@@ -6688,15 +6688,15 @@ of a point that needs no division</source>
         <translation>显示 %1</translation>
     </message>
     <message numerus="yes">
-        <source>Hide %n points</source>
+        <source>Hide %n landmarks</source>
         <translation>
-            <numerusform>隐藏 %n 个点</numerusform>
+            <numerusform>隐藏 %n 个标志点</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Show %n points</source>
+        <source>Show %n landmarks</source>
         <translation>
-            <numerusform>显示 %n 个点</numerusform>
+            <numerusform>显示 %n 个标志点</numerusform>
         </translation>
     </message>
     <message>
@@ -6704,9 +6704,9 @@ of a point that needs no division</source>
         <translation>%1 缺失</translation>
     </message>
     <message numerus="yes">
-        <source>%n points missing</source>
+        <source>%n landmarks missing</source>
         <translation>
-            <numerusform>%n 个点缺失</numerusform>
+            <numerusform>%n 个标志点缺失</numerusform>
         </translation>
     </message>
     <message>
@@ -6714,29 +6714,29 @@ of a point that needs no division</source>
         <translation>移除 %1</translation>
     </message>
     <message numerus="yes">
-        <source>Remove %n points</source>
+        <source>Remove %n landmarks</source>
         <translation>
-            <numerusform>移除 %n 个点</numerusform>
+            <numerusform>移除 %n 个标志点</numerusform>
         </translation>
     </message>
     <message>
-        <source>Order of points</source>
-        <translation>点的顺序</translation>
+        <source>Order of landmarks</source>
+        <translation>标志点的顺序</translation>
     </message>
     <message>
         <source>Put %1 on the surface</source>
         <translation>将 %1 放到表面上</translation>
     </message>
     <message numerus="yes">
-        <source>Put %n points on the surface</source>
+        <source>Put %n landmarks on the surface</source>
         <translation>
-            <numerusform>将 %n 个点放到表面上</numerusform>
+            <numerusform>将 %n 个标志点放到表面上</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Move %n points</source>
+        <source>Move %n landmarks</source>
         <translation>
-            <numerusform>移动 %n 个点</numerusform>
+            <numerusform>移动 %n 个标志点</numerusform>
         </translation>
     </message>
 </context>
@@ -6757,11 +6757,11 @@ of a point that needs no division</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>%1: unknown in a step of a transform, and not saved.</source>
+        <source>%1: unknown key in a transform step; it is not saved.</source>
         <translation>%1：变换步骤中的未知键，不会被保存。</translation>
     </message>
     <message>
-        <source>%1: unknown, and not saved once the clip plane is switched on.</source>
+        <source>%1: unknown key; it is not saved once the clip plane is switched on.</source>
         <translation>%1：未知键，启用该裁剪平面后不会被保存。</translation>
     </message>
 </context>
@@ -6784,7 +6784,7 @@ of a point that needs no division</source>
         <translation>OpenGL %1.%2 核心模式，深度 %3 位，模板 %4 位，%5 个采样</translation>
     </message>
     <message>
-        <source>asked for: %1; came: %2</source>
+        <source>requested: %1; received: %2</source>
         <translation>请求：%1；得到：%2</translation>
     </message>
     <message>
@@ -6800,7 +6800,7 @@ of a point that needs no division</source>
         <translation>看向该点</translation>
     </message>
     <message>
-        <source>Bring it to the middle; the view turns about it</source>
+        <source>Centre the view on this point and turn about it</source>
         <translation>把它移到中央，视图绕它转动</translation>
     </message>
     <message>
@@ -6816,7 +6816,7 @@ of a point that needs no division</source>
         <translation>适合该物体</translation>
     </message>
     <message>
-        <source>Look at this object: it fills the view</source>
+        <source>Move the camera so that this object fills the view</source>
         <translation>看向该物体，使其充满视图</translation>
     </message>
     <message>
@@ -6824,7 +6824,7 @@ of a point that needs no division</source>
         <translation>隐藏该物体</translation>
     </message>
     <message>
-        <source>Neither draw nor click it; the Objects panel shows it again</source>
+        <source>Hide it from the view and from clicks; the Objects panel shows it again</source>
         <translation>既不绘制也不能点选；可在“物体”面板中重新显示</translation>
     </message>
     <message>
@@ -6832,7 +6832,7 @@ of a point that needs no division</source>
         <translation>显示全部物体</translation>
     </message>
     <message>
-        <source>Those that are hidden as well</source>
+        <source>Show the hidden objects again</source>
         <translation>包括已隐藏的物体</translation>
     </message>
     <message>
@@ -6844,7 +6844,7 @@ of a point that needs no division</source>
         <translation>拾取并复制点</translation>
     </message>
     <message>
-        <source>Read the world coordinate of this pixel and copy it, all its digits</source>
+        <source>Read the world coordinate of this pixel and copy it with all digits</source>
         <translation>读取此像素的世界坐标并复制其全部数字</translation>
     </message>
     <message>
@@ -6855,8 +6855,8 @@ of a point that needs no division</source>
 <context>
     <name>unprojector::gui::ScreenshotRun</name>
     <message>
-        <source>%1 is opened too and would be overwritten; give the picture another name.</source>
-        <translation>%1 也是要打开的文件，会被覆盖；请给图片另取一个名称。</translation>
+        <source>%1 is also opened and would be overwritten; give the image another name.</source>
+        <translation>%1 也是要打开的文件，会被覆盖；请给图像另取一个名称。</translation>
     </message>
     <message>
         <source>The click %1,%2 lies outside the view, which is %3 × %4 logical pixels.</source>
@@ -6867,15 +6867,15 @@ of a point that needs no division</source>
         <translation>无法读取点击 %1,%2。</translation>
     </message>
     <message>
-        <source>%1 is no picture&apos;s name; let it end in .png.</source>
-        <translation>%1 不是图片的文件名；请让它以 .png 结尾。</translation>
+        <source>%1 is not an image name; end it with .png.</source>
+        <translation>%1 不是图像的文件名；请让它以 .png 结尾。</translation>
     </message>
     <message>
         <source>The clicks could not be written to standard output: %1.</source>
         <translation>无法把点击写到标准输出：%1。</translation>
     </message>
     <message>
-        <source>The view is %1 × %2 logical pixels, not %3 × %4: the window cannot be made so here. --no-panels leaves it more room.</source>
+        <source>The view is %1 × %2 logical pixels, not %3 × %4: the window cannot have that size here. Try --no-panels.</source>
         <translation>视图是 %1 × %2 逻辑像素，而不是 %3 × %4：窗口在此处无法做到。--no-panels 可给它更多空间。</translation>
     </message>
 </context>
@@ -6909,40 +6909,40 @@ of a point that needs no division</source>
         <translation>文件夹…</translation>
     </message>
     <message>
-        <source>Open a folder of scans, to place the same points on each</source>
-        <translation>打开一个扫描文件夹，在每个扫描上放置相同的点</translation>
+        <source>Open a folder of scans and place the same landmarks on each</source>
+        <translation>打开一个扫描文件夹，在每个扫描上放置相同的标志点</translation>
     </message>
     <message>
         <source>Previous</source>
         <translation>上一个</translation>
     </message>
     <message>
-        <source>Keep the points and show the scan before (Ctrl+PgUp)</source>
-        <translation>保留各点并显示上一个扫描 (Ctrl+PgUp)</translation>
+        <source>Keep the landmarks and show the previous scan (Ctrl+PgUp)</source>
+        <translation>保留各标志点并显示上一个扫描 (Ctrl+PgUp)</translation>
     </message>
     <message>
         <source>Next</source>
         <translation>下一个</translation>
     </message>
     <message>
-        <source>Keep the points and show the next scan (Ctrl+PgDown)</source>
-        <translation>保留各点并显示下一个扫描 (Ctrl+PgDown)</translation>
+        <source>Keep the landmarks and show the next scan (Ctrl+PgDown)</source>
+        <translation>保留各标志点并显示下一个扫描 (Ctrl+PgDown)</translation>
     </message>
     <message>
         <source>Export…</source>
         <translation>导出…</translation>
     </message>
     <message>
-        <source>Write the points of all scans to one table</source>
-        <translation>将所有扫描的点写入一个表格</translation>
+        <source>Write the landmarks of all scans to one table</source>
+        <translation>将所有扫描的标志点写入一个表格</translation>
     </message>
     <message>
         <source>Placing</source>
         <translation>遍次</translation>
     </message>
     <message>
-        <source>Which time the series is gone through, or by which observer: the points of each are kept by themselves, and Repeats tells how far they scatter</source>
-        <translation>第几遍处理此系列，或由哪位观察者处理：每遍的点分别保存，“重复”给出它们的离散程度</translation>
+        <source>Number of the pass through the series, or of the observer. Each placing has its own landmarks; Repeats shows their scatter</source>
+        <translation>第几遍处理此系列，或由哪位观察者处理：每遍的标志点分别保存，“重复”给出它们的离散程度</translation>
     </message>
     <message>
         <source>Placing:</source>
@@ -6957,12 +6957,12 @@ of a point that needs no division</source>
         <translation>打开扫描系列</translation>
     </message>
     <message>
-        <source>A row a scan (%1)</source>
+        <source>One row per scan (%1)</source>
         <translation>每个扫描一行 (%1)</translation>
     </message>
     <message>
-        <source>A row a point (%1)</source>
-        <translation>每个点一行 (%1)</translation>
+        <source>One row per landmark (%1)</source>
+        <translation>每个标志点一行 (%1)</translation>
     </message>
     <message>
         <source>TPS of geomorph and tpsDig (%1)</source>
@@ -6973,16 +6973,16 @@ of a point that needs no division</source>
         <translation>NTSYS (%1)</translation>
     </message>
     <message>
-        <source>Export Points of All Scans</source>
-        <translation>导出所有扫描的点</translation>
+        <source>Export Landmarks of All Scans</source>
+        <translation>导出所有扫描的标志点</translation>
     </message>
     <message>
         <source>Repeats…</source>
         <translation>重复测量…</translation>
     </message>
     <message>
-        <source>Write the mean of each point&apos;s placings, and how far they scatter, to a table</source>
-        <translation>把每个点各次放置的平均值及离散程度写入表格</translation>
+        <source>Write the mean and the scatter of each landmark&apos;s placings to a table</source>
+        <translation>把每个标志点各次放置的平均值及离散程度写入表格</translation>
     </message>
     <message>
         <source>Repeats: Mean and Error of All Placings</source>
@@ -7004,15 +7004,15 @@ of a point that needs no division</source>
         <translation>没有放置不止一次的扫描，因此没有离散程度：把“遍次”设为 2，再把各扫描过一遍。</translation>
     </message>
     <message>
-        <source>%1: the series has this file, which would be destroyed. Give another name.</source>
+        <source>%1: the series uses this file and it would be destroyed. Choose another name.</source>
         <translation>%1：系列中已有此文件，写入会毁掉它。请另给一个名称。</translation>
     </message>
     <message>
-        <source>On no scan of the series is a point yet.</source>
-        <translation>此系列的扫描上还没有任何点。</translation>
+        <source>No scan of the series has a landmark yet. Place one first.</source>
+        <translation>此系列的扫描上还没有任何标志点。请先放置一个。</translation>
     </message>
     <message>
-        <source>Not in %1, since they could not be read:</source>
+        <source>Missing in %1, because they could not be read:</source>
         <translation>以下内容无法读取，因此不在 %1 中：</translation>
     </message>
     <message>
@@ -7020,8 +7020,8 @@ of a point that needs no division</source>
         <translation>重复测量已写入 %1。</translation>
     </message>
     <message>
-        <source>Scans written to %1: %2. Not in it, without a point: %3.</source>
-        <translation>已写入 %1 的扫描：%2。没有点而未写入的：%3。</translation>
+        <source>Scans written to %1: %2. Left out, without a landmark: %3.</source>
+        <translation>已写入 %1 的扫描：%2。没有标志点而未写入的：%3。</translation>
     </message>
     <message>
         <source>Scans written to %1: %2.</source>
@@ -7039,27 +7039,27 @@ of a point that needs no division</source>
         <translation>场景</translation>
     </message>
     <message>
-        <source>Saved. The projection and the view have changed since they came as matrices; they are written by their arguments.</source>
+        <source>Saved. The projection and the view have changed since they were given as matrices; they are saved as arguments.</source>
         <translation>已保存。投影变换和观察变换原以矩阵给出，读入后有改动，现按参数写出。</translation>
     </message>
     <message>
-        <source>Saved. The projection has changed since it came as a matrix; it is written by its arguments.</source>
+        <source>Saved. The projection has changed since it was given as a matrix; it is saved as arguments.</source>
         <translation>已保存。投影原为矩阵，读入后有改动，现按参数写出。</translation>
     </message>
     <message>
-        <source>Saved. The view has changed since it came as a matrix; it is written as eye, center and up.</source>
+        <source>Saved. The view has changed since it was given as a matrix; it is saved as eye, center and up.</source>
         <translation>已保存。观察变换原以矩阵给出，读入后有改动，现以 eye、center 和 up 写出。</translation>
     </message>
     <message>
-        <source>In case of a crash unsaved changes would be lost. They cannot be kept: %1</source>
+        <source>A crash would lose unsaved changes, because they cannot be kept: %1</source>
         <translation>如果程序意外退出，未保存的更改将会丢失，因为无法将其保留：%1</translation>
     </message>
     <message>
-        <source>Unsaved changes of an earlier session are damaged and cannot be recovered. The file was put aside as %1.</source>
+        <source>Unsaved changes of an earlier session are damaged and cannot be recovered. The file was kept as %1.</source>
         <translation>先前未保存的更改已损坏，无法恢复。该文件已移开，现为 %1。</translation>
     </message>
     <message>
-        <source>The unsaved changes are damaged and cannot be recovered. The file was put aside as %1.
+        <source>The unsaved changes are damaged and cannot be recovered. The file was kept as %1.
 %2</source>
         <translation>未保存的更改已损坏，无法恢复。该文件已移开，现为 %1。
 %2</translation>
@@ -7123,8 +7123,8 @@ of a point that needs no division</source>
         <translation>点击三维视图中的一个像素，用两种方法求出它的世界坐标。</translation>
     </message>
     <message>
-        <source>Open, save a picture of the whole window, print the clicks as JSON, and quit.</source>
-        <translation>打开程序，把整个窗口保存为图片，以 JSON 输出各次点击的结果，然后退出。</translation>
+        <source>Open, save an image of the whole window, print the clicks as JSON, and quit.</source>
+        <translation>打开程序，把整个窗口保存为图像，以 JSON 输出各次点击的结果，然后退出。</translation>
     </message>
     <message>
         <source>Size of the window in logical pixels (default 1280x800).</source>
@@ -7135,7 +7135,7 @@ of a point that needs no division</source>
         <translation>与 --screenshot 连用：在视图的这个位置按下左键，以逻辑像素计，原点在视图左上角。可以给出多次。</translation>
     </message>
     <message>
-        <source>Say how the program is called, and quit.</source>
+        <source>Print this help and quit.</source>
         <translation>显示程序的用法并退出。</translation>
     </message>
     <message>
@@ -7151,7 +7151,7 @@ of a point that needs no division</source>
         <translation>--click 须与 --screenshot OUT.png 连用。</translation>
     </message>
     <message>
-        <source>Whether the edges of surfaces are drawn without steps: on or off. What clicks read is the same.</source>
+        <source>Draw smooth edges: on or off. Clicks read the same depths either way.</source>
         <translation>是否把表面的边缘画得没有锯齿：on 或 off。点击读到的内容不变。</translation>
     </message>
     <message>
@@ -7159,7 +7159,7 @@ of a point that needs no division</source>
         <translation>--smooth-edges 为 %1；请给出 on 或 off。</translation>
     </message>
     <message>
-        <source>Size of the view itself in logical pixels, whatever font and language make of the panels: the same clicks then mean the same pixels everywhere. Instead of --size.</source>
+        <source>Size of the view itself in logical pixels, instead of --size. The same clicks then mean the same pixels for every font and language.</source>
         <translation>视图本身的大小（逻辑像素），与面板的字体和语言无关：同样的点击在任何机器上都是同样的像素。代替 --size。</translation>
     </message>
     <message>
@@ -7167,7 +7167,7 @@ of a point that needs no division</source>
         <translation>让视图占满整个窗口。</translation>
     </message>
     <message>
-        <source>Colours of the window: desktop (as the desktop has them; default), light or dark.</source>
+        <source>Colours of the window: desktop (the system&apos;s; default), light or dark.</source>
         <translation>窗口的颜色：desktop（与桌面相同，默认）、light（浅色）或 dark（深色）。</translation>
     </message>
     <message>
@@ -7187,15 +7187,15 @@ of a point that needs no division</source>
         <translation>--%1 是 %2；请给出以像素为单位的宽 x 高，例如 1280x800，范围从 %3x%4 到 %5x%6。</translation>
     </message>
     <message>
-        <source>Work place to start at: %1. Without it that of the last time; for a picture the first of them.</source>
+        <source>Workspace to start in: %1. Default: the one used last; with --screenshot the first.</source>
         <translation>启动时的工作区：%1。不指定时为上次的工作区；截图时为第一个。</translation>
     </message>
     <message>
-        <source>A scene, or model files: OBJ, STL, PLY, OFF, glTF, GLB; files of points beside them. Without any, the bundled scene.</source>
-        <translation>一个场景，或模型文件：OBJ、STL、PLY、OFF、glTF、GLB；旁边可再给点文件。都不给时为自带的场景。</translation>
+        <source>A scene, or model files (OBJ, STL, PLY, OFF, glTF, GLB) with files of landmarks. Default: the bundled scene.</source>
+        <translation>一个场景，或模型文件：OBJ、STL、PLY、OFF、glTF、GLB；旁边可再给标志点文件。都不给时为自带的场景。</translation>
     </message>
     <message>
-        <source>Language of the program: system (that of the desktop; default), en or zh_CN.</source>
+        <source>Language of the program: system (the desktop&apos;s; default), en or zh_CN.</source>
         <translation>程序的语言：system（随桌面；默认）、en 或 zh_CN。</translation>
     </message>
     <message>
@@ -7207,7 +7207,7 @@ of a point that needs no division</source>
         <translation>从一门课程或其中一步开始：first、weng:3。</translation>
     </message>
     <message>
-        <source>Give --lesson or what to open, not both.</source>
+        <source>Give --lesson or files to open, not both.</source>
         <translation>--lesson 与要打开的文件只能给出其一。</translation>
     </message>
 </context>
@@ -7218,7 +7218,7 @@ of a point that needs no division</source>
         <translation>指针处的世界坐标</translation>
     </message>
     <message>
-        <source>World coordinate under the pointer, with the digits that its pixel leaves certain</source>
+        <source>World coordinate under the pointer, without digits smaller than the uncertainty</source>
         <translation>指针处的世界坐标，只显示在其像素之内可靠的数位</translation>
     </message>
     <message>
@@ -7238,7 +7238,7 @@ of a point that needs no division</source>
         <translation>正在准备网格上的射线</translation>
     </message>
     <message>
-        <source>Clicks have the depth buffer&apos;s answer already; the ray&apos;s comes when the model is prepared for it</source>
+        <source>Clicks already use the depth buffer; the ray follows when the model is prepared for it</source>
         <translation>点击已有深度缓冲的结果；模型准备好后即有射线的结果</translation>
     </message>
     <message>
@@ -7277,7 +7277,7 @@ of a point that needs no division</source>
         <translation>复制选中的文字(&amp;S)</translation>
     </message>
     <message>
-        <source>Copy the &amp;words</source>
+        <source>Copy the &amp;text</source>
         <translation>复制文字(&amp;W)</translation>
     </message>
 </context>
@@ -7288,7 +7288,7 @@ of a point that needs no division</source>
         <translation>留边</translation>
     </message>
     <message>
-        <source>Stretched picture</source>
+        <source>Stretched view</source>
         <translation>图像被拉伸</translation>
     </message>
     <message>
@@ -7296,11 +7296,11 @@ of a point that needs no division</source>
         <translation>让视口采用投影的宽高比，两侧或上下留边</translation>
     </message>
     <message>
-        <source>Leave the picture stretched and close this message</source>
+        <source>Keep the view stretched and close this message</source>
         <translation>保持图像拉伸，并关闭此消息</translation>
     </message>
     <message>
-        <source>Projection %1, viewport %2: the picture is stretched.</source>
+        <source>Projection %1, viewport %2: the view is stretched.</source>
         <extracomment>Two aspects, width to height, such as 4 : 3 and 1.11 : 1.</extracomment>
         <translation>投影 %1，视口 %2：图像被拉伸。</translation>
     </message>
@@ -7316,7 +7316,7 @@ of a point that needs no division</source>
         <translation>为什么(&amp;W)？</translation>
     </message>
     <message>
-        <source>What the difference comes from, and how far the coordinate can be off</source>
+        <source>Cause of the difference, and uncertainty of the coordinate</source>
         <translation>差从何而来，坐标可能偏差多少</translation>
     </message>
     <message>
@@ -7339,7 +7339,7 @@ of a point that needs no division</source>
         <translation>视点 %1</translation>
     </message>
     <message>
-        <source>Where the camera stands, world units (gluLookAt: eye%1)</source>
+        <source>Position of the camera, world units (gluLookAt: eye%1)</source>
         <translation>相机的位置，世界单位 (gluLookAt: eye%1)</translation>
     </message>
     <message>
@@ -7363,7 +7363,7 @@ of a point that needs no division</source>
         <translation>上方向 %1</translation>
     </message>
     <message>
-        <source>The direction that is upwards in the picture; its length does not matter (gluLookAt: up%1)</source>
+        <source>Direction that points up in the view; its length does not matter (gluLookAt: up%1)</source>
         <translation>画面中向上的方向；长度无关紧要 (gluLookAt: up%1)</translation>
     </message>
     <message>
@@ -7371,18 +7371,18 @@ of a point that needs no division</source>
         <translation>视图</translation>
     </message>
     <message>
-        <source>Where the camera stands (gluLookAt)</source>
+        <source>Position and direction of the camera (gluLookAt)</source>
         <translation>相机的位置 (gluLookAt)</translation>
     </message>
     <message>
-        <source>Back to the view that the scene opened with</source>
+        <source>Return to the scene&apos;s initial view</source>
         <translation>回到打开场景时的视图</translation>
     </message>
 </context>
 <context>
     <name>unprojector::gui::ViewResizer</name>
     <message>
-        <source>The view is %1 × %2 now, and cannot be %3 × %4 on a screen that is scaled by %5: numbers differ a little from those of the text.</source>
+        <source>The view is %1 × %2 now. It cannot be %3 × %4 on a screen scaled by %5: numbers differ a little from the text.</source>
         <extracomment>Sizes in pixels: what the view has, then what it should have; the last is the scale of the screen, such as 1.75.</extracomment>
         <translation>视图现在是 %1 × %2；在缩放 %5 倍的屏幕上无法达到 %3 × %4：数字会与文中的略有不同。</translation>
     </message>
@@ -7435,7 +7435,7 @@ of a point that needs no division</source>
         <translation>像素比</translation>
     </message>
     <message>
-        <source>Device pixels to a logical pixel. This screen has %1</source>
+        <source>Device pixels per logical pixel. This screen has %1</source>
         <translation>每个逻辑像素对应的设备像素数。此屏幕为 %1</translation>
     </message>
     <message>
@@ -7459,7 +7459,7 @@ of a point that needs no division</source>
         <translation>充满窗口(&amp;F)</translation>
     </message>
     <message>
-        <source>Let the view take all the room that the window has for it</source>
+        <source>Let the view fill the window</source>
         <translation>让视图占满窗口留给它的全部空间</translation>
     </message>
     <message>
@@ -7483,11 +7483,11 @@ of a point that needs no division</source>
         <translation>在此像素比下，没有整数个逻辑像素等于 %1 × %2 设备像素。最接近的大小是 %3 × %4。</translation>
     </message>
     <message>
-        <source>The window has room for it: it is shown pixel on pixel.</source>
+        <source>The window is large enough: the view is shown pixel on pixel.</source>
         <translation>窗口容得下：逐像素显示。</translation>
     </message>
     <message>
-        <source>The window has less room: it is drawn at this size and shown at %1 %. Clicks read its own pixels.</source>
+        <source>The window is smaller: the view is drawn at this size and shown at %1 %. Clicks read its own pixels.</source>
         <translation>窗口容不下：按此大小绘制，缩小到 %1 % 显示。点击读取的是它本身的像素。</translation>
     </message>
     <message>
@@ -7508,7 +7508,7 @@ of a point that needs no division</source>
     <message>
         <source>Left: the window with the viewport in it, to scale in device pixels.
 Right: the projection window, to scale in eye units, with the lines x = 0 and y = 0.
-The dot is the pointer; the circle of the projection window is drawn in the viewport as it comes out there.</source>
+The dot is the pointer. The viewport shows how the circle of the projection window is stretched.</source>
         <translation>左：窗口及其中的视口，按设备像素的比例。
 右：投影窗口，按观察坐标单位的比例，带有直线 x = 0 和 y = 0。
 圆点是指针；投影窗口中的圆，在视口中按它在那里的形状画出。</translation>
@@ -7537,7 +7537,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <translation>窗口的部分</translation>
     </message>
     <message>
-        <source>Which part of the window the picture takes (glViewport)</source>
+        <source>Part of the window that the viewport covers (glViewport)</source>
         <translation>画面占窗口的哪一部分 (glViewport)</translation>
     </message>
     <message>
@@ -7553,7 +7553,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <translation>固定矩形</translation>
     </message>
     <message>
-        <source>The same pixels whatever the size of the window</source>
+        <source>The same pixels for every size of the window</source>
         <translation>像素不变，与窗口大小无关</translation>
     </message>
     <message>
@@ -7633,7 +7633,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <translation>窗口大小</translation>
     </message>
     <message>
-        <source>Size of the picture&apos;s window in device pixels</source>
+        <source>Size of the window in device pixels</source>
         <translation>画面所在窗口的大小，以设备像素计</translation>
     </message>
     <message>
@@ -7645,7 +7645,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <translation>近平面的深度</translation>
     </message>
     <message>
-        <source>Depth that the near plane gets, from 0 to 1; usually 0 (glDepthRange)</source>
+        <source>Depth of the near plane, from 0 to 1; usually 0 (glDepthRange)</source>
         <translation>近平面所得的深度，从 0 到 1；通常为 0 (glDepthRange)</translation>
     </message>
     <message>
@@ -7653,7 +7653,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <translation>远平面的深度</translation>
     </message>
     <message>
-        <source>Depth that the far plane gets, from 0 to 1; usually 1 (glDepthRange)</source>
+        <source>Depth of the far plane, from 0 to 1; usually 1 (glDepthRange)</source>
         <translation>远平面所得的深度，从 0 到 1；通常为 1 (glDepthRange)</translation>
     </message>
     <message>
@@ -7700,7 +7700,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
 <context>
     <name>unprojector::gui::ViewportInspector</name>
     <message>
-        <source>What is shown</source>
+        <source>Shown page</source>
         <translation>显示内容</translation>
     </message>
     <message>
@@ -7724,7 +7724,7 @@ The dot is the pointer; the circle of the projection window is drawn in the view
         <translation>窗口</translation>
     </message>
     <message>
-        <source>The view&apos;s framebuffer in device pixels, and how many of them make a logical pixel</source>
+        <source>The view&apos;s framebuffer in device pixels, and its pixel ratio</source>
         <translation>视图的帧缓冲，以设备像素计，以及一个逻辑像素含多少设备像素</translation>
     </message>
     <message>
@@ -7760,7 +7760,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>窗口 %1 × %2 设备像素，设备像素比 %3</translation>
     </message>
     <message>
-        <source>Of a circle parallel to the projection plane: the viewport is %1 : 1, the projection window %2 : 1</source>
+        <source>Shape of a circle parallel to the projection plane: the viewport is %1 : 1, the projection window %2 : 1</source>
         <translation>对平行于投影平面的圆：视口为 %1 : 1，投影窗口为 %2 : 1</translation>
     </message>
     <message>
@@ -7827,7 +7827,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>添加到场景(&amp;D)…</translation>
     </message>
     <message>
-        <source>Put more models beside the objects of this scene</source>
+        <source>Add more models to this scene</source>
         <translation>把更多模型放到此场景的物体旁</translation>
     </message>
     <message>
@@ -7859,7 +7859,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>场景代码(&amp;N)…</translation>
     </message>
     <message>
-        <source>The calls that make this picture, for GLU and MFC, GLM, Qt or three.js, with the way back from a pixel</source>
+        <source>Show the calls of this setup, for GLU and MFC, GLM, Qt or three.js, with the inverse from a pixel</source>
         <translation>生成这幅画面的调用（GLU 与 MFC、GLM、Qt 或 three.js），以及从像素反算回去的函数</translation>
     </message>
     <message>
@@ -7899,7 +7899,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>初始视图(&amp;H)</translation>
     </message>
     <message>
-        <source>Back to the camera that the scene opened with</source>
+        <source>Return to the scene&apos;s initial camera</source>
         <translation>回到场景打开时的相机</translation>
     </message>
     <message>
@@ -7967,7 +7967,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>平滑边缘(&amp;S)</translation>
     </message>
     <message>
-        <source>Draw the edges of surfaces without steps. The depths that clicks read stay the same</source>
+        <source>Draw smooth edges of surfaces. Clicks read the same depths</source>
         <translation>把表面的边缘画得没有锯齿。点击读到的深度不变</translation>
     </message>
     <message>
@@ -8023,7 +8023,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>鼠标与键盘(&amp;M)</translation>
     </message>
     <message>
-        <source>What the mouse and every key do</source>
+        <source>List of mouse actions and keys</source>
         <translation>鼠标和每个按键的作用</translation>
     </message>
     <message>
@@ -8031,19 +8031,19 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>关于 Unprojector(&amp;A)</translation>
     </message>
     <message>
-        <source>What this program is</source>
+        <source>Version and licence of the program</source>
         <translation>本程序的用途</translation>
     </message>
     <message>
-        <source>This graphics driver draws no integers, so the view tells by colours which object was clicked.</source>
+        <source>This graphics driver cannot draw integers, so the view identifies clicked objects by colours.</source>
         <translation>此显卡驱动不能绘制整数，因此视图用颜色判断点击的是哪个物体。</translation>
     </message>
     <message>
-        <source>&amp;Export Picture…</source>
-        <translation>导出图片(&amp;E)…</translation>
+        <source>&amp;Export Image…</source>
+        <translation>导出图像(&amp;E)…</translation>
     </message>
     <message>
-        <source>Write the view alone as a PNG file, at any size, with or without marks</source>
+        <source>Write only the view as a PNG image, at any size, with or without markers</source>
         <translation>只把视图写为 PNG 文件，大小任意，可带或不带标记</translation>
     </message>
     <message>
@@ -8051,7 +8051,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>视图大小(&amp;Z)…</translation>
     </message>
     <message>
-        <source>Give the view a size in pixels, as a program or an article has it</source>
+        <source>Set the view&apos;s size in pixels, to match a program or an article</source>
         <translation>按程序或文章中的像素数设定视图大小</translation>
     </message>
     <message>
@@ -8059,7 +8059,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>充满窗口(&amp;N)</translation>
     </message>
     <message>
-        <source>Let the view take all the room that the window has for it</source>
+        <source>Let the view fill the window</source>
         <translation>让视图占满窗口留给它的全部空间</translation>
     </message>
     <message>
@@ -8067,7 +8067,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>工作区(&amp;W)</translation>
     </message>
     <message>
-        <source>Put all panels of this workspace back to where they were at first</source>
+        <source>Restore the default layout of this workspace</source>
         <translation>把此工作区的所有面板放回最初的位置</translation>
     </message>
     <message>
@@ -8075,7 +8075,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>帮助</translation>
     </message>
     <message>
-        <source>Formulas, keys and what this program is</source>
+        <source>Formulas, keys, version and licence</source>
         <translation>公式、按键以及关于本程序</translation>
     </message>
     <message>
@@ -8083,7 +8083,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>首选项(&amp;N)…</translation>
     </message>
     <message>
-        <source>Colours, language, smooth edges; first steps and layout as they were at first</source>
+        <source>Colours, language, smooth edges; first steps and layout can be reset</source>
         <translation>颜色、语言、平滑边缘；把入门提示和布局恢复为最初状态</translation>
     </message>
 </context>
@@ -8106,7 +8106,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>场景 (*.json)</translation>
     </message>
     <message>
-        <source>%1 is there already. Replace it?</source>
+        <source>%1 exists already. Replace it?</source>
         <translation>%1 已存在。要替换它吗？</translation>
     </message>
     <message>
@@ -8145,11 +8145,11 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>您的程序得到</translation>
     </message>
     <message>
-        <source>What cannot be taken</source>
+        <source>Reason why the input is rejected</source>
         <translation>不能采用的内容</translation>
     </message>
     <message>
-        <source>Another click of the same program: it settles what one leaves open. A click in the view fills it</source>
+        <source>Add another click of the same program to separate similar mistakes. A click in the view fills it</source>
         <translation>同一程序的另一次点击：能确定一次点击定不下来的事。在视图里点击就会填入</translation>
     </message>
     <message>
@@ -8165,7 +8165,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>以设备像素计，从左上角起；第一个像素的中心是 0.5, 0.5</translation>
     </message>
     <message>
-        <source>by the mesh</source>
+        <source>from the mesh</source>
         <translation>按网格</translation>
     </message>
     <message>
@@ -8173,7 +8173,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>0.7051 -0.4122 0.0918</translation>
     </message>
     <message>
-        <source>What your program got</source>
+        <source>Your program&apos;s coordinate</source>
         <translation>您的程序得到的坐标</translation>
     </message>
     <message>
@@ -8189,37 +8189,37 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>第 %1 行：%2</translation>
     </message>
     <message>
-        <source>Not taken of what was pasted, since it is no number: %1.</source>
+        <source>Ignored in the pasted text, because it is not a number: %1.</source>
         <translation>粘贴的内容中以下各项不是数，没有采用：%1。</translation>
     </message>
     <message>
-        <source>Pixel %1 lies outside the picture of %2 × %3.</source>
+        <source>Pixel %1 lies outside the view of %2 × %3.</source>
         <translation>像素 %1 在 %2 × %3 的画面之外。</translation>
     </message>
     <message>
-        <source>%1 is no depth: type one number, or leave it empty.</source>
+        <source>%1 is not a depth: type one number, or leave it empty.</source>
         <translation>%1 不是深度：请键入一个数，或留空。</translation>
     </message>
     <message>
-        <source>The right depth there, in the depth range of the view. Empty: that of the mesh under the pixel; where there is none, any depth is allowed for. That of a click is used with all its digits</source>
+        <source>Correct depth of the pixel, in the view&apos;s depth range. Empty: the mesh&apos;s depth; without a mesh, any depth is possible. A click&apos;s depth is used with all digits</source>
         <translation>此处的正确深度，以视图的深度范围计。留空：取像素下网格的深度；没有网格时任何深度都可以。点击得到的深度按全部位数使用</translation>
     </message>
     <message>
-        <source>%1 is no pixel: %2</source>
+        <source>%1 is not a pixel: %2</source>
         <comment>the field&apos;s text, why</comment>
         <translation>%1 不是像素：%2</translation>
     </message>
     <message>
-        <source>its x and y, such as 400.5, 300.5</source>
+        <source>type x and y, such as 400.5, 300.5</source>
         <translation>x 和 y，例如 400.5, 300.5</translation>
     </message>
     <message>
-        <source>%1 is no point: %2</source>
+        <source>%1 is not a point: %2</source>
         <comment>the field&apos;s text, why</comment>
         <translation>%1 不是点：%2</translation>
     </message>
     <message>
-        <source>three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918</source>
+        <source>type three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918</source>
         <translation>三个坐标，如程序所打印的样子，例如 0.7051 -0.4122 0.0918</translation>
     </message>
 </context>

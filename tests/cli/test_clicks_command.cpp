@@ -201,12 +201,11 @@ void TestClicksCommand::mistakesAreTold_data()
     const QByteArray click = textOf({clickAt(400, 300, 0.01, true)});
     const auto row = [](const char *name, const QStringList &arguments, const QByteArray &input,
                         const QByteArray &message) { QTest::newRow(name) << arguments << input << message + '\n'; };
-    row("no scene in no clicks", {"matrices", "-"}, "[]",
-        "stdin: no click is in it, and so no scene; give a scene file");
+    row("no scene in no clicks", {"matrices", "-"}, "[]", "stdin: it has no click and so no scene; give a scene file");
     row("no such object", {"points", "--space", "object:none", "-"}, click,
         "the scene has no object \"none\"; it has: left, right");
     row("pixels", {"points", "--pixel", "-"}, click,
-        "--pixel is for tables of pixels; a click knows the centre of its own");
+        "--pixel is for tables of pixels; clicks already have the centres of their pixels");
     row("a broken scene", {"points", "-"}, QByteArray(click).replace("\"unprojector\": 1", "\"unprojector\": 2"),
         "stdin: [0].scene.unprojector: version 2 cannot be read, only version 1");
     row("both from standard input", {"project", "-"}, kFrustumScene,

@@ -250,9 +250,8 @@ void TestCloudCommand::aScaleIsNotApplied()
     const QString scaled = m_folder.write("scaled.pfm", QByteArray(image).replace("-1.0", "-2.5"));
     const Run other = runCommand({"cloud", m_scene, scaled, "-o", "-"});
     QCOMPARE(one.errors, QByteArray());
-    QCOMPARE(other.errors, scaled.toUtf8()
-                               + ": the header has the scale 2.5, which is not applied: the depths are taken as they "
-                                 "stand\n");
+    QCOMPARE(other.errors,
+             scaled.toUtf8() + ": the header has the scale 2.5, which is not applied: the depths are used unchanged\n");
     QCOMPARE(other.output, one.output);
     QCOMPARE(other.exitCode, 0);
 }

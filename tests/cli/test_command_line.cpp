@@ -107,21 +107,22 @@ void TestCommandLine::wordsAreChecked_data()
     const auto row = [](const char *name, const QStringList &words, const char *message) {
         QTest::newRow(name) << words << QByteArray(message);
     };
-    row("no command", {}, "A subcommand is required; 'unproject --help' says more\n");
+    row("not a command", {}, "A subcommand is required; see 'unproject --help'\n");
     row("no such command", {"pionts", "scene.json"},
-        "\"pionts\" is no command; give one of points, pick, project, info, scene, cloud, compare, map, matrices, "
+        "\"pionts\" is not a command; give one of points, pick, project, info, scene, cloud, compare, map, matrices, "
         "code, landmarks, doctor\n");
-    row("an empty word", {""}, "\"\" is no command");
-    row("no scene", {"points"}, "SCENE is required; 'unproject points --help' says more\n");
+    row("an empty word", {""}, "\"\" is not a command");
+    row("no scene", {"points"}, "SCENE is required; see 'unproject points --help'\n");
     row("an empty name", {"points", ""}, "SCENE: give the name of a file");
     row("a file too many", {"points", "scene.json", "a.csv", "b.csv"},
-        "\"b.csv\" is one word too many for 'unproject points'; 'unproject points --help' says what it takes\n");
+        "\"b.csv\" is one argument too many for 'unproject points'; see 'unproject points --help'\n");
     row("no such option", {"project", "--pixel", "scene.json"},
-        "--pixel is no option of 'unproject project'; 'unproject project --help' names them\n");
-    row("no such option, and nothing else", {"points", "--nonsense"}, "--nonsense is no option of 'unproject points'");
-    row("no such option of the program", {"--nonsense"}, "--nonsense is no option of 'unproject'");
+        "--pixel is not an option of 'unproject project'; 'unproject project --help' lists them\n");
+    row("no such option, and nothing else", {"points", "--nonsense"},
+        "--nonsense is not an option of 'unproject points'");
+    row("no such option of the program", {"--nonsense"}, "--nonsense is not an option of 'unproject'");
     row("one file of two", {"landmarks", "--repeats", "a.pp", "-o", "a.csv"},
-        "--repeats a.pp: 2 or more are needed behind it, and 1 is given; 'unproject landmarks --help' says");
+        "--repeats a.pp needs 2 or more values and got 1; see 'unproject landmarks --help'");
     row("of two only one", {"pick", "a.ply", "--at", "1,2", "a.csv"},
         "PIXELS a.csv and --at 1,2 exclude each other; leave one of them out\n");
     row("what is for something else", {"map", "a.json", "--what", "uncertainty", "--convention", "vtk", "-o", "a.pfm"},
@@ -132,10 +133,10 @@ void TestCommandLine::wordsAreChecked_data()
     row("a word for a number", {"compare", "--pixels", "many", "scene.json"},
         "--pixels: Value many not in range 1 to 1000");
     row("no such format", {"matrices", "--format", "xml", "scene.json"},
-        "--format: \"xml\" is none of c, json, latex, numpy, text");
+        "--format: \"xml\" is not one of c, json, latex, numpy, text");
     row("no output", {"cloud", "scene.json", "depth"}, "--output is required");
     row("an option without its word", {"points", "scene.json", "--space"},
-        "--space: TEXT is missing behind it; 'unproject points --help' says what it takes\n");
+        "--space needs a value, TEXT; see 'unproject points --help'\n");
 }
 
 void TestCommandLine::wordsAreChecked()

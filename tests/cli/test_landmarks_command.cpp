@@ -115,11 +115,11 @@ void TestLandmarksCommand::curvesAreLedOnTheMesh()
     }
     QCOMPARE(places, QList<QList<double>>({{1, 1, 0}, {0, 1, 0}, {0, 1, 1}}));
     const Run unknown = led(",7,7,7,rim,\"[\"\"A\"\",\"\"Z\"\"]\",geodesic,2\n,7,7,7,rim,,,\n");
-    QVERIFY2(unknown.errors.contains("the curve \"rim\" has no semilandmarks: not all of its points are there"),
+    QVERIFY2(unknown.errors.contains("the curve \"rim\" has no semilandmarks: some of its points are missing"),
              unknown.errors);
     QVERIFY(!unknown.output.contains("7,7,7"));
     const Run given = led(",7,7,7,rim,,,\n,8,8,8,rim,,,\n");
-    QVERIFY2(given.errors.contains("the curve \"rim\" is left where it was"), given.errors);
+    QVERIFY2(given.errors.contains("the curve \"rim\" is not moved"), given.errors);
 }
 
 /// A point in RAS on a mesh in LPS, say.
@@ -129,18 +129,17 @@ void TestLandmarksCommand::ontoAMeshOfOthers()
     const Run run = runCommand({"landmarks", "--from", "csv", "--to", "pts", "--mesh", mesh, "-", "-"},
                                "name,x,y,z\n,-2,1,0\nN,2,1,0.04\n");
     QCOMPARE(run.exitCode, 0);
-    QVERIFY2(run.errors.startsWith(
-                 mesh.toUtf8()
-                 + ": point 1 was 3 from the mesh, 60 % of its size; are the points of another mesh, or in "
-                   "other axes?\n"
-                 + mesh.toUtf8() + ": 2 points moved onto the mesh, by at most 3 (point 1)\n"),
+    QVERIFY2(run.errors.startsWith(mesh.toUtf8()
+                                   + ": point 1 was 3 from the mesh, 60 % of its size; do the points belong to another "
+                                     "mesh, or use other axes?\n"
+                                   + mesh.toUtf8() + ": 2 points moved onto the mesh, by at most 3 (point 1)\n"),
              run.errors.constData());
     QVERIFY(run.output.contains("\nN 2 1 0\n"));
     const Run beyond = runCommand({"landmarks", "--from", "csv", "--to", "pts", "--mesh", mesh, "-", "-"},
                                   "name,x,y,z\nN,1e160,1,0\nP,2,1,0\n");
     QCOMPARE(beyond.exitCode, 0);
-    QVERIFY2(beyond.errors.startsWith(
-                 mesh.toUtf8() + ": \"N\" is left where it was: its distance from the mesh is no finite number\n"),
+    QVERIFY2(beyond.errors.startsWith(mesh.toUtf8()
+                                      + ": \"N\" is not moved: its distance from the mesh is not a finite number\n"),
              beyond.errors.constData());
     QVERIFY(beyond.output.contains("\nN 1e+160 1 0\n"));
     const Run none = runCommand(
@@ -174,7 +173,7 @@ void TestLandmarksCommand::aFolderToATable()
         const Run run = runCommand({"landmarks", "--table", m_folder.path("many"), "-o", output});
         QCOMPARE(run.exitCode, 1);
         QCOMPARE(run.errors, m_folder.path("many/skull42.pts").toUtf8()
-                                 + ":3: \"Nasion 1 2\" is no point; write its name, x, y and z\n");
+                                 + ":3: \"Nasion 1 2\" is not a point; write its name, x, y and z\n");
         const QList<QByteArray> lines = bytesOf(output).trimmed().split('\n');
         QCOMPARE(lines.size(), 1 + 2 * 99);
         QCOMPARE(lines[0], QByteArray("specimen,name,x,y,z,object,face,u,v,w,note"));
@@ -243,9 +242,9 @@ void TestLandmarksCommand::repeatedPlacings()
     const QString table = m_folder.path("error.csv");
     const Run same = runCommand({"landmarks", "-o", table, "--repeats", first, second, first});
     QCOMPARE(same.exitCode, 0);
-    QCOMPARE(same.errors, (first + ": this is " + first
-                           + " again; the same placing counts once more, and the scatter is too small\n")
-                              .toUtf8());
+    QCOMPARE(
+        same.errors,
+        (first + ": this is " + first + " again; the placing counts twice, so the scatter is too small\n").toUtf8());
     QVERIFY(bytesOf(table).contains("\nskull,N,3,1.6666666666666665,2,3,"));
 }
 
@@ -257,13 +256,12 @@ void TestLandmarksCommand::repeatsInOtherUnits()
     const Run run = runCommand({"landmarks", "--repeats", none, mm, cm, "-o", "-"});
     QCOMPARE(run.exitCode, 2);
     QCOMPARE(run.errors,
-             ("stdout: " + mm + " is in mm and " + cm + " in cm; write both in the same unit, and compare them then\n")
-                 .toUtf8());
+             ("stdout: " + mm + " is in mm and " + cm + " in cm; write both in the same unit first\n").toUtf8());
     QCOMPARE(run.output, QByteArray());
     const Run noted = runCommand({"landmarks", "--repeats", none, mm, mm, "-o", "-"});
     QCOMPARE(noted.exitCode, 0);
     QVERIFY2(noted.errors.contains(("stdout: " + mm + " is in mm, and " + none
-                                    + " does not say its unit; its coordinates are taken to be in that unit\n")
+                                    + " does not say its unit; its coordinates are read in that unit\n")
                                        .toUtf8()),
              noted.errors.constData());
     QVERIFY(noted.output.contains("none,N,3,10,20,30,0,0\n"));
@@ -290,10 +288,10 @@ void TestLandmarksCommand::refused_data()
     QTest::newRow("no output") << QStringList{input} << "OUT (or --table) is required";
     QTest::newRow("a table to nowhere") << QStringList{"--table", m_folder.path(".")} << "-o,--output is required";
     QTest::newRow("a pipe that says nothing")
-        << QStringList{"-", "a.csv"} << "stdin: the name does not say what this is; give --from";
+        << QStringList{"-", "a.csv"} << "stdin: the name does not tell the format; give --from";
     QTest::newRow("another suffix") << QStringList{input, m_folder.path("a.xyz")}
-                                    << "a.xyz: the name does not say what this is; give --to";
-    QTest::newRow("another format") << QStringList{"--to", "xyz", input, "-"} << "\"xyz\" is none of csv, pp, pptpl";
+                                    << "a.xyz: the name does not tell the format; give --to";
+    QTest::newRow("another format") << QStringList{"--to", "xyz", input, "-"} << "\"xyz\" is not one of csv, pp, pptpl";
     QTest::newRow("over itself") << QStringList{input, input} << "in.pp";
     QTest::newRow("no file") << QStringList{m_folder.path("none.pp"), "-", "--to", "csv"} << "none.pp";
     QTest::newRow("no folder") << QStringList{"--table", m_folder.path("none"), "-o", "-"}

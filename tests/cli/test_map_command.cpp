@@ -178,7 +178,7 @@ void TestMapCommand::unusable_data()
     QTest::newRow("no convention") << displacement + QStringList{"-o", m_map}
                                    << QByteArray("--convention (with --what displacement)");
     QTest::newRow("unknown") << displacement + QStringList{"--convention", "blender", "-o", m_map}
-                             << QByteArray("\"blender\" is none of paper, screen2world, meshlab");
+                             << QByteArray("\"blender\" is not one of paper, screen2world, meshlab");
     QTest::newRow("convention of nothing")
         << QStringList{m_scene, "--what", "formula-ray", "--convention", "paper", "-o", m_map}
         << QByteArray("--convention paper: is for --what displacement, not for --what formula-ray");
@@ -191,7 +191,7 @@ void TestMapCommand::unusable_data()
     QTest::newRow("over a model") << QStringList{m_scene, "--what", "formula-ray", "-o", m_model}
                                   << QByteArray("face.obj");
     QTest::newRow("depth of a ray") << QStringList{m_scene, "--what", "formula-ray", "--depth", "0.5", "-o", m_map}
-                                    << QByteArray("formula-ray is about surfaces");
+                                    << QByteArray("formula-ray needs surfaces");
     QTest::newRow("depth outside") << QStringList{m_scene, "--what", "formula-matrix", "--depth", "1.5", "-o", m_map}
                                    << QByteArray("--depth 1.5: ");
     QTest::newRow("too large") << QStringList{m_scene, "--what", "formula-matrix", "--size", "16384x16384", "-o", m_map}

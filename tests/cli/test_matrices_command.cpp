@@ -137,7 +137,7 @@ void TestMatricesCommand::unusableInput()
 {
     const Run unknown = runCommand({"matrices", "--conventions", "glide", m_scene});
     QCOMPARE(unknown.exitCode, 2);
-    QVERIFY2(unknown.errors.contains("\"glide\" is none of direct3d, metal,"), unknown.errors);
+    QVERIFY2(unknown.errors.contains("\"glide\" is not one of direct3d, metal,"), unknown.errors);
     QCOMPARE(runCommand({"matrices", m_folder.path("missing")}).exitCode, 2);
     QCOMPARE(runCommand({"matrices", "--format", "xml", m_scene}).exitCode, 2);
     QCOMPARE(runCommand({"matrices"}).exitCode, 2);

@@ -99,9 +99,8 @@ void TestMatrixOrder::whatCannotBeToldIsAskedFor()
     const Run run = made(text);
     QCOMPARE(run.exitCode, 2);
     QCOMPARE(run.output, QByteArray());
-    QCOMPARE(run.errors,
-             QByteArray("stdin: view: is a camera's by rows and by columns, a different one in each order; --order row "
-                        "or --order column says which is meant\n"));
+    QCOMPARE(run.errors, QByteArray("stdin: view: is a camera's matrix by rows and by columns, a different one in each "
+                                    "order; give --order row or --order column\n"));
     const Run rows = made(text, {"--order", "row"}), columns = made(text, {"--order", "column"});
     QCOMPARE(rows.exitCode, 0);
     QCOMPARE(columns.exitCode, 0);

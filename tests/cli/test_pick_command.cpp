@@ -111,7 +111,7 @@ void TestPickCommand::positionsAnswerInTheirOrder()
     QVERIFY(run.lines()[0].startsWith("{\"pixel\": [400, 300], \"hit\": true, \"object\": \"face\""));
     QVERIFY(run.lines()[1].startsWith("{\"pixel\": [799.5, 599.5], \"hit\": true"));
     QCOMPARE(run.lines()[2], QByteArray("{\"pixel\": [-1, 2], \"hit\": false}"));
-    QVERIFY(run.errors.contains("--at -1,2: lies outside the viewport of the picture of 800x600"));
+    QVERIFY(run.errors.contains("--at -1,2: lies outside the viewport of the view of 800x600"));
 }
 
 void TestPickCommand::pixelsOutsideThePictureAreCounted()
@@ -119,7 +119,7 @@ void TestPickCommand::pixelsOutsideThePictureAreCounted()
     const Run run = runCommand({"pick", m_scene, "-"}, "px,py\n400,300\n900,1\n-1,2\n");
     QCOMPARE(run.exitCode, 1);
     QCOMPARE(run.lines().size(), 4);
-    QVERIFY2(run.errors.contains("2 pixels lie outside the viewport of the picture of 800x600"), run.errors);
+    QVERIFY2(run.errors.contains("2 pixels lie outside the viewport of the view of 800x600"), run.errors);
     const Run inside = runCommand({"pick", m_scene, "-"}, "px,py\n400,300\n");
     QVERIFY(inside.errors.isEmpty() && inside.exitCode == 0);
 }
@@ -288,9 +288,9 @@ void TestPickCommand::words()
     const Run run = runCommand({"pick", m_scene, "--at", "500,150", "--at", "-1,0"});
     QCOMPARE(run.exitCode, 1);
     QVERIFY2(run.output.contains("object       face\n"), run.output.constData());
-    QVERIFY(run.output.contains("nothing is met"));
+    QVERIFY(run.output.contains("no hit"));
     const Run snapped = runCommand({"pick", m_scene, "--snap", "vertex", "--at", "500,150"});
-    QVERIFY2(snapped.output.contains("no vertex is in sight within 8 pixels"), snapped.output.constData());
+    QVERIFY2(snapped.output.contains("no vertex is visible within 8 pixels"), snapped.output.constData());
 }
 
 /// Noise behind the digits that are certain is left to JSON.
@@ -381,7 +381,7 @@ void TestPickCommand::unusable_data()
     row("a position that is not finite", {"SCENE", "--at", "1,nan"}, "--at 1,nan");
     row("a size that is none", {"SCENE", "--at", "1,2", "--size", "800"}, "--size 800: give width and height");
     row("a size of nothing", {"SCENE", "--at", "1,2", "--size", "0x5"}, "--size 0x5");
-    row("a snap that is none", {"SCENE", "--at", "1,2", "--snap", "corner"}, "\"corner\" is none of");
+    row("a snap that is none", {"SCENE", "--at", "1,2", "--snap", "corner"}, "\"corner\" is not one of");
     row("both ways", {"SCENE", "rows.csv", "--at", "1,2"}, "PIXELS rows.csv and --at 1,2 exclude each other");
     row("rows' format for a position", {"SCENE", "--at", "1,2", "--format", "jsonl"},
         "--at 1,2 and --format jsonl exclude each other");

@@ -242,8 +242,8 @@ void TestPointsCommand::unusableInput_data()
     const QByteArray good("px,py,depth\n1,2,0.5\n");
     const QString missing = m_folder.path("missing");
     QTest::newRow("no scene") << QStringList{"points", missing, "-"} << good << QByteArray("missing");
-    QTest::newRow("scene is no JSON") << QStringList{"points", m_folder.write("bad.json", "{"), "-"} << good
-                                      << QByteArray("bad.json:1:");
+    QTest::newRow("scene is not JSON") << QStringList{"points", m_folder.write("bad.json", "{"), "-"} << good
+                                       << QByteArray("bad.json:1:");
     QTest::newRow("no points file") << QStringList{"points", m_scene, missing} << QByteArray()
                                     << QByteArray("cannot be read");
     QTest::newRow("points file is a folder")

@@ -123,7 +123,7 @@ void TestRowInput::unusableHeaders_data()
         << QByteArray("stdin:1: the lines end with CR alone, as on old Macs; save the file with LF or CRLF");
     QTest::newRow("a line break in a name")
         << QByteArray("px,py,depth,\"a\nname\"\n1,2,0\n")
-        << QByteArray("stdin:1:13: the quote is not closed; the names of the columns stand on one line");
+        << QByteArray("stdin:1:13: the quote is not closed; the names of the columns must be on one line");
     QTest::newRow("UTF-16") << QByteArray("\xFF\xFEp\0x\0,\0p\0y\0", 12)
                             << noColumn + "; the file is UTF-16, save it as UTF-8";
     QTest::newRow("a column twice") << QByteArray("px,py,depth, py\n1,2,0,2\n")

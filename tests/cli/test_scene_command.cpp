@@ -153,7 +153,7 @@ void TestSceneCommand::whatMatricesPrintsIsTaken()
         QCOMPARE(matrices.exitCode, 0);
         const Run again = runCommand(
             {"scene", "--conventions", conventions, "--window", "500x400", "--from-matrices", "-"}, matrices.output);
-        QVERIFY2(again.errors.contains("product: left out"), again.errors.constData());
+        QVERIFY2(again.errors.contains("product: ignored"), again.errors.constData());
         const QList<double> found = unprojected(again.output);
         QCOMPARE(found.size(), expected.size());
         for (qsizetype i = 0; i < found.size(); ++i)
@@ -171,7 +171,7 @@ void TestSceneCommand::aViewportFromTheTopIsTurned()
     const QByteArray viewport = "viewport 200 0 0 0  0 -150 0 0  0 0 1 0  210 180 0 1 ";
     const QByteArray text = viewport + "view " + kModelview + " projection 1 0 0 0  0 1 0 0  0 0 -1.5 -1  0 0 -1.5 0";
     const Run alone = runCommand({"scene", "--conventions", "metal", "--from-matrices", "-"}, text);
-    QVERIFY(alone.errors.contains("the window is taken to end where the viewport does, at 410x330"));
+    QVERIFY(alone.errors.contains("the window is assumed to end with the viewport, at 410x330"));
     const Run scene =
         runCommand({"scene", "--conventions", "metal", "--window", "500x400", "--from-matrices", "-"}, text);
     QCOMPARE(scene.errors, QByteArray());
@@ -183,7 +183,7 @@ void TestSceneCommand::aViewportFromTheTopIsTurned()
     }
     const Run unsaid = runCommand({"scene", "--from-matrices", "-"}, text);
     QCOMPARE(unsaid.exitCode, 2);
-    QVERIFY2(unsaid.errors.contains("where pixels count from the top: --conventions says whose it is"), unsaid.errors);
+    QVERIFY2(unsaid.errors.contains("for pixels counted from the top: give its --conventions"), unsaid.errors);
 }
 
 void TestSceneCommand::viewportsAreReadAsTheyArePrinted_data()
@@ -243,34 +243,29 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
         << QByteArray("stdin: modelview: looks transposed: its last column, not its last row, is 0 0 0 1; read by "
                       "columns, --order row reads it by rows\n");
     QTest::newRow("[0, 1]") << zeroToOne + rest << QStringList()
-                            << QByteArray(
-                                   "stdin: projection: seems to go by NDC depths from 0 to 1 (Direct3D, Vulkan): "
-                                   "near is then 0.1; it is read by depths from -1 to 1, near 0.050025; --depth "
-                                   "zero-to-one takes it so, --depth minus-one-to-one "
-                                   "does not\n");
+                            << QByteArray("stdin: projection: seems to use NDC depths from 0 to 1 (Direct3D, Vulkan): "
+                                          "near is then 0.1; it is read with depths from -1 to 1, near 0.050025; "
+                                          "--depth zero-to-one reads it so, --depth minus-one-to-one does not\n");
     QTest::newRow("[0, 1], asked for") << zeroToOne + rest << QStringList{"--depth", "zero-to-one"} << none;
     QTest::newRow("[-1, 1], asked for") << zeroToOne + rest << QStringList{"--depth", "minus-one-to-one"} << none;
     QTest::newRow("Vulkan's y") << turned + rest << QStringList()
-                                << QByteArray("stdin: projection: turns y round, as is done for Vulkan: the picture is "
-                                              "upside down for OpenGL; --y down turns it back, --y up leaves it so\n");
+                                << QByteArray("stdin: projection: flips y, as is done for Vulkan: the view is upside "
+                                              "down in OpenGL; --y down flips it back, --y up keeps it\n");
     QTest::newRow("Vulkan's y, turned back") << turned + rest << QStringList{"--y", "down"} << none;
     QTest::newRow("Vulkan's y, left") << turned + rest << QStringList{"--y", "up"} << none;
     QTest::newRow("four decimals")
         << "projection " + kProjection + " modelview 0.7071 0 0.7071 0  0 1 0 0  -0.7071 0 0.7071 0  0 0 -5 1 viewport "
                + kViewport
         << QStringList()
-        << QByteArray(
-               "stdin: modelview: has axes that are 1.9e-05 off "
-               "being perpendicular and of length 1, as few digits or many turns leave them; the "
-               "formulas need them within 0.00001; more decimals are better; --orthonormal takes the nearest axes that "
-               "are\n");
+        << QByteArray("stdin: modelview: has axes that deviate by 1.9e-05 from perpendicular and length 1, as after "
+                      "rounding or many rotations; the formulas need 0.00001; give more decimals; --orthonormal uses "
+                      "the nearest axes that are\n");
     QTest::newRow("full digits, yet not quite rigid")
         << "projection " + kProjection + " modelview 1.0000123456789 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1 viewport "
                + kViewport
         << QStringList()
-        << QByteArray("stdin: modelview: has axes that are 2.5e-05 off being perpendicular and of length 1, as few "
-                      "digits or many turns leave them; the formulas need them within 0.00001; more decimals are "
-                      "better; --orthonormal takes "
+        << QByteArray("stdin: modelview: has axes that deviate by 2.5e-05 from perpendicular and length 1, as after "
+                      "rounding or many rotations; the formulas need 0.00001; give more decimals; --orthonormal uses "
                       "the nearest axes that are\n");
     QTest::newRow("full digits, mended")
         << "projection " + kProjection + " modelview 1.0000123456789 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1 viewport "
@@ -286,71 +281,70 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
         << QStringList{"--orthonormal"} << QByteArray("stdin: modelview: is mirrored: its axes are left-handed\n");
     QTest::newRow("negated") << "MVP -1 0 0 0  0 -1 0 0  0 0 2 1  0 0 -7 -5 viewport " + kViewport << QStringList()
                              << QByteArray(
-                                    "stdin: product: has every entry with the other sign: the same points, but w < "
-                                    "0 in front of the eye, which OpenGL cuts off; its signs are turned round\n"
-                                    "stdin: product: taken apart into projection and view, which make it again up "
-                                    "to 0 of its largest entry\n");
+                                    "stdin: product: has every entry negated: the same points, but w < 0 in front of "
+                                    "the eye, which OpenGL cuts off; its signs are flipped\nstdin: product: decomposed "
+                                    "into projection and view, with a residual of 0 of its largest entry\n");
     QTest::newRow("reversed, asked for")
         << reversed + rest << QStringList{"--reversed", "--depth", "zero-to-one"}
         << QByteArray("stdin: projection: has its far plane at infinity: depths there have no point\n");
     const QByteArray view = "view " + kModelview, viewport = " viewport " + kViewport;
     QTest::newRow("an inverse by its name")
         << rest + " projectionMatrixInverse 1 0 0 0  0 1 0 0  0 0 0 -0.333333333333333333  0 0 -1 0.66666666666666667"
-        << QStringList() << QByteArray("stdin: projection: by its name it is an inverse: its own inverse is taken\n");
+        << QStringList() << QByteArray("stdin: projection: by its name it is an inverse: it is inverted\n");
     QTest::newRow("an inverse too many")
         << rest + " projection " + kProjection + " matrixWorld " + kModelview << QStringList()
-        << QByteArray(
-               "stdin: view: its inverse is left out, since the matrices that are needed are there themselves\n");
+        << QByteArray("stdin: view: its inverse is ignored, because the needed matrices are given\n");
     QTest::newRow("a product that goes with them")
         << view + " projection " + kProjection + " mvp 1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 7 5" + viewport << QStringList()
-        << QByteArray("stdin: product: left out, since the projection and the view are there\n");
-    QTest::newRow("a product of zeros")
-        << view + " projection " + kProjection + " mvp 0 0 0 0  0 0 0 0  0 0 0 0  0 0 0 0" + viewport << QStringList()
-        << QByteArray("stdin: product: left out, since the projection and the view are there, and it is not their "
-                      "product, but all zeros\n");
+        << QByteArray("stdin: product: ignored, because the projection and the view are given\n");
+    QTest::newRow("a product of zeros") << view + " projection " + kProjection
+                                               + " mvp 0 0 0 0  0 0 0 0  0 0 0 0  0 0 0 0" + viewport
+                                        << QStringList()
+                                        << QByteArray("stdin: product: ignored, because the projection and the view "
+                                                      "are given, and it is not their product, but all zeros\n");
     QTest::newRow("a product that does not")
         << view + " projection " + kProjection + " mvp 1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 6 5" + viewport << QStringList()
-        << QByteArray("stdin: product: left out, since the projection and the view are there, and it is not their "
-                      "product, but off by 0.072 of its largest entry: one of them is of another picture, or has an "
-                      "object's own matrix in it\n");
+        << QByteArray("stdin: product: ignored, because the projection and the view are given, and it differs from "
+                      "their product by 0.072 of its largest entry: one of them is of another setup, or contains an "
+                      "object's matrix\n");
     QTest::newRow("a product that goes with them, by rows")
         << "view 1 0 0 0  0 1 0 0  0 0 1 -5  0 0 0 1 projection 1 0 0 0  0 1 0 0  0 0 -2 -3  0 0 -1 0 mvp 1 0 0 0  0 1 "
            "0 0  0 0 -2 7  0 0 -1 5"
                + viewport
         << QStringList{"--order", "row"}
-        << QByteArray("stdin: product: left out, since the projection and the view are there\n");
+        << QByteArray("stdin: product: ignored, because the projection and the view are given\n");
     QTest::newRow("a view beside a product")
         << "view 1 0 0 0  0 1 0 0  0 0 1 0  0 0 -4 1 mvp 1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 7 5" + viewport
         << QStringList()
-        << QByteArray("stdin: view: left out, since no projection is beside it: the product alone counts, and the "
-                      "product's own is another one\n"
-                      "stdin: product: taken apart into projection and view, which make it again up to 0 of its "
+        << QByteArray("stdin: view: ignored without a projection: only the product counts, and it differs from the "
+                      "product's\nstdin: product: decomposed into projection and view, with a residual of 0 of its "
                       "largest entry\n");
-    QTest::newRow("a negated view")
-        << "view -1 0 0 0  0 -1 0 0  0 0 -1 0  0 0 5 -1 projection " + kProjection + viewport << QStringList()
-        << QByteArray("stdin: view: has every entry with the other sign: the same points, but w < 0 in front of the "
-                      "eye, which OpenGL cuts off; its signs are turned round\n");
+    QTest::newRow("a negated view") << "view -1 0 0 0  0 -1 0 0  0 0 -1 0  0 0 5 -1 projection " + kProjection
+                                           + viewport
+                                    << QStringList()
+                                    << QByteArray("stdin: view: has every entry negated: the same points, but w < 0 in "
+                                                  "front of the eye, which OpenGL cuts off; its signs are flipped\n");
     QTest::newRow("a sheared view, made orthonormal")
         << "view 2 0 0 0  0 1 0 0  0 0 1 0  0 0 -5 1 projection " + kProjection + viewport
         << QStringList{"--orthonormal"}
-        << QByteArray("stdin: view: has axes of unlike lengths or not at right angles, the longest 2: what comes out "
-                      "are the object's coordinates, not the world's\n"
-                      "stdin: view: --orthonormal is for axes that were rounded: of these it makes another camera's; "
-                      "give the view without the model's scale\n");
+        << QByteArray("stdin: view: has axes of different lengths or not perpendicular, the longest 2: results are "
+                      "object coordinates, not world coordinates\nstdin: view: --orthonormal is for rounded axes and "
+                      "would change this camera; give the view without the model's scale\n");
     QTest::newRow("depths beyond a window's")
         << view + " projection " + kProjection + " viewport 200 0 0 0  0 150 0 0  0 0 1.5 0  200 150 0.5 1"
         << QStringList()
-        << QByteArray("stdin: viewport: its depths go from -1 to 2, beyond the 0 to 1 of a window; --depth says by "
-                      "which NDC depths they are to be read\n");
-    QTest::newRow("y up for Vulkan")
-        << view + " projection 1 0 0 0  0 1 0 0  0 0 -1.01010101 -1  0 0 -1.01010101 0 " + viewport
-        << QStringList{"--conventions", "vulkan"}
-        << QByteArray("stdin: projection: taken from Vulkan's conventions to OpenGL's, it turns y round, as is done "
-                      "for Vulkan: the picture is upside down for OpenGL; it stays so: if it is not meant, give "
-                      "--conventions of the API that it is for\n");
+        << QByteArray("stdin: viewport: its depths go from -1 to 2, beyond the 0 to 1 of a window; give their NDC "
+                      "depths with --depth\n");
+    QTest::newRow("y up for Vulkan") << view + " projection 1 0 0 0  0 1 0 0  0 0 -1.01010101 -1  0 0 -1.01010101 0 "
+                                            + viewport
+                                     << QStringList{"--conventions", "vulkan"}
+                                     << QByteArray(
+                                            "stdin: projection: converted from Vulkan's conventions to OpenGL's, it "
+                                            "flips y, as is done for Vulkan: the view is upside down in OpenGL; it is "
+                                            "not changed: if it is unwanted, give --conventions of its API\n");
     QTest::newRow("a model beside it") << "model " + kModelview + ' ' + rest + " projection " + kProjection
                                        << QStringList()
-                                       << QByteArray("stdin: model: left out: world coordinates have no need of it\n");
+                                       << QByteArray("stdin: model: ignored: world coordinates do not need it\n");
 }
 
 void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid()
@@ -372,23 +366,20 @@ void TestSceneCommand::aProductAloneUnprojects_data()
     QTest::addColumn<QList<double>>("expected");
     // kProjection times kModelview, and glOrtho(-1,1,-1,1,1,3) times kModelview.
     const QByteArray perspective = "1 0 0 0  0 1 0 0  0 0 -2 -1  0 0 7 5", box = "1 0 0 0  0 1 0 0  0 0 -1 0  0 0 3 1";
-    const QByteArray apart = "stdin: product: taken apart into projection and view, which make it again up to 0 of its "
-                             "largest entry\n";
+    const QByteArray apart =
+        "stdin: product: decomposed into projection and view, with a residual of 0 of its largest entry\n";
     const QByteArray onNear =
-        "stdin: product: taken apart into projection and view, which make it again up to 0 of its "
-        "largest entry; of a box the eye may be anywhere along the view: it is put on the near "
-        "plane\n";
-    const QByteArray whole =
-        "stdin: product: lens and eye cannot be taken apart: only the inverted matrix will answer, "
-        "the formulas need projection and view\n";
+        "stdin: product: decomposed into projection and view, with a residual of 0 of its largest entry; an "
+        "orthographic eye may be anywhere along the view: it is put on the near plane\n";
+    const QByteArray whole = "stdin: product: it cannot be decomposed: only the inverted matrix will answer, because "
+                             "the formulas need projection and view\n";
     QTest::newRow("perspective, matrix") << perspective << apart << "matrix" << QList<double>{3, -3, 2};
     QTest::newRow("perspective, formula") << perspective << apart << "formula" << QList<double>{3, -3, 2};
-    QTest::newRow("negated, formula")
-        << QByteArray("-1 0 0 0  0 -1 0 0  0 0 2 1  0 0 -7 -5")
-        << "stdin: product: has every entry with the other sign: the same points, but w < 0 "
-           "in front of the eye, which OpenGL cuts off; its signs are turned round\n"
-               + apart
-        << "formula" << QList<double>{3, -3, 2};
+    QTest::newRow("negated, formula") << QByteArray("-1 0 0 0  0 -1 0 0  0 0 2 1  0 0 -7 -5")
+                                      << "stdin: product: has every entry negated: the same points, but w < 0 in front "
+                                         "of the eye, which OpenGL cuts off; its signs are flipped\n"
+                                             + apart
+                                      << "formula" << QList<double>{3, -3, 2};
     QTest::newRow("box, matrix") << box << onNear << "matrix" << QList<double>{1, -1, 2};
     QTest::newRow("box, formula") << box << onNear << "formula" << QList<double>{1, -1, 2};
     // x sheared along z.
@@ -519,7 +510,7 @@ void TestSceneCommand::badArgumentsAreNamed_data()
     QTest::newRow("nowhere to write") << QStringList{numbers, "-o", m_folder.path("none/scene.json")}
                                       << m_folder.path("none/scene.json").toUtf8() + ": there is no such folder";
     QTest::newRow("no order") << QStringList{numbers, "--order", "rows"}
-                              << QByteArray("--order: \"rows\" is none of column, row\n");
+                              << QByteArray("--order: \"rows\" is not one of column, row\n");
 }
 
 void TestSceneCommand::badArgumentsAreNamed()

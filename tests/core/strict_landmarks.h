@@ -29,7 +29,7 @@ inline double strictNumber(const QByteArray &text)
     bool isNumber = false;
     const double value = text.toDouble(&isNumber);
     if (!isNumber || text.contains(' ') || (text.contains('+') && !text.contains("e+")))
-        qFatal("\"%s\" is no number", text.constData());
+        qFatal("\"%s\" is not a number", text.constData());
     return value;
 }
 

@@ -346,7 +346,7 @@ void TestDoctorVerdicts::whatFewDigitsLeaveAlikeIsSaid()
     QCOMPARE(reversed->alike, Alike::InDigits);
     QVERIFY(!reversed->shared);
     QCOMPARE(alikeSentence(*reversed),
-             std::string("They cannot be told apart by these digits: give more digits, or another click."));
+             std::string("These digits cannot separate them: give more digits, or another click."));
 }
 
 /// Two mistakes with the same result cast no doubt on either.
@@ -429,7 +429,7 @@ void TestDoctorVerdicts::theyAreWordedInBothLanguages()
                                 Shared::Matrix, Shared::Point}) {
         candidate.shared = shared;
         const std::string english = alikeSentence(candidate);
-        QVERIFY(english.find("cannot be told apart") != std::string::npos);
+        QVERIFY(english.find("cannot be separated") != std::string::npos);
         text::setLanguage(text::Language::Chinese);
         const std::string chinese = alikeSentence(candidate);
         text::setLanguage(text::Language::English);

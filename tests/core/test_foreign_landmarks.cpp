@@ -170,16 +170,17 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
     add("csv: a column twice", Format::Csv, "x,y,z,X\n1,2,3,4\n",
         "f:1: the column \"X\" is there twice; rename one of them");
     add("csv: a cell of no column", Format::Csv, "x,y,z,\n1,2,3,5\n",
-        "f:2: the cell \"5\" stands in a column without a name; give it one in the first line");
+        "f:2: the cell \"5\" is in a column without a name; give it one in the first line");
     add("tps: SCALE twice", Format::Tps, "LM3=1\n1 2 3\nSCALE=2\nscale=2\n",
-        "f:4: SCALE stands here for the second time in a specimen; remove one of them");
+        "f:4: SCALE is here for the second time in a specimen; remove one of them");
     add("csv: no barycentric coordinates", Format::Csv, "x,y,z,face,u,v,w\n1,2,3,7,0.25,0.25,1\n",
         "f:2: the sum of u, v and w is 1.5; it must be 1");
     add("tps: SCALE of 0", Format::Tps, "LM3=1\n1 2 3\nSCALE=0\n", "f:3: SCALE is 0; it must be greater than 0");
     add("tps: SCALE that is 0 in double precision", Format::Tps, "LM3=1\n1 2 3\nSCALE=1e-400\n", "f:3: SCALE is ");
     add("tps: SCALE that mirrors", Format::Tps, "LM3=1\n1 2 3\nSCALE=-2\n",
         "f:3: SCALE is -2; it must be greater than 0");
-    add("csv: UTF-16", Format::Csv, QByteArray("\xff\xfen\0a\0", 6), "f: this is no text in UTF-8; save it as UTF-8");
+    add("csv: UTF-16", Format::Csv, QByteArray("\xff\xfen\0a\0", 6),
+        "f: this is not a text in UTF-8; save it as UTF-8");
     add("csv: Latin-1", Format::Csv, "name,x,y,z\na,1,2,3\n\xe9t\xe9,1,2,3\n",
         "f:3: this is not UTF-8; save the file as UTF-8");
     add("pts: overlong", Format::Idav, "Version 1.0\n1\n\xc0\x81 1 2 3\n",
@@ -188,7 +189,7 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
         "f:2: this is not UTF-8; save the file as UTF-8");
     add("tps: cut within a letter", Format::Tps, "LM3=1\n1 2 3\nID=\xe9\xbc",
         "f:3: this is not UTF-8; save the file as UTF-8");
-    add("pp: no XML", Format::MeshLab, "<PickedPoints>\n<point x=\"1\"\n", "f:3: this is no XML: ");
+    add("pp: no XML", Format::MeshLab, "<PickedPoints>\n<point x=\"1\"\n", "f:3: this is not XML: ");
     add("pp: another document", Format::MeshLab, "<MeshLabProject/>",
         "f:1: there is no <PickedPoints>, which holds the points of MeshLab; is it another file?");
     add("pp: not a number", Format::MeshLab,
@@ -206,7 +207,7 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
         "f: markups[0].coordinateSystem: \"IJK\" must be LPS or RAS");
     add("fcsv: a comma in a label", Format::SlicerCsv,
         "# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n0,1,2,3,0,0,0,1,1,1,0,F-1, left,,,2,0\n",
-        "f:3: \"0,1,2,3,0,0,0,1,1,1,0,F-1, left,,,2,0\" is no point; write id,x,y,z");
+        "f:3: \"0,1,2,3,0,0,0,1,1,1,0,F-1, left,,,2,0\" is not a point; write id,x,y,z");
     add("fcsv: other axes", Format::SlicerCsv, "# Markups fiducial file version = 5.8\n# CoordinateSystem = IJK\n",
         "f:2: the coordinate system is \"IJK\"; it must be LPS or RAS (1 or 0)");
     const QByteArray fiducials = "# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n";
@@ -234,7 +235,7 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
     add("pts: half a point", Format::Idav, "Version 1.0\n1\na 9999 5 9999\n",
         "f:3: some coordinates of a point are missing and some are not; a point is missing as a whole");
     add("pts: dlib", Format::Idav, "version: 1\nn_points: 68\n{\n1 2\n}\n",
-        "f:1: this is a .pts of dlib, points in a picture; only those of IDAV Landmark, which begin with \"Version "
+        "f:1: this is a .pts of dlib, points in an image; only those of IDAV Landmark, which begin with \"Version "
         "1.0\", are points in space");
     add("pts: a point cloud", Format::Idav, "3\n1 2 3\n1 2 3\n1 2 3\n",
         "f:1: this .pts begins with \"3\", not with \"Version 1.0\" as those of IDAV Landmark do; a point cloud of a "
@@ -244,27 +245,27 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
     add("pts: one more", Format::Idav, "Version 1.0\n1\nS0 1 2 3\nS1 1 2 3\n",
         "f:4: line 2 says 1 points, and here is one more; write the right number there");
     add("pts: no name", Format::Idav, "Version 1.0\n1\n1 2 3\n",
-        "f:3: \"1 2 3\" is no point; write its name, x, y and z");
+        "f:3: \"1 2 3\" is not a point; write its name, x, y and z");
     add("tps: a row is missing", Format::Tps, "LM3=2\n1 2 3\nID=a\n",
-        "f:3: \"ID=a\" is no row of 3 numbers, which line 1 announces; write the right number of points there");
+        "f:3: \"ID=a\" is not a row of 3 numbers, which line 1 announces; write the right number of points there");
     add("tps: a row too many", Format::Tps, "LM3=1\n1 2 3\n4 5 6\n", "f:3: \"4 5 6\" belongs to nothing; ");
     add("tps: half missing", Format::Tps, "LM3=1\n1 NA 3\n",
         "f:2: some coordinates are NA and some are not; a point is missing as a whole");
     add("tps: cut off", Format::Tps, "LM3=4000000000\n1 2 3\n",
         "f:2: the file ends within the points that line 1 announces; is it cut off?");
     add("nts: no DIM", Format::Nts, "1 1L 3 0\na\n1 2 3\n",
-        "f:1: \"1 1L 3 0\" does not say DIM=3; this is no matrix of landmarks");
+        "f:1: \"1 1L 3 0\" has no DIM=3; this is not a matrix of landmarks");
     add("nts: cut off", Format::Nts, "1 2L 3 0 DIM=3\na\nb\n1 2 3\n4 5",
         "f:5: the file ends within the matrix that the parameters announce; is it cut off?");
     add("nts: more", Format::Nts, "1 1L 3 0 DIM=3\na\n1 2 3\n4\n",
-        "f:4: \"4\" stands behind the matrix; write the right numbers of rows and columns into the parameters");
+        "f:4: \"4\" follows the matrix; write the right numbers of rows and columns into the parameters");
     add("nts: a label of two words", Format::Nts, "1 1L 3 0 DIM=3\nskull 7\n1 2 3\n",
-        "f:3: \"3\" stands behind the matrix; ");
+        "f:3: \"3\" follows the matrix; write ");
     add("nts: half missing", Format::Nts, "1 1L 3 1 9999 DIM=3\na\n1 9999 3\n",
         "f:3: some coordinates of a point are missing and some are not; a point is missing as a whole");
     add("nts: distances", Format::Nts, "2 3L 3 0 DIM=3\n",
-        "f:1: \"2 3L 3 0 DIM=3\" is no line of parameters; a matrix of landmarks begins with one like 1 12L 63 1 9999 "
-        "DIM=3");
+        "f:1: \"2 3L 3 0 DIM=3\" is not a line of parameters; a matrix of landmarks begins with one like 1 12L 63 1 "
+        "9999 DIM=3");
     add("landmarkAscii: binary", Format::LandmarkAscii, "# AmiraMesh BINARY-LITTLE-ENDIAN 2.1\n",
         "f:1: this file is binary; save it as \"LandmarkSet Ascii\" in Amira or Avizo");
     add("landmarkAscii: another", Format::LandmarkAscii, "1 2 3\n",
@@ -274,9 +275,9 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
         "f:5: here are 1 of the 2 points that \"define Markers\" announces; is the file cut off?");
     add("landmarkAscii: more", Format::LandmarkAscii,
         "# Avizo 3D ASCII 2.0\ndefine Markers 1\nMarkers { float[3] Coordinates } @1\n@1\n1 2 3\n4 5 6\n",
-        "f:6: \"4 5 6\" stands behind the points; write the right number behind \"define Markers\"");
+        "f:6: \"4 5 6\" follows the points; write the right number behind \"define Markers\"");
     add("ljson: a picture", Format::Landmarker, R"({"version": 2, "landmarks": {"points": [[1, 2]]}})",
-        "f: landmarks.points[0] has two coordinates: these are points in a picture, not in space");
+        "f: landmarks.points[0] has two coordinates: these are points in an image, not in space");
     add("ljson: a label of no point", Format::Landmarker,
         R"({"version": 2, "labels": [{"label": "a", "mask": [1]}], "landmarks": {"points": [[1, 2, 3]]}})",
         "f: labels[0].mask names point 1, and there are 1, counted from 0");
@@ -284,7 +285,7 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
         "f: there are neither \"landmarks\" nor \"groups\", which hold the points of landmarker.io; is it another "
         "file?");
     add("tps: a curve with a missing point", Format::Tps, "LM=1\n1 2\nCURVES=1\nPOINTS=2\n1 1\n-1 -1\n",
-        "f:6: a point of a curve is -1 -1, which stands for a missing one; a curve has all its points");
+        "f:6: a point of a curve is -1 -1, which means a missing one; a curve has all its points");
 }
 
 void TestForeignLandmarks::badFilesAreRefusedWithTheirLine()

@@ -353,7 +353,7 @@ void TestGltfDraco::refusesWhatContradictsTheFile_data()
     {
         DracoSheet none(Packing{});
         none.bytes = "no data of Draco";
-        QTest::newRow("something else") << none.gltf() << "are damaged";
+        QTest::newRow("other values") << none.gltf() << "are damaged";
     }
 }
 

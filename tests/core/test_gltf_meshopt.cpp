@@ -301,7 +301,7 @@ void TestGltfMeshopt::refusesWhatContradictsTheFile_data()
     QTest::newRow("directions of 12 bytes")
         << changed(R"("mode":"ATTRIBUTES")", R"("mode":"ATTRIBUTES","filter":"OCTAHEDRAL")")
         << "the filter \"OCTAHEDRAL\" has elements of 12 bytes";
-    QTest::newRow("a mode that is a number") << changed(R"("mode":"ATTRIBUTES")", R"("mode":3)") << "is no text";
+    QTest::newRow("a mode that is a number") << changed(R"("mode":"ATTRIBUTES")", R"("mode":3)") << "is not a text";
     QTest::newRow("another count") << changed(R"("count":400,"mode")", R"("count":399,"mode")")
                                    << "399 times 12 bytes is declared as 4800 bytes";
     QTest::newRow("far more than the bytes hold")

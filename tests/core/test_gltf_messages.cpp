@@ -200,20 +200,20 @@ void TestGltfMessages::refuses_data()
         << quad(R"(,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0,"SCALE":1}}})")
         << "the attribute SCALE of instances does not have 3 numbers for each of 4 instances";
     QTest::newRow("a word for a number") << quad(R"(,"translation":[1,"up",3])")
-                                         << "\"up\" stands where a number belongs";
+                                         << "\"up\" found where a number is expected";
     QTest::newRow("a negative count") << quad().replace(R"("count":4)", R"("count":-4)")
-                                      << "\"count\" is -4, which is no number of a fitting size";
+                                      << "\"count\" is -4, which is not a number in range";
     QTest::newRow("a list for an object") << quad({}, R"(,"extras":1)").replace(R"({"mesh":0})", "[1,2]")
-                                          << "[1,2] stands where an object with \"children\" belongs";
-    QTest::newRow("an object for a list") << quad(R"(,"children":{})") << "\"children\" is {}, which is no array";
+                                          << "[1,2] found where an object with \"children\" is expected";
+    QTest::newRow("an object for a list") << quad(R"(,"children":{})") << "\"children\" is {}, which is not an array";
     QTest::newRow("a number too large") << quad(R"(,"translation":[1,)"
                                                 "\n 1e400,3]")
                                         << "line 2, column 2: 1e400 is too large for a number";
     QTest::newRow("NaN") << quad(R"(,"translation":[)"
                                  "\n1,NaN,3]")
-                         << "line 2, column 3: NaN stands where a value is expected";
+                         << "line 2, column 3: NaN found where a value is expected";
     QTest::newRow("the end is missing") << quad().chopped(1) << ": the file ends too early";
-    QTest::newRow("a bracket too many") << quad().append('}') << ": } stands behind the end";
+    QTest::newRow("a bracket too many") << quad().append('}') << ": } follows the end";
     QTest::newRow("no version") << quad().replace(R"("asset":{"version":"2.0"},)", "") << "\"version\" in \"asset\"";
     QTest::newRow("an extension that is a number") << quad({}, R"(,"extensionsRequired":[3])") << "extensionsRequired";
     QTest::newRow("a buffer without bytes")

@@ -160,9 +160,9 @@ void TestImportObj::saysWhatIsLeftOut_data()
     row("lines and points", "l 1 2 3\nl 1 2\np 1 2\n", "4 lines and points are not shown");
     row("faces of two corners", "f 1 2\n", "1 line or point is not shown");
     row("missing texture coordinates", "f 1/1 2/1 3/2\nf 1/-9 2/1 3/1\n",
-        "2 faces refer to texture coordinates that the file does not have: shown without a picture");
+        "2 faces refer to texture coordinates that the file does not have: shown without an image");
     row("texture coordinates of some corners", "f 1/1 2/1 3\n",
-        "1 face refers to texture coordinates that the file does not have: shown without a picture");
+        "1 face refers to texture coordinates that the file does not have: shown without an image");
     row("missing normals", "f 1//1 2//1 3//2\n",
         "1 face refers to normals that the file does not have: they are computed instead");
     row("a vertex of five numbers", "v 1 2 3 4 5\n", "1 vertex has words behind the coordinates that are not used");
@@ -181,8 +181,8 @@ void TestImportObj::saysWhatIsLeftOut_data()
     row("another file and surfaces of older versions", "call other.obj\nbsp 1 2 3\ncdc 1 2 3 4\nbzp 1 2\nbzp 1 2\n",
         "\"bsp\" is not shown; \"bzp\" is not shown (2 times); \"call\" is not shown; \"cdc\" is not shown");
     row("no library", "mtllib nowhere.mtl\n",
-        "the materials \"nowhere.mtl\" are not there or cannot be read: their surfaces are shown without colours and "
-        "pictures");
+        "the materials \"nowhere.mtl\" are missing or cannot be read: their surfaces are shown without colours and "
+        "images");
     row("no material", "usemtl red\nf 1 2 3\nusemtl red\nf 1 2 3\n",
         "no material is called \"red\": its surfaces are shown in grey");
     row("no materials", "usemtl red\nf 1 2 3\nusemtl blue\nf 1 2 3\n",
@@ -306,9 +306,8 @@ void TestImportObj::makesOneMeshForEachMaterial()
     QCOMPARE(meshes[2].triangleCount(), std::size_t{2});
     QVERIFY(meshes[2].position(meshes[2].vertexAt(5)) == glm::dvec3(2, 2, 0));
     QCOMPARE(meshes[3].texture, -1);
-    QCOMPARE(
-        notesOf(**result),
-        QByteArray("the picture \"nowhere.png\" is not there or cannot be read: its surfaces are shown without it"));
+    QCOMPARE(notesOf(**result),
+             QByteArray("the image \"nowhere.png\" is missing or cannot be read: its surfaces are shown without it"));
 }
 
 void TestImportObj::cutsPolygonsInPlace()
@@ -412,7 +411,7 @@ void TestImportObj::namesTheLineInAnyChunk()
              QString("line %1: a face refers to vertex 999999, the file has 160000").arg(lines + 1));
     QCOMPARE(
         QString::fromStdString(m_folder.imported("long.obj", text + "f 1 x 3\nv 1 2 oops\n" + text).error().detail),
-        QString("line %1: \"x\" is no corner of a face").arg(lines + 1));
+        QString("line %1: \"x\" is not a corner of a face").arg(lines + 1));
     const auto notFinite = m_folder.imported("long.obj", text + "v 0 0 nan\n" + text);
     QCOMPARE(int(notFinite.error().code), int(ImportErrorCode::NotFinite));
     QCOMPARE(notFinite.error().index, std::size_t{80000});
@@ -462,9 +461,9 @@ void TestImportObj::saysWhyAFileCannotBeOpened_data()
     QTest::newRow("counted back to later ones") << "f -1 1 2\n" + objBox() << Malformed << "line 1";
     QTest::newRow("a joined line") << objBox("f 1 \\\n2 99\n") << Malformed << "line 11: a face refers to vertex 99";
     QTest::newRow("a corner of four parts")
-        << objBox("f 1/1/1/1 2 3\n") << Malformed << "line 10: \"1/1/1/1\" is no corner of a face";
-    QTest::newRow("a corner without a vertex") << objBox("f /1 2 3\n") << Malformed << "\"/1\" is no corner";
-    QTest::newRow("a fraction as index") << objBox("f 1.5 2 3\n") << Malformed << "\"1.5\" is no corner";
+        << objBox("f 1/1/1/1 2 3\n") << Malformed << "line 10: \"1/1/1/1\" is not a corner of a face";
+    QTest::newRow("a corner without a vertex") << objBox("f /1 2 3\n") << Malformed << "\"/1\" is not a corner";
+    QTest::newRow("a fraction as index") << objBox("f 1.5 2 3\n") << Malformed << "\"1.5\" is not a corner";
     QTest::newRow("faces without vertices") << QByteArray("f 1 2 3\n") << Malformed << "the file has 0";
     QTest::newRow("a short vertex") << objBox("v 1 2\n") << Malformed << "line 10: a vertex needs three numbers";
     QTest::newRow("a commented vertex") << objBox("v 1 # 2 3\n") << Malformed

@@ -142,7 +142,7 @@ void TestImportOff::saysWhyAFileCannotBeOpened_data()
     QTest::newRow("index too large") << offBox().replace("4 3 0 4 7", "4 3 0 4 8") << Malformed
                                      << "face 5 refers to vertex 8";
     QTest::newRow("binary that is text") << offBox().replace("OFF\n", "OFF BINARY\n") << Malformed
-                                         << "the first line says BINARY and text follows; take the word BINARY away";
+                                         << "the first line says BINARY and text follows; remove the word BINARY";
     QTest::newRow("binary of nothing") << QByteArray("OFF BINARY\n") << Malformed << "the file ends";
     QTest::newRow("truncated") << offBox().chopped(4) << Malformed << "face 5 declares 4 corners";
     QTest::newRow("more faces than declared") << offBox().replace("8 6 12", "8 5 12") << Malformed
@@ -155,7 +155,7 @@ void TestImportOff::saysWhyAFileCannotBeOpened_data()
                                       << "face 0 declares -1 corners";
     QTest::newRow("a vertex too many") << offBox().replace("8 6 12", "9 6 12") << Malformed << "the file ends where";
     QTest::newRow("two counts and a word") << offBox().replace("8 6 12", "8 6 twelve") << Malformed
-                                           << "line 3: \"twelve\" stands where a number of edges is expected";
+                                           << "line 3: \"twelve\" found where a number of edges is expected";
     QTest::newRow("four dimensions") << offBox("nOFF").replace("8 6 12", "4\n8 6 12") << Unsupported
                                      << "points of 4 dimensions";
     QTest::newRow("no vertices, no faces") << QByteArray("OFF 0 0 0\n") << NoTriangles << "";

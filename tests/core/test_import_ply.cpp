@@ -266,11 +266,9 @@ void TestImportPly::saysWhatIsLeftOut_data()
     QTest::newRow("binary, zeros behind") << plyLittle() + QByteArray(5, '\0') << QByteArray();
     QTest::newRow("binary, more behind") << plyLittle() + "more"
                                          << QByteArray("4 bytes behind all that the file declares are not used");
-    QTest::newRow("no picture") << plyText(QByteArray("comment TextureFile nowhere.png\n"),
-                                           "property float s\nproperty float t\n", " 0.25 0.9")
-                                << QByteArray(
-                                       "the picture \"nowhere.png\" is not there or cannot be read: its surfaces "
-                                       "are shown without it");
+    QTest::newRow("no picture")
+        << plyText(QByteArray("comment TextureFile nowhere.png\n"), "property float s\nproperty float t\n", " 0.25 0.9")
+        << QByteArray("the image \"nowhere.png\" is missing or cannot be read: its surfaces are shown without it");
 }
 
 void TestImportPly::saysWhatIsLeftOut()
@@ -300,36 +298,36 @@ void TestImportPly::saysWhyAFileCannotBeOpened_data()
     QTest::newRow("NaN") << plyText().replace("\n2 1 2\n", "\n2 nan 2\n") << NotFinite << "6";
     QTest::newRow("too large for a float") << plyText().replace("\n2 1 2\n", "\n2 1e200 2\n") << NotFinite << "6";
     QTest::newRow("a property twice") << plyText().replace("property float y", "property float x") << Malformed
-                                      << "the property \"x\" stands twice in its element";
+                                      << "the property \"x\" is twice in its element";
     QTest::newRow("a word") << plyText().replace("\n2 1 2\n", "\n2 oops 2\n") << Malformed << "line 16: \"oops\"";
     QTest::newRow("a number too many") << plyText().replace("\n2 1 2\n", "\n2 1 2 7\n") << Malformed
                                        << "line 16: \"7\" follows all that the header declares for vertex 6";
     QTest::newRow("a number too few") << plyText().replace("\n2 1 2\n", "\n2 1\n") << Malformed
                                       << "line 16: the line ends before all that the header declares for vertex 6";
     QTest::newRow("half a vertex") << plyText().replace("4 3 0 4 7", "4 3 0 4 6.9999") << Malformed
-                                   << "line 23: \"6.9999\" is no whole number from -2147483648 to 2147483647, which "
+                                   << "line 23: \"6.9999\" is not a whole number from -2147483648 to 2147483647, which "
                                       "the header declares for face 5";
     QTest::newRow("half a vertex, declared as float")
         << plyText().replace("uchar int vertex", "uchar float vertex").replace("4 3 0 4 7", "4 3 0 4 6.9999")
-        << Malformed << "face 5 refers to vertex 6.9999, which is no whole number";
+        << Malformed << "face 5 refers to vertex 6.9999, which is not a whole number";
     QTest::newRow("more corners than its type has")
         << plyText().replace("4 3 0 4 7", "300 3 0 4 7") << Malformed
-        << "line 23: \"300\" is no whole number from 0 to 255, which the header declares for face 5";
+        << "line 23: \"300\" is not a whole number from 0 to 255, which the header declares for face 5";
     QTest::newRow("a colour beyond its type")
         << plyText({}, "property uchar red\nproperty uchar green\nproperty uchar blue\n", " 300 0 0") << Malformed
-        << "line 13: \"300\" is no whole number from 0 to 255, which the header declares for vertex 0";
+        << "line 13: \"300\" is not a whole number from 0 to 255, which the header declares for vertex 0";
     QTest::newRow("an unread list longer than its type has")
-        << plyText({}, "property list uchar uchar more\n", " 300 0 0") << Malformed << "\"300\" is no whole number";
+        << plyText({}, "property list uchar uchar more\n", " 300 0 0") << Malformed << "\"300\" is not a whole number";
     QTest::newRow("a negative length") << plyText().replace("4 3 0 4 7", "-1 3 0 4 7") << Malformed
                                        << "line 23: \"-1\"";
     QTest::newRow("an element twice") << plyText().replace("element face",
                                                            "element vertex 1\nproperty int a\nelement face")
-                                      << Malformed << "line 7: the element \"vertex\" stands twice";
+                                      << Malformed << "line 7: the element \"vertex\" is there twice";
     QTest::newRow("a minus that is none") << plyText().replace("\n2 1 2\n", "\n\xe2\x88\x92"
                                                                             "2 1 2\n")
                                           << Malformed
                                           << QString::fromUtf8("line 16: \"\xe2\x88\x92"
-                                                               "2\" is no number");
+                                                               "2\" is not a number");
     QTest::newRow("a corner too many") << plyText().replace("4 3 0 4 7", "4 3 0 4 7 1") << Malformed
                                        << "line 23: \"1\"";
     QTest::newRow("a line too many") << plyText() + "3 0 1 2\n"

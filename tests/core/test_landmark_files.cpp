@@ -489,8 +489,7 @@ void TestLandmarkFiles::curvesAreWrittenWithThePoints()
     LandmarkSet set = setWithCurves();
     const std::span<const LandmarkSet> one(&set, 1);
     const QString unknown =
-        "the curve \"other\" has no semilandmarks and is left out: where it goes is worked out where its "
-        "mesh is open";
+        "the curve \"other\" has no semilandmarks and is left out: its path is computed when its mesh is open";
     const auto tps = landmarksText(one, Format::Tps);
     QVERIFY(tps);
     QCOMPARE(QString::fromStdString(tps->text),
@@ -586,9 +585,9 @@ void TestLandmarkFiles::badCurvesAreRefused_data()
     row("csv-gap", "c:03,1,2,3,c,,,\nc:01,1,2,3,c,,,\n",
         "x:2: the semilandmark \"c:02\" of the curve \"c\" is missing; give each of its semilandmarks a row");
     row("csv-twice", "c:01,1,2,3,c,,,\nc:02,1,2,3,c,,,\nc:1,1,2,3,c,,,\n",
-        "x:4: the semilandmark \"c:01\" stands in line 2 already; remove one of them");
+        "x:4: the semilandmark \"c:01\" is already in line 2; remove one of them");
     const char *const other =
-        "x:3: \"%1\" is no semilandmark of the curve \"c\"; their names are \"c:01\", \"c:02\" and so on";
+        "x:3: \"%1\" is not a semilandmark of the curve \"c\"; their names are \"c:01\", \"c:02\" and so on";
     for (const char *name : {"foo", "c:", "c:00", "c:1x", "c:-1", "d:02", "c:99999999999999999999"})
         row(qPrintable(QString("csv-name ") + name), QByteArray("c:01,1,2,3,c,,,\n") + name + ",1,2,3,c,,,\n",
             qPrintable(QString(other).arg(name)));
@@ -598,7 +597,7 @@ void TestLandmarkFiles::badCurvesAreRefused_data()
     row("csv-fewer", "c:01,1,2,3,c,,,5\n",
         "x:2: the curve \"c\" has 1 semilandmarks here, and curveCount is 5; give all of them, or one row without "
         "coordinates");
-    row("csv-one", "c:01,1,2,3,c,,,\n", "x:2: the curve \"c\" has one semilandmark; a curve has 2 at least");
+    row("csv-one", "c:01,1,2,3,c,,,\n", "x:2: the curve \"c\" has one semilandmark; a curve needs at least 2");
     row("csv-nothing-twice", "c,,,,c,,,\nc,,,,c,,,\n",
         "x:3: the curve \"c\" has a second row without coordinates; remove it, or give the coordinates of its "
         "semilandmarks");
@@ -611,12 +610,12 @@ void TestLandmarkFiles::badCurvesAreRefused_data()
         "x:3: curveCount of the curve \"c\" is not that of the rows before; give it once, or the same in each row");
     QTest::newRow("tps-missing")
         << int(Format::Tps) << QByteArray("LM3=0\nCURVES=1\nPOINTS=2\n1 2 3\nNA NA NA\n")
-        << "x:5: a point of a curve is NA NA NA, which stands for a missing one; a curve has all its points";
+        << "x:5: a point of a curve is NA NA NA, which means a missing one; a curve has all its points";
     QTest::newRow("tps-scale") << int(Format::Tps)
                                << QByteArray("LM3=0\nSCALE=1e300\nCURVES=1\nPOINTS=2\n1e300 2 3\n1 2 3\n")
                                << "x:5: SCALE makes this point's coordinates too large; write a smaller one";
     QTest::newRow("tps-row") << int(Format::Tps) << QByteArray("LM3=0\nCURVES=1\nPOINTS=2\n1 2 3 4\n1 2 3\n")
-                             << "x:4: \"1 2 3 4\" is no point of a curve; write two or three numbers";
+                             << "x:4: \"1 2 3 4\" is not a point of a curve; write two or three numbers";
 }
 
 void TestLandmarkFiles::badCurvesAreRefused()

@@ -96,7 +96,7 @@ void TestLandmarkTables::tables_data()
     csv("other words for a name", "Landmark,x,y,z\na,1.5,2,-3\nb,4,5,6\n", two);
     csv("a name beside a label", "label,name,x,y,z\nq,a,1.5,2,-3\nr,b,4,5,6\n", two);
     csv("picks of CloudCompare", "Point #0,1.5,2,-3\nPoint #1,4,5,6\n", {"Point #0 1.5 2 -3 | Point #1 4 5 6"},
-        {"the table has no first line that names its columns; they are taken for name,x,y,z"});
+        {"the table has no first line that names its columns; they are read as name,x,y,z"});
     csv("barycentric coordinates of four digits", "name,x,y,z,face,u,v,w\na,1.5,2,-3,7,0.3333,0.3333,0.3333\n",
         {"a 1.5 2 -3"});
     QTest::newRow("3D Slicer's, one row that ends early")
@@ -109,11 +109,11 @@ void TestLandmarkTables::tables_data()
     csv("a cloud of CloudCompare", "//X Y Z\n1.5 2 -3\n4 5 6\n", {" 1.5 2 -3 |  4 5 6"}, {});
     csv("a cloud of CloudCompare, with colours", "// X,Y,Z,R\n1.5,2,-3,9\n4,5,6,8\n", {" 1.5 2 -3 |  4 5 6"}, {});
     csv("picks of CloudCompare by index", "0,1.5,2,-3\n1,4,5,6\n", {"0 1.5 2 -3 | 1 4 5 6"},
-        {"the table has no first line that names its columns; they are taken for name,x,y,z"});
+        {"the table has no first line that names its columns; they are read as name,x,y,z"});
     csv("picks with semicolons and decimal commas", "P0;1,5;2,0;-3\nP1;4;5;6\n", {"P0 1.5 2 -3 | P1 4 5 6"},
-        {"the table has no first line that names its columns; they are taken for name,x,y,z", kCommas});
+        {"the table has no first line that names its columns; they are read as name,x,y,z", kCommas});
     csv("coordinates only", "1.5 2 -3\n4 5 6\n", {" 1.5 2 -3 |  4 5 6"},
-        {"the table has no first line that names its columns; they are taken for x,y,z"});
+        {"the table has no first line that names its columns; they are read as x,y,z"});
     csv("3D Slicer's table, LPS",
         "label,l,p,s,defined,selected,visible,locked,description\nF-1,1,2,3,1,1,1,0,\nF-2,0,0,0,0,1,1,0,\n",
         {"F-1 1 2 3 | F-2 missing"});

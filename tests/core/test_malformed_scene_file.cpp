@@ -49,12 +49,12 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     };
     row("no bytes", "", ": the file is empty");
     row("blanks only", " \r\n\t", ": the file is empty");
-    row("no JSON", "hello", ":1:1: hello stands where a value is expected");
+    row("no JSON", "hello", ":1:1: hello found where a value is expected");
     row("binary", QByteArray("\0\1\2\3", 4), ":1:1: unexpected zero byte");
     row("zero byte behind", QByteArray(kLeastScene).append('\0').append("x"), ":6:2: unexpected zero byte");
     row("cut off", "{\n \"unprojector\": 1,\n", ":3:1: the file ends too early; a bracket or a value is missing");
-    row("comma missing", "{\"a\": 1\n \"b\": 2}", ":2:2: \"b\" stands where \",\" or \"}\" is expected");
-    row("something behind", QByteArray(kLeastScene) + "x", ":6:2: x stands behind the end");
+    row("comma missing", "{\"a\": 1\n \"b\": 2}", ":2:2: \"b\" found where \",\" or \"}\" is expected");
+    row("something behind", QByteArray(kLeastScene) + "x", ":6:2: x follows the end");
     row("not UTF-8", "{\"a\": \"\xFF\"}", ":1:8: a byte here is not UTF-8; save the file as UTF-8");
     row("a line break in a text", "{\"a\": \"b\nc\"}",
         ":1:9: a text in quotes holds a line break, a tab or another control character; write \\n, \\t or \\u and its "
@@ -62,26 +62,26 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     row("a path of Windows", "{\"a\": \"C:\\parts\"}",
         ":1:11: a text in quotes holds a backslash that JSON does not know; write \\\\ for a backslash");
     row("half a pair", "{\"a\": \"\\ud800\"}", ":1:14: a pair of \\u for one character is not whole");
-    row("no hexadecimal number", "{\"a\": \"\\u00g0\"}", ":1:12: \\u stands without its 4 hexadecimal digits");
+    row("no hexadecimal number", "{\"a\": \"\\u00g0\"}", ":1:12: \\u lacks its 4 hexadecimal digits");
     row("an open text", "{\"a\": \"b", ":1:9: a text in quotes does not end; close it with \"");
-    row("a number that ends early", "{\"a\": -}", ":1:7: - is no number; write one such as 1, -0.5 or 2e3");
-    row("a key without quotes", "{a: 1}", ":1:2: a stands where a key in double quotes is expected");
-    row("an equals sign", "{\"a\" = 1}", ":1:6: = stands where \":\" is expected");
-    row("a comma missing in a list", "[1 2]", ":1:4: 2 stands where \",\" or \"]\" is expected");
-    row("a comma too many", "{\"a\": [1, ]}", ":1:11: ] stands where a value is expected");
+    row("a number that ends early", "{\"a\": -}", ":1:7: - is not a number; write one such as 1, -0.5 or 2e3");
+    row("a key without quotes", "{a: 1}", ":1:2: a found where a key in double quotes is expected");
+    row("an equals sign", "{\"a\" = 1}", ":1:6: = found where \":\" is expected");
+    row("a comma missing in a list", "[1 2]", ":1:4: 2 found where \",\" or \"]\" is expected");
+    row("a comma too many", "{\"a\": [1, ]}", ":1:11: ] found where a value is expected");
     row("a long word", "abcdefghijklmnopqrstuvwxyz0123456789",
-        ":1:1: abcdefghijklmnopqrstuvwx… stands where a value is expected");
-    row("NaN", changed("\"near\": 1", "\"near\": NaN"), ":4:91: NaN stands where a value is expected");
+        ":1:1: abcdefghijklmnopqrstuvwx… found where a value is expected");
+    row("NaN", changed("\"near\": 1", "\"near\": NaN"), ":4:91: NaN found where a value is expected");
     row("1e400", changed("\"near\": 1", "\"near\": 1e400"), ":4:91: 1e400 is too large for a number");
     row("-1e400", changed("\"near\": 1", "\"near\": -1e400"), ":4:91: -1e400 is too large for a number");
     row("10 000 brackets", QByteArray(10000, '['), ":1:65: brackets are nested deeper than 64 levels");
     row("10 000 objects", QByteArray("{\"a\":").repeated(10000), ":1:321: brackets are nested deeper than 64 levels");
     row("a key twice", changed("\"near\": 1", "\"near\": 1,\n \"near\": 2"),
-        ":5:2: the key \"near\" stands here for the second time");
+        ":5:2: the key \"near\" is here for the second time");
     row("an escaped key twice", "{\"a\\\"\": 1, \"\\u0061\\\"\": 2}",
-        ":1:12: the key \"a\"\" stands here for the second time");
+        ":1:12: the key \"a\"\" is here for the second time");
     row("an unknown key twice", withMember("\"x\": {\"y\": 1, \"y\": 2}"),
-        ":2:35: the key \"y\" stands here for the second time");
+        ":2:35: the key \"y\" is here for the second time");
 
     row("a list", "[]", ": expected an object in { }, found a list in [ ]");
     row("another JSON file", "{\"asset\": {}}", ": unprojector: is missing");
@@ -145,7 +145,7 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     row("eye at the center", changed("[0, 0, 5]", "[0, 0, 0]"),
         ": view.center: eye and center are the same point; move one of them");
     row("up along the view", changed("[0, 1, 0]", "[0, 0, 2]"),
-        ": view.up: up points along the view direction; choose another one");
+        ": view.up: up points along the view direction; choose another direction");
     row("object a text", withMember("\"objects\": [\"a.obj\"]"),
         ": objects[0]: expected an object in { }, found \"a.obj\"");
     row("object without file", withMember("\"objects\": [{\"file\": \"a\"}, {\"name\": \"b\"}]"),
@@ -155,9 +155,9 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
     row("object of two sources", withMember("\"objects\": [{\"file\": \"a\", \"bundled\": \"b\"}]"),
         ": objects[0]: must have exactly one of file or bundled");
     row("file name empty", withMember("\"objects\": [{\"file\": \"\"}]"),
-        ": objects[0].file: this is no name of a file");
+        ": objects[0].file: this is not a name of a file");
     row("file name with a zero byte", withMember("\"objects\": [{\"file\": \"a\\u0000b\"}]"),
-        ": objects[0].file: this is no name of a file");
+        ": objects[0].file: this is not a name of a file");
     row("step unknown", withMember(R"("objects": [{"file": "a", "transform": [{"shear": [1]}]}])"),
         ": objects[0].transform[0]: must have exactly one of translate, rotate or scale");
     row("step of two",

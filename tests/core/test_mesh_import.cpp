@@ -151,9 +151,9 @@ void TestMeshImport::refusesTextWithZeros()
     QStringEncoder encoder(QStringConverter::Utf16LE);
     const QByteArray encoded = encoder.encode(QString::fromUtf8(objBox()));
     const auto zeros = imported("zeros.obj", encoded);
-    VERIFY_REFUSED(zeros, ImportErrorCode::Malformed, QString("line 1: a byte 0 stands in the text"));
+    VERIFY_REFUSED(zeros, ImportErrorCode::Malformed, QString("line 1: the text has a byte 0"));
     const auto one = imported("one.obj", objBox() + QByteArray("v 1 \0 2 3\n", 10));
-    VERIFY_REFUSED(one, ImportErrorCode::Malformed, QString("a byte 0 stands in the text"));
+    VERIFY_REFUSED(one, ImportErrorCode::Malformed, QString("the text has a byte 0"));
 }
 
 void TestMeshImport::readsColors_data()

@@ -30,12 +30,11 @@ void TestNoteText::saysWhatIsNotAsInTheFile_data()
     };
     using enum ModelNote::Kind;
     row("no picture", TextureMissing, 0, "皮.png",
-        "the picture \"皮.png\" is not there or cannot be read: its surfaces are shown without it");
+        "the image \"皮.png\" is missing or cannot be read: its surfaces are shown without it");
     row("picture too large", TextureScaledDown, 8192, "a.png",
-        "the picture \"a.png\" is too large and is shown with a width of 8192 pixels");
+        "the image \"a.png\" is too large and is shown with a width of 8192 pixels");
     row("no materials", MaterialsMissing, 0, "a.mtl",
-        "the materials \"a.mtl\" are not there or cannot be read: their surfaces are shown without colours and "
-        "pictures");
+        "the materials \"a.mtl\" are missing or cannot be read: their surfaces are shown without colours and images");
     row("unknown material", MaterialUnknown, 1, "red", "no material is called \"red\": its surfaces are shown in grey");
     row("unknown materials", MaterialUnknown, 3, "red",
         "no material is called \"red\" or by 2 other names of the file: its surfaces are shown in grey");
@@ -43,7 +42,7 @@ void TestNoteText::saysWhatIsNotAsInTheFile_data()
     row("lines", LinesLeftOut, 3, "", "3 lines and points are not shown");
     row("a face", FacesLeftOut, 1, "", "1 face refers to vertices that the file does not have and cannot be shown");
     row("texture coordinates", TexcoordsLeftOut, 2, "",
-        "2 faces refer to texture coordinates that the file does not have: shown without a picture");
+        "2 faces refer to texture coordinates that the file does not have: shown without an image");
     row("normals", NormalsLeftOut, 2, "",
         "2 faces refer to normals that the file does not have: they are computed instead");
     row("words behind a vertex", NumbersLeftOut, 1, "", "1 vertex has words behind the coordinates that are not used");
@@ -63,7 +62,7 @@ void TestNoteText::saysWhatIsNotAsInTheFile_data()
     row("no scene", SceneMissing, 0, "", "the file has no scene: all its nodes are shown");
     row("no positions", PositionsMissing, 1, "", "1 part of a mesh has no positions and is not shown");
     row("unknown pictures", PictureUnknown, 2, "",
-        "2 textures have neither PNG nor JPEG pictures: their surfaces are shown without them");
+        "2 textures have neither PNG nor JPEG images: their surfaces are shown without them");
     row("an extension", ExtensionLeftOut, 0, "KHR_x",
         "the glTF extension \"KHR_x\", which the file requires, is not applied: the shape is whole without it, but "
         "colours, light, motion or data may be missing");

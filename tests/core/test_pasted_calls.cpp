@@ -297,21 +297,19 @@ void TestPastedCalls::whatIsAssumedIsReported_data()
         << "new THREE.PerspectiveCamera(45, 800 / 600, 0.1, 100)"
         << "THREE.PerspectiveCamera: fovy 45°, aspect 1.3333, near 0.1, far 100";
     QTest::newRow("two of them") << "glOrtho(0, 2, 0, 2, 0, 2); glOrtho(0, 1, 0, 1, 0, 1);"
-                                 << "glOrtho: left 0, right 2, bottom 0, top 2, near 0, far 2. glOrtho stands behind "
-                                    "it and is left out: one projection is read";
-    QTest::newRow("set afterwards")
-        << "const camera = new THREE.PerspectiveCamera(45, 1, 1, 9);\ncamera.aspect = 2;"
-        << "THREE.PerspectiveCamera: fovy 45°, aspect 1, near 1, far 9. camera.aspect is left out: put its value into "
-           "the call";
+                                 << "glOrtho: left 0, right 2, bottom 0, top 2, near 0, far 2. glOrtho follows and is "
+                                    "ignored: one projection is read";
+    QTest::newRow("set afterwards") << "const camera = new THREE.PerspectiveCamera(45, 1, 1, 9);\ncamera.aspect = 2;"
+                                    << "THREE.PerspectiveCamera: fovy 45°, aspect 1, near 1, far 9. camera.aspect is "
+                                       "ignored: put its value into the call";
     QTest::newRow("moved by other calls")
         << "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0); glTranslatef(0, 0, 1); glRotated(a, 0, 1, 0); glTranslatef(1, 0, "
            "0);"
-        << "gluLookAt: eye (3, 2, 5), center (0, 0.5, 0), up (0, 1, 0). glTranslatef is left out: the view is read "
-           "without it. glRotated is left out: the view is read without it";
-    QTest::newRow("turned otherwise")
-        << "camera.position.set(0, 0, 5); camera.rotation.set(0, 1, 0); mesh.rotateX(1);"
-        << "camera: eye (0, 0, 5), center (0, 0, 4), up (0, 1, 0). camera.rotation.set is left out: the view is read "
-           "without it";
+        << "gluLookAt: eye (3, 2, 5), center (0, 0.5, 0), up (0, 1, 0). glTranslatef is ignored: the view is read "
+           "without it. glRotated is ignored: the view is read without it";
+    QTest::newRow("turned otherwise") << "camera.position.set(0, 0, 5); camera.rotation.set(0, 1, 0); mesh.rotateX(1);"
+                                      << "camera: eye (0, 0, 5), center (0, 0, 4), up (0, 1, 0). camera.rotation.set "
+                                         "is ignored: the view is read without it";
     QTest::newRow("a view") << "gluLookAt(3, 2, 5, 0, 0.5, 0, 0, 1, 0)"
                             << "gluLookAt: eye (3, 2, 5), center (0, 0.5, 0), up (0, 1, 0)";
 }
@@ -331,20 +329,21 @@ void TestPastedCalls::whatIsNoNumberIsNamed_data()
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("message");
     QTest::newRow("a variable") << "gluPerspective(45.0, aspect, 0.1, 100)"
-                                << "gluPerspective: the argument 'aspect' is no number. Put its value there";
+                                << "gluPerspective: the argument 'aspect' is not a number. Put its value there";
     QTest::newRow("a product of variables") << "glOrtho(-w / 2, w / 2, -1, 1, 0, 9)"
-                                            << "glOrtho: the argument '-w / 2' is no number. Put its value there";
-    QTest::newRow("a variable with two values") << "a = 1.0\ngluPerspective(45.0, a, 0.1, 100)\na = 2.0"
-                                                << "gluPerspective: the argument 'a' is no number. Put its value there";
+                                            << "glOrtho: the argument '-w / 2' is not a number. Put its value there";
+    QTest::newRow("a variable with two values")
+        << "a = 1.0\ngluPerspective(45.0, a, 0.1, 100)\na = 2.0"
+        << "gluPerspective: the argument 'a' is not a number. Put its value there";
     QTest::newRow("a variable that hangs on itself")
         << "a = a + 1\ngluPerspective(45.0, a, 0.1, 100)"
-        << "gluPerspective: the argument 'a' is no number. Put its value there";
+        << "gluPerspective: the argument 'a' is not a number. Put its value there";
     QTest::newRow("a division by 0") << "gluPerspective(45, 1 / 0, 0.1, 100)"
-                                     << "gluPerspective: the argument '1 / 0' is no number. Put its value there";
+                                     << "gluPerspective: the argument '1 / 0' is not a number. Put its value there";
     QTest::newRow("a vector") << "glm::lookAt(eye, glm::vec3(0), glm::vec3(0, 1, 0))"
-                              << "glm::lookAt: the argument 'eye' is no vector of numbers. Put three numbers there";
+                              << "glm::lookAt: the argument 'eye' is not a vector of numbers. Put three numbers there";
     QTest::newRow("a coordinate") << "camera.position.z = radius;\ncamera.lookAt(0, 0, 0);"
-                                  << "camera.position.z: the argument 'radius' is no number. Put its value there";
+                                  << "camera.position.z: the argument 'radius' is not a number. Put its value there";
     QTest::newRow("an argument too few") << "gluPerspective(45, 1.5, 0.1)"
                                          << "gluPerspective: 3 arguments found, 4 are needed";
     QTest::newRow("degrees for radians")

@@ -199,10 +199,10 @@ void TestPrintedMatrices::whatDoesMoreThanTurnAndMoveIsNamed_data()
     row("scaled by 1.001", 1, 1, 1.001, "row 2 has the length 1.001; it must be 1");
     row("doubled", 2, 2, 2.0, "row 3 has the length 2; it must be 1");
     row("sheared", 2, 0, 0.001, "rows 1 and 3 are not perpendicular");
-    row("perspective in x", 0, 3, 0.5, "0.5 stands in row 4, column 1; it must be 0");
-    row("a faint perspective in z", 2, 3, 1e-9, "1e-09 stands in row 4, column 3; it must be 0");
-    row("w is 0", 3, 3, 0.0, "0 stands in row 4, column 4; it must be greater than 0");
-    row("w is negative", 3, 3, -1.0, "-1 stands in row 4, column 4; it must be greater than 0");
+    row("perspective in x", 0, 3, 0.5, "0.5 is in row 4, column 1; it must be 0");
+    row("a faint perspective in z", 2, 3, 1e-9, "1e-09 is in row 4, column 3; it must be 0");
+    row("w is 0", 3, 3, 0.0, "0 is in row 4, column 4; it must be greater than 0");
+    row("w is negative", 3, 3, -1.0, "-1 is in row 4, column 4; it must be greater than 0");
 }
 
 void TestPrintedMatrices::whatDoesMoreThanTurnAndMoveIsNamed()

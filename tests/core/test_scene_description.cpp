@@ -188,8 +188,7 @@ void TestSceneDescription::whatNoWindowDrawsIsRefusedWithItsKey_data()
     row("one end in single precision", R"("depthRange": [0.5, 0.500000001])",
         "s.json: depthRange: both ends of the depth range are 0.5; they must differ");
     row("out of reach", R"("objects": [{"file": "a"}, {"file": "b", "transform": [{"translate": [0, 3e200, 0]}]}])",
-        "s.json: objects[1].transform: an object reaches to 3e+200, farther than can be computed; look at its scales "
-        "and "
+        "s.json: objects[1].transform: an object reaches to 3e+200, farther than can be computed; check its scales and "
         "translations");
 }
 

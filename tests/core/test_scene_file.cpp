@@ -356,8 +356,7 @@ void TestSceneFile::radiansThatContradictTheDegreesAreRefused()
     QVERIFY(!edited);
     QCOMPARE(
         QByteArray::fromStdString(sceneErrorText(edited.error())),
-        QByteArray("scene.json: projection.fovyRadians: 1 is not the angle of fovy, 45 degrees; remove the one that "
-                   "does not hold"));
+        QByteArray("scene.json: projection.fovyRadians: 1 is not the angle of fovy, 45 degrees; remove the wrong one"));
 }
 
 void TestSceneFile::filesAreReadAndWritten()

@@ -146,7 +146,7 @@ void TestSceneOnDisk::aModelOfTheSceneIsKept()
     QVERIFY(!written && written.error().code == SceneFileErrorCode::IsOwnModel);
     QCOMPARE(textOf(written.error()),
              folder.filePath("face.obj")
-                 + ": objects[0].file: the scene shows this model and would be written over it; give another name");
+                 + ": objects[0].file: the scene shows this model and would overwrite it; give another name");
     QCOMPARE(folder.read("face.obj"), QByteArray("v 0 0 0\n"));
 }
 

@@ -71,7 +71,7 @@ inline QPushButton *buttonOf(unprojector::gui::MainWindow &window, const QString
 inline QString verdictOf(unprojector::gui::MainWindow &window)
 {
     for (const QLabel *label : panelOf(window).findChildren<QLabel *>()) {
-        if (label->accessibleName() == QStringLiteral("Whether your answer is right"))
+        if (label->accessibleName() == QStringLiteral("Verdict on your answer"))
             return label->textFormat() == Qt::PlainText ? label->text() : QStringLiteral("markup");
     }
     return {};

@@ -1,4 +1,5 @@
-// Other colours while the program runs: every widget then has the palette, and every panel the picture, of a fresh start in them.
+// Other colours while the program runs: every widget then has the palette, and every panel the picture, of a fresh
+// start in them.
 
 #include "window_user.h"
 

@@ -340,7 +340,7 @@ void TestComparisonPanel::theChainIsWrittenOut()
     panel.setPick(picked(setup, 275.2, 200.0, 1.0, false));
     QCOMPARE(panel.findChild<AnswerView *>()->heading(), QStringLiteral("Background: no surface here"));
     QVERIFY(panel.findChild<AnswerView *>()->text().isEmpty());
-    QCOMPARE(labelNamed(panel, "Depth")->text(), QStringLiteral("1, the far plane's: nothing to read"));
+    QCOMPARE(labelNamed(panel, "Depth")->text(), QStringLiteral("1, the far plane: no surface"));
     panel.setPick(std::nullopt);
     QVERIFY(panel.findChild<FormulaView *>()->formulas().text().isEmpty());
 }
@@ -431,7 +431,7 @@ void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
     // The ray of the background goes from the near plane's depth to the far plane's.
     panel.setPick(picked(setup, 412.0, 299.0, range.atFar, false));
     QCOMPARE(labelNamed(panel, "Depth")->text(),
-             shortestText(range.atFar) + QStringLiteral(", the far plane's: nothing to read"));
+             shortestText(range.atFar) + QStringLiteral(", the far plane: no surface"));
     const auto worldZ = [&](int row) {
         return cell(panel.model(), row, ComparisonModel::Formula, ComparisonModel::kValueRole).toDouble();
     };

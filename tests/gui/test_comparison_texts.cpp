@@ -92,10 +92,10 @@ void TestComparisonTexts::numbersAreWritten_data()
     QTest::newRow("readable, nothing") << readableText(0.0) << "0";
     QTest::newRow("point of a survey") << pointText({4000000.1234, 500000.4567, 300.7891}, {0.0005, 0.0005, 0.02})
                                        << "(4000000.123, 500000.457, 300.8)";
-    QTest::newRow("certain place") << QString::number(certainPlace(0.002)) << "-2";
-    QTest::newRow("certain place, a power of ten") << QString::number(certainPlace(0.001)) << "-3";
-    QTest::newRow("certain place of hundreds") << QString::number(certainPlace(300.0)) << "3";
-    QTest::newRow("certain place of infinity")
+    QTest::newRow("smaller than the uncertainty") << QString::number(certainPlace(0.002)) << "-2";
+    QTest::newRow("smaller than the uncertainty, a power of ten") << QString::number(certainPlace(0.001)) << "-3";
+    QTest::newRow("smaller than the uncertainty of hundreds") << QString::number(certainPlace(300.0)) << "3";
+    QTest::newRow("smaller than the uncertainty of infinity")
         << QString::number(certainPlace(std::numeric_limits<double>::infinity())) << "-20";
 }
 

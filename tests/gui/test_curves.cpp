@@ -171,13 +171,13 @@ void TestCurves::curvesSayWhyTheyDoNotGo()
     QVERIFY(!document->curves().line(0).line);
     document->undoStack().undo();
     QVERIFY(document->sceneLandmarks().moveTo(1, WorldPoint(kFront + glm::dvec3(0, 0, 1))));
-    QCOMPARE(reason(), "“front” is not on a surface; B puts it there");
+    QCOMPARE(reason(), "“front” is not on a surface; select it and press B");
     document->undoStack().undo();
     QVERIFY(document->sceneLandmarks().remove({1}));
-    QCOMPARE(reason(), "there is no point “front”");
+    QCOMPARE(reason(), "there is no landmark “front”");
     document->undoStack().undo();
     QVERIFY(document->sceneLandmarks().rename(2, "front"));
-    QCOMPARE(reason(), "several points are called “front”; rename all but one");
+    QCOMPARE(reason(), "several landmarks are called “front”; rename all but one");
     document->undoStack().undo();
     QCOMPARE(reason(), QString());
     QVERIFY(document->curves().line(0).line.has_value());
@@ -186,10 +186,10 @@ void TestCurves::curvesSayWhyTheyDoNotGo()
 void TestCurves::joiningIsRefusedInWords()
 {
     const auto document = cubeDocument();
-    QCOMPARE(document->curves().join({0}, CurveKind::Geodesic), "a curve has two points at least");
+    QCOMPARE(document->curves().join({0}, CurveKind::Geodesic), "a curve needs at least two landmarks");
     QVERIFY(document->sceneLandmarks().rename(1, ""));
     QCOMPARE(document->curves().join({0, 1}, CurveKind::Geodesic),
-             "point 2 has no name; a curve knows its points by their names");
+             "landmark 2 has no name; give it one, because curves refer to landmarks by name");
     document->undoStack().undo();
     std::vector<SceneObject> other = cubeScene();
     other[0].name = "other";
@@ -371,13 +371,13 @@ void TestCurves::theLengthAlongTheSurfaceIsAMeasure()
     QVERIFY(rows->topLevelItem(1)->text(2).startsWith("1.25 ± "));
     QVERIFY(view.csv().contains("\nAlong the surface,top – front,1.25"));
     QVERIFY(document->sceneLandmarks().moveTo(1, WorldPoint(0, 0, 0)));
-    QCOMPARE(rows->topLevelItem(1)->text(2), "“front” is not on a surface; B puts it there");
+    QCOMPARE(rows->topLevelItem(1)->text(2), "“front” is not on a surface; select it and press B");
     std::vector<Landmark> many(21, document->landmarks()[0]);
     QVERIFY(editLandmarks(*document, many, {"many"}));
     std::vector<std::size_t> all(many.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     document->sceneLandmarks().select(all);
-    QCOMPARE(rows->topLevelItem(rows->topLevelItemCount() - 1)->text(2), "it is worked out for at most 20 points");
+    QCOMPARE(rows->topLevelItem(rows->topLevelItemCount() - 1)->text(2), "it can have at most 20 landmarks");
 }
 
 void TestCurves::curvesAreDrawnOnTheSurface()

@@ -61,7 +61,7 @@ void TestDepthPrecisionPanel::aFartherNearIsComputed()
 {
     setPerspective(0.1);
     // 5^2 / 0.1 / 2^25 at the camera's centre
-    QVERIFY2(text().contains(QStringLiteral("5 in front of the eye, rounding the depth leaves ±7.4e−06 open")),
+    QVERIFY2(text().contains(QStringLiteral("5 in front of the eye, a rounded depth is accurate to ±7.4e−06")),
              qPrintable(text()));
     QVERIFY2(text().contains(QStringLiteral("Near 3 instead of 0.1 makes this 31 times better")), qPrintable(text()));
     QCOMPARE(plot().curves().size(), std::size_t(3));
@@ -76,7 +76,7 @@ void TestDepthPrecisionPanel::aNearThatFitsIsLeftAlone()
 {
     setPerspective(3.5);
     QVERIFY2(!text().contains(QStringLiteral("instead of")), qPrintable(text()));
-    const QString fits = QStringLiteral("Near is about as far away as the objects let it be");
+    const QString fits = QStringLiteral("Near is about as large as the objects allow");
     QVERIFY2(text().contains(fits), qPrintable(text()));
     LookAt inside = m_document->setup().camera();
     inside.eye = WorldPoint(guitest::kCubeCenter + glm::dvec3(0.0, 0.0, 0.5));
@@ -106,9 +106,9 @@ void TestDepthPrecisionPanel::theClickedPointIsMarked()
     QVERIFY(plot().marked());
     QVERIFY(std::abs(*plot().marked() - 4.0) < 1e-9);
     QVERIFY2(text().startsWith(
-                 QStringLiteral("At the point, 4 in front of the eye, rounding the depth leaves ±0.0012 open")),
+                 QStringLiteral("At the point, 4 in front of the eye, a rounded depth is accurate to ±0.0012")),
              qPrintable(text()));
-    QVERIFY2(text().contains(QStringLiteral("make it 8200 times better")), qPrintable(text()));
+    QVERIFY2(text().contains(QStringLiteral("would be 8200 times better")), qPrintable(text()));
     QCOMPARE(plot().curves()[0].name, QStringLiteral("as drawn: 16 bits"));
     const DepthFormat format(16);
     QCOMPARE(halfDepthStepAt(plot().curves()[0].scale, format, 4.0),
@@ -123,8 +123,9 @@ void TestDepthPrecisionPanel::aCurveStaysWhereItGainsNothing()
     sample.depth = unitDepthAt(depthScaleOf(m_document->setup()), 4.0);
     sample.object = 0;
     pickAt(*m_document, WidgetPoint(400.0, 300.0), sample);
-    QVERIFY2(text().contains(QStringLiteral("A buffer of floats with 1 at near would change little here (±")),
-             qPrintable(text()));
+    QVERIFY2(
+        text().contains(QStringLiteral("A float buffer with reversed depths (1 at near) would change little here (±")),
+        qPrintable(text()));
     QVERIFY2(!text().contains(QStringLiteral("assumed")), qPrintable(text()));
     QCOMPARE(plot().curves().back().name, QStringLiteral("floats, reversed"));
 }

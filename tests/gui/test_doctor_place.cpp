@@ -76,7 +76,7 @@ QList<QLineEdit *> fieldsOf(MainWindow &window, const QString &name)
 
 QLineEdit *gotOf(MainWindow &window, int row = 0)
 {
-    return fieldsOf(window, QStringLiteral("What your program got")).value(row);
+    return fieldsOf(window, QStringLiteral("Your program's coordinate")).value(row);
 }
 
 void type(QLineEdit *field, const QString &text)
@@ -259,7 +259,7 @@ void TestDoctorPlace::whatCannotBeToldApartIsNamedTogether()
         kPatienceMilliseconds);
     const QString verdict = verdictOf(*window), text = panelOf(*window).answer().text();
     QVERIFY2(verdict.contains(QStringLiteral("\nOr: ")), qPrintable(verdict));
-    QVERIFY2(verdict.contains(QStringLiteral("They cannot be told apart: every click")), qPrintable(verdict));
+    QVERIFY2(verdict.contains(QStringLiteral("They cannot be separated: every click")), qPrintable(verdict));
     QVERIFY2(text.contains(QStringLiteral("As well ")), qPrintable(text));
 }
 
@@ -298,18 +298,18 @@ void TestDoctorPlace::nonsenseIsNamedAndStays()
     type(gotOf(*window), QStringLiteral("0.7051 -0.41x2 0.0918"));
     QCOMPARE(gotOf(*window)->text(), QStringLiteral("0.7051 -0.41x2 0.0918"));
     QVERIFY2(fault().contains(QStringLiteral("0.7051 -0.41x2 0.0918")), qPrintable(fault()));
-    QVERIFY2(fault().contains(QStringLiteral("\"-0.41x2\" is no number; give three")), qPrintable(fault()));
+    QVERIFY2(fault().contains(QStringLiteral("\"-0.41x2\" is not a number; give three")), qPrintable(fault()));
     QVERIFY(window->document().picks().wrongPoints().empty());
     type(gotOf(*window), QStringLiteral("nan -0.41 0.0918"));
-    QVERIFY2(fault().contains(QStringLiteral("\"nan\" is no finite number")), qPrintable(fault()));
+    QVERIFY2(fault().contains(QStringLiteral("\"nan\" is not a finite number")), qPrintable(fault()));
     type(gotOf(*window), QStringLiteral("0,5 0,25 1,0"));
-    QVERIFY2(fault().contains(QStringLiteral("for decimals give a point")), qPrintable(fault()));
+    QVERIFY2(fault().contains(QStringLiteral("write decimals with a point")), qPrintable(fault()));
     type(gotOf(*window), QStringLiteral("1 2"));
     QVERIFY2(fault().contains(QStringLiteral("it has 2 numbers")), qPrintable(fault()));
     QLineEdit *pixel = fieldsOf(*window, QStringLiteral("Pixel")).value(0);
     type(gotOf(*window), QStringLiteral("1 2 3"));
     type(pixel, QStringLiteral("90000, 5"));
-    QVERIFY2(fault().contains(QStringLiteral("90000, 5 lies outside the picture of")), qPrintable(fault()));
+    QVERIFY2(fault().contains(QStringLiteral("90000, 5 lies outside the view of")), qPrintable(fault()));
     type(pixel, QStringLiteral("200, 100"));
     QVERIFY2(fault().isEmpty(), qPrintable(fault()));
     type(fieldsOf(*window, QStringLiteral("Depth")).value(0), QStringLiteral("5.88"));
@@ -322,7 +322,7 @@ void TestDoctorPlace::nonsenseIsNamedAndStays()
     pixel->selectAll();
     QTest::keyClicks(pixel, QStringLiteral("abc"));
     QVERIFY2(fault().isEmpty(), qPrintable(fault()));
-    QTRY_VERIFY_WITH_TIMEOUT(fault().startsWith(QStringLiteral("“abc” is no pixel")), kPatienceMilliseconds);
+    QTRY_VERIFY_WITH_TIMEOUT(fault().startsWith(QStringLiteral("“abc” is not a pixel")), kPatienceMilliseconds);
 }
 
 void TestDoctorPlace::pointsAsProgramsPrintThem_data()
@@ -412,14 +412,14 @@ void TestDoctorPlace::aDragOnTheBackgroundTakesNothingBack()
     click(window->view(), background);
     QVERIFY(window->document().picks().pick() && !window->document().picks().pick()->hit());
     QVERIFY(pixel().isEmpty());
-    const QLabel *said = labelOf(*window, QStringLiteral("The picture of the pixels"));
-    QVERIFY2(said->text().startsWith(QStringLiteral("Not taken: the background")), qPrintable(said->text()));
+    const QLabel *said = labelOf(*window, QStringLiteral("Setup of the pixels"));
+    QVERIFY2(said->text().startsWith(QStringLiteral("Not used: the background")), qPrintable(said->text()));
     click(window->view(), localOf(*window, kCubeCenter + glm::dvec3(0.4, 0.6, 1.0)));
     const QString clicked = pixel();
     QVERIFY(!clicked.isEmpty());
     drag(window->view(), background + QPointF(5.0, 0.0), background + QPointF(60.0, 10.0), Qt::LeftButton);
     QCOMPARE(pixel(), clicked);
-    QVERIFY2(!said->text().startsWith(QStringLiteral("Not taken")), qPrintable(said->text()));
+    QVERIFY2(!said->text().startsWith(QStringLiteral("Not used")), qPrintable(said->text()));
     // The pixel still belongs to the view in which it was clicked.
     QVERIFY2(said->text().contains(QStringLiteral("as it was")), qPrintable(said->text()));
 }
@@ -456,7 +456,7 @@ void TestDoctorPlace::withoutAnAnswerTheLastOneGoes()
         type(gotOf(*window), pointText(wrong + 1.0));
         QTRY_COMPARE_WITH_TIMEOUT(
             verdictOf(*window),
-            QStringLiteral("The mistakes could not be tried: %1. Close other programs, then ask again.").arg(reason),
+            QStringLiteral("The mistakes could not be tried: %1. Close other programs, then try again.").arg(reason),
             kPatienceMilliseconds);
         QVERIFY(!panelOf(*window).code().isVisible());
         QVERIFY(!panelOf(*window).findChild<CandidatesTable *>()->isVisible());
@@ -535,7 +535,7 @@ void TestDoctorPlace::rowsCanBePasted()
     };
     QCOMPARE(texts(QStringLiteral("Pixel")), (QStringList{"100.5, 200.5", "300.5, 90.5"}));
     QCOMPARE(texts(QStringLiteral("Depth")), (QStringList{"0.5", ""}));
-    QCOMPARE(texts(QStringLiteral("What your program got")), (QStringList{"1.2 3.4 5.6", "7.25 8 9"}));
+    QCOMPARE(texts(QStringLiteral("Your program's coordinate")), (QStringList{"1.2 3.4 5.6", "7.25 8 9"}));
     const QString fault = panelOf(*window).findChild<WrongPointsForm *>()->fault();
     QVERIFY2(fault.contains(QStringLiteral("row 3: y")), qPrintable(fault));
 }

@@ -124,15 +124,15 @@ void TestDocumentLandmarks::eachVerbIsOneStepByName_data()
     row("colour", "Colour of a", "a b c",
         [](auto &d) { QVERIFY(d.sceneLandmarks().setColor({0}, glm::u8vec3(1, 2, 3))); });
     row("hide", "Hide a", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().setHidden({0}, true)); });
-    row("hide two", "Hide 2 points", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().setHidden({0, 2}, true)); });
+    row("hide two", "Hide 2 landmarks", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().setHidden({0, 2}, true)); });
     row("remove", "Remove a", "b c", [](auto &d) { QVERIFY(d.sceneLandmarks().remove({0})); });
-    row("remove two", "Remove 2 points", "b", [](auto &d) { QVERIFY(d.sceneLandmarks().remove({2, 0})); });
+    row("remove two", "Remove 2 landmarks", "b", [](auto &d) { QVERIFY(d.sceneLandmarks().remove({2, 0})); });
     row("missing", "b missing", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().setMissing({1})); });
-    row("reorder", "Order of points", "c a b", [](auto &d) { QVERIFY(d.sceneLandmarks().reorder(2, 0)); });
-    row("sort", "Order of points", "c b a", [](auto &d) { QVERIFY(d.sceneLandmarks().arrange({2, 1, 0})); });
-    row("another set", "Import points", "z", [](auto &d) {
+    row("reorder", "Order of landmarks", "c a b", [](auto &d) { QVERIFY(d.sceneLandmarks().reorder(2, 0)); });
+    row("sort", "Order of landmarks", "c b a", [](auto &d) { QVERIFY(d.sceneLandmarks().arrange({2, 1, 0})); });
+    row("another set", "Import landmarks", "z", [](auto &d) {
         QVERIFY(editLandmarkSet(d, {"skull", "skull.ply", "mm", {}, {pointAt(0, "z")}, {}, {}},
-                                {QStringLiteral("Import points")}));
+                                {QStringLiteral("Import landmarks")}));
     });
 }
 
@@ -211,7 +211,7 @@ void TestDocumentLandmarks::whatWaitsIsPlacedFirst()
     QVERIFY(!list.nextUnplaced());
     QVERIFY(list.place(pointAt(8)));
     QVERIFY(list.place(pointAt(9)));
-    QCOMPARE(pointNames(document), QStringList({"nasion", "there", "gnathion", "Point 4", "Point 5"}));
+    QCOMPARE(pointNames(document), QStringList({"nasion", "there", "gnathion", "Landmark 4", "Landmark 5"}));
     QVERIFY(list.current() == 4u);
     list.setNextUnplaced(1);
     QVERIFY(!list.nextUnplaced()); // it has its place

@@ -137,7 +137,7 @@ void TestEntryDerivation::whatRoundingLeavesIsSaidToBeZero()
     const double x = coordinate(model.point(Space::World), 0);
     QVERIFY2(x != 0.0 && std::abs(x) < 1e-15, qPrintable(QString::number(x)));
     const QString text = derivation(document, model, Space::World, 0);
-    QVERIFY2(text.contains(QStringLiteral("= 0: the 5.6e-17 shown is no more than rounding leaves")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("= 0: the 5.6e-17 shown is only rounding error")), qPrintable(text));
 }
 
 void TestEntryDerivation::aGivenPointThatTheWayDoesNotMakeIsSaidToDiffer()

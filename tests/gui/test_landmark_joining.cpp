@@ -73,7 +73,7 @@ void TestLandmarkJoining::namesThatWaitAreFilled()
     QCOMPARE(points()[1].name, std::string("b")); // as the template has it
     QCOMPARE(points()[3].name, std::string("other"));
     QCOMPARE(m_warnings.size(), 1);
-    QVERIFY2(m_warnings[0].contains(QStringLiteral("behind the others: “other”. Still without a place: “a”, “c”.")),
+    QVERIFY2(m_warnings[0].contains(QStringLiteral("appended: “other”. Still to place: “a”, “c”.")),
              qPrintable(m_warnings[0]));
     // Now two are placed and two names wait.
     m_answers->join = LandmarkFileQuestions::Join::Append;
@@ -114,8 +114,8 @@ void TestLandmarkJoining::namesThatAFileWritesOtherwiseAreFilled()
     QCOMPARE(points()[2].name, std::string("Broca's point"));
     QCOMPARE(points()[2].world->x, 3.0);
     QVERIFY(points()[3].isMissing());
-    QVERIFY2(m_notices[0].contains(QStringLiteral("Names that have their point now: 3.")), qPrintable(m_notices[0]));
-    QVERIFY2(m_warnings.size() == 1 && m_warnings[0].contains(QStringLiteral("“chin”. Still without a place: “tip”.")),
+    QVERIFY2(m_notices[0].contains(QStringLiteral("Names filled: 3.")), qPrintable(m_notices[0]));
+    QVERIFY2(m_warnings.size() == 1 && m_warnings[0].contains(QStringLiteral("“chin”. Still to place: “tip”.")),
              qPrintable(m_warnings.join(u'\n')));
 }
 
@@ -132,7 +132,7 @@ void TestLandmarkJoining::replacedPointsKeepTheScenesNames()
     write(QStringLiteral("p.tps"), "LM3=2\n5 1 0\n6 1 0\n\n");
     QVERIFY(m_files->importFrom(file(QStringLiteral("p.tps"))));
     QCOMPARE(points()[1].name, std::string("eye right"));
-    QVERIFY2(m_warnings.join(u'\n').contains(QStringLiteral("by their order")), qPrintable(m_warnings.join(u'\n')));
+    QVERIFY2(m_warnings.join(u'\n').contains(QStringLiteral("in order")), qPrintable(m_warnings.join(u'\n')));
 }
 
 void TestLandmarkJoining::pointsWithoutNamesFillByOrder_data()
@@ -143,15 +143,15 @@ void TestLandmarkJoining::pointsWithoutNamesFillByOrder_data()
     QTest::addColumn<QString>("said");
     using Order = LandmarkFileQuestions::Order;
     QTest::newRow("as many") << QByteArray("1 1 0\n2 2 0\n3 3 0\n") << -1 << "a b c"
-                             << "took those that waited, by their order";
+                             << "took the unplaced names in order";
     QTest::newRow("one missing") << QByteArray("1 1 0\nNA NA NA\n3 3 0\n") << -1 << "a c"
-                                 << "by their order";
+                                 << "in order";
     QTest::newRow("fewer") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Fill) << "a b"
-                           << "by their order";
+                           << "in order";
     QTest::newRow("more") << QByteArray("1 1 0\n2 2 0\n3 3 0\n4 4 0\n") << int(Order::Fill) << "a b c "
-                          << "by their order";
-    QTest::newRow("put behind") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Behind) << " "
-                                << "put behind the others: 2. Still";
+                          << "in order";
+    QTest::newRow("appended") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Behind) << " "
+                              << "appended: 2. Still";
     QTest::newRow("given up") << QByteArray("1 1 0\n2 2 0\n") << int(Order::Cancel) << QString() << QString();
 }
 
@@ -198,7 +198,8 @@ void TestLandmarkJoining::semilandmarksAreNoPoints()
         QVERIFY(m_files->importFrom(file(QStringLiteral("p.pts"))));
         QCOMPARE(m_document->scene().landmarks.curves.size(), std::size_t(1));
         QCOMPARE(m_document->scene().landmarks.curves[0].points.size(), std::size_t(2));
-        QVERIFY2(m_warnings.back().contains(QStringLiteral("its own stay: brow")), qPrintable(m_warnings.back()));
+        QVERIFY2(m_warnings.back().contains(QStringLiteral("keeps its own curves: brow")),
+                 qPrintable(m_warnings.back()));
     }
 }
 
@@ -209,11 +210,11 @@ void TestLandmarkJoining::countsAddUp_data()
     QTest::newRow("all on the mesh") << QByteArray("a,1,2,0\nb,2,2,0\n") << "2. They lie on the mesh.";
     QTest::newRow("one beyond all distances")
         << QByteArray("a,1,2,0\nb,1e308,2,0\n")
-        << "2. On the mesh: 1. They lie on the mesh. Free where they are, far from it: 1.";
-    QTest::newRow("one of each") << QByteArray("a,1,2,0\nb,1e308,2,0\nc,,,\nd,3,3,5\n")
-                                 << "4. On the mesh: 1. They lie on the mesh. Free where they are, far from it: 2. "
-                                    "Without a place: 1.";
-    QTest::newRow("none on the mesh") << QByteArray("d,3,3,5\n") << "1. Free where they are, far from it: 1.";
+        << "2. On the mesh: 1. They lie on the mesh. Left free, far from the mesh: 1.";
+    QTest::newRow("one of each")
+        << QByteArray("a,1,2,0\nb,1e308,2,0\nc,,,\nd,3,3,5\n")
+        << "4. On the mesh: 1. They lie on the mesh. Left free, far from the mesh: 2. Not placed: 1.";
+    QTest::newRow("none on the mesh") << QByteArray("d,3,3,5\n") << "1. Left free, far from the mesh: 1.";
 }
 
 void TestLandmarkJoining::countsAddUp()
@@ -224,7 +225,7 @@ void TestLandmarkJoining::countsAddUp()
     open({QStringLiteral("square.obj")});
     write(QStringLiteral("p.csv"), "name,x,y,z\n" + rows);
     QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
-    QCOMPARE(m_notices, QStringList(QStringLiteral("Points read from p.csv: ") + said));
+    QCOMPARE(m_notices, QStringList(QStringLiteral("Landmarks read from p.csv: ") + said));
 }
 
 void TestLandmarkJoining::unitsAndKeysAreNotLost_data()

@@ -133,7 +133,7 @@ void TestLandmarkView::aClickPlacesOnRelease()
     QVERIFY(std::abs(only(*window).world->x - kFront.x) < 0.05);
     QVERIFY(!window->document().picks().pick());
     QVERIFY(window->document().sceneLandmarks().current() == 0u);
-    QCOMPARE(window->document().undoStack().undoText(), QStringLiteral("Place Point 1"));
+    QCOMPARE(window->document().undoStack().undoText(), QStringLiteral("Place Landmark 1"));
 
     const LookAt camera = window->document().scene().camera;
     drag(window->view(), at + QPointF(30, 20), at + QPointF(80, 30), Qt::LeftButton);
@@ -313,7 +313,7 @@ void TestLandmarkView::arrowKeysMoveAllThatIsSelected()
     }
     QVERIFY(after[2] == before[2] && after[3] == before[3] && after[4] == before[4]);
     QCOMPARE(document.undoStack().count(), steps + 1);
-    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Move 2 points"));
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Move 2 landmarks"));
     document.undoStack().undo();
     QVERIFY(document.landmarks() == before);
 }

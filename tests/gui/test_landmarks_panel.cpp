@@ -121,7 +121,7 @@ private:
     }
     QString reason() const
     {
-        const auto *label = named<QLabel>(QStringLiteral("Why the number was refused"));
+        const auto *label = named<QLabel>(QStringLiteral("Reason why the number was rejected"));
         return !label ? QStringLiteral("no label") : label->isHidden() ? QString() : label->text();
     }
     void type(int row, int column, const QString &text)
@@ -304,17 +304,17 @@ void TestLandmarksPanel::whoPlacesIsNotToldToPressP()
     });
     QVERIFY(found != labels.end() && (*found)->isVisible());
     m_panel->setPlacing(true);
-    QVERIFY((*found)->text().startsWith(QStringLiteral("No points yet. Click where")));
+    QVERIFY((*found)->text().startsWith(QStringLiteral("No landmarks yet. Click the")));
     m_panel->setPlacing(false);
     QVERIFY((*found)->text().contains(QStringLiteral("Press P")));
     // The hint also appears while a name is still to be placed.
     QVERIFY(editLandmarks(*m_document, {point("tip", {})}, {QStringLiteral("one")}));
     m_document->sceneLandmarks().waitForNext(std::nullopt);
-    const auto *how = named<QLabel>(QStringLiteral("How it is placed"));
+    const auto *how = named<QLabel>(QStringLiteral("Instruction for placing"));
     QVERIFY(how->isVisible());
-    QCOMPARE(how->text(), QStringLiteral("Press P, then click where it is."));
+    QCOMPARE(how->text(), QStringLiteral("Press P, then click its position."));
     m_panel->setPlacing(true);
-    QCOMPARE(how->text(), QStringLiteral("Click where it is; P or Esc ends placing."));
+    QCOMPARE(how->text(), QStringLiteral("Click its position; P or Esc ends placing."));
 }
 
 void TestLandmarksPanel::aDoubleClickOnTheNumberGoesThere()
@@ -372,7 +372,7 @@ void TestLandmarksPanel::refusedCoordinatesSayWhy_data()
     QTest::newRow("two numbers") << 0 << "1 2"
                                  << "2";
     QTest::newRow("one of a point without a place") << 2 << "1"
-                                                    << "no place yet";
+                                                    << "not placed yet";
 }
 
 void TestLandmarksPanel::refusedCoordinatesSayWhy()
@@ -494,8 +494,8 @@ void TestLandmarksPanel::aTemplateIsPlacedOneAfterTheOther()
     fillFromTemplate(*m_document, {point("nasion", {}), point("chin", {}), point("ear", {})}, QStringLiteral("Mine"));
     QCOMPARE(names(), (QStringList{"nasion", "chin", "ear", "pronasale", "gone"}));
     QCOMPARE(m_document->undoStack().undoText(), QStringLiteral("Template Mine"));
-    const auto *next = named<QLabel>(QStringLiteral("The point that is placed next"));
-    const auto *count = named<QLabel>(QStringLiteral("How many points are placed"));
+    const auto *next = named<QLabel>(QStringLiteral("Landmark to place next"));
+    const auto *count = named<QLabel>(QStringLiteral("Number of placed landmarks"));
     QVERIFY(next && count);
     QVERIFY(next->isVisible());
     QCOMPARE(next->text(), QStringLiteral("Next: chin"));
@@ -523,7 +523,7 @@ void TestLandmarksPanel::theNextOfATemplateIsCountedAndInSight()
     };
     QVERIFY(isInSight(0));
     place(1.0);
-    QCOMPARE(named<QLabel>(QStringLiteral("How many points are placed"))->text(), QStringLiteral("1 of 60"));
+    QCOMPARE(named<QLabel>(QStringLiteral("Number of placed landmarks"))->text(), QStringLiteral("1 of 60"));
     for (int i = 1; i < 40; ++i)
         place(1.0 + i);
     QVERIFY(isInSight(40));
@@ -535,7 +535,7 @@ void TestLandmarksPanel::theNextOfATemplateIsCountedAndInSight()
 void TestLandmarksPanel::skippedOnesStayMissing()
 {
     fillFromTemplate(*m_document, {point("chin", {}), point("ear", {})}, QStringLiteral("Mine"));
-    const auto *next = named<QLabel>(QStringLiteral("The point that is placed next"));
+    const auto *next = named<QLabel>(QStringLiteral("Landmark to place next"));
     QTest::mouseClick(button(QStringLiteral("Skip")), Qt::LeftButton);
     QCOMPARE(next->text(), QStringLiteral("Next: ear"));
     place(1.0);
@@ -557,7 +557,7 @@ void TestLandmarksPanel::withoutATemplateNothingIsMissing()
     // The first bundled template, by its entry.
     actions.front()->trigger();
     QCOMPARE(names().size(), 3 + static_cast<int>(m_templates->bundled().front().points.size()) - 1); // nasion is there
-    QVERIFY(named<QLabel>(QStringLiteral("The point that is placed next"))->isVisible());
+    QVERIFY(named<QLabel>(QStringLiteral("Landmark to place next"))->isVisible());
 }
 
 void TestLandmarksPanel::bundledTemplatesHaveHints()
@@ -595,7 +595,7 @@ void TestLandmarksPanel::aTemplatesPictureIsShown()
     m_panel->takeTemplate(file.fileName().toStdU16String());
     auto *picture = [this]() -> QLabel * {
         for (QLabel *label : m_panel->findChildren<QLabel *>()) {
-            if (label->accessibleName() == QStringLiteral("The template's picture of it"))
+            if (label->accessibleName() == QStringLiteral("Image from the template"))
                 return label;
         }
         return nullptr;
@@ -634,7 +634,7 @@ void TestLandmarksPanel::measuresOfWhatIsSelected_data()
     QTest::newRow("four") << P{0, 1, 2, 3}
                           << QStringList{"Height|d over the plane a – b – c|2 ± ? mm",
                                          "Length along|a – b – c – d|12.47214 ± ? mm"};
-    QTest::newRow("a missing one") << P{0, 4} << QStringList{"Distance|a – e|a point is missing"};
+    QTest::newRow("a missing one") << P{0, 4} << QStringList{"Distance|a – e|a landmark is missing"};
 }
 
 void TestLandmarksPanel::measuresOfWhatIsSelected()
@@ -672,7 +672,7 @@ void TestLandmarksPanel::leftAndRight()
     const std::vector<MeasureRow> rows = sidesOf(set);
     QCOMPARE(rows.size(), std::size_t(6));
     QCOMPARE(rows[0].points, QStringLiteral("normal (1, 0, 0)"));
-    QCOMPARE(rows[1].points, QStringLiteral("pairs: 2; taken to be in the middle: nose"));
+    QCOMPARE(rows[1].points, QStringLiteral("pairs: 2; in the middle: nose"));
     QCOMPARE(rows[2].kind, QStringLiteral("Without ±"));
     QCOMPARE(rows[3].points, QStringLiteral("eye left ↔ eye right"));
     QVERIFY(*rows[3].number < 1e-12);
@@ -692,7 +692,7 @@ void TestLandmarksPanel::leftAndRight()
     QVERIFY2(lines[0].startsWith(QStringLiteral("Mirror plane|normal (1, 0, 0)|")), qPrintable(lines[0]));
     QCOMPARE(lines[1], QStringLiteral("Made from|pairs: 2|"));
     QCOMPARE(lines[4], QStringLiteral("Asymmetry|brow left ↔ brow right|brow left is not placed"));
-    QCOMPARE(lines[5], QStringLiteral("Off the middle|nose|nose is hidden"));
+    QCOMPARE(lines[5], QStringLiteral("Distance from the mirror plane|nose|nose is hidden"));
     QCOMPARE(lines[6], QStringLiteral("Left out|jaw left|no partner on the other side"));
     set.landmarks[0].world = WorldPoint(-2.5, 0.0, 0.0);
     QVERIFY(*sidesOf(set)[2].number > 0.1);

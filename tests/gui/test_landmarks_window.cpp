@@ -85,7 +85,7 @@ void TestLandmarksWindow::droppedPointsComeToTheTable()
     auto *table = window->findChild<LandmarksTable *>();
     QVERIFY(table);
     QCOMPARE(table->model()->rowCount(), 1);
-    QVERIFY(actionOf(*window, QStringLiteral("Import Points…")));
+    QVERIFY(actionOf(*window, QStringLiteral("Import Landmarks…")));
     QVERIFY(actionOf(*window, QStringLiteral("Export Points…")));
     write(QStringLiteral("p.csv"), "name,x,y,z\nfirst,1,two,0\n");
     emit window->view().filesDropped({QUrl::fromLocalFile(path(QStringLiteral("p.csv")))});

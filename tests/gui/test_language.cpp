@@ -223,7 +223,7 @@ void TestLanguage::whatCoreSaysIsInTheLanguage_data()
     QTest::addColumn<QStringList>("said"); // of a model, a scene and points
     QTest::newRow("English") << kEnglish
                              << QStringList{"broken.ply: the file is damaged: the file ends within ",
-                                            ":1:16: 1 stands where \":\" is expected",
+                                            ":1:16: 1 found where \":\" is expected",
                                             ":2: z is \"far\"; write a number"};
     QTest::newRow("Chinese") << kChinese
                              << QStringList{"broken.ply：文件已损坏：文件在 face 1（共 9 个）之内结束",

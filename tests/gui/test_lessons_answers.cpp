@@ -53,7 +53,7 @@ void TestLessonsAnswers::anAnswerIsChecked()
                                                 "which is 500 high."));
     QCOMPARE(panelOf(*window).text(), shown);
     answer(*window, QStringLiteral("2*"));
-    QCOMPARE(verdictOf(*window), QStringLiteral("“2*” ends where a number is wanted."));
+    QCOMPARE(verdictOf(*window), QStringLiteral("“2*” ends where a number is expected. Complete it."));
     answer(*window, QStringLiteral("500 - 412.5"));
     QCOMPARE(verdictOf(*window), QStringLiteral("Right: 87.5."));
     QVERIFY(panelOf(*window).text().contains(QStringLiteral("500 − (412 + 0.5) = 87.5")));

@@ -280,7 +280,7 @@ void TestLessonsLinks::aChangeThatDoesNotFitIsTold()
     const int steps = document.undoStack().count();
     follow(*window, QStringLiteral("set:exchanged"));
     QCOMPARE(document.undoStack().count(), steps);
-    QVERIFY2(window->message().startsWith(QStringLiteral("The scene as it is now cannot be changed so.")),
+    QVERIFY2(window->message().startsWith(QStringLiteral("The change does not fit the current scene.")),
              qPrintable(window->message()));
 }
 

@@ -142,7 +142,7 @@ void TestLessonsView::aSizeThatCannotBeIsTold()
     const QString size = QStringLiteral("%1 × %2").arg(window->view().width()).arg(window->view().height());
     QVERIFY2(window->message().contains(QStringLiteral("The view is ") + size), qPrintable(window->message()));
     QVERIFY(hintOf(*window));
-    QVERIFY2(hintOf(*window)->text().endsWith(QStringLiteral("This one is %1.").arg(size)),
+    QVERIFY2(hintOf(*window)->text().endsWith(QStringLiteral("This view is %1.").arg(size)),
              qPrintable(hintOf(*window)->text()));
 }
 

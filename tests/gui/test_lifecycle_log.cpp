@@ -200,12 +200,12 @@ void TestLifecycleLog::coarsePicturesAreTold()
     coarse.hasStandIns = true;
     log.append(coarse);
     QCOMPARE(cell(log, 0, LifecycleLog::StandsFor),
-             QStringLiteral("glClear, glDrawElements; large models were drawn coarse"));
+             QStringLiteral("glClear, glDrawElements; large models were drawn coarsely"));
     log.append(coarse);
     log.append(draw(1.0)); // at rest
     QCOMPARE(log.rowCount(), 1);
     QCOMPARE(cell(log, 0, LifecycleLog::StandsFor),
-             QStringLiteral("glClear, glDrawElements; in 2 of 3 pictures large models were drawn coarse"));
+             QStringLiteral("glClear, glDrawElements; in 2 of 3 frames large models were drawn coarsely"));
     const QString tip = log.index(0, LifecycleLog::StandsFor).data(Qt::ToolTipRole).toString();
     QVERIFY2(tip.contains(QStringLiteral("Clicks always read the full model")), qPrintable(tip));
     log.append(size(800));

@@ -181,7 +181,8 @@ void TestMapOverlay::theQuestion()
 {
     const auto window = windowOfSize({900, 600});
     part<MapOverlay>(*window).setShown(true);
-    QComboBox *quantity = boxOf(*window, "What the map shows"), *convention = boxOf(*window, "Whose displacement");
+    QComboBox *quantity = boxOf(*window, "Quantity that the map shows"),
+              *convention = boxOf(*window, "Program or mistake of the displacement");
     QVERIFY(convention->isHidden());
     quantity->setCurrentIndex(4);
     QVERIFY(!convention->isHidden());
@@ -266,7 +267,7 @@ void TestMapOverlay::pointsAreOverTheMap()
 void TestMapOverlay::uncertaintyIsThatOfAClick()
 {
     const auto window = windowOfSize({900, 600});
-    boxOf(*window, "What the map shows")->setCurrentIndex(3);
+    boxOf(*window, "Quantity that the map shows")->setCurrentIndex(3);
     part<MapOverlay>(*window).setShown(true);
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
     const MadeMap &made = *part<MapOverlay>(*window).map();
@@ -290,8 +291,8 @@ void TestMapOverlay::uncertaintyIsThatOfAClick()
 void TestMapOverlay::noEffectIsNoDifference()
 {
     const auto window = windowOfSize({900, 600});
-    boxOf(*window, "What the map shows")->setCurrentIndex(4);
-    QComboBox *convention = boxOf(*window, "Whose displacement");
+    boxOf(*window, "Quantity that the map shows")->setCurrentIndex(4);
+    QComboBox *convention = boxOf(*window, "Program or mistake of the displacement");
     convention->setCurrentIndex(convention->findText("viewport's origin ignored")); // it is 0, 0
     part<MapOverlay>(*window).setShown(true);
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);

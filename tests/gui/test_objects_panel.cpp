@@ -62,7 +62,7 @@ private:
     QString reason() const
     {
         for (const QLabel *label : m_panel->findChildren<QLabel *>()) {
-            if (label->accessibleName() == QStringLiteral("Why the name was refused"))
+            if (label->accessibleName() == QStringLiteral("Reason why the name was rejected"))
                 return label->isHidden() ? QString() : label->text();
         }
         return QStringLiteral("no label");
@@ -175,10 +175,10 @@ void TestObjectsPanel::namesAreEditedInPlace_data()
                                   << "";
     QTest::newRow("that of another") << "first"
                                      << "second"
-                                     << "Another object is called “first” already. Give this one a name of its own.";
+                                     << "Another object is already called “first”. Choose another name.";
     QTest::newRow("none") << " "
                           << "second"
-                          << "An object needs a name: it kept its own.";
+                          << "An object needs a name. The old name is kept.";
     QTest::newRow("its own") << "second"
                              << "second"
                              << "";

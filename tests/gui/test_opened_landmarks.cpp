@@ -90,7 +90,7 @@ void TestOpenedLandmarks::pointsWithoutAnObjectAreInSight()
     QSignalSpy noticed(m_files.get(), &LandmarkFiles::noticed);
     open({QStringLiteral("p.csv")});
     QCOMPARE(points().size(), std::size_t(2));
-    QVERIFY(noticed.count() == 1 && noticed[0][0].toString().contains(QStringLiteral("no object")));
+    QVERIFY(noticed.count() == 1 && noticed[0][0].toString().contains(QStringLiteral("No object")));
     const glm::dmat4 clipFromScene = *clipFromWorld(m_document->setup());
     for (const Landmark &landmark : points()) {
         const glm::dvec4 clip = clipFromScene * glm::dvec4(landmark.world->coordinates(), 1.0);
@@ -150,7 +150,7 @@ void TestOpenedLandmarks::whatDoesNotHoldIsLetGo_data()
     QTest::newRow("no such vertex") << QByteArray(R"({"vertex": 4})") << "does not have: 1, as “a” (vertex 4)";
     QTest::newRow("no such edge") << QByteArray(R"({"edge": [0, 9], "share": 0.5})") << "“a” (edge 0–9)";
     QTest::newRow("another mesh's") << QByteArray(R"({"triangle": 0, "barycentric": [0.5, 0.25, 0.25]})")
-                                    << "elsewhere than what holds them";
+                                    << "away from their anchor";
 }
 
 void TestOpenedLandmarks::whatDoesNotHoldIsLetGo()

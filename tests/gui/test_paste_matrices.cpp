@@ -242,8 +242,8 @@ void TestPasteMatrices::oneTextMayHaveBoth()
     Pasting pasting;
     pasting.paste(role, text);
     if (text.contains("viewport"))
-        QVERIFY(pasting.says("The viewport, 300 × 200, is left out"));
-    QCOMPARE(pasting.says("Its inverse, beside it in the text, is left out."), text.contains("viewInverse"));
+        QVERIFY(pasting.says("The viewport, 300 × 200, is ignored"));
+    QCOMPARE(pasting.says("Its inverse in the text is ignored."), text.contains("viewInverse"));
     pasting.ok()->click();
     QVERIFY(difference(pasting.shownProduct(), lens() * view()) <= 1e-13);
 }
@@ -252,7 +252,7 @@ void TestPasteMatrices::theProductAloneIsTakenApart()
 {
     Pasting pasting;
     pasting.paste(MatrixRole::Product, printed(lens() * view(), "glm::to_string"));
-    QVERIFY(pasting.says("Taken apart into projection and view"));
+    QVERIFY(pasting.says("Decomposed into projection and view"));
     pasting.ok()->click();
     QVERIFY(difference(pasting.shownProduct(), lens() * view()) <= 1e-12);
 
@@ -274,28 +274,28 @@ void TestPasteMatrices::everyFindingHasItsButton_data()
     const auto scaling = [](double x, double y, double z) { return glm::scale(glm::dmat4(1.0), glm::dvec3(x, y, z)); };
     using enum MatrixRole;
     QTest::newRow("an inverse") << Projection << glm::inverse(lens()) << "is an inverse"
-                                << "Take Its Inverse" << lens();
+                                << "Invert" << lens();
     QTest::newRow("the camera's matrix") << View << glm::inverse(view()) << "camera's own matrix"
-                                         << "Take Its Inverse" << view();
-    QTest::newRow("Vulkan's y") << Projection << scaling(1, -1, 1) * lens() << "turns y round"
-                                << "Turn y Back" << lens();
+                                         << "Invert" << view();
+    QTest::newRow("Vulkan's y") << Projection << scaling(1, -1, 1) * lens() << "flips y"
+                                << "Flip y" << lens();
     QTest::newRow("mirrored") << Projection << scaling(-1, 1, 1) * lens() << "mirrors x"
-                              << "Turn x Back" << lens();
+                              << "Flip x" << lens();
     QTest::newRow("a mirrored view") << View << scaling(-1, 1, 1) * view() << "is mirrored"
-                                     << "Turn x Back" << view();
+                                     << "Flip x" << view();
     QTest::newRow("a scaled view") << View << view() * scaling(2, 2, 2) << "scales by 2"
-                                   << "Take the Scale Out" << view();
-    QTest::newRow("negated") << Projection << -lens() << "the other sign"
-                             << "Turn the Signs" << lens();
+                                   << "Remove the Scale" << view();
+    QTest::newRow("negated") << Projection << -lens() << "negated"
+                             << "Negate" << lens();
     QTest::newRow("along +z") << Projection << lens() * scaling(1, 1, -1) << "looks along +z"
                               << "Turn to −z" << lens();
     glm::dmat4 zeroToOne = lens();
     zeroToOne[2][2] = -50.0 / 48.0;
     zeroToOne[3][2] = -100.0 / 48.0;
-    QTest::newRow("depths in [0, 1]") << Projection << zeroToOne << "seems to go by NDC depths from 0 to 1"
+    QTest::newRow("depths in [0, 1]") << Projection << zeroToOne << "seems to use NDC depths from 0 to 1"
                                       << "Read as 0 to 1" << zeroToOne;
-    QTest::newRow("exchanged") << Projection << view() << "seem to be exchanged"
-                               << "Exchange Them" << view();
+    QTest::newRow("exchanged") << Projection << view() << "seem to be swapped"
+                               << "Swap Them" << view();
 }
 
 void TestPasteMatrices::everyFindingHasItsButton()
@@ -306,14 +306,14 @@ void TestPasteMatrices::everyFindingHasItsButton()
     QFETCH(QString, button);
     QFETCH(glm::dmat4, expected);
     Pasting pasting;
-    const bool isExchanged = button == "Exchange Them";
+    const bool isExchanged = button == "Swap Them";
     if (role == MatrixRole::View)
         pasting.paste(MatrixRole::Projection, printed(lens(), "JSON"));
     else if (!isExchanged)
         pasting.paste(MatrixRole::View, printed(view(), "JSON"));
     pasting.paste(role, printed(given, "JSON"));
     QVERIFY(pasting.says(sentence));
-    QVERIFY(role != MatrixRole::View || button != "Turn x Back" || pasting.says("its axes are left-handed; negate"));
+    QVERIFY(role != MatrixRole::View || button != "Flip x" || pasting.says("its axes are left-handed; negate"));
     QVERIFY(pasting.button(button));
     pasting.button(button)->click();
     QVERIFY(!pasting.button(button));
@@ -426,10 +426,10 @@ void TestPasteMatrices::whatIsNoMatrixIsSaid_data()
     QTest::newRow("no projection among them")
         << Projection << "view " + zeros + " model " + zeros << "no matrix of this kind";
     QTest::newRow("no inverse") << View << zeros << "Not a camera: the view matrix is not rotation + translation";
-    QTest::newRow("an inverse without one") << View << "viewInverse " + zeros << "but it has none itself";
+    QTest::newRow("an inverse without one") << View << "viewInverse " + zeros << "but it is singular";
     QTest::newRow("a sheared box's product")
         << Product << printed(glm::ortho(-3.0, 3.0, -2.0, 2.0, 1.0, 9.0) * shear * view(), "JSON")
-        << "cannot be taken apart";
+        << "cannot be decomposed";
 }
 
 void TestPasteMatrices::whatIsNoMatrixIsSaid()
@@ -453,7 +453,7 @@ void TestPasteMatrices::callsAreTaken()
                                           "gluLookAt(3, 2, 5, 0, 0, 0, 0, 1, 0);");
     QVERIFY(pasting.says("glFrustum: left -1, right 1, bottom -0.75, top 0.75, near 2, far 50."));
     QVERIFY(pasting.says("From the other text: gluLookAt: eye (3, 2, 5), center (0, 0, 0), up (0, 1, 0)."));
-    QVERIFY(pasting.says("The viewport becomes that of glViewport: 300 × 200 at (10, 20)."));
+    QVERIFY(pasting.says("The viewport is set by glViewport: 300 × 200 at (10, 20)."));
     pasting.ok()->click();
     QVERIFY(difference(pasting.shownProduct(), lens() * view()) <= 1e-13);
     QCOMPARE(pasting.document.setup().viewport, (Viewport{10.0, 20.0, 300.0, 200.0}));
@@ -464,7 +464,7 @@ void TestPasteMatrices::aCallThatCannotBeReadIsNamed()
 {
     Pasting pasting;
     pasting.paste(MatrixRole::Projection, "gluPerspective(45, aspect, 0.1, 100)");
-    QVERIFY(pasting.says("gluPerspective: the argument 'aspect' is no number. Put its value there."));
+    QVERIFY(pasting.says("gluPerspective: the argument 'aspect' is not a number. Put its value there."));
     QVERIFY(!pasting.ok()->isEnabled());
     pasting.paste(MatrixRole::Projection, "gluPerspective(45, 1.5, 0.1, 100)");
     QVERIFY(pasting.says("Empty: the scene's view is kept."));
@@ -481,7 +481,7 @@ void TestPasteMatrices::aNamedProductIsMovedToItsPlace()
     QVERIFY(!pasting.button("Read as product"));
     QCOMPARE(pasting.box(MatrixRole::Product)->text(), text);
     QVERIFY(pasting.box(MatrixRole::Projection)->text().isEmpty());
-    QVERIFY(pasting.says("Taken apart into projection and view"));
+    QVERIFY(pasting.says("Decomposed into projection and view"));
     // Calls without a product can be read back as projection and view.
     pasting.paste(MatrixRole::Product, "gluLookAt(3, 2, 5, 0, 0, 0, 0, 1, 0)\nglFrustum(-1, 1, -0.75, 0.75, 2, 50)");
     QVERIFY(pasting.says("The text has no product."));
@@ -629,7 +629,7 @@ void TestPasteMatrices::whatStillHoldsIsSaidInThePipeline()
     QVERIFY(editMatrices(document, MatrixProjection{turned, std::nullopt}, view(), {"Paste Matrices"}));
     const auto button = [&]() -> QPushButton * {
         for (QPushButton *one : panel.findChildren<QPushButton *>()) {
-            if (one->text() == "Turn y Back" && one->isVisible())
+            if (one->text() == "Flip y" && one->isVisible())
                 return one;
         }
         return nullptr;
@@ -637,7 +637,7 @@ void TestPasteMatrices::whatStillHoldsIsSaidInThePipeline()
     QVERIFY(button());
     button()->click();
     QCOMPARE(document.scene().projection.matrix()->clipFromEye, lens());
-    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Turn y Back"));
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Flip y"));
     QVERIFY(!button());
     document.undoStack().undo();
     QVERIFY(button());

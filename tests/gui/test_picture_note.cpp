@@ -64,7 +64,7 @@ void TestPictureNote::anEmptyPictureSaysWhy_data()
     row("far in it", perspective(1, 7), "");
     row("a box behind the eye", ortho(-10, -2), "Nothing lies between near, -10, and far, -2: the objects begin at 6");
     row("a box about the eye", ortho(-10, 10), "");
-    row("more than the depth buffer holds", perspective(1e-9, 1e9), "the depth buffer cannot hold that");
+    row("more than the depth buffer holds", perspective(1e-9, 1e9), "the depth buffer is too coarse for it");
     row("much, but held", perspective(1e-3, 1e5), "");
     row("the same in a box", ortho(1e-9, 1e9), "");
 }

@@ -284,7 +284,7 @@ void TestPipelineWidgets::aMatrixIsTakenApartAndItsFactorsFollow()
     panel.show();
     const QList<QToolButton *> buttons = panel.findChildren<QToolButton *>(QStringLiteral("takeApart"));
     QCOMPARE(buttons.size(), 2);
-    QCOMPARE(buttons.back()->accessibleName(), QStringLiteral("Take Projection apart"));
+    QCOMPARE(buttons.back()->accessibleName(), QStringLiteral("Decompose Projection"));
     const FactorsView *view = panel.findChildren<FactorsView *>().back();
     QVERIFY(!view->isVisible());
     panel.open(Space::Clip);
@@ -331,7 +331,7 @@ void TestPipelineWidgets::aMatrixIsTakenApartAndItsFactorsFollow()
     QVERIFY(editMatrices(document,
                          MatrixProjection{*clipFromEye(Projection(Frustum{-1, 3, -2, 2, 2, 10})), std::nullopt},
                          std::nullopt, {QStringLiteral("Matrix")}));
-    QVERIFY2(product().contains(QStringLiteral("nothing to take apart")), qPrintable(product()));
+    QVERIFY2(product().contains(QStringLiteral("cannot be decomposed")), qPrintable(product()));
 }
 
 void TestPipelineWidgets::partsOfTheFactorsActAsTheSlidersSay()

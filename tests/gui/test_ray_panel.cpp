@@ -184,13 +184,13 @@ void TestRayPanel::whatAClickTakesIsShown_data()
         QTest::newRow(name) << int(snap) << position << QString::fromLatin1(head) << point << detail;
     };
     // The cube's corner (1, 1, 1) is at pixel (250, 100), its right edge at column 250.
-    row("a vertex", Snap::Vertex, WidgetPoint(246, 104), "Vertex", {1, 1, 1}, {"Taken: vertex", "of triangle"});
-    row("no vertex", Snap::Vertex, WidgetPoint(220, 120), "Vertex", {}, {"No vertex is in sight within 8 pixels."});
-    row("an edge", Snap::Edge, WidgetPoint(246, 119.5), "On edge", {1, 0.61, 1}, {"the nearest point of the edge"});
-    row("no edge", Snap::Edge, WidgetPoint(170, 160), "On edge", {}, {"No edge is in sight within 8 pixels."});
+    row("a vertex", Snap::Vertex, WidgetPoint(246, 104), "Vertex", {1, 1, 1}, {"Snapped to vertex", "of triangle"});
+    row("no vertex", Snap::Vertex, WidgetPoint(220, 120), "Vertex", {}, {"No vertex is visible within 8 pixels."});
+    row("an edge", Snap::Edge, WidgetPoint(246, 119.5), "On edge", {1, 0.61, 1}, {"the nearest point of edge"});
+    row("no edge", Snap::Edge, WidgetPoint(170, 160), "On edge", {}, {"No edge is visible within 8 pixels."});
     row("a face", Snap::Face, WidgetPoint(220, 140), "On face", {0.41, 0.19, 1},
-        {"Taken: face", "0 x + 0 y + 1 z = 1"});
-    row("no face", Snap::Face, WidgetPoint(20, 20), "On face", {}, {"No face is in sight within 8 pixels."});
+        {"Snapped to face", "0 x + 0 y + 1 z = 1"});
+    row("no face", Snap::Face, WidgetPoint(20, 20), "On face", {}, {"No face is visible within 8 pixels."});
 }
 
 void TestRayPanel::whatAClickTakesIsShown()
@@ -210,7 +210,7 @@ void TestRayPanel::whatAClickTakesIsShown()
         if (point.isEmpty())
             QVERIFY(std::isnan(value(panel, axis, RayModel::Taken)));
         else if (static_cast<Snap>(snap) == Snap::Vertex)
-            QVERIFY2(value(panel, axis, RayModel::Taken) == point[axis], "its very coordinate");
+            QVERIFY2(value(panel, axis, RayModel::Taken) == point[axis], "its exact coordinate");
         else
             QVERIFY(std::abs(value(panel, axis, RayModel::Taken) - point[axis]) < 1e-12);
     }

@@ -143,7 +143,7 @@ void TestSceneCodeWindow::filesOfTheSceneAreNotWrittenOver()
         const std::filesystem::path file = pathOf(QString::fromLatin1(name));
         const auto before = std::filesystem::file_size(file);
         const QString problem = m_code->exportTo(file);
-        QVERIFY2(problem.contains(QStringLiteral("which would be destroyed")), qPrintable(name + problem));
+        QVERIFY2(problem.contains(QStringLiteral("would destroy it")), qPrintable(name + problem));
         QCOMPARE(std::filesystem::file_size(file), before);
     }
     QCOMPARE(m_code->exportTo(pathOf(QStringLiteral("new.cpp"))), QString());

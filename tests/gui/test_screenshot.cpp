@@ -278,13 +278,13 @@ void TestScreenshot::aMistakeIsToldOnStderr_data()
     row("unknown option", {"--screnshot", picture}, "screnshot");
     row("Qt's own help", {"--help-all"}, "help-all");
     row("no such folder", {"--screenshot", path("no/such/folder/out.png")}, "there is no such folder");
-    row("unknown picture format", {"--screenshot", path("out.xyz")}, "out.xyz is no picture's name");
-    row("a model for a picture", {"--screenshot", path("broken.obj")}, "broken.obj is no picture's name");
-    const QString isInput = "scene.png is opened too and would be overwritten; give the picture another name.";
+    row("unknown picture format", {"--screenshot", path("out.xyz")}, "out.xyz is not an image name");
+    row("a model for a picture", {"--screenshot", path("broken.obj")}, "broken.obj is not an image name");
+    const QString isInput = "scene.png is also opened and would be overwritten; give the image another name.";
     row("the scene that it opens", {"--screenshot", path("scene.png"), path("scene.png")}, isInput);
     row("the scene by another way", {"--screenshot", path("./scene.png"), path("scene.png")}, isInput);
     row("a texture of a model that it opens", {"--screenshot", path("skin.png"), path("skin.obj")},
-        "skin.png: the scene that is open uses this file, which would be destroyed.");
+        "skin.png: the open scene uses this file and would destroy it.");
     row("one of several", {"--screenshot", path("scene.png"), broken.fileName(), path("scene.png")}, isInput);
 }
 
@@ -376,7 +376,7 @@ void TestScreenshot::anOldOpenGLIsRefusedInWords()
     if (result.exitCode == 0)
         QSKIP("only Mesa's OpenGL can be made old");
     QCOMPARE(result.exitCode, 2);
-    QVERIFY2(result.errors.contains("unprojector: OpenGL is 2.1 here ("), result.errors.constData());
+    QVERIFY2(result.errors.contains("unprojector: This computer has OpenGL 2.1 ("), result.errors.constData());
     QVERIFY2(result.errors.contains("; the view needs 3.3. "), result.errors.constData());
     QVERIFY(!QFile::exists(path("old.png")));
 }
@@ -387,7 +387,7 @@ void TestScreenshot::withoutOpenGLItEndsInWords()
     const Run result = run({"--screenshot", path("never.png")}, {"DISPLAY", "QT_QPA_PLATFORM=offscreen"});
     QVERIFY(result.hasExited);
     QCOMPARE(result.exitCode, 2);
-    QVERIFY2(result.errors.contains("unprojector: There is no OpenGL here; the view needs 3.3. "),
+    QVERIFY2(result.errors.contains("unprojector: OpenGL is missing; the view needs OpenGL 3.3. "),
              result.errors.constData());
     QVERIFY(!QFile::exists(path("never.png")));
 #else

@@ -269,10 +269,13 @@ void TestSession::whatWasAddedIsTold_data()
     QTest::newRow("of the same size") << 1.0 << added;
     QTest::newRow("100 times as large") << 99.9 << added;
     QTest::newRow("101 times as large")
-        << 101.0 << added + ". added.obj is 101 times as large as the rest: Fit, in Objects, shows each.";
+        << 101.0
+        << added + ". added.obj is 101 times as large as the rest. To see one object, choose Fit in the Objects panel.";
     QTest::newRow("100 times as small") << 0.0101 << added;
     QTest::newRow("5000 times as small")
-        << 0.0002 << added + ". The rest is 5,000 times as large as added.obj: Fit, in Objects, shows each.";
+        << 0.0002
+        << added
+               + ". The rest is 5,000 times as large as added.obj. To see one object, choose Fit in the Objects panel.";
     QTest::newRow("a point") << 0.0 << added;
 }
 
@@ -343,9 +346,9 @@ void TestSession::keysThatAreNotKeptAreNamed()
         "ui": {"clipPlanesOff": [{"place": 0, "plane": [1, 0, 0, 0]}, {"place": 1, "plane": [0, 0, 1, 2], "by": "hand"}]}})")}));
     QCOMPARE(warned.size(), 1);
     QCOMPARE(warned[0][0].toString(),
-             QStringLiteral("scene.json: objects[0].transform[1].comment and 1 more: unknown in a step of a transform, "
-                            "and not saved.\nscene.json: ui.clipPlanesOff[1].by: unknown, and not saved once the clip "
-                            "plane is switched on."));
+             QStringLiteral("scene.json: objects[0].transform[1].comment and 1 more: unknown key in a transform step; "
+                            "it is not saved.\nscene.json: ui.clipPlanesOff[1].by: unknown key; it is not saved once "
+                            "the clip plane is switched on."));
 }
 
 void TestSession::theNameAndTheMarkFollow()

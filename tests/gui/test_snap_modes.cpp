@@ -143,15 +143,15 @@ void TestSnapModes::aClickTakesWhatIsChosen()
     case Snap::Surface: QVERIFY2(text.startsWith(QStringLiteral("cube\n")), qPrintable(text)); break;
     case Snap::Vertex:
         QVERIFY2(text.startsWith(QStringLiteral("Vertex %1 of ").arg(ray->taken->hit.vertex.id)), qPrintable(text));
-        QVERIFY2(text.contains(QStringLiteral("The vertex taken is certain to ± ")), qPrintable(text));
+        QVERIFY2(text.contains(QStringLiteral("The vertex is accurate to ± ")), qPrintable(text));
         break;
     case Snap::Edge:
         QVERIFY2(text.startsWith(QStringLiteral("A point of edge ")), qPrintable(text));
-        QVERIFY2(text.contains(QStringLiteral("The point taken on the edge is certain to ± ")), qPrintable(text));
+        QVERIFY2(text.contains(QStringLiteral("The point on the edge is accurate to ± ")), qPrintable(text));
         break;
     case Snap::Face:
         QVERIFY2(text.startsWith(QStringLiteral("A point of face ")), qPrintable(text));
-        QVERIFY2(text.contains(QStringLiteral("The point taken on the face is certain to ± ")), qPrintable(text));
+        QVERIFY2(text.contains(QStringLiteral("The point on the face is accurate to ± ")), qPrintable(text));
         break;
     }
     switch (static_cast<Snap>(snap)) {

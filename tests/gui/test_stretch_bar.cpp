@@ -65,9 +65,9 @@ void TestStretchBar::itSaysBothAspects_data()
     const auto row = [](const char *name, const Projection &projection, const char *said, bool follows = false) {
         QTest::newRow(name) << projection << follows << QString::fromLatin1(said);
     };
-    row("4 : 3 is wider", wide(4.0 / 3.0), "Projection 4 : 3, viewport 1.11 : 1: the picture is stretched.");
-    row("3 : 4 is higher", wide(0.75), "Projection 3 : 4, viewport 1.11 : 1: the picture is stretched.");
-    row("a box", Ortho{-2, 2, -1, 1, 1, 100}, "Projection 2 : 1, viewport 1.11 : 1: the picture is stretched.");
+    row("4 : 3 is wider", wide(4.0 / 3.0), "Projection 4 : 3, viewport 1.11 : 1: the view is stretched.");
+    row("3 : 4 is higher", wide(0.75), "Projection 3 : 4, viewport 1.11 : 1: the view is stretched.");
+    row("a box", Ortho{-2, 2, -1, 1, 1, 100}, "Projection 2 : 1, viewport 1.11 : 1: the view is stretched.");
     row("a box turned round", Ortho{2, -2, -1, 1, 1, 100}, "Projection 2 : 1");
     row("the viewport's", wide(400.0 / 360.0), "");
     row("nearly the viewport's", wide(400.0 / 360.0 * 1.004), "");

@@ -104,7 +104,7 @@ void TestTextures::whatCannotBeDecodedIsSaid()
     QVERIFY(!model.textures.front().image);
     QCOMPARE(model.notes, (std::vector<ModelNote>{{ModelNote::Kind::TextureUnusable, 0, "skin.png"}}));
     QVERIFY(notesText(QStringLiteral("head.obj"), model.notes)
-                .startsWith(QStringLiteral("head.obj: The picture \"skin.png\" is damaged")));
+                .startsWith(QStringLiteral("head.obj: The image \"skin.png\" is damaged")));
 }
 
 void TestTextures::theLoadingCanBeCancelled()

@@ -119,7 +119,7 @@ private:
 ExitCode runClicks(const PointsOptions &options, const std::vector<Click> &clicks)
 {
     if (options.isPixel) {
-        complain(tr("--pixel is for tables of pixels; a click knows the centre of its own"));
+        complain(tr("--pixel is for tables of pixels; clicks already have the centres of their pixels"));
         return ExitCode::UnusableInput;
     }
     ByteSink sink("-", filesOf(clicks, options.rows.scene));

@@ -108,7 +108,7 @@ std::optional<CaseRead> caseOf(const std::string &file, bool isDepthMissing)
         return result;
     result = withoutMesh(file);
     if (result)
-        complain(tr("%1: without its models, pixels without a depth are judged by their rays alone", file));
+        complain(tr("%1: without its models, pixels without a depth are checked by their rays only", file));
     return result;
 }
 
@@ -157,7 +157,7 @@ void leaveOutside(WrongPoints &given, const Surface &surface)
             continue;
         }
         inside.isComplete = false;
-        complain(tr("%1: %2,%3 lies outside the picture of %4x%5; device pixels from its top left corner are meant",
+        complain(tr("%1: %2,%3 lies outside the view of %4x%5; give device pixels from its top left corner",
                     given.names[i], shortestText(at.x), shortestText(at.y), surface.widthPixels, surface.heightPixels));
     }
     given = std::move(inside);

@@ -115,9 +115,8 @@ ExitCode runInfo(const InfoOptions &options)
         const Measures measures = measuresOf(object);
         all.add(measures);
         if (measures.isOpen)
-            openOnes.push_back(
-                (opened->objects.size() > 1 ? object.name + ": " : std::string())
-                + tr("the surface is open, so that the volume means nothing: about another origin it is another"));
+            openOnes.push_back((opened->objects.size() > 1 ? object.name + ": " : std::string())
+                               + tr("the surface is open, so the volume is undefined: it depends on the origin"));
         objects += objects.empty() ? "" : ", ";
         objects += "{\"name\": " + jsonOfText(object.name) + ", " + json(measures) + '}';
         const std::string name = printableLine(object.name);
@@ -126,7 +125,7 @@ ExitCode runInfo(const InfoOptions &options)
     std::vector<std::string> notes = notesOf(opened->objects);
     notes.insert(notes.end(), openOnes.begin(), openOnes.end());
     if (!isFinite(all))
-        notes.push_back(tr("what is missing is beyond what a double holds; look at the scales of the objects"));
+        notes.push_back(tr("missing numbers are beyond the range of a double; check the scales of the objects"));
     std::string text;
     if (options.isJson) {
         text = '{' + json(all) + ", \"objects\": [" + objects + "], \"notes\": [";

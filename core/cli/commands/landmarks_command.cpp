@@ -108,7 +108,7 @@ std::optional<Format> formatOf(const std::string &file, const std::optional<Form
                                          : isRead    ? readFormatOf(pathFromUtf8(file))
                                                      : landmark_files::formatOf(pathFromUtf8(file));
     if (!format) {
-        complain(tr("%1: the name does not say what this is; give %2, one of %3",
+        complain(tr("%1: the name does not tell the format; give %2, one of %3",
                     file != "-"                       ? file
                     : option == std::string("--from") ? "stdin"
                                                       : "stdout",
@@ -154,7 +154,7 @@ public:
             const std::optional<ray::Tied> tied = ray::tieToMesh(landmark, {&m_target, 1});
             if (!tied) {
                 if (landmark.world)
-                    complain(tr("%1: %2 is left where it was: its distance from the mesh is no finite number", m_mesh,
+                    complain(tr("%1: %2 is not moved: its distance from the mesh is not a finite number", m_mesh,
                                 nameOf(landmark, i)));
                 continue;
             }
@@ -165,9 +165,9 @@ public:
             }
             const double share = m_size > 0.0 ? tied->distance / m_size : tied->distance > 0.0 ? 1.0 : 0.0;
             if (share > ray::kFarFromMesh)
-                complain(tr(
-                    "%1: %2 was %3 from the mesh, %4 % of its size; are the points of another mesh, or in other axes?",
-                    m_mesh, nameOf(landmark, i), shortText(tied->distance), shortText(100.0 * share)));
+                complain(tr("%1: %2 was %3 from the mesh, %4 % of its size; do the points belong to another mesh, or "
+                            "use other axes?",
+                            m_mesh, nameOf(landmark, i), shortText(tied->distance), shortText(100.0 * share)));
         }
     }
 
@@ -177,7 +177,7 @@ public:
         for (Curve &curve : set.curves) {
             const std::string name = tr("the curve \"%1\"", curve.name);
             if (curve.points.empty()) {
-                complain(tr("%1: %2 is left where it was: through which points it goes is not known", m_mesh, name));
+                complain(tr("%1: %2 is not moved: its points are unknown", m_mesh, name));
                 continue;
             }
             std::vector<const Landmark *> points;
@@ -189,7 +189,7 @@ public:
             }
             curve.semilandmarks.clear(); // the old ones describe the former position
             if (points.size() < curve.points.size()) {
-                complain(tr("%1: %2 has no semilandmarks: not all of its points are there", m_mesh, name));
+                complain(tr("%1: %2 has no semilandmarks: some of its points are missing", m_mesh, name));
                 continue;
             }
             if (!m_surface)
@@ -198,8 +198,8 @@ public:
             if (line)
                 curve.semilandmarks = curves::resampled(line->path, curve.count);
             else
-                complain(tr("%1: %2 has no semilandmarks: there is no way on the mesh to its point \"%3\"", m_mesh,
-                            name, points[line.error().point]->name));
+                complain(tr("%1: %2 has no semilandmarks: no path on the mesh leads to its point \"%3\"", m_mesh, name,
+                            points[line.error().point]->name));
         }
     }
 
@@ -333,8 +333,8 @@ void tellSameFiles(const std::vector<std::string> &files)
         std::error_code error;
         const auto [first, isNew] = known.emplace(std::filesystem::weakly_canonical(pathFromUtf8(file), error), file);
         if (!isNew && !error)
-            complain(tr("%1: this is %2 again; the same placing counts once more, and the scatter is too small", file,
-                        first->second));
+            complain(
+                tr("%1: this is %2 again; the placing counts twice, so the scatter is too small", file, first->second));
     }
 }
 

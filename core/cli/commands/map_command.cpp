@@ -106,7 +106,7 @@ std::unique_ptr<const Seen> Seen::of(const MapOptions &options, const OpenedScen
     std::unique_ptr<Seen> seen(new Seen(options, setup));
     if (options.isDepthGiven) {
         if (needsRays(options.quantity)) {
-            complain(tr("--depth: %1 is about surfaces; leave the depth out and give a model or a scene with objects",
+            complain(tr("--depth: %1 needs surfaces; leave the depth out and give a model or a scene with objects",
                         keyOf(options.quantity)));
             return nullptr;
         }
@@ -119,8 +119,8 @@ std::unique_ptr<const Seen> Seen::of(const MapOptions &options, const OpenedScen
     const bool isAnySeen = std::any_of(opened.objects.begin(), opened.objects.end(),
                                        [](const SceneObject &object) { return !object.isHidden; });
     if (!isAnySeen) {
-        complain(tr("%1: no object is there to be seen; --depth gives a depth to every pixel, from %2 on the near "
-                    "plane to %3 on the far plane",
+        complain(tr("%1: no object is visible; --depth gives a depth to every pixel, from %2 on the near plane to %3 "
+                    "on the far plane",
                     opened.name, shortestText(setup.depthRange.atNear), shortestText(setup.depthRange.atFar)));
         return nullptr;
     }
@@ -190,7 +190,7 @@ ExitCode runMap(const MapOptions &options)
     if (!setup)
         return ExitCode::UnusableInput;
     if (pixelsOf(*setup) > kMostPixels) {
-        complain(tr("a picture of %1x%2 is too large for a map; --size gives a smaller one, of at most %3 pixels",
+        complain(tr("a view of %1x%2 is too large for a map; give a smaller --size, of at most %3 pixels",
                     setup->surface.widthPixels, setup->surface.heightPixels, kMostPixels));
         return ExitCode::UnusableInput;
     }
@@ -221,7 +221,7 @@ ExitCode runMap(const MapOptions &options)
         return written;
     const MapStatistics statistics = statisticsOf(std::move(*made));
     if (statistics.count == 0)
-        complain(tr("%1: no pixel has a number; the map holds NaN only", opened->name));
+        complain(tr("%1: no pixel has a value; the map holds NaN only", opened->name));
     if (!options.isJson) {
         complain(statisticsText(options, statistics, pixelsOf(*setup)));
         return ExitCode::Done;

@@ -249,8 +249,7 @@ ExitCode runMatrices(const MatricesOptions &options)
     }
     const std::vector<NamedRows> others = camera->hasClip ? std::vector<NamedRows>() : openCvRows(camera->camera);
     if (!camera->hasClip && !camera->camera.intrinsics)
-        complain(
-            tr("%1: no camera matrix K: OpenCV's camera is a perspective, this projection is none", options.scene));
+        complain(tr("%1: no camera matrix K: OpenCV's camera is a perspective, this projection is not", options.scene));
     ByteSink sink("-", filesOf(*scene, options.scene));
     if (!sink.isOpen())
         return ExitCode::UnusableInput;

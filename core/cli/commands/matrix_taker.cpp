@@ -24,19 +24,18 @@ std::string adviceFor(const MatrixFinding &finding, NumberOrder order, bool hasC
     case MatrixFault::OrderOfOthers:
         return tr(order == NumberOrder::ByColumns ? "; read by columns, --order row reads it by rows"
                                                   : "; read by rows, --order column reads it by columns");
-    case MatrixFault::OrderOpen: return tr("; --order row or --order column says which is meant");
+    case MatrixFault::OrderOpen: return tr("; give --order row or --order column");
     case MatrixFault::Inverse: return tr("; if it is, give its inverse");
     case MatrixFault::Exchanged: return tr("; give each behind its name, modelview and projection");
     case MatrixFault::DepthZeroToOne:
-        return tr(hasConventions ? "; --conventions of an API with such depths takes it so"
-                                 : "; --depth zero-to-one takes it so, --depth minus-one-to-one does not");
-    case MatrixFault::DepthReversed:
-        return tr("; the depths of clicks must be reversed ones too; --reversed says that they are");
+        return tr(hasConventions ? "; --conventions of an API with such depths reads it so"
+                                 : "; --depth zero-to-one reads it so, --depth minus-one-to-one does not");
+    case MatrixFault::DepthReversed: return tr("; the depths of clicks must be reversed too; give --reversed");
     case MatrixFault::YDown:
-        return tr(hasConventions ? "; it stays so: if it is not meant, give --conventions of the API that it is for"
-                                 : "; --y down turns it back, --y up leaves it so");
-    case MatrixFault::Rounded: return tr("; --orthonormal takes the nearest axes that are");
-    case MatrixFault::Negated: return tr("; its signs are turned round");
+        return tr(hasConventions ? "; it is not changed: if it is unwanted, give --conventions of its API"
+                                 : "; --y down flips it back, --y up keeps it");
+    case MatrixFault::Rounded: return tr("; --orthonormal uses the nearest axes that are");
+    case MatrixFault::Negated: return tr("; its signs are flipped");
     case MatrixFault::UnknownForm: return tr(": only the inverted matrix will answer");
     case MatrixFault::Mirrored:
     case MatrixFault::Scaled:
@@ -162,11 +161,10 @@ bool MatrixTaker::lookAt(const PastedMatrix &pasted, PastedPart part, MatrixRole
         say(part,
             taken(findingText(finding, role)) + adviceFor(finding, order(pasted), m_options.conventions.has_value()));
         if (finding.fault == MatrixFault::Scaled && m_options.isOrthonormal)
-            say(part, tr(finding.repair == MatrixRepair::None
-                             ? "--orthonormal is for axes that were rounded: of these it makes another camera's; give "
-                               "the view without the model's scale"
-                             : "--orthonormal takes that scale out; near, far and the eye stay as they are, so what "
-                               "comes out is in units of the eye"));
+            say(part, tr(finding.repair == MatrixRepair::None ? "--orthonormal is for rounded axes and would change "
+                                                                "this camera; give the view without the model's scale"
+                                                              : "--orthonormal removes that scale; near, far and the "
+                                                                "eye stay unchanged, so results are in eye units"));
     }
     return isReversed;
 }
@@ -175,7 +173,7 @@ std::string MatrixTaker::taken(const std::string &finding) const
 {
     return api() == Api::OpenGl
                ? finding
-               : tr("taken from %1's conventions to OpenGL's, it %2", conventionsOf(api()).name, finding);
+               : tr("converted from %1's conventions to OpenGL's, it %2", conventionsOf(api()).name, finding);
 }
 
 NumberOrder MatrixTaker::order(const PastedMatrix &pasted) const

@@ -51,7 +51,7 @@ struct Task {
 /// The viewport, for the message about a position outside it.
 std::string viewportText(const Setup &setup)
 {
-    return tr("the viewport of the picture of %1x%2", shortestText(setup.surface.widthPixels),
+    return tr("the viewport of the view of %1x%2", shortestText(setup.surface.widthPixels),
               shortestText(setup.surface.heightPixels));
 }
 
@@ -125,10 +125,10 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
         code = ExitCode::SomeRowsBad;
     // Empty cells alone would look like background.
     if (outside > 0)
-        complain(source.name() + ": "
-                 + tr(outside == 1 ? "%1 pixel lies outside %2, where nothing is met"
-                                   : "%1 pixels lie outside %2, where nothing is met",
-                      outside.load(), viewportText(rays.rays().setup())));
+        complain(
+            source.name() + ": "
+            + tr(outside == 1 ? "%1 pixel lies outside %2 and has no hit" : "%1 pixels lie outside %2 and have no hit",
+                 outside.load(), viewportText(rays.rays().setup())));
     return code;
 }
 
@@ -197,7 +197,7 @@ ExitCode runPick(const PickOptions &options)
         return ExitCode::UnusableInput;
     }
     if (opened->objects.empty())
-        complain(tr("%1: the scene has no objects; nothing will be met", opened->name));
+        complain(tr("%1: the scene has no objects; rays will hit nothing", opened->name));
     const SceneRays rays = raysOf(*opened, *unprojector);
     return positions.empty() ? pickRows(options, *opened, rays, sink)
                              : pickPositions(options, positions, *opened, rays, sink);

@@ -23,12 +23,10 @@ namespace {
 std::string noMethodText(Method method, const Error &error)
 {
     const std::string text = std::string(keyOf(method)) + ": " + errorText(error);
-    return tr(
-        error.code == ErrorCode::ViewNotRigid
-            ? "%1. Its cells stay empty; 'unproject scene --from-matrices ... --orthonormal' takes the nearest view "
-              "that only turns and moves"
-            : "%1. Its cells stay empty",
-        text);
+    return tr(error.code == ErrorCode::ViewNotRigid ? "%1. Its cells stay empty; 'unproject scene --from-matrices ... "
+                                                      "--orthonormal' uses the nearest view that only rotates and moves"
+                                                    : "%1. Its cells stay empty",
+              text);
 }
 
 /// The indices of the formulas and the matrix among the methods, if both are there: their

@@ -134,7 +134,7 @@ public:
                     ++result.badRows;
                     m_task.reader.complainOf(
                         block, m_rows.places[i], NumberReader::kNoColumn,
-                        tr("the point has no place in the window: it lies in the plane of the eye, or too far away"),
+                        tr("the point has no window position: it lies in the plane of the eye, or too far away"),
                         result.messages);
                 }
             }

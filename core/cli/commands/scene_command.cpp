@@ -111,8 +111,8 @@ std::optional<Viewport> setWindow(const SceneOptions &options, Viewport viewport
         scene.windowWidth = static_cast<int>(width);
         scene.windowHeight = static_cast<int>(height);
         if (viewport.x > 0.0 || (isFromTop ? bottomFromTop - viewport.height : viewport.y) > 0.0)
-            complain(tr("the window is taken to end where the viewport does, at %1x%2; py counts from its top: "
-                        "--window says its size",
+            complain(tr("the window is assumed to end with the viewport, at %1x%2; py counts from its top: give its "
+                        "size with --window",
                         scene.windowWidth, scene.windowHeight));
     }
     if (isFromTop)
@@ -136,21 +136,19 @@ bool setViewport(const SceneOptions &options, const MatrixTaker &taker, const Pa
     }
     const auto &[viewport, depthRange] = taker.viewport(*pasted.viewportMatrix);
     if (viewport.height < 0.0) {
-        complain(
-            name + ": viewport: "
-            + tr(isOriginTop(options)
-                     ? "its matrix turns y round, as where pixels count from the bottom: --conventions says whose it is"
-                     : "its matrix turns y round, as where pixels count from the top: --conventions says whose it is"));
+        complain(name + ": viewport: "
+                 + tr(isOriginTop(options)
+                          ? "its matrix flips y, as for pixels counted from the bottom: give its --conventions"
+                          : "its matrix flips y, as for pixels counted from the top: give its --conventions"));
         return false;
     }
     if (!isWindowsOwn(depthRange))
         complain(
             name + ": viewport: "
             + tr(options.depth || options.conventions
-                     ? "its depths go from %1 to %2, beyond the 0 to 1 of a window; the depths of clicks must be such "
-                       "ones"
-                     : "its depths go from %1 to %2, beyond the 0 to 1 of a window; --depth says by which NDC depths "
-                       "they are to be read",
+                     ? "its depths go from %1 to %2, beyond the 0 to 1 of a window; the depths of clicks must be in "
+                       "this range"
+                     : "its depths go from %1 to %2, beyond the 0 to 1 of a window; give their NDC depths with --depth",
                  numberText(depthRange.atNear, Digits::Double, 5), numberText(depthRange.atFar, Digits::Double, 5)));
     scene.depthRange = depthRange;
     scene.viewport = setWindow(options, viewport, isOriginTop(options), scene);
@@ -197,11 +195,10 @@ std::string contradiction(const MatrixTaker &taker, const PastedScene &pasted)
     double off = std::numeric_limits<double>::infinity();
     for (const glm::dmat4 &other : others)
         off = std::min(off, offUpToScale(product, other));
-    return off <= kSame
-               ? ""
-               : tr(", and it is not their product, but off by %1 of its largest entry: one of them is of another "
-                    "picture, or has an object's own matrix in it",
-                    numberText(off, Digits::Double, 2));
+    return off <= kSame ? ""
+                        : tr(", and it differs from their product by %1 of its largest entry: one of them is of "
+                             "another setup, or contains an object's matrix",
+                             numberText(off, Digits::Double, 2));
 }
 
 /// Reports that a matrix beside a product is ignored, and whether it agrees with the product.
@@ -216,9 +213,9 @@ void sayLeftOut(const MatrixTaker &taker, const PastedScene &pasted, PastedPart 
                         && offUpToScale(isProjection ? apart->clipFromEye : apart->eyeFromWorld,
                                         taker.matrix(*given, isProjection ? MatrixRole::Projection : MatrixRole::View))
                                <= kSame;
-    taker.say(part, tr(isProjection ? "left out, since no view is beside it: the product alone counts"
-                                    : "left out, since no projection is beside it: the product alone counts")
-                        + (isSame || !apart ? "" : tr(", and the product's own is another one")));
+    taker.say(part, tr(isProjection ? "ignored without a view: only the product counts"
+                                    : "ignored without a projection: only the product counts")
+                        + (isSame || !apart ? "" : tr(", and it differs from the product's")));
 }
 
 /// Sets projection and view as pasted, applies the options to them, and reports the other findings.
@@ -244,10 +241,10 @@ void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const Pa
                 clipFromEye = repaired(clipFromEye, finding);
         }
         if (pasted.product)
-            taker.say(PastedPart::Product, tr("left out, since the projection and the %1 are there", nameOf(viewPart))
+            taker.say(PastedPart::Product, tr("ignored, because the projection and the %1 are given", nameOf(viewPart))
                                                + contradiction(taker, pasted));
         if (pasted.view && pasted.modelView)
-            taker.say(PastedPart::ModelView, tr("left out, since the view is there"));
+            taker.say(PastedPart::ModelView, tr("ignored, because the view is given"));
     } else {
         isReversed = taker.lookAt(lens, PastedPart::Product, MatrixRole::Product);
         const auto apart = decomposed(clipFromEye);
@@ -255,18 +252,16 @@ void setMatrices(const SceneOptions &options, const MatrixTaker &taker, const Pa
             sayLeftOut(taker, pasted, part, apart);
         scene.view = apart ? apart->eyeFromWorld : glm::dmat4(1.0);
         clipFromEye = apart ? apart->clipFromEye : clipFromEye;
-        taker.say(
-            PastedPart::Product,
-            !apart ? tr("lens and eye cannot be taken apart: only the inverted matrix will answer, the formulas need "
-                        "projection and view")
-                   : decompositionText(*apart));
+        taker.say(PastedPart::Product, !apart ? tr("it cannot be decomposed: only the inverted matrix will answer, "
+                                                   "because the formulas need projection and view")
+                                              : decompositionText(*apart));
     }
     for (const PastedPart part : pasted.inversesLeft)
-        taker.say(part, tr("its inverse is left out, since the matrices that are needed are there themselves"));
+        taker.say(part, tr("its inverse is ignored, because the needed matrices are given"));
     for (const PastedPart part : pasted.more)
-        taker.say(part, tr("there are several, of which the first counts"));
+        taker.say(part, tr("there are several; the first one is used"));
     if (pasted.model)
-        taker.say(PastedPart::Model, tr("left out: world coordinates have no need of it"));
+        taker.say(PastedPart::Model, tr("ignored: world coordinates do not need it"));
     if (options.isYDown.value_or(false))
         clipFromEye = repaired(clipFromEye, {MatrixFault::YDown, MatrixRepair::TurnY});
     if (options.isReversed && !isReversed)
@@ -295,10 +290,9 @@ ExitCode runScene(const SceneOptions &options)
         if (isFileMeant)
             complain(options.fromMatrices[0] + ": " + tr("there is no such file"));
         else
-            complain(namesOpenCv(given->text) ? tr(
-                         "%1. K, R and t are not read: give a 4 x 4 view and projection instead; the README says under "
-                         "Conventions how they are made of these",
-                         pasteErrorText(error, given->name))
+            complain(namesOpenCv(given->text) ? tr("%1. K, R and t are not read: give a 4 x 4 view and projection "
+                                                   "instead; the manual shows the conversion under Conventions",
+                                                   pasteErrorText(error, given->name))
                                               : pasteErrorText(error, given->name));
         return ExitCode::UnusableInput;
     }

@@ -22,14 +22,13 @@ void addRowOptions(CLI::App &command, RowOptions &options, const std::string &co
 {
     addSceneFile(command, options.scene);
     addFile(command, "POINTS", options.input, columns);
-    command.add_option("--space", options.space, tr("Where the points lie: world, eye or object:NAME"))
+    command.add_option("--space", options.space, tr("Space of the points: world, eye or object:NAME"))
         ->default_str("world");
     addChoice<RowFormat>(command, "--format", options.format, {{"csv", RowFormat::Csv}, {"jsonl", RowFormat::Jsonl}},
-                         tr("How to write"));
-    command.add_flag("--no-header", options.isHeaderless,
-                     tr("Write rows only, to put several results behind each other"));
+                         tr("Output format"));
+    command.add_flag("--no-header", options.isHeaderless, tr("Write only rows, so that several results can be joined"));
     addSpreadsheetSafe(command, options.isSpreadsheetSafe);
-    addCount(command, "--threads", options.threads, 64, tr("How many threads compute"));
+    addCount(command, "--threads", options.threads, 64, tr("Number of threads"));
 }
 
 /// The format of two options together.
@@ -42,17 +41,17 @@ RowFormat formatOf(const Options &options)
 std::string badRows()
 {
     return "\n\n"
-           + tr("Other columns (names, notes) pass through unchanged, each where it stands; one that has the name of a "
-                "result is\nwritten anew.\n\nA row that cannot be computed has empty cells and a line on stderr; the "
-                "others go on, and the exit code is 1.");
+           + tr("Other columns (names, notes) pass through unchanged, in their order. A column with the name of a "
+                "result is\noverwritten.\n\nA row that cannot be computed has empty cells and a line on stderr; the "
+                "others are computed, and the exit code is 1.");
 }
 
 } // namespace
 
 void addPoints(CLI::App &app, Run &run)
 {
-    CLI::App *command =
-        app.add_subcommand("points", tr("Pixels and depths to points, by the formulas and by the inverted matrix"));
+    CLI::App *command = app.add_subcommand(
+        "points", tr("Unproject pixels with depths to points, by the formulas and by the inverted matrix"));
     auto options = std::make_shared<PointsOptions>();
     addRowOptions(
         *command, options->rows,
@@ -64,16 +63,15 @@ void addPoints(CLI::App &app, Run &run)
                                     {"formula", {Method::Formula}},
                                     {"matrix", {Method::Matrix}},
                                     {"matrixInFloat", {Method::MatrixInFloat}}},
-                                   tr("How to compute"));
+                                   tr("Method"));
     command->add_flag("--pixel", options->isPixel,
-                      tr("px and py are whole indices of pixels; their centres are meant (1/2 is added)"));
+                      tr("px and py are integer indices of pixels; 1/2 is added to get their centres"));
     command->footer(
-        tr("Clicks that 'unprojector --screenshot' printed are taken as they are: instead of SCENE and POINTS give\n"
-           "their file. Each is computed with its own scene, to the digits that were printed. A click on the\n"
-           "background has no point: its cells are empty, as those of a bad row. With POINTS, - too, it is the rows\n"
-           "that are computed, with the scene of the clicks.\n"
-           "\n"
-           "The columns have the same names in every space: give 'unproject project' the same --space.")
+        tr("The input can also be clicks printed by 'unprojector --screenshot': give their file instead of SCENE and "
+           "POINTS.\nEach click is computed with its own scene, to the digits that were printed. A click on the "
+           "background has no\npoint: its cells are empty, like those of a bad row. With POINTS (also -), the rows are "
+           "computed instead, with\nthe scene of the clicks.\n\nThe columns have the same names in every space: give "
+           "'unproject project' the same --space.")
         + "\n\n" + tr("Examples:")
         + "\n  unproject points scene.json clicks.csv > points.csv\n  unproject points clicks.json\n  printf "
           "'px,py,depth\\n400,300,0.5\\n' | unproject points scene.json -\n  unproject points --method formula --space "
@@ -89,55 +87,48 @@ void addPoints(CLI::App &app, Run &run)
 
 void addPick(CLI::App &app, Run &run)
 {
-    CLI::App *command = app.add_subcommand("pick", tr("Pixels to what their rays meet, on the mesh itself"));
+    CLI::App *command = app.add_subcommand("pick", tr("Pick pixels by their rays, on the mesh itself"));
     auto options = std::make_shared<PickOptions>();
     addModelOrScene(*command, options->scene);
     CLI::Option *input = addFile(*command, "PIXELS", options->input,
                                  tr("CSV with the columns px,py; - or nothing: standard input. px and py are device\n"
                                     "pixels from the top left corner, the centre of the first pixel is 0.5,0.5"));
     CLI::Option *at =
-        command->add_option("--at", options->positions, tr("A position instead of PIXELS; may be given again"))
+        command->add_option("--at", options->positions, tr("A position instead of PIXELS; may be repeated"))
             ->type_name("X,Y")
             ->allow_extra_args(false)
             ->excludes(input);
     command
         ->add_option("--size", options->size,
-                     tr("Of the picture in device pixels. Without it: a scene file's own, 800x600 of a\nmodel"))
+                     tr("Size of the view in device pixels. Default: the scene file's, or 800x600 for a\nmodel"))
         ->type_name("WxH");
     addChoice<ray::Snap>(*command, "--snap", options->snap,
                          {{"surface", ray::Snap::Surface},
                           {"vertex", ray::Snap::Vertex},
                           {"edge", ray::Snap::Edge},
                           {"face", ray::Snap::Face}},
-                         tr("What is taken: what the ray meets, or the nearest in sight within 8 pixels"));
-    command->add_flag("--json", options->isJson, tr("Of --at: one JSON object a position, one a line"))->needs(at);
+                         tr("Snap to the hit of the ray, or to the nearest visible element within 8 pixels"));
+    command->add_flag("--json", options->isJson, tr("With --at: one JSON object per position, one per line"))
+        ->needs(at);
     addChoice<RowFormat>(*command, "--format", options->format, {{"csv", RowFormat::Csv}, {"jsonl", RowFormat::Jsonl}},
-                         tr("How to write rows"))
+                         tr("Output format of rows"))
         ->excludes(at);
     command
-        ->add_flag("--no-header", options->isHeaderless,
-                   tr("Write rows only, to put several results behind each other"))
+        ->add_flag("--no-header", options->isHeaderless, tr("Write only rows, so that several results can be joined"))
         ->excludes(at);
     addSpreadsheetSafe(*command, options->isSpreadsheetSafe)->excludes(at);
-    command->add_option("--threads", options->threads, tr("How many threads compute, 1 to 64; without it, one a core"))
+    command->add_option("--threads", options->threads, tr("Number of threads, 1 to 64; default: one per core"))
         ->type_name("N")
         ->check(wholeNumber(64));
     command->footer(
-        tr("No window and no OpenGL: the triangle that the ray meets is intersected in double precision. A model is "
-           "seen as the\n"
-           "window starts with it, a scene file as it says. What is hidden, clipped away or outside the picture is not "
-           "met;\n"
-           "a position outside the picture is said, and makes the exit code 1.\n"
-           "\n"
-           "Triangles and vertices count from 0, through all meshes of an object: triangles in the file's order, "
-           "polygons\n"
-           "cut where they stand, so that edges and faces are those of triangles; vertices in the file's order.\n"
-           "'uncertainty' (dx, dy, dz) is how far the point may be off what the file says, by rounding in double "
-           "precision;\n"
-           "what a pixel covers is not in it. A row whose ray meets nothing has empty cells. Points\n"
-           "of a cloud are taken where their dot of 3 pixels is met, else, where no surface is, within 8 pixels; they "
-           "have\n"
-           "no triangle, normal and edge.")
+        tr("Needs no window and no OpenGL: the ray is intersected with the triangles in double precision. A model is "
+           "seen as\nthe window shows it at the start, a scene file as its camera says. Rays do not hit what is "
+           "hidden, clipped away or\noutside the view. A position outside the view is reported, and the exit code is "
+           "1.\n\nTriangles and vertices are counted from 0 through all meshes of an object, in the file's order. "
+           "Polygons are split\ninto triangles, so edges and faces are those of triangles. 'uncertainty' (dx, dy, dz) "
+           "is the rounding error of the\npoint in double precision; the size of a pixel is not in it. A row whose ray "
+           "hits nothing has empty cells. A point\nof a cloud is hit in its dot of 3 pixels, or within 8 pixels if the "
+           "ray hits no surface; it has no triangle,\nnormal or edge.")
         + "\n\n" + tr("Examples:")
         + "\n  unproject pick scan.ply --at 400.5,300.5\n  unproject pick --json --snap vertex scene.json --at "
           "400.5,300.5 --at 10.5,20.5\n  unproject pick scene.json pixels.csv > points.csv"
@@ -150,17 +141,17 @@ void addPick(CLI::App &app, Run &run)
 
 void addProject(CLI::App &app, Run &run)
 {
-    CLI::App *command = app.add_subcommand("project", tr("Points to the window, every stage on the way"));
+    CLI::App *command = app.add_subcommand("project", tr("Project points to the window, with every stage"));
     auto options = std::make_shared<RowOptions>();
     addRowOptions(
         *command, *options,
         tr("CSV with the columns x,y,z, or formula_x,formula_y,formula_z as 'unproject points' writes them; - "
            "or\nnothing: standard input. They lie in the space that --space names"));
     command->footer(
-        tr("The stages: eye, clip, ndc, window (device pixels from the bottom left corner), widget (logical pixels\n"
-           "from the top left corner); px,py,depth are what 'unproject points' takes. All of them are OpenGL's, with y "
-           "up,\n"
-           "whatever \"conventions\" the scene has; ndc_z goes by the depths of its projection, -1 to 1 or 0 to 1.")
+        tr("The stages: eye, clip, ndc, window (device pixels from the bottom left corner), widget (logical "
+           "pixels\nfrom the top left corner); px,py,depth are the input of 'unproject points'. All of them are "
+           "OpenGL's, with y up,\nfor all \"conventions\" of the scene; ndc_z uses the depths of its projection, -1 to "
+           "1 or 0 to 1.")
         + "\n\n" + tr("Examples:")
         + "\n  printf 'x,y,z\\n0,0,0\\n' | unproject project scene.json\n  unproject project scene.json points.csv | "
           "unproject points scene.json\n  unproject points scene.json clicks.csv | unproject project scene.json"
@@ -173,7 +164,8 @@ void addProject(CLI::App &app, Run &run)
 
 void addCloud(CLI::App &app, Run &run)
 {
-    CLI::App *command = app.add_subcommand("cloud", tr("A whole depth image to a point cloud in world space"));
+    CLI::App *command =
+        app.add_subcommand("cloud", tr("Unproject a whole depth image to a point cloud in world space"));
     auto options = std::make_shared<CloudOptions>();
     addSceneFile(*command, options->scene);
     addFile(*command, "DEPTH", options->depth,
@@ -181,19 +173,19 @@ void addCloud(CLI::App &app, Run &run)
                "from the top; - is standard input"))
         ->required();
     addFile(*command, "-o,--output", options->output, tr("Binary PLY; - is standard output"))->required();
-    command->add_option("--size", options->size, tr("Of raw floats, in pixels"))->type_name("WxH");
+    command->add_option("--size", options->size, tr("Size of raw floats, in pixels"))->type_name("WxH");
     addChoice<DepthNumbers>(*command, "--depths", options->depths,
                             {{"range", DepthNumbers::Range}, {"window", DepthNumbers::Window}},
-                            tr("What the picture's numbers are, in PGM over its greatest one: depths of the\n"
-                               "window, or 0 to 1 over the scene's depth range"));
+                            tr("Meaning of the image's numbers (PGM: divided by the greatest possible one):\ndepths of "
+                               "the window, or 0 to 1 over the scene's depth range"));
     addChoice<Method>(*command, "--method", options->method, {{"formula", Method::Formula}, {"matrix", Method::Matrix}},
-                      tr("How to compute"));
+                      tr("Method"));
     addChoice<PointPrecision>(*command, "--precision", options->precision,
                               {{"float", PointPrecision::Float}, {"double", PointPrecision::Double}},
-                              tr("Of the numbers written"));
+                              tr("Precision of the written numbers"));
     command->footer(
-        tr("Pixels at the far end of the depth range are background and left out, and so are depths outside it.\n"
-           "Floats have 7 digits: where coordinates are large, as on maps, take --precision double.")
+        tr("Pixels at the far end of the depth range are background and left out, like depths outside the "
+           "range.\nFloats have 7 digits: for large coordinates, as on maps, use --precision double.")
         + "\n\n" + tr("Examples:")
         + "\n  unproject cloud scene.json depth.pfm -o cloud.ply\n  unproject cloud --size 1920x1080 scene.json "
           "depth.raw -o cloud.ply");
@@ -202,7 +194,7 @@ void addCloud(CLI::App &app, Run &run)
 
 void addDoctor(CLI::App &app, Run &run)
 {
-    CLI::App *command = app.add_subcommand("doctor", tr("Which mistake of a program makes its wrong coordinate"));
+    CLI::App *command = app.add_subcommand("doctor", tr("Find the mistake that gives a program a wrong coordinate"));
     auto options = std::make_shared<DoctorOptions>();
     addModelOrScene(*command, options->scene);
     CLI::Option *pixel =
@@ -211,12 +203,11 @@ void addDoctor(CLI::App &app, Run &run)
                 "--pixel", options->pixel,
                 tr("The click in device pixels from the top left corner; the centre of the first pixel\nis 0.5,0.5"))
             ->type_name("X,Y");
-    CLI::Option *depth =
-        command
-            ->add_option("--depth", options->depth,
-                         tr("The right depth there, in the scene's depth range. Without it: that of the scene's\n"
-                            "mesh; without a mesh answers are rays"))
-            ->type_name("D");
+    CLI::Option *depth = command
+                             ->add_option("--depth", options->depth,
+                                          tr("The right depth there, in the scene's depth range. Default: that of the "
+                                             "scene's\nmesh; without a mesh answers are rays"))
+                             ->type_name("D");
     CLI::Option *got =
         command
             ->add_option(
@@ -226,13 +217,13 @@ void addDoctor(CLI::App &app, Run &run)
             ->type_name("X,Y,Z");
     command
         ->add_option("--got-space", options->gotSpace,
-                     tr("The space that the point is meant in: world, eye, object (of the only one) or object:NAME"))
+                     tr("Space of the point: world, eye, object (of the only one) or object:NAME"))
         ->type_name("SPACE")
         ->default_str("world")
         ->check([](const std::string &given) {
             const bool isKnown =
                 given == "world" || given == "eye" || given == "object" || given.starts_with("object:");
-            return isKnown ? std::string() : tr("\"%1\" is none of %2", given, "world, eye, object, object:NAME");
+            return isKnown ? std::string() : tr("\"%1\" is not one of %2", given, "world, eye, object, object:NAME");
         });
     CLI::Option *points = addFile(*command, "--points", options->points,
                                   tr("Several wrong points of one program instead: CSV with the columns\n"
@@ -240,30 +231,23 @@ void addDoctor(CLI::App &app, Run &run)
     points->excludes(pixel)->excludes(depth)->excludes(got);
     command
         ->add_option("--other-size", options->otherSize,
-                     tr("A size in device pixels that the program may still go by: the window's before, or that of\n"
-                        "another framebuffer"))
+                     tr("A size in device pixels that the program may use by mistake: an earlier size of the\nwindow, "
+                        "or another framebuffer's"))
         ->type_name("WxH");
     command->add_flag("--json", options->isJson, tr("Write one JSON object"));
-    command->footer(tr("Every mistake that is known, and every pair of them, is made on the click; what comes closest "
-                       "to the point, in\n"
-                       "units of its last digit, is named, with what would tell it from the next best and with the "
-                       "lines of code to\n"
-                       "change. A point that is right is called right. Where nothing explains the point, or so few "
-                       "digits are given that\n"
-                       "something would by chance, the verdict is \"unknown\".\n"
-                       "\n"
-                       "The chance is counted, not assumed: by how many of the mistakes and pairs that were tried have "
-                       "their answers how\n"
-                       "close to the point. One mistake is named up to 20 %, a pair up to 2 %.\n"
-                       "\n"
-                       "A depth of four decimals or more counts as rounded to them, one of fewer as exact. Mistakes of "
-                       "the pixel ratio are\n"
-                       "tried with the scene's ratio and 1.25, 1.5, 1.75, 2 and 3, near and far with 1/100, 1/10, 10 "
-                       "and 100 times.")
-                    + "\n\n" + tr("Examples:")
-                    + "\n  unproject doctor scene.json --pixel 568.647,274.338 --depth 0.838331 --got "
-                      "0.7051,-0.4122,0.0918\n  unproject doctor scan.ply --pixel 400.5,300.5 --got 1.07,2.31,-0.55 "
-                      "--json\n  unproject doctor scene.json --points wrong.csv");
+    command->footer(
+        tr("Every known mistake, and every pair of them, is applied to the click. The result names the mistake whose "
+           "answer is\nclosest to the point, in units of its last digit. It adds a click that separates it from the "
+           "next best, and the\nlines of code to change. A right point is called right. If no mistake explains the "
+           "point, or so few digits are\ngiven that one would by chance, the verdict is \"unknown\".\n\nThe chance is "
+           "counted, not assumed: it depends on how many of the tried mistakes and pairs have answers close to\nthe "
+           "point. One mistake is named up to 20 %, a pair up to 2 %.\n\nA depth of four decimals or more counts as "
+           "rounded to them, one of fewer as exact. Mistakes of the pixel ratio are\ntried with the scene's ratio and "
+           "1.25, 1.5, 1.75, 2 and 3, near and far with 1/100, 1/10, 10 and 100 times.")
+        + "\n\n" + tr("Examples:")
+        + "\n  unproject doctor scene.json --pixel 568.647,274.338 --depth 0.838331 --got "
+          "0.7051,-0.4122,0.0918\n  unproject doctor scan.ply --pixel 400.5,300.5 --got 1.07,2.31,-0.55 "
+          "--json\n  unproject doctor scene.json --points wrong.csv");
     command->callback([options, pixel, got, points, &run] {
         if (points->count() == 0) {
             for (const CLI::Option *needed : {pixel, got}) {

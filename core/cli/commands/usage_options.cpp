@@ -21,8 +21,7 @@ CLI::Option *addSpreadsheetSafe(CLI::App &command, bool &target)
 {
     return command.add_flag(
         "--spreadsheet-safe", target,
-        tr("In CSV, put an apostrophe before texts that a spreadsheet would take for formulas (=, +, "
-           "-, @)"));
+        tr("In CSV, put an apostrophe before texts that a spreadsheet would read as formulas (=, +, -, @)"));
 }
 
 CLI::Option *addFile(CLI::App &command, const std::string &name, std::string &target, const std::string &description)

@@ -30,7 +30,7 @@ CLI::Option *addChoice(CLI::App &command, const std::string &name, Choice &targe
         ->type_name("WORD")
         ->default_str(usual)
         ->check([choices, names](const std::string &given) {
-            return choices.contains(given) ? std::string() : text::tr("\"%1\" is none of %2", given, names);
+            return choices.contains(given) ? std::string() : text::tr("\"%1\" is not one of %2", given, names);
         });
 }
 

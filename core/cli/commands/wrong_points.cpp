@@ -26,7 +26,7 @@ std::optional<std::string> allOf(ByteSource &source)
         return std::nullopt;
     }
     if (text.size() > kMostPointBytes) {
-        complain(tr("%1: larger than %2 MB; give the points to look at alone, of which the first %3 count",
+        complain(tr("%1: larger than %2 MB; give only the points to check, of which the first %3 are used",
                     source.name(), kMostPointBytes >> 20, kMostWrongPoints));
         return std::nullopt;
     }
@@ -40,7 +40,7 @@ std::string tableErrorText(const PointTableError &error)
     case PointTableError::Kind::NoColumn:
         return tr("there is no column \"%1\"; give px,py,depth,x,y,z, where depth may be left out", column);
     case PointTableError::Kind::DoubledColumn:
-        return tr("the column \"%1\" stands there twice; leave one of them out", column);
+        return tr("the column \"%1\" is there twice; leave one of them out", column);
     case PointTableError::Kind::OpenQuote: return tr("a quote is opened here and not closed at the end of its cell");
     }
     return {};
@@ -50,7 +50,7 @@ std::string rowErrorText(const PointRow &row, std::size_t index)
 {
     if (index >= kPointColumns.size())
         return tr("the row has more than six cells; give px,py,depth,x,y,z, with a point for the decimals");
-    return std::string(kPointColumns[index]) + ": " + tr("\"%1\" is no number", row.cells[index]);
+    return std::string(kPointColumns[index]) + ": " + tr("\"%1\" is not a number", row.cells[index]);
 }
 
 } // namespace
@@ -77,7 +77,7 @@ std::optional<WrongPoint> wrongPoint(const std::string &pixel, const std::string
     const auto coordinates = numbersOrFault(got, 3);
     if (!coordinates) {
         complain("--got " + got + ": "
-                 + faultText(coordinates.error(), tr("the three coordinates as the program has printed them, as in "
+                 + faultText(coordinates.error(), tr("the three coordinates as the program printed them, as in "
                                                      "0.7051,-0.4122,0.0918 or vec3(0.7051, -0.4122, 0.0918)")));
         return std::nullopt;
     }
@@ -118,8 +118,8 @@ std::optional<WrongPoints> wrongPoints(const std::string &file)
         }
     }
     if (surplus > 0)
-        complain(tr(surplus == 1 ? "%1: the first %2 points are looked at; %3 more is not"
-                                 : "%1: the first %2 points are looked at; %3 more are not",
+        complain(tr(surplus == 1 ? "%1: the first %2 points are used; %3 more is ignored"
+                                 : "%1: the first %2 points are used; %3 more are ignored",
                     source.name(), kMostWrongPoints, surplus));
     if (result.points.empty()) {
         complain(tr("%1: there is no point in it; give rows of px,py,depth,x,y,z", source.name()));

@@ -229,7 +229,7 @@ std::optional<DepthImage> readDepthImage(const std::string &file, const std::str
     Bytes bytes(source);
     std::optional<Layout> layout = layoutOf(bytes);
     if (!layout)
-        return refuse(tr("the header is broken"));
+        return refuse(tr("the header is damaged"));
     if (layout->kind == Layout::Kind::Raw) {
         if (!given)
             return refuse(tr("neither PFM nor PGM; for raw 32-bit floats give --size WxH"));
@@ -237,16 +237,16 @@ std::optional<DepthImage> readDepthImage(const std::string &file, const std::str
     }
     const Size size = layout->size;
     if (given && (given->width != size.width || given->height != size.height))
-        return refuse(tr("the picture has %1 pixels, not %2", shown(size), sizeText));
+        return refuse(tr("the image has %1 pixels, not %2", shown(size), sizeText));
     if (size.width != expectedWidth || size.height != expectedHeight)
-        return refuse(tr("the picture has %1 pixels, the scene's window %2 pixels", shown(size),
+        return refuse(tr("the image has %1 pixels, the scene's window %2 pixels", shown(size),
                          shown({expectedWidth, expectedHeight})));
 
     DepthImage image{size.width, size.height, std::make_unique_for_overwrite<float[]>(size.width * size.height),
                      layout->kind == Layout::Kind::Pfm};
     if (layout->kind == Layout::Kind::Pfm && std::abs(layout->greatest) != 1.0)
         complain(source.name() + ": "
-                 + tr("the header has the scale %1, which is not applied: the depths are taken as they stand",
+                 + tr("the header has the scale %1, which is not applied: the depths are used unchanged",
                       text::shortestText(std::abs(layout->greatest))));
     std::optional<Excess> excess;
     const std::span<float> all(image.depths.get(), size.width * size.height);

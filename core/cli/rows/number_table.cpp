@@ -103,7 +103,7 @@ std::optional<NumberColumns> readHeader(LineBlocks &blocks, const ByteSource &so
         return refuse(":1: " + tr("the lines end with CR alone, as on old Macs; save the file with LF or CRLF"));
     if (const RowEnd row = rowEnd(header, 0); !row.isClosed)
         return refuse(":1:" + std::to_string(placeOf(header, row.cell) + 1) + ": "
-                      + tr("the quote is not closed; the names of the columns stand on one line"));
+                      + tr("the quote is not closed; the names of the columns must be on one line"));
     NumberColumns columns;
     columns.heads.clear();
     std::vector<std::string_view> found;

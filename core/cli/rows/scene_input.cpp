@@ -69,7 +69,7 @@ std::optional<SceneOrClicks> sceneOrClicks(const std::string &file)
             advice = tr("it is a model; open it in the window, and give the scene that File > Save Scene writes");
         if (file == "-")
             advice = tr("a model is not read from standard input, give it by its name");
-        complain(tr("%1: is no scene; %2", name, advice));
+        complain(tr("%1: is not a scene; %2", name, advice));
         return std::nullopt;
     }
     if (!given) {
@@ -103,7 +103,7 @@ std::optional<SceneFile> sceneOf(const SceneOrClicks &given, const std::string &
         const auto &clicks = std::get<std::vector<Click>>(given);
         if (clicks.empty() || !haveOneScene(clicks)) {
             complain(name + ": "
-                     + tr(clicks.empty() ? "no click is in it, and so no scene; give a scene file"
+                     + tr(clicks.empty() ? "it has no click and so no scene; give a scene file"
                                          : "its clicks have different scenes; give one click, or the scene of one"));
             return std::nullopt;
         }

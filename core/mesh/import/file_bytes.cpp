@@ -46,7 +46,7 @@ FileBytes::FileBytes(const std::filesystem::path &file, ProgressReporter *progre
         if (stream.read(reinterpret_cast<char *>(m_bytes.get() + begin), static_cast<std::streamsize>(end - begin)))
             return;
         if (stream.eof())
-            failMalformed(tr("another program has made it shorter while it was read; open it again once that is done"));
+            failMalformed(tr("another program shortened it while it was read; open it again when that is done"));
         throw Failure(ImportErrorCode::NotReadable);
     });
 }

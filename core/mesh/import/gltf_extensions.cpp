@@ -201,7 +201,7 @@ std::set<std::string> namesIn(const GltfFile &file, const char *key)
     std::set<std::string> names;
     for (const Json &name : file.array(key)) {
         if (!name.is_string())
-            failMalformed(tr("\"%1\" holds something else than names", key));
+            failMalformed(tr("\"%1\" holds other values than names", key));
         names.insert(name.get<std::string>());
     }
     return names;

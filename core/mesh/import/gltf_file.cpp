@@ -264,7 +264,7 @@ std::vector<std::uint8_t> fromBase64(std::string_view text)
             continue;
         const int value = valueOf(c);
         if (value < 0)
-            failMalformed(tr("embedded data is no base64"));
+            failMalformed(tr("embedded data is not base64"));
         bits = bits << 6 | static_cast<std::uint32_t>(value);
         count += 6;
         if (count >= 8) {
@@ -283,7 +283,7 @@ std::optional<std::vector<std::uint8_t>> dataFromUri(std::string_view uri)
         return std::nullopt;
     const std::size_t comma = uri.find(',');
     if (comma == uri.npos || !uri.substr(0, comma).ends_with(";base64"))
-        failMalformed(tr("embedded data is no base64"));
+        failMalformed(tr("embedded data is not base64"));
     return fromBase64(uri.substr(comma + 1));
 }
 
@@ -304,7 +304,7 @@ GltfFile::GltfFile(const Source &source, std::vector<ModelNote> &notes) : m_sour
 const Json *GltfFile::find(const Json &object, const char *key)
 {
     if (!object.is_object())
-        failMalformed(tr("%1 stands where an object with \"%2\" belongs", written(object), key));
+        failMalformed(tr("%1 found where an object with \"%2\" is expected", written(object), key));
     const auto found = object.find(key);
     return found == object.end() ? nullptr : &*found;
 }
@@ -314,7 +314,7 @@ const Json &GltfFile::array(const Json &object, const char *key)
     static const Json kNone = Json::array();
     const Json *found = find(object, key);
     if (found && !found->is_array())
-        failMalformed(tr("\"%1\" is %2, which is no array", key, written(*found)));
+        failMalformed(tr("\"%1\" is %2, which is not an array", key, written(*found)));
     return found ? *found : kNone;
 }
 
@@ -324,14 +324,14 @@ std::uint64_t GltfFile::number(const Json &object, const char *key, std::uint64_
     if (!found)
         return otherwise;
     if (!found->is_number_unsigned() || found->get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max())
-        failMalformed(tr("\"%1\" is %2, which is no number of a fitting size", key, written(*found)));
+        failMalformed(tr("\"%1\" is %2, which is not a number in range", key, written(*found)));
     return found->get<std::uint64_t>();
 }
 
 double GltfFile::real(const Json &value)
 {
     if (!value.is_number())
-        failMalformed(tr("%1 stands where a number belongs", written(value)));
+        failMalformed(tr("%1 found where a number is expected", written(value)));
     return value.get<double>();
 }
 
@@ -353,12 +353,12 @@ GltfFile::Buffer GltfFile::readBuffer(const std::string &address)
     }
     const std::filesystem::path file = resolveReference(m_source.file, address);
     if (file.empty())
-        failMalformed(tr("the file \"%1\", which it needs, is not there", address));
+        failMalformed(tr("the file \"%1\", which it needs, does not exist", address));
     try {
         buffer.file = std::make_unique<FileBytes>(file);
         m_bufferFiles.push_back(file);
     } catch (const Failure &) {
-        failMalformed(tr("the file \"%1\", which it needs, cannot be read; look at its permissions", address));
+        failMalformed(tr("the file \"%1\", which it needs, cannot be read; check its permissions", address));
     }
     noteIfOutside(m_notes, m_source.file, file, address);
     return buffer;
@@ -378,7 +378,7 @@ std::span<const std::uint8_t> GltfFile::bufferBytes(std::uint64_t buffer)
         return m_binary.first(static_cast<std::size_t>(declared));
     }
     if (uri && !uri->is_string())
-        failMalformed(tr("the address of a buffer is no text"));
+        failMalformed(tr("the address of a buffer is not a text"));
     if (!slot)
         slot = std::make_unique<Buffer>(readBuffer(uri->get_ref<const std::string &>()));
     if (declared > slot->bytes().size())

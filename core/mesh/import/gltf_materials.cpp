@@ -124,7 +124,7 @@ Texture GltfMaterials::imageOf(const Json &image)
     texture.file = m_file.source().file;
     if (const Json *uri = GltfFile::find(image, "uri")) {
         if (!uri->is_string())
-            failMalformed(tr("the address of an image is no text"));
+            failMalformed(tr("the address of an image is not a text"));
         texture.encoded = dataFromUri(uri->get_ref<const std::string &>()).value_or(std::vector<std::uint8_t>());
     } else {
         const std::span<const std::uint8_t> bytes = m_file.viewBytes(image);

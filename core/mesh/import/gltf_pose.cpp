@@ -96,7 +96,7 @@ GltfPose::GltfPose(GltfFile &file, std::span<const glm::dmat4> worldFromMeshByJo
         m_joints.push_back(fourEach(file, attributes, joints, vertexCount));
         m_weights.push_back(fourEach(file, attributes, weights, vertexCount));
         if (!m_joints.back().areIntegers())
-            failMalformed(tr("the joints of a mesh are no integers"));
+            failMalformed(tr("the joints of a mesh are not integers"));
     }
     // All joints of a valid skin agree.
     const auto mirrored = std::count_if(m_byJoint.begin(), m_byJoint.end(), [](const glm::dmat4 &worldFromMesh) {

@@ -103,7 +103,7 @@ void GltfValues::readSparse(GltfFile &file, const Json &accessor, const Json &sp
         failMalformed(tr("a sparse accessor lies in another"));
     const GltfValues places(file, indexAccessor), patches(file, valueAccessor);
     if (!places.areIntegers())
-        failMalformed(tr("the indices of a sparse accessor are no integers"));
+        failMalformed(tr("the indices of a sparse accessor are not integers"));
     const std::size_t elementBytes = m_components * m_componentBytes;
     std::vector<std::uint8_t> whole(m_count * elementBytes);
     for (std::size_t element = 0; element < m_count; ++element)

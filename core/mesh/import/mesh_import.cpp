@@ -372,7 +372,7 @@ Result<std::shared_ptr<Model>, ImportError> importModel(const std::filesystem::p
         error.code = ImportErrorCode::NotReadable;
         error.detail = text::systemErrorText(failure.code());
     } catch (const std::exception &) {
-        error.detail = tr("its reader fails at it, which is an error of this program");
+        error.detail = tr("its reader failed, which is an error of this program");
     }
     return error;
 }

@@ -21,7 +21,7 @@ std::string textOf(const Json &object, const char *key, const char *otherwise)
     if (!found)
         return otherwise;
     if (!found->is_string())
-        failMalformed(tr("\"%1\" of a packed buffer view is no text", key));
+        failMalformed(tr("\"%1\" of a packed buffer view is not a text", key));
     return found->get<std::string>();
 }
 

@@ -28,21 +28,18 @@ std::string noteText(const ModelNote &note)
 {
     switch (note.kind) {
     case ModelNote::Kind::TextureMissing:
-        return tr("the picture %1 is not there or cannot be read: its surfaces are shown without it",
-                  quotedDetail(note));
+        return tr("the image %1 is missing or cannot be read: its surfaces are shown without it", quotedDetail(note));
     case ModelNote::Kind::TextureUnusable:
-        return tr(
-            "the picture %1 is damaged, too large or of a kind that is not known: its surfaces are shown without it; "
-            "convert it to PNG or JPEG, or make it smaller",
-            quotedDetail(note));
+        return tr("the image %1 is damaged, too large or of an unknown format: its surfaces are shown without it; "
+                  "convert it to PNG or JPEG, or make it smaller",
+                  quotedDetail(note));
     case ModelNote::Kind::TextureScaledDown:
-        return tr(note.count == 1 ? "the picture %1 is too large and is shown with a width of %2 pixel"
-                                  : "the picture %1 is too large and is shown with a width of %2 pixels",
+        return tr(note.count == 1 ? "the image %1 is too large and is shown with a width of %2 pixel"
+                                  : "the image %1 is too large and is shown with a width of %2 pixels",
                   quotedDetail(note), note.count);
     case ModelNote::Kind::MaterialsMissing:
-        return tr(
-            "the materials %1 are not there or cannot be read: their surfaces are shown without colours and pictures",
-            quotedDetail(note));
+        return tr("the materials %1 are missing or cannot be read: their surfaces are shown without colours and images",
+                  quotedDetail(note));
     case ModelNote::Kind::MaterialUnknown:
         return note.count > 1 ? tr(
                    note.count == 2
@@ -58,8 +55,8 @@ std::string noteText(const ModelNote &note)
                   note.count);
     case ModelNote::Kind::TexcoordsLeftOut:
         return tr(note.count == 1
-                      ? "%1 face refers to texture coordinates that the file does not have: shown without a picture"
-                      : "%1 faces refer to texture coordinates that the file does not have: shown without a picture",
+                      ? "%1 face refers to texture coordinates that the file does not have: shown without an image"
+                      : "%1 faces refer to texture coordinates that the file does not have: shown without an image",
                   note.count);
     case ModelNote::Kind::NormalsLeftOut:
         return tr(note.count == 1 ? "%1 face refers to normals that the file does not have: they are computed instead"
@@ -102,8 +99,8 @@ std::string noteText(const ModelNote &note)
                   note.count);
     case ModelNote::Kind::PictureUnknown:
         return tr(note.count == 1
-                      ? "%1 texture has neither a PNG nor a JPEG picture: its surfaces are shown without it"
-                      : "%1 textures have neither PNG nor JPEG pictures: their surfaces are shown without them",
+                      ? "%1 texture has neither a PNG nor a JPEG image: its surfaces are shown without it"
+                      : "%1 textures have neither PNG nor JPEG images: their surfaces are shown without them",
                   note.count);
     case ModelNote::Kind::ExtensionLeftOut:
         return tr("the glTF extension %1, which the file requires, is not applied: the shape is whole without it, but "

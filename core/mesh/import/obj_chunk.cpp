@@ -61,7 +61,7 @@ void ObjChunk::parse(std::string_view text)
         before.end = zero;
         countLines(text, before);
         m_failure = {before.lines, ImportErrorCode::Malformed,
-                     tr("a byte 0 stands in the text; save the file as UTF-8 or ASCII text")};
+                     tr("the text has a byte 0; save the file as UTF-8 or ASCII text")};
         return;
     }
     ObjCursor cursor(text);
@@ -199,7 +199,7 @@ void ObjChunk::readFace(ObjCursor &cursor)
         ObjCursor word = cursor;
         Corner corner;
         if (!readCorner(cursor, corner)) {
-            fail(cursor, tr("%1 is no corner of a face", quoted(word.word())));
+            fail(cursor, tr("%1 is not a corner of a face", quoted(word.word())));
             return;
         }
         addCorner(ObjVertex, corner.numbers[ObjVertex], true);

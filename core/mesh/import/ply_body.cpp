@@ -131,7 +131,7 @@ double PlyBody::asciiNumber(PlyType type)
     const std::optional<long long> integer = isFloating(type) ? std::nullopt : integerFromWord(word);
     const std::optional<double> number = integer ? std::optional(static_cast<double>(*integer)) : doubleFromWord(word);
     if (!number)
-        failAtLine(tr("%1 is no number", quoted(word)));
+        failAtLine(tr("%1 is not a number", quoted(word)));
     return *number;
 }
 
@@ -142,7 +142,7 @@ double PlyBody::asciiValue(PlyType type)
     if (!isFloating(type)) {
         const auto [least, most] = integerRange(type);
         if (!(number >= least && number <= most) || number != std::floor(number))
-            failAtLine(tr("%1 is no whole number from %2 to %3, which the header declares for %4",
+            failAtLine(tr("%1 is not a whole number from %2 to %3, which the header declares for %4",
                           quoted(ahead.nextWordInLine()), text::shortestText(least), text::shortestText(most),
                           where()));
     }
@@ -153,7 +153,7 @@ std::int64_t PlyBody::corner(PlyType type)
 {
     const double number = value(type);
     if (number != std::floor(number))
-        failMalformed(tr("%1 refers to vertex %2, which is no whole number", where(), text::shortestText(number)));
+        failMalformed(tr("%1 refers to vertex %2, which is not a whole number", where(), text::shortestText(number)));
     return number >= -1.0 && number <= 4294967295.0 ? static_cast<std::int64_t>(number) : -2;
 }
 

@@ -40,7 +40,7 @@ PlyType typeNamed(std::string_view name, std::size_t line)
         if (candidate.name == name)
             return candidate.type;
     }
-    failAtLine(line, tr("%1 is no PLY type", quoted(name)));
+    failAtLine(line, tr("%1 is not a PLY type", quoted(name)));
 }
 
 PlyFormat formatNamed(std::string_view name, std::size_t line)
@@ -51,7 +51,7 @@ PlyFormat formatNamed(std::string_view name, std::size_t line)
         return PlyFormat::LittleEndian;
     if (name == "binary_big_endian")
         return PlyFormat::BigEndian;
-    failAtLine(line, tr("%1 is no PLY format", quoted(name)));
+    failAtLine(line, tr("%1 is not a PLY format", quoted(name)));
 }
 
 PlyProperty readProperty(TextScanner &scanner)
@@ -151,10 +151,10 @@ PlyHeader readPlyHeader(std::string_view file)
             const std::string_view count = scanner.nextWordInLine();
             const std::optional<long long> value = integerFromWord(count);
             if (!value || *value < 0)
-                failAtLine(scanner.line(), tr("%1 is no number of elements", quoted(count)));
+                failAtLine(scanner.line(), tr("%1 is not a number of elements", quoted(count)));
             element.count = static_cast<std::size_t>(*value);
             if (header.find(element.name))
-                failAtLine(scanner.line(), tr("the element %1 stands twice", quoted(std::string_view(element.name))));
+                failAtLine(scanner.line(), tr("the element %1 is there twice", quoted(std::string_view(element.name))));
             header.elements.push_back(std::move(element));
         } else if (word == "property") {
             if (header.elements.empty())
@@ -162,7 +162,7 @@ PlyHeader readPlyHeader(std::string_view file)
             PlyProperty property = readProperty(scanner);
             if (header.elements.back().find(property.name) >= 0)
                 failAtLine(scanner.line(),
-                           tr("the property %1 stands twice in its element", quoted(std::string_view(property.name))));
+                           tr("the property %1 is twice in its element", quoted(std::string_view(property.name))));
             header.elements.back().properties.push_back(std::move(property));
         } else if (word == "comment") {
             if (scanner.nextWordInLine() == "TextureFile" && header.textureFile.empty()) {

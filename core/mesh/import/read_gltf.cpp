@@ -249,7 +249,7 @@ private:
         if (GltfFile::find(primitive, "indices")) {
             indices.emplace(m_file, m_file.reference(primitive, "indices", "accessors"));
             if (!indices->areIntegers() || indices->components() != 1)
-                failMalformed(tr("the indices of a mesh are no integers"));
+                failMalformed(tr("the indices of a mesh are not integers"));
         }
         const GltfCorners corners(mode, indices ? indices->count() : positions.count());
         const bool arePoints = mode == GltfCorners::Points;

@@ -268,7 +268,7 @@ private:
     }
     [[noreturn]] void failWord(std::string_view word, const char *what) const
     {
-        failMalformed(tr("line %1: %2 stands where a %3 is expected", m_scanner.line(), quoted(word), tr(what)));
+        failMalformed(tr("line %1: %2 found where a %3 is expected", m_scanner.line(), quoted(word), tr(what)));
     }
 
     std::span<const std::uint8_t> m_bytes;
@@ -450,7 +450,7 @@ Model readOff(const Source &source)
             kind.isBinary = true;
             kind.byteOrder = byteOrderOf(source, offset);
             if (isText(source.text().substr(offset)))
-                failMalformed(tr("the first line says BINARY and text follows; take the word BINARY away"));
+                failMalformed(tr("the first line says BINARY and text follows; remove the word BINARY"));
         }
     } else if (!integerFromWord(word)) { // the word is optional: the file may begin with the counts
         failMalformed(tr("the file does not begin with \"OFF\""));

@@ -77,8 +77,8 @@ public:
             failMalformed(tr("the header declares %1 triangles, the file ends after %2", m_count, present));
         m_bytesBehind = bytesThatMean(source.bytes.subspan(kBytesBeforeTriangles + m_count * kTriangleBytes));
         if (m_bytesBehind >= kTriangleBytes)
-            failMalformed(tr("the header declares %1 triangles, the file has room for %2; correct the number in bytes "
-                             "80 to 83 of the file",
+            failMalformed(tr("the header declares %1 triangles, the file is long enough for %2; correct the number in "
+                             "bytes 80 to 83 of the file",
                              m_count, present));
     }
 

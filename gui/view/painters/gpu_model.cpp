@@ -76,11 +76,10 @@ void GpuModel::uploadTextures()
         }
         const QImage image = fitting(*texture.image, std::min(mostOfDriver, m_mostTexturePixels));
         if (image.width() != texture.image->widthPixels || image.height() != texture.image->heightPixels)
-            m_failures
-                << tr("The picture %1 is larger than OpenGL draws here and is shown scaled down to a width of %2 "
-                      "pixels.")
-                       .arg(QString::fromStdU16String(texture.file.filename().u16string()))
-                       .arg(image.width());
+            m_failures << tr("The image %1 is larger than OpenGL allows here; it is shown scaled down to a width of %2 "
+                             "pixels.")
+                              .arg(QString::fromStdU16String(texture.file.filename().u16string()))
+                              .arg(image.width());
         m_textures.push_back(uploaded(image, texture.wrapRepeat));
     }
     m_areTexturesUploaded = true;
@@ -180,8 +179,8 @@ bool GpuModel::uploadOn(const Deadline &deadline)
                 m_copies.pop_back();
         }
         if (!fits) {
-            m_failures << tr("The graphics memory does not hold %1, which is not drawn whole. Close other programs, or "
-                             "open a smaller model.")
+            m_failures << tr("The graphics memory is too small for %1: parts of it are not drawn. Close other "
+                             "programs, or open a smaller model.")
                               .arg(QString::fromStdString(m_source->name));
             m_begun.reset();
             m_copies.clear();
