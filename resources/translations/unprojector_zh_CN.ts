@@ -441,7 +441,7 @@
         <translation>射线在 %1 处进入视景体，在 %2 处离开。</translation>
     </message>
     <message>
-        <source>Accuracy ± %1 along the view and ± %2 × %3 across it (half of the %4 pixels that a point is drawn wide).</source>
+        <source>Accuracy ±&#xa0;%1 along the view and ±&#xa0;%2&#xa0;×&#xa0;%3 across it (half of the %4 pixels that a point is drawn wide).</source>
         <translation>缓冲所允许的误差：沿视线方向 ±&#xa0;%1（半个深度级），垂直于视线方向 ±&#xa0;%2&#xa0;×&#xa0;%3（点画成 %4 像素宽，此为其一半）。</translation>
     </message>
     <message>
@@ -498,16 +498,8 @@
         <translation>射线取 8 像素以内最近的点。</translation>
     </message>
     <message>
-        <source>The ray on the mesh comes as soon as the model is prepared for it.</source>
-        <translation>模型准备好后，即给出射线与网格的交点。</translation>
-    </message>
-    <message>
         <source>This setup has no ray.</source>
         <translation>此画面没有射线。</translation>
-    </message>
-    <message>
-        <source>There is no ray on the mesh: %1.</source>
-        <translation>无法给出射线与网格的交点：%1。</translation>
     </message>
     <message>
         <source>Point %1 of the cloud.</source>
@@ -526,48 +518,12 @@
         <translation>所取：面 %1，所在平面 %2。</translation>
     </message>
     <message>
-        <source>Ray on mesh: %1 from the formula; in depth steps %2. Trust the ray: it does not go through the depth buffer.</source>
-        <translation>网格上的射线：与公式相差 %1，合 %2 个深度级。应信射线：它不经过深度缓冲。</translation>
-    </message>
-    <message>
-        <source>Triangle %1 at (%2, %3, %4); vertex %5 is %6 away, edge %7–%8 %9 away.</source>
-        <translation>三角形 %1，重心坐标 (%2, %3, %4)；顶点 %5 距此 %6，边 %7–%8 距此 %9。</translation>
-    </message>
-    <message>
-        <source>Ray on mesh: %1 behind the formula: an edge passes the pixel&apos;s centre, and the GPU draws edges to 1/256 pixel. Trust the ray.</source>
-        <translation>网格上的射线：在公式结果之后 %1。一条边经过像素中心，而 GPU 绘制边只精确到 1/256 像素。应信射线。</translation>
-    </message>
-    <message>
-        <source>Ray on mesh: %1 before the formula: an edge passes the pixel&apos;s centre, and the GPU draws edges to 1/256 pixel. Trust the ray.</source>
-        <translation>网格上的射线：在公式结果之前 %1。一条边经过像素中心，而 GPU 绘制边只精确到 1/256 像素。应信射线。</translation>
-    </message>
-    <message>
-        <source>The ray meets %1, %2 behind %3: an edge passes the pixel&apos;s centre, and the GPU draws edges to 1/256 pixel. Trust the ray.</source>
-        <translation>射线与 %1 相交，在 %3 之后 %2：一条边经过像素中心，而 GPU 绘制边只精确到 1/256 像素。应信射线。</translation>
-    </message>
-    <message>
-        <source>Two surfaces at one depth, %1 apart: %2 is drawn, the ray meets %3. Neither method shows which is in front; trust the ray&apos;s coordinates.</source>
-        <translation>两个表面在同一深度，相距 %1：绘出的是 %2，射线与 %3 相交。哪个在前两者都无法判断；坐标应信射线。</translation>
-    </message>
-    <message>
         <source>The ray meets nothing, %1 is drawn: its outline passes the pixel&apos;s centre, and the GPU draws edges to 1/256 pixel. Trust the formula.</source>
         <translation>绘出了 %1，射线却不与任何网格相交：其轮廓经过像素中心，而 GPU 绘制边只精确到 1/256 像素。应信公式。</translation>
     </message>
     <message>
-        <source>The ray meets %1, nothing is drawn: an outline passes the pixel&apos;s centre, or a sliver that the GPU leaves out. Trust the ray.</source>
-        <translation>什么也没有绘出，射线却与 %1 相交：轮廓经过像素中心，或是 GPU 漏掉的狭长三角形。应信射线。</translation>
-    </message>
-    <message>
-        <source>The ray meets %1, nothing is drawn: the depth buffer rounds its depth to that of the far plane. Trust the ray, or move near and far closer together.</source>
-        <translation>什么也没有绘出，射线却与 %1 相交：深度缓冲把它的深度舍入成了远平面的深度。应信射线，或使近、远平面靠近一些。</translation>
-    </message>
-    <message>
         <source>The ray takes the nearest point, %1 from the formula, which has the pixel&apos;s centre. Trust the point: it is the file&apos;s.</source>
         <translation>射线取最近的点，与公式相差 %1（公式算的是像素中心）。应信该点：它就是文件中的点。</translation>
-    </message>
-    <message>
-        <source>The ray meets %1, %2 before %3: an edge, or a sliver that the GPU leaves out. Trust the ray.</source>
-        <translation>射线与 %1 相交，在 %3 之前 %2：那是一条边，或是 GPU 漏掉的狭长三角形。应信射线。</translation>
     </message>
     <message>
         <source>Vertex %1 of %2</source>
@@ -596,6 +552,50 @@
     <message>
         <source>The point on the face is accurate to ± %1: it does not use the depth buffer. The table shows the clicked pixel.</source>
         <translation>面上所取的点的可靠程度为 ± %1：它不经过深度缓冲。表格是所点击像素的数值。</translation>
+    </message>
+    <message>
+        <source>Triangle %1, barycentric (%2, %3, %4); vertex %5 is %6 away, edge %7–%8 %9 away.</source>
+        <translation>三角形 %1，重心坐标 (%2, %3, %4)；顶点 %5 距此 %6，边 %7–%8 距此 %9。</translation>
+    </message>
+    <message>
+        <source>Exact hit: %1 from the formula, in depth steps %2. Trust the exact hit: it does not use the depth buffer.</source>
+        <translation>精确交点：与公式相差 %1，合 %2 个深度级。应信精确交点：它不使用深度缓冲。</translation>
+    </message>
+    <message>
+        <source>Exact hit: %1 behind the formula: an edge passes the pixel&apos;s centre, and the GPU draws edges to 1/256 pixel. Trust the exact hit.</source>
+        <translation>精确交点：在公式结果之后 %1。一条边经过像素中心，而 GPU 绘制边只精确到 1/256 像素。应信精确交点。</translation>
+    </message>
+    <message>
+        <source>Exact hit: %1 before the formula: an edge passes the pixel&apos;s centre, and the GPU draws edges to 1/256 pixel. Trust the exact hit.</source>
+        <translation>精确交点：在公式结果之前 %1。一条边经过像素中心，而 GPU 绘制边只精确到 1/256 像素。应信精确交点。</translation>
+    </message>
+    <message>
+        <source>The ray meets %1, %2 behind %3: an edge passes the pixel&apos;s centre, and the GPU draws edges to 1/256 pixel. Trust the exact hit.</source>
+        <translation>射线与 %1 相交，在 %3 之后 %2：一条边经过像素中心，而 GPU 绘制边只精确到 1/256 像素。应信精确交点。</translation>
+    </message>
+    <message>
+        <source>The ray meets %1, %2 before %3: an edge, or a sliver that the GPU leaves out. Trust the exact hit.</source>
+        <translation>射线与 %1 相交，在 %3 之前 %2：那是一条边，或是 GPU 漏掉的狭长三角形。应信精确交点。</translation>
+    </message>
+    <message>
+        <source>Two surfaces at one depth, %1 apart: %2 is drawn, the ray meets %3. Neither method shows which is in front; trust the exact hit&apos;s coordinates.</source>
+        <translation>两个曲面在同一深度，相距 %1：绘出的是 %2，射线交于 %3。两种方法都看不出哪一个在前；请以精确交点的坐标为准。</translation>
+    </message>
+    <message>
+        <source>The ray meets %1, nothing is drawn: an outline passes the pixel&apos;s centre, or a sliver that the GPU leaves out. Trust the exact hit.</source>
+        <translation>什么也没有绘出，射线却与 %1 相交：轮廓经过像素中心，或是 GPU 漏掉的狭长三角形。应信精确交点。</translation>
+    </message>
+    <message>
+        <source>The ray meets %1, nothing is drawn: the depth buffer rounds its depth to that of the far plane. Trust the exact hit, or move near and far closer together.</source>
+        <translation>什么也没有绘出，射线却与 %1 相交：深度缓冲把它的深度舍入成了远平面的深度。应信精确交点，或使近、远平面靠近一些。</translation>
+    </message>
+    <message>
+        <source>The exact hit comes as soon as the model is prepared for it.</source>
+        <translation>模型准备好后，即给出精确交点。</translation>
+    </message>
+    <message>
+        <source>There is no exact hit: %1.</source>
+        <translation>无法给出精确交点：%1。</translation>
     </message>
 </context>
 <context>
@@ -643,10 +643,6 @@
     <message>
         <source>The object was moved since this click; the point is where its surface was.</source>
         <translation>点击之后物体已被移动；该点是其表面原来的位置。</translation>
-    </message>
-    <message>
-        <source>The view is as it was at the click.</source>
-        <translation>视图与点击时相同。</translation>
     </message>
     <message>
         <source>The object of this click is hidden now.</source>
@@ -786,10 +782,6 @@
         <translation>复制坐标的全部位数；其他形式见箭头</translation>
     </message>
     <message>
-        <source>World units. Grey digits are smaller than the uncertainty.</source>
-        <translation>世界单位。灰色数位小于不确定度。</translation>
-    </message>
-    <message>
         <source>Copy to the last certain digit</source>
         <translation>复制到最后一个可靠位</translation>
     </message>
@@ -800,6 +792,17 @@
     <message>
         <source>Copy everything about this click</source>
         <translation>复制这次点击的全部内容</translation>
+    </message>
+    <message>
+        <source>each</source>
+        <comment>± of a coordinate</comment>
+        <translation>（每个坐标）</translation>
+    </message>
+    <message>
+        <source>World units. The ± beside the point is the largest of the three; Why? has the ± along the view.
+Grey digits are smaller than the uncertainty.</source>
+        <translation>世界单位。点旁的 ± 是三个中最大的；沿视线的 ± 见“为什么？”。
+灰色数字小于不确定度。</translation>
     </message>
 </context>
 <context>
@@ -1184,20 +1187,20 @@ Grey digits are smaller than the uncertainty.</source>
         <translation>公式 − 单精度</translation>
     </message>
     <message>
-        <source>Exact ray</source>
-        <translation>精确射线</translation>
-    </message>
-    <message>
-        <source>Formula − ray</source>
-        <translation>公式 − 射线</translation>
-    </message>
-    <message>
         <source>Where the ray through the pixel&apos;s centre meets the mesh itself, in double, without the depth buffer</source>
         <translation>经过像素中心的射线与网格本身的交点，双精度，不经过深度缓冲</translation>
     </message>
     <message>
-        <source>Formula minus ray</source>
-        <translation>公式减射线</translation>
+        <source>Exact hit</source>
+        <translation>精确交点</translation>
+    </message>
+    <message>
+        <source>Formula − hit</source>
+        <translation>公式 − 交点</translation>
+    </message>
+    <message>
+        <source>Formula minus exact hit</source>
+        <translation>公式减精确交点</translation>
     </message>
 </context>
 <context>
@@ -1279,10 +1282,6 @@ Grey digits are smaller than the uncertainty.</source>
         <translation>拾取这次点击的像素下现在的内容</translation>
     </message>
     <message>
-        <source>Ray on mesh</source>
-        <translation>网格上的射线</translation>
-    </message>
-    <message>
         <source>What the ray through the pixel&apos;s centre meets on the mesh itself, in double</source>
         <translation>经过像素中心的射线与网格本身的交点，双精度</translation>
     </message>
@@ -1351,10 +1350,6 @@ Grey digits are smaller than the uncertainty.</source>
         <translation>加上单精度的矩阵求逆，多数程序如此计算</translation>
     </message>
     <message>
-        <source>Exact &amp;ray</source>
-        <translation>精确射线(&amp;R)</translation>
-    </message>
-    <message>
         <source>Add the point where the ray through the pixel&apos;s centre meets the mesh itself</source>
         <translation>加上过像素中心的射线与网格本身的交点</translation>
     </message>
@@ -1409,6 +1404,27 @@ Grey digits are smaller than the uncertainty.</source>
     <message>
         <source>The last picks of this scene. Show one again, or compare two</source>
         <translation>此场景最近的拾取：可再次显示，也可比较其中两次</translation>
+    </message>
+    <message>
+        <source>Values at the click and now</source>
+        <translation>点击时与现在的数值</translation>
+    </message>
+    <message>
+        <source>The picked point in the view as it was at the click and as it is now, and what differs</source>
+        <translation>拾取的点在点击时的视图和现在的视图中的坐标，以及有何不同</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <comment>space</comment>
+        <translation>观察</translation>
+    </message>
+    <message>
+        <source>Exact hi&amp;t</source>
+        <translation>精确交点(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Exact hit</source>
+        <translation>精确交点</translation>
     </message>
 </context>
 <context>
@@ -1527,10 +1543,6 @@ Grey digits are smaller than the uncertainty.</source>
         <translation>标志点</translation>
     </message>
     <message>
-        <source>Way</source>
-        <translation>路径</translation>
-    </message>
-    <message>
         <source>n</source>
         <translation>n</translation>
     </message>
@@ -1610,6 +1622,10 @@ Grey digits are smaller than the uncertainty.</source>
         <source>%1 %2: %3</source>
         <comment>a curve, its points, its length</comment>
         <translation>%1 %2：%3</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
     </message>
 </context>
 <context>
@@ -2501,52 +2517,12 @@ Both are scaled to fit.</source>
         <translation>formulas_zh_CN.html</translation>
     </message>
     <message>
-        <source>Page</source>
-        <translation>页面</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1（%2）</translation>
-    </message>
-    <message>
         <source>Contents</source>
         <translation>目录</translation>
     </message>
     <message>
         <source>Back to the contents</source>
         <translation>返回目录</translation>
-    </message>
-    <message>
-        <source>A−</source>
-        <translation>A−</translation>
-    </message>
-    <message>
-        <source>Smaller text</source>
-        <translation>缩小文字</translation>
-    </message>
-    <message>
-        <source>Text in its usual size</source>
-        <translation>文字恢复通常大小</translation>
-    </message>
-    <message>
-        <source>A+</source>
-        <translation>A+</translation>
-    </message>
-    <message>
-        <source>Larger text</source>
-        <translation>放大文字</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Find</source>
-        <translation>查找</translation>
-    </message>
-    <message>
-        <source>Find words in the page</source>
-        <translation>在页面中查找文字</translation>
     </message>
 </context>
 <context>
@@ -2952,6 +2928,14 @@ Both are scaled to fit.</source>
     <message>
         <source>remove the selected landmarks</source>
         <translation>移除选中的标志点</translation>
+    </message>
+    <message>
+        <source>in the manual, go back to the place before, forward again</source>
+        <translation>在手册中回到前一处，再前往后一处</translation>
+    </message>
+    <message>
+        <source>search all pages of the manual</source>
+        <translation>搜索手册的所有页面</translation>
     </message>
 </context>
 <context>
@@ -3928,6 +3912,54 @@ Both are scaled to fit.</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::ManualWindow</name>
+    <message>
+        <source>Manual</source>
+        <extracomment>The folder of the manual&apos;s pages in this language, in resources: manual/zh_CN.</extracomment>
+        <translation>手册</translation>
+    </message>
+    <message>
+        <source>manual</source>
+        <translation>manual/zh_CN</translation>
+    </message>
+    <message>
+        <source>Go Back</source>
+        <translation>后退</translation>
+    </message>
+    <message>
+        <source>Back to the place before</source>
+        <translation>回到前一处</translation>
+    </message>
+    <message>
+        <source>Go Forward</source>
+        <translation>前进</translation>
+    </message>
+    <message>
+        <source>Forward to the place that was left last</source>
+        <translation>前往刚才离开的那一处</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>Back to the contents</source>
+        <translation>返回目录</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Search all pages</source>
+        <translation>搜索所有页面</translation>
+    </message>
+    <message>
+        <source>Words; the list shows the pages and headings that have all of them. Enter opens the first one</source>
+        <translation>输入词语；列表显示包含全部词语的页面和标题，按 Enter 打开第一个</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::MapFeature</name>
     <message>
         <source>Show for every pixel the difference of the methods, the uncertainty of a click, or the error of another program</source>
@@ -4087,14 +4119,6 @@ Both are scaled to fit.</source>
         <translation>公式 − 矩阵</translation>
     </message>
     <message>
-        <source>Formula − ray on the mesh</source>
-        <translation>公式 − 网格上的射线</translation>
-    </message>
-    <message>
-        <source>Matrix − ray on the mesh</source>
-        <translation>矩阵 − 网格上的射线</translation>
-    </message>
-    <message>
         <source>Uncertainty</source>
         <translation>不确定度</translation>
     </message>
@@ -4177,6 +4201,14 @@ Both are scaled to fit.</source>
     <message>
         <source>divides by the size less one</source>
         <translation>除以尺寸减一</translation>
+    </message>
+    <message>
+        <source>Formula − exact hit</source>
+        <translation>公式 − 精确交点</translation>
+    </message>
+    <message>
+        <source>Matrix − exact hit</source>
+        <translation>矩阵 − 精确交点</translation>
     </message>
 </context>
 <context>
@@ -4778,10 +4810,6 @@ Both are scaled to fit.</source>
         <translation>沿 %1 的缩放系数，不能为 0 (glScale: %1)</translation>
     </message>
     <message>
-        <source>Way along %1, world units (glTranslate: %1)</source>
-        <translation>沿 %1 的平移量，世界单位 (glTranslate: %1)</translation>
-    </message>
-    <message>
         <source>Step %1: %2</source>
         <translation>步骤 %1：%2</translation>
     </message>
@@ -4810,8 +4838,12 @@ Both are scaled to fit.</source>
         <translation>倍数</translation>
     </message>
     <message>
-        <source>Way</source>
-        <translation>位移</translation>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Offset along %1, world units (glTranslate: %1)</source>
+        <translation>沿 %1 的偏移，世界单位 (glTranslate: %1)</translation>
     </message>
 </context>
 <context>
@@ -5106,10 +5138,6 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>其他程序</translation>
     </message>
     <message>
-        <source>Off by</source>
-        <translation>偏差</translation>
-    </message>
-    <message>
         <source>Because it</source>
         <translation>因为它</translation>
     </message>
@@ -5141,6 +5169,10 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <source>Select a row to read its point and its reason.</source>
         <translation>选中一行可读它的点和原因。</translation>
     </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::OutsideFeature</name>
@@ -5155,6 +5187,17 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
     <message>
         <source>Show the camera and its view volume from outside, in a corner of the view or in a panel</source>
         <translation>在视图的一角或面板中，从外部显示相机及其视景体</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::PanelHelp</name>
+    <message>
+        <source>Manual: %1</source>
+        <translation>手册：%1</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
     </message>
 </context>
 <context>
@@ -5564,6 +5607,16 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <source>A click shows its matrix.</source>
         <translation>单击可显示其矩阵。</translation>
     </message>
+    <message>
+        <source>at the
+click:</source>
+        <translation>点击
+时：</translation>
+    </message>
+    <message>
+        <source>The view has changed since: this line has the values at the click</source>
+        <translation>点击之后视图已改变：这一行是点击时的数值</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PictureNote</name>
@@ -5744,6 +5797,18 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
         <source>Your point in %1 coordinates. Every other stage is computed from it.</source>
         <translation>您的点，%1坐标。其他各级都由它算出。</translation>
     </message>
+    <message>
+        <source>These are the values at the click. To give a point, choose “Now” first.</source>
+        <translation>这些是点击时的数值。要给出一点，请先选择“现在”。</translation>
+    </message>
+    <message>
+        <source>Values at the click: forward from the clicked point.</source>
+        <translation>点击时的数值：由点击的点正向计算。</translation>
+    </message>
+    <message>
+        <source>Values at the click: backward from the pixel&apos;s centre and its depth.</source>
+        <translation>点击时的数值：由像素的中心及其深度逆向计算。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::PipelinePanel</name>
@@ -5909,6 +5974,26 @@ gluPerspective(45, 1.5, 0.1, 100)</translation>
     <message>
         <source>Clicked object</source>
         <translation>点击的物体</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>At click</source>
+        <translation>点击时</translation>
+    </message>
+    <message>
+        <source>Points and matrices as they were at the click</source>
+        <translation>点击时的各点和矩阵</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>现在</translation>
+    </message>
+    <message>
+        <source>The clicked point in the view as it is now</source>
+        <translation>点击的点在现在视图中的坐标</translation>
     </message>
 </context>
 <context>
@@ -6352,6 +6437,49 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::ReadingWindow</name>
+    <message>
+        <source>Page</source>
+        <translation>页面</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>A−</source>
+        <translation>A−</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>缩小文字</translation>
+    </message>
+    <message>
+        <source>Text in its usual size</source>
+        <translation>文字恢复通常大小</translation>
+    </message>
+    <message>
+        <source>A+</source>
+        <translation>A+</translation>
+    </message>
+    <message>
+        <source>Larger text</source>
+        <translation>放大文字</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Find words in the page</source>
+        <translation>在页面中查找文字</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::RecoveryBar</name>
     <message>
         <source>Unsaved changes of an earlier session</source>
@@ -6508,6 +6636,14 @@ of a point that needs no division</source>
     <message>
         <source>Saved: %1</source>
         <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>Python with NumPy alone: the matrices, and a click by formula and by inverse</source>
+        <translation>只用 NumPy 的 Python：各矩阵，以及用公式和逆矩阵算出的点击</translation>
+    </message>
+    <message>
+        <source>Python (*.py)</source>
+        <translation>Python (*.py)</translation>
     </message>
 </context>
 <context>
@@ -7234,16 +7370,8 @@ of a point that needs no division</source>
         <translation>投影方式，以及近、远平面的距离，世界单位</translation>
     </message>
     <message>
-        <source>Preparing the ray on the mesh</source>
-        <translation>正在准备网格上的射线</translation>
-    </message>
-    <message>
         <source>Clicks already use the depth buffer; the ray follows when the model is prepared for it</source>
         <translation>点击已有深度缓冲的结果；模型准备好后即有射线的结果</translation>
-    </message>
-    <message>
-        <source>Preparing the ray on the mesh: %1 %</source>
-        <translation>正在准备网格上的射线：%1 %</translation>
     </message>
     <message>
         <source>pixel (%1, %2)</source>
@@ -7268,6 +7396,14 @@ of a point that needs no division</source>
     <message>
         <source>%1, near %2, far %3</source>
         <translation>%1，近 %2，远 %3</translation>
+    </message>
+    <message>
+        <source>Preparing the exact hit</source>
+        <translation>正在准备精确交点</translation>
+    </message>
+    <message>
+        <source>Preparing the exact hit: %1 %</source>
+        <translation>正在准备精确交点：%1 %</translation>
     </message>
 </context>
 <context>
@@ -7303,6 +7439,140 @@ of a point that needs no division</source>
         <source>Projection %1, viewport %2: the view is stretched.</source>
         <extracomment>Two aspects, width to height, such as 4 : 3 and 1.11 : 1.</extracomment>
         <translation>投影 %1，视口 %2：图像被拉伸。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ThenAndNow</name>
+    <message>
+        <source>frustum</source>
+        <translation>视锥透视</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>透视</translation>
+    </message>
+    <message>
+        <source>orthographic</source>
+        <translation>正交</translation>
+    </message>
+    <message>
+        <source>oblique</source>
+        <translation>斜投影</translation>
+    </message>
+    <message>
+        <source>Eye position</source>
+        <translation>视点位置</translation>
+    </message>
+    <message>
+        <source>View direction</source>
+        <translation>视线方向</translation>
+    </message>
+    <message>
+        <source>Up direction</source>
+        <translation>向上方向</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>Vertical field of view</source>
+        <translation>垂直视场角</translation>
+    </message>
+    <message>
+        <source>Aspect</source>
+        <translation>宽高比</translation>
+    </message>
+    <message>
+        <source>Projection window</source>
+        <translation>投影窗口</translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation>近</translation>
+    </message>
+    <message>
+        <source>Far</source>
+        <translation>远</translation>
+    </message>
+    <message>
+        <source>Window x</source>
+        <translation>窗口 x</translation>
+    </message>
+    <message>
+        <source>Window y</source>
+        <translation>窗口 y</translation>
+    </message>
+    <message>
+        <source>Window depth</source>
+        <translation>窗口深度</translation>
+    </message>
+    <message>
+        <source>Eye x</source>
+        <translation>观察 x</translation>
+    </message>
+    <message>
+        <source>Eye y</source>
+        <translation>观察 y</translation>
+    </message>
+    <message>
+        <source>Eye z</source>
+        <translation>观察 z</translation>
+    </message>
+    <message>
+        <source>World x</source>
+        <translation>世界 x</translation>
+    </message>
+    <message>
+        <source>World y</source>
+        <translation>世界 y</translation>
+    </message>
+    <message>
+        <source>World z</source>
+        <translation>世界 z</translation>
+    </message>
+    <message>
+        <source>Now the point is outside the view volume: %1.</source>
+        <translation>该点现在位于视景体之外：%1。</translation>
+    </message>
+    <message>
+        <source>Viewport</source>
+        <translation>视口</translation>
+    </message>
+    <message>
+        <source>Depth range</source>
+        <translation>深度范围</translation>
+    </message>
+    <message>
+        <source>Window size</source>
+        <translation>窗口大小</translation>
+    </message>
+    <message>
+        <source>Pixel ratio</source>
+        <translation>像素比</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ThenAndNowView</name>
+    <message>
+        <source>The picked point at the click and now</source>
+        <translation>点击时与现在的拾取点</translation>
+    </message>
+    <message>
+        <source>Where a coordinate differs, its row is bold and has a “≠” behind its name</source>
+        <translation>坐标不同的行以粗体显示，名称后带“≠”</translation>
+    </message>
+    <message>
+        <source>At the click</source>
+        <translation>点击时</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>现在</translation>
+    </message>
+    <message>
+        <source>Changes of the setup since the click</source>
+        <translation>点击之后设置的变化</translation>
     </message>
 </context>
 <context>
@@ -7979,10 +8249,6 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>语言 Language(&amp;G)</translation>
     </message>
     <message>
-        <source>As the &amp;Desktop Has Them</source>
-        <translation>与桌面相同(&amp;D)</translation>
-    </message>
-    <message>
         <source>Light or dark as the desktop is</source>
         <translation>浅色或深色，与桌面一致</translation>
     </message>
@@ -8075,16 +8341,36 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>帮助</translation>
     </message>
     <message>
-        <source>Formulas, keys, version and licence</source>
-        <translation>公式、按键以及关于本程序</translation>
-    </message>
-    <message>
         <source>Prefere&amp;nces…</source>
         <translation>首选项(&amp;N)…</translation>
     </message>
     <message>
         <source>Colours, language, smooth edges; first steps and layout can be reset</source>
         <translation>颜色、语言、平滑边缘；把入门提示和布局恢复为最初状态</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>跟随系统(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Ma&amp;nual</source>
+        <translation>手册(&amp;N)</translation>
+    </message>
+    <message>
+        <source>How to do each task in this window, with contents and search</source>
+        <translation>如何在本窗口中完成每项任务，带目录和搜索</translation>
+    </message>
+    <message>
+        <source>Manual of This &amp;Panel</source>
+        <translation>本面板的手册(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The page of the manual on the panel that has the focus, or on that of the workspace</source>
+        <translation>手册中关于焦点所在面板的页面；焦点不在面板时，为工作区的面板</translation>
+    </message>
+    <message>
+        <source>Manual, formulas, keys, version and licence</source>
+        <translation>手册、公式、按键、版本与许可</translation>
     </message>
 </context>
 <context>
