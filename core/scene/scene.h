@@ -126,7 +126,8 @@ struct SceneSettings {
     std::vector<ClipPlaneOff> clipPlanesOff;
     /// A point that the user follows through the pipeline, in addition to the clicked one.
     std::optional<geometry::GivenPoint> givenPoint;
-    /// The convention for showing and writing matrices and points. Computations always use OpenGL's.
+    /// The convention for showing and writing matrices and points. Computations always use
+    /// OpenGL's.
     geometry::Api conventions = geometry::Api::OpenGl;
     FileKeys fileKeys;
 };

@@ -50,7 +50,7 @@ std::string shear(const Oblique &o)
            + "  # of the shear's angles\n";
 }
 
-/// The projection's parameters by their names, and the matrix of them.
+/// The lines that assign the projection's parameters by name and build its matrix.
 std::string projection(const Setup &setup)
 {
     struct Visitor {
@@ -204,7 +204,7 @@ def world_by_inverse(window):
 
 )";
 
-/// Formulas (9) to (12), with the parameters of the script.
+/// The lines of formulas (9) to (12), with the script's parameters.
 std::string eyeLines(const Projection &projection)
 {
     if (isPerspective(projection))
@@ -219,7 +219,7 @@ std::string eyeLines(const Projection &projection)
                   : "");
 }
 
-/// The same with the numbers of a matrix that has one of the known forms.
+/// The lines of the formulas for a matrix of a known form, with its numbers.
 std::string eyeLines(const ProjectionCoefficients &form, bool isZeroToOne)
 {
     return std::string("    m = clip_from_eye\n"
@@ -233,7 +233,7 @@ std::string eyeLines(const ProjectionCoefficients &form, bool isZeroToOne)
                                  "    y = (m[3, 3] * y_ndc - m[1, 3] - m[1, 2] * z) / m[1, 1]\n");
 }
 
-/// The function world_by_formula; nothing for a matrix of no known form.
+/// The function world_by_formula; empty for a matrix of no known form.
 std::string formula(const Setup &setup)
 {
     std::string eye;

@@ -26,7 +26,7 @@
 namespace unprojector::gui {
 using namespace geometry;
 
-/// A tool bar without margins, whatever style it is drawn in.
+/// A tool bar without margins in every style.
 class FlushBar : public QToolBar {
     Q_OBJECT
 public:

@@ -48,7 +48,7 @@ private:
         std::optional<double> ray;                                        ///< of the point on the mesh
         double ulp = 0.0;              ///< spacing of doubles at the point's largest component
         double uncertainty = 0.0;      ///< of the coordinate
-        double rayUncertainty = 0.0;   ///< of that on the mesh
+        double rayUncertainty = 0.0;   ///< of `ray`
         geometry::Components<3> point; ///< the whole point, by the formula
     };
     /// A point on the mesh and its uncertainty, in the space of the rows.

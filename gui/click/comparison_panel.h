@@ -32,11 +32,16 @@ class ThenAndNowView;
 class VerdictView;
 struct MetPlace;
 
-/// The answer of a click, from what most users ask first to what few ask: the coordinate with its uncertainty, whether
-/// the two methods agree, both of them in a table, the formula with its numbers, and folded the way of the pixel, the
-/// exact hit on the mesh, other programs, other APIs and the last picks of the scene. All of it is of the moment of the
-/// click; where the view has changed since, the panel says so, shows the values now beside those of the click, and
-/// offers to pick the same pixel again.
+/// The answer of a click, the most frequent questions first:
+///
+/// - the coordinate with its uncertainty
+/// - the agreement of the two methods, and a table of both
+/// - the formula with its numbers
+/// - in folds: the steps from the pixel, the exact hit on the mesh, other programs, other APIs, and
+///   the last picks of the scene
+///
+/// All values are from the moment of the click. If the view has changed since, a banner reports it
+/// and offers to pick the same pixel again, and a fold shows the current values beside the click's.
 class ComparisonPanel : public QWidget {
     Q_OBJECT
 public:
@@ -54,23 +59,23 @@ public:
     void copyAnswer();
     /// The text of the whole panel, with all digits, in every space.
     QString text() const;
-    /// Marks a term of the formula whose quantity is pointed at in a view; empty: none.
+    /// Marks the term of the formula whose quantity is under the pointer in a view; empty: none.
     void markTerm(const QString &term);
     const ComparisonModel &model() const { return *m_model; }
     const RayModel &rayModel() const { return *m_rayModel; }
 
-    /// Wide enough for its table.
+    /// A size wide enough for the table.
     QSize sizeHint() const override;
 
 signals:
-    /// The pointer is over a term of the formula, or over none (empty).
+    /// Emitted when the pointer is over another term of the formula, or over none (empty).
     void termPointed(const QString &term);
-    /// The position of the pick shall be picked again, in the view as it is now.
+    /// Emitted when the user wants to pick the same position again in the current view.
     void pickRequested(const unprojector::geometry::WidgetPoint &position);
 
 private:
     QWidget *answerPart();
-    /// A fold with the last picks, there while there are any.
+    /// Creates the fold of the last picks, visible while there are any.
     Fold *earlierPart();
     QWidget *pixelPart();
     QWidget *rayPart();

@@ -16,9 +16,9 @@ class QToolButton;
 
 namespace unprojector::gui {
 
-/// A pick in every space, in one line: pixel › window › NDC › clip › eye › world › object. A click on a space asks for
-/// the matrix that leads there. All of it is of the moment of the click; where the view has changed since, the line
-/// says so.
+/// A pick in every space, in one line: pixel › window › NDC › clip › eye › world › object. A click
+/// on a space requests the matrix that leads there. All values are from the moment of the click;
+/// the line reports if the view has changed since.
 class PickStrip : public QWidget {
     Q_OBJECT
 public:
@@ -29,7 +29,7 @@ public:
     void setPick(const KeptPick &kept, const std::optional<geometry::WorldPoint> &point,
                  const geometry::WorldVector &uncertainty);
 
-    /// Whether the numbers are other ones now.
+    /// Sets whether the current numbers differ from the click's; then shows a label for it.
     void setStale(bool isStale);
 
     QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
@@ -47,7 +47,7 @@ private:
 
     QStackedLayout *m_pages;
     QWidget *m_spaces;
-    QLabel *m_atClick; ///< shown while the numbers are other ones now
+    QLabel *m_atClick; ///< shown while the current numbers differ
     QString m_names[SpaceCount];
     std::array<QToolButton *, SpaceCount> m_buttons;
     /// Returns a coordinate with at most so many significant digits; empty before the first pick.

@@ -28,7 +28,7 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::ThenAndNow)
 };
 
-/// A point and how far each coordinate may be off.
+/// A point with the uncertainty of each coordinate.
 template <class OfPoint>
 struct Measured {
     OfPoint at;
@@ -43,7 +43,8 @@ struct PointIn {
     std::optional<Measured<WindowPoint>> window; ///< nothing in the plane of the eye and behind it
 };
 
-/// Uncertainties go through the derivatives of the division and of the viewport.
+/// The window point of an eye point; nothing unless w > 0. The uncertainties are multiplied by the
+/// derivatives of the division and the viewport transform.
 std::optional<Measured<WindowPoint>> windowOf(const Setup &setup, const glm::dmat4 &clipFromEye,
                                               const Measured<EyePoint> &eye, const ClipPoint &clip)
 {
@@ -62,7 +63,8 @@ std::optional<Measured<WindowPoint>> windowOf(const Setup &setup, const glm::dma
     return window;
 }
 
-/// @param ofEye  the uncertainty of the eye point where it is known better than from the world point's
+/// @param ofEye  the eye point's uncertainty; if it is known directly; nothing: computed from the
+/// world point's, which is less accurate
 std::optional<PointIn> pointIn(const Setup &setup, const Measured<WorldPoint> &world,
                                const std::optional<Components<3>> &ofEye)
 {
@@ -87,7 +89,7 @@ std::optional<PointIn> pointThen(const KeptPick &kept)
         pointIn(pick.setup, {*point, pickedUncertainty(kept)},
                 isSnapped ? std::nullopt : std::optional(Components<3>(pick.uncertainty.eye)));
     if (then && then->window && !isSnapped)
-        then->window->at = pick.window; // the pixel's centre, which no way forward need find again
+        then->window->at = pick.window; // the exact pixel centre, without rounding on the way forward
     return then;
 }
 
@@ -106,7 +108,7 @@ std::optional<PointIn> pointNow(const SceneDocument &document)
     return pointIn(document.setup(), world, std::nullopt);
 }
 
-/// A coordinate that rounding alone changed keeps its text.
+/// The row of a coordinate. If only rounding changed it, both texts are the same.
 ThenAndNow row(const QString &name, double then, const std::optional<double> &now, double ofThen, double ofNow)
 {
     constexpr double kRounding = 1e-11, kShare = 1e-3; // of the value, of its uncertainty
@@ -118,12 +120,12 @@ ThenAndNow row(const QString &name, double then, const std::optional<double> &no
     return {name, text, isSame ? text : certainText(*now, ofNow), !isSame, then, now};
 }
 
-/// Adds "name: a → b" where two values differ, with as many digits as tell them apart.
-/// @param textOf  writes a value with so many significant digits
+/// Adds "name: a → b" if two values differ, with enough digits to distinguish them.
+/// @param textOf  formats a value with a number of significant digits
 template <class Value, class TextOf>
 void addChange(QStringList &changes, const QString &name, const Value &a, const Value &b, const TextOf &textOf)
 {
-    constexpr int kDigits = 6, kMostDigits = 12; // beyond them stands rounding
+    constexpr int kDigits = 6, kMostDigits = 12; // further digits are rounding
     QString from = textOf(a, kDigits), to = textOf(b, kDigits);
     if (from == to) {
         from = textOf(a, kMostDigits);

@@ -9,17 +9,18 @@ namespace unprojector::gui {
 class SceneDocument;
 class WholeTable;
 
-/// The picked point at the click and in the view as it is now, side by side, and below it the changes of the setup.
-/// Rows that differ are bold and have a "≠" behind their name. Hidden, it does nothing; shown again, it catches up.
+/// The picked point at the click and in the current view, side by side, and below it the changes of
+/// the setup. Rows with a difference are bold and have a "≠" after their name. It does nothing
+/// while hidden and catches up when shown.
 class ThenAndNowView : public QWidget {
     Q_OBJECT
 public:
     explicit ThenAndNowView(const SceneDocument &document, QWidget *parent = nullptr);
 
-    /// Takes over the document as it is now.
+    /// Reads the current document.
     void refresh();
     const WholeTable &table() const { return *m_table; }
-    /// All of it with all digits, a row a line, tab-separated, of the document as it is now.
+    /// The current table and changes with all digits, one row per line, tab-separated.
     QString text() const;
 
 protected:
@@ -28,7 +29,7 @@ protected:
 private:
     const SceneDocument &m_document;
     WholeTable *m_table;
-    QLabel *m_changes; ///< the point's place and the setup, in words
+    QLabel *m_changes; ///< the point's clip test and the changes of the setup
 };
 
 } // namespace unprojector::gui

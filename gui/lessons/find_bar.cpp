@@ -70,7 +70,7 @@ FindBar::FindBar(QTextEdit &page, QWidget *parent)
     hide();
 
     connect(m_field, &QLineEdit::textChanged, this, [this] {
-        if (isVisible()) // else another window has set the words, for the next opening
+        if (isVisible()) // a hidden bar has no marks; the next opening searches
             search(m_start);
     });
     connect(m_previous, &QToolButton::clicked, this, &FindBar::findPrevious);
@@ -120,7 +120,8 @@ int FindBar::firstVisiblePosition() const
     return m_page.cursorForPosition({0, 0}).position();
 }
 
-/// @param from  a position of the text: shows the first hit from there on, or the page's first
+/// Marks all hits and shows the first one from a position on, or the page's first.
+/// @param from  a text position
 void FindBar::search(int from)
 {
     m_hits.clear();

@@ -13,10 +13,12 @@ class QToolButton;
 
 namespace unprojector::gui {
 
-/// The words as they are typed, whatever their case; a typed hyphen and a straight quote find those of print.
+/// The search pattern for typed words, case-insensitive. A typed hyphen also matches minus and
+/// dash; a straight quote also matches a curly quote and a prime.
 QRegularExpression findPattern(const QString &words);
 
-/// Finds words in a page of text: all hits are marked, and one of them is the present one. Hidden until it is opened.
+/// A bar that searches a page of text. It marks all hits; one of them is the current hit. It is
+/// hidden until it is opened.
 class FindBar : public QWidget {
     Q_OBJECT
 public:
@@ -25,10 +27,10 @@ public:
 
     /// Shows the field with the last search text, selected.
     void openField();
-    /// Shows the field with these words, and their first hit from a position of the text on; the focus stays where it
-    /// is.
+    /// Shows the field with these words, and their first hit at or after a text position. The focus
+    /// does not change.
     void find(const QString &words, int from);
-    /// Takes the marks away; the present hit stays selected in the page.
+    /// Hides the bar and removes the marks; the current hit stays selected in the page.
     void closeField();
     /// Goes to the hit after or before the current one, and wraps around. Opens the bar if it is
     /// closed.

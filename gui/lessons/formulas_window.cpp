@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kPointSize = 11.0;
 
-/// The page with the colours that differ from its text.
-/// @param name  in the folder of the help: "formulas.html"
+/// The HTML of a page with its colours filled in.
+/// @param name  a file in the help's folder: "formulas.html"
 QString pageText(const QString &name, const QColor &lines, const QColor &heading, const QColor &link,
                  const QColor &source)
 {

@@ -18,7 +18,7 @@
 namespace unprojector::gui {
 namespace {
 
-/// A colour between two, as a ground that letters are read on.
+/// A colour between two, for backgrounds of text.
 QColor mixed(const QColor &a, const QColor &b, double shareOfB)
 {
     const auto mix = [shareOfB](int from, int to) {
@@ -48,7 +48,8 @@ void setFormat(QTextDocument &text, const Run &run, const QTextCharFormat &forma
     cursor.setCharFormat(format);
 }
 
-/// The importer gives code a font with a size, which the zoom would not reach.
+/// The format of code without a fixed font size: the importer sets one, and zoom would not change
+/// it.
 QTextCharFormat codeFormat(const QTextCharFormat &imported, const ManualColors &colors)
 {
     QTextCharFormat format;
@@ -70,7 +71,7 @@ void layOutHeading(QTextBlock block, QTextCursor &cursor, const ManualColors &co
     format.setTopMargin(level == 1 ? 0.0 : (level == 2 ? 1.3 : 0.9) * line);
     format.setBottomMargin(0.4 * line);
     cursor.mergeBlockFormat(format);
-    // One size up or down is a step of a fixed scale: 2 is 1.5 times as large, 1 is 1.2 times.
+    // The adjustment is a step of Qt's scale: 2 is 1.5 times as large, 1 is 1.2 times.
     QTextCharFormat letters;
     letters.setProperty(QTextFormat::FontSizeAdjustment, std::max(3 - level, 0));
     letters.setFontWeight(QFont::Bold);
@@ -87,7 +88,7 @@ void layOutBlocks(QTextDocument &text, const ManualColors &colors)
         const bool isCodeBlock = block.blockFormat().hasProperty(QTextFormat::BlockCodeFence)
                                  || block.blockFormat().hasProperty(QTextFormat::BlockCodeLanguage);
         for (const Run &run : runsOf(block)) {
-            if (run.format.hasProperty(QTextFormat::FontFamilies)) // the importer names one for code alone
+            if (run.format.hasProperty(QTextFormat::FontFamilies)) // the importer sets one only for code
                 setFormat(text, run, codeFormat(run.format, colors));
             else if (run.format.isAnchor()) {
                 QTextCharFormat link = run.format;
@@ -129,7 +130,8 @@ void layOutTable(QTextTable &table, const ManualColors &colors, double line)
     format.setBottomMargin(0.3 * line);
     format.setHeaderRowCount(1);
     table.setFormat(format);
-    // After code the importer begins the first cell with an empty block, and with the margins of the code.
+    // After code, the importer starts the first cell with an empty block that has the code's
+    // margins.
     if (const QTextBlock first = table.firstCursorPosition().block();
         first.text().isEmpty() && first.position() < table.cellAt(0, 0).lastPosition())
         QTextCursor(first).deleteChar();
@@ -173,14 +175,15 @@ void fitManualImages(QTextDocument &text, double columnWidth, double ratio)
             if (!run.format.isImageFormat())
                 continue;
             QTextImageFormat format = run.format.toImageFormat();
-            // All images are in one folder; a page in another language may lie a folder deeper.
+            // All images are in one folder. Only the name counts, because a translated page may be
+            // one folder deeper.
             const QImage image = QImage(QStringLiteral(":/images/") + format.name().section(u'/', -1))
                                      .convertToFormat(QImage::Format_RGB32);
             const double width = std::min<double>(image.width(), columnWidth);
             if (image.isNull() || width < 1.0 || format.width() == width)
                 continue;
             const double height = width * image.height() / image.width();
-            // Made in the size that it is drawn in: the text scales without smoothing.
+            // Scaled here to its final size, because the text document scales without smoothing.
             QImage scaled =
                 image.scaled((QSizeF(width, height) * ratio).toSize(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
             scaled.setDevicePixelRatio(ratio);

@@ -10,12 +10,13 @@ struct ManualColors {
     QColor text, page, heading, link;
 };
 
-/// Lays out a page of the manual that Markdown was put into: sizes of headings, which follow the document's font,
-/// tables with borders and padding, code on a ground of its own.
+/// Formats a page of the manual after the Markdown import: heading sizes relative to the document's
+/// font, table borders and padding, and a background for code.
 void layOutManual(QTextDocument &text, const ManualColors &colors);
 
-/// Makes the images of the page as wide as they are, in logical pixels, or as the column.
-/// @param ratio  device pixels in a logical one
+/// Scales the page's images: an image has its own width in logical pixels, or the column's if that
+/// is narrower.
+/// @param ratio  device pixels per logical pixel
 void fitManualImages(QTextDocument &text, double columnWidth, double ratio);
 
 } // namespace unprojector::gui

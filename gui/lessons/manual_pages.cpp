@@ -17,7 +17,7 @@ namespace {
 const QString kEnglishFolder = QStringLiteral("manual");
 const QString kIndex = QStringLiteral("index");
 
-/// Empty where there is no such file.
+/// The contents of a page's file; empty if there is no such file.
 QString fileText(const QString &folder, const QString &name)
 {
     QFile file(QStringLiteral(":/%1/%2.md").arg(folder, name));
@@ -119,7 +119,7 @@ QString headingSlug(const QString &title)
 
 ManualPlace manualPlace(const QString &address)
 {
-    // A page in another language may lie a folder deeper, as GitHub shows it: its name alone counts.
+    // Only the name counts: in the sources, a translated page is one folder deeper.
     QString page = address.section(u'#', 0, 0).section(u'/', -1);
     if (page.endsWith(QStringLiteral(".md")))
         page.chop(3);

@@ -10,10 +10,10 @@ namespace unprojector::gui {
 /// A heading of a page of the manual with the text below it, up to the next heading.
 struct ManualSection {
     QString title;
-    int level = 1;       ///< 1: the page's own
-    QString slug;        ///< by which links lead to it, as GitHub makes it of the title
-    QString englishSlug; ///< of the same heading in the English page
-    QString text;        ///< as read, the title included
+    int level = 1;       ///< 1: the page's title
+    QString slug;        ///< the anchor for links, in GitHub's form
+    QString englishSlug; ///< the slug of the same heading in the English page
+    QString text;        ///< plain text without Markdown, with the title
 };
 
 /// A page of the manual.
@@ -23,29 +23,32 @@ struct ManualPage {
     QString markdown;
     std::vector<ManualSection> sections;
 
-    /// The index of a heading; the page's own where there is none of this slug, or it is empty.
-    /// @param slug  of the page's language or of the English page
+    /// The index of the section with a slug; the first section if there is none, or the slug is
+    /// empty.
+    /// @param slug  in the page's language or in English
     int indexOf(const QString &slug) const;
     bool has(const QString &slug) const;
 };
 
-/// The pages, in the order in which the first of them, index.md, links to them; those without a link last.
-/// @param folder  of the language, in the resources: "manual/zh_CN"; a page that it lacks is the English one
+/// All pages, in the order of the links in index.md, which is the first page. Pages without a link
+/// come last.
+/// @param folder  the language's folder in the resources: "manual/zh_CN"; pages missing there are
+/// English
 std::vector<ManualPage> manualPages(const QString &folder);
 
-/// The anchor that GitHub gives a heading: "Left and right" is "left-and-right".
+/// GitHub's anchor for a heading: "Left and right" gives "left-and-right".
 QString headingSlug(const QString &title);
 
-/// Where a link of the manual leads.
+/// The target of a link in the manual.
 struct ManualPlace {
-    QString page; ///< empty: the page of the link
+    QString page; ///< empty: the page with the link
     QString slug; ///< empty: the page's beginning
 };
-/// @param address  "picking.md#snap-to-the-mesh", "picking", "#limits"
+/// Parses the address of a link: "picking.md#snap-to-the-mesh", "picking", "#limits".
 ManualPlace manualPlace(const QString &address);
 
-/// What to mark of typed words in a section that matches them: all of them where they stand there as typed, else the
-/// longest; empty where not each of them is in the section.
+/// The part of the typed words to mark in a section: all of them if the section has exactly this
+/// phrase, else the longest word. Empty if the section lacks one of the words.
 QString wordsIn(const ManualSection &section, const QString &words);
 
 } // namespace unprojector::gui

@@ -26,11 +26,11 @@ namespace {
 constexpr double kLeastPointSize = 10.5;
 constexpr int kSideLetters = 30;
 constexpr int kLeastSideLetters = 14;
-/// A narrower window shows the page alone, until a search is begun.
+/// A narrower window shows only the page until the user starts a search.
 constexpr int kLeastLettersForSide = 75;
-/// What an item of the contents stands for: the index of a page and of a section.
+/// The roles of a contents item: index of its page, index of its section.
 constexpr int kPageRole = Qt::UserRole, kSectionRole = Qt::UserRole + 1;
-/// Sections with smaller headings are not in the contents; a search finds them.
+/// The contents omit sections with smaller headings; the search finds them.
 constexpr int kDeepestLevel = 2;
 
 QFont textFont()
@@ -125,7 +125,7 @@ void ManualWindow::follow(const QUrl &link)
     if (link.isRelative())
         openPlace(link.toString());
     else
-        QDesktopServices::openUrl(link); // a browser's, or a place of the formulas
+        QDesktopServices::openUrl(link); // a web page or a formula of the help
 }
 
 void ManualWindow::visit(const Place &place)
@@ -276,7 +276,7 @@ void ManualWindow::openHit(const QTreeWidgetItem &item)
     const QString words = m_search->text().simplified();
     const std::vector<ManualSection> &sections = m_pages[static_cast<std::size_t>(page)].sections;
     QString marked;
-    // A page that is listed for its headings opens at the first of them.
+    // A page opens at its first section with a hit.
     for (std::size_t k = static_cast<std::size_t>(section); !words.isEmpty() && k < sections.size(); ++k) {
         marked = wordsIn(sections[k], words);
         if (!marked.isEmpty()) {
@@ -288,7 +288,7 @@ void ManualWindow::openHit(const QTreeWidgetItem &item)
     if (page != m_present.page || section != m_present.section)
         visit(place);
     else
-        showPlace(place); // a second click leads back to it, and is no step of Back
+        showPlace(place); // a second click scrolls back to it and adds nothing to the history
     if (!marked.isEmpty())
         findBar().find(marked, positionOf(section));
 }

@@ -12,23 +12,24 @@ class QUrl;
 
 namespace unprojector::gui {
 
-/// The manual: its contents, a search in all pages, and a page.
+/// The window of the manual: table of contents, a search in all pages, and the current page.
 class ManualWindow : public ReadingWindow {
     Q_OBJECT
 public:
     explicit ManualWindow(QWidget *parent = nullptr);
 
-    /// Shows a place, after which Back leads to the one before.
-    /// @param address  as a link of a page: "picking.md#snap-to-the-mesh"; empty: the first page
+    /// Shows a section of the manual, and adds the former one to the history.
+    /// @param address  in the form of links: "picking.md#snap-to-the-mesh"; empty: the first page
     void openPlace(const QString &address);
-    /// Of the pages visited.
+    /// Goes back in the history of visited sections.
     void goBack() { walk(-1); }
     void goForward() { walk(1); }
 
     const std::vector<ManualPage> &pages() const { return m_pages; }
     const ManualPage &currentPage() const { return m_pages[static_cast<std::size_t>(m_present.page)]; }
     QLineEdit &searchField() { return *m_search; }
-    /// Pages, and their headings below them; while a search is typed, those that have its words.
+    /// The pages with their headings; during a search only the pages and headings with matching
+    /// text.
     QTreeWidget &contents() { return *m_contents; }
 
 protected:
@@ -38,11 +39,11 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    /// Indices of a page and of a section in it.
+    /// A position in the manual: the indices of a page and of its section.
     struct Place {
         int page = 0;
         int section = 0;
-        int scroll = -1; ///< where it was left; -1: at the section
+        int scroll = -1; ///< scroll position when the user left; -1: at the section
     };
 
     void makeSide();
@@ -62,7 +63,7 @@ private:
     QTreeWidget *m_contents = nullptr;
     QAction *m_back = nullptr, *m_forward = nullptr;
     Place m_present;
-    std::vector<Place> m_before, m_after; ///< where Back and Forward lead, the next ones last
+    std::vector<Place> m_before, m_after; ///< the history for Back and Forward, the next one last
 };
 
 } // namespace unprojector::gui

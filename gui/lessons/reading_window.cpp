@@ -27,12 +27,12 @@ namespace {
 constexpr int kLeastPercent = 60;
 constexpr int kMostPercent = 300;
 constexpr int kStepPercent = 10;
-/// Of the column of text, in widths of the letter x at its size: longer lines are hard to read.
+/// The column's width in widths of the letter x. Longer lines are hard to read.
 constexpr double kColumnLetters = 104.0;
 
 } // namespace
 
-/// One column in the middle of the window, as on paper.
+/// The text, in one column in the middle of the window.
 class ReadingWindow::Page : public QTextBrowser {
 public:
     explicit Page(ReadingWindow &window) : m_window(window) {}
@@ -49,11 +49,11 @@ public:
 protected:
     void resizeEvent(QResizeEvent *event) override
     {
-        fitColumn(); // before the text is laid out, which it is in the width that is left
+        fitColumn(); // first, because the text is laid out in the remaining width
         QTextBrowser::resizeEvent(event);
     }
 
-    /// The window keeps the zoom's limits; the text itself would not.
+    /// Zooms through the window, because QTextBrowser's own zoom has no limits.
     void wheelEvent(QWheelEvent *event) override
     {
         if (event->modifiers() & Qt::ControlModifier) {
@@ -68,7 +68,7 @@ protected:
         QTextBrowser::wheelEvent(event);
     }
 
-    /// What a figure shows, in words.
+    /// Shows a figure's alternative text as its tooltip.
     bool viewportEvent(QEvent *event) override
     {
         if (event->type() != QEvent::ToolTip)
@@ -113,7 +113,7 @@ ReadingWindow::ReadingWindow(const QString &title, const QFont &font, QWidget *p
     layout->setSpacing(0);
     layout->addWidget(m_bar);
     layout->addWidget(m_body, 1);
-    layout->addWidget(m_find); // below the page: the text stays where it is when the field comes
+    layout->addWidget(m_find); // below the page: the text does not move when the bar opens
     m_page->setFocus();
 }
 
@@ -140,7 +140,7 @@ void ReadingWindow::addReadingTools()
     addTool(tr("Find"), tr("Find words in the page"), {QKeySequence::Find}, [this] { m_find->openField(); });
     addKeys(QKeySequence::FindNext, Qt::Key_F3, [this] { m_find->findNext(); });
     addKeys(QKeySequence::FindPrevious, Qt::SHIFT | Qt::Key_F3, [this] { m_find->findPrevious(); });
-    // A page without a caret has none of its own for these.
+    // A read-only page without a caret doesn't handle these keys.
     QScrollBar *scroll = m_page->verticalScrollBar();
     addKeys(QKeySequence::MoveToStartOfDocument, Qt::CTRL | Qt::Key_Home, [scroll] { scroll->setValue(0); });
     addKeys(QKeySequence::MoveToEndOfDocument, Qt::CTRL | Qt::Key_End,
@@ -168,7 +168,7 @@ void ReadingWindow::addSide(QWidget *side)
 
 void ReadingWindow::showText()
 {
-    // As on paper, or as the window is where that is dark.
+    // The page is white like paper; in dark colours it follows the application's palette.
     QPalette colors = QGuiApplication::palette();
     const bool isDark = colors.color(QPalette::Window).lightnessF() < 0.5F;
     if (!isDark) {

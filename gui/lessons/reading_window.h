@@ -17,13 +17,13 @@ namespace unprojector::gui {
 
 class FindBar;
 
-/// A window to read in: one column of text as on paper, with zoom and a search in the page. Not modal.
+/// A window for reading: one column of text with zoom and a search in the page. It is not modal.
 class ReadingWindow : public QDialog {
     Q_OBJECT
 public:
-    /// The size of the text in percent of the usual one.
+    /// The text size in percent of the default.
     int zoomPercent() const;
-    /// @param percent  kept between 60 and 300
+    /// @param percent  clamped to 60 to 300
     void setZoomPercent(int percent);
     void zoomIn();
     void zoomOut();
@@ -36,19 +36,20 @@ protected:
         QColor text, heading, link, quiet;
     };
 
-    /// @param font  of the text, in its usual size
+    /// @param font  the text's font in its default size
     ReadingWindow(const QString &title, const QFont &font, QWidget *parent);
 
     /// Puts the page's text into page().
     virtual void setText(const PageColors &colors) = 0;
-    /// Called whenever the column has another width.
+    /// Called when the column's width has changed.
     virtual void columnChanged() {}
-    /// Sets the text anew, in the colours of now, where it was scrolled to. To be called at the end of a constructor.
+    /// Rebuilds the text in the current colours and keeps the scroll position. A subclass calls it
+    /// at the end of its constructor.
     void showText();
-    /// A button on the bar, with its first key in the tool tip.
+    /// Adds a button to the bar; its tooltip shows the first key.
     QAction *addTool(const QString &text, const QString &tip, const QList<QKeySequence> &keys,
                      std::function<void()> slot);
-    /// The buttons that every such window has, after its own.
+    /// Adds the buttons that all reading windows share, after the window's own.
     void addReadingTools();
     /// Puts a widget at the left of the page.
     void addSide(QWidget *side);
@@ -63,7 +64,7 @@ private:
 
     double m_usualPoints;
     Page *m_column;
-    QTextBrowser *m_page; ///< the same
+    QTextBrowser *m_page; ///< the same object as m_column
     FindBar *m_find;
     QToolBar *m_bar;
     QSplitter *m_body;

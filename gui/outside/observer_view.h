@@ -31,21 +31,23 @@ public:
     /// Marks a quantity of the pick's formulas, see quantity_marks.h; empty: none.
     void setMarkedTerm(const QString &term);
 
-    /// Shows the eye, the view volume and the points that another program got fully, from the direction that the
-    /// observer looks in.
+    /// Fits the eye, the view volume and the wrong points of another program into the view. The
+    /// observer's direction does not change.
     void fit();
 
     const geometry::LookAt &observer() const { return m_observer.camera(); }
     /// The position of a world point in this view, logical pixels; nothing if it is not in it.
     std::optional<QPointF> placeOf(const geometry::WorldPoint &point) const;
-    /// What of a lesson and of a marked quantity is written into the picture as it is now.
+    /// The labels and arrows of the lesson and of the marked quantity in the current view.
     HighlightMarks highlightMarks() const;
 
 signals:
     void morphChanged(double t);
-    /// The pointer is over the edge of the near plane ("n") or of the far plane ("f"), or over none (empty).
+    /// Emitted when the pointer is over the edge of the near plane ("n") or of the far plane ("f"),
+    /// or over none (empty).
     void quantityPointed(const QString &term);
-    /// Whether all points that another program got lie in the picture. Told while it is drawn.
+    /// Emitted during painting, when the answer changes: whether all wrong points of another
+    /// program are in the view.
     void wrongPointsSeen(bool areSeen);
 
 protected:

@@ -23,7 +23,8 @@ public:
     quint64 session() const { return m_session; }
 
 signals:
-    /// The user moved it there; three digits, or tenths of a step, that mean what they say.
+    /// Emitted when the user moved the slider, with the number rounded to three digits or to tenths
+    /// of a step.
     void moved(double number);
 
 protected:

@@ -71,8 +71,8 @@ protected:
     /// Appends a row to a layout.
     ParameterRow *addRow(QBoxLayout *layout, const QString &title);
     NumberField *addField(ParameterRow *row, const QString &letter, const QString &unit, NumberBinding binding);
-    /// Puts a slider beside a field of a row. The group keeps its numbers and its place.
-    /// @param within  brings a number to the nearest one that the scene takes
+    /// Adds a slider for a field of a row, and keeps both in sync. The caller sets its range.
+    /// @param within  returns the nearest number that the scene accepts
     NumberSlider *addSlider(ParameterRow *row, const NumberField *of, NumberSlider::Scale scale,
                             std::function<double(const scene::Scene &, double)> within);
     /// Unbinds and deletes the fields inside a widget that is about to be removed.

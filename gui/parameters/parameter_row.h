@@ -10,10 +10,11 @@ namespace unprojector::gui {
 
 class NumberField;
 
-/// A title and the numbers that belong to it, each with its unit and, right beneath it, the reason why it is refused.
-/// They stand beside each other where the row is wide enough, else beneath each other. Its columns are those of all
-/// rows of the panel; all lengths come from the font. A slider stands beneath its field; where several fields stand
-/// beneath each other, in the units' column beside it, and the unit that they share beneath the title.
+/// A title with its number fields. Each field has its unit beside it, and the reason of a rejection
+/// directly beneath it. The fields are side by side if the row is wide enough, else one below the
+/// other. All rows of the panel share their columns; all lengths depend on the font. A slider is
+/// beneath its field. If several fields are one below the other, each slider is beside its field,
+/// in the units' column, and their common unit is beneath the title.
 class ParameterRow : public QWidget {
     Q_OBJECT
 public:
@@ -28,8 +29,8 @@ public:
     /// @param letter  identifies one of several: "x"; empty for a single one
     void addField(NumberField *field, const QString &letter, const QString &unit);
     void setSlider(const NumberField *field, QWidget *slider);
-    /// Those that Tab reaches, from left to right and above to below. Of several fields the sliders are left out: with
-    /// the keyboard each field steps its number.
+    /// The widgets that Tab reaches, in reading order. With several fields it skips their sliders:
+    /// the keyboard steps the number in each field.
     QWidgetList tabStops() const;
 
     /// The columns that its texts need.

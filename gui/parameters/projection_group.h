@@ -30,7 +30,7 @@ private:
         NumberSlider *slider; ///< or null
     };
     void addNumber(Number number, const QString &name, const QString &objectName, const QString &help);
-    /// For what one explores: the field of view, near and far; null for the others.
+    /// Adds a slider for the field of view, near or far; returns null for other numbers.
     NumberSlider *sliderFor(Number number, ParameterRow *row, const NumberField *field);
     void rangeSliders();
     void choose(geometry::ProjectionKind kind);

@@ -66,7 +66,8 @@ void ViewGroup::rangeSliders()
     const auto isHeld = [](const Slide &slide) { return slide.slider->isSliderDown(); };
     if (std::any_of(m_slides.begin(), m_slides.end(), isHeld))
         return;
-    // As far round the objects as the eye is, or they are wide, and somewhat further.
+    // The range is centred on the objects, or on the view's centre if there are none. It reaches a
+    // bit further than the objects' size and the distances of eye and centre.
     const Box &bounds = document().bounds();
     const double size = bounds.diagonal();
     const bool areObjects = size > 0.0 && std::isfinite(size);

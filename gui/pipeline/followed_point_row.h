@@ -10,8 +10,8 @@ class PipelineModel;
 class SceneDocument;
 class SteadyLabel;
 
-/// What the points of the pipeline are, and buttons that follow the other one of click and given point, and remove the
-/// latter.
+/// The status of the pipeline's point. One button switches between the clicked point and the user's
+/// point, the other removes the user's point.
 class FollowedPointRow : public QWidget {
     Q_OBJECT
 public:

@@ -310,7 +310,8 @@ void PipelineModel::showApi()
     m_apiNote = apiText(m_api);
     if (m_api != Api::OpenCv)
         return;
-    // Its own camera has no clip space and no buffer of depths: these rows are OpenGL's from OpenCV's eye.
+    // OpenCV's camera has no clip space and no depth buffer: these rows are OpenGL's, computed from
+    // OpenCV's eye space.
     const auto camera = apiCamera(setup(), m_api);
     m_apiNote =
         joinSentences({m_apiNote, tr("Here clip, NDC and depth stay OpenGL's; the view's matrix is [R t].")}) + u'\n';
@@ -388,8 +389,8 @@ void PipelineModel::showPoints(const Pipeline &pipeline)
     } else {
         m_status = tr("Forward from the clicked point.");
     }
-    // What has changed since the click is said in the words of the comparison; only that the numbers of the other view
-    // are shown here, and not those of the click, is the pipeline's own.
+    // The comparison's text describes the changes since the click. The pipeline adds only whether
+    // its numbers belong to the click or to the current view.
     if (showsClick()) {
         m_status = m_direction == PipelineDirection::Forward
                        ? tr("Values at the click: forward from the clicked point.")

@@ -66,14 +66,16 @@ public:
     void followGiven(bool follows);
     void removeGiven();
 
-    /// Whether the values at the click are other than those now: the setup has changed since, or the object was moved.
+    /// Returns whether the values at the click differ from the current ones: the setup has changed
+    /// or the object was moved. False while the user's point is shown.
     bool canShowClick() const;
-    /// Whether points and matrices are those at the click. A new click shows the values now.
+    /// Returns whether points and matrices are the ones at the click. A new click returns to the
+    /// current values.
     bool showsClick() const { return m_showsClick && canShowClick(); }
     void setShowsClick(bool shows);
-    /// The setup that is shown: that of the click or the document's.
+    /// The displayed setup: the click's or the document's.
     const geometry::Setup &setup() const;
-    /// Whether the view that is shown is given as a matrix, and the projection.
+    /// Returns whether the displayed view is given as a matrix.
     bool isViewGiven() const;
     bool isProjectionGiven() const;
 
@@ -95,7 +97,8 @@ public:
     QString text() const;
 
 signals:
-    /// Which point is shown, whether there is a given one, or whether the values are those at the click.
+    /// Emitted when another point is shown, when the user's point is added or removed, and on a
+    /// switch between the values at the click and the current ones.
     void followedChanged();
     /// Emitted when the typed text is no point, with the reason.
     void refused(const QString &reason);
@@ -104,7 +107,8 @@ private:
     void showGiven();
     /// worldFromObject of the object whose space is shown.
     glm::dmat4 placement() const;
-    /// Makes what was typed for a coordinate of a space, or for all of them, the given point.
+    /// Parses the text for one coordinate of a space, or for all of them, and makes it the user's
+    /// point.
     void take(PointModel::Space space, int coordinate, const QString &typed);
     void showGivenPoint(const matrices::Pipeline &pipeline);
     void showAll(const matrices::PipelinePoints &points);

@@ -360,7 +360,7 @@ void PipelinePanel::showGiven()
     m_given->setVisible(!m_model->givenNote().isEmpty() && isOpen(PipelineStage::ProjectionMatrix));
     setTitle(m_givenView, PipelineStage::ViewMatrix, {});
     m_givenView->setVisible(m_model->isViewGiven() && isOpen(PipelineStage::ViewMatrix));
-    // Of what the scene keeps, the order is that of columns.
+    // The scene stores matrices by columns.
     m_givenFindings->setFindings(m_model->givenFindings(MatrixRole::Projection), MatrixRole::Projection,
                                  NumberOrder::ByColumns);
     m_givenViewFindings->setFindings(m_model->givenFindings(MatrixRole::View), MatrixRole::View,

@@ -59,10 +59,10 @@ public:
     /// Shows the user's point, even if a click came after it.
     void followGiven() { m_model->followGiven(true); }
 
-    /// Shows points and matrices as they were at the click, where they differ from those now.
+    /// Shows the points and matrices of the click if they differ from the current ones.
     void showClickValues() { m_model->setShowsClick(true); }
 
-    /// Back to the first row; no number is explained and no matrix taken apart any more.
+    /// Scrolls back to the first row, and closes the derivation and all decompositions.
     void startOver();
     /// Shows the factors of the view's or the projection's matrix, forward, and their sliders.
     void takeApart(matrices::PipelineStage stage);
@@ -81,7 +81,8 @@ signals:
 
 protected:
     void showEvent(QShowEvent *event) override;
-    /// Paste: sixteen or more numbers are matrices of another program, those on a section its own.
+    /// Handles Paste: opens the dialog for matrices of another program with the clipboard's text.
+    /// The section with the focus determines the role of the matrix.
     void keyPressEvent(QKeyEvent *event) override;
 
 private:

@@ -17,10 +17,10 @@ namespace unprojector::gui {
 class SceneDocument;
 class SegmentedSwitch;
 
-/// How the pipeline is shown: direction and object, and a menu with layout, arrangement, digits and conventions. Each
-/// choice goes into the model at once. Where the view has changed since the click, one more chooses the values at the
-/// click or those now. Beside them stand the buttons that copy the pipeline and paste matrices. Lessons link to the
-/// choices by the names of actions.
+/// The display options of the pipeline: direction, object, and a menu with layout, arrangement,
+/// digits and conventions. Each choice changes the model at once. If the view has changed since the
+/// click, a further switch selects the values at the click or the current ones. Buttons beside them
+/// copy the pipeline and paste matrices. Lessons link to the choices by the names of actions.
 class PipelineSwitches : public QWidget {
     Q_OBJECT
 public:

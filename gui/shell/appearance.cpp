@@ -77,7 +77,7 @@ QPalette paletteOf(const QColor &window, const QColor &base, const QColor &alter
     QPalette palette(button, window);
     palette.setColor(QPalette::Base, base);
     palette.setColor(QPalette::AlternateBase, alternate);
-    // Also the ground of what is to be noticed in a panel.
+    // Panels use it as well, as the background of banners.
     palette.setColor(QPalette::ToolTipBase,
                      text.lightnessF() < 0.5F ? QColor(0xff, 0xff, 0xdc) : QColor(0x4a, 0x44, 0x24));
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
@@ -91,7 +91,8 @@ QPalette paletteOf(const QColor &window, const QColor &base, const QColor &alter
     return palette;
 }
 
-/// Qt keeps the colours of the links of a text, and those of a widget with a style sheet, from when they were set.
+/// Sets style sheets and texts with links again: Qt keeps the colours from the time when they were
+/// set.
 void setAgainWhatKeepsItsColours()
 {
     for (QWidget *widget : QApplication::allWidgets()) {
@@ -134,7 +135,7 @@ void setAppearance(Appearance appearance)
             QApplication::setStyle(new RoomyFusion);
         else
             QApplication::setStyle(desktopStyle);
-        QApplication::setPalette(QPalette()); // none of ours: the desktop's is asked for
+        QApplication::setPalette(QPalette()); // restores the desktop's palette
         setAgainWhatKeepsItsColours();
         return;
     }

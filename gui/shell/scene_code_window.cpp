@@ -29,7 +29,7 @@ using namespace scene_code;
 
 namespace {
 
-/// In the order of the switch.
+/// The dialects, in the order of the switch.
 constexpr std::array kDialects{CodeDialect::Glu, CodeDialect::Glm, CodeDialect::Qt, CodeDialect::ThreeJs,
                                CodeDialect::NumPy};
 

@@ -20,10 +20,10 @@ QString helpAnchorOfSteps(geometry::ProjectionKind kind);
 /// The link to an anchor of the help, for a label and QDesktopServices: "formulas:w9".
 QString helpAddress(const QString &anchor);
 
-/// Where the manual explains a panel: "pipeline.md#viewport".
+/// The manual's section on a panel: "pipeline.md#viewport".
 QString manualPlaceOf(lessons::Panel panel);
 
-/// The link to a place of the manual, as helpAddress: "manual:pipeline.md#viewport".
+/// The link to a section of the manual, like helpAddress: "manual:pipeline.md#viewport".
 QString manualAddress(const QString &place);
 
 } // namespace unprojector::gui

@@ -24,7 +24,7 @@ using Tips = HighlightMarks::Tips;
 const QColor kRim(0xff, 0xff, 0xff, 225);
 constexpr double kHead = 8.0;
 
-/// @param origin, tip  clip space of the picture
+/// @param origin, tip  clip space of the view
 void addAxis(HighlightMarks &marks, const Setup &setup, const glm::dvec4 &origin, const glm::dvec4 &tip,
              std::size_t axis, const std::string &name)
 {
@@ -170,7 +170,7 @@ HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Hi
     const Result<glm::dmat4> clip = clipFromWorld(g);
     if (highlights.contains(Highlight::Axes) && eye && clip) {
         const auto clipOf = [&](const WorldPoint &point) { return *clip * glm::dvec4(point.coordinates(), 1.0); };
-        // The eye of a perspective has the depth 0, up to rounding.
+        // The eye's depth in a perspective is 0 up to rounding.
         const double least = isPerspective(g.projection()) ? 1e-3 * projectionWindow(g.projection()).nearDistance : 0.0;
         for (const lessons::NamedAxes &axes : lessons::namedAxes(document.scene(), *eye)) {
             const glm::dvec4 origin = clipOf(axes.origin);

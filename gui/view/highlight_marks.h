@@ -26,9 +26,9 @@ using lessons::Letter;
 /// surface, origin top-left.
 struct HighlightMarks {
     enum class Tips {
-        End,     ///< of an axis
-        Both,    ///< of a length
-        None,    ///< a plain line, lettered as a length is
+        End,     ///< an arrowhead at the end: an axis
+        Both,    ///< arrowheads at both ends: a length
+        None,    ///< a plain line; its letter is placed like a length's
         Towards, ///< the axis is seen end-on and points to the viewer: a ring with a dot, as in drawings on paper
         Away     ///< the same, pointing away: a ring with a cross
     };
@@ -38,39 +38,39 @@ struct HighlightMarks {
         QColor color;
     };
     struct Text {
-        QPointF at; ///< beside this: the tip of an axis, the middle of a length
+        QPointF at; ///< the letter is beside this: an axis's tip or a length's middle
         Letter letter;
         QColor color;
         std::optional<std::size_t> arrow = std::nullopt; ///< its index among the arrows
     };
     std::vector<Arrow> arrows; ///< axes that coincide in the view are one arrow with all their names
     std::vector<Text> texts;
-    std::vector<QLineF> lines;  ///< of the scene: letters avoid them while there is room elsewhere
-    std::vector<QRectF> things; ///< such as marks: letters avoid them too
+    std::vector<QLineF> lines;  ///< lines of the scene; letters avoid them if there is room elsewhere
+    std::vector<QRectF> things; ///< areas such as the crosshair; letters avoid them too
 
     bool isEmpty() const { return arrows.empty() && texts.empty(); }
     void add(HighlightMarks more);
 };
 
-/// Whether the letter of an arrow stands beside its line, and not at its tip.
+/// Returns whether the letter of an arrow is beside its line and not at its tip.
 inline bool isLength(const HighlightMarks::Arrow &arrow)
 {
     return arrow.tips == HighlightMarks::Tips::Both || arrow.tips == HighlightMarks::Tips::None;
 }
 
-/// How the marks are coloured.
+/// The colours of the marks.
 namespace mark_color {
 inline const std::array<QColor, 3> kAxes{QColor(0xb4, 0x1c, 0x20), QColor(0x1b, 0x74, 0x2a), QColor(0x1c, 0x48, 0xb8)};
 inline const QColor kDark(0x18, 0x1a, 0x1c);
-// Of the planes in View from Outside, as text.
+// The planes' colours in View from Outside, dark enough for text.
 inline const QColor kNear(0x0c, 0x4c, 0x9c), kFar(0x9c, 0x4a, 0x00);
 } // namespace mark_color
 
-/// Of an axis that is seen across, logical pixels.
+/// The length of an axis that is parallel to the image plane, logical pixels.
 double axisLength(const geometry::Setup &setup);
 
-/// Those of the view: axes and viewport. Axes whose origin or end is behind the eye or in it, as the eye's own are in a
-/// perspective, are not in it.
+/// The marks of the view: axes and viewport. Omits axes with an end at the eye or behind it, such
+/// as the eye's own axes in a perspective.
 HighlightMarks highlightsInView(const SceneDocument &document, const std::set<Highlight> &highlights);
 
 /// The marks of View from Outside: axes, the volume's sides, and the numbers at the cube once the

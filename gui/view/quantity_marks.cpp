@@ -31,7 +31,7 @@ struct Side {
 constexpr std::array kSides{Side{'l', 0, 2}, Side{'r', 1, 3}, Side{'b', 0, 1}, Side{'t', 2, 3}};
 constexpr const Side &kLeft = kSides[0], &kBottom = kSides[2], &kTop = kSides[3];
 
-/// @return null where the term is none of them
+/// The side with this term; null if there is none.
 const Side *sideOf(const QString &term)
 {
     const auto found = std::find_if(kSides.begin(), kSides.end(),
@@ -47,7 +47,8 @@ std::optional<EyePoint> eyeOf(const Setup &setup, const Result<WorldPoint> &worl
     return EyePoint(glm::dvec3(*view * glm::dvec4(world->coordinates(), 1.0)));
 }
 
-/// The terms that are marked alike in both pictures: along the axes of the eye to the point, and of a ray.
+/// The lines of a term that is marked alike in both views: along the eye's axes to the point, or
+/// along a ray.
 std::vector<EyeLine> linesOf(const Setup &setup, const Pick &pick, const QString &term)
 {
     if (!pick.hit()) {
@@ -90,7 +91,7 @@ std::vector<EyeLine> axesOf(const QString &term, double originZ, double length)
     return axes;
 }
 
-/// @param line  of the picture
+/// @param line  logical pixels
 void add(HighlightMarks &marks, const QLineF &line, Tips tips, const std::string &letter, const QColor &color)
 {
     constexpr double kEndOn = 10.0, kNothing = 1.0; // logical pixels
@@ -133,7 +134,7 @@ HighlightMarks windowMarks(const Setup &g, const Pick &pick, const QString &term
     if (term == u"py")
         add(marks, {seen(pick.window.x, g.surface.heightPixels), seen(pick.window.x, pick.window.y)}, Tips::Both, "py",
             mark_color::kAxes[1]);
-    // The edges of the near plane's window are those of the viewport, and both planes fill it.
+    // The near plane's edges coincide with the viewport's, and both planes fill the viewport.
     const double left = g.viewport.x + inset, right = g.viewport.x + g.viewport.width - inset;
     const double bottom = g.viewport.y + inset, top = g.viewport.y + g.viewport.height - inset;
     const std::array corners{seen(left, bottom), seen(right, bottom), seen(left, top), seen(right, top)};
@@ -166,7 +167,7 @@ HighlightMarks termInView(const SceneDocument &document, const QString &term)
         return {};
     HighlightMarks marks = pick->hit() ? windowMarks(g, *pick, term) : HighlightMarks();
     add(marks, g, *clip, linesOf(g, *pick, term));
-    // The eye itself is not seen: its axes stand at the point's distance.
+    // The eye itself is not visible, so its axes are drawn at the point's distance.
     const Result<EyeFrame> eye = eyeFrame(g.camera());
     const std::optional<EyePoint> point = eyeOf(g, pick->point.world[Method::Formula]);
     if (pick->hit() && eye && point && point->z < 0.0) {

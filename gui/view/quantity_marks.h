@@ -6,24 +6,27 @@
 
 namespace unprojector::gui {
 
-// The quantities of the pick's formulas in the pictures, a term at a time, by the names that formulasOf has for them:
+// The marks of one term of the pick's formulas in the two views. The terms have the names of
+// formulasOf:
 //
 //   n, f           the near and the far plane
 //   l, r, b, t     the edges of the near plane's window
-//   x, y           how far the point is from the view axis
+//   x, y           the point's distance from the view axis along s and u
 //   z, d           the distance along the view axis from the eye to the point
 //   px, py         the clicked pixel from the edges of the window
 //   H              the window's height
 //   vx, vy, width, height   the viewport
 //   eye, s, u, forward      the eye and its axes
 //   world          the point
-//   near, way      of the background: where the ray enters the view volume, and its way through it
+//   near, way      of a pick on the background: the ray's entry into the view volume, and
+//                  its segment through the volume
 //
-// The pictures show the camera as it is now, and so do the marks.
+// Views and marks show the current camera, not the click's.
 
-/// @return none without a pick, and for other terms
+/// The marks in the main view; none without a pick, and for other terms.
 HighlightMarks termInView(const SceneDocument &document, const QString &term);
-/// The same in View from Outside. It has no window, and of the viewport the near plane's window stands for its size.
+/// The marks in View from Outside. It has no window; the edges of the near plane stand for the
+/// viewport's width and height.
 HighlightMarks termFromOutside(const SceneDocument &document, const ObserverPicture &picture, const QString &term);
 
 } // namespace unprojector::gui

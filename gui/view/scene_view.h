@@ -72,7 +72,7 @@ public:
     /// Marks a quantity of the pick's formulas, see quantity_marks.h; empty: none.
     void setMarkedTerm(const QString &term);
 
-    /// Whether the coordinates of the picked point stand beside its lines along the axes.
+    /// Shows or hides the picked point's coordinates beside its lines along the axes.
     void setHasDropLabels(bool hasThem);
 
     /// Sets the tool that gets mouse and keys before navigation and picking. It lives as long as

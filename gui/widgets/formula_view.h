@@ -11,9 +11,9 @@ class QMenu;
 
 namespace unprojector::gui {
 
-/// Formulas as on paper, each in symbols with its numbers below. A term under the pointer is marked wherever it stands,
-/// and a tooltip names it; a view can mark its quantity. They are set to the view's width, and the view is as high as
-/// they are.
+/// Typeset formulas, each in symbols with its numbers below. A term under the pointer is marked at
+/// all its occurrences, and a tooltip names it; other views can mark its quantity. The formulas are
+/// laid out to the view's width; the view is as high as they are.
 class FormulaView : public QAbstractScrollArea {
     Q_OBJECT
 public:
@@ -24,9 +24,9 @@ public:
 
     /// The short name of the marked term.
     const QString &markedTerm() const { return m_marked; }
-    /// Marks a term that is pointed at elsewhere; empty: none.
+    /// Marks the term whose quantity is under the pointer in another view; empty: none.
     void setMarkedTerm(const QString &term);
-    /// Where a term stands in the viewport.
+    /// The rectangles of a term in the viewport.
     std::vector<QRectF> placesOf(const QString &term) const;
     /// The tooltip of a term: "n = 2" and its name.
     QString toolTipOf(const QString &term) const;
@@ -72,7 +72,7 @@ private:
     QString termAt(const QPoint &position) const;
     const Line *numberAt(const QPoint &position) const;
     void addHelpActions(QMenu &menu, const QPoint &position, bool isOfAll) const;
-    /// By the pointer.
+    /// Marks the term under the pointer.
     void mark(const QString &term);
     void copyAll() const;
 

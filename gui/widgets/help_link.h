@@ -25,12 +25,12 @@ private:
 
 /// Opens the help at an anchor, by the current HelpOpener.
 void openHelp(const QString &anchor);
-/// The same of the manual.
+/// Opens the manual by the current HelpOpener.
 /// @param place  "pipeline.md#viewport"; empty: its first page
 void openManual(const QString &place);
 
-/// Takes over the links to Help and to the manual, those of labels too (helpAddress, manualAddress), for as long as it
-/// lives or until another one does.
+/// Opens all links to Help and to the manual, also links in labels (helpAddress, manualAddress). It
+/// is active until it is destroyed or another opener is created.
 class HelpOpener : public QObject {
     Q_OBJECT
 public:

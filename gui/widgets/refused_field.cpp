@@ -11,7 +11,7 @@ namespace {
 
 const char *const kGroundName = "refusedGround";
 
-/// Lives as long as the text is refused.
+/// The background of a rejected field. It exists while the text is rejected.
 class RefusedGround : public QObject {
 public:
     explicit RefusedGround(QLineEdit &field) : QObject(&field), m_field(field)
@@ -33,9 +33,9 @@ private:
     {
         constexpr double kShare = 0.35;
         const QColor ground = mixed(QApplication::palette().color(QPalette::Base), QColor(255, 60, 60), kShare);
-        if (m_field.palette().color(QPalette::Base) == ground) // what is set comes back as a change
+        if (m_field.palette().color(QPalette::Base) == ground) // our own change comes back as an event
             return;
-        QPalette own; // all its other colours stay the application's
+        QPalette own; // all other colours stay the application's
         own.setColor(QPalette::Base, ground);
         m_field.setPalette(own);
     }

@@ -4,8 +4,9 @@ class QLineEdit;
 
 namespace unprojector::gui {
 
-/// Gives a field whose text cannot be taken a reddish ground, mixed from the theme's own colours, so that the text is
-/// readable on a dark one as well; also after other colours are chosen.
+/// Sets or removes the reddish background of a field with a rejected text. The colour is mixed with
+/// the theme's base colour, so the text is readable in dark themes too. It follows later changes of
+/// the theme.
 void setRefused(QLineEdit &field, bool isRefused);
 
 } // namespace unprojector::gui

@@ -74,7 +74,7 @@ void PanelHelp::placeInTitle(QDockWidget &dock)
     QToolButton *button = buttonIn(dock);
     if (!button)
         return;
-    // The name by which Qt's own styles know the button of the title bar.
+    // This object name belongs to Qt's own float button.
     const auto *next = dock.findChild<QWidget *>(QStringLiteral("qt_dockwidget_floatbutton"));
     button->setVisible(!dock.titleBarWidget() && next && next->isVisibleTo(&dock));
     if (button->isHidden())
@@ -89,7 +89,7 @@ void PanelHelp::placeInTabs(QTabBar &tabs)
     QToolButton *button = buttonIn(tabs);
     const QDockWidget *dock = frontOf(tabs);
     const int side = button->fontMetrics().height() + 4;
-    // Where the tabs need the whole row they have it; Shift+F1 does the same.
+    // The tabs take precedence in a narrow row; Shift+F1 still opens the manual.
     const bool isRoom = dock && tabs.tabRect(tabs.count() - 1).right() + side < tabs.width();
     button->setVisible(isRoom);
     if (button->isHidden())

@@ -63,11 +63,13 @@ public:
 signals:
     /// Emitted when the pointer is over another pixel of the view, or over none.
     void pointed(const std::optional<unprojector::unproject::PixelClick> &click);
-    /// The pointer is over a term of the pick's formulas, or over none (empty): the views mark its quantity.
+    /// Emitted when the pointer is over another term of the pick's formulas, or over none (empty).
+    /// The views mark its quantity.
     void termPointed(const QString &term);
-    /// The pointer is over a quantity in a view, or over none (empty): the formulas mark its term.
+    /// Emitted when the pointer is over another quantity in a view, or over none (empty). The
+    /// formulas mark its term.
     void quantityPointed(const QString &term);
-    /// The pipeline shall show the values at the click.
+    /// Emitted when the pipeline must show the values at the click.
     void clickValuesWanted();
     void smoothEdgesChanged(bool isSmooth);
     /// Emitted when the window closes for good, before it saves its layout.

@@ -63,8 +63,8 @@ public:
     QDockWidget &dock(Panel panel) const;
     /// Returns whether a dock is visible in the window: the front one of its tabs.
     bool isFront(const QDockWidget &dock) const;
-    /// The place of the manual on the panel that has the focus; on the first one of the workspace where the focus is
-    /// elsewhere.
+    /// The manual's section on the panel with the focus; without such a panel, on the first panel
+    /// of the workspace.
     QString manualPlace() const;
     Workspace current() const { return m_current; }
     /// Switches to a workspace and remembers the former one. Hides the panels that the workspace

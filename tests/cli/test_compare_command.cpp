@@ -136,7 +136,7 @@ void TestCompareCommand::thePercentileIsThatOfAllNumbers_data()
     QTest::newRow("fewer than there might be") << 54321 << 100000;
 }
 
-/// The command keeps only the largest numbers; the answers are those of all.
+/// The command keeps only the largest numbers; its percentiles are the same as with all numbers.
 void TestCompareCommand::thePercentileIsThatOfAllNumbers()
 {
     QFETCH(int, count);

@@ -334,7 +334,7 @@ void TestDoctorCommand::aPointOfTheSceneIsNamed()
     VERIFY_SUCCEEDED(run);
     QVERIFY2(run.output.startsWith("the eye\n  The point given is the eye. Usually the program returns where"),
              run.output);
-    // What comes close to it says nothing.
+    // The report contains nothing about similar hypotheses.
     for (const char *row : {"closest", "explains", "next best", "to be sure", "chance"})
         QVERIFY2(!run.output.contains(row), run.output);
     QVERIFY(!run.output.contains("To change"));

@@ -217,7 +217,7 @@ void TestPassedColumns::projectTakesWhatPointsHasWritten()
     const Run there = project(clicked.output);
     QCOMPARE(there.errors, QByteArray());
     QCOMPARE(there.exitCode, 0);
-    // The points are those of the formulas, and the other columns are unchanged, px,py,depth aside.
+    // The points come from the formulas, and the other columns are unchanged, px,py,depth aside.
     QCOMPARE(there.lines().at(0),
              "name,formula_x,formula_y,formula_z,matrix_x,matrix_y,matrix_z,difference,eye_x,eye_y,"
              "eye_z,clip_x,clip_y,clip_z,clip_w,ndc_x,ndc_y,ndc_z,window_x,window_y,window_z,"

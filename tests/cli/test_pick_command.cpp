@@ -126,7 +126,7 @@ void TestPickCommand::pixelsOutsideThePictureAreCounted()
 
 void TestPickCommand::aModelIsSeenAsTheWindowStarts()
 {
-    // The centre of the framed objects is in the middle of the picture, whatever its size.
+    // The centre of the framed objects is in the middle of the view at any size.
     for (const QStringList &size :
          {QStringList{"--at", "400,300"}, QStringList{"--size", "300x500", "--at", "150,250"}}) {
         const QJsonObject hit = pick(QStringList{m_model} + size);

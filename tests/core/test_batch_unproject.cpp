@@ -153,9 +153,9 @@ void TestBatchUnproject::unitsInTheLastPlace()
     QVERIFY(percentile(errors, 0.9999) <= kMostUlps && worstOffOrigin <= kAllUlps);
 }
 
-/// In eye space the formulas add no terms: each coordinate is right to a few units in its own last
-/// place. That also holds next to the view axis and to either plane, whatever the viewport and the
-/// depth range.
+/// The formulas add no terms in eye space: each coordinate is right to a few units in its own last
+/// place. That also holds next to the view axis and to either plane, for every viewport and depth
+/// range.
 void TestBatchUnproject::eyePointsAreRight()
 {
     QFETCH(RandomKind, kind);

@@ -90,7 +90,7 @@ QMap<QString, ClassSize> classesUnder(const QStringList &folders)
                 for (const QFileInfo &file : header.dir().entryInfoList({"*.cpp"})) {
                     const QString stem = file.completeBaseName();
                     // A file with a header belongs to that header's class, e.g. SceneViewMenu's,
-                    // whatever else it defines.
+                    // regardless of its other definitions.
                     if (stem != own && QFile::exists(header.dir().filePath(stem + ".h")))
                         continue;
                     const QString source = textOf(file.filePath());

@@ -274,8 +274,8 @@ void TestExactPositions::placementInAFileIsInDouble()
     QVERIFY(mesh.position(3) == glm::dvec3(0.1 + 1.0000001, 1000001.7, -0.3));
 }
 
-/// A map's coordinates turned and taken back to the origin: the numbers are those of 60 digits,
-/// rounded.
+/// A map's coordinates, rotated and moved back to the origin: the result equals the rounded
+/// 60-digit result.
 void TestExactPositions::placementsThatCancelKeepTheirDigits()
 {
     const auto isRounded = [](const glm::dvec3 &number, const glm::dvec3 &exact) {

@@ -90,8 +90,8 @@ void TestLandmarkMeasures::errorsAreTheWorstThatCanBe_data()
     QTest::newRow("height") << Measuring([](const Points &p) { return heightOver(p[0], p[1], p[2], p[3]); }) << 4;
 }
 
-/// To first order the worst case is at corners: each coordinate moves to the side that the value
-/// grows on.
+/// Expected to first order: the worst case is at a corner, where each coordinate moves in the
+/// direction that increases the value.
 void TestLandmarkMeasures::errorsAreTheWorstThatCanBe()
 {
     QFETCH(Measuring, measure);
@@ -298,7 +298,7 @@ void TestLandmarkMeasures::asymmetryIsMeasured()
     }
 }
 
-/// To first order the worst case has each coordinate off to the side that the value grows on.
+/// Expected to first order: each coordinate moves in the direction that increases the value.
 void TestLandmarkMeasures::errorsOfTheMirrorPlane()
 {
     Points points = symmetric(glm::normalize(glm::dvec3(1, -2, 0.5)), {3, -4, 5});

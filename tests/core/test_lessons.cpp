@@ -183,7 +183,7 @@ void TestLessons::everyLinkLeadsSomewhere()
                 QVERIFY2(numbers->step(step.id).pixelOf(to), where.c_str());
             else if (link.startsWith(QLatin1String("set:"))) {
                 QVERIFY2(step.changes.contains(to), where.c_str());
-                // The change gives the same point whatever point was typed before.
+                // The change gives the same point, independent of an earlier typed point.
                 const Scene opened = *sceneOf(step);
                 const std::optional<GivenPoint> none, clip = GivenPoint{ClipPoint(2, 3, 4, 5)},
                                                       world = GivenPoint{WorldPoint(1, 2, 3)},

@@ -223,8 +223,7 @@ void TestMalformedSceneFile::noTruncationIsAccepted()
 
 void TestMalformedSceneFile::noByteBroken()
 {
-    // Any byte replaced by any of these: the file is read or rejected, whatever the other bytes
-    // are.
+    // The file is either read or rejected if any byte is replaced by any of these.
     const QByteArray text(kFullScene);
     for (qsizetype at = 0; at < text.size(); ++at) {
         for (const char byte : {'\0', '"', '{', ']', ',', '9', '-', 'e', '\xFF', '\\', '\n'}) {

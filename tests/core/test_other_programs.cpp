@@ -1,5 +1,5 @@
 // The window positions that other programs unproject for a click, and their answers. The positions
-// are those of their sources, written out.
+// are written out from their sources.
 #include "core/unproject/other_programs.h"
 
 #include <QTest>

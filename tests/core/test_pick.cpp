@@ -185,7 +185,7 @@ void TestPick::aBackgroundClickGivesTheRayOfItsPixel()
     QVERIFY(isNear(pick->rayNear.world[Method::Matrix]->coordinates(), {-0.99875, 0.74875, 4.0}, kInverseRounding));
     QVERIFY(isNear(pick->rayFar.world[Method::Matrix]->coordinates(), {-9.9875, 7.4875, -5.0}, kInverseRounding));
 
-    // The ends are those of the depth range, wherever it puts them.
+    // The ray's ends follow the depth range, also a reversed one.
     Setup reversed = plainFrustum();
     reversed.depthRange = {1.0, 0.25};
     const Result<Pick> other = pickAt(reversed, WidgetPoint(0.0, 0.0), {0.25, {}, 24});
@@ -322,8 +322,9 @@ void TestPick::eachAxisHasItsOwnUncertainty_data()
     setup.pose = LookAt{WorldPoint(5, 5, 5), WorldPoint(6, 5, 5), {0, 0, 1}};
     QTest::newRow("frustum along x") << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)
                                      << glm::dvec3(0.5, 0.225, 0.3);
-    // At 45 degrees about y: s = (r, 0, -r), f = (-r, 0, -r) with r = sqrt(1/2). The ray's step is
-    // 0.125 s - 0.25 u + 0.5 f = (-0.375 r, -0.25, -0.625 r); the pixel adds 0.1 r, 0.05, 0.1 r.
+    // A rotation by 45 degrees about y: s = (r, 0, -r), f = (-r, 0, -r) with r = sqrt(1/2). The
+    // ray's step is 0.125 s - 0.25 u + 0.5 f = (-0.375 r, -0.25, -0.625 r); the pixel adds 0.1 r,
+    // 0.05, 0.1 r.
     const double r = std::sqrt(0.5);
     setup.pose = LookAt{WorldPoint(1, 0, 1), WorldPoint(0, 0, 0), {0, 1, 0}};
     QTest::newRow("frustum at an angle") << setup << EyePoint(1, -2, -4) << glm::dvec3(0.225, 0.3, 0.5)

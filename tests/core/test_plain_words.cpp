@@ -1,7 +1,9 @@
-// Plain words: what people read of the program keeps to the glossary, has short sentences, and says who does what.
+// Plain words: the texts of the program follow the glossary, have short sentences, and say who does
+// what.
 //
-// Read from the source tree: the texts of the window (.ts), of core (keys of the JSON), the lessons, the manual, the
-// README, and the docstrings of the headers. The terms that are wrong come from the manual's glossary, column "Not".
+// The tests read the source tree: the texts of the window (.ts), of core (JSON keys), the lessons,
+// the manual, the README, and the docstrings of the headers. The wrong terms are the column "Not"
+// of the manual's glossary.
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -16,15 +18,15 @@ namespace {
 
 constexpr int kMostWords = 30;
 
-/// Idioms that hide who does what. They are no terms, so the glossary does not list them.
+/// Idioms that hide who does what. They are not terms, so the glossary does not list them.
 const QStringList kGhosts{
     "are said",     "are told",   "besides",  "come about",    "comes about", "is said",    "is told",
     "let go",       "lets go",    "nobody",   "somebody",      "take apart",  "tell apart", "told apart",
     "turned round", "turn round", "whatever", "what is to be", "wherever",    "whoever",    "there is nothing of"};
-/// Words that the window and the messages have a term for: view, frame, image, setup.
+/// Words that have better terms in the window and the messages: view, frame, image, setup.
 const QStringList kGhostsOfWindow{"picture", "pictures"};
 
-/// A text and where it is: "messages: the file is empty".
+/// A text and its source: "messages: the file is empty".
 struct Text {
     QString where;
     QString text;
@@ -74,7 +76,7 @@ QList<Text> messageTexts()
     return texts;
 }
 
-/// Appends the texts of a lesson: all its strings that have a blank.
+/// Appends the texts of a lesson: all its strings with a space.
 void appendTexts(const QJsonValue &value, const QString &where, QList<Text> &texts)
 {
     if (value.isString() && value.toString().contains(u' '))
@@ -97,7 +99,8 @@ QList<Text> lessonTexts()
     return texts;
 }
 
-/// The prose of a Markdown page: a text for each paragraph, list item, heading and table cell, without code and links.
+/// The prose of a Markdown page without code and links: one text for each paragraph, list item,
+/// heading and table cell.
 QList<Text> pageTexts(const QString &file)
 {
     QString page = without(contentsOf(file), "^```.*?^```");
@@ -136,7 +139,8 @@ QStringList wrongTerms()
     return terms;
 }
 
-/// The texts that have one of these words, whole and in any case: "window: “tell apart” in: To tell apart".
+/// The texts with one of these words, whole and case-insensitive: "window: “tell apart” in: To tell
+/// apart".
 QStringList usesOf(const QStringList &words, const QList<Text> &texts)
 {
     QStringList patterns, found;
@@ -151,7 +155,7 @@ QStringList usesOf(const QStringList &words, const QList<Text> &texts)
     return found;
 }
 
-/// The sentences with more words than an engineer reads at once; a colon and a semicolon end one as well.
+/// The sentences with too many words; a colon and a semicolon end a sentence as well.
 QStringList longSentences(const QList<Text> &texts)
 {
     static const QRegularExpression ends(QStringLiteral("(?<=[.;:?!])\\s+|\\n\\s*\\n|\\n(?=\\S+ {2})"));
@@ -166,7 +170,7 @@ QStringList longSentences(const QList<Text> &texts)
     return found;
 }
 
-/// Labels, titles and tips of controls that are one phrase and end in a full stop: "gui/a.cpp: Near.".
+/// Labels, titles and tooltips that are one phrase and end in a full stop: "gui/a.cpp: Near.".
 QStringList stoppedLabels(const QString &file, const QString &code)
 {
     static const QRegularExpression label(QStringLiteral(
@@ -182,7 +186,7 @@ QStringList stoppedLabels(const QString &file, const QString &code)
     return found;
 }
 
-/// Docstrings whose first word leaves out who or what it is about: "a.h: Of the matrix".
+/// Docstrings that open without a subject: "a.h: Of the matrix".
 QStringList headlessDocstrings(const QString &file, const QString &code)
 {
     static const QRegularExpression headless(
@@ -286,7 +290,7 @@ void TestPlainWords::docstrings()
     QVERIFY2(found.isEmpty(), reportOf(found));
 }
 
-/// The checks themselves: each finds what it is for, and passes what is right.
+/// Tests the checks: each finds its mistake and accepts correct text.
 void TestPlainWords::checksSee()
 {
     const QList<Text> texts{{"a", "The Work\nplace is open"}, {"b", "workplaces"}};

@@ -272,8 +272,8 @@ void TestSceneDescription::aModelBehindALinkStaysTheSame()
         QVERIFY(!std::filesystem::exists(read));
 }
 
-/// A scene has the numbers that were typed, a click those that it was drawn with. A depth that was
-/// read at the far end is in the range of the click's scene, and not of the other one.
+/// A scene has the typed numbers, a click the numbers used for drawing. A depth that was read at
+/// the far end is in the range of the click's scene, and not of the other one.
 void TestSceneDescription::theDepthRangeOfAClickIsInSinglePrecision()
 {
     Scene scene;

@@ -133,7 +133,7 @@ void errorsOfThePaper(Errata &errors)
     errors.add("error-weng-clip-plane", "D of z = 0 as OpenGL keeps it, called behind gluLookAt", 0, 5,
                planeInSource(glm::dvec4(0, 0, 1, 0), glm::inverse(view)).w);
 
-    // By hand: (13) solved for d, 10 (4 - 2) / (4 (10 - 2)).
+    // Expected by hand: (13) solved for d, 10 (4 - 2) / (4 (10 - 2)).
     errors.add("error-weng-depth", "depth of z = -4 between 2 and 10", 0, 0.625, at.z);
     // A point straight ahead of the eye, whose axes figure 2 shows, is at 0; the viewport's origin,
     // of figure 5, is a corner.

@@ -186,8 +186,8 @@ void projectionDerivation()
         row(std::string(id) + " angle", "90.0",
             degreesFromRadians(std::get<Perspective>(symmetric).verticalFovRadians));
     }
-    // By hand, for 800 x 600: 1 / tan(ViewAngleV / 2) = 4/3, times AspectRatio = 3/4; -80005/79995;
-    // -800000/79995.
+    // Expected by hand for 800 x 600: 1 / tan(ViewAngleV / 2) = 4/3, times AspectRatio = 3/4;
+    // -80005/79995; -800000/79995.
     for (const auto &[id, m0] :
          {std::pair("derivation-matrix", "1.3333333"), std::pair("derivation-frustum", "1.3333333"),
           std::pair("derivation-perspective", "0.7500000")}) {
@@ -284,7 +284,7 @@ void parallelProjection()
                {"0.1111111", "0", "0", "0", "0", "0.1111111", "0", "0", "0", "0", "-0.2857143", "-1.5714286", "0", "0",
                 "0", "1"},
                ortho);
-    // By hand: 0.1 cot 0.78; with pi/4 it would be 0.1.
+    // Expected by hand: 0.1 cot 0.78; with pi/4 it would be 0.1.
     matrix<16>("parallel program 2",
                {"0.1", "0", "0.1010855", "0", "0", "0.1", "0.1010855", "0", "0", "0", "-0.2857143", "-1.5714286", "0",
                 "0", "0", "1"},

@@ -1,5 +1,5 @@
-// The operations of points and vectors, and those that must not compile. The claims up to the class
-// are checked by compiling this file.
+// The operations of points and vectors, and the operations that must not compile. The claims up to
+// the class are checked by compiling this file.
 
 #include "core/geometry/spaces.h"
 

@@ -97,7 +97,7 @@ void TestToldOrder::aMatrixTellsByItself()
         QVERIFY(told({right}) == std::vector{ToldOrder::Usual});
         QVERIFY(told({read(right.role, right.other)}) == std::vector{ToldOrder::Other});
     }
-    // Each matrix is judged by itself, whatever the others are.
+    // Each matrix is judged independently of the others.
     QVERIFY(told({read(View, glm::transpose(view())), read(Projection, lens())})
             == (std::vector{ToldOrder::Other, ToldOrder::Usual}));
 }

@@ -301,8 +301,8 @@ void TestViewport::theWholeSurfaceIsAViewport()
     QVERIFY((wholeSurface({500, 375, 1.25}) == Viewport{0, 0, 500, 375}));
 }
 
-/// At 1.5 a view that starts at logical 3 starts at device 4.5. Qt rounds that to 5: half a pixel
-/// less is left of it.
+/// A view that starts at logical 3 starts at device 4.5 with a pixel ratio of 1.5. Qt rounds that
+/// to 5: half a pixel less is left of it.
 void TestViewport::aViewsCornerIsOnAWholePixel()
 {
     const Surface surface{300, 150, 1.5};

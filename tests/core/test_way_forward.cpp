@@ -165,8 +165,8 @@ void TestWayForward::anglesInDegrees_data()
         QTest::addRow("%g", degrees) << degrees;
 }
 
-/// A field of view and a shear in degrees: the tangent is that of the given degrees, not of the
-/// radians that they were rounded to.
+/// A field of view and a shear in degrees: the tangent is computed from the given degrees, not from
+/// the rounded radians.
 void TestWayForward::anglesInDegrees()
 {
     QFETCH(double, degrees);

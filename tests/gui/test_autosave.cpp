@@ -122,7 +122,7 @@ void TestAutosave::theReasonIsTold()
     autosave.follow(true);
     QVERIFY(failed.wait(kPatienceMilliseconds));
     const QString told = QDir::fromNativeSeparators(failed[0][0].toString());
-    // The system's own words follow the folder, whatever they are.
+    // The system's error text follows the folder.
     QVERIFY2(told.contains(reason) && !told.endsWith(u' '), qPrintable(told));
     QCOMPARE(failed.size(), 1);
 }

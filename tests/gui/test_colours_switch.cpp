@@ -1,5 +1,5 @@
-// Other colours while the program runs: every widget then has the palette, and every panel the picture, of a fresh
-// start in them.
+// A switch of colours at run time: each widget gets the same palette, and each panel the same
+// image, as after a fresh start in these colours.
 
 #include "window_user.h"
 
@@ -23,7 +23,7 @@ using namespace guitest;
 
 namespace {
 
-/// The colours of every role and group.
+/// The colours of all roles and groups.
 QString coloursOf(const QPalette &palette)
 {
     QString text;
@@ -33,7 +33,7 @@ QString coloursOf(const QPalette &palette)
     return text;
 }
 
-/// A widget's way from the window: its class and its place among its parent's children of that class.
+/// The path from the window to a widget: each class, with the index among siblings of that class.
 QString pathOf(const QWidget &widget)
 {
     const QWidget *parent = widget.isWindow() ? nullptr : widget.parentWidget();
@@ -55,7 +55,7 @@ struct Look {
     QString toolTips;
 };
 
-/// A window after a click and a turn of the camera, in the workspace that has the click's banner.
+/// A window after a click and a camera rotation, in the workspace with the click's banner.
 std::unique_ptr<MainWindow> prepared()
 {
     auto window = windowOfSize({1280, 800});
@@ -63,7 +63,7 @@ std::unique_ptr<MainWindow> prepared()
     LookAt camera = window->document().setup().camera();
     camera.eye.x += 0.5;
     setCamera(window->document(), camera);
-    window->view().setFocus(); // no field is marked
+    window->view().setFocus(); // no field has the focus
     settle(20);
     return window;
 }
@@ -149,7 +149,7 @@ void TestColoursSwitch::itIsAsAfterAFreshStart()
     QCOMPARE(after.toolTips, fresh.toolTips);
 }
 
-/// The ground of a refused field, of tool tips and of the banner.
+/// Checks the backgrounds of a rejected field, of tooltips and of the banner.
 void TestColoursSwitch::whatIsMarkedCanBeRead()
 {
     setAppearance(Appearance::Light);

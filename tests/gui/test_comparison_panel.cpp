@@ -357,8 +357,8 @@ void TestComparisonPanel::theShownDepthTellsThePoint_data()
 }
 
 /// Near is 0.001, far 100000: nearly all depths begin with many nines. The chain, the formula and
-/// the values for other programs show a depth that gives the point. The point's digits are those of
-/// the table as far as they are certain, and two more.
+/// the values for other programs show a depth that gives the point. The point has the table's
+/// certain digits and two more.
 void TestComparisonPanel::theShownDepthTellsThePoint()
 {
     QFETCH(double, distance);
@@ -406,8 +406,8 @@ void TestComparisonPanel::theDepthRangeChangesOnlyTheDepth()
     const DepthRange range = depthranges::ofThisRow();
     Setup setup = frustumGeometry();
     setup.depthRange = range;
-    // By hand: half of the depths is the distance 2 n f / (n + f) = 10/3. The eye point there is
-    // that of (412.5, 300.5) of 800 x 600.
+    // Expected by hand: the middle depth is the distance 2 n f / (n + f) = 10/3. The pixel centre
+    // is (412.5, 300.5) of 800 x 600.
     const double distance = 10.0 / 3.0;
     const glm::dvec3 eye((412.5 / 400.0 - 1.0) * 0.8284271247461901 / 2.0 * distance,
                          (300.5 / 300.0 - 1.0) * 0.6213203435596426 / 2.0 * distance, -distance);

@@ -1,6 +1,6 @@
-// Fine meshes, drawn with all their triangles and with only those that can cover a pixel's centre:
-// the same picture, bit for bit. Most triangles must be left out, or the optimization would be
-// pointless.
+// Fine meshes, drawn with all their triangles and with only the triangles that can cover a pixel's
+// centre: the same picture, bit for bit. Most triangles must be left out, or the optimization would
+// be pointless.
 
 #include "core/mesh/covering_triangles.h"
 #include "gui/view/frame.h"

@@ -598,7 +598,8 @@ void TestDoctorPlace::aClickMadeBeforeIsTaken_data()
     QTest::newRow("Points, orbit") << Workspace::Landmarks << Happening(orbit);
 }
 
-/// Whatever has changed since, the form has the click, and the mistake is found in the picture of the click.
+/// After any change since the click, the form has the click, and the doctor finds the mistake in
+/// the click's setup.
 void TestDoctorPlace::aClickMadeBeforeIsTaken()
 {
     QFETCH(Workspace, workspace);
@@ -622,7 +623,7 @@ void TestDoctorPlace::aClickMadeBeforeIsTaken()
                               kPatienceMilliseconds);
 }
 
-/// In the picture of the points that are there: the clicked point has a pixel in it.
+/// The clicked point gets its pixel in the setup of the points that are there already.
 void TestDoctorPlace::aClickMadeElsewhereIsAddedToThePoints()
 {
     const auto window = doctorWindow();

@@ -148,7 +148,7 @@ void TestExportPicture::atTwiceTheSizeThePickIsWhereItIsProjected()
     options.marks.pick = true;
     const QImage with = pictureOf(*window, options);
     QCOMPARE(with.size(), sizeOf(large));
-    // Only the pick's mark differs: it is around the projected point, as wide as it is high.
+    // Only the pick's mark differs: it is around the projected point, equally wide and high.
     const glm::dvec2 place = 2.0 * placeOf(*window, picked(*window));
     const QPoint at(int(place.x), large.heightPixels - 1 - int(place.y));
     const int half = int(4.0 * large.devicePixelRatio);

@@ -1,4 +1,4 @@
-// A fold: what the user opens in a panel that scrolls.
+// A fold in a panel that scrolls.
 
 #include "gui/widgets/fold.h"
 #include "tests/support/patience.h"
@@ -20,7 +20,7 @@ private slots:
 
 void TestFold::whatItOpensIsInSight()
 {
-    auto &content = *new QLabel(QStringLiteral("opened")); // the fold's
+    auto &content = *new QLabel(QStringLiteral("opened")); // owned by the fold
     content.setFixedHeight(60);
     QScrollArea area;
     area.setWidgetResizable(true);
@@ -38,7 +38,7 @@ void TestFold::whatItOpensIsInSight()
         const QRect seen(content.mapTo(area.viewport(), QPoint()), content.size());
         return content.isVisible() && area.viewport()->rect().contains(seen);
     };
-    fold->setOpen(true); // as a layout is restored
+    fold->setOpen(true); // like the restore of a layout
     QTest::qWait(20);
     QVERIFY(!isInSight());
     fold->setOpen(false);

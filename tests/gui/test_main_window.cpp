@@ -354,7 +354,7 @@ void TestMainWindow::aDarkWindowHasADarkView()
     QVERIFY(corner() > 160);
 }
 
-/// What answers most questions stands first.
+/// The manual is first, because it answers most questions.
 void TestMainWindow::helpBeginsWithTheManual()
 {
     const auto window = windowOfSize({700, 500});

@@ -33,7 +33,7 @@ const ManualPage *pageNamed(const std::vector<ManualPage> &pages, const QString 
     return page == pages.end() ? nullptr : &*page;
 }
 
-/// "picking.md#limits" stands in one of the pages.
+/// Returns whether a page has the section of an address: "picking.md#limits".
 bool isThere(const std::vector<ManualPage> &pages, const QString &address)
 {
     const ManualPlace place = manualPlace(address);
@@ -49,7 +49,7 @@ void eachFragment(const QTextDocument &text, const std::function<void(const QTex
     }
 }
 
-/// What stands at the upper edge of the page.
+/// The line at the upper edge of the page.
 QString firstLine(ManualWindow &window)
 {
     return window.page().cursorForPosition({4, window.page().fontMetrics().height()}).block().text();
@@ -153,7 +153,7 @@ void TestManual::everyLinkLeadsSomewhere_data()
 {
     QTest::addColumn<QString>("folder");
     QTest::newRow("English") << "manual";
-    QTest::newRow("Chinese") << "manual/zh_CN"; // the English ones as long as there are no others
+    QTest::newRow("Chinese") << "manual/zh_CN"; // English pages if a translation is missing
 }
 
 void TestManual::everyLinkLeadsSomewhere()
@@ -226,7 +226,7 @@ void TestManual::aLinkOpensItsHeading()
     window.openPlace(QStringLiteral("#earlier-picks"));
     QCOMPARE(window.currentPage().name, QStringLiteral("picking"));
     QCOMPARE(firstLine(window), QStringLiteral("Earlier picks"));
-    // As the user: the first link of a page.
+    // The test clicks a link like a user.
     window.openPlace(QStringLiteral("index.md"));
     emit window.page().anchorClicked(QUrl(QStringLiteral("doctor.md#read-the-verdict")));
     QCOMPARE(window.currentPage().name, QStringLiteral("doctor"));
@@ -364,7 +364,7 @@ void TestManual::theZoomTakesEverythingWithIt()
     ManualWindow window;
     window.resize(900, 500);
     window.show();
-    window.openPlace(QStringLiteral("command-line.md")); // without an image, which the zoom leaves alone
+    window.openPlace(QStringLiteral("command-line.md")); // a page without images, because the zoom doesn't scale them
     eachFragment(*window.page().document(), [](const QTextCharFormat &format) {
         QVERIFY(!format.hasProperty(QTextFormat::FontPointSize) && !format.hasProperty(QTextFormat::FontPixelSize));
     });

@@ -1,4 +1,4 @@
-// The "?" of every panel, and the key that does the same.
+// The "?" button of each panel, and the equivalent key.
 
 #include "window_user.h"
 
@@ -15,7 +15,7 @@ namespace unprojector::gui {
 using namespace guitest;
 namespace {
 
-/// The "?" to be seen for a panel: in its title bar, or beside its tab.
+/// The visible "?" of a panel: in its title bar or beside its tab.
 QToolButton *helpOf(const MainWindow &window, const QDockWidget &dock)
 {
     for (QToolButton *button : window.findChildren<QToolButton *>(QStringLiteral("manualOfPanel"))) {
@@ -80,7 +80,7 @@ void TestPanelHelp::theFrontTabHasIt()
     QVERIFY(helpOf(*window, comparison) && !helpOf(*window, objects));
     auto *tabs = qobject_cast<QTabBar *>(helpOf(*window, comparison)->parentWidget());
     QVERIFY(tabs);
-    tabs->setCurrentIndex(1 - tabs->currentIndex()); // as a click on the other tab
+    tabs->setCurrentIndex(1 - tabs->currentIndex()); // like a click on the other tab
     QVERIFY(!helpOf(*window, comparison));
     QToolButton *button = helpOf(*window, objects);
     QVERIFY(button && button->accessibleName().contains(objects.windowTitle()));
@@ -126,7 +126,7 @@ void TestPanelHelp::theKeyOpensThePageOfThePanelWithTheFocus()
     focus->setFocus();
     QAction *action = actionOf(*window, QStringLiteral("Manual of This Panel"));
     QCOMPARE(action->shortcut(), QKeySequence(Qt::SHIFT | Qt::Key_F1));
-    action->trigger(); // the key needs a window manager, which makes the window the active one
+    action->trigger(); // the key needs an active window, hence a window manager
     QCOMPARE(placeShown(*window), manualPlaceOf(panel));
 }
 

@@ -211,7 +211,8 @@ void TestParametersColumn::aDragIsOneStep()
     QVERIFY(isSameScene(scene(), prepared));
 }
 
-/// Their range goes by the objects and by how far the eye is, and their steps are round numbers, also far from zero.
+/// Their range depends on the objects' size and the eye's distance. Their steps are round numbers,
+/// also far from zero.
 void TestParametersColumn::theEyesSlidersFollowTheScene()
 {
     const auto ends = [this](const QString &name) {

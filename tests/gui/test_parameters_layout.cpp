@@ -199,7 +199,8 @@ void TestParametersLayout::unitsStandInOneColumn()
                     columns << label->mapTo(m_panel->widget(), QPoint()).x();
                 }
             }
-            // A factor has none. Where sliders stand in that column, the row has its unit once, beneath the title.
+            // A factor has no unit. If sliders are in that column, the row has its unit once,
+            // beneath the title.
             const auto sliders = field->parentWidget()->findChildren<NumberSlider *>();
             const bool isBeneath = std::any_of(sliders.begin(), sliders.end(), [field](const NumberSlider *slider) {
                 return slider->y() == field->y() && slider->x() > field->geometry().right();

@@ -151,8 +151,9 @@ void TestPickStrip::thePointHasTheSameDigitsEverywhere_data()
     QTest::newRow("planes far apart") << 0.001 << 1e5;
 }
 
-/// The headline, the table, the line below the view, the lines along the axes and the list of picks: each has the
-/// coordinate rounded to a place of its own, and none has a black digit below the certain place.
+/// The headline, the table, the line below the view, the lines along the axes and the list of
+/// picks: each has the coordinate rounded to a place of its own, and none has a black digit below
+/// the certain place.
 void TestPickStrip::thePointHasTheSameDigitsEverywhere()
 {
     QFETCH(double, nearDistance);
@@ -198,7 +199,8 @@ void TestPickStrip::thePointHasTheSameDigitsEverywhere()
             shown << table;
             for (const QString &number : shown)
                 QCOMPARE(number, fixedText(point[axis], -lastPlaceOf(number)));
-            // Of the other columns a black digit is no finer than how far they are from the formula.
+            // A black digit of another column is not finer than the distance from the formula's
+            // number.
             for (const int column : {ComparisonModel::Matrix, ComparisonModel::MatrixInFloat}) {
                 const QModelIndex other = panel.model().index(axis, column);
                 const QString certain =
@@ -267,7 +269,7 @@ void TestPickStrip::itSaysThatItIsOfTheClick()
     QCOMPARE(textsOf(strip).size(), texts.size());
     QCOMPARE(numbersOf(textsOf(strip)[0]), numbersOf(texts[0]));
     QVERIFY(std::abs(numbersOf(textsOf(strip)[4])[0] - numbersOf(texts[4])[0]) < 0.01);
-    // From there the pipeline shows the same numbers.
+    // A click on a space shows the same numbers in the pipeline.
     spacesOf(strip)[4]->click();
     QVERIFY(part<PipelinePanel>(*window).model().showsClick());
     clickMiddle(*window);

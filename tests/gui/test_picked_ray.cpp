@@ -149,7 +149,7 @@ void TestPickedRay::theRayMeetsWhatIsShown()
     QCOMPARE(met(document), expected);
     QCOMPARE(told.count(), std::size_t(1));
     if (const auto &place = document.picks().pickedRay()->met) {
-        // By hand: pixels are 0.02 wide, y up.
+        // Expected by hand: pixels are 0.02 wide, y points up.
         QVERIFY(std::abs(place->hit.world.x - (-4.0 + 220.5 * 0.02)) < 1e-14);
         QVERIFY(std::abs(place->hit.world.y - (3.0 - 140.5 * 0.02)) < 1e-14);
         QVERIFY(place->hit.triangle && std::abs(std::abs(place->hit.triangle->normal.z) - 1.0) < 1e-15);

@@ -1,4 +1,5 @@
-// The quantities of the pick's formulas in both views, and the way back from there to the formulas.
+// The marks of the formulas' quantities in both views, and the marked term in the formulas while
+// the pointer is over its quantity.
 
 #include "window_user.h"
 
@@ -28,9 +29,9 @@ namespace {
 
 using Tips = HighlightMarks::Tips;
 
-constexpr double kPixel = 1.0; // logical, of the roundings of a position
+constexpr double kPixel = 1.0; // logical; tolerance for rounded positions
 
-/// A pixel of the cube's front face is clicked, and View from Outside is shown.
+/// A window after a click on the cube's front face, with View from Outside visible.
 std::unique_ptr<MainWindow> clickedWindow()
 {
     auto window = shownWindow(false, {1100, 760}, true);
@@ -76,13 +77,13 @@ bool isNear(const QPointF &a, const QPointF &b)
     return std::hypot(a.x() - b.x(), a.y() - b.y()) <= kPixel;
 }
 
-/// Whether a line ends there.
+/// Returns whether a line ends at a point.
 bool ends(const QLineF &line, const QPointF &point)
 {
     return isNear(line.p1(), point) || isNear(line.p2(), point);
 }
 
-/// Where the clicked point is seen, logical pixels.
+/// The clicked point's position in the view, logical pixels.
 QPointF pickedPlace(MainWindow &window)
 {
     return localOf(window, pickOf(window).point.world[Method::Formula]->coordinates());
@@ -160,14 +161,14 @@ void TestQuantityMarks::thePointIsMeasuredAlongTheEyesAxes()
     const auto window = clickedWindow();
     const QPointF point = pickedPlace(*window), middle = QRectF(window->view().rect()).center();
     const HighlightMarks x = inView(*window, "x"), y = inView(*window, "y"), z = inView(*window, "z");
-    // The view axis is seen end-on, in the middle of a symmetric projection.
+    // The view axis is end-on, in the middle of a symmetric projection.
     QVERIFY(ends(x.arrows[0].line, point) && ends(x.arrows[0].line, {middle.x(), point.y()}));
     QVERIFY(ends(y.arrows[0].line, point) && ends(y.arrows[0].line, {point.x(), middle.y()}));
     QCOMPARE(z.arrows.size(), std::size_t(2));
     QVERIFY(z.arrows[0].tips == Tips::Away && isNear(z.arrows[0].line.p2(), middle));
     QVERIFY(z.arrows[1].tips == Tips::None && ends(z.arrows[1].line, middle) && ends(z.arrows[1].line, point));
     QVERIFY(hasLetter(z, "z") && hasLetter(inView(*window, "d"), "d"));
-    // From outside it is as long as the formula says.
+    // Its length in View from Outside is the formula's.
     ObserverView &outside = outsideOf(*window);
     outside.setMarkedTerm(QStringLiteral("z"));
     const auto eye = outside.placeOf(window->document().setup().camera().eye);
@@ -239,7 +240,7 @@ void TestQuantityMarks::theBackgroundHasItsRay()
     QVERIFY(ends(way, *outside.placeOf(*pickOf(*window).rayNear.world[Method::Formula]))
             && ends(way, *outside.placeOf(*pickOf(*window).rayFar.world[Method::Formula])));
     QVERIFY(isNear(inView(*window, "near").arrows.at(0).line.p2(), {20.5, 20.5}));
-    QVERIFY(inView(*window, "t").isEmpty()); // a share of the way there, and no edge
+    QVERIFY(inView(*window, "t").isEmpty()); // here t is the share of the way, not the top edge
 }
 
 void TestQuantityMarks::marksAreOfTheViewAsItIs()
@@ -271,7 +272,7 @@ void TestQuantityMarks::aTermOfTheFormulaMarksBothViews()
     leave(*formula.viewport());
     QCOMPARE(differentPixels(before, window->view().grabFramebuffer()), 0);
     QCOMPARE(differentPixels(beforeOutside, outsideOf(*window).grabFramebuffer()), 0);
-    // Nor does a mark outlive its formula.
+    // A mark disappears with its formula.
     movePointer(*formula.viewport(), formula.placesOf(QStringLiteral("n")).at(0).center());
     window->document().picks().clearPick();
     QVERIFY(outsideOf(*window).highlightMarks().isEmpty());
@@ -308,7 +309,7 @@ void TestQuantityMarks::theMarkOfThePickMarksThePoint()
     QTRY_COMPARE_WITH_TIMEOUT(formula.markedTerm(), QStringLiteral("world"), kPatienceMilliseconds);
     at({40.0, 0.0});
     QTRY_COMPARE_WITH_TIMEOUT(formula.markedTerm(), QString(), kPatienceMilliseconds);
-    // The point where it is seen now.
+    // The mark follows the point to its current position.
     LookAt camera = window->document().setup().camera();
     camera.eye.x += 1.0;
     setCamera(window->document(), camera);

@@ -347,7 +347,7 @@ void TestScanSeries::aTurnedScanKeepsItsFilesNumbers()
         QVERIFY(glm::distance(points()[i].world->coordinates(), shown[i].world->coordinates()) < 1e-12);
         QCOMPARE(points()[i].object, std::string("turned"));
     }
-    // Without the scan in the scene its points have the positions that it gave them.
+    // The points keep the scan's positions when the scan is removed from the scene.
     QVERIFY(removeObject(*m_document, 0));
     QVERIFY(m_document->sceneLandmarks().rename(0, QStringLiteral("A")));
     QVERIFY(m_series->keep());
@@ -406,8 +406,8 @@ void TestScanSeries::aDamagedPlacingIsNotGoneOver()
     QCOMPARE(read(QStringLiteral("square.obj.points.csv")), damaged);
 }
 
-/// In any order of actions, while files come and go, each scan's file has the points last seen on
-/// that scan, and no other's.
+/// Each scan's file has the points last seen on that scan and no others, for any order of actions,
+/// also if files appear and disappear.
 void TestScanSeries::noScanGetsThePointsOfAnother()
 {
     QVERIFY(QFile::remove(path(QStringLiteral("square.obj"))));

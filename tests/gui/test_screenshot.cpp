@@ -344,7 +344,7 @@ void TestScreenshot::helpAndVersionNeedNoDisplay()
     QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
     QVERIFY2(result.output.contains(words), result.output.constData());
 #ifdef Q_OS_LINUX
-    // Without a display, a picture fails with a message, not by the platform plugin's abort.
+    // A screenshot without a display fails with a message, not with the platform plugin's abort.
     const Run picture = run({"--screenshot", path("never.png")}, {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"});
     QVERIFY(picture.hasExited);
     QCOMPARE(picture.exitCode, 2);

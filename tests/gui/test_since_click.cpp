@@ -409,7 +409,7 @@ void TestSinceClick::thePipelineShowsTheValuesAtTheClick()
         QCOMPARE(numbers(), then);
         QVERIFY2(panel.model().status().startsWith(QStringLiteral("Values at the click")),
                  qPrintable(panel.model().status()));
-        // A point is given in the view as it is: here it is not taken.
+        // The panel rejects a typed point while it shows the values at the click.
         panel.model().point(PointModel::Space::World)->typeAll(QStringLiteral("1 2 3"));
         QVERIFY(!document.scene().givenPoint);
         values.setChoice(1);

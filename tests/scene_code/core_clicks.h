@@ -31,8 +31,8 @@ struct Click {
     glm::dvec3 world;
 };
 
-/// A hundred pixels of the viewport with any depths of the depth range, by the formulas, or by the inverse of a matrix
-/// that they do not know; the same in every run.
+/// A hundred pixels of the viewport with random depths of the depth range, the same in each run.
+/// The formulas unproject them, or the inverted matrix if it has no known form.
 inline std::vector<Click> hundredClicks(const unprojector::scene_file::SceneFile &scene)
 {
     const unprojector::geometry::Setup setup = setupOf(scene);

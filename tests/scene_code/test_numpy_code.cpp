@@ -1,5 +1,5 @@
-// The script that is written for a scene: its matrices, its way there and its two ways back are core's. Python runs it
-// where there is one with NumPy.
+// The NumPy script of a scene: its matrices, its projection and both methods of unprojection give
+// core's results. Python runs the script if it has NumPy.
 
 #include "core/scene_code/scene_code.h"
 #include "tests/scene_code/core_clicks.h"
@@ -19,7 +19,8 @@ using namespace unprojector::scene_file;
 
 namespace {
 
-/// What is run beside a script: reads clicks, writes the script's numbers, each with all its digits.
+/// The program that imports the script, reads clicks, and writes the script's numbers with all
+/// digits.
 const char *const kAsks = R"(
 import json, sys
 import scene
@@ -36,10 +37,10 @@ for i, j, depth, *world in json.load(sys.stdin):
 json.dump(answer, sys.stdout)
 )";
 
-/// Ends with 0 where there is NumPy.
+/// A program that exits with 0 if NumPy is available.
 const char *const kLooks = "import sys, importlib.util; sys.exit(importlib.util.find_spec('numpy') is None)";
 
-/// The first Python of the search path that has NumPy; empty where none has.
+/// The first Python in the search path with NumPy; empty if there is none.
 QString pythonWithNumpy()
 {
     for (const QString &folder : qEnvironmentVariable("PATH").split(QDir::listSeparator(), Qt::SkipEmptyParts)) {
@@ -106,7 +107,7 @@ void TestNumpyCode::sceneRows()
     QTest::newRow("perspective_matrix") << "z = m[2, 3] / (" << true;
 }
 
-/// This part needs no Python.
+/// This test needs no Python.
 void TestNumpyCode::itHasBothWaysBack()
 {
     QFETCH(QString, projection);
@@ -154,8 +155,8 @@ void TestNumpyCode::itsNumbersAreCores()
         core_clicks::compareMatrices(matrixOf(models.at(i)), worldFromObject(scene.objects[std::size_t(i)].transform),
                                      kShare);
 
-    // Far away a depth's rounding counts by the square of the distance; half a pixel would be a thousand million times
-    // as much.
+    // The error from a depth's rounding grows with the square of the distance. An error of half a
+    // pixel would be 1e9 times as large.
     constexpr double kWorld = 1e-11, kPixel = 1e-9;
     QCOMPARE(answer["formula"].toArray().isEmpty(), !hasFormula);
     for (int k = 0; k < int(clicks.size()); ++k) {
@@ -172,7 +173,7 @@ void TestNumpyCode::itsNumbersAreCores()
         QVERIFY2(off <= kPixel, qPrintable(QStringLiteral("projected again: off by %1").arg(off)));
     }
 
-    // As a program it prints a click both ways.
+    // Run as a program, it prints a click by both methods.
     python.start(m_python, {QStringLiteral("scene.py")});
     QVERIFY(python.waitForFinished(-1));
     const QByteArray printed = python.readAllStandardOutput();
