@@ -26,6 +26,26 @@
 namespace unprojector::gui {
 using namespace geometry;
 
+namespace {
+
+/// Returns whether a pixel of the view lies on the mark of the picked point in the current view.
+bool isAtPickMark(const SceneDocument &document, const DevicePixel &pixel)
+{
+    constexpr double kReach = 8.0; // logical pixels, around the mark
+    const std::optional<WorldPoint> point = document.picks().pickedPoint();
+    const Setup &setup = document.setup();
+    const Result<glm::dmat4> clip = clipFromWorld(setup);
+    if (!point || !clip || !((*clip * glm::dvec4(point->coordinates(), 1.0)).w > 0.0))
+        return false;
+    const Result<WindowPoint> window = windowFromWorld(setup, *point);
+    if (!window)
+        return false;
+    const DevicePoint mark = deviceFromWindow(setup.surface, *window), at = pixelCenter(pixel);
+    return std::hypot(mark.x - at.x, mark.y - at.y) <= kReach * setup.surface.devicePixelRatio;
+}
+
+} // namespace
+
 /// A tool bar without margins in every style.
 class FlushBar : public QToolBar {
     Q_OBJECT
