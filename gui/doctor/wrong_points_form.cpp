@@ -348,7 +348,7 @@ std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) c
         if (!position)
             return Fault{row.pixel,
                          tr("%1 is not a pixel: %2", "the field's text, why")
-                             .arg(quoted(*row.pixel), why(position.error(), tr("type x and y, such as 400.5, 300.5")))};
+                             .arg(quoted(*row.pixel), why(position.error(), tr("its x and y, such as 400.5, 300.5")))};
         const double x = (*position)[0].value, y = (*position)[1].value;
         if (m_setup
             && !(x >= 0.0 && y >= 0.0 && x <= m_setup->surface.widthPixels && y <= m_setup->surface.heightPixels))
@@ -369,12 +369,11 @@ std::optional<WrongPointsForm::Fault> WrongPointsForm::faultOf(const Row &row) c
     if (!isFilled(*row.got))
         return std::nullopt;
     if (const auto got = numbersOrFault(row.got->text().toStdString(), 3); !got)
-        return Fault{
-            row.got,
-            tr("%1 is not a point: %2", "the field's text, why")
-                .arg(quoted(*row.got),
-                     why(got.error(),
-                         tr("type three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918")))};
+        return Fault{row.got,
+                     tr("%1 is not a point: %2", "the field's text, why")
+                         .arg(quoted(*row.got),
+                              why(got.error(),
+                                  tr("three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918")))};
     return std::nullopt;
 }
 

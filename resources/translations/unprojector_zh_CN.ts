@@ -8496,7 +8496,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>%1 不是像素：%2</translation>
     </message>
     <message>
-        <source>type x and y, such as 400.5, 300.5</source>
+        <source>its x and y, such as 400.5, 300.5</source>
         <translation>x 和 y，例如 400.5, 300.5</translation>
     </message>
     <message>
@@ -8505,7 +8505,7 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>%1 不是点：%2</translation>
     </message>
     <message>
-        <source>type three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918</source>
+        <source>three coordinates as the program prints them, such as 0.7051 -0.4122 0.0918</source>
         <translation>三个坐标，如程序所打印的样子，例如 0.7051 -0.4122 0.0918</translation>
     </message>
 </context>

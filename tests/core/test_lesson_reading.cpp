@@ -107,18 +107,18 @@ void TestLessonReading::aWrongNumberIsFound_data()
     row("one of the source", "{4 = quoted 4}", "");
     row("another of the source", "{5 = quoted 4}", "a.text: \"5\" says 5, it is 4");
     row("none of the source", "{5 = quoted four}",
-        "a.text: \"5\" a: \"four\" in \"quoted four\" is no number of this step");
+        "a.text: \"5\" a: \"four\" in \"quoted four\" is not a number of this step");
     row("too many", "{(1, 1) = eye.z}", "a.text: \"(1, 1)\" says 2 numbers and names 1");
-    row("no such path", "{1 = eye.q}", "a.text: \"1\" a: \"eye.q\" in \"eye.q\" is no number of this step");
-    row("half a place", "{1 = view[}", "a.text: \"1\" a: \"view[\" in \"view[\" is no number of this step");
+    row("no such path", "{1 = eye.q}", "a.text: \"1\" a: \"eye.q\" in \"eye.q\" is not a number of this step");
+    row("half a place", "{1 = view[}", "a.text: \"1\" a: \"view[\" in \"view[\" is not a number of this step");
     row("beyond the last", "{1 = view[0][4]}",
-        "a.text: \"1\" a: \"view[0][4]\" in \"view[0][4]\" is no number of this step");
+        "a.text: \"1\" a: \"view[0][4]\" in \"view[0][4]\" is not a number of this step");
     row("of no source", "It is 5.", "a.text: 1 numbers outside of braces in \"It is 5.\"");
     row("an index is a name", "m[14] = {−8 = modelview[2][3]}", "");
     row("a step of a matrix",
         "{10 = projectionSteps[0][2][3] + 10}, {−5 = viewSteps[0][2][3]}, {0.1 = projectionSteps[1][0][0]}", "");
     row("no such step", "{1 = projectionSteps[3][0][0]}",
-        "a.text: \"1\" a: \"projectionSteps[3][0][0]\" in \"projectionSteps[3][0][0]\" is no number of this step");
+        "a.text: \"1\" a: \"projectionSteps[3][0][0]\" in \"projectionSteps[3][0][0]\" is not a number of this step");
     row("an expression", "{16 = -2 * eye.z}, {4/5 = eye.z / -10}", "");
 }
 

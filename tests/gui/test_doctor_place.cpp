@@ -269,7 +269,7 @@ void TestDoctorPlace::garbageIsUnknown()
     clickedAndWrong(*window);
     type(gotOf(*window), QStringLiteral("11.1234 22.2345 -30.3456"));
     QTRY_VERIFY_WITH_TIMEOUT(
-        verdictOf(*window).startsWith(QStringLiteral("Unknown. Nothing that is known explains this point")),
+        verdictOf(*window).startsWith(QStringLiteral("Unknown. No known mistake explains this point")),
         kPatienceMilliseconds);
     QVERIFY(panelOf(*window).answer().text().contains(QStringLiteral("Projects to pixel ")));
     QVERIFY(!panelOf(*window).code().isVisible());
@@ -413,15 +413,15 @@ void TestDoctorPlace::aDragOnTheBackgroundTakesNothingBack()
     QVERIFY(window->document().picks().pick() && !window->document().picks().pick()->hit());
     QVERIFY(pixel().isEmpty());
     const QLabel *said = labelOf(*window, QStringLiteral("Setup of the pixels"));
-    QVERIFY2(said->text().startsWith(QStringLiteral("Not used: the background")), qPrintable(said->text()));
+    QVERIFY2(said->text().startsWith(QStringLiteral("Not used: a click on the background")), qPrintable(said->text()));
     click(window->view(), localOf(*window, kCubeCenter + glm::dvec3(0.4, 0.6, 1.0)));
     const QString clicked = pixel();
     QVERIFY(!clicked.isEmpty());
     drag(window->view(), background + QPointF(5.0, 0.0), background + QPointF(60.0, 10.0), Qt::LeftButton);
     QCOMPARE(pixel(), clicked);
     QVERIFY2(!said->text().startsWith(QStringLiteral("Not used")), qPrintable(said->text()));
-    // The pixel still belongs to the view in which it was clicked.
-    QVERIFY2(said->text().contains(QStringLiteral("as it was")), qPrintable(said->text()));
+    // The pixel is still of the view in which it was clicked.
+    QVERIFY2(said->text().contains(QStringLiteral("when they were entered")), qPrintable(said->text()));
 }
 
 /// No usual ratio: only the screen suggests it.
@@ -547,7 +547,7 @@ void TestDoctorPlace::thePictureStaysThatOfTheClick()
     QTRY_VERIFY_WITH_TIMEOUT(verdictOf(*window).startsWith(QStringLiteral("y is not flipped")), kPatienceMilliseconds);
     QPushButton *now = nullptr;
     for (QPushButton *button : panelOf(*window).findChildren<QPushButton *>()) {
-        if (button->text().remove(u'&') == QStringLiteral("As it is now"))
+        if (button->text().remove(u'&') == QStringLiteral("Use current view"))
             now = button;
     }
     QVERIFY(now && !now->isVisible());

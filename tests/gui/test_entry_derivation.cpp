@@ -150,7 +150,7 @@ void TestEntryDerivation::aGivenPointThatTheWayDoesNotMakeIsSaidToDiffer()
     QVERIFY(editGivenPoint(document, GivenPoint{ClipPoint(1, 1, 1, 4), {}}, {{}}));
     model.update();
     const QString text = derivation(document, model, Space::Clip, 3);
-    QVERIFY2(text.contains(QStringLiteral("the number shown, 4, was given")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("the number shown, 4, is the input")), qPrintable(text));
 }
 
 void TestEntryDerivation::aClickOrAKeyShowsItAndMarksItsSource()

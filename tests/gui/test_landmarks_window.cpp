@@ -86,7 +86,7 @@ void TestLandmarksWindow::droppedPointsComeToTheTable()
     QVERIFY(table);
     QCOMPARE(table->model()->rowCount(), 1);
     QVERIFY(actionOf(*window, QStringLiteral("Import Landmarks…")));
-    QVERIFY(actionOf(*window, QStringLiteral("Export Points…")));
+    QVERIFY(actionOf(*window, QStringLiteral("Export Landmarks…")));
     write(QStringLiteral("p.csv"), "name,x,y,z\nfirst,1,two,0\n");
     emit window->view().filesDropped({QUrl::fromLocalFile(path(QStringLiteral("p.csv")))});
     QVERIFY2(window->message().contains(QStringLiteral("p.csv:2:")), qPrintable(window->message()));
@@ -290,7 +290,7 @@ void TestLandmarksWindow::fromAScanToASavedSceneAndBack()
         QVERIFY(document.scene().camera->eye.coordinates() == eye); // no key of the camera
         for (const char *name : {"hill.csv", "hill.pp", "hill.mrk.json", "hill.fcsv", "hill.pts", "hill.tps"}) {
             answer(path(QLatin1String(name)));
-            actionOf(*window, QStringLiteral("Export Points…"))->trigger();
+            actionOf(*window, QStringLiteral("Export Landmarks…"))->trigger();
             QVERIFY2(QFile::exists(path(QLatin1String(name))), name);
         }
         document.sceneLandmarks().select({0, 1, 2});

@@ -132,7 +132,7 @@ void TestOpenedLandmarks::straysAreAskedAbout()
     open({QStringLiteral("square.obj")});
     write(QStringLiteral("p.csv"), "name,x,y,z\na,1,2,0\nfar,3,4,5\n");
     QCOMPARE(m_files->importFrom(file(QStringLiteral("p.csv"))), isRead);
-    QVERIFY2(m_answers->strayText.contains(QStringLiteral("“far” is 5 off")), qPrintable(m_answers->strayText));
+    QVERIFY2(m_answers->strayText.contains(QStringLiteral("“far” is 5 away")), qPrintable(m_answers->strayText));
     QCOMPARE(points().size(), std::size_t(isRead ? 2 : 0));
     if (isRead) {
         QCOMPARE(points()[1].world->z, z);
@@ -146,8 +146,8 @@ void TestOpenedLandmarks::whatDoesNotHoldIsLetGo_data()
     QTest::addColumn<QString>("said");
     QTest::newRow("a triangle") << QByteArray(R"({"triangle": 1, "barycentric": [0.5, 0.25, 0.25]})") << "";
     QTest::newRow("no such triangle") << QByteArray(R"({"triangle": 2, "barycentric": [0.5, 0.25, 0.25]})")
-                                      << "held by what their object does not have: 1, as “a” (triangle 2)";
-    QTest::newRow("no such vertex") << QByteArray(R"({"vertex": 4})") << "does not have: 1, as “a” (vertex 4)";
+                                      << "does not exist: 1, such as “a” (triangle 2)";
+    QTest::newRow("no such vertex") << QByteArray(R"({"vertex": 4})") << "does not exist: 1, such as “a” (vertex 4)";
     QTest::newRow("no such edge") << QByteArray(R"({"edge": [0, 9], "share": 0.5})") << "“a” (edge 0–9)";
     QTest::newRow("another mesh's") << QByteArray(R"({"triangle": 0, "barycentric": [0.5, 0.25, 0.25]})")
                                     << "away from their anchor";
@@ -190,8 +190,9 @@ void TestOpenedLandmarks::aPointOnAnObjectThatIsNotThereIsFree()
     QVERIFY(*points()[0].world == WorldPoint(2.5, 5.0, 0.0));
     QVERIFY(points()[0].object.empty() && std::holds_alternative<landmarks::Free>(points()[0].anchor));
     QCOMPARE(m_warnings.size(), 1);
-    QVERIFY2(m_warnings[0].contains(QStringLiteral("not here: 1, as “a” (on “skull”)")), qPrintable(m_warnings[0]));
-    // The points of a scan stay the scan's, under any name.
+    QVERIFY2(m_warnings[0].contains(QStringLiteral("missing object: 1, such as “a” (on “skull”)")),
+             qPrintable(m_warnings[0]));
+    // A scan's are the scan's, whatever it was called.
     write(QStringLiteral("square.obj.points.csv"), "name,x,y,z,object,face,u,v,w\na,2.5,5,0,old.obj,1,0.5,0.25,0.25\n");
     QVERIFY(m_series->open(file(QString())));
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);

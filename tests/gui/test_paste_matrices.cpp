@@ -353,7 +353,7 @@ void TestPasteMatrices::anOrderThatNothingTellsIsAskedFor()
     const glm::dmat4 turn{glm::dmat3(view())};
     Pasting pasting;
     pasting.paste(MatrixRole::View, printed(glm::transpose(turn), "NumPy"));
-    QVERIFY(pasting.says("It is a camera's by rows and by columns"));
+    QVERIFY(pasting.says("It is a camera's matrix by rows and by columns"));
     pasting.button("Read as Column-major")->click();
     QVERIFY(!pasting.button("Read as Column-major"));
     pasting.ok()->click();
