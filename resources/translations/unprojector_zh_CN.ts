@@ -796,7 +796,7 @@
     <message>
         <source>each</source>
         <comment>± of a coordinate</comment>
-        <translation>（每个坐标）</translation>
+        <translation>各轴</translation>
     </message>
     <message>
         <source>World units. The ± beside the point is the largest of the three; Why? has the ± along the view.
