@@ -119,15 +119,9 @@ void AnswerView::showPoint()
     const QString format = QStringLiteral("(%1) ±%2%3");
     m_plain = format.arg(plain.join(QStringLiteral(", ")), QStringLiteral(" "), bound);
     // A line that is too long ends behind a comma, never within a number.
-    const QString ofEach = QChar(u' ') + tr("each", "± of a coordinate");
-    const bool fits =
-        m_point->fontMetrics().horizontalAdvance(m_plain) + fontMetrics().horizontalAdvance(ofEach) <= width();
+    const bool fits = m_point->fontMetrics().horizontalAdvance(m_plain) <= width();
     m_point->setText(format.arg(marked.join(fits ? QStringLiteral(", ") : QStringLiteral(",<br>&nbsp;")),
-                                QString(QChar::Nbsp), bound)
-                     + QStringLiteral("<span style='font-family:\"%1\"; font-size:%2pt'>%3</span>")
-                           .arg(QApplication::font(this).family())
-                           .arg(QApplication::font(this).pointSizeF())
-                           .arg(ofEach));
+                                QString(QChar::Nbsp), bound));
     m_point->setToolTip(
         each.join(u'\n') + u'\n'
         + tr("World units. The ± beside the point is the largest of the three; Why? has the ± along the "

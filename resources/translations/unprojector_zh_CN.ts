@@ -794,11 +794,6 @@
         <translation>复制这次点击的全部内容</translation>
     </message>
     <message>
-        <source>each</source>
-        <comment>± of a coordinate</comment>
-        <translation>各轴</translation>
-    </message>
-    <message>
         <source>World units. The ± beside the point is the largest of the three; Why? has the ± along the view.
 Grey digits are smaller than the uncertainty.</source>
         <translation>世界单位。点旁的 ± 是三个中最大的；沿视线的 ± 见“为什么？”。
