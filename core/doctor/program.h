@@ -21,8 +21,8 @@ struct Given {
     bool isFrustum = false; ///< given by the arguments of glFrustum, whose window is on the near plane
     bool isReversed = false;
     double side = -1.0; ///< direction of view in eye space: z_eye = side * distance
-    /// Eye units. NaN if the projection is a matrix without them; infinity for a far plane at
-    /// infinity.
+    /// The distances of the near and the far plane, eye units. NaN if the projection is a matrix
+    /// without near and far. The far distance is infinity for a far plane at infinity.
     double nearDistance = 1.0, farDistance = 100.0;
     glm::dmat4 clipFromEye{1.0};
     glm::dmat4 eyeFromWorld{1.0};
@@ -112,7 +112,7 @@ struct Variant {
 /// @param isClosedForm  see Run::isClosedForm; the mistakes belong to stages up to Factors
 std::optional<Run> ran(const Given &given, const Click &click, std::span<const Variant *const> mistakes,
                        bool isClosedForm = false);
-/// The answer of that program.
+/// The answer of the program with these mistakes, see ran(); empty if it has no finite answer.
 std::optional<glm::dvec3> answer(const Given &given, const Click &click, std::span<const Variant *const> mistakes,
                                  bool isClosedForm = false);
 

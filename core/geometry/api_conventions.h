@@ -32,7 +32,7 @@ inline constexpr std::array kApis{Api::OpenGl,  Api::Vulkan, Api::Direct3d, Api:
 ///                Camera.WorldToScreenPoint; the depth buffer where SystemInfo.usesReversedZBuffer,
 ///                so everywhere but on OpenGL
 ///   OpenCv       calib3d, no distortion: x_eye = R x + t, u = fx x / z + cx, v = fy y / z + cy
-///   OpenCascade  opencascade-transforms: v M
+///   OpenCascade  the article opencascade-transforms: row vectors, v M
 struct ApiConventions {
     const char *key = "";         ///< name in scene files and on the command line: "direct3d"
     const char *name = "";        ///< "Direct3D"
@@ -102,8 +102,8 @@ struct ApiClick {
 Result<ApiClick> apiClick(const Setup &setup, Api api, const WindowPoint &window, const EyePoint &eye,
                           const WorldPoint &world);
 
-/// Convert a scene's projection and view to an API's form, and back. Only signs change, except that
-/// a depth of [-1, 1] becomes [0, 1] where the API has only that.
+/// Converts a scene's projection and view to an API's form, and back. Only signs change. If the API
+/// has only NDC depths from 0 to 1, depths from -1 to 1 are converted too.
 MatrixProjection apiFromOurs(const MatrixProjection &projection, Api api);
 MatrixProjection oursFromApi(const MatrixProjection &projection, Api api);
 glm::dmat4 viewFromOurs(const glm::dmat4 &eyeFromWorld, Api api);

@@ -95,9 +95,9 @@ DoubleDouble preciseRadians(double radians);
 DoubleDouble preciseCotangent(double radians);
 double cotangent(double radians);
 
-/// The projection for a viewport of another aspect (width / height), in which a circle stays a
-/// circle. bottom and top stay. A frustum's left and right are scaled, which keeps the view axis at
-/// the same share of the width. A box is widened about its centre.
+/// The projection for a viewport of another aspect (width / height); circles stay circles. bottom
+/// and top stay. A frustum's left and right are multiplied by one factor, so their ratio stays. A
+/// box becomes wider or narrower about its centre.
 /// @pre the projection is valid and aspect > 0
 Projection withAspect(const Projection &projection, double aspect);
 

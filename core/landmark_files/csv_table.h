@@ -37,7 +37,7 @@ struct Table {
     text::DecimalMark mark{','};
 };
 
-/// Examines a table once. Throws Failure.
+/// Finds a table's separator, header, row count and decimal mark. Throws Failure.
 Table tableOf(std::string_view text);
 
 /// The rows of a table after its header, each with as many cells as the header.

@@ -67,8 +67,8 @@ std::string noteText(const LandmarkNote &note)
     case Kind::ObjectsLeftOut:
         return said(marked("the objects of %1 point are left out"), marked("the objects of %1 points are left out"));
     case Kind::HoldsLeftOut:
-        return said(marked("the triangles, vertices or edges of %1 point are left out"),
-                    marked("the triangles, vertices or edges of %1 points are left out"));
+        return said(marked("the anchor of %1 landmark (triangle, vertex or edge) is left out"),
+                    marked("the anchors of %1 landmarks (triangles, vertices or edges) are left out"));
     case Kind::UncertaintiesLeftOut:
         return said(marked("the uncertainties of %1 point are left out"),
                     marked("the uncertainties of %1 points are left out"));
@@ -96,8 +96,8 @@ std::string noteText(const LandmarkNote &note)
     case Kind::LooksMissing:
         return tr("\"%1\" has a coordinate of 9999, which readers take for a missing point", note.detail);
     case Kind::MissingAtOrigin:
-        return said(marked("%1 missing point is written at 0, 0, 0 with a field that older readers pass over"),
-                    marked("%1 missing points are written at 0, 0, 0 with a field that older readers pass over"));
+        return said(marked("%1 missing point is written as 0, 0, 0 with a status field, which older readers ignore"),
+                    marked("%1 missing points are written as 0, 0, 0 with a status field, which older readers ignore"));
     case Kind::AxesTurned:
         return tr(
             "the file is in RAS; x and y are negated, so that the points lie on a mesh as 3D Slicer reads one (LPS)");
@@ -127,8 +127,8 @@ std::string noteText(const LandmarkNote &note)
         return said(marked("%1 point is marked as not placed and had coordinates, which are left out"),
                     marked("%1 points are marked as not placed and had coordinates, which are left out"));
     case Kind::BlanksLeftOut:
-        return said(marked("the blanks around %1 text are left out; quotes keep them"),
-                    marked("the blanks around %1 texts are left out; quotes keep them"));
+        return said(marked("the blanks around %1 cell text are removed; put the text in quotes to keep them"),
+                    marked("the blanks around %1 cell texts are removed; put the texts in quotes to keep them"));
     case Kind::HeaderMissing:
         return tr("the table has no first line that names its columns; they are read as %1", note.detail);
     case Kind::DecimalCommas: return tr("the numbers have a decimal comma: 1,5 is one and a half");

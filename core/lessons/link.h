@@ -29,13 +29,15 @@ enum class Panel {
     Observer,
     Lesson
 };
-/// The names of panels, in their order: in lessons, in kept layouts, as names of docks.
+/// The names of panels, in the order of Panel. Lesson files, saved layouts and dock object names
+/// use them.
 inline constexpr std::array kPanelNames{"comparison", "pipeline", "parameters", "inspector", "lifecycle", "precision",
                                         "objects",    "points",   "series",     "doctor",    "observer",  "lesson"};
 
 /// The workspaces of the window, in the order of its tool bar; the first one is the initial one.
 enum class Workspace { Click, Pipeline, Landmarks, Doctor };
-/// The names of workspaces, in their order: in lessons, in kept layouts, on the command line.
+/// The names of workspaces, in the order of Workspace. Lesson files, saved layouts and the command
+/// line use them.
 inline constexpr std::array kWorkspaceNames{"click", "pipeline", "points", "doctor"};
 
 static_assert(kPanelNames.size() == static_cast<std::size_t>(Panel::Lesson) + 1);

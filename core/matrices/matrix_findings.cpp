@@ -353,8 +353,8 @@ std::string findingText(const MatrixFinding &finding, MatrixRole role)
         return tr(isView ? "looks transposed: its last column, not its last row, is 0 0 0 1"
                          : "looks transposed: only its transpose has a projection's form");
     case MatrixFault::Inverse:
-        return tr(isView ? "may be the camera's own matrix, world from eye: as a view it hides the world's origin, its "
-                           "inverse shows it"
+        return tr(isView ? "may be the inverse of a view (world from eye): read as a view, it hides the world's "
+                           "origin; inverted, it shows the origin"
                          : "is an inverse: its own inverse has a projection's form");
     case MatrixFault::Exchanged:
         return tr(isView ? "has a projection's form: view and projection seem to be swapped"
@@ -381,8 +381,8 @@ std::string findingText(const MatrixFinding &finding, MatrixRole role)
                   "the formulas need 0.00001; give more decimals",
                   numberText(finding.value, Digits::Double, 2));
     case MatrixFault::OtherOrder:
-        return tr(isView ? "is read in the order that makes 0 0 0 1 its last row"
-                         : "is read in the order that gives it a projection's form");
+        return tr(isView ? "is read in the order, by rows or by columns, that makes 0 0 0 1 its last row"
+                         : "is read in the order, by rows or by columns, that makes it a projection");
     case MatrixFault::OrderOfOthers:
         return tr("has the same form in both orders, and is read in that of the other matrices");
     case MatrixFault::OrderOpen:

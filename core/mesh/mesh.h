@@ -136,7 +136,8 @@ struct Model {
     /// The vertex count in the file, before splitting at normals and the like; all vertex numbers
     /// are smaller. 0 for a triangle soup, whose triangles share no vertices.
     std::size_t fileVertices = 0;
-    /// Numbers the vertices of a triangle soup, which is one mesh; null for other models.
+    /// The vertex numbers of a triangle soup, computed on first use. A soup has one mesh. Null for
+    /// other models.
     std::shared_ptr<SoupNumbers> soupNumbers;
     std::vector<ModelNote> notes; ///< differences from the file
     /// The other files that were read: material libraries, buffers. Textures name their own files.

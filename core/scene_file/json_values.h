@@ -130,8 +130,8 @@ struct ClipPlaneNumbers {
     static nlohmann::ordered_json write(const glm::dvec4 &value) { return Plain::write(value); }
 };
 
-/// Device pixels per logical pixel. It leaves the window's smaller side at least one pixel, and its
-/// larger side at most `most`.
+/// Device pixels per logical pixel. The reader accepts values that give the window's smaller side
+/// at least one device pixel after rounding, and its larger side at most `most` device pixels.
 struct PixelRatio {
     int width, height; ///< logical pixels
     int most;          ///< device pixels

@@ -83,8 +83,8 @@ std::string sentence(const SceneFileError &e)
                   choicesText(e.choices));
     case SceneFileErrorCode::NotOneChoice: return tr("must have exactly one of %1", choicesText(e.choices));
     case SceneFileErrorCode::OtherAngle:
-        return tr("%1 is not the angle of %2, %3 degrees; remove the wrong one", shortestText(e.value), e.found,
-                  shortestText(e.limit));
+        return tr("%1 radians differ from %2, which is %3 degrees; remove the wrong key", shortestText(e.value),
+                  e.found, shortestText(e.limit));
     case SceneFileErrorCode::BadFileName: return tr("this is not a name of a file");
     case SceneFileErrorCode::NotUtf8: return tr("the name is not UTF-8 and cannot be written; rename it");
     case SceneFileErrorCode::InvalidValue: return e.cause ? errorText(*e.cause) : std::string();

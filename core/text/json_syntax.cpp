@@ -27,7 +27,7 @@ constexpr Kind kKinds[] = {
     {"forbidden character", marked("a text in quotes holds a backslash that JSON does not know; write \\\\ for a "
                                    "backslash")},
     {"4 hex digits", marked("\\u lacks its 4 hexadecimal digits")},
-    {"surrogate", marked("a pair of \\u for one character is not whole")},
+    {"surrogate", marked("half of a \\u surrogate pair is missing; write both halves or the character itself")},
     {"unexpected end of input", marked("the file ends too early; a bracket or a value is missing")},
     {"invalid number", marked("%1 is not a number; write one such as 1, -0.5 or 2e3")},
     {"expected end of input", marked("%1 follows the end")},

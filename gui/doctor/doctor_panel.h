@@ -56,8 +56,8 @@ private:
     /// The rays of a setup; null if they are not available.
     std::shared_ptr<const ray::SceneRays> raysOf(const geometry::Setup &setup) const;
 
-    /// Fills in a new pick. If it equals the one before the last, a drag has begun, and the last
-    /// click doesn't count.
+    /// Adds a new pick to the form. A drag restores the pick before the last one; the form then
+    /// reverts the last click.
     void takePick();
     void goToPixel(const geometry::DevicePoint &pixel);
     void refresh();

@@ -40,7 +40,7 @@ public:
 
     /// The casters of these objects, one an object; null for a hidden one. A caster keeps its model
     /// alive.
-    /// @return nothing while one is missing
+    /// @return empty while a shown object's caster is not built
     std::optional<std::vector<Caster>> of(const std::vector<scene::SceneObject> &objects) const;
     /// The reason why one of these objects has no caster and none is being built; nothing if all
     /// have theirs or wait for them.

@@ -24,8 +24,8 @@ struct SceneState {
     scene::SceneSettings settings;
     std::shared_ptr<const std::vector<scene::SceneObject>> objects;
     std::shared_ptr<const landmarks::LandmarkSet> landmarks;
-    /// The number of the edit that made it; looking around keeps it. Two states with the same
-    /// number differ in the view at most.
+    /// The number of the last edit in this state. Changes of the view keep the number, so two
+    /// states with the same number can differ only in the view.
     std::uint64_t edit = 0;
 };
 

@@ -20,7 +20,7 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// A measure that the view shows where it was measured.
+/// A measure that the view draws at its landmarks, with its value.
 struct ShownMeasure {
     enum class Shape {
         Polyline, ///< straight from landmark to landmark

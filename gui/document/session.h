@@ -195,8 +195,10 @@ private:
     geometry::Result<Autosave::Content, QString> unsavedContent() const;
     /// Cancels the loading and commits pending input before the scene is left.
     void finishBeforeLeaving();
+    /// Asks the user whether to save the changes of a scene.
     /// @param hasFile  see SessionQuestions::askSave
-    /// @param save     saves the scene in question
+    /// @param save     saves this scene; called if the user answers "save"
+    /// @return true if the changes are saved or discarded
     bool mayLoseChanges(const QString &name, bool hasFile, const std::function<bool()> &save);
     bool mayLoseChanges();
     void rememberRecent(const std::filesystem::path &file);

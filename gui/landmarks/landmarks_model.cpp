@@ -124,7 +124,7 @@ QString LandmarksModel::toolTip(const QModelIndex &index) const
     case PlusMinus:
         return !landmark.world ? QString()
                : landmark.uncertainty
-                   ? tr("Uncertainty, world units: the length of the uncertainties of the coordinates")
+                   ? tr("Uncertainty in world units: √(±x² + ±y² + ±z²), from the ± of each coordinate")
                    : tr("The uncertainty is unknown, so all digits are grey");
     case HeldBy: return heldByExplanation(landmark);
     case Note: return QString::fromStdString(landmark.note);

@@ -30,8 +30,8 @@ public:
 
 private:
     void fit();
-    /// Reports that a view has another size than the link asked for.
-    /// @param isFitted  as near to it as whole logical pixels allow
+    /// Shows a message if the view's size differs from the size in the link.
+    /// @param isFitted  true if the view has the nearest size in whole logical pixels
     void tell(bool isFitted);
 
     /// The sizes of the window before and after a link has enlarged it.

@@ -87,7 +87,7 @@ ObserverPanel::ObserverPanel(SceneDocument &document, QWidget *parent)
     m_percent = new QLabel;
     m_percent->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_percent->setMinimumWidth(m_percent->fontMetrics().horizontalAdvance(tr("%1 %").arg(100)));
-    m_percent->setAccessibleName(tr("Share of the way to the canonical view volume"));
+    m_percent->setAccessibleName(tr("Progress of the morph to the canonical view volume"));
 
     m_animate = new QPushButton;
     m_animate->setToolTip(tr("Play the morph to the other end"));

@@ -18,8 +18,8 @@ struct EntryDerivation {
     std::vector<int> coordinates;            ///< of the source: 0 for x, 3 for w
 };
 
-/// The stage whose matrix yields a space's point; none after a division or the step to the widget,
-/// and at the start.
+/// The stage whose matrix yields a space's point. None for the first space of a direction, for the
+/// result of a division, and for the step between window and widget.
 std::optional<matrices::PipelineStage> stageOf(PointModel::Space space, matrices::PipelineDirection direction);
 
 /// The space of the point that a stage's matrix yields; none for a product.

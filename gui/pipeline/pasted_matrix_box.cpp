@@ -182,7 +182,7 @@ void PastedMatrixBox::showPaste(const MatrixPaste &paste)
     if (pasted && pasted->isInverse)
         said << sentence(inverseText(*pasted));
     if (paste.leavesInverseOut(m_role))
-        said << tr("Its inverse in the text is ignored.");
+        said << tr("The pasted text also has the inverse of this matrix. It is ignored.");
     QStringList done;
     for (const MatrixFinding &finding : paste.repairs(m_role))
         done << repairName(finding, paste.order(m_role) == NumberOrder::ByColumns ? NumberOrder::ByRows

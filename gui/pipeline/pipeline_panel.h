@@ -64,7 +64,8 @@ public:
 
     /// Scrolls back to the first row, and closes the derivation and all decompositions.
     void startOver();
-    /// Shows the factors of the view's or the projection's matrix, forward, and their sliders.
+    /// Switches to the forward direction and opens the decomposition of the view's or the
+    /// projection's matrix.
     void takeApart(matrices::PipelineStage stage);
     /// Opens a matrix and scrolls to it.
     void openMatrix(matrices::PipelineStage stage);

@@ -85,7 +85,7 @@ OptionReader::OptionReader()
          tr("With --screenshot: press the left button at this position of the view, logical pixels from its top-left "
             "corner. May be given several times."),
          "X,Y"},
-        {"lesson", tr("Start with a lesson, or with one of its steps: first, weng:3."), "NAME[:STEP]"},
+        {"lesson", tr("Start with a lesson or with one of its steps. Examples: weng, weng:3."), "NAME[:STEP]"},
         {"smooth-edges", tr("Draw smooth edges: on or off. Clicks read the same depths either way."), "ON|OFF"},
     });
     m_parser.addPositionalArgument("MODEL",

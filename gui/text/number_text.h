@@ -23,7 +23,7 @@ QString writtenText(double value);
 QString writtenText(double value, int digits);
 /// A coordinate in pixels, to a hundredth at most: "412.5".
 QString pixelText(double pixels);
-/// A magnitude with so many significant digits, without trailing zeros: "0.83", "5.2", "3.1e-15",
+/// A magnitude with `digits` significant digits, without trailing zeros: "0.83", "5.2", "3.1e-15",
 /// "1.2e+06".
 QString significantText(double value, int digits);
 

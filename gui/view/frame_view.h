@@ -114,8 +114,8 @@ protected:
     void releaseFrame();
     /// The content of a frame.
     enum class Drawn {
-        /// no objects: OpenGL cannot create the frame, or the last frame (or an empty one) stays
-        /// until all is drawn
+        /// no new objects: OpenGL cannot create the frame, or the former frame stays until all
+        /// objects are drawn
         Nothing,
         StandIns, ///< stand-ins of the large objects, until all is drawn
         Objects

@@ -72,7 +72,8 @@ public:
     void enter(Workspace workspace);
     /// Shows a panel in the current workspace, in front.
     void show(Panel panel);
-    /// Gives a panel the larger part of the side that it shares with another one, if it is smaller.
+    /// Raises a panel's height to 60 % of the window's height if it is lower. Does this only if
+    /// both panels are in front in the same dock area.
     void giveRoom(Panel panel, Panel other);
 
     /// Resets the current workspace to its default for the window's size; the panels on the right

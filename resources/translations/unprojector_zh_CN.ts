@@ -3334,7 +3334,7 @@ Both are scaled to fit.</source>
         <translation>%1，已隐藏</translation>
     </message>
     <message>
-        <source>Uncertainty, world units: the length of the uncertainties of the coordinates</source>
+        <source>Uncertainty in world units: √(±x² + ±y² + ±z²), from the ± of each coordinate</source>
         <translation>该点可能相差多少，世界单位：各坐标可能相差之量的长度</translation>
     </message>
     <message>
@@ -5011,7 +5011,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Share of the way to the canonical view volume</source>
+        <source>Progress of the morph to the canonical view volume</source>
         <translation>到规范视景体的进度</translation>
     </message>
     <message>
@@ -5389,7 +5389,7 @@ The cube&apos;s z axis points away from the eye, because NDC is left-handed.</so
         <translation>默认</translation>
     </message>
     <message>
-        <source>Its inverse in the text is ignored.</source>
+        <source>The pasted text also has the inverse of this matrix. It is ignored.</source>
         <translation>文本中与它并列的逆矩阵未采用。</translation>
     </message>
     <message>
@@ -7334,7 +7334,7 @@ of a point that needs no division</source>
         <translation>--language 是 %1；请给出 system、en 或 zh_CN。</translation>
     </message>
     <message>
-        <source>Start with a lesson, or with one of its steps: first, weng:3.</source>
+        <source>Start with a lesson or with one of its steps. Examples: weng, weng:3.</source>
         <translation>从一门课程或其中一步开始：first、weng:3。</translation>
     </message>
     <message>

@@ -115,7 +115,7 @@ void TestLandmarksCommand::curvesAreLedOnTheMesh()
     }
     QCOMPARE(places, QList<QList<double>>({{1, 1, 0}, {0, 1, 0}, {0, 1, 1}}));
     const Run unknown = led(",7,7,7,rim,\"[\"\"A\"\",\"\"Z\"\"]\",geodesic,2\n,7,7,7,rim,,,\n");
-    QVERIFY2(unknown.errors.contains("the curve \"rim\" has no semilandmarks: some of its points are missing"),
+    QVERIFY2(unknown.errors.contains("the curve \"rim\" has no semilandmarks: some of its landmarks are missing"),
              unknown.errors);
     QVERIFY(!unknown.output.contains("7,7,7"));
     const Run given = led(",7,7,7,rim,,,\n,8,8,8,rim,,,\n");

@@ -71,7 +71,9 @@ void TestMatrixOrder::whatGivesACameraIsTaken()
     const Run run = made(scene(view, lens));
     QCOMPARE(run.exitCode, 0);
     QCOMPARE(run.output, expected.output);
-    QCOMPARE(run.errors.contains("view: is read in the order that makes 0 0 0 1 its last row; read by"), isSaid);
+    QCOMPARE(run.errors.contains(
+                 "view: is read in the order, by rows or by columns, that makes 0 0 0 1 its last row; read by"),
+             isSaid);
     QVERIFY(!run.errors.contains("transposed"));
     QVERIFY(isSaid || run.errors.isEmpty());
 }
@@ -89,7 +91,8 @@ void TestMatrixOrder::aViewThatOnlyTurnsGoesByTheProjection()
     QCOMPARE(columns.errors,
              QByteArray("stdin: view: has the same form in both orders, and is read in that of the other matrices; "
                         "read by columns, --order row reads it by rows\n"
-                        "stdin: projection: is read in the order that gives it a projection's form; read by columns, "
+                        "stdin: projection: is read in the order, by rows or by columns, that makes it a projection; "
+                        "read by columns, "
                         "--order row reads it by rows\n"));
 }
 

@@ -235,7 +235,8 @@ void TestSceneCommand::whatIsToBeSeenOfAMatrixIsSaid_data()
     QTest::newRow("rows taken for columns")
         << "modelview 1 0 0 0  0 1 0 0  0 0 1 -5  0 0 0 1 projection " + kProjection + " viewport " + kViewport
         << QStringList()
-        << QByteArray("stdin: modelview: is read in the order that makes 0 0 0 1 its last row; read by rows, --order "
+        << QByteArray("stdin: modelview: is read in the order, by rows or by columns, that makes 0 0 0 1 its last row; "
+                      "read by rows, --order "
                       "column reads it by columns\n");
     QTest::newRow("rows taken for columns, as asked for")
         << "modelview 1 0 0 0  0 1 0 0  0 0 1 -5  0 0 0 1 projection " + kProjection + " viewport " + kViewport

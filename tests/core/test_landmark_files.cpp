@@ -234,7 +234,7 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
     QTest::addColumn<Format>("format");
     QTest::addColumn<QStringList>("notes");
     const QString object = "the objects of 1 point are left out",
-                  hold = "the triangles, vertices or edges of 1 point are left out",
+                  hold = "the anchor of 1 landmark (triangle, vertex or edge) is left out",
                   uncertainty = "the uncertainties of 1 point are left out", note = "the notes of 1 point are left out",
                   color = "the colours of 1 point are left out", hidden = "1 hidden point is written as any other",
                   keys = "the other values of 1 point are left out: sex, code",
@@ -260,11 +260,12 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
     QTest::newRow("mrk.json") << Format::SlicerJson << QStringList{object, hold, uncertainty, color, mesh};
     QTest::newRow("fcsv")
         << Format::SlicerCsv
-        << QStringList{object,      hold,
-                       uncertainty, color,
-                       specimen,    mesh,
-                       unit,        keys,
-                       more,        "1 missing point is written at 0, 0, 0 with a field that older readers pass over"};
+        << QStringList{
+               object,      hold,
+               uncertainty, color,
+               specimen,    mesh,
+               unit,        keys,
+               more,        "1 missing point is written as 0, 0, 0 with a status field, which older readers ignore"};
     QTest::newRow("pts")
         << Format::Idav
         << QStringList{object,   hold,  uncertainty,
@@ -562,7 +563,8 @@ void TestLandmarkFiles::blanksAroundTextsAreSaid()
                     "0, 1, 2, 3, 0,0,0,1,1,1,0, nasion,here,\n",
                     Format::SlicerCsv)
             == one);
-    QCOMPARE(noteText(two[0]), std::string("the blanks around 2 texts are left out; quotes keep them"));
+    QCOMPARE(noteText(two[0]),
+             std::string("the blanks around 2 cell texts are removed; put the texts in quotes to keep them"));
 }
 
 void TestLandmarkFiles::badCurvesAreRefused_data()

@@ -61,7 +61,8 @@ void TestMalformedSceneFile::malformedScenesAreRefusedWithTheirPlace_data()
         "number");
     row("a path of Windows", "{\"a\": \"C:\\parts\"}",
         ":1:11: a text in quotes holds a backslash that JSON does not know; write \\\\ for a backslash");
-    row("half a pair", "{\"a\": \"\\ud800\"}", ":1:14: a pair of \\u for one character is not whole");
+    row("half a pair", "{\"a\": \"\\ud800\"}",
+        ":1:14: half of a \\u surrogate pair is missing; write both halves or the character itself");
     row("no hexadecimal number", "{\"a\": \"\\u00g0\"}", ":1:12: \\u lacks its 4 hexadecimal digits");
     row("an open text", "{\"a\": \"b", ":1:9: a text in quotes does not end; close it with \"");
     row("a number that ends early", "{\"a\": -}", ":1:7: - is not a number; write one such as 1, -0.5 or 2e3");

@@ -354,9 +354,9 @@ void TestSceneFile::radiansThatContradictTheDegreesAreRefused()
     QCOMPARE(fovyOf(*read(R"("fovy": 57.2957795, "fovyRadians": 1)")), 1.0); // shortened by another program
     const auto edited = read(R"("fovy": 45, "fovyRadians": 1)");
     QVERIFY(!edited);
-    QCOMPARE(
-        QByteArray::fromStdString(sceneErrorText(edited.error())),
-        QByteArray("scene.json: projection.fovyRadians: 1 is not the angle of fovy, 45 degrees; remove the wrong one"));
+    QCOMPARE(QByteArray::fromStdString(sceneErrorText(edited.error())),
+             QByteArray("scene.json: projection.fovyRadians: 1 radians differ from fovy, which is 45 degrees; remove "
+                        "the wrong key"));
 }
 
 void TestSceneFile::filesAreReadAndWritten()

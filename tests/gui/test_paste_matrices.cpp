@@ -243,7 +243,8 @@ void TestPasteMatrices::oneTextMayHaveBoth()
     pasting.paste(role, text);
     if (text.contains("viewport"))
         QVERIFY(pasting.says("The viewport, 300 × 200, is ignored"));
-    QCOMPARE(pasting.says("Its inverse in the text is ignored."), text.contains("viewInverse"));
+    QCOMPARE(pasting.says("The pasted text also has the inverse of this matrix. It is ignored."),
+             text.contains("viewInverse"));
     pasting.ok()->click();
     QVERIFY(difference(pasting.shownProduct(), lens() * view()) <= 1e-13);
 }
@@ -337,8 +338,8 @@ void TestPasteMatrices::theOrderIsToldByTheNumbers()
     Pasting pasting;
     pasting.paste(MatrixRole::Projection, printed(glm::transpose(lens()), "NumPy"));
     pasting.paste(MatrixRole::View, printed(glm::transpose(view()), "NumPy"));
-    QVERIFY(pasting.says("It is read in the order that gives it a projection's form."));
-    QVERIFY(pasting.says("It is read in the order that makes 0 0 0 1 its last row."));
+    QVERIFY(pasting.says("It is read in the order, by rows or by columns, that makes it a projection."));
+    QVERIFY(pasting.says("It is read in the order, by rows or by columns, that makes 0 0 0 1 its last row."));
     // The other order can be had all the same.
     pasting.button("Read as Row-major")->click();
     QTRY_VERIFY_WITH_TIMEOUT(pasting.says("looks transposed"), kPatienceMilliseconds);

@@ -189,7 +189,7 @@ public:
             }
             curve.semilandmarks.clear(); // the old ones describe the former position
             if (points.size() < curve.points.size()) {
-                complain(tr("%1: %2 has no semilandmarks: some of its points are missing", m_mesh, name));
+                complain(tr("%1: %2 has no semilandmarks: some of its landmarks are missing", m_mesh, name));
                 continue;
             }
             if (!m_surface)

@@ -161,10 +161,11 @@ bool MatrixTaker::lookAt(const PastedMatrix &pasted, PastedPart part, MatrixRole
         say(part,
             taken(findingText(finding, role)) + adviceFor(finding, order(pasted), m_options.conventions.has_value()));
         if (finding.fault == MatrixFault::Scaled && m_options.isOrthonormal)
-            say(part, tr(finding.repair == MatrixRepair::None ? "--orthonormal is for rounded axes and would change "
-                                                                "this camera; give the view without the model's scale"
-                                                              : "--orthonormal removes that scale; near, far and the "
-                                                                "eye stay unchanged, so results are in eye units"));
+            say(part, tr(finding.repair == MatrixRepair::None
+                             ? "--orthonormal is for rounded axes and would change "
+                               "this camera; give the view without the model's scale"
+                             : "--orthonormal removes the model's scale; near, far and eye coordinates stay unchanged, "
+                               "so world coordinates are in eye units"));
     }
     return isReversed;
 }

@@ -27,8 +27,8 @@ struct LineMessage {
 /// mark at the start is skipped.
 class LineBlocks {
 public:
-    /// The size limit of a block. A longer line is skipped as a whole. From a longer row with a
-    /// quote, the first line is taken alone.
+    /// The size limit of a block, in bytes. A longer line is skipped. If a row with a quote does
+    /// not end within the limit, the block is only its first line.
     static constexpr std::size_t kMostBytes = std::size_t(128) * 1024;
 
     explicit LineBlocks(ByteSource &source) : m_source(source) {}

@@ -340,7 +340,8 @@ const Json &GltfFile::reference(const Json &object, const char *key, const char 
     const std::uint64_t index = number(object, key, std::numeric_limits<std::uint64_t>::max());
     const Json &objects = array(target);
     if (index >= objects.size())
-        failMalformed(tr("\"%1\" refers to number %2 of \"%3\", the file has %4", key, index, target, objects.size()));
+        failMalformed(tr("\"%1\" refers to index %2 of \"%3\", but the length of that array is %4", key, index, target,
+                         objects.size()));
     return objects[static_cast<std::size_t>(index)];
 }
 

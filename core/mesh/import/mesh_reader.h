@@ -84,8 +84,8 @@ Model readObj(const Source &source);
 /// glTF and GLB.
 Model readGltf(const Source &source);
 
-/// The number of bytes after all that a binary file declares; 0 if they are only padding: zeros or
-/// blanks.
+/// The number of bytes that follow the declared content of a binary file. Returns 0 if all are
+/// padding: zeros, blanks, line breaks or 0x1A.
 std::size_t bytesThatMean(std::span<const std::uint8_t> bytes);
 
 /// The texture that a model file refers to, read from disk; `encoded` stays empty if the file is
