@@ -28,20 +28,13 @@ using namespace geometry;
 
 namespace {
 
-/// Returns whether a pixel of the view lies on the mark of the picked point in the current view.
-bool isAtPickMark(const SceneDocument &document, const DevicePixel &pixel)
+/// Returns whether a click lies on the mark of the picked point in the current view.
+bool isAtPickMark(const SceneDocument &document, const unproject::PixelClick &click)
 {
     constexpr double kReach = 8.0; // logical pixels, around the mark
     const std::optional<WorldPoint> point = document.picks().pickedPoint();
-    const Setup &setup = document.setup();
-    const Result<glm::dmat4> clip = clipFromWorld(setup);
-    if (!point || !clip || !((*clip * glm::dvec4(point->coordinates(), 1.0)).w > 0.0))
-        return false;
-    const Result<WindowPoint> window = windowFromWorld(setup, *point);
-    if (!window)
-        return false;
-    const DevicePoint mark = deviceFromWindow(setup.surface, *window), at = pixelCenter(pixel);
-    return std::hypot(mark.x - at.x, mark.y - at.y) <= kReach * setup.surface.devicePixelRatio;
+    const std::optional<QPointF> mark = point ? widgetOf(document.setup(), *point) : std::nullopt;
+    return mark && std::hypot(mark->x() - click.position.x, mark->y() - click.position.y) <= kReach;
 }
 
 } // namespace
@@ -136,7 +129,7 @@ ClickFeature::ClickFeature(Window &window)
     connect(&window, &Window::termPointed, &window.view(), &SceneView::setMarkedTerm);
     connect(&window, &Window::quantityPointed, m_comparison, &ComparisonPanel::markTerm);
     connect(&window, &Window::pointed, this, [this](const std::optional<unproject::PixelClick> &click) {
-        const bool isAtPick = click && isAtPickMark(m_document, click->pixel);
+        const bool isAtPick = click && isAtPickMark(m_document, *click);
         if (std::exchange(m_isAtPick, isAtPick) != isAtPick)
             emit m_window.quantityPointed(isAtPick ? QStringLiteral("world") : QString());
     });
@@ -150,7 +143,8 @@ ClickFeature::ClickFeature(Window &window)
         m_strip->setStale(since.isOtherSetup || since.isObjectMoved);
         if (changes & (Change::Pick | Change::Ray | Change::Objects))
             m_strip->setPick(m_document.picks().keptPick(), m_document.picks().pickedPoint(),
-                             m_document.picks().pick() ? pickedUncertainty(m_document.picks()) : WorldVector());
+                             m_document.picks().pick() ? pickedUncertainty(m_document.picks().keptPick())
+                                                       : WorldVector());
     });
     m_bar->setObjectName(QStringLiteral("strip"));
     m_bar->setMovable(false);

@@ -65,13 +65,6 @@ QString setupDifference(const Setup &from, const Setup &to)
 
 } // namespace
 
-Components<3> pickedUncertainty(const KeptPick &kept)
-{
-    if (kept.ray.snap != ray::Snap::Surface && kept.ray.taken)
-        return kept.ray.taken->hit.uncertainty;
-    return kept.pick->uncertainty.world;
-}
-
 PickRow pickRow(const EarlierPick &earlier, const std::vector<SceneObject> &objects)
 {
     const Pick &pick = *earlier.kept.pick;

@@ -19,9 +19,6 @@ struct PickRow {
 /// @param objects  the current ones
 PickRow pickRow(const EarlierPick &earlier, const std::vector<scene::SceneObject> &objects);
 
-/// The uncertainty of each coordinate of pickedPoint, world units.
-geometry::Components<3> pickedUncertainty(const KeptPick &kept);
-
 /// The differences of two picks, a line each: distance, coordinates, depth, pixel, object, setup.
 QString pickDifferenceText(const EarlierPick &from, const EarlierPick &to,
                            const std::vector<scene::SceneObject> &objects);

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <variant>
 
 namespace unprojector::gui {
 using namespace geometry;
@@ -108,16 +109,23 @@ std::optional<PointIn> pointNow(const SceneDocument &document)
     return pointIn(document.setup(), world, std::nullopt);
 }
 
-/// The row of a coordinate. If only rounding changed it, both texts are the same.
-ThenAndNow row(const QString &name, double then, const std::optional<double> &now, double ofThen, double ofNow)
+/// The row of a coordinate. Both texts are the same if only rounding or uncertain digits changed.
+/// @param scale  the largest coordinate of the point, whose rounding reaches all of them
+ThenAndNow row(const QString &name, double then, const std::optional<double> &now, double ofThen, double ofNow,
+               double scale)
 {
-    constexpr double kRounding = 1e-11, kShare = 1e-3; // of the value, of its uncertainty
+    constexpr double kRounding = 1e-11, kShare = 1e-3; // of the scale, of the uncertainty
     const QString text = certainText(then, ofThen);
     if (!now)
         return {name, text, QStringLiteral("–"), true, then};
-    const bool isSame =
-        std::abs(*now - then) <= std::max(kRounding * std::max(1.0, std::abs(then)), kShare * std::min(ofThen, ofNow));
-    return {name, text, isSame ? text : certainText(*now, ofNow), !isSame, then, now};
+    const bool isClose = std::abs(*now - then) <= std::max(kRounding * scale, kShare * std::min(ofThen, ofNow));
+    const QString nowText = isClose ? text : certainText(*now, ofNow);
+    return {name, text, nowText, nowText != text, then, now};
+}
+
+double scaleOf(const Components<3> &v)
+{
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
 /// Adds "name: a → b" if two values differ, with enough digits to distinguish them.
@@ -162,10 +170,13 @@ void addCameraChanges(QStringList &changes, const Setup &then, const Setup &now)
     if (!from || !to)
         return;
     addChange(changes, Texts::tr("Eye position"), from->eye, to->eye, triple);
+    const qsizetype before = changes.size();
     addChange(changes, Texts::tr("View direction"), from->forward, to->forward, triple);
-    if (from->forward == to->forward) // else it turns with the direction
+    if (changes.size() == before) // else it turns with the direction
         addChange(changes, Texts::tr("Up direction"), from->upward, to->upward, triple);
 }
+
+constexpr double kCentred = 1e-12; // a smaller centre is rounding
 
 void addProjectionChanges(QStringList &changes, const Projection &then, const Projection &now)
 {
@@ -180,9 +191,27 @@ void addProjectionChanges(QStringList &changes, const Projection &then, const Pr
         addChange(changes, Texts::tr("Aspect"), from, to, [](const ProjectionWindow &w, int digits) {
             return number((w.right - w.left) / (w.top - w.bottom), digits);
         });
+        addChange(changes, Texts::tr("Centre of the projection window at near 1"), from, to,
+                  [](const ProjectionWindow &w, int digits) {
+                      const auto centre = [&](double a, double b) {
+                          const double sum = (a + b) / (2.0 * w.nearDistance);
+                          return std::abs(sum) > kCentred ? sum : 0.0;
+                      };
+                      return QStringLiteral("(%1, %2)")
+                          .arg(number(centre(w.left, w.right), digits), number(centre(w.bottom, w.top), digits));
+                  });
     } else {
         addChange(changes, Texts::tr("Projection window"), from, to, [](const ProjectionWindow &w, int digits) {
-            return QStringLiteral("%1 × %2").arg(number(w.right - w.left, digits), number(w.top - w.bottom, digits));
+            return QStringLiteral("x %1 … %2, y %3 … %4")
+                .arg(number(w.left, digits), number(w.right, digits), number(w.bottom, digits), number(w.top, digits));
+        });
+    }
+    const auto *obliqueThen = std::get_if<Oblique>(&then), *obliqueNow = std::get_if<Oblique>(&now);
+    if (obliqueThen && obliqueNow) {
+        addChange(changes, Texts::tr("Shear angles"), *obliqueThen, *obliqueNow, [](const Oblique &o, int digits) {
+            return QStringLiteral("θ %1°, φ %2°")
+                .arg(number(degreesFromRadians(o.thetaRadians), digits),
+                     number(degreesFromRadians(o.phiRadians), digits));
         });
     }
     addChange(changes, Texts::tr("Near"), from.nearDistance, to.nearDistance, number);
@@ -204,10 +233,11 @@ std::vector<ThenAndNow> thenAndNow(const SceneDocument &document)
         ThenAndNow one = row(windowNames[static_cast<std::size_t>(axis)], then->window->at[axis],
                              now->window ? std::optional(now->window->at[axis]) : std::nullopt,
                              isPixel ? kPixelDigit : then->window->uncertainty[axis],
-                             now->window ? std::max(now->window->uncertainty[axis], isPixel ? kPixelDigit : 0.0) : 0.0);
+                             now->window ? std::max(now->window->uncertainty[axis], isPixel ? kPixelDigit : 0.0) : 0.0,
+                             isPixel ? scaleOf(then->window->at) : 1.0);
         if (isPixel) {
             one.then = pixelText(then->window->at[axis]);
-            if (!one.differs)
+            if (!one.differs && now->window)
                 one.now = one.then;
         }
         rows.push_back(std::move(one));
@@ -215,7 +245,7 @@ std::vector<ThenAndNow> thenAndNow(const SceneDocument &document)
     const auto add = [&rows](const std::array<QString, 3> &names, const auto &a, const auto &b) {
         for (int axis = 0; axis < 3; ++axis)
             rows.push_back(row(names[static_cast<std::size_t>(axis)], a.at[axis], b.at[axis], a.uncertainty[axis],
-                               b.uncertainty[axis]));
+                               b.uncertainty[axis], std::max(scaleOf(a.at), scaleOf(b.at))));
     };
     add({Texts::tr("Eye x"), Texts::tr("Eye y"), Texts::tr("Eye z")}, then->eye, now->eye);
     add({Texts::tr("World x"), Texts::tr("World y"), Texts::tr("World z")}, then->world, now->world);

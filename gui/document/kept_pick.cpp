@@ -93,6 +93,13 @@ std::optional<WorldPoint> pickedPoint(const KeptPick &kept)
     return formula ? std::optional(*formula) : std::nullopt;
 }
 
+WorldVector pickedUncertainty(const KeptPick &kept)
+{
+    if (kept.ray.snap != ray::Snap::Surface && kept.ray.taken)
+        return kept.ray.taken->hit.uncertainty;
+    return kept.pick->uncertainty.world;
+}
+
 bool follow(KeptPick &kept, const std::vector<SceneObject> &before, const std::vector<SceneObject> &after)
 {
     bool isOther = false;

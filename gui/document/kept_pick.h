@@ -47,6 +47,9 @@ SinceClick sinceClick(const KeptPick &kept, const scene::Scene &scene, const geo
 /// formula. Nothing if there is neither.
 std::optional<geometry::WorldPoint> pickedPoint(const KeptPick &kept);
 
+/// The uncertainty of that point: the snapped point's, else the surface's. @pre there is a pick
+geometry::WorldVector pickedUncertainty(const KeptPick &kept);
+
 /// Maps the indices of a pick from one list of objects to another. An object that is missing in
 /// `after` leaves no index.
 /// @return whether an index changed

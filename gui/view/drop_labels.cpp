@@ -16,37 +16,26 @@ namespace unprojector::gui {
 using namespace geometry;
 using namespace unproject;
 
-namespace {
-
-std::optional<QPointF> widgetOf(const Setup &setup, const glm::dvec3 &point)
+std::optional<QPointF> widgetOf(const Setup &setup, const WorldPoint &point)
 {
     const Result<glm::dmat4> matrix = clipFromWorld(setup);
-    const Result<WindowPoint> window = windowFromWorld(setup, WorldPoint(point));
-    if (!matrix || !window || !((*matrix * glm::dvec4(point, 1.0)).w > 0.0)) // it lies behind the eye
+    const Result<WindowPoint> window = windowFromWorld(setup, point);
+    if (!matrix || !window || !((*matrix * glm::dvec4(point.coordinates(), 1.0)).w > 0.0)) // it lies behind the eye
         return std::nullopt;
     const WidgetPoint widget = widgetFromDevice(setup.surface, deviceFromWindow(setup.surface, *window));
     return QPointF(widget.x, widget.y);
-}
-
-} // namespace
-
-WorldVector pickedUncertainty(const Picks &picks)
-{
-    const PickedRay *ray = picks.pickedRay();
-    return ray && ray->snap != ray::Snap::Surface && ray->taken ? ray->taken->hit.uncertainty
-                                                                : picks.pick()->uncertainty.world;
 }
 
 std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &font, const std::vector<QRectF> &taken)
 {
     const Picks &picks = document.picks();
     const std::optional<WorldPoint> point = picks.pick() && picks.pick()->hit() ? picks.pickedPoint() : std::nullopt;
-    const std::optional<QPointF> start = point ? widgetOf(document.setup(), point->coordinates()) : std::nullopt;
+    const std::optional<QPointF> start = point ? widgetOf(document.setup(), *point) : std::nullopt;
     std::vector<DropLabel> labels;
     if (!start)
         return labels;
     constexpr int kDigits = 4;
-    const WorldVector uncertainty = pickedUncertainty(picks);
+    const WorldVector uncertainty = pickedUncertainty(picks.keptPick());
     const double unit = std::pow(10.0, -decimalsFor(*point, kDigits));
     const QFontMetricsF metrics(font);
     const std::vector<LineSegment> lines = dropLines(*point, document.ground().box);
@@ -55,7 +44,7 @@ std::vector<DropLabel> dropLabels(const SceneDocument &document, const QFont &fo
     boxes.emplace_back(*start - QPointF(kMark, kMark), QSizeF(2.0 * kMark, 2.0 * kMark));
     for (int axis = 0; axis < 3; ++axis) {
         const LineSegment &line = lines[static_cast<std::size_t>(axis)];
-        const std::optional<QPointF> foot = widgetOf(document.setup(), line.to);
+        const std::optional<QPointF> foot = widgetOf(document.setup(), WorldPoint(line.to));
         if (!foot)
             continue;
         const QPointF way = *foot - *start;

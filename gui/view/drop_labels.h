@@ -1,11 +1,13 @@
 #pragma once
 
-#include "core/geometry/spaces.h"
+#include "core/geometry/setup.h"
 
 #include <QColor>
+#include <QPointF>
 #include <QRectF>
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 class QFont;
@@ -13,7 +15,6 @@ class QPainter;
 
 namespace unprojector::gui {
 
-class Picks;
 class SceneDocument;
 
 /// A coordinate of the picked point, beside the line from the point along its axis.
@@ -23,9 +24,9 @@ struct DropLabel {
     QRectF box;   ///< logical pixels of the view
 };
 
-/// The uncertainty of the picked point: the snapped point's, else the surface's. @pre there is a
-/// pick
-geometry::WorldVector pickedUncertainty(const Picks &picks);
+/// The position of a world point in the view, logical pixels. Nothing if it lies behind the eye or
+/// cannot be projected.
+std::optional<QPointF> widgetOf(const geometry::Setup &setup, const geometry::WorldPoint &point);
 
 /// The labels of lines that are long enough in the view.
 /// @param taken  rectangles of other texts, logical pixels

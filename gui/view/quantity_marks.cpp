@@ -68,9 +68,11 @@ std::vector<EyeLine> linesOf(const Setup &setup, const Pick &pick, const QString
         return {{EyePoint(0.0, y, z), *point, Tips::Both, "x", mark_color::kAxes[0]}};
     if (term == u"y")
         return {{EyePoint(x, 0.0, z), *point, Tips::Both, "y", mark_color::kAxes[1]}};
-    if (term == u"z" || term == u"d")
-        return {{EyePoint(), EyePoint(0.0, 0.0, z), Tips::Both, term.toStdString(), mark_color::kAxes[2]},
+    if (term == u"z" || term == u"d") { // z begins at the eye, the depth at the near plane
+        const double from = term == u"z" ? 0.0 : -projectionWindow(setup.projection()).nearDistance;
+        return {{EyePoint(0.0, 0.0, from), EyePoint(0.0, 0.0, z), Tips::Both, term.toStdString(), mark_color::kAxes[2]},
                 {EyePoint(0.0, 0.0, z), *point, Tips::None, {}, mark_color::kAxes[2]}};
+    }
     if (term == u"world")
         return {{*point, *point, Tips::Towards, "world"}};
     return {};
@@ -128,10 +130,12 @@ HighlightMarks windowMarks(const Setup &g, const Pick &pick, const QString &term
             add(marks, {seen(arrow.from.x, arrow.from.y), seen(arrow.to.x, arrow.to.y)}, Tips::Both,
                 arrow.letter.letter, mark_color::kDark);
     }
-    if (term == u"px")
+    // px and py are measured in the window of the click.
+    const bool isSameWindow = pick.setup.surface == g.surface;
+    if (term == u"px" && isSameWindow)
         add(marks, {seen(0.0, pick.window.y), seen(pick.window.x, pick.window.y)}, Tips::Both, "px",
             mark_color::kAxes[0]);
-    if (term == u"py")
+    if (term == u"py" && isSameWindow)
         add(marks, {seen(pick.window.x, g.surface.heightPixels), seen(pick.window.x, pick.window.y)}, Tips::Both, "py",
             mark_color::kAxes[1]);
     // The near plane's edges coincide with the viewport's, and both planes fill the viewport.

@@ -129,6 +129,7 @@ void SceneView::onCreate()
 void SceneView::onSize()
 {
     const LifecycleTimer timer;
+    leaveSurface(); // the view moved below the pointer: its next move tells the pixel
     m_document.setSurface(widgetSurface());
     if (const Result<Drawable> drawn = drawable(m_document.setup()))
         emit happened(timer.onSize(*drawn));

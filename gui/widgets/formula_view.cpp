@@ -185,8 +185,9 @@ void FormulaView::setMarkedTerm(const QString &term)
 
 void FormulaView::mark(const QString &term)
 {
-    if (term == m_marked)
+    if (term == m_pointed)
         return;
+    m_pointed = term;
     setMarkedTerm(term);
     emit termPointed(term);
 }

@@ -79,6 +79,7 @@ private:
     PickFormulas m_formulas;
     Content m_content;
     QString m_marked;
+    QString m_pointed; ///< the term under the pointer; setMarkedTerm may mark another one
 };
 
 } // namespace unprojector::gui
