@@ -99,9 +99,8 @@ std::string clipPlanes(const SceneFile &scene)
 std::string glmCode(const SceneFile &scene)
 {
     const Setup p = setupOf(scene);
-    std::string text =
-        headerComment(scene, "The matrices of a picture and the way back from a pixel, with GLM in double "
-                             "precision");
+    std::string text = headerComment(scene, "The matrices of a setup and the inverse from a pixel, with GLM in double "
+                                            "precision");
     if (isDepthZeroToOne(p))
         text += "// The projection's depths go from 0 to 1: glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE), Vulkan or "
                 "Direct3D.\n";

@@ -152,7 +152,7 @@ std::string gluCode(const SceneFile &scene)
 {
     const Setup setup = setupOf(scene);
     const Surface &surface = setup.surface;
-    std::string text = headerComment(scene, "The calls that make a picture, for OpenGL with GLU; for MFC, the view's "
+    std::string text = headerComment(scene, "The calls that make a setup, for OpenGL with GLU; for MFC, the view's "
                                             "handlers at the end");
     text += "// OpenGL's matrices and gluLookAt are in single precision with most drivers: seven digits.\n"
             "\n"

@@ -273,7 +273,7 @@ std::string numpyCode(const SceneFile &scene)
     const std::string method = formulas.empty() ? "world_by_inverse" : "world_by_formula";
     const bool needsUnit = !scene.objects.empty() || std::holds_alternative<LookAt>(p.pose);
     std::string text =
-        headerComment(scene, "The matrices of a picture, a point's way there and a pixel's way back, with NumPy alone",
+        headerComment(scene, "The matrices of a setup, the projection of a point and its inverse, with NumPy alone",
                       "#")
         + "\nimport numpy as np\n" + (needsUnit ? kUnit : "") + (scene.objects.empty() ? "" : kSteps) + '\n'
         + viewportLines(p) + '\n' + lens(p) + '\n' + camera(p) + ofEachObject(scene, objectMatrix) + clipPlanes(scene)

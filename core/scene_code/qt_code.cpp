@@ -130,7 +130,7 @@ std::string qtCode(const SceneFile &scene)
 {
     const Setup p = setupOf(scene);
     const double rounding = eyeRounding(p);
-    std::string text = headerComment(scene, "The matrices of a picture and the way back from a pixel, with Qt");
+    std::string text = headerComment(scene, "The matrices of a setup and the inverse from a pixel, with Qt");
     text += "// QMatrix4x4 and QVector3D hold single precision, seven digits";
     if (rounding > 0.0 && std::isfinite(rounding))
         text += ": the eye's place alone is rounded by up to " + boundText(rounding);

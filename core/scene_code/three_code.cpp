@@ -150,7 +150,7 @@ std::string setUpLines(const SceneFile &scene, const Setup &setup)
 std::string threeCode(const SceneFile &scene)
 {
     const Setup p = setupOf(scene);
-    std::string text = headerComment(scene, "A picture's camera and the way back from a pixel, with three.js");
+    std::string text = headerComment(scene, "A setup's camera and the inverse from a pixel, with three.js");
     text += "\n"
             "import * as THREE from 'three';\n"
             "\n"

@@ -343,6 +343,8 @@ void LessonsFeature::showFirstSteps(bool isShown)
         connect(m_firstSteps, &FirstSteps::closeRequested, this, [this] { showFirstSteps(false); });
         connect(m_firstSteps, &FirstSteps::lessonRequested, this,
                 [this] { m_player->start(m_player->lessons().front().name); });
+        if (auto *map = m_window.findChild<QAction *>(QStringLiteral("error_map")))
+            connect(map, &QAction::toggled, this, &LessonsFeature::placeFirstSteps);
     }
     if (!m_firstSteps)
         return;
@@ -356,9 +358,10 @@ void LessonsFeature::placeFirstSteps()
     if (!m_firstSteps)
         return;
     // Not in a lesson either: a lesson is one of them, and the view can be smaller without the
-    // note.
+    // note. An error map needs the corner for its choices.
+    const auto *map = m_window.findChild<QAction *>(QStringLiteral("error_map"));
     m_firstSteps->setVisible(m_areFirstStepsShown && m_window.workspaces().current() == Workspace::Click
-                             && !m_player->lesson());
+                             && !m_player->lesson() && !(map && map->isChecked()));
     m_firstSteps->raise();
 }
 

@@ -1,5 +1,6 @@
 #include "gui/lessons/manual_layout.h"
 
+#include "gui/widgets/contrast.h"
 #include <QFontDatabase>
 #include <QFontInfo>
 #include <QFontMetricsF>
@@ -17,15 +18,6 @@
 
 namespace unprojector::gui {
 namespace {
-
-/// A colour between two, for backgrounds of text.
-QColor mixed(const QColor &a, const QColor &b, double shareOfB)
-{
-    const auto mix = [shareOfB](int from, int to) {
-        return static_cast<int>(std::lround(from + shareOfB * (to - from)));
-    };
-    return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
-}
 
 struct Run {
     int start, length;

@@ -243,6 +243,10 @@ void ManualWindow::fillContents()
         m_contents->addTopLevelItem(item);
         item->setExpanded(isSearch);
     }
+    if (isSearch && m_contents->topLevelItemCount() == 0) {
+        auto *none = new QTreeWidgetItem(m_contents, {tr("No page has these words.")});
+        none->setFlags(Qt::NoItemFlags);
+    }
     if (isSearch)
         m_contents->setCurrentItem(nullptr);
     else
@@ -271,6 +275,8 @@ void ManualWindow::markPlace()
 
 void ManualWindow::openHit(const QTreeWidgetItem &item)
 {
+    if (!(item.flags() & Qt::ItemIsEnabled)) // it says that no page has the words
+        return;
     const int page = item.data(0, kPageRole).toInt();
     int section = item.data(0, kSectionRole).toInt();
     const QString words = m_search->text().simplified();

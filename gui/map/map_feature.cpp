@@ -57,6 +57,7 @@ void MapFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
     m_action = addSwitch(menu, tr("&Error Map"), Qt::Key_M,
                          tr("Show for every pixel the difference of the methods, the uncertainty of a click, or the "
                             "error of another program"));
+    m_action->setObjectName(QStringLiteral("error_map"));
     connect(m_action, &QAction::toggled, m_map, &MapOverlay::setShown);
 }
 

@@ -7,7 +7,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
@@ -22,7 +21,7 @@ namespace {
 
 QString dateText(const QDateTime &time)
 {
-    return QLocale().toString(time, QLocale::ShortFormat);
+    return time.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")); // the same in every language
 }
 
 } // namespace

@@ -132,9 +132,10 @@ void WindowMenus::addFileMenu()
     m_bar->addSeparator();
     addAction(menu, tr("Save Scene &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, tr("Write the scene to another file"),
               [&session] { session.saveAs(); });
-    addAction(menu, tr("Sce&ne as Code…"), {},
-              tr("Show the calls of this setup, for GLU and MFC, GLM, Qt or three.js, with the inverse from a pixel"),
-              [this] { showCode(); });
+    addAction(
+        menu, tr("Sce&ne as Code…"), {},
+        tr("Show the calls of this setup, for GLU and MFC, GLM, Qt, three.js or NumPy, with the inverse from a pixel"),
+        [this] { showCode(); });
     addAction(menu, tr("&Export Image…"), Qt::CTRL | Qt::Key_E,
               tr("Write only the view as a PNG image, at any size, with or without markers"),
               [this] { exportPicture(m_window); });

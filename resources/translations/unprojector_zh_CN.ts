@@ -3953,6 +3953,10 @@ Both are scaled to fit.</source>
         <source>Words; the list shows the pages and headings that have all of them. Enter opens the first one</source>
         <translation>输入词语；列表显示包含全部词语的页面和标题，按 Enter 打开第一个</translation>
     </message>
+    <message>
+        <source>No page has these words.</source>
+        <translation>没有页面包含这些词。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::MapFeature</name>
@@ -7546,6 +7550,14 @@ of a point that needs no division</source>
         <source>Pixel ratio</source>
         <translation>像素比</translation>
     </message>
+    <message>
+        <source>Centre of the projection window at near 1</source>
+        <translation>近平面距离为 1 时投影窗口的中心</translation>
+    </message>
+    <message>
+        <source>Shear angles</source>
+        <translation>错切角</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::ThenAndNowView</name>
@@ -8124,8 +8136,8 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>场景代码(&amp;N)…</translation>
     </message>
     <message>
-        <source>Show the calls of this setup, for GLU and MFC, GLM, Qt or three.js, with the inverse from a pixel</source>
-        <translation>生成这幅画面的调用（GLU 与 MFC、GLM、Qt 或 three.js），以及从像素反算回去的函数</translation>
+        <source>Show the calls of this setup, for GLU and MFC, GLM, Qt, three.js or NumPy, with the inverse from a pixel</source>
+        <translation>生成这幅画面的调用（GLU 与 MFC、GLM、Qt、three.js 或 NumPy），以及从像素反算回去的函数</translation>
     </message>
     <message>
         <source>&amp;Quit</source>

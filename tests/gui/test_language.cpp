@@ -8,7 +8,6 @@
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_edits.h"
 #include "gui/shell/appearance.h"
-#include "gui/shell/language_menu.h"
 #include "gui/text/bundled_names.h"
 #include "tests/support/patience.h"
 
