@@ -495,6 +495,11 @@ void TestMainWindow::newcomersSeeThreeStepsUntilTheyAreDone()
         const auto window = windowOfSize({1000, 700}, true);
         auto *steps = window->findChild<FirstSteps *>();
         QVERIFY(steps->isVisible() && steps->isDone(FirstSteps::Click) && !steps->isDone(FirstSteps::Drag));
+        auto *map = window->findChild<QAction *>(QStringLiteral("error_map"));
+        map->trigger(); // it needs the corner
+        QVERIFY(!steps->isVisible());
+        map->trigger();
+        QVERIFY(steps->isVisible());
         QTest::keyClick(&window->view(), Qt::Key_Left);
         QVERIFY(steps->isDone(FirstSteps::Drag) && steps->isVisible());
         QVERIFY(part<LessonPlayer>(*window).start("rows"));

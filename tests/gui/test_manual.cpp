@@ -276,9 +276,14 @@ void TestManual::theSearchListsPagesAndHeadings()
     QVERIFY(hits.contains(QStringLiteral("Read a pick")) && hits.contains(QStringLiteral("/View size")));
     QVERIFY(!hits.contains(QStringLiteral("/Snap to the mesh")));
     window.searchField().setText(QStringLiteral("no such words anywhere"));
-    QCOMPARE(listed(window), QStringList());
+    QCOMPARE(listed(window), QStringList(QStringLiteral("No page has these words.")));
+    const QString page = window.page().toPlainText();
+    QTest::keyClick(&window.searchField(), Qt::Key_Return); // opens nothing
+    QCOMPARE(window.page().toPlainText(), page);
     window.searchField().clear();
     QCOMPARE(listed(window), all);
+    // The page for builders is not the window's.
+    QVERIFY(!all.contains(QStringLiteral("Building and changing the program")));
 }
 
 void TestManual::enterOpensTheHitAndMarksIt()

@@ -119,6 +119,7 @@ private slots:
     void theEyesAxesAreNamed();
     void theBackgroundHasItsRay();
     void marksAreOfTheViewAsItIs();
+    void thePixelIsOfTheClicksWindow();
     void aTermOfTheFormulaMarksBothViews();
     void aPlaneFromOutsideMarksItsTerm();
     void theMarkOfThePickMarksThePoint();
@@ -177,6 +178,12 @@ void TestQuantityMarks::thePointIsMeasuredAlongTheEyesAxes()
     const auto end = outside.placeOf(worldFromEye(frame, EyePoint(0.0, 0.0, -distance)));
     const QLineF line = outside.highlightMarks().arrows.at(0).line;
     QVERIFY(eye && end && ends(line, *eye) && ends(line, *end));
+    // The depth is measured from the near plane on.
+    outside.setMarkedTerm(QStringLiteral("d"));
+    const double nearDistance = projectionWindow(window->document().setup().projection()).nearDistance;
+    const auto start = outside.placeOf(worldFromEye(frame, EyePoint(0.0, 0.0, -nearDistance)));
+    const QLineF depth = outside.highlightMarks().arrows.at(0).line;
+    QVERIFY(start && ends(depth, *start) && ends(depth, *end));
 }
 
 void TestQuantityMarks::thePlanesAndTheirEdgesLieAtTheViewport()
@@ -256,6 +263,16 @@ void TestQuantityMarks::marksAreOfTheViewAsItIs()
     setCamera(window->document(), camera);
     QVERIFY(inView(*window, "x").isEmpty() && inView(*window, "s").isEmpty());
     QVERIFY(!inView(*window, "n").isEmpty());
+}
+
+void TestQuantityMarks::thePixelIsOfTheClicksWindow()
+{
+    const auto window = clickedWindow();
+    QVERIFY(!inView(*window, "px").isEmpty() && !inView(*window, "py").isEmpty());
+    window->resize(window->width(), window->height() - 40);
+    settle();
+    QVERIFY(inView(*window, "px").isEmpty() && inView(*window, "py").isEmpty());
+    QVERIFY(!inView(*window, "x").isEmpty());
 }
 
 void TestQuantityMarks::aTermOfTheFormulaMarksBothViews()

@@ -92,6 +92,8 @@ private slots:
     void behindTheEyeThereIsNoWindowPoint();
     void rowsOfTheSameValueArePlain();
     void changesOfTheSetupHaveBothValues();
+    void changesOfABoxHaveItsEdgesAndAngles();
+    void rowsOfEqualTextsArePlain();
     void aBackgroundHasOnlyTheChangesOfTheSetup();
     void thePipelineShowsTheValuesAtTheClick();
     void thePipelineFollowsTheViewAgain();
@@ -370,9 +372,51 @@ void TestSinceClick::changesOfTheSetupHaveBothValues()
     QVERIFY(editProjection(document, {Frustum{-1, 1, -1, 1, 2, 10.0000001}, false, false}, {QStringLiteral("Far")}));
     QCOMPARE(setupChanges(document), QStringList{QStringLiteral("Far: 10 → 10.0000001")});
     document.undoStack().undo();
+    // An off-centre window, without another field of view in y.
+    QVERIFY(editProjection(document, {Frustum{-1, 3, -1, 1, 2, 10}, false, false}, {QStringLiteral("Shift")}));
+    QCOMPARE(setupChanges(document),
+             (QStringList{QStringLiteral("Aspect: 1 → 2"),
+                          QStringLiteral("Centre of the projection window at near 1: (0, 0) → (0.5, 0)")}));
+    document.undoStack().undo();
+    // Up, though the last bits of the direction differ.
+    LookAt turned = cameraAt(0, 0, 5);
+    turned.center.x = 1e-15;
+    turned.up = {1, 0, 0};
+    setCamera(document, turned);
+    QCOMPARE(setupChanges(document), QStringList{QStringLiteral("Up direction: (0, 1, 0) → (1, 0, 0)")});
+    document.undoStack().undo();
     document.setSurface({500, 300, 1.0});
     QCOMPARE(setupChanges(document), (QStringList{QStringLiteral("Viewport: (0, 0) 400 × 300 → (0, 0) 500 × 300"),
                                                   QStringLiteral("Window size: 400 × 300 → 500 × 300")}));
+}
+
+void TestSinceClick::changesOfABoxHaveItsEdgesAndAngles()
+{
+    SceneDocument document;
+    openAndPick(document);
+    const auto oblique = [](double left, double right, double theta) {
+        return ProjectionRule{Oblique{{left, right, -1, 1, 2, 10}, radiansFromDegrees(theta), radiansFromDegrees(60)},
+                              false, false};
+    };
+    QVERIFY(editProjection(document, oblique(-1, 1, 45), {QStringLiteral("Box")}));
+    pickAt(document, WidgetPoint(200.0, 150.0), {0.4, 0, 24});
+    QVERIFY(editProjection(document, oblique(0, 2, 50), {QStringLiteral("Shear")}));
+    QCOMPARE(setupChanges(document),
+             (QStringList{QStringLiteral("Projection window: x -1 … 1, y -1 … 1 → x 0 … 2, y -1 … 1"),
+                          QStringLiteral("Shear angles: θ 45°, φ 60° → θ 50°, φ 60°")}));
+}
+
+void TestSinceClick::rowsOfEqualTextsArePlain()
+{
+    SceneDocument document;
+    openAndPick(document);
+    // A shift far below the last certain digit, but above rounding.
+    for (const double shift : {1e-9, 3e-8, 1e-6, 1e-4}) {
+        setCamera(document, cameraAt(shift, 0, 5));
+        for (const ThenAndNow &row : thenAndNow(document))
+            QVERIFY2(row.differs == (row.then != row.now), qPrintable(row.name + row.then + row.now));
+        document.undoStack().undo();
+    }
 }
 
 void TestSinceClick::aBackgroundHasOnlyTheChangesOfTheSetup()
