@@ -338,7 +338,7 @@ Result<std::vector<double>, LessonError> LessonNumbers::values(const std::string
     const Result<double, text::ExpressionError> value = text::evaluate(expression, named);
     if (!value)
         return failed(step, "\"" + std::string(expression.substr(value.error().place, value.error().length))
-                                + "\" in \"" + std::string(source) + "\" is no number of this step");
+                                + "\" in \"" + std::string(source) + "\" is not a number of this step");
     if (!hasPath)
         return failed(step, "\"" + std::string(source) + "\" is nothing that the program computes");
     return std::vector<double>{*value};
