@@ -164,19 +164,23 @@ QString kindText(ProjectionKind kind)
     Q_UNREACHABLE();
 }
 
+constexpr double kRoundedToZero = 1e-12; // a smaller part of a unit vector or of a window is rounding
+
 void addCameraChanges(QStringList &changes, const Setup &then, const Setup &now)
 {
     const Result<EyeFrame> from = eyeFrame(then.camera()), to = eyeFrame(now.camera());
     if (!from || !to)
         return;
+    const auto direction = [](const WorldVector &v, int digits) {
+        const auto exact = [](double value) { return std::abs(value) > kRoundedToZero ? value : 0.0; };
+        return triple({exact(v.x), exact(v.y), exact(v.z)}, digits);
+    };
     addChange(changes, Texts::tr("Eye position"), from->eye, to->eye, triple);
     const qsizetype before = changes.size();
-    addChange(changes, Texts::tr("View direction"), from->forward, to->forward, triple);
+    addChange(changes, Texts::tr("View direction"), from->forward, to->forward, direction);
     if (changes.size() == before) // else it turns with the direction
-        addChange(changes, Texts::tr("Up direction"), from->upward, to->upward, triple);
+        addChange(changes, Texts::tr("Up direction"), from->upward, to->upward, direction);
 }
-
-constexpr double kCentred = 1e-12; // a smaller centre is rounding
 
 void addProjectionChanges(QStringList &changes, const Projection &then, const Projection &now)
 {
@@ -195,7 +199,7 @@ void addProjectionChanges(QStringList &changes, const Projection &then, const Pr
                   [](const ProjectionWindow &w, int digits) {
                       const auto centre = [&](double a, double b) {
                           const double sum = (a + b) / (2.0 * w.nearDistance);
-                          return std::abs(sum) > kCentred ? sum : 0.0;
+                          return std::abs(sum) > kRoundedToZero ? sum : 0.0;
                       };
                       return QStringLiteral("(%1, %2)")
                           .arg(number(centre(w.left, w.right), digits), number(centre(w.bottom, w.top), digits));

@@ -7444,7 +7444,7 @@ of a point that needs no division</source>
     <name>unprojector::gui::ThenAndNow</name>
     <message>
         <source>frustum</source>
-        <translation>视锥透视</translation>
+        <translation>透视（glFrustum）</translation>
     </message>
     <message>
         <source>perspective</source>

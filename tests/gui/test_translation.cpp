@@ -25,6 +25,7 @@ namespace {
 struct Message {
     QString context;
     QString source;
+    QString comment; ///< distinguishes equal sources
     QString translation;
     QString state;
 };
@@ -43,7 +44,9 @@ QList<Message> messagesOfFile()
         if (xml.name() == u"name") {
             context = xml.readElementText();
         } else if (xml.name() == u"source") {
-            messages.append({context, xml.readElementText(), {}, {}});
+            messages.append({context, xml.readElementText(), {}, {}, {}});
+        } else if (xml.name() == u"comment") {
+            messages.last().comment = xml.readElementText();
         } else if (xml.name() == u"translation") {
             messages.last().state = xml.attributes().value(QStringLiteral("type")).toString();
             messages.last().translation = xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed();
@@ -138,7 +141,8 @@ void TestTranslation::theProgramFindsEveryTranslation()
     const Translation translation(kChinese);
     for (const Message &m : messagesOfFile()) {
         if (!m.source.contains(u"%n"))
-            QCOMPARE(QCoreApplication::translate(m.context.toUtf8().constData(), m.source.toUtf8().constData()),
+            QCOMPARE(QCoreApplication::translate(m.context.toUtf8().constData(), m.source.toUtf8().constData(),
+                                                 m.comment.toUtf8().constData()),
                      m.translation);
     }
 }
