@@ -339,7 +339,7 @@ void TestGltfDraco::refusesWhatContradictsTheFile_data()
                            << "has the mode 1, which is not one of triangles";
     QTest::newRow("no view") << QByteArray(json).replace(R"("KHR_draco_mesh_compression":{"bufferView":0)",
                                                          R"("KHR_draco_mesh_compression":{"bufferView":5)")
-                             << "number 5";
+                             << "index 5";
     {
         DracoSheet old(Packing{});
         old.bytes[6] = 1;

@@ -202,9 +202,9 @@ void TestImportStl::saysWhyAFileCannotBeOpened_data()
     QTest::newRow("binary, truncated") << stlBinary().chopped(51) << Malformed
                                        << "declares 12 triangles, the file ends after 10";
     QTest::newRow("binary, more triangles than declared")
-        << stlBinary(10) << Malformed << "declares 10 triangles, the file has room for 12; correct the number";
+        << stlBinary(10) << Malformed << "declares 10 triangles, the file is long enough for 12; correct the number";
     QTest::newRow("binary, none declared")
-        << stlBinary(0) << Malformed << "declares 0 triangles, the file has room for 12";
+        << stlBinary(0) << Malformed << "declares 0 triangles, the file is long enough for 12";
     QTest::newRow("four billion") << stlBinary(0xffffffff) << Malformed << "declares 4294967295";
     QTest::newRow("no triangles") << QByteArray(84, '\0') << NoTriangles << "";
     QTest::newRow("ascii, truncated") << stlText().left(900) << Malformed << "line";
