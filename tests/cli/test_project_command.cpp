@@ -166,8 +166,9 @@ void TestProjectCommand::badRowsAreNamed_data()
     QTest::addColumn<int>("cells");
     QTest::addColumn<QByteArray>("message");
     QTest::newRow("in the plane of the eye")
-        << QByteArray("1,2,5") << 10 << QByteArray("stdin:2: the point has no place");
-    QTest::newRow("overflow") << QByteArray("1,1.7e308,0") << 6 << QByteArray("stdin:2: the point has no place");
+        << QByteArray("1,2,5") << 10 << QByteArray("stdin:2: the point has no window position");
+    QTest::newRow("overflow") << QByteArray("1,1.7e308,0") << 6
+                              << QByteArray("stdin:2: the point has no window position");
     QTest::newRow("text") << QByteArray("1,2,c") << 3 << QByteArray("stdin:2:5: z: \"c\" is not a number");
 }
 

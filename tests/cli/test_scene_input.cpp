@@ -211,7 +211,7 @@ void TestSceneInput::noKeyStandsTwice_data()
         QTest::addRow("%s at %d", name.constData(), int(key.capturedStart()))
             << scene
             << ':' + lineAndColumn(scene, key.capturedStart() + once.size()) + ": the key \"" + name
-                   + "\" stands here for the second time\n";
+                   + "\" is here for the second time\n";
     }
 }
 

@@ -147,7 +147,7 @@ void TestMapOverlay::itComesAndGoes()
 void TestMapOverlay::itIsOfThePicture()
 {
     const auto window = windowOfSize({900, 600});
-    boxOf(*window, "What the map shows")->setCurrentIndex(0);
+    boxOf(*window, "Quantity that the map shows")->setCurrentIndex(0);
     part<MapOverlay>(*window).setShown(true);
     QTRY_VERIFY_WITH_TIMEOUT(part<MapOverlay>(*window).map() != nullptr, kPatienceMilliseconds);
     const MadeMap &made = *part<MapOverlay>(*window).map();
