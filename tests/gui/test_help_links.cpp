@@ -151,7 +151,7 @@ void TestHelpLinks::everyPanelLeadsToHelp_data()
     QTest::newRow("life of the view") << QStringList{"mfc"};
     QTest::newRow("view from outside") << QStringList{"frustum-steps"};
     QTest::newRow("doctor") << QStringList{"wrong"};
-    QTest::newRow("map") << QStringList{"matrix"};
+    QTest::newRow("map") << QStringList{"certainty"};
 }
 
 void TestHelpLinks::everyPanelLeadsToHelp()

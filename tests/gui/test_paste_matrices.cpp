@@ -276,7 +276,7 @@ void TestPasteMatrices::everyFindingHasItsButton_data()
     using enum MatrixRole;
     QTest::newRow("an inverse") << Projection << glm::inverse(lens()) << "is an inverse"
                                 << "Invert" << lens();
-    QTest::newRow("the camera's matrix") << View << glm::inverse(view()) << "camera's own matrix"
+    QTest::newRow("the camera's matrix") << View << glm::inverse(view()) << "may be the inverse of a view"
                                          << "Invert" << view();
     QTest::newRow("Vulkan's y") << Projection << scaling(1, -1, 1) * lens() << "flips y"
                                 << "Flip y" << lens();
