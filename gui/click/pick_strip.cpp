@@ -167,6 +167,10 @@ void PickStrip::setStale(bool isStale)
 
 void PickStrip::showTexts()
 {
+    // Ideographs are higher than digits: the line, and so the view, keeps its height with and without
+    // the label.
+    m_atClick->ensurePolished();
+    setMinimumHeight(m_atClick->sizeHint().height());
     constexpr int kPadding = 10;
     const auto textOf = [this](int space, int digits) { return m_texts[space] ? m_texts[space](digits) : noText(); };
     const QFontMetrics metrics(m_buttons[Pixel]->font());
