@@ -165,8 +165,7 @@ void TestGltfMessages::refuses_data()
         QTest::newRow("many vertices out of nothing")
             << file.json(shown(R"("attributes":{"POSITION":2})")) << "without any bytes";
     }
-    QTest::newRow("an accessor that does not exist")
-        << quad().replace(R"("indices":1)", R"("indices":9)") << "index 9";
+    QTest::newRow("an accessor that does not exist") << quad().replace(R"("indices":1)", R"("indices":9)") << "index 9";
     QTest::newRow("a translation of two numbers") << quad(R"(,"translation":[1,2])") << "3 numbers";
     QTest::newRow("a matrix that divides") << quad(R"(,"name":"arm","matrix":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2])")
                                            << "the matrix of node 0 \"arm\" has the last row 0 0 0 2";
