@@ -7,7 +7,9 @@
 #include <QHash>
 #include <QRegularExpression>
 #include <QTextBlock>
+#include <QTextCursor>
 #include <QTextDocument>
+#include <QtGui/qtguiglobal.h>
 
 #include <algorithm>
 
@@ -29,7 +31,7 @@ std::vector<ManualSection> sectionsOf(const QString &markdown)
     std::vector<ManualSection> sections;
     QHash<QString, int> uses;
     QTextDocument text;
-    text.setMarkdown(markdown, QTextDocument::MarkdownDialectGitHub);
+    setManualText(text, markdown);
     for (QTextBlock block = text.begin(); block.isValid(); block = block.next()) {
         if (const int level = block.blockFormat().headingLevel(); level > 0) {
             QString slug = headingSlug(block.text());
@@ -103,6 +105,30 @@ std::vector<ManualPage> manualPages(const QString &folder)
             pages.push_back(std::move(page));
     }
     return pages;
+}
+
+void setManualText(QTextDocument &text, const QString &markdown)
+{
+#if QT_CONFIG(textmarkdownreader)
+    text.setMarkdown(markdown, QTextDocument::MarkdownDialectGitHub);
+#else
+    text.clear();
+    QTextCursor cursor(&text);
+    bool isCode = false;
+    for (const QString &line : markdown.split(u'\n')) {
+        isCode ^= line.startsWith(QStringLiteral("```"));
+        int level = 0;
+        while (!isCode && level < line.size() && line[level] == u'#')
+            ++level;
+        QTextBlockFormat block;
+        block.setHeadingLevel(level);
+        if (cursor.atStart())
+            cursor.setBlockFormat(block);
+        else
+            cursor.insertBlock(block);
+        cursor.insertText(level > 0 ? line.mid(level).trimmed() : line);
+    }
+#endif
 }
 
 QString headingSlug(const QString &title)

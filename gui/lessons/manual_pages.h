@@ -5,6 +5,8 @@
 
 #include <vector>
 
+class QTextDocument;
+
 namespace unprojector::gui {
 
 /// A heading of a page of the manual with the text below it, up to the next heading.
@@ -35,6 +37,9 @@ struct ManualPage {
 /// @param folder  the language's folder in the resources: "manual/zh_CN"; pages missing there are
 /// English
 std::vector<ManualPage> manualPages(const QString &folder);
+
+/// Renders a page. A Qt without its Markdown reader shows the headings, and all else as written.
+void setManualText(QTextDocument &text, const QString &markdown);
 
 /// GitHub's anchor for a heading: "Left and right" gives "left-and-right".
 QString headingSlug(const QString &title);

@@ -189,7 +189,7 @@ void ManualWindow::setText(const PageColors &colors)
     if (m_pages.empty())
         return;
     QTextDocument &text = *page().document();
-    text.setMarkdown(currentPage().markdown, QTextDocument::MarkdownDialectGitHub);
+    setManualText(text, currentPage().markdown);
     layOutManual(text, {colors.text, page().palette().color(QPalette::Base), colors.heading, colors.link});
     columnChanged();
 }

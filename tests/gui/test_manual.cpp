@@ -167,7 +167,7 @@ void TestManual::everyLinkLeadsSomewhere()
     int links = 0;
     for (const ManualPage &page : pages) {
         QTextDocument text;
-        text.setMarkdown(page.markdown, QTextDocument::MarkdownDialectGitHub);
+        setManualText(text, page.markdown);
         eachFragment(text, [&](const QTextCharFormat &format) {
             if (format.isImageFormat()
                 && !QFile::exists(QStringLiteral(":/images/") + format.toImageFormat().name().section(u'/', -1)))
