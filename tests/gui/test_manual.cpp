@@ -20,6 +20,7 @@
 #include <QTextBrowser>
 #include <QTextTable>
 #include <QTreeWidget>
+#include <QtGui/qtguiglobal.h>
 
 #include <algorithm>
 #include <functional>
@@ -158,6 +159,8 @@ void TestManual::everyLinkLeadsSomewhere_data()
 
 void TestManual::everyLinkLeadsSomewhere()
 {
+    if (!QT_CONFIG(textmarkdownreader))
+        QSKIP("This Qt has no Markdown reader.");
     QFETCH(QString, folder);
     const std::vector<ManualPage> pages = manualPages(folder);
     QFile formulas(QStringLiteral(":/help/formulas.html"));
@@ -319,6 +322,8 @@ void TestManual::wordsApartAreFoundToo()
 
 void TestManual::theWindowFollowsColours()
 {
+    if (!QT_CONFIG(textmarkdownreader))
+        QSKIP("This Qt has no Markdown reader.");
     const Appearance before = currentAppearance();
     setAppearance(Appearance::Light);
     ManualWindow window;
@@ -381,6 +386,8 @@ void TestManual::theZoomTakesEverythingWithIt()
 
 void TestManual::imagesFitTheColumn()
 {
+    if (!QT_CONFIG(textmarkdownreader))
+        QSKIP("This Qt has no Markdown reader.");
     ManualWindow window;
     window.resize(1100, 600);
     window.show();
