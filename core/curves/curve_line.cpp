@@ -40,7 +40,7 @@ Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh, std::span<con
         return CurveError{CurveError::Code::TooFew, 0};
     std::vector<SurfacePlace> places;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i]->isMissing())
+        if (!points[i]->isPlaced())
             return CurveError{CurveError::Code::Missing, i};
         const std::optional<SurfacePlace> place = placeOf(points[i]->anchor, mesh);
         if (!place)

@@ -147,7 +147,7 @@ void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const FormatCapa
             notes.add(kind, sum);
     };
     count(format.names, Kind::NamesLeftOut, [](const Landmark &l) { return !l.name.empty(); });
-    count(format.positions, Kind::PositionsLeftOut, [](const Landmark &l) { return !l.isMissing(); });
+    count(format.positions, Kind::PositionsLeftOut, [](const Landmark &l) { return l.isPlaced(); });
     count(format.objects, Kind::ObjectsLeftOut, [](const Landmark &l) { return !l.object.empty(); });
     count(format.anchors, Kind::HoldsLeftOut,
           [](const Landmark &l) { return !std::holds_alternative<Free>(l.anchor); });

@@ -237,7 +237,7 @@ std::string ntsText(std::span<const LandmarkSet> sets, Notes &notes)
                              set.name, set.landmarks.size(), sets.front().name, points),
                           LandmarkFileError::Code::CannotHold};
         for (const Landmark &landmark : set.landmarks) {
-            hasMissing = hasMissing || landmark.isMissing();
+            hasMissing = hasMissing || !landmark.isPlaced();
             for (int axis = 0; axis < 3 && landmark.world; ++axis)
                 coordinates.insert((*landmark.world)[axis]);
         }

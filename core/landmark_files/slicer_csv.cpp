@@ -322,7 +322,7 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
     // All rows have the same length, so a shorter one is a sign of truncation.
     const bool hasStatus = std::any_of(set.landmarks.begin(), set.landmarks.end(), [](const Landmark &landmark) {
         const Json &extra = landmark.extra.json();
-        return landmark.isMissing() || (extra.is_object() && extra.contains("autoCreated"));
+        return !landmark.isPlaced() || (extra.is_object() && extra.contains("autoCreated"));
     });
     Notes unused;
     PlainNames plain("#", false, unused);
@@ -351,8 +351,8 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
         text += ',';
         appendCell(text, extra("associatedNodeID", ""));
         if (hasStatus)
-            text += (landmark.isMissing() ? ",0," : ",2,") + extra("autoCreated", "0");
-        if (landmark.isMissing())
+            text += (!landmark.isPlaced() ? ",0," : ",2,") + extra("autoCreated", "0");
+        if (!landmark.isPlaced())
             notes.add(LandmarkNote::Kind::MissingAtOrigin);
         text += '\n';
     }

@@ -167,7 +167,7 @@ ReadLandmarks readTps(std::string_view text)
                     throw Failure{lines.number(), tr("%1 is not a point of a curve; write two or three numbers",
                                                      text::quoted(lines.text()))};
                 const Landmark place = landmarkOf(words, lines.number());
-                if (place.isMissing() || (words.size() == 2 && isMinusOnes(words)))
+                if (!place.isPlaced() || (words.size() == 2 && isMinusOnes(words)))
                     throw Failure{lines.number(),
                                   tr("a point of a curve is %1, which means a missing one; a curve has all its points",
                                      lines.text())};

@@ -39,10 +39,18 @@ struct OnEdge {
 };
 using Anchor = std::variant<Free, OnTriangle, AtVertex, OnEdge>;
 
+/// Why a landmark has no position.
+enum class Absence {
+    NotPlaced, ///< not yet placed
+    Skipped,   ///< the user passed over it; it is still to be placed
+    Missing,   ///< the user marked it as missing on this specimen, as on a broken bone
+};
+
 /// A named point that the user placed on an object.
 struct Landmark {
     std::string name;                          ///< UTF-8; may be empty, and need not be unique
-    std::optional<geometry::WorldPoint> world; ///< empty: it is missing, as on a broken bone
+    std::optional<geometry::WorldPoint> world; ///< empty: see `absence`
+    Absence absence = Absence::NotPlaced;      ///< without a position; NotPlaced with one
     std::string object;                        ///< name of the object with the landmark; empty: none
     Anchor anchor;
     std::optional<geometry::WorldVector> uncertainty; ///< the largest error of each coordinate, if known
@@ -52,7 +60,10 @@ struct Landmark {
     /// Data of a file that has no member here, kept for writing: null or an object.
     text::JsonValue extra;
 
-    bool isMissing() const { return !world; }
+    bool isPlaced() const { return world.has_value(); }
+    /// Returns whether it still waits for a click: it has no position and is not marked as missing.
+    bool isToPlace() const { return !world && absence != Absence::Missing; }
+    bool isMissing() const { return !world && absence == Absence::Missing; }
     friend bool operator==(const Landmark &, const Landmark &) = default;
 };
 

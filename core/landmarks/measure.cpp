@@ -21,7 +21,7 @@ using Code = MeasureError::Code;
 std::optional<MeasureError> firstMissing(std::span<const Landmark *const> points)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i]->isMissing())
+        if (!points[i]->isPlaced())
             return MeasureError{Code::Missing, i};
     }
     return std::nullopt;

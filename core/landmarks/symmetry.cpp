@@ -143,7 +143,7 @@ std::optional<Fit> fitOf(std::span<const Landmark> landmarks, std::span<const Pa
     Fit fit;
     fit.partners = partnersOf(landmarks, pairs);
     const auto counts = [&](std::size_t i) {
-        return fit.partners[i] != kNone && !landmarks[i].isMissing() && !landmarks[fit.partners[i]].isMissing();
+        return fit.partners[i] != kNone && landmarks[i].isPlaced() && landmarks[fit.partners[i]].isPlaced();
     };
     const auto place = [&](std::size_t i) { return landmarks[i].world->coordinates(); };
     for (std::size_t i = 0; i < landmarks.size(); ++i) {

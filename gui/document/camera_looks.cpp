@@ -57,7 +57,7 @@ void fitAll(SceneDocument &document)
     Box bounds = document.bounds();
     if (document.objects().empty()) {
         for (const landmarks::Landmark &landmark : document.landmarks()) {
-            if (landmark.isMissing() || landmark.isHidden)
+            if (!landmark.isPlaced() || landmark.isHidden)
                 continue;
             framing.add(*landmark.world);
             bounds.add(landmark.world->coordinates());

@@ -97,7 +97,7 @@ void tellUnmatched(const JoinedLandmarks &joined, const landmarks::LandmarkSet &
             unmatched << QString::fromStdString(name).simplified();
     }
     for (const landmarks::Landmark &landmark : after.landmarks) {
-        if (landmark.isMissing())
+        if (!landmark.isPlaced())
             waiting << QString::fromStdString(landmark.name).simplified();
     }
     if (!unmatched.isEmpty())
@@ -180,7 +180,7 @@ std::optional<QString> LandmarkFiles::tieAll(std::vector<landmarks::Landmark> &l
         landmarks::Landmark before = landmarks[i];
         const std::optional<ray::Tied> now = ray::tieToMesh(landmarks[i], targets);
         if (!now) { // beyond all distances: it keeps its position
-            ++(landmarks[i].isMissing() ? missing : free);
+            ++(!landmarks[i].isPlaced() ? missing : free);
             continue;
         }
         const ray::TyingTarget &target = targets[now->target];
@@ -236,7 +236,7 @@ LandmarkFileQuestions::Join LandmarkFiles::howToJoin(const landmarks::LandmarkSe
 {
     using Join = LandmarkFileQuestions::Join;
     const std::vector<landmarks::Landmark> &there = m_document.landmarks();
-    const auto waiting = std::count_if(there.begin(), there.end(), [](const auto &point) { return point.isMissing(); });
+    const auto waiting = std::count_if(there.begin(), there.end(), [](const auto &point) { return !point.isPlaced(); });
     const auto placed = static_cast<std::ptrdiff_t>(there.size()) - waiting;
     if (placed == 0) // nothing is lost
         return Join::Replace;
@@ -250,9 +250,9 @@ bool LandmarkFiles::nameAll(std::vector<landmarks::Landmark> &landmarks, Landmar
 {
     const std::vector<landmarks::Landmark> &there = m_document.landmarks();
     const auto waiting = static_cast<std::size_t>(std::count_if(
-        there.begin(), there.end(), [](const auto &point) { return point.isMissing() && !point.name.empty(); }));
+        there.begin(), there.end(), [](const auto &point) { return !point.isPlaced() && !point.name.empty(); }));
     const bool isReplacing = join == LandmarkFileQuestions::Join::Replace
-                             && std::any_of(there.begin(), there.end(), [](const auto &p) { return !p.isMissing(); });
+                             && std::any_of(there.begin(), there.end(), [](const auto &p) { return p.isPlaced(); });
     if (!areNameless(landmarks) || waiting == 0 || isReplacing)
         return true;
     if (landmarks.size() != waiting) {
@@ -315,7 +315,7 @@ bool LandmarkFiles::importFrom(const std::filesystem::path &file)
         joined = appendLandmarks(set, before, taken, name);
     } else {
         const bool areAllWaiting = std::all_of(before.landmarks.begin(), before.landmarks.end(),
-                                               [](const auto &point) { return point.isMissing(); });
+                                               [](const auto &point) { return !point.isPlaced(); });
         if (areAllWaiting) // names to place are there to be filled
             joined = fillLandmarks(set, before.landmarks);
         joined.notes << replaceLandmarks(set, before, taken, name).notes;

@@ -87,7 +87,7 @@ public:
     Filling(std::vector<Landmark> &all, std::vector<Landmark> &landmarks) : m_all(all), m_landmarks(landmarks)
     {
         for (std::size_t i = 0; i < all.size(); ++i) {
-            if (all[i].isMissing() && !all[i].name.empty())
+            if (!all[i].isPlaced() && !all[i].name.empty())
                 m_waiting.push_back(i);
         }
     }
@@ -148,7 +148,7 @@ private:
         if (!from.color)
             from.color = to.color;
         addKeys(from.extra, to.extra);
-        if (!from.isMissing())
+        if (from.isPlaced())
             ++joined.filled;
         to = std::move(from);
     }
@@ -173,7 +173,7 @@ void nameByOrder(std::vector<Landmark> &landmarks, const std::vector<Landmark> &
     for (const Landmark &other : there) {
         if (point == landmarks.end())
             return;
-        if (other.isMissing() && !other.name.empty())
+        if (!other.isPlaced() && !other.name.empty())
             (point++)->name = other.name;
     }
 }

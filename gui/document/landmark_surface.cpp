@@ -43,7 +43,7 @@ Check putOnSurface(SceneDocument &document, const std::vector<std::size_t> &indi
     std::vector<Landmark> all = document.landmarks();
     std::vector<const Landmark *> asked;
     for (const std::size_t index : indices) {
-        if (index < all.size() && !all[index].isMissing())
+        if (index < all.size() && all[index].isPlaced())
             asked.push_back(&document.landmarks()[index]);
     }
     if (asked.empty())

@@ -79,7 +79,7 @@ glm::dvec3 objectNormal(const landmarks::Anchor &anchor, const Model &model)
 const Landmark *placedLandmark(const SceneDocument &document, std::size_t index)
 {
     const std::vector<Landmark> &landmarks = document.landmarks();
-    return index < landmarks.size() && !landmarks[index].isMissing() ? &landmarks[index] : nullptr;
+    return index < landmarks.size() && landmarks[index].isPlaced() ? &landmarks[index] : nullptr;
 }
 
 } // namespace

@@ -189,7 +189,7 @@ void SceneCurves::locate(Request &request) const
 {
     const std::vector<Landmark> &landmarks = request.points;
     for (std::size_t i = 0; i < landmarks.size() && request.fault.isEmpty(); ++i) {
-        if (landmarks[i].isMissing())
+        if (!landmarks[i].isPlaced())
             request.fault = tr("“%1” is not placed").arg(quoted(landmarks, i));
         else if (landmarks[i].object.empty())
             request.fault = tr("“%1” is not on a surface; select it and press B").arg(quoted(landmarks, i));

@@ -57,7 +57,7 @@ std::optional<std::size_t> unplaced(const std::vector<Landmark> &before, const s
     for (std::size_t i = 0; before.size() == after.size() && i < after.size(); ++i) {
         if (before[i] == after[i])
             continue;
-        if (only || before[i].isMissing() || !after[i].isMissing())
+        if (only || !before[i].isPlaced() || after[i].isPlaced())
             return std::nullopt;
         only = i;
     }
@@ -69,7 +69,7 @@ std::optional<std::size_t> nextMissing(const std::vector<Landmark> &landmarks, s
     const std::size_t first = after ? *after + 1 : 0;
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
         const std::size_t index = (first + i) % landmarks.size();
-        if (landmarks[index].isMissing())
+        if (!landmarks[index].isPlaced())
             return index;
     }
     return std::nullopt;
@@ -134,7 +134,7 @@ void SceneLandmarks::select(std::vector<std::size_t> indices, std::optional<std:
     indices.erase(
         std::remove_if(indices.begin(), indices.end(), [&](std::size_t index) { return index >= landmarks.size(); }),
         indices.end());
-    const bool waits = current && *current < landmarks.size() && landmarks[*current].isMissing();
+    const bool waits = current && *current < landmarks.size() && !landmarks[*current].isPlaced();
     if (take(std::move(indices), current, waits ? current : m_nextUnplaced))
         m_changes.notify(Change::LandmarkSelection);
 }
@@ -153,7 +153,7 @@ void SceneLandmarks::toggle(std::size_t index)
 
 void SceneLandmarks::setNextUnplaced(std::optional<std::size_t> index)
 {
-    if (index && (*index >= all().size() || !all()[*index].isMissing()))
+    if (index && (*index >= all().size() || all()[*index].isPlaced()))
         index = std::nullopt;
     if (take(m_selection, m_current, index))
         m_changes.notify(Change::LandmarkSelection);
@@ -179,7 +179,7 @@ Changes SceneLandmarks::follow(const std::vector<Landmark> &before, const std::v
     }
     std::optional<std::size_t> nextUnplaced =
         m_nextUnplaced ? IndicesAfter(before, after).of(*m_nextUnplaced) : std::nullopt;
-    if (nextUnplaced && !after[*nextUnplaced].isMissing())
+    if (nextUnplaced && after[*nextUnplaced].isPlaced())
         nextUnplaced = std::nullopt;
     if (const std::optional<std::size_t> again = unplaced(before, after))
         nextUnplaced = again;

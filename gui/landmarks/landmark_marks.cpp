@@ -128,7 +128,7 @@ std::vector<LandmarkMark> landmarkMarks(const SceneDocument &document)
     const SceneLandmarks &list = document.sceneLandmarks();
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
         const Landmark &landmark = landmarks[i];
-        if (landmark.isHidden || landmark.isMissing())
+        if (landmark.isHidden || !landmark.isPlaced())
             continue;
         const glm::dvec4 clip = *matrix * glm::dvec4(landmark.world->coordinates(), 1.0);
         if (!(clip.w > 0.0) || !(std::abs(clip.x) <= clip.w) || !(std::abs(clip.y) <= clip.w))

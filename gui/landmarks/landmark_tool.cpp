@@ -229,7 +229,7 @@ void LandmarkTool::dragLandmark(const QPointF &local)
     const std::vector<std::size_t> selected = selectedInView();
     const auto wantedMoves =
         static_cast<std::size_t>(std::count_if(selected.begin(), selected.end(), [this](std::size_t index) {
-            return !m_document.landmarks()[index].isMissing();
+            return m_document.landmarks()[index].isPlaced();
         }));
     m_leftBehind = wantedMoves - std::min(wantedMoves, moves.size());
     const QScopedValueRollback<bool> moving(m_isMoving, true);
@@ -243,7 +243,7 @@ std::optional<std::array<AxisArrow, 3>> LandmarkTool::arrows() const
     if (!m_isPlacing || !current)
         return std::nullopt;
     const Landmark &landmark = m_document.landmarks()[*current];
-    if (landmark.isMissing() || landmark.isHidden)
+    if (!landmark.isPlaced() || landmark.isHidden)
         return std::nullopt;
     return axisArrows(m_document.setup(), *landmark.world);
 }
@@ -328,7 +328,7 @@ bool LandmarkTool::isKey(const QKeyEvent &event) const
     if (!m_isPlacing || !current || !nudgeOf(event))
         return false;
     const Landmark &landmark = m_document.landmarks()[*current];
-    return !landmark.isHidden && !landmark.isMissing(); // else there is nothing to move, and keys turn the view
+    return !landmark.isHidden && landmark.isPlaced(); // else there is nothing to move, and keys turn the view
 }
 
 void LandmarkTool::pressKey(const QKeyEvent &event, bool isDragged)
@@ -359,7 +359,7 @@ void LandmarkTool::nudge(const QPointF &way)
     SceneLandmarks &landmarks = m_document.sceneLandmarks();
     const std::vector<std::size_t> selected = selectedInView();
     const auto wanted = std::count_if(selected.begin(), selected.end(),
-                                      [&](std::size_t index) { return !landmarks.all()[index].isMissing(); });
+                                      [&](std::size_t index) { return landmarks.all()[index].isPlaced(); });
     std::vector<SceneLandmarks::Move> moves;
     std::optional<QPointF> left;
     std::optional<DevicePoint> aim;

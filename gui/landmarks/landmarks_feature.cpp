@@ -61,7 +61,7 @@ private:
     void addFileActions(QMenu &menu);
     void addSeriesActions(QMenu &menu);
     void addPlacingActions(QMenu &menu, QToolBar &bar);
-    bool isPlaced(std::size_t index) const { return !m_document.landmarks()[index].isMissing(); }
+    bool isPlaced(std::size_t index) const { return m_document.landmarks()[index].isPlaced(); }
     /// Applies a function to the selected landmark, if it is placed.
     void withCurrent(void (*change)(SceneDocument &, std::size_t));
     void putSelectedOnSurface();

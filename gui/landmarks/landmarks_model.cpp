@@ -168,7 +168,7 @@ QVariant LandmarksModel::data(const QModelIndex &index, int role) const
                    ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
                    : QVariant();
     case Qt::ForegroundRole:
-        return landmark.isHidden || landmark.isMissing()
+        return landmark.isHidden || !landmark.isPlaced()
                    ? QVariant(QGuiApplication::palette().brush(QPalette::PlaceholderText))
                    : QVariant();
     case Qt::ToolTipRole: return plainToolTip(toolTip(index));

@@ -190,7 +190,7 @@ void LandmarksPanel::fillTemplateMenu()
                     [this] {
                         std::vector<std::size_t> missing;
                         for (std::size_t i = 0; i < m_document.landmarks().size(); ++i) {
-                            if (m_document.landmarks()[i].isMissing())
+                            if (!m_document.landmarks()[i].isPlaced())
                                 missing.push_back(i);
                         }
                         static_cast<void>(m_document.sceneLandmarks().remove(missing));
@@ -335,7 +335,7 @@ void LandmarksPanel::showMenu(const QPoint &place)
     const bool areHidden =
         std::all_of(selected.begin(), selected.end(), [&](std::size_t i) { return all[i].isHidden; });
     const bool areMissing =
-        std::all_of(selected.begin(), selected.end(), [&](std::size_t i) { return all[i].isMissing(); });
+        std::all_of(selected.begin(), selected.end(), [&](std::size_t i) { return !all[i].isPlaced(); });
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("&Rename"), m_table, &LandmarksTable::renameCurrent);

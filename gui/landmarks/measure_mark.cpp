@@ -106,7 +106,7 @@ std::optional<MeasureMark> measureMark(const SceneDocument &document)
         return std::nullopt;
     std::vector<glm::dvec3> at;
     for (const std::size_t index : shown->points) {
-        if (index >= document.landmarks().size() || document.landmarks()[index].isMissing())
+        if (index >= document.landmarks().size() || !document.landmarks()[index].isPlaced())
             return std::nullopt; // the list of measures is updated right after
         at.push_back(document.landmarks()[index].world->coordinates());
     }

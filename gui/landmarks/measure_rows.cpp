@@ -171,7 +171,7 @@ std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
     if (pairs.empty())
         return {};
     const auto whyNot = [&](std::size_t index) {
-        return whole.landmarks[index].isMissing() ? Measures::tr("%1 is not placed").arg(nameOf(set, index))
+        return !whole.landmarks[index].isPlaced() ? Measures::tr("%1 is not placed").arg(nameOf(set, index))
                                                   : Measures::tr("%1 is hidden").arg(nameOf(set, index));
     };
     const std::optional<landmarks::Symmetry> symmetry = landmarks::symmetryOf(set.landmarks, pairs);
@@ -194,8 +194,8 @@ std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
     }
     const auto add = [&](const QString &kind, const QString &points, std::size_t index, std::size_t partner) {
         MeasureRow row{kind, points, {}};
-        if (set.landmarks[index].isMissing() || set.landmarks[partner].isMissing()) {
-            row.value = whyNot(set.landmarks[index].isMissing() ? index : partner);
+        if (!set.landmarks[index].isPlaced() || !set.landmarks[partner].isPlaced()) {
+            row.value = whyNot(!set.landmarks[index].isPlaced() ? index : partner);
         } else if (symmetry && symmetry->asymmetries[index]) {
             row.number = symmetry->asymmetries[index]->value;
             row.error = symmetry->asymmetries[index]->error;
@@ -212,7 +212,7 @@ std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
             pair.left, pair.right);
     }
     for (std::size_t i = 0; i < isPaired.size(); ++i) {
-        if (isPaired[i] || whole.landmarks[i].isMissing()) // names to place are listed above
+        if (isPaired[i] || !whole.landmarks[i].isPlaced()) // names to place are listed above
             continue;
         if (landmarks::isSided(set.landmarks[i].name))
             rows.push_back({Measures::tr("Left out"), nameOf(set, i), Measures::tr("no partner on the other side")});

@@ -131,7 +131,7 @@ void NextLandmarkBar::refresh()
     for (const landmarks::Landmark &landmark : landmarks) {
         const bool counts = countsAll || isOfTemplate(landmark);
         all += counts ? 1U : 0U;
-        placed += counts && !landmark.isMissing() ? 1U : 0U;
+        placed += counts && landmark.isPlaced() ? 1U : 0U;
     }
     m_count->setText(tr("%1 of %2").arg(placed).arg(all));
 }

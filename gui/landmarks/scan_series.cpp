@@ -60,7 +60,7 @@ bool isStill(const Landmark &now, const Landmark &was)
 std::size_t Scan::placedCount() const
 {
     return static_cast<std::size_t>(std::count_if(points.landmarks.begin(), points.landmarks.end(),
-                                                  [](const Landmark &landmark) { return !landmark.isMissing(); }));
+                                                  [](const Landmark &landmark) { return landmark.isPlaced(); }));
 }
 
 void readKept(Scan &scan, int placing)

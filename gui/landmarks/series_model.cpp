@@ -55,7 +55,7 @@ QVariant SeriesModel::text(const QModelIndex &index) const
                                                   : QString::fromStdString(landmark.name);
         return own.compare(name, Qt::CaseInsensitive) == 0;
     });
-    return found == points.end() || found->isMissing() ? QStringLiteral("–") : QStringLiteral("●");
+    return found == points.end() || !found->isPlaced() ? QStringLiteral("–") : QStringLiteral("●");
 }
 
 QVariant SeriesModel::data(const QModelIndex &index, int role) const

@@ -51,7 +51,7 @@ QString measureText(double value, const std::optional<double> &error, const QStr
 
 QString heldByText(const landmarks::Landmark &landmark)
 {
-    if (landmark.isMissing())
+    if (!landmark.isPlaced())
         return Points::tr("missing");
     return std::visit(
         Cases{[](const landmarks::Free &) { return Points::tr("free"); },
@@ -65,7 +65,7 @@ QString heldByText(const landmarks::Landmark &landmark)
 
 QString heldByExplanation(const landmarks::Landmark &landmark)
 {
-    if (landmark.isMissing())
+    if (!landmark.isPlaced())
         return Points::tr("No position: not placed yet, or missing on this object.");
     return std::visit(
         Cases{[](const landmarks::Free &) { return Points::tr("Free: only its coordinates define the position."); },

@@ -172,7 +172,7 @@ void TestLandmarkFiles::whatIsWrittenReadsBackTheSame()
     for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
         const Landmark &landmark = read->sets[0].landmarks.at(i), &expected = set.landmarks[i];
         QCOMPARE(landmark.name, expected.name);
-        QCOMPARE(landmark.isMissing(), expected.isMissing());
+        QCOMPARE(!landmark.isPlaced(), !expected.isPlaced());
         for (int axis = 0; axis < 3 && landmark.world; ++axis)
             QVERIFY(isSameDouble((*landmark.world)[axis], (*expected.world)[axis]));
         QCOMPARE(landmark.note, expected.note);
@@ -191,7 +191,7 @@ void TestLandmarkFiles::whatIsWrittenReadsBackTheSame()
         QCOMPARE(points[i].name, QString::fromStdString(expected.name));
         if (format == Format::MeshLabTemplate)
             continue;
-        QCOMPARE(points[i].isMissing, expected.isMissing());
+        QCOMPARE(points[i].isMissing, !expected.isPlaced());
         for (int axis = 0; axis < 3 && expected.world; ++axis)
             QVERIFY(isSameDouble(points[i].place[axis], (*expected.world)[axis]));
     }

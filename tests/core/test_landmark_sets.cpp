@@ -102,7 +102,7 @@ void TestLandmarkSets::aTemplateAddsWhatIsLacking()
     const std::vector<Landmark> filled = withTemplate(landmarks, names);
     QCOMPARE(namesOf(filled), all);
     for (std::size_t i = 0; i < filled.size(); ++i) {
-        QCOMPARE(filled[i].isMissing(), i >= landmarks.size());
+        QCOMPARE(!filled[i].isPlaced(), i >= landmarks.size());
         QCOMPARE(filled[i].note, std::string()); // the template's words are not the scan's
     }
 }
@@ -136,7 +136,7 @@ void TestLandmarkSets::landmarksFillTheirPlacesOfATemplate()
     QStringList filled;
     double lastOfName = -1.0;
     for (const Landmark &landmark : inTemplateOrder(landmarks, names)) {
-        filled << (landmark.isMissing() ? u'-' + QString::fromStdString(landmark.name)
+        filled << (!landmark.isPlaced() ? u'-' + QString::fromStdString(landmark.name)
                                         : QString::fromStdString(landmark.name));
         QCOMPARE(landmark.note, std::string());
         if (landmark.world && landmark.name == "a") {

@@ -92,7 +92,7 @@ void TestSceneFile::everyKeyIsRead()
                          {}}));
     QVERIFY(set.landmarks[1] == (Landmark{"", WorldPoint(1e-300, 2, 3), "", AtVertex{7}, {}, "", {}, false, {}}));
     QVERIFY(set.landmarks[2].anchor == Anchor(OnEdge{{5, 6}, 0.75}));
-    QVERIFY(set.landmarks[3].isMissing());
+    QVERIFY(!set.landmarks[3].isPlaced());
     QCOMPARE(set.curves.size(), std::size_t(2));
     QVERIFY(set.curves[0] == (Curve{"brow", {"Nasion", "e"}, CurveKind::PlaneSection, 12, {}, {}}));
     QVERIFY(set.curves[1]

@@ -203,7 +203,7 @@ void TestDocumentLandmarks::whatWaitsIsPlacedFirst()
     list.selectOnly(1); // a look at another does not skip it
     QVERIFY(list.nextUnplaced() == 2u);
     document.undoStack().undo();
-    QVERIFY(document.landmarks()[0].isMissing());
+    QVERIFY(!document.landmarks()[0].isPlaced());
     list.selectOnly(0); // chosen, it waits
     QVERIFY(list.nextUnplaced() == 0u);
     QVERIFY(list.place(pointAt(6)));
@@ -499,7 +499,7 @@ void TestDocumentLandmarks::aThousandStepsAndBack()
                && (!landmarks.current() || landmarks.isSelected(*landmarks.current()))
                && (!landmarks.nextUnplaced()
                    || (*landmarks.nextUnplaced() < document.landmarks().size()
-                       && document.landmarks()[*landmarks.nextUnplaced()].isMissing()));
+                       && !document.landmarks()[*landmarks.nextUnplaced()].isPlaced()));
     };
     for (int step = 0; step < 1000; ++step) {
         const std::size_t count = document.landmarks().size();

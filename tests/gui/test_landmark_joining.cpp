@@ -69,7 +69,7 @@ void TestLandmarkJoining::namesThatWaitAreFilled()
     QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
     QCOMPARE(m_answers->joinQuestions, 0); // nothing that was placed is at stake
     QCOMPARE(points().size(), std::size_t(4));
-    QVERIFY(points()[0].isMissing() && points()[2].isMissing());
+    QVERIFY(!points()[0].isPlaced() && !points()[2].isPlaced());
     QCOMPARE(points()[1].name, std::string("b")); // as the template has it
     QCOMPARE(points()[3].name, std::string("other"));
     QCOMPARE(m_warnings.size(), 1);
@@ -113,7 +113,7 @@ void TestLandmarkJoining::namesThatAFileWritesOtherwiseAreFilled()
     QCOMPARE(points()[1].world->x, 2.0); // its very name
     QCOMPARE(points()[2].name, std::string("Broca's point"));
     QCOMPARE(points()[2].world->x, 3.0);
-    QVERIFY(points()[3].isMissing());
+    QVERIFY(!points()[3].isPlaced());
     QVERIFY2(m_notices[0].contains(QStringLiteral("Names filled: 3.")), qPrintable(m_notices[0]));
     QVERIFY2(m_warnings.size() == 1 && m_warnings[0].contains(QStringLiteral("“chin”. Still to place: “tip”.")),
              qPrintable(m_warnings.join(u'\n')));
@@ -170,7 +170,7 @@ void TestLandmarkJoining::pointsWithoutNamesFillByOrder()
     QCOMPARE(m_answers->orderText.isEmpty(), answer < 0);
     QStringList placed;
     for (const Landmark &landmark : points()) {
-        if (!landmark.isMissing())
+        if (landmark.isPlaced())
             placed << QString::fromStdString(landmark.name);
     }
     QCOMPARE(placed.join(u' '), names);

@@ -102,7 +102,7 @@ void TestLandmarksWindow::aDroppedTemplateHasItsNamesPlaced()
     emit window->view().filesDropped({QUrl::fromLocalFile(path(QStringLiteral("t.PPTPL")))});
     const std::vector<landmarks::Landmark> &landmarks = window->document().landmarks();
     QVERIFY2(landmarks.size() == 2, qPrintable(window->message()));
-    QVERIFY(landmarks[0].name == "tip" && landmarks[0].isMissing() && landmarks[1].name == "chin");
+    QVERIFY(landmarks[0].name == "tip" && !landmarks[0].isPlaced() && landmarks[1].name == "chin");
     QCOMPARE(window->document().sceneLandmarks().nextUnplaced(), std::optional<std::size_t>(0));
     QVERIFY(part<LandmarkTool>(*window).isPlacing()); // a template is chosen only for placing
     QVERIFY(!actionOf(*window, QStringLiteral("Next Scan"))->isEnabled());
@@ -155,7 +155,7 @@ void TestLandmarksWindow::keysGoThroughASeries()
     QTRY_COMPARE_WITH_TIMEOUT(window->document().objects()[0].name, std::string("b.obj"), kPatienceMilliseconds);
     QVERIFY(QFile::exists(path(QStringLiteral("a.obj.points.csv"))));
     QCOMPARE(window->document().landmarks().size(), std::size_t(1)); // it waits here
-    QVERIFY(window->document().landmarks()[0].isMissing());
+    QVERIFY(!window->document().landmarks()[0].isPlaced());
     QVERIFY(window->document().sceneLandmarks().place(landmark));
     QVERIFY(window->close());
     QVERIFY(QFile::exists(path(QStringLiteral("b.obj.points.csv"))));
@@ -185,7 +185,7 @@ void TestLandmarksWindow::whatIsBeingTypedIsKeptWithItsScan()
     part<ScanSeries>(*window).next();
     QTRY_COMPARE_WITH_TIMEOUT(window->document().objects()[0].name, std::string("b.obj"), kPatienceMilliseconds);
     QVERIFY2(kept().contains("nasion,1,2,0"), kept().constData());
-    QVERIFY(window->document().landmarks()[0].isMissing());
+    QVERIFY(!window->document().landmarks()[0].isPlaced());
     part<ScanSeries>(*window).previous();
     QTRY_COMPARE_WITH_TIMEOUT(window->document().objects()[0].name, std::string("a.obj"), kPatienceMilliseconds);
     type(QStringLiteral("bregma"));

@@ -116,7 +116,7 @@ void TestScanSeries::aSeriesGoesOnWhereItWasLeft()
     QCOMPARE(m_answers->saveQuestions, 0);
     QVERIFY(read(QStringLiteral("a.obj.points.csv")).contains("first,1,1,0"));
     QCOMPARE(points().size(), std::size_t(2));
-    QVERIFY(points()[0].isMissing());
+    QVERIFY(!points()[0].isPlaced());
     QCOMPARE(m_document->sceneLandmarks().nextUnplaced(), std::optional<std::size_t>(0));
     placeAll(2.0);
     m_series->next();
@@ -184,7 +184,7 @@ void TestScanSeries::aScanComesBackAfterALesson()
     QCOMPARE(m_series->current(), std::optional<std::size_t>(2));
     QCOMPARE(m_answers->saveQuestions, 0);
     QCOMPARE(points().size(), std::size_t(3)); // which wait here
-    QVERIFY(points()[2].isMissing());
+    QVERIFY(!points()[2].isPlaced());
 
     // A scene opened in the scan's place is no scan, also after it comes back.
     QVERIFY(player.start("pipeline"));
@@ -399,7 +399,7 @@ void TestScanSeries::aDamagedPlacingIsNotGoneOver()
     m_series->setPlacing(3);
     QCOMPARE(m_answers->saveQuestions, 1);
     QCOMPARE(m_series->placing(), 3);
-    QVERIFY(points().size() == 1 && points()[0].isMissing());
+    QVERIFY(points().size() == 1 && !points()[0].isPlaced());
     QVERIFY(m_document->sceneLandmarks().place(placed));
     QVERIFY(m_series->keep());
     QVERIFY(QFile::exists(path(QStringLiteral("square.obj.points-3.csv"))));
@@ -423,7 +423,7 @@ void TestScanSeries::noScanGetsThePointsOfAnother()
     const auto placedOf = [](const std::vector<Landmark> &all) {
         std::vector<std::pair<std::string, WorldPoint>> placed;
         for (const Landmark &landmark : all) {
-            if (!landmark.isMissing())
+            if (landmark.isPlaced())
                 placed.emplace_back(landmark.name, *landmark.world);
         }
         return placed;

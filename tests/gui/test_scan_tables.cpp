@@ -60,7 +60,7 @@ void TestScanTables::repeatsOfASeries()
     QVERIFY2(told.back().contains(QStringLiteral("No scan was placed more than once")), qPrintable(told.back()));
     m_series->setPlacing(2);
     QCOMPARE(points().size(), std::size_t(1));
-    QVERIFY(points()[0].isMissing());
+    QVERIFY(!points()[0].isPlaced());
     m_document->sceneLandmarks().waitForNext(std::nullopt);
     placeAll(3.0);
     QVERIFY(m_series->exportTable(file(QStringLiteral("repeats.csv")), ScanSeries::Table::Repeats));
