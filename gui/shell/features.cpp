@@ -9,6 +9,7 @@
 #include "gui/outside/outside_feature.h"
 #include "gui/parameters/parameters_feature.h"
 #include "gui/pipeline/pipeline_feature.h"
+#include "gui/shading/shading_feature.h"
 
 namespace unprojector::gui {
 
@@ -17,7 +18,7 @@ std::vector<Feature *> makeFeatures(Window &window)
     return {
         makePipelineFeature(window), makeClickFeature(window),     makeParametersFeature(window),
         makeObjectsFeature(window),  makeLandmarksFeature(window), makeDoctorFeature(window),
-        makeOutsideFeature(window),  makeMapFeature(window),
+        makeOutsideFeature(window),  makeMapFeature(window),       makeShadingFeature(window),
         makeLessonsFeature(window), // last: it follows the links that no other feature follows
     };
 }

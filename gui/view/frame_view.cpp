@@ -89,6 +89,13 @@ void FrameView::setSmoothEdges(bool smooth)
     update();
 }
 
+void FrameView::setShading(Shading shading)
+{
+    m_meshes.setShading(std::move(shading));
+    m_isStale = true;
+    update();
+}
+
 bool FrameView::awaitPicture()
 {
     // A widget that is not on a screen is painted only for a grab, and never by itself.
@@ -251,6 +258,7 @@ FrameView::Drawn FrameView::drawFrame(FrameContents contents)
     if (standIns) {
         FrameContents coarse = m_contents;
         coarse.objects = *standIns;
+        coarse.areStandIns = true;
         m_meshes.drawOn(coarse, place, Deadline({}));
     } else {
         m_meshes.drawOn(m_contents, place, Deadline({}));

@@ -54,6 +54,8 @@ public:
 
     /// Affects only the appearance: the depths that are read are the same.
     void setSmoothEdges(bool smooth);
+    /// The same: sets how colours show the shape.
+    void setShading(Shading shading);
     bool smoothEdges() const { return m_smoothEdges; }
 
     bool isReady() const { return m_isCreated; }

@@ -2,8 +2,12 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 color;
 layout(location = 3) in vec2 texcoord;
+layout(location = 4) in float curvature;
 
 uniform mat4 clipFromObject;
+
+// The shading is in other programs: they must put each pixel at the same depth.
+invariant gl_Position;
 
 // As in mesh.frag.
 #if defined(POINTS)
@@ -20,6 +24,9 @@ out vec4 vertexColor;
 #endif
 #ifdef TEXTURED
 out vec2 uv;
+#endif
+#ifdef CURVED
+out float vertexCurvature;
 #endif
 
 #ifdef CLIPPED
@@ -46,5 +53,8 @@ void main()
 #endif
 #ifdef TEXTURED
     uv = texcoord;
+#endif
+#ifdef CURVED
+    vertexCurvature = curvature;
 #endif
 }

@@ -6,6 +6,8 @@
 #include <QImage>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace unprojector::gui {
@@ -40,6 +42,17 @@ std::unique_ptr<QOpenGLTexture> uploaded(const QImage &image, bool wrapRepeat)
     result->setMinMagFilters(QOpenGLTexture::LinearMipMapLinear, QOpenGLTexture::Linear);
     result->setWrapMode(wrapRepeat ? QOpenGLTexture::Repeat : QOpenGLTexture::ClampToEdge);
     return result;
+}
+
+/// Curvatures as a vertex attribute: the usual value is 0.7, and no value exceeds 1.
+std::vector<std::int16_t> shownCurvatures(const std::vector<float> &values, double usual)
+{
+    std::vector<std::int16_t> shown(values.size());
+    for (std::size_t vertex = 0; usual > 0.0 && vertex < values.size(); ++vertex) {
+        const double value = static_cast<double>(values[vertex]) / usual;
+        shown[vertex] = static_cast<std::int16_t>(std::lround(32767.0 * value / std::sqrt(1.0 + value * value)));
+    }
+    return shown;
 }
 
 } // namespace
@@ -111,6 +124,7 @@ bool GpuModel::begin(const Mesh &mesh)
         glVertexAttribPointer(index, size, type, normalized, 0, nullptr);
     };
     attribute(MeshAttribute::Position, mesh.positions, 3, GL_FLOAT, GL_FALSE);
+    m_begun->positionBuffer = m_begun->buffers.empty() ? 0 : m_begun->buffers.back()->bufferId();
     attribute(MeshAttribute::Normal, mesh.normals, 3, GL_FLOAT, GL_FALSE);
     attribute(MeshAttribute::Color, mesh.colors, 4, GL_UNSIGNED_BYTE, GL_TRUE);
     attribute(MeshAttribute::Texcoord, mesh.texcoords, 2, GL_FLOAT, GL_FALSE);
@@ -143,6 +157,33 @@ bool GpuModel::copyOn(Copy &copy)
     glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
     copy.done += bytes;
     return isThere;
+}
+
+bool GpuModel::uploadCurvature(const std::shared_ptr<const Curvature> &curvature)
+{
+    if (m_curvature == curvature)
+        return m_hasCurvature;
+    m_curvature = curvature;
+    m_hasCurvature = true;
+    for (const std::unique_ptr<GpuMesh> &mesh : m_meshes) {
+        const std::vector<float> &values =
+            curvature->meshes[static_cast<std::size_t>(mesh->source - m_source->meshes.data())];
+        if (values.empty())
+            continue; // points
+        const std::vector<std::int16_t> shown = shownCurvatures(values, curvature->usual);
+        QOpenGLVertexArrayObject::Binder bound(&mesh->vertexArray);
+        mesh->buffers.push_back(std::make_unique<QOpenGLBuffer>(QOpenGLBuffer::VertexBuffer));
+        mesh->buffers.back()->create();
+        mesh->buffers.back()->bind();
+        m_hasCurvature =
+            m_hasCurvature && fillBuffer(*this, GL_ARRAY_BUFFER, shown.size() * sizeof(shown[0]), shown.data());
+        glEnableVertexAttribArray(MeshAttribute::Curvature);
+        glVertexAttribPointer(MeshAttribute::Curvature, 1, GL_SHORT, GL_TRUE, 0, nullptr);
+    }
+    if (!m_hasCurvature)
+        m_failures << tr("The graphics memory is too small for the curvature of %1.")
+                          .arg(QString::fromStdString(m_source->name));
+    return m_hasCurvature;
 }
 
 double GpuModel::uploadedShare() const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/curvature.h"
 #include "core/mesh/mesh.h"
 #include "gui/view/painters/deadline.h"
 
@@ -29,9 +30,10 @@ struct GpuMesh {
     GLenum primitives = GL_TRIANGLES;
     std::size_t elementCount = 0; ///< corners of triangles, or points
     bool isIndexed = false;
-    GLuint indexBuffer = 0; ///< its name
-    bool isFlat = false;    ///< has no normals
-    bool isColored = false; ///< has vertex colours
+    GLuint positionBuffer = 0; ///< its name
+    GLuint indexBuffer = 0;    ///< its name
+    bool isFlat = false;       ///< has no normals
+    bool isColored = false;    ///< has vertex colours
     glm::dvec3 origin{0.0};
     glm::vec4 baseColor{1.0f};
     int texture = -1;
@@ -54,6 +56,12 @@ public:
 
     /// The uploaded share, in [0, 1].
     double uploadedShare() const;
+
+    /// Uploads the curvature of the vertices, unless it is uploaded already. Adds to the failures if
+    /// the graphics memory is too small.
+    /// @pre all of the model is uploaded
+    /// @return whether the meshes have it, scaled so that the usual value is 0.7 and none exceeds 1
+    bool uploadCurvature(const std::shared_ptr<const mesh::Curvature> &curvature);
 
     /// The completely uploaded meshes.
     const std::vector<std::unique_ptr<GpuMesh>> &meshes() const { return m_meshes; }
@@ -86,6 +94,8 @@ private:
     std::vector<Copy> m_copies;                              ///< for m_begun
     std::size_t m_next = 0;                                  ///< index of a mesh of the source
     bool m_areTexturesUploaded = false;
+    std::shared_ptr<const mesh::Curvature> m_curvature; ///< the last one that was to be uploaded
+    bool m_hasCurvature = false;
     QStringList m_failures;
 };
 

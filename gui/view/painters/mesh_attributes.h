@@ -10,6 +10,7 @@ struct MeshAttribute {
     static constexpr GLuint Normal = 1;
     static constexpr GLuint Color = 2;
     static constexpr GLuint Texcoord = 3;
+    static constexpr GLuint Curvature = 4;
 };
 
 } // namespace unprojector::gui

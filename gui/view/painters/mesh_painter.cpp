@@ -37,6 +37,9 @@ namespace {
 /// The number that OpenGL guarantees.
 constexpr std::size_t kClipDistances = 8;
 
+/// The colour of surfaces shown without their colours.
+constexpr glm::vec4 kGrey(0.8f, 0.8f, 0.8f, 1.0f);
+
 /// Drawn in a few milliseconds by a software renderer. Whole triangles.
 constexpr std::size_t kElementsAtOnce = 3 * 50'000;
 
@@ -86,6 +89,8 @@ glm::mat4 withinSingles(const glm::dmat4 &clipFromUploaded, const glm::dvec3 &re
 struct MeshPainter::Entry {
     std::shared_ptr<const Model> source; ///< keeps the map's key alive
     GpuModel uploaded;
+    bool hasCurvature = false;   ///< to be drawn
+    bool hasToldOfEdges = false; ///< a mesh is too large for them
 };
 
 MeshPainter::MeshPainter() = default;
@@ -97,6 +102,7 @@ void MeshPainter::initialize(ObjectIds ids, bool isSoftware)
     m_isSoftware = isSoftware;
     m_coveringBuffer.setUsagePattern(QOpenGLBuffer::StreamDraw);
     m_coveringBuffer.create();
+    m_edges.initialize();
     m_ids = ids;
 }
 
@@ -104,6 +110,7 @@ void MeshPainter::release()
 {
     m_models.clear();
     m_coveringBuffer.destroy();
+    m_edges.release();
     m_programs.clear();
 }
 
@@ -117,12 +124,12 @@ void MeshPainter::keepOnly(const std::set<const Model *> &models)
     std::erase_if(m_models, [&models](const auto &entry) { return !models.contains(entry.first); });
 }
 
-GpuModel &MeshPainter::modelOf(const std::shared_ptr<const Model> &model)
+MeshPainter::Entry &MeshPainter::entryOf(const std::shared_ptr<const Model> &model)
 {
     std::unique_ptr<Entry> &entry = m_models[model.get()];
     if (!entry)
         entry.reset(new Entry{model, GpuModel(model)});
-    return entry->uploaded;
+    return *entry;
 }
 
 void MeshPainter::bindProgram(unsigned traits)
@@ -132,8 +139,15 @@ void MeshPainter::bindProgram(unsigned traits)
         QByteArrayList definitions;
         if (m_ids == ObjectIds::Colors)
             definitions << "OBJECT_IDS_ARE_COLORS";
-        constexpr std::array<std::pair<Trait, const char *>, 5> kNames{
-            {{Clipped, "CLIPPED"}, {Points, "POINTS"}, {Flat, "FLAT"}, {Colored, "COLORED"}, {Textured, "TEXTURED"}}};
+        constexpr std::array<std::pair<Trait, const char *>, 9> kNames{{{Clipped, "CLIPPED"},
+                                                                        {Points, "POINTS"},
+                                                                        {Flat, "FLAT"},
+                                                                        {Colored, "COLORED"},
+                                                                        {Textured, "TEXTURED"},
+                                                                        {SideLit, "SIDE_LIT"},
+                                                                        {Curved, "CURVED"},
+                                                                        {Edges, "EDGES"},
+                                                                        {Indexed, "INDEXED"}}};
         for (const auto &[trait, name] : kNames) {
             if (traits & trait)
                 definitions << name;
@@ -230,8 +244,13 @@ bool MeshPainter::hidesBackSides(const FrameContents &contents, const SceneObjec
 bool MeshPainter::drawObject(const FrameContents &contents, const SceneObject &object, Place &place,
                              const Deadline &deadline)
 {
-    GpuModel &model = modelOf(object.model);
+    Entry &entry = entryOf(object.model);
+    GpuModel &model = entry.uploaded;
     const bool isUploaded = model.uploadOn(deadline);
+    if (isUploaded) {
+        const auto curvature = m_shading.curvatures.find(object.model);
+        entry.hasCurvature = curvature != m_shading.curvatures.end() && model.uploadCurvature(curvature->second);
+    }
     m_failures << model.takeFailures();
     if (!isUploaded)
         return false;
@@ -254,8 +273,18 @@ bool MeshPainter::drawObject(const FrameContents &contents, const SceneObject &o
         // A software renderer spends a fifth of the time on clip distances, enabled or not.
         unsigned traits = isPoints ? unsigned{Points} : mesh.isFlat ? unsigned{Flat} : 0U;
         traits |= contents.clipPlanes.empty() ? 0U : unsigned{Clipped};
-        traits |= mesh.isColored ? unsigned{Colored} : 0U;
-        traits |= mesh.texture >= 0 ? unsigned{Textured} : 0U;
+        if (m_shading.hasColors) {
+            traits |= mesh.isColored ? unsigned{Colored} : 0U;
+            traits |= mesh.texture >= 0 ? unsigned{Textured} : 0U;
+        }
+        const Drawable &drawn = contents.drawn;
+        const auto pixels = static_cast<std::size_t>(drawn.width) * static_cast<std::size_t>(drawn.height);
+        const bool isCovering =
+            m_isSoftware && !isPoints && mesh.elementCount / 3 > pixels && !object.model->bounds.isEmpty();
+        if (!isPoints)
+            traits |= shadingTraits(contents, entry, mesh);
+        if ((traits & Edges) && (mesh.isIndexed || isCovering))
+            traits |= Indexed;
         bindProgram(traits);
         const auto location = [this](const char *name) { return m_program->uniformLocation(name); };
         glUniform1ui(location("object"), static_cast<GLuint>(place.object + 1));
@@ -277,16 +306,15 @@ bool MeshPainter::drawObject(const FrameContents &contents, const SceneObject &o
         glUniformMatrix4fv(location("clipFromObject"), 1, GL_FALSE, glm::value_ptr(clipFromUploaded));
         if (!contents.clipPlanes.empty())
             setClipPlanes(contents.clipPlanes, worldFromUploaded);
-        m_program->setUniformValue("baseColor", mesh.baseColor.r, mesh.baseColor.g, mesh.baseColor.b, mesh.baseColor.a);
-        if (mesh.texture >= 0) {
+        const glm::vec4 &color = m_shading.hasColors ? mesh.baseColor : kGrey;
+        m_program->setUniformValue("baseColor", color.r, color.g, color.b, color.a);
+        setShadingValues(traits, contents, mesh, turn >= 0.0);
+        if (traits & Textured) {
             m_program->setUniformValue("baseTexture", 0);
             model.texture(mesh.texture).bind(0);
         }
-        const Drawable &drawn = contents.drawn;
-        const auto pixels = static_cast<std::size_t>(drawn.width) * static_cast<std::size_t>(drawn.height);
         std::optional<CoveringTriangles> covering;
-        if (m_isSoftware && mesh.primitives == GL_TRIANGLES && mesh.elementCount / 3 > pixels
-            && !object.model->bounds.isEmpty())
+        if (isCovering)
             covering.emplace(*mesh.source, clipFromUploaded, glm::ivec4(drawn.x, drawn.y, drawn.width, drawn.height),
                              reach);
         // else all vertices would be transformed for a few triangles
@@ -298,7 +326,7 @@ bool MeshPainter::drawObject(const FrameContents &contents, const SceneObject &o
             glEnable(GL_CULL_FACE);
             glCullFace(turn > 0.0 ? GL_BACK : GL_FRONT);
         }
-        const bool isDone = drawMesh(mesh, covering ? &*covering : nullptr, place, deadline);
+        const bool isDone = drawMesh(mesh, covering ? &*covering : nullptr, (traits & Edges) != 0, place, deadline);
         if (isHalfDrawn)
             glDisable(GL_CULL_FACE);
         if (!isDone)
@@ -307,9 +335,36 @@ bool MeshPainter::drawObject(const FrameContents &contents, const SceneObject &o
     return true;
 }
 
+unsigned MeshPainter::shadingTraits(const FrameContents &contents, Entry &entry, const GpuMesh &mesh)
+{
+    unsigned traits = m_shading.sideLight ? unsigned{SideLit} : 0U;
+    traits |= entry.hasCurvature ? unsigned{Curved} : 0U;
+    if (!m_shading.hasEdges || contents.areStandIns)
+        return traits;
+    if (m_edges.canTake(mesh))
+        return traits | Edges;
+    if (!std::exchange(entry.hasToldOfEdges, true))
+        m_failures << m_edges.refusal(QString::fromStdString(entry.source->name));
+    return traits;
+}
+
+void MeshPainter::setShadingValues(unsigned traits, const FrameContents &contents, const GpuMesh &mesh,
+                                   bool isFrontOutside)
+{
+    if (traits & SideLit)
+        m_program->setUniformValue("sideLight", m_shading.sideLight->x, m_shading.sideLight->y, m_shading.sideLight->z);
+    if (traits & Curved)
+        m_program->setUniformValue("ridgeSign", isFrontOutside ? 1.0f : -1.0f);
+    if (traits & Edges) {
+        const Drawable &drawn = contents.drawn;
+        m_edges.begin(*m_program, mesh, glm::vec4(drawn.x, drawn.y, drawn.width, drawn.height),
+                      drawn.setup.surface.devicePixelRatio);
+    }
+}
+
 /// Draws these triangles of a bound mesh.
 /// @param begin, end  corners
-void MeshPainter::drawCovering(const CoveringTriangles &covering, std::size_t begin, std::size_t end)
+void MeshPainter::drawCovering(const CoveringTriangles &covering, bool hasEdges, std::size_t begin, std::size_t end)
 {
     std::vector<std::vector<std::uint32_t>> parts((end - begin + kGatheredInTask - 1) / kGatheredInTask);
     threads::inParallel(parts.size(), {}, [&](std::size_t number) {
@@ -320,13 +375,16 @@ void MeshPainter::drawCovering(const CoveringTriangles &covering, std::size_t be
         parts[0].insert(parts[0].end(), parts[i].begin(), parts[i].end());
     if (parts.empty() || parts[0].empty())
         return;
-    if (fillBuffer(*this, GL_ELEMENT_ARRAY_BUFFER, parts[0].size() * sizeof(std::uint32_t), parts[0].data()))
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(parts[0].size()), GL_UNSIGNED_INT, nullptr);
+    if (!fillBuffer(*this, GL_ELEMENT_ARRAY_BUFFER, parts[0].size() * sizeof(std::uint32_t), parts[0].data()))
+        return;
+    if (hasEdges)
+        m_edges.setPart(*m_program, m_coveringBuffer.bufferId(), 0);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(parts[0].size()), GL_UNSIGNED_INT, nullptr);
 }
 
 /// @param covering  nothing: all triangles are drawn
 /// @return whether all of it is drawn
-bool MeshPainter::drawMesh(const GpuMesh &mesh, const CoveringTriangles *covering, Place &place,
+bool MeshPainter::drawMesh(const GpuMesh &mesh, const CoveringTriangles *covering, bool hasEdges, Place &place,
                            const Deadline &deadline)
 {
     QOpenGLVertexArrayObject::Binder bound(const_cast<QOpenGLVertexArrayObject *>(&mesh.vertexArray));
@@ -340,8 +398,10 @@ bool MeshPainter::drawMesh(const GpuMesh &mesh, const CoveringTriangles *coverin
         const std::size_t count = std::min(left, !deadline.isNever() ? kElementsAtOnce
                                                  : covering          ? kGatheredAtOnce
                                                                      : mesh.elementCount);
+        if (hasEdges && !covering)
+            m_edges.setPart(*m_program, mesh.indexBuffer, place.element / 3);
         if (covering)
-            drawCovering(*covering, place.element, place.element + count);
+            drawCovering(*covering, hasEdges, place.element, place.element + count);
         else if (mesh.isIndexed)
             glDrawElements(mesh.primitives, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
                            reinterpret_cast<const void *>(place.element * sizeof(std::uint32_t)));
@@ -353,6 +413,8 @@ bool MeshPainter::drawMesh(const GpuMesh &mesh, const CoveringTriangles *coverin
     }
     if (covering)
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indexBuffer); // it is part of the vertex array
+    if (hasEdges)
+        m_edges.end();
     return place.element >= mesh.elementCount;
 }
 

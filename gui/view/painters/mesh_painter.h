@@ -4,7 +4,9 @@
 #include "core/mesh/covering_triangles.h"
 #include "core/scene/scene.h"
 #include "gui/view/painters/gpu_model.h"
+#include "gui/view/painters/mesh_edges.h"
 #include "gui/view/painters/object_ids.h"
+#include "gui/view/shading.h"
 
 #include <QOpenGLBuffer>
 #include <QOpenGLExtraFunctions>
@@ -16,6 +18,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace unprojector::gui {
@@ -27,6 +30,7 @@ struct FrameContents {
     glm::dmat4 clipFromWorld{1.0};
     glm::dmat4 eyeFromWorld{1.0};
     std::vector<glm::dvec4> clipPlanes; ///< world space; points on the negative side of one are not drawn. At most 8
+    bool areStandIns = false;           ///< the objects' edges are not those of their models, and are not drawn
 };
 
 /// Draws the objects' triangles and points, lit from the camera, into a Frame: colours, depths, and
@@ -52,6 +56,9 @@ public:
     void initialize(ObjectIds ids, bool isSoftware);
     void release();
 
+    /// Sets how colours show the shape.
+    void setShading(Shading shading) { m_shading = std::move(shading); }
+
     /// Continues drawing from a position, and uploads missing models, until all is done or the time
     /// is over.
     /// @return whether all is done
@@ -69,19 +76,36 @@ public:
 private:
     struct Entry;
     /// The features of a shader program, as bits.
-    enum Trait : unsigned { Clipped = 1, Points = 2, Flat = 4, Colored = 8, Textured = 16 };
+    enum Trait : unsigned {
+        Clipped = 1,
+        Points = 2,
+        Flat = 4,
+        Colored = 8,
+        Textured = 16,
+        SideLit = 32,
+        Curved = 64,
+        Edges = 128,
+        Indexed = 256 ///< with Edges: vertices have numbers
+    };
 
     /// Binds the program for meshes with these traits.
     void bindProgram(unsigned traits);
-    GpuModel &modelOf(const std::shared_ptr<const mesh::Model> &model);
+    Entry &entryOf(const std::shared_ptr<const mesh::Model> &model);
     bool drawObject(const FrameContents &contents, const scene::SceneObject &object, Place &place,
                     const Deadline &deadline);
-    bool drawMesh(const GpuMesh &mesh, const mesh::CoveringTriangles *covering, Place &place, const Deadline &deadline);
-    void drawCovering(const mesh::CoveringTriangles &covering, std::size_t begin, std::size_t end);
+    /// @param hasEdges  the bound program draws them
+    bool drawMesh(const GpuMesh &mesh, const mesh::CoveringTriangles *covering, bool hasEdges, Place &place,
+                  const Deadline &deadline);
+    void drawCovering(const mesh::CoveringTriangles &covering, bool hasEdges, std::size_t begin, std::size_t end);
     /// Returns whether no back side of a closed mesh is visible: the whole model lies in front of
     /// the near plane and is not cut.
     bool hidesBackSides(const FrameContents &contents, const scene::SceneObject &object) const;
     void setClipPlanes(const std::vector<glm::dvec4> &planes, const glm::dmat4 &worldFromUploaded);
+    /// The traits that the shading adds to a mesh of triangles.
+    unsigned shadingTraits(const FrameContents &contents, Entry &entry, const GpuMesh &mesh);
+    /// Sets the shading's values in the bound program.
+    /// @param isFrontOutside  front sides in the view are those of the model
+    void setShadingValues(unsigned traits, const FrameContents &contents, const GpuMesh &mesh, bool isFrontOutside);
 
     bool m_isSoftware = false;
     ObjectIds m_ids = ObjectIds::Integers;
@@ -89,6 +113,8 @@ private:
     QOpenGLShaderProgram *m_program = nullptr;                            ///< the bound one of these
     QOpenGLBuffer m_coveringBuffer{QOpenGLBuffer::IndexBuffer};
     std::map<const mesh::Model *, std::unique_ptr<Entry>> m_models;
+    Shading m_shading;
+    MeshEdges m_edges;
     QStringList m_failures;
 };
 
