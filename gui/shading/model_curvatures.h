@@ -23,7 +23,7 @@ public:
     /// Cancels everything that is not computed yet.
     void cancel();
     bool isComputing() const { return m_background.isRunning(); }
-    /// What is computed so far.
+    /// The curvatures computed so far.
     const CurvatureMap &all() const { return m_all; }
 
 signals:

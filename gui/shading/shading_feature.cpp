@@ -100,7 +100,7 @@ void ShadingFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
                         tr("Light the surface from one side, so that ridges and wrinkles show. Ctrl + Shift + drag "
                            "turns the light"));
     m_isCurved =
-        addSwitch(shading, tr("&Curvature"), Qt::Key_C, tr("Draw ridges light and valleys dark, whatever the light"));
+        addSwitch(shading, tr("&Curvature"), Qt::Key_C, tr("Draw ridges light and valleys dark, in any light"));
     m_hasColors = addSwitch(shading, tr("C&olours and Textures"), Qt::Key_T,
                             tr("Show the colours of the model; without them, the surface is grey"));
     m_hasColors->setChecked(true);
@@ -244,10 +244,10 @@ void ShadingFeature::explainCurvature()
             distance = std::max(distance, found->second->smoothingDistance);
     }
     constexpr int kDigits = 2;
-    m_window.notice(distance > 0.0
-                        ? tr("Ridges are light, valleys are dark. Features smaller than about %1 units are smoothed.")
-                              .arg(significantText(distance, kDigits))
-                        : tr("No object has a surface with a curvature."));
+    m_window.notice(
+        distance > 0.0
+            ? tr("Ridges are light, valleys are dark. Smoothed over %1 units.").arg(significantText(distance, kDigits))
+            : tr("No object has a surface with a curvature."));
 }
 
 void ShadingFeature::apply()

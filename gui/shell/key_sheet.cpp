@@ -59,6 +59,7 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     rows += row(tr("left button"), tr("read the world coordinate of the pixel"));
     rows += row(tr("left drag"), tr("turn the camera about the point under the pointer; the pick is kept"));
     rows += row(tr("middle drag, or Shift + left drag"), tr("move the camera sideways"));
+    rows += row(tr("Ctrl + Shift + left drag"), tr("turn the light from the side; Esc takes the drag back"));
     rows += row(tr("wheel"), tr("zoom towards the pointer"));
     rows += row(tr("double-click"), tr("bring the point to the middle"));
     rows += row(tr("right click, or the menu key"), tr("menu for the pixel and its object"));

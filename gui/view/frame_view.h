@@ -54,7 +54,7 @@ public:
 
     /// Affects only the appearance: the depths that are read are the same.
     void setSmoothEdges(bool smooth);
-    /// The same: sets how colours show the shape.
+    /// The same: sets the options of the colours.
     void setShading(Shading shading);
     bool smoothEdges() const { return m_smoothEdges; }
 

@@ -16,7 +16,8 @@ namespace unprojector::gui {
 using CurvatureMap =
     std::map<std::weak_ptr<const mesh::Model>, std::shared_ptr<const mesh::Curvature>, std::owner_less<>>;
 
-/// How the colours of surfaces show their shape. Depths and objects of pixels never depend on it.
+/// The options that show the shape of surfaces by their colours. Depths and objects of pixels never
+/// depend on them.
 struct Shading {
     /// Direction to the only light, eye space, of length 1; nothing: the usual lights at the
     /// camera.

@@ -123,7 +123,7 @@ void main()
 #ifdef EDGES
     // Dark on light surfaces, light on dark ones.
     float brightness = dot(shaded, vec3(0.3, 0.6, 0.1));
-    shaded = mix(shaded, brightness > 0.35 ? vec3(0.05, 0.07, 0.10) : vec3(0.75), edgeInk());
+    shaded = mix(shaded, brightness > 0.25 ? 0.2 * shaded : shaded + 0.4, edgeInk());
 #endif
     fragment = vec4(shaded, 1.0);
     objectId = written(object);

@@ -364,10 +364,10 @@ void TestMeshShading::edgesAreLinesOnTheSurface_data()
     QTest::addColumn<glm::dvec3>("place");
     QTest::newRow("with vertex numbers") << modelOf(square(1)) << glm::dvec3(0.0);
     QTest::newRow("soup") << modelOf(soupOf(square(1))) << glm::dvec3(0.0);
-    Mesh far = square(1);
+    Mesh distant = square(1);
     const glm::dvec3 place(4e6, 5e5, 300.0);
-    far.origin = place;
-    QTest::newRow("elsewhere") << modelOf(far) << place;
+    distant.origin = place;
+    QTest::newRow("elsewhere") << modelOf(distant) << place;
 }
 
 void TestMeshShading::edgesAreLinesOnTheSurface()

@@ -56,7 +56,7 @@ public:
     void initialize(ObjectIds ids, bool isSoftware);
     void release();
 
-    /// Sets how colours show the shape.
+    /// Sets the options of the colours.
     void setShading(Shading shading) { m_shading = std::move(shading); }
 
     /// Continues drawing from a position, and uploads missing models, until all is done or the time
