@@ -30,7 +30,7 @@ Eigen<N> eigenOf(std::array<std::array<double, N>, N> m)
     for (int sweep = 0; sweep < 50; ++sweep) {
         for (std::size_t p = 0; p + 1 < N; ++p) {
             for (std::size_t q = p + 1; q < N; ++q) {
-                if (m[p][q] == 0.0)
+                if (std::abs(m[p][q]) <= 1e-20 * (std::abs(m[p][p]) + std::abs(m[q][q])))
                     continue;
                 const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
                 const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(1.0, theta));
@@ -63,23 +63,19 @@ struct Moments {
     glm::dmat3 fromFrom{0.0}, toTo{0.0}, fromTo{0.0}; ///< fromTo[j][i] = sum of w from_i to_j
 };
 
-/// Returns whether a scatter matrix belongs to points on a line, within 1 % of their length.
-bool isLine(const glm::dmat3 &scatter)
-{
-    constexpr double kWidth = 0.01;
-    std::array<std::array<double, 3>, 3> m{};
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j)
-            m[std::size_t(i)][std::size_t(j)] = scatter[j][i];
-    }
-    std::array<double, 3> values = eigenOf<3>(m).values;
-    std::sort(values.begin(), values.end());
-    return !(values[1] > kWidth * kWidth * values[2]);
-}
-
 double traceOf(const glm::dmat3 &m)
 {
     return m[0][0] + m[1][1] + m[2][2];
+}
+
+/// Returns whether a scatter matrix belongs to points on a line, within 1 % of their length: the sum
+/// of the products of two eigenvalues is small beside the square of their sum.
+bool isLine(const glm::dmat3 &m)
+{
+    constexpr double kWidth = 0.01;
+    const double products = m[0][0] * m[1][1] - m[0][1] * m[1][0] + m[0][0] * m[2][2] - m[0][2] * m[2][0]
+                            + m[1][1] * m[2][2] - m[1][2] * m[2][1];
+    return !(products > kWidth * kWidth * traceOf(m) * traceOf(m));
 }
 
 std::optional<Moments> momentsOf(const Configuration &from, const Configuration &to, std::span<const double> weights)
@@ -189,6 +185,8 @@ Configuration meanOf(std::span<const Configuration> aligned, Estimate estimate, 
     return mean;
 }
 
+constexpr int kFirstSteps = 10; ///< alignments with weights 1 / r
+
 /// The weights of the landmarks in a specimen after an alignment.
 /// @param isFirst  weights 1 / r instead of Tukey's: they find the right alignment from a wrong one
 std::vector<double> weightsOf(const Configuration &aligned, const Configuration &mean, bool isFirst)
@@ -259,6 +257,21 @@ std::optional<Similarity> similarityOf(const Configuration &from, const Configur
     return similarity;
 }
 
+std::optional<Similarity> robustSimilarityOf(const Configuration &from, const Configuration &to)
+{
+    constexpr int kSteps = 30;
+    std::vector<double> weights;
+    std::optional<Similarity> best;
+    for (int step = 0; step < kSteps; ++step) {
+        const std::optional<Similarity> similarity = similarityOf(from, to, Scaling::Sizes, weights);
+        if (!similarity) // too few of them have a weight
+            break;
+        best = similarity;
+        weights = weightsOf(similarity->mapped(from), to, step < kFirstSteps);
+    }
+    return best;
+}
+
 double centroidSizeOf(const Configuration &points)
 {
     const glm::dvec3 center = centroidOf(points);
@@ -304,8 +317,8 @@ Superimposition superimposed(std::span<const Configuration> specimens, Estimate 
     result.mean = *first;
     result.mean.resize(count);
     result.mean = normalized(std::move(result.mean));
-    constexpr int kMostSteps = 200, kFirstSteps = 10;
-    constexpr double kStays = 1e-26; // the mean's squared change, at centroid size 1
+    constexpr int kMostSteps = 200;
+    const double stays = estimate == Estimate::Robust ? 1e-16 : 1e-26; // the mean's squared change, at size 1
     std::vector<std::vector<double>> weights(specimens.size());
     for (int step = 0; step < kMostSteps; ++step) {
         for (std::size_t k = 0; k < same.size(); ++k) {
@@ -322,7 +335,7 @@ Superimposition superimposed(std::span<const Configuration> specimens, Estimate 
         const bool isLost = std::none_of(mean.begin(), mean.end(), [](const auto &point) { return point.has_value(); });
         if (!isLost)
             result.mean = std::move(mean);
-        if (isLost || (change < kStays && (estimate == Estimate::LeastSquares || step > kFirstSteps)))
+        if (isLost || (change < stays && (estimate == Estimate::LeastSquares || step > kFirstSteps)))
             break;
     }
     return result;

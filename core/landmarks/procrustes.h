@@ -43,6 +43,12 @@ enum class Scaling {
 std::optional<Similarity> similarityOf(const Configuration &from, const Configuration &to,
                                        Scaling scaling = Scaling::Regression, std::span<const double> weights = {});
 
+/// The similarity that fits most landmarks well and ignores those out of place. It starts with weights
+/// 1 / r for residuals r, and ends with Tukey's (1 - (r / 3s)^2)^2 below 3 s, else 0. The spread s is
+/// 1.126 times the median residual: the root of the mean square for normal errors. Scaling::Sizes.
+/// @return empty as similarityOf
+std::optional<Similarity> robustSimilarityOf(const Configuration &from, const Configuration &to);
+
 /// The centroid size: the root of the sum of the squared distances from the centroid.
 /// 0 without a landmark.
 double centroidSizeOf(const Configuration &points);
@@ -66,8 +72,7 @@ struct Superimposition {
 /// Each specimen gets the mean's centroid size. A specimen with missing landmarks gets the size that
 /// the mean has over the others. So complete specimens have centroid size 1, as in geomorph's gpagen.
 ///
-/// Robust: a weight is Tukey's (1 - (r / 3s)^2)^2 for a residual r below 3 s, else 0. The spread s of a
-/// specimen is 1.126 times its median residual: the root of the mean square for normal errors.
+/// Estimate::Robust weights landmarks as robustSimilarityOf does.
 ///
 /// Source: Gower 1975, "Generalized Procrustes analysis"; Rohlf and Slice 1990, "Extensions of the
 /// Procrustes method for the optimal superimposition of landmarks" (both estimates).
