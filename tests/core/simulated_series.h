@@ -49,6 +49,7 @@ struct Kind {
     std::size_t modes = 8;      ///< of shape; each has 0.8 of the standard deviation of the one before
     double modeDeviation = 2.0; ///< of the first, in thousandths of a face of about 200
     double noise = 1.0;         ///< mean standard deviation of a landmark, all coordinates together
+    bool hasMistakes = true;
 };
 
 using Place = std::pair<std::size_t, std::size_t>; ///< scan, landmark
@@ -143,7 +144,7 @@ inline Series series(Random &random, const Kind &kind)
                 point.reset();
         }
     }
-    for (std::size_t k = 0; k < kind.scans; ++k) {
+    for (std::size_t k = 0; kind.hasMistakes && k < kind.scans; ++k) {
         Configuration &scan = result.scans[k];
         for (std::size_t j = 0; j < base.size(); ++j) {
             if (random.share() >= 1.0 / 50.0 || !scan[j] || result.wrong.contains({k, j}))
