@@ -11,7 +11,7 @@
 
 namespace unprojector::landmarks {
 
-/// Where the other specimens put a landmark of this one.
+/// The place of a landmark on this specimen, as the other specimens have it.
 struct ExpectedPlace {
     glm::dvec3 place{0.0}; ///< in the space of this specimen
     /// The root of the mean square of the distances with which the same landmarks find it on the other
@@ -19,7 +19,7 @@ struct ExpectedPlace {
     std::optional<double> spread;
 };
 
-/// Why there are no expected places.
+/// The reason why there are no expected places.
 enum class NoExpectedPlaces {
     NoOthers, ///< no other specimen has landmarks that can be aligned
     TooFew,   ///< fewer than three placed landmarks that others have

@@ -10,7 +10,7 @@
 
 namespace unprojector::landmarks {
 
-/// How far a landmark is from where the other specimens put it.
+/// The distance of a landmark from where the other specimens put it.
 struct Deviation {
     std::size_t specimen = 0, landmark = 0;
     double distance = 0.0; ///< in the specimen's units
@@ -21,7 +21,7 @@ struct Deviation {
     double spreads() const { return distance / spread; }
 };
 
-/// What the comparison of several specimens found, and what it could not judge.
+/// The result of comparing several specimens, with all that could not be judged.
 struct Deviations {
     std::vector<Deviation> worstFirst;   ///< all judged landmarks
     std::vector<std::size_t> notAligned; ///< specimens with too few landmarks that the others have, ascending

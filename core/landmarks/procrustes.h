@@ -24,7 +24,7 @@ struct Similarity {
     Similarity inverse() const;
 };
 
-/// How the scale of a similarity is found.
+/// The rule for the scale of a similarity.
 enum class Scaling {
     Regression, ///< minimises sum of w |y - (scale R x + t)|^2 (Umeyama 1991, formula 42)
     Sizes,      ///< the ratio of both centroid sizes, as in Procrustes superimposition
@@ -53,7 +53,7 @@ std::optional<Similarity> robustSimilarityOf(const Configuration &from, const Co
 /// 0 without a landmark.
 double centroidSizeOf(const Configuration &points);
 
-/// How specimens are averaged and aligned.
+/// The way to average and align specimens.
 enum class Estimate {
     LeastSquares, ///< the classic one: means, and equal weights
     Robust,       ///< medians of each coordinate; landmarks out of place have no weight in their specimen

@@ -26,7 +26,7 @@ int DeviationsModel::rowCount(const QModelIndex &parent) const
     return parent.isValid() ? 0 : static_cast<int>(m_deviations.worstFirst.size());
 }
 
-QString DeviationsModel::findingOf(const Deviation &deviation) const
+QString DeviationsModel::outcomeOf(const Deviation &deviation) const
 {
     if (!deviation.swappedWith)
         return deviation.isOutOfPlace ? tr("out of place") : QString();
@@ -50,7 +50,7 @@ QVariant DeviationsModel::data(const QModelIndex &index, int role) const
         case Landmark: return landmarkName(deviation.landmark);
         case Distance: return significantText(deviation.distance, 3);
         case Spreads: return fixedText(deviation.spreads(), 1);
-        case Finding: return findingOf(deviation);
+        case Outcome: return outcomeOf(deviation);
         default: return {};
         }
     }
@@ -81,7 +81,7 @@ QVariant DeviationsModel::headerData(int section, Qt::Orientation orientation, i
     case Landmark: return tr("Landmark");
     case Distance: return tr("Distance");
     case Spreads: return tr("Spreads");
-    case Finding: return tr("Finding");
+    case Outcome: return tr("Result");
     default: return {};
     }
 }

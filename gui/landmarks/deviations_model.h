@@ -16,7 +16,7 @@ namespace unprojector::gui {
 class DeviationsModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { Scan, Landmark, Distance, Spreads, Finding, ColumnCount };
+    enum Column { Scan, Landmark, Distance, Spreads, Outcome, ColumnCount };
 
     using QAbstractTableModel::QAbstractTableModel;
 
@@ -33,7 +33,7 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
 private:
-    QString findingOf(const landmarks::Deviation &deviation) const;
+    QString outcomeOf(const landmarks::Deviation &deviation) const;
 
     landmarks::Deviations m_deviations;
     QStringList m_names, m_scans;

@@ -17,8 +17,8 @@ namespace unprojector::gui {
 class DeviationsModel;
 class ScanSeries;
 
-/// How far each landmark of a series is from where the other scans put it. Compares in the
-/// background, while it is visible, a moment after the last change.
+/// The list of a series' landmarks by their distance from where the other scans put them. It compares
+/// in the background, while it is visible, a moment after the last change.
 class DeviationsView : public QWidget {
     Q_OBJECT
 public:

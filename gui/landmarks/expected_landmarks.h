@@ -18,7 +18,7 @@ namespace unprojector::gui {
 class ScanSeries;
 class SceneDocument;
 
-/// Where a landmark of the present scan is expected.
+/// The expected place of a landmark of the present scan.
 struct ExpectedLandmark {
     std::size_t index = 0; ///< in SceneDocument::landmarks()
     geometry::WorldPoint world;
@@ -61,7 +61,7 @@ private:
     std::optional<landmarks::NoExpectedPlaces> m_reason;
     std::vector<landmarks::Configuration> m_others; ///< that m_expectation comes from
     landmarks::PlaceExpectation m_expectation;
-    /// Of the model that was asked last: preparing a large one takes a second.
+    /// The prepared model that was asked last: preparing a large one takes a second.
     std::shared_ptr<const ray::ClosestPlaces> m_places;
 };
 

@@ -18,8 +18,8 @@ namespace unprojector::gui {
 /// The mark of an expected place in the view.
 struct ExpectedMark {
     QPointF at; ///< logical pixels of the surface, origin top-left
-    /// Of a circle with the spread's radius; logical pixels; 0: the spread is not known, or larger than
-    /// any view.
+    /// Radius of the circle that shows the spread, logical pixels. 0: the spread is not known, or larger
+    /// than any view.
     double radius = 0.0;
     bool isNext = false;
     QString label; ///< of the next landmark; else empty

@@ -16,7 +16,7 @@ namespace unprojector::gui {
 struct SeriesShapes {
     QStringList names; ///< as first written
     std::vector<landmarks::Configuration> scans;
-    /// For each scan, for each of its landmarks: its index in `names`.
+    /// The index in `names` of each landmark of each scan.
     std::vector<std::vector<std::size_t>> places;
 
     /// The pairs of left and right landmarks.
