@@ -94,21 +94,12 @@ std::optional<WorldVector> normalAt(const landmarks::Anchor &anchor, const Scene
     return WorldVector(glm::normalize(worldFromNormal * (normal / size)));
 }
 
-void goToLandmark(SceneDocument &document, std::size_t index)
+void faceSurface(SceneDocument &document, const WorldPoint &point, const std::optional<WorldVector> &normal)
 {
-    const Landmark *landmark = placedLandmark(document, index);
-    if (!landmark)
-        return;
     const LookAt now = document.scene().camera;
     const double away = distance(now.center, now.eye);
-    WorldVector back = normalized(now.eye - now.center);
-    const auto object = std::find_if(document.objects().begin(), document.objects().end(),
-                                     [&](const SceneObject &o) { return o.name == landmark->object; });
-    if (object != document.objects().end()) {
-        if (const std::optional<WorldVector> normal = normalAt(landmark->anchor, *object))
-            back = *normal;
-    }
-    LookAt there{*landmark->world + back * away, *landmark->world, now.up};
+    const WorldVector back = normal.value_or(normalized(now.eye - now.center));
+    LookAt there{point + back * away, point, now.up};
     // Looking along "up" there is no side: the view's present up direction is kept.
     constexpr double kParallel = 0.999;
     if (std::abs(dot(normalized(there.up), back)) > kParallel) {
@@ -119,6 +110,17 @@ void goToLandmark(SceneDocument &document, std::size_t index)
             there.up = frame->side;
     }
     setCamera(document, there);
+}
+
+void goToLandmark(SceneDocument &document, std::size_t index)
+{
+    const Landmark *landmark = placedLandmark(document, index);
+    if (!landmark)
+        return;
+    const auto object = std::find_if(document.objects().begin(), document.objects().end(),
+                                     [&](const SceneObject &o) { return o.name == landmark->object; });
+    faceSurface(document, *landmark->world,
+                object != document.objects().end() ? normalAt(landmark->anchor, *object) : std::nullopt);
 }
 
 void zoomToLandmark(SceneDocument &document, std::size_t index, double half)

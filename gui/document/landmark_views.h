@@ -18,6 +18,12 @@ class SceneDocument;
 /// @return nothing if the landmark is on no surface
 std::optional<geometry::WorldVector> normalAt(const landmarks::Anchor &anchor, const scene::SceneObject &object);
 
+/// Turns the camera to look at a point along the surface's normal there, and keeps its distance from
+/// its centre.
+/// @param normal  outward, length 1; nothing: the camera keeps its direction
+void faceSurface(SceneDocument &document, const geometry::WorldPoint &point,
+                 const std::optional<geometry::WorldVector> &normal);
+
 /// Turns the camera to face the surface at the landmark and keeps its distance from its centre. A
 /// landmark on no surface: turns the camera to it.
 void goToLandmark(SceneDocument &document, std::size_t index);

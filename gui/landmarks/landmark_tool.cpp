@@ -2,6 +2,8 @@
 
 #include "gui/document/landmark_placing.h"
 #include "gui/document/picks.h"
+#include "gui/landmarks/expected_landmarks.h"
+#include "gui/landmarks/expected_marks.h"
 #include "gui/landmarks/landmark_loupe.h"
 #include "gui/landmarks/measure_mark.h"
 #include "gui/view/scene_view.h"
@@ -71,6 +73,12 @@ LandmarkTool::LandmarkTool(SceneDocument &document, SceneView &view)
     });
 }
 
+void LandmarkTool::setExpected(ExpectedLandmarks &expected)
+{
+    m_expected = &expected;
+    connect(m_expected, &ExpectedLandmarks::changed, &m_view, qOverload<>(&SceneView::update));
+}
+
 void LandmarkTool::setPlacing(bool isPlacing)
 {
     if (std::exchange(m_isPlacing, isPlacing) == isPlacing)
@@ -89,7 +97,7 @@ const std::vector<LandmarkMark> &LandmarkTool::marks()
 bool LandmarkTool::prepareToDraw()
 {
     m_loupe = m_loupeAt ? m_view.pixelsIn(loupePixels(*m_loupeAt)) : QImage();
-    return m_loupeAt || !marks().empty();
+    return m_loupeAt || !marks().empty() || (m_expected && m_expected->isShown() && !m_expected->all().empty());
 }
 
 void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
@@ -118,13 +126,19 @@ void LandmarkTool::drawPicture(QPainter &painter, const QRectF &area, const std:
 void LandmarkTool::drawMarks(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken,
                              const std::vector<LandmarkMark> &shown, std::vector<QLineF> lines) const
 {
+    std::vector<QRectF> occupied = taken;
+    if (m_expected && m_expected->isShown()) {
+        const std::vector<ExpectedMark> expected = expectedMarks(m_document, m_expected->all());
+        occupied.push_back(expectedLabelBox(expected, QFontMetricsF(painter.font()), area, taken));
+        drawExpected(painter, expected, occupied.back());
+    }
     const std::optional<MeasureMark> measure = measureMark(m_document);
     std::vector<LandmarkMark> labelled = shown;
     if (measure) { // beside its line, and clear of the landmarks' labels
         lines.insert(lines.end(), measure->lines.begin(), measure->lines.end());
         labelled.push_back(measure->label);
     }
-    std::vector<PlacedLabel> labels = placedLabels(labelled, QFontMetricsF(painter.font()), area, lines, taken);
+    std::vector<PlacedLabel> labels = placedLabels(labelled, QFontMetricsF(painter.font()), area, lines, occupied);
     std::optional<PlacedLabel> ofMeasure;
     std::erase_if(labels, [&](const PlacedLabel &label) {
         if (label.mark < shown.size())

@@ -16,6 +16,7 @@
 
 namespace unprojector::gui {
 
+class ExpectedLandmarks;
 class SceneView;
 
 /// The tool for landmarks in the view: draws, selects and drags their marks, moves them by keys,
@@ -24,6 +25,9 @@ class LandmarkTool : public QObject, public ViewTool {
     Q_OBJECT
 public:
     LandmarkTool(SceneDocument &document, SceneView &view);
+    /// Sets the expected places that are drawn with the marks.
+    /// @param expected  outlives the tool
+    void setExpected(ExpectedLandmarks &expected);
 
     /// Returns whether a click places a landmark on release; a drag still navigates. Marks can be
     /// selected and dragged in both modes.
@@ -81,6 +85,7 @@ private:
 
     SceneDocument &m_document;
     SceneView &m_view;
+    ExpectedLandmarks *m_expected = nullptr;
     bool m_isPlacing = false;
     std::optional<std::vector<LandmarkMark>> m_marks; ///< nothing: must be computed
     Drag m_drag = Drag::None;

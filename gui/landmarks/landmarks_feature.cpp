@@ -7,6 +7,7 @@
 #include "gui/document/scene_document.h"
 #include "gui/document/session.h"
 #include "gui/landmarks/curve_waiting.h"
+#include "gui/landmarks/expected_landmarks.h"
 #include "gui/landmarks/file_questions.h"
 #include "gui/landmarks/landmark_templates.h"
 #include "gui/landmarks/landmark_tool.h"
@@ -27,6 +28,8 @@
 #include <QToolBar>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace unprojector::gui {
 
@@ -65,6 +68,9 @@ private:
     /// Applies a function to the selected landmark, if it is placed.
     void withCurrent(void (*change)(SceneDocument &, std::size_t));
     void putSelectedOnSurface();
+    /// Shows a scan of the series, and selects a landmark once the scan is in the view.
+    void showLandmark(std::size_t scan, const QString &name);
+    void selectWanted();
     void join(landmarks::CurveKind kind);
 
     Window &m_window;
@@ -75,8 +81,10 @@ private:
     ScanSeries *m_series;
     LandmarksPanel *m_panel;
     SeriesPanel *m_seriesPanel;
+    ExpectedLandmarks *m_expected;
     LandmarkTool *m_tool;
     QAction *m_placing = nullptr;
+    std::optional<std::pair<std::size_t, QString>> m_wanted; ///< scan and landmark to select
 };
 
 LandmarksFeature::LandmarksFeature(Window &window)
@@ -84,9 +92,13 @@ LandmarksFeature::LandmarksFeature(Window &window)
       m_files(new LandmarkFiles(m_document, window.remembers() ? &m_questions : nullptr, this)),
       m_series(new ScanSeries(m_document, window.session(), this)),
       m_panel(new LandmarksPanel(m_document, m_templates)), m_seriesPanel(new SeriesPanel(*m_series)),
+      m_expected(new ExpectedLandmarks(m_document, *m_series, this)),
       m_tool(new LandmarkTool(m_document, window.view()))
 {
     Session &session = window.session();
+    m_tool->setExpected(*m_expected);
+    connect(m_seriesPanel, &SeriesPanel::landmarkWanted, this, &LandmarksFeature::showLandmark);
+    connect(m_series, &ScanSeries::changed, this, &LandmarksFeature::selectWanted);
     connect(&session, &Session::commitPendingEdits, m_panel, &LandmarksPanel::applyTyped);
     connect(&session, &Session::landmarkFilesOpened, this, &LandmarksFeature::openFiles);
     connect(m_panel, &LandmarksPanel::warned, &session, &Session::warned);
@@ -216,6 +228,16 @@ void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
                   });
               })
         ->setObjectName(QStringLiteral("zoom_to_point"));
+    addAction(menu, tr("Turn to &Expected Place"), Qt::Key_N,
+              tr("Turn the camera to face the surface where the other scans of the series expect the next landmark"),
+              [this] {
+                  if (const QString reason = m_expected->faceNext(); !reason.isEmpty())
+                      m_window.notice(reason);
+              });
+    QAction *expected = addSwitch(menu, tr("Sho&w Expected Places"), {},
+                                  tr("Show where the other scans of the series expect the landmarks to place"));
+    expected->setChecked(m_expected->isShown());
+    connect(expected, &QAction::toggled, m_expected, &ExpectedLandmarks::setShown);
     addAction(menu, tr("Put &Back on the Surface"), Qt::Key_B,
               tr("Move the selected landmarks to the closest point of the surface"),
               [this] { putSelectedOnSurface(); });
@@ -245,6 +267,31 @@ void LandmarksFeature::putSelectedOnSurface()
     else
         m_window.notice(
             tr("Select placed landmarks first: their markers in the view, or their rows in the Landmarks panel."));
+}
+
+void LandmarksFeature::showLandmark(std::size_t scan, const QString &name)
+{
+    m_wanted = {scan, name};
+    if (m_series->current() != scan)
+        m_series->show(scan);
+    selectWanted();
+}
+
+void LandmarksFeature::selectWanted()
+{
+    if (!m_wanted || m_window.session().isLoading())
+        return;
+    const auto [scan, name] = *std::exchange(m_wanted, std::nullopt);
+    if (m_series->current() != scan) // another scan was chosen, or this one cannot be read
+        return;
+    const std::vector<landmarks::Landmark> &all = m_document.landmarks();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const QString own = all[i].name.empty() ? QString::number(i + 1) : QString::fromStdString(all[i].name);
+        if (own.compare(name, Qt::CaseInsensitive) == 0) {
+            m_document.sceneLandmarks().selectOnly(i);
+            return;
+        }
+    }
 }
 
 void LandmarksFeature::join(landmarks::CurveKind kind)

@@ -1,5 +1,6 @@
 #include "gui/landmarks/series_panel.h"
 
+#include "gui/landmarks/deviations_view.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/landmarks/series_model.h"
 #include "gui/text/error_text.h"
@@ -12,6 +13,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QStackedWidget>
 #include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -24,7 +26,8 @@ namespace unprojector::gui {
 SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     : QWidget(parent), m_series(series), m_model(new SeriesModel(series, this)), m_scans(new QTreeView),
       m_folder(new ElidedLabel), m_open(new QToolButton), m_previous(new QToolButton), m_next(new QToolButton),
-      m_export(new QToolButton), m_repeats(new QToolButton), m_placing(new QSpinBox)
+      m_export(new QToolButton), m_repeats(new QToolButton), m_deviations(new QToolButton), m_pages(new QStackedWidget),
+      m_placing(new QSpinBox)
 {
     m_scans->setModel(m_model);
     m_scans->setAccessibleName(tr("Scans of the series"));
@@ -46,6 +49,14 @@ SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     set(m_next, tr("Next"), tr("Keep the landmarks and show the next scan (Ctrl+PgDown)"));
     set(m_export, tr("Export…"), tr("Write the landmarks of all scans to one table"));
     set(m_repeats, tr("Repeats…"), tr("Write the mean and the scatter of each landmark's placings to a table"));
+    set(m_deviations, tr("Out of Place"),
+        tr("Show how far each landmark is from where the other scans put it, the worst first"));
+    m_deviations->setCheckable(true);
+    auto *deviations = new DeviationsView(m_series);
+    m_pages->addWidget(m_scans);
+    m_pages->addWidget(deviations);
+    connect(m_deviations, &QToolButton::toggled, m_pages, &QStackedWidget::setCurrentIndex);
+    connect(deviations, &DeviationsView::wanted, this, &SeriesPanel::landmarkWanted);
     connect(m_repeats, &QToolButton::clicked, this, &SeriesPanel::exportRepeats);
     connect(m_open, &QToolButton::clicked, this, &SeriesPanel::chooseFolder);
     connect(m_previous, &QToolButton::clicked, &m_series, &ScanSeries::previous);
@@ -67,12 +78,12 @@ SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     first->addWidget(placing);
     first->addWidget(m_placing);
     auto *buttons = new QHBoxLayout;
-    for (QToolButton *button : {m_previous, m_next, m_export, m_repeats})
+    for (QToolButton *button : {m_previous, m_next, m_export, m_repeats, m_deviations})
         buttons->addWidget(button);
     buttons->addStretch();
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(first);
-    layout->addWidget(m_scans, 1);
+    layout->addWidget(m_pages, 1);
     layout->addLayout(buttons);
     const int digit = fontMetrics().horizontalAdvance(u'0');
     m_scans->header()->resizeSection(SeriesModel::Scan, 20 * digit);
@@ -94,6 +105,9 @@ void SeriesPanel::refresh()
     m_next->setEnabled(m_series.hasNext());
     m_export->setEnabled(isOpen);
     m_repeats->setEnabled(isOpen);
+    m_deviations->setEnabled(isOpen);
+    if (!isOpen)
+        m_deviations->setChecked(false);
     m_placing->setEnabled(isOpen);
     const QSignalBlocker blocker(m_placing);
     m_placing->setValue(m_series.placing());

@@ -2,8 +2,11 @@
 
 #include <QWidget>
 
+#include <cstddef>
+
 class QLabel;
 class QSpinBox;
+class QStackedWidget;
 class QToolButton;
 class QTreeView;
 
@@ -28,6 +31,10 @@ public:
 
     QSize minimumSizeHint() const override;
 
+signals:
+    /// Emitted when the user chooses a landmark of a scan.
+    void landmarkWanted(std::size_t scan, const QString &name);
+
 private:
     void exportTable();
     void refresh();
@@ -41,6 +48,8 @@ private:
     QToolButton *m_next;
     QToolButton *m_export;
     QToolButton *m_repeats;
+    QToolButton *m_deviations;
+    QStackedWidget *m_pages;
     QSpinBox *m_placing;
 };
 

@@ -1,0 +1,140 @@
+#include "gui/landmarks/deviations_view.h"
+
+#include "gui/landmarks/deviations_model.h"
+#include "gui/landmarks/scan_series.h"
+#include "gui/text/error_text.h"
+#include "gui/text/number_text.h"
+#include "gui/text/sentences.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace unprojector::gui {
+using namespace landmarks;
+
+namespace {
+
+constexpr std::chrono::milliseconds kPause(300);
+
+} // namespace
+
+DeviationsView::DeviationsView(ScanSeries &series, QWidget *parent)
+    : QWidget(parent), m_series(series), m_model(new DeviationsModel(this)), m_rows(new QTreeView),
+      m_summary(new QLabel)
+{
+    m_rows->setModel(m_model);
+    m_rows->setAccessibleName(tr("Landmarks by their distance from where the other scans put them"));
+    m_rows->setRootIsDecorated(false);
+    m_rows->setUniformRowHeights(true);
+    m_rows->setTextElideMode(Qt::ElideMiddle);
+    m_summary->setWordWrap(true);
+    m_summary->setTextFormat(Qt::PlainText);
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPause);
+    connect(&m_pause, &QTimer::timeout, this, &DeviationsView::compare);
+    connect(&m_series, &ScanSeries::changed, this, [this] {
+        m_isStale = true;
+        if (isVisible())
+            m_pause.start();
+    });
+    const auto want = [this](const QModelIndex &index) {
+        if (!index.isValid())
+            return;
+        const Deviation &deviation = m_model->at(index.row());
+        emit wanted(deviation.specimen, m_model->landmarkName(deviation.landmark));
+    };
+    connect(m_rows, &QTreeView::clicked, this, want);
+    connect(m_rows, &QTreeView::activated, this, want);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins({});
+    layout->addWidget(m_summary);
+    layout->addWidget(m_rows, 1);
+    const int digit = fontMetrics().horizontalAdvance(u'0');
+    m_rows->header()->resizeSection(DeviationsModel::Scan, 20 * digit);
+    m_rows->header()->resizeSection(DeviationsModel::Landmark, 24 * digit);
+    m_rows->header()->resizeSection(DeviationsModel::Distance, 10 * digit);
+    m_rows->header()->resizeSection(DeviationsModel::Spreads, 10 * digit);
+}
+
+void DeviationsView::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    if (m_isStale)
+        m_pause.start();
+}
+
+void DeviationsView::compare()
+{
+    if (!m_isStale)
+        return;
+    m_isStale = false;
+    std::vector<const std::vector<Landmark> *> scans;
+    for (const Scan &scan : m_series.scans())
+        scans.push_back(&scan.points.landmarks);
+    SeriesShapes shapes = shapesOf(scans);
+    m_background.cancel();
+    m_background.start([shapes](Job &) { return deviationsOf(shapes.scans, shapes.pairs()); },
+                       [this, shapes](const JobResult<Deviations> &found) {
+                           if (found)
+                               showResult(*found, shapes);
+                           else
+                               m_summary->setText(
+                                   tr("The scans could not be compared: %1.").arg(failureText(found.error())));
+                       });
+}
+
+void DeviationsView::showResult(Deviations deviations, const SeriesShapes &shapes)
+{
+    m_summary->setText(summaryOf(deviations, shapes));
+    if (m_compared.scans == shapes.scans && m_compared.names == shapes.names
+        && m_model->rowCount() == static_cast<int>(deviations.worstFirst.size()))
+        return; // another change: the selected row stays
+    m_compared = shapes;
+    QStringList scans;
+    for (const Scan &scan : m_series.scans())
+        scans << pathText(scan.file.filename());
+    m_model->show(std::move(deviations), shapes.names, scans, shapes.pairs());
+}
+
+QString DeviationsView::summaryOf(const Deviations &deviations, const SeriesShapes &shapes) const
+{
+    QStringList notAligned, tooRare;
+    for (const std::size_t scan : deviations.notAligned) {
+        if (scan < m_series.scans().size())
+            notAligned << pathText(m_series.scans()[scan].file.filename());
+    }
+    for (const std::size_t landmark : deviations.tooRare)
+        tooRare << shapes.names.value(static_cast<qsizetype>(landmark));
+    std::vector<std::size_t> compared;
+    for (const Deviation &one : deviations.worstFirst)
+        compared.push_back(one.specimen);
+    std::sort(compared.begin(), compared.end());
+    const auto scanCount = std::unique(compared.begin(), compared.end()) - compared.begin();
+    const auto off = std::count_if(deviations.worstFirst.begin(), deviations.worstFirst.end(),
+                                   [](const Deviation &one) { return one.isOutOfPlace; });
+    QStringList sentences;
+    if (scanCount == 0)
+        sentences << tr("The comparison needs at least %1 scans with the same %2 landmarks.")
+                         .arg(kFewestSpecimens)
+                         .arg(kFewestToAlign);
+    else
+        sentences << tr("Compared scans: %1. Landmarks more than %2 spreads off: %3.")
+                         .arg(scanCount)
+                         .arg(shortestText(kSpreadsOutOfPlace))
+                         .arg(off);
+    if (!notAligned.isEmpty())
+        sentences << tr("Not compared, with fewer than %1 landmarks that others have: %2.")
+                         .arg(kFewestToAlign)
+                         .arg(notAligned.join(QStringLiteral(", ")));
+    if (!tooRare.isEmpty() && scanCount > 0)
+        sentences << tr("On fewer than %1 scans: %2.").arg(kFewestSpecimens).arg(tooRare.join(QStringLiteral(", ")));
+    return joinSentences(sentences);
+}
+
+} // namespace unprojector::gui
