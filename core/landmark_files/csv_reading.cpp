@@ -339,6 +339,23 @@ void sortRows(CurveRows &known)
     }
 }
 
+/// Puts the ends that are landmarks exactly where those are. A curve of two semilandmarks has ends
+/// only, so its row needs no coordinates.
+void fitEnds(Curve &curve, const LandmarkSet &set)
+{
+    if (curve.semilandmarks.empty() && curve.count == 2 && !curve.points.empty()) {
+        const auto from = placedIndexOf(curve.points.front(), set), to = placedIndexOf(curve.points.back(), set);
+        if (from && to)
+            curve.semilandmarks = {*set.landmarks[*from].world, *set.landmarks[*to].world};
+        return;
+    }
+    const CurvePart part = partOf(curve, set);
+    if (part.before)
+        curve.semilandmarks.front() = *set.landmarks[*part.before].world;
+    if (part.behind)
+        curve.semilandmarks.back() = *set.landmarks[*part.behind].world;
+}
+
 /// A curve with all its semilandmarks, or none. Throws Failure.
 /// @param set  the landmarks of its specimen
 Curve curveOf(CurveRows known, const LandmarkSet &set)
@@ -374,6 +391,7 @@ Curve curveOf(CurveRows known, const LandmarkSet &set)
         if (row.place)
             curve.semilandmarks.push_back(*row.place);
     }
+    fitEnds(curve, set);
     return curve;
 }
 

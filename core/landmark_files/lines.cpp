@@ -231,6 +231,8 @@ CurvePart partOf(const Curve &curve, const LandmarkSet &set)
     double length = 0.0;
     for (std::size_t i = 1; i < places.size(); ++i)
         length += glm::distance(places[i - 1].coordinates(), places[i].coordinates());
+    if (!std::isfinite(length))
+        return part;
     const auto landmarkAt = [&](const std::string &name, const WorldPoint &place) {
         std::optional<std::size_t> index = placedIndexOf(name, set);
         if (index

@@ -159,7 +159,8 @@ Curve curveOf(Markup &&markup, Notes &notes)
     curve.extra = std::move(markup.extra);
     Json &extra = curve.extra.edit();
     extra.erase("type");
-    extra.erase(kUnits);
+    if (extra.contains(kUnits) && extra[kUnits].is_string()) // the set's
+        extra.erase(kUnits);
     const Json names = takenFrom(extra, kCurvePoints), kind = takenFrom(extra, kCurveWay),
                count = takenFrom(extra, kCurveCount);
     if (names.is_array()

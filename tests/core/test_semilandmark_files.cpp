@@ -236,6 +236,18 @@ void TestSemilandmarkFiles::endsThatAreLandmarksComeBackFromTables()
     QVERIFY2(older, older ? "" : errorText(older.error()).c_str());
     QVERIFY(older->sets[0].curves[0].semilandmarks
             == (std::vector{WorldPoint(1, 1, 0), WorldPoint(2, 1, 0), WorldPoint(3, 1, 0)}));
+    // A curve of two semilandmarks has nothing but its ends.
+    LandmarkSet ends = specimen("s", 0.1);
+    ends.curves = {
+        straight("c", {"A", "B"}, ends.landmarks[0].world->coordinates(), ends.landmarks[1].world->coordinates(), 2)};
+    const std::string two = written({&ends, 1}, Format::Csv);
+    QCOMPARE(QString::fromStdString(two).count(u'\n'), 5);
+    QVERIFY(parseLandmarks(two, Format::Csv, "x").value().sets.front() == ends);
+    // Places beyond all lengths are none of the landmarks'.
+    LandmarkSet beyond = specimen("s", 0.0);
+    beyond.landmarks[0].world = WorldPoint(-1e300, 0, 0);
+    beyond.curves = {straight("c", {"A", "B"}, glm::dvec3(1e300, 0, 0), glm::dvec3(0.0), 3)};
+    QVERIFY(parseLandmarks(written({&beyond, 1}, Format::Csv), Format::Csv, "x").value().sets.front() == beyond);
     // An end that is no landmark is missing.
     const auto lacking = parseLandmarks("name,x,y,z,curve,curvePoints,curveKind,curveCount\nA,1,1,0,,,,\nB,,,,,,,\n"
                                         "c:02,2,1,0,c,\"[\"\"A\"\",\"\"B\"\"]\",geodesic,3\n",
