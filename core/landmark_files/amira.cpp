@@ -55,8 +55,10 @@ ReadLandmarks readAmira(std::string_view text)
     Lines lines(text);
     static_cast<void>(lines.next());
     const std::string first = lowerCase(lines.text());
-    const bool isAmira =
-        first.starts_with('#') && (first.find("amira") != first.npos || first.find("avizo") != first.npos);
+    // HyperMesh is the oldest name of the format.
+    const bool isAmira = first.starts_with('#')
+                         && (first.find("amira") != first.npos || first.find("avizo") != first.npos
+                             || first.find("hypermesh") != first.npos);
     if (!isAmira)
         throw Failure{1, tr("the first line is %1; Amira and Avizo begin the file with \"# Avizo 3D ASCII 2.0\"",
                             text::quoted(lines.text()))};
@@ -69,7 +71,7 @@ ReadLandmarks readAmira(std::string_view text)
     bool isOther = false;                                     ///< the numbers belong to a section without coordinates
     while (lines.nextFilled()) {
         const std::vector<std::string_view> words = wordsOf(lines.text());
-        if (words.size() == 3 && words[0] == "define" && words[1] == "Markers") {
+        if (words.size() >= 3 && words[0] == "define" && words[1] == "Markers") {
             count = countOf(words[2], lines.number(), marked("the number of points"));
         } else if (const auto declaration = declarationOf(lines.text())) {
             const bool isPosition = declaration->type == "float[3]" || declaration->type == "double[3]";
@@ -77,7 +79,7 @@ ReadLandmarks readAmira(std::string_view text)
                 sections.emplace(declaration->section, declaration->name);
             else
                 notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, declaration->name);
-        } else if (const auto section = sections.find(lines.text()); section != sections.end()) {
+        } else if (const auto section = sections.find(words.front()); section != sections.end()) {
             if (!count)
                 throw Failure{lines.number(), tr("the number of points is missing; write a line %1 before the points",
                                                  "define Markers 10")};

@@ -72,28 +72,31 @@ std::array<std::string, kWrittenCount> cellsOf(const LandmarkSet &set, const Lan
         putNumbers(cells, Dx, landmark.uncertainty->coordinates());
     cells[Color] = landmark.color ? colorText(*landmark.color) : "";
     cells[Hidden] = landmark.isHidden ? "1" : "";
+    if (!landmark.isPlaced())
+        cells[AbsenceWord] = kAbsences[static_cast<std::size_t>(landmark.absence)];
     return cells;
 }
 
-/// The rows of a curve: one per semilandmark, or one without coordinates if they are unknown.
+/// The rows of a curve: one per semilandmark that is no landmark, or one without coordinates.
 std::vector<std::array<std::string, kWrittenCount>> rowsOf(const LandmarkSet &set, const Curve &curve,
                                                            const std::string &name)
 {
-    std::vector<std::array<std::string, kWrittenCount>> rows(std::max<std::size_t>(1, curve.semilandmarks.size()));
+    const CurvePart part = partOf(curve, set);
+    std::vector<std::array<std::string, kWrittenCount>> rows(std::max<std::size_t>(1, part.size()));
     for (std::size_t i = 0; i < rows.size(); ++i) {
         std::array<std::string, kWrittenCount> &cells = rows[i];
         cells[Mesh] = set.mesh;
         cells[Unit] = set.unit;
         cells[Name] = name;
-        if (!curve.semilandmarks.empty()) {
-            cells[Name] = semilandmarkName(name, i, rows.size());
-            putNumbers(cells, X, curve.semilandmarks[i].coordinates());
+        if (part.size() > 0) {
+            cells[Name] = semilandmarkName(name, part.begin + i, curve.semilandmarks.size());
+            putNumbers(cells, X, curve.semilandmarks[part.begin + i].coordinates());
         }
         cells[CurveName] = name;
         if (!curve.points.empty())
             cells[CurvePoints] = Json(curve.points).dump(-1, ' ', false, Json::error_handler_t::replace);
         cells[CurveWay] = kCurveKinds[static_cast<std::size_t>(curve.kind)];
-        const std::size_t count = curve.semilandmarks.empty() ? curve.count : rows.size();
+        const std::size_t count = curve.semilandmarks.empty() ? curve.count : curve.semilandmarks.size();
         cells[CurveCount] = std::to_string(std::min<std::size_t>(count, kMostSemilandmarks));
     }
     return rows;
@@ -150,7 +153,7 @@ std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, No
 {
     FormatCapabilities all;
     all.names = all.objects = all.anchors = all.uncertainties = all.notes = all.colors = all.hidden = all.keys = true;
-    all.specimenName = all.mesh = all.unit = true;
+    all.absences = all.specimenName = all.mesh = all.unit = true;
     addLosses(notes, sets, all);
 
     std::array<bool, kWrittenCount> isUsed{};

@@ -27,6 +27,7 @@ enum Column : std::size_t {
     Dz,
     Color,
     Hidden,
+    AbsenceWord, ///< why there are no coordinates: empty, "skipped" or "missing"
     Mesh,
     Unit,
     CurveName, ///< name of the curve whose semilandmark the row is
@@ -40,9 +41,10 @@ enum Column : std::size_t {
 };
 inline constexpr std::size_t kColumnCount = Locked + 1, kWrittenCount = CurveCount + 1;
 inline constexpr std::array<const char *, kWrittenCount> kColumnNames{
-    "specimen", "name",   "x",      "y",        "z",      "object",      "face",      "u",         "v",
-    "w",        "note",   "vertex", "edgefrom", "edgeto", "edgeshare",   "dx",        "dy",        "dz",
-    "color",    "hidden", "mesh",   "unit",     "curve",  "curvepoints", "curvekind", "curvecount"};
+    "specimen", "name",   "x",       "y",        "z",      "object",    "face",        "u",         "v",
+    "w",        "note",   "vertex",  "edgefrom", "edgeto", "edgeshare", "dx",          "dy",        "dz",
+    "color",    "hidden", "absence", "mesh",     "unit",   "curve",     "curvepoints", "curvekind", "curvecount"};
 inline constexpr std::array kCurveKinds{"geodesic", "planeSection"};
+inline constexpr std::array kAbsences{"", "skipped", "missing"};
 
 } // namespace unprojector::landmark_files::csv

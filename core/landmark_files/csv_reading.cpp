@@ -150,6 +150,19 @@ std::optional<glm::u8vec3> colorOf(std::string_view text, std::size_t line)
     return glm::u8vec3(value >> 16, (value >> 8) & 0xff, value & 0xff);
 }
 
+Absence absenceOf(const Cells &cells, bool isPlaced)
+{
+    const std::string word = lowerCase(cells[AbsenceWord]);
+    const auto found = std::find(kAbsences.begin(), kAbsences.end(), word);
+    if (found == kAbsences.end())
+        throw Failure{cells.line(),
+                      tr("absence is \"%1\"; write skipped or missing, or leave the cell empty", cells[AbsenceWord])};
+    if (isPlaced && !word.empty())
+        throw Failure{cells.line(),
+                      tr("this landmark is marked as %1 and has coordinates; empty the one or the other", word)};
+    return static_cast<Absence>(found - kAbsences.begin());
+}
+
 /// A cell in another program's column: a JSON value if it is written as one, otherwise a text.
 Json jsonOf(const std::string &cell)
 {
@@ -169,6 +182,7 @@ Landmark landmarkOf(const Table &table, const CsvRow &row, Notes &notes)
         landmark.world = turned(WorldPoint(*world), table.header.axes);
     else if (world && *world != glm::dvec3(0.0))
         notes.add(LandmarkNote::Kind::MissingHadPosition);
+    landmark.absence = absenceOf(cells, world.has_value());
     landmark.object = cells[Object];
     landmark.anchor = anchorOf(cells);
     landmark.note = cells[Note];
@@ -278,6 +292,25 @@ void addToCurve(CurveRows &known, const Cells &cells, Axes axes)
         row.place = turned(WorldPoint(*place), axes);
 }
 
+/// Adds the rows of the ends that are landmarks, which a table does not repeat.
+void addEnds(CurveRows &known, const LandmarkSet &set)
+{
+    std::vector<CurveRows::Row> &rows = known.rows;
+    const Curve &curve = known.curve;
+    const auto has = [&rows](std::size_t number) {
+        return std::any_of(rows.begin(), rows.end(), [number](const auto &row) { return row.number == number; });
+    };
+    const auto isPlace = [](const CurveRows::Row &row) { return row.number > 0 && row.place.has_value(); };
+    if (curve.points.empty() || !std::any_of(rows.begin(), rows.end(), isPlace))
+        return;
+    for (const auto &[number, name] :
+         {std::pair(std::size_t{1}, curve.points.front()), std::pair(std::size_t{curve.count}, curve.points.back())}) {
+        const std::optional<std::size_t> index = placedIndexOf(name, set);
+        if (index && number > 0 && !has(number))
+            rows.push_back({rows.front().line, number, set.landmarks[*index].world});
+    }
+}
+
 /// Sorts the rows of a curve by number. If none has a number, they keep the table's order. Throws
 /// Failure.
 void sortRows(CurveRows &known)
@@ -306,9 +339,28 @@ void sortRows(CurveRows &known)
     }
 }
 
-/// A curve with all its semilandmarks, or none. Throws Failure.
-Curve curveOf(CurveRows known)
+/// Puts the ends that are landmarks exactly where those are. A curve of two semilandmarks has ends
+/// only, so its row needs no coordinates.
+void fitEnds(Curve &curve, const LandmarkSet &set)
 {
+    if (curve.semilandmarks.empty() && curve.count == 2 && !curve.points.empty()) {
+        const auto from = placedIndexOf(curve.points.front(), set), to = placedIndexOf(curve.points.back(), set);
+        if (from && to)
+            curve.semilandmarks = {*set.landmarks[*from].world, *set.landmarks[*to].world};
+        return;
+    }
+    const CurvePart part = partOf(curve, set);
+    if (part.before)
+        curve.semilandmarks.front() = *set.landmarks[*part.before].world;
+    if (part.behind)
+        curve.semilandmarks.back() = *set.landmarks[*part.behind].world;
+}
+
+/// A curve with all its semilandmarks, or none. Throws Failure.
+/// @param set  the landmarks of its specimen
+Curve curveOf(CurveRows known, const LandmarkSet &set)
+{
+    addEnds(known, set);
     sortRows(known);
     Curve curve = std::move(known.curve);
     const auto isGiven = [](const CurveRows::Row &row) { return row.place.has_value(); };
@@ -339,6 +391,7 @@ Curve curveOf(CurveRows known)
         if (row.place)
             curve.semilandmarks.push_back(*row.place);
     }
+    fitEnds(curve, set);
     return curve;
 }
 
@@ -346,7 +399,7 @@ Curve curveOf(CurveRows known)
 bool saysMore(const Cells &cells, const Header &header, const CsvRow &row)
 {
     const auto isOther = [&](const auto &other) { return !isNothing(row.cells[other.first]); };
-    for (std::size_t column = Object; column <= Hidden; ++column) {
+    for (std::size_t column = Object; column <= AbsenceWord; ++column) {
         if (!cells[Column(column)].empty())
             return true;
     }
@@ -457,7 +510,7 @@ ReadLandmarks readCsv(std::string_view text)
     read.notes = notes.take();
     for (CurveRows &rowsOfCurve : curves) {
         LandmarkSet &set = read.sets[rowsOfCurve.set];
-        set.curves.push_back(curveOf(std::move(rowsOfCurve)));
+        set.curves.push_back(curveOf(std::move(rowsOfCurve), set));
     }
     if (read.sets.empty())
         read.sets.emplace_back();

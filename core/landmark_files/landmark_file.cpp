@@ -171,14 +171,18 @@ Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const Landma
         const bool hasCurves =
             std::any_of(sets.begin(), sets.end(), [](const LandmarkSet &set) { return !set.curves.empty(); });
         std::vector<LandmarkSet> plain;
-        if (hasCurves && format != Format::Csv && format != Format::Tps) {
+        const bool holdsCurves = format == Format::Csv || format == Format::Tps || format == Format::SlicerJson;
+        if (hasCurves && !holdsCurves) {
             plain = withCurvesAsPoints(sets, notes);
             sets = plain;
         }
         if (format == Format::SlicerJson) { // check before gigabytes are built
             std::size_t points = 0;
-            for (const LandmarkSet &set : sets)
+            for (const LandmarkSet &set : sets) {
                 points += set.landmarks.size();
+                for (const Curve &curve : set.curves)
+                    points += curve.semilandmarks.size();
+            }
             checkSize(points * kLeastJsonBytes);
         }
         std::string text = textOf(sets, format, texts, notes);

@@ -69,10 +69,14 @@ struct LandmarkNote {
         // Writing: the file has it in another form.
         NameChanged,          ///< detail: both names in quotes
         NoteChanged,          ///< detail: the landmark
+        AbsencesLeftOut,      ///< count: landmarks without a position; detail: the reasons and their counts
+        SkippedLeftOut,       ///< count: skipped landmarks, written as not placed
+        UnitOfOthers,         ///< detail: the unit; 3D Slicer takes every length for mm
         EmptySpecimenLeftOut, ///< detail: its name; it has no landmarks, so a table has no row for it
         LooksMissing,         ///< detail: the landmark; one of its coordinates is the format's word for "missing"
         MissingAtOrigin,      ///< count: older readers put them at 0, 0, 0
         CurvesAsPoints,       ///< count: semilandmarks
+        CurveEndsShared,      ///< count: ends of curves that are landmarks, and are not written again
         CurvesUnnamed,        ///< count: curves of which only the semilandmarks are kept
         UnitUnknown,          ///< detail: the file, beside one that has a unit
         CurveUnknown,         ///< detail: its name; its path has not been computed
@@ -157,7 +161,9 @@ geometry::Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_vi
 /// double. The notes list what the format cannot hold.
 ///
 /// Semilandmarks of curves are written with the landmarks: in CSV with all data of the curve, in
-/// TPS as CURVES and POINTS, in the other formats as further points, "NAME:01".
+/// .mrk.json as markups of type Curve, in TPS as CURVES and POINTS, in the other formats as further
+/// points, "NAME:02". An end of a curve that is a landmark is not written again, except in
+/// .mrk.json.
 /// @param sets   one per specimen
 /// @param texts  for tables, which read back unchanged in either case
 /// @return CannotHold: several specimens where the format has one, or specimens with different
@@ -174,8 +180,8 @@ WrittenLandmarks wideTable(std::span<const landmarks::LandmarkSet> specimens,
                            text::CellTexts texts = text::CellTexts::AsTheyAre);
 
 /// Converts trailing points "NAME:01", "NAME:02" and so on without a gap to curves with
-/// semilandmarks only. Formats without curves name semilandmarks so. At least one other point must
-/// remain.
+/// semilandmarks only. Formats without curves name semilandmarks so. The first one may be
+/// "NAME:02": an end that is a landmark is not written again. At least one other point must remain.
 /// @return number of curves appended to the set
 std::size_t takeSemilandmarks(landmarks::LandmarkSet &set);
 

@@ -3,6 +3,7 @@
 #include "core/files/path_text.h"
 #include "core/files/replace_file.h"
 #include "core/landmark_files/lines.h"
+#include "core/landmark_files/sliders.h"
 #include "core/text/system_error.h"
 #include "core/text/translation.h"
 
@@ -49,8 +50,8 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, 
         std::error_code ignored;
         const std::filesystem::path &file = it->path();
         const std::optional<Format> format = formatOf(file);
-        // Other JSON contains no landmarks.
-        const bool isOther = format == Format::SlicerJson && !isMarkup(file.stem());
+        // Other JSON contains no landmarks, and neither do sliders.
+        const bool isOther = (format == Format::SlicerJson && !isMarkup(file.stem())) || isSlidersFile(file);
         if (format && !isOther && it->is_regular_file(ignored))
             found.push_back(file);
     }

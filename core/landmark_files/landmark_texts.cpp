@@ -92,12 +92,22 @@ std::string noteText(const LandmarkNote &note)
     case Kind::UnitLeftOut: return tr("the unit, %1, is left out", note.detail);
     case Kind::NameChanged: return tr("the name %1", note.detail);
     case Kind::NoteChanged: return tr("the note of \"%1\" is written without line breaks and #", note.detail);
+    case Kind::AbsencesLeftOut:
+        return tr("%1 points have no position, for different reasons (%2); the reasons are left out", note.count,
+                  note.detail);
+    case Kind::SkippedLeftOut:
+        return said(marked("%1 skipped point is written as not placed"),
+                    marked("%1 skipped points are written as not placed"));
+    case Kind::UnitOfOthers:
+        return tr("3D Slicer takes coordinates for mm, and these are in %1; they are not converted", note.detail);
     case Kind::EmptySpecimenLeftOut: return tr("the specimen \"%1\" has no points and is left out", note.detail);
     case Kind::LooksMissing:
         return tr("\"%1\" has a coordinate of 9999, which readers take for a missing point", note.detail);
     case Kind::MissingAtOrigin:
-        return said(marked("%1 missing point is written as 0, 0, 0 with a status field, which older readers ignore"),
-                    marked("%1 missing points are written as 0, 0, 0 with a status field, which older readers ignore"));
+        return said(
+            marked("%1 point without a position is written as 0, 0, 0 with a status field, which older readers ignore"),
+            marked("%1 points without a position are written as 0, 0, 0 with a status field, which older readers "
+                   "ignore"));
     case Kind::AxesTurned:
         return tr(
             "the file is in RAS; x and y are negated, so that the points lie on a mesh as 3D Slicer reads one (LPS)");
@@ -108,14 +118,17 @@ std::string noteText(const LandmarkNote &note)
         return said(marked("%1 point of curves are left out: a curve needs at least two"),
                     marked("%1 points of curves are left out: a curve needs at least two"));
     case Kind::CurveCellsLeftOut:
-        return said(marked("%1 row of a curve says more than where a semilandmark is, which is left out"),
-                    marked("%1 rows of curves say more than where a semilandmark is, which is left out"));
+        return said(marked("%1 semilandmark has more than a name and a position, which is left out"),
+                    marked("%1 semilandmarks have more than a name and a position, which is left out"));
     case Kind::CurvesAsPoints:
         return said(
             marked("%1 semilandmark is written as points behind the others, named by their curve; what the curves go "
                    "through is left out"),
             marked("%1 semilandmarks are written as points behind the others, named by their curve; what the curves "
                    "go through is left out"));
+    case Kind::CurveEndsShared:
+        return said(marked("%1 end of a curve is a landmark and is not written again"),
+                    marked("%1 ends of curves are landmarks and are not written again"));
     case Kind::CurvesUnnamed:
         return said(marked("the names of %1 curve and what they go through are left out"),
                     marked("the names of %1 curves and what they go through are left out"));
@@ -143,9 +156,10 @@ std::string noteText(const LandmarkNote &note)
             marked("the apostrophe before %1 text is left out; it keeps spreadsheets from computing what follows"),
             marked("the apostrophes before %1 texts are left out; they keep spreadsheets from computing what follows"));
     case Kind::NegativeIsMissing:
-        return said(marked("%1 point has only coordinates of -1, as tpsDig writes a missing point; it is missing here"),
-                    marked("%1 points have only coordinates of -1, as tpsDig writes missing points; they are missing "
-                           "here"));
+        return said(marked("%1 point has only coordinates of -1, as tpsDig writes a missing point; it has no position "
+                           "here"),
+                    marked("%1 points have only coordinates of -1, as tpsDig writes missing points; they have no "
+                           "position here"));
     case Kind::LinksLeftOut:
         return said(marked("%1 line between two points is left out"), marked("%1 lines between points are left out"));
     case Kind::CommentsLeftOut: return said(marked("%1 comment is left out"), marked("%1 comments are left out"));

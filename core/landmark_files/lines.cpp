@@ -4,11 +4,13 @@
 #include "core/text/text_scanner.h"
 #include "core/text/translation.h"
 
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace unprojector::landmark_files {
@@ -133,6 +135,22 @@ private:
     std::vector<std::string> m_names;
 };
 
+/// Adds a note where landmarks have no position for different reasons, which then look alike.
+void noteAbsences(Notes &notes, std::span<const LandmarkSet> sets)
+{
+    std::array<std::size_t, 3> counts{};
+    for (const LandmarkSet &set : sets) {
+        for (const Landmark &landmark : set.landmarks) {
+            if (!landmark.isPlaced())
+                ++counts[static_cast<std::size_t>(landmark.absence)];
+        }
+    }
+    if (std::count(counts.begin(), counts.end(), std::size_t{0}) > 1)
+        return;
+    notes.add(LandmarkNote::Kind::AbsencesLeftOut, counts[0] + counts[1] + counts[2],
+              tr("not placed: %1, skipped: %2, missing: %3", counts[0], counts[1], counts[2]));
+}
+
 } // namespace
 
 void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const FormatCapabilities &format)
@@ -156,6 +174,8 @@ void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const FormatCapa
     count(format.notes, Kind::NotesLeftOut, [](const Landmark &l) { return !l.note.empty(); });
     count(format.colors, Kind::ColorsLeftOut, [](const Landmark &l) { return l.color.has_value(); });
     count(format.hidden, Kind::HiddenLeftOut, [](const Landmark &l) { return l.isHidden; });
+    if (!format.absences)
+        noteAbsences(notes, sets);
     Keys keys, specimenKeys;
     for (const LandmarkSet &set : sets) {
         for (const Landmark &landmark : set.landmarks) {
@@ -187,23 +207,69 @@ std::string semilandmarkName(const std::string &curve, std::size_t index, std::s
     return curve + ':' + std::string(digits - number.size(), '0') + number;
 }
 
+std::optional<std::size_t> placedIndexOf(const std::string &name, const LandmarkSet &set)
+{
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
+        if (set.landmarks[i].name != name)
+            continue;
+        if (found || !set.landmarks[i].isPlaced())
+            return std::nullopt;
+        found = i;
+    }
+    return found;
+}
+
+CurvePart partOf(const Curve &curve, const LandmarkSet &set)
+{
+    // The curve starts on the surface, where the landmark lies to rounding.
+    constexpr double kRounding = 1e-6;
+    const std::vector<WorldPoint> &places = curve.semilandmarks;
+    CurvePart part{0, places.size(), {}, {}};
+    if (places.size() < 2 || curve.points.empty())
+        return part;
+    double length = 0.0;
+    for (std::size_t i = 1; i < places.size(); ++i)
+        length += glm::distance(places[i - 1].coordinates(), places[i].coordinates());
+    if (!std::isfinite(length))
+        return part;
+    const auto landmarkAt = [&](const std::string &name, const WorldPoint &place) {
+        std::optional<std::size_t> index = placedIndexOf(name, set);
+        if (index
+            && !(glm::distance(set.landmarks[*index].world->coordinates(), place.coordinates()) <= kRounding * length))
+            index.reset();
+        return index;
+    };
+    part.before = landmarkAt(curve.points.front(), places.front());
+    part.behind = landmarkAt(curve.points.back(), places.back());
+    part.begin += part.before ? 1u : 0u;
+    part.end -= part.behind ? 1u : 0u;
+    return part;
+}
+
 std::vector<LandmarkSet> withCurvesAsPoints(std::span<const LandmarkSet> sets, Notes &notes)
 {
     std::vector<LandmarkSet> plain(sets.begin(), sets.end());
     for (LandmarkSet &set : plain) {
+        std::vector<Landmark> semilandmarks;
         for (std::size_t i = 0; i < set.curves.size(); ++i) {
             const Curve &curve = set.curves[i];
             const std::string name = nameOf(curve, i);
+            const CurvePart part = partOf(curve, set);
             if (curve.semilandmarks.empty())
                 notes.add(LandmarkNote::Kind::CurveUnknown, 1, name);
-            else
-                notes.add(LandmarkNote::Kind::CurvesAsPoints, curve.semilandmarks.size());
-            for (std::size_t k = 0; k < curve.semilandmarks.size(); ++k) {
-                Landmark &landmark = set.landmarks.emplace_back();
+            else if (part.size() > 0)
+                notes.add(LandmarkNote::Kind::CurvesAsPoints, part.size());
+            if (part.sharedCount() > 0)
+                notes.add(LandmarkNote::Kind::CurveEndsShared, part.sharedCount());
+            for (std::size_t k = part.begin; k < part.end; ++k) {
+                Landmark &landmark = semilandmarks.emplace_back();
                 landmark.name = semilandmarkName(name, k, curve.semilandmarks.size());
                 landmark.world = curve.semilandmarks[k];
             }
         }
+        set.landmarks.insert(set.landmarks.end(), std::make_move_iterator(semilandmarks.begin()),
+                             std::make_move_iterator(semilandmarks.end()));
         set.curves.clear();
     }
     return plain;
@@ -219,24 +285,29 @@ std::size_t takeSemilandmarks(LandmarkSet &set)
         if (colon == last.npos || colon == 0)
             break;
         const std::string name = last.substr(0, colon);
-        // The number of the last one is the count.
-        std::size_t count = 0;
-        for (const char c : std::string_view(last).substr(colon + 1))
-            count = c >= '0' && c <= '9' && count <= kMostSemilandmarks ? 10 * count + std::size_t(c - '0')
-                                                                        : kMostSemilandmarks + std::size_t{1};
-        if (count < 2 || count > kMostSemilandmarks || count >= landmarks.size())
+        const std::string_view digits = std::string_view(last).substr(colon + 1);
+        std::size_t number = 0; // of the last one
+        for (const char c : digits)
+            number = c >= '0' && c <= '9' && number <= kMostSemilandmarks ? 10 * number + std::size_t(c - '0')
+                                                                          : kMostSemilandmarks + std::size_t{1};
+        if (number < 2 || number > kMostSemilandmarks)
+            break;
+        // The number of digits follows from the count, which is one more if the end is left out.
+        const std::size_t count = digits.size() > semilandmarkName({}, 0, number).size() - 1 ? number + 1 : number;
+        std::size_t first = landmarks.size();
+        for (std::size_t k = number; k > 0 && first > 0; --k, --first) {
+            const Landmark &landmark = landmarks[first - 1];
+            if (!landmark.world || landmark.name != semilandmarkName(name, k - 1, count))
+                break;
+        }
+        const std::size_t size = landmarks.size() - first;
+        if (first == 0 || size < 2 || size + 1 < number)
             break;
         Curve curve;
         curve.name = name;
-        curve.count = static_cast<std::uint32_t>(count);
-        const std::size_t first = landmarks.size() - count;
-        for (std::size_t k = 0; k < count; ++k) {
-            const Landmark &landmark = landmarks[first + k];
-            if (landmark.world && landmark.name == semilandmarkName(name, k, count))
-                curve.semilandmarks.push_back(*landmark.world);
-        }
-        if (curve.semilandmarks.size() < count)
-            break;
+        curve.count = static_cast<std::uint32_t>(size);
+        for (std::size_t i = first; i < landmarks.size(); ++i)
+            curve.semilandmarks.push_back(*landmarks[i].world);
         landmarks.resize(first);
         taken.insert(taken.begin(), std::move(curve));
     }

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -76,12 +77,27 @@ private:
 struct FormatCapabilities {
     bool names = false, positions = true, objects = false, anchors = false, uncertainties = false, notes = false,
          colors = false, hidden = false, keys = false;
+    bool absences = false; ///< the reasons why landmarks have no position
     bool specimenKeys = false, specimenName = false, mesh = false, unit = false;
 };
 /// Adds notes about properties of the sets that the format cannot hold.
 void addLosses(Notes &notes, std::span<const landmarks::LandmarkSet> sets, const FormatCapabilities &format);
 
-/// The sets in the form of a format without curves: semilandmarks are further points, "NAME:01".
+/// The semilandmarks of a curve that a file has beside the landmarks: all without an end that is
+/// one of them, by its name and by its position.
+struct CurvePart {
+    std::size_t begin = 0, end = 0;            ///< indices of the semilandmarks; `end` is behind the last one
+    std::optional<std::size_t> before, behind; ///< indices of the landmarks at the ends, where they are left out
+
+    std::size_t size() const { return end - begin; }
+    /// The number of ends that are left out.
+    std::size_t sharedCount() const { return (before ? 1u : 0u) + (behind ? 1u : 0u); }
+};
+CurvePart partOf(const landmarks::Curve &curve, const landmarks::LandmarkSet &set);
+/// The index of the placed landmark of a name; empty if there is none, or more than one.
+std::optional<std::size_t> placedIndexOf(const std::string &name, const landmarks::LandmarkSet &set);
+
+/// The sets in the form of a format without curves: semilandmarks are further points, "NAME:02".
 std::vector<landmarks::LandmarkSet> withCurvesAsPoints(std::span<const landmarks::LandmarkSet> sets, Notes &notes);
 /// The name of a curve; "curve 1" for the first one without a name.
 std::string nameOf(const landmarks::Curve &curve, std::size_t index);

@@ -349,7 +349,7 @@ std::string meshLabText(const LandmarkSet &set, Notes &notes)
 
 std::string meshLabTemplateText(const LandmarkSet &set, Notes &notes)
 {
-    addLosses(notes, {&set, 1}, {.names = true, .positions = false});
+    addLosses(notes, {&set, 1}, {.names = true, .positions = false, .absences = true});
     XmlNames names(notes);
     std::string text = "<!DOCTYPE PickPointsTemplate>\n<PickPointsTemplate>\n";
     for (const Landmark &landmark : set.landmarks) {

@@ -137,6 +137,30 @@ Landmark landmarkOf(Words &words, const Parameters &parameters)
     return landmark;
 }
 
+/// The labels of the rows: one a line if the file has no more words than the labels' lines and the
+/// numbers, as IDAV Landmark writes names with blanks; otherwise one a word.
+std::vector<std::string> labelsOf(Words &words, const Lines &after, const Parameters &parameters)
+{
+    std::vector<std::string> labels;
+    Lines lines = after;
+    std::size_t labelWords = 0, otherWords = 0;
+    while (lines.nextFilled()) {
+        if (Words::isComment(lines.text()))
+            continue;
+        const bool isLabel = labels.size() < parameters.rows;
+        (isLabel ? labelWords : otherWords) += wordsOf(lines.text()).size();
+        if (isLabel)
+            labels.emplace_back(lines.text());
+    }
+    const std::size_t columnLabels = parameters.hasColumnLabels ? parameters.columns : 0;
+    const bool isOneALine = labels.size() == parameters.rows
+                            && otherWords == columnLabels + std::size_t{parameters.rows} * parameters.columns;
+    std::vector<std::string> byWord;
+    for (std::size_t i = 0; i < (isOneALine ? labelWords : std::size_t{parameters.rows}); ++i)
+        byWord.emplace_back(words.need());
+    return isOneALine ? labels : byWord;
+}
+
 /// The common part of the labels of a point's columns: "Nasion" for "Nasion_x", "Nasion_y" and
 /// "Nasion_z".
 std::string nameOf(const std::vector<std::string> &labels, std::size_t first, std::size_t axes)
@@ -164,14 +188,15 @@ ReadLandmarks readNts(std::string_view text)
     ReadLandmarks read;
     Notes notes;
     Lines lines(text);
-    std::string title;
+    std::string title; // the first comment
     std::size_t comments = 0;
     bool isThere = lines.nextFilled();
     for (; isThere && Words::isComment(lines.text()); isThere = lines.nextFilled()) {
+        if (comments++ > 0)
+            continue;
         title = trimmed(lines.text().substr(1));
         while (!title.empty() && (title.back() == '"' || title.back() == '\''))
             title.pop_back();
-        ++comments;
     }
     if (!isThere)
         throw Failure{1, tr("there are no points; in NTSYS they follow a line like %1", "1 12L 63 1 9999 DIM=3")};
@@ -179,15 +204,16 @@ ReadLandmarks readNts(std::string_view text)
     const std::size_t axes = parameters.axes();
     Words words(lines, notes);
     std::vector<std::string> rowLabels, columnLabels;
-    for (std::uint32_t i = 0; parameters.rowLabels == 'L' && i < parameters.rows; ++i)
-        rowLabels.emplace_back(words.need());
+    if (parameters.rowLabels == 'L')
+        rowLabels = labelsOf(words, lines, parameters);
     for (std::uint32_t i = 0; parameters.hasColumnLabels && i < parameters.columns; ++i)
         columnLabels.emplace_back(words.need());
-    // geomorph's digit.fixed: the rows are the landmarks of one specimen; the comment is its name.
+    // geomorph's digit.fixed: the rows are the landmarks of one specimen; the first comment is its
+    // name. buildtemplate and digitsurface write another comment.
     const bool isOneSpecimen = parameters.rowLabels == 0 && parameters.columns == parameters.dimensions;
-    if (isOneSpecimen && comments == 1) {
+    if (isOneSpecimen && comments > 0) {
         read.sets.emplace_back().name = title;
-        comments = 0;
+        --comments;
     }
     if (comments > 0)
         notes.add(LandmarkNote::Kind::CommentsLeftOut, comments);

@@ -43,7 +43,7 @@ enum Field : std::size_t {
 };
 constexpr std::size_t kFieldCount = AutoCreated + 1, kOldFieldCount = 6;
 /// Values of the fifteenth field, in newer files.
-constexpr std::string_view kDefined = "2", kPreview = "1";
+constexpr std::string_view kUndefined = "0", kPreview = "1", kDefined = "2", kMissing = "3";
 
 /// The value of a key in a comment: "# CoordinateSystem = LPS". A spreadsheet pads it with
 /// separators.
@@ -142,6 +142,8 @@ Landmark landmarkOf(text::CsvRow &row, Axes axes, std::size_t number, const text
         landmark.world = position;
     else if (position && !(*position == WorldPoint()))
         notes.add(LandmarkNote::Kind::MissingHadPosition);
+    if (status == kMissing)
+        landmark.absence = Absence::Missing;
     landmark.isHidden = !flagOf(cells[Visible], true, row.line, "vis");
     if (const std::string &id = cells[Id].text; !id.empty() && id != std::to_string(number))
         landmark.extra.edit()["id"] = id;
@@ -314,16 +316,11 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
         for (const char *key : {"id", "ow", "ox", "oy", "oz", "selected", "locked", "associatedNodeID", "autoCreated"})
             landmark.extra.edit().erase(key);
     }
-    addLosses(notes, {&others, 1}, {.names = true, .notes = true, .hidden = true});
+    addLosses(notes, {&others, 1}, {.names = true, .notes = true, .hidden = true, .absences = true});
     std::string text = "# Markups fiducial file version = 5.8\n# CoordinateSystem = ";
     text += set.axes == Axes::Ras ? "RAS" : "LPS";
     text += "\n# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n";
     PlainNames names("#", false, notes); // readers count the lines that contain '#'
-    // All rows have the same length, so a shorter one is a sign of truncation.
-    const bool hasStatus = std::any_of(set.landmarks.begin(), set.landmarks.end(), [](const Landmark &landmark) {
-        const Json &extra = landmark.extra.json();
-        return !landmark.isPlaced() || (extra.is_object() && extra.contains("autoCreated"));
-    });
     Notes unused;
     PlainNames plain("#", false, unused);
     for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
@@ -350,11 +347,14 @@ std::string slicerCsvText(const LandmarkSet &set, Notes &notes)
             notes.add(LandmarkNote::Kind::NoteChanged, 1, landmark.name);
         text += ',';
         appendCell(text, extra("associatedNodeID", ""));
-        if (hasStatus)
-            text += (!landmark.isPlaced() ? ",0," : ",2,") + extra("autoCreated", "0");
+        // All rows have these fields: R takes a longer row among shorter ones for two.
+        text += ',';
+        text += landmark.isPlaced() ? kDefined : landmark.isMissing() ? kMissing : kUndefined;
+        text += ',' + extra("autoCreated", "0") + '\n';
         if (!landmark.isPlaced())
             notes.add(LandmarkNote::Kind::MissingAtOrigin);
-        text += '\n';
+        if (!landmark.isPlaced() && landmark.absence == Absence::Skipped)
+            notes.add(LandmarkNote::Kind::SkippedLeftOut);
     }
     return text;
 }

@@ -1,5 +1,6 @@
-// .mrk.json of 3D Slicer: lists of control points.
+// .mrk.json of 3D Slicer: lists of control points, and curves.
 
+#include "core/landmark_files/csv_columns.h"
 #include "core/landmark_files/lines.h"
 #include "core/scene_file/json_fields.h"
 #include "core/scene_file/json_text.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <utility>
 
 namespace unprojector::landmark_files {
@@ -25,7 +25,9 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char *kSchema = "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/"
                                 "Resources/Schema/markups-schema-v1.0.3.json#";
-constexpr const char *kUnits = "coordinateUnits";
+constexpr const char *kUnits = "coordinateUnits", *kCurve = "Curve";
+/// Keys that 3D Slicer does not know and ignores.
+constexpr const char *kCurvePoints = "curvePoints", *kCurveWay = "curveKind", *kCurveCount = "curveCount";
 
 /// A control point as in the file.
 struct Point {
@@ -110,11 +112,78 @@ Landmark landmarkOf(Point &&point, Axes axes, std::size_t number, Notes &notes)
     landmark.extra = std::move(point.extra);
     removeUsual(landmark.extra.edit(), axes, number);
     const bool isDefined = point.status == Point::Status::Defined || point.status == Point::Status::Preview;
+    if (point.status == Point::Status::Missing)
+        landmark.absence = Absence::Missing;
     if (isDefined && point.position)
         landmark.world = turned(WorldPoint(*point.position), axes);
     else if (point.position && *point.position != glm::dvec3(0.0))
         notes.add(LandmarkNote::Kind::MissingHadPosition);
     return landmark;
+}
+
+/// True if each control point is a semilandmark as this program writes them: "NAME:01" and so on.
+/// The control points of another curve stay points, since each has a name of its own.
+bool isOurCurve(const Markup &markup)
+{
+    const Json &extra = markup.extra.json();
+    if (!extra.is_object() || !extra.contains("type") || extra["type"] != kCurve)
+        return false;
+    const std::vector<Point> &points = markup.points;
+    if (points.empty())
+        return extra.contains(kCurveCount);
+    const std::string &last = points.back().label;
+    const std::string name = last.substr(0, last.rfind(':'));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const bool isPlaced = points[i].position && points[i].status == Point::Status::Defined;
+        if (!isPlaced || points[i].label != semilandmarkName(name, i, points.size()))
+            return false;
+    }
+    return points.size() >= 2 && points.size() <= kMostSemilandmarks;
+}
+
+/// The value of a key of a curve, which is removed from the others; null if it is missing.
+Json takenFrom(Json &extra, const char *key)
+{
+    Json value = extra.contains(key) ? extra[key] : Json();
+    extra.erase(key);
+    return value;
+}
+
+Curve curveOf(Markup &&markup, Notes &notes)
+{
+    Curve curve;
+    curve.name = std::move(markup.name);
+    // 3D Slicer keeps neither the name nor keys that it does not know.
+    if (curve.name.empty() && !markup.points.empty() && !markup.extra.json().contains(kCurveCount))
+        curve.name = markup.points.front().label.substr(0, markup.points.front().label.rfind(':'));
+    curve.extra = std::move(markup.extra);
+    Json &extra = curve.extra.edit();
+    extra.erase("type");
+    if (extra.contains(kUnits) && extra[kUnits].is_string()) // the set's
+        extra.erase(kUnits);
+    const Json names = takenFrom(extra, kCurvePoints), kind = takenFrom(extra, kCurveWay),
+               count = takenFrom(extra, kCurveCount);
+    if (names.is_array()
+        && std::all_of(names.begin(), names.end(), [](const Json &name) { return name.is_string(); })) {
+        for (const Json &name : names)
+            curve.points.push_back(name.get<std::string>());
+    }
+    if (kind == csv::kCurveKinds[static_cast<std::size_t>(CurveKind::PlaneSection)])
+        curve.kind = CurveKind::PlaneSection;
+    if (count.is_number_unsigned() && count >= 2u && count <= unsigned{kMostSemilandmarks})
+        curve.count = count.get<std::uint32_t>();
+    for (std::size_t i = 0; i < markup.points.size(); ++i) {
+        Point &point = markup.points[i];
+        curve.semilandmarks.push_back(turned(WorldPoint(*point.position), markup.axes));
+        removeUsual(point.extra.edit(), markup.axes, i);
+        if (!point.description.empty() || !point.visibility || !point.extra.json().is_null())
+            notes.add(LandmarkNote::Kind::CurveCellsLeftOut);
+    }
+    if (!curve.semilandmarks.empty())
+        curve.count = static_cast<std::uint32_t>(curve.semilandmarks.size());
+    if (extra.empty())
+        extra = nullptr;
+    return curve;
 }
 
 LandmarkSet setOf(Markup &&markup, Notes &notes)
@@ -197,8 +266,21 @@ ReadLandmarks readSlicerJson(std::string_view text)
         throw failureOf(*error);
     ReadLandmarks read;
     Notes notes;
-    for (Markup &markup : document.markups)
-        read.sets.push_back(setOf(std::move(markup), notes));
+    for (Markup &markup : document.markups) {
+        if (!isOurCurve(markup)) {
+            read.sets.push_back(setOf(std::move(markup), notes));
+            continue;
+        }
+        if (read.sets.empty()) { // a file with a curve alone
+            LandmarkSet &set = read.sets.emplace_back();
+            set.axes = markup.axes;
+            if (const Json &extra = markup.extra.json(); extra.contains(kUnits) && extra[kUnits].is_string())
+                set.unit = extra[kUnits].get<std::string>();
+            if (set.axes == Axes::Ras)
+                notes.add(LandmarkNote::Kind::AxesTurned);
+        }
+        read.sets.back().curves.push_back(curveOf(std::move(markup), notes));
+    }
     if (read.sets.empty())
         throw Failure{1, tr("the list \"markups\" is empty; there are no points")};
     for (auto it = document.extra.json().begin(); it != document.extra.json().end(); ++it)
@@ -207,6 +289,53 @@ ReadLandmarks readSlicerJson(std::string_view text)
     return read;
 }
 
+namespace {
+
+Point pointOf(const Landmark &landmark, Axes axes, std::size_t number)
+{
+    const Point::Status status = landmark.isPlaced()    ? Point::Status::Defined
+                                 : landmark.isMissing() ? Point::Status::Missing
+                                                        : Point::Status::Undefined;
+    Point point{landmark.name,      landmark.note, glm::dvec3(0.0),
+                !landmark.isHidden, status,        text::JsonValue(Json::object())};
+    if (landmark.world)
+        point.position = turned(*landmark.world, axes).coordinates();
+    Json &extra = point.extra.edit();
+    extra["id"] = std::to_string(number + 1);
+    extra["associatedNodeID"] = "";
+    extra["orientation"] = usualOrientation(axes);
+    extra["selected"] = true;
+    extra["locked"] = false;
+    if (landmark.extra.json().is_object())
+        extra.update(landmark.extra.json());
+    return point;
+}
+
+/// A curve with both ends: 3D Slicer leads it through its own points.
+Markup markupOf(const Curve &curve, std::size_t index, const LandmarkSet &set)
+{
+    Markup markup{curve.name, set.axes, {}, text::JsonValue(Json::object())};
+    Json &extra = markup.extra.edit();
+    extra["type"] = kCurve;
+    if (!set.unit.empty())
+        extra[kUnits] = set.unit;
+    if (!curve.points.empty())
+        extra[kCurvePoints] = curve.points;
+    extra[kCurveWay] = csv::kCurveKinds[static_cast<std::size_t>(curve.kind)];
+    extra[kCurveCount] = curve.count;
+    if (curve.extra.json().is_object())
+        extra.update(curve.extra.json());
+    for (std::size_t i = 0; i < curve.semilandmarks.size(); ++i) {
+        Landmark landmark;
+        landmark.name = semilandmarkName(nameOf(curve, index), i, curve.semilandmarks.size());
+        landmark.world = curve.semilandmarks[i];
+        markup.points.push_back(pointOf(landmark, set.axes, i));
+    }
+    return markup;
+}
+
+} // namespace
+
 std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
 {
     addLosses(notes, sets,
@@ -214,6 +343,7 @@ std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
                .notes = true,
                .hidden = true,
                .keys = true,
+               .absences = true,
                .specimenKeys = true,
                .specimenName = true,
                .unit = true});
@@ -228,28 +358,17 @@ std::string slicerJsonText(std::span<const LandmarkSet> sets, Notes &notes)
             extra[kUnits] = set.unit;
         if (kept.is_object())
             extra.update(kept);
-        std::set<std::string> ids;
         for (std::size_t i = 0; i < set.landmarks.size(); ++i) {
             const Landmark &landmark = set.landmarks[i];
-            Point point{landmark.name,
-                        landmark.note,
-                        glm::dvec3(0.0),
-                        !landmark.isHidden,
-                        landmark.world ? Point::Status::Defined : Point::Status::Undefined,
-                        text::JsonValue(Json::object())};
-            if (landmark.world)
-                point.position = turned(*landmark.world, set.axes).coordinates();
-            Json &pointExtra = point.extra.edit();
-            pointExtra["id"] = std::to_string(i + 1);
-            pointExtra["associatedNodeID"] = "";
-            pointExtra["orientation"] = usualOrientation(set.axes);
-            pointExtra["selected"] = true;
-            pointExtra["locked"] = false;
-            if (landmark.extra.json().is_object())
-                pointExtra.update(landmark.extra.json());
-            markup.points.push_back(std::move(point));
+            if (!landmark.isPlaced() && landmark.absence == Absence::Skipped)
+                notes.add(LandmarkNote::Kind::SkippedLeftOut);
+            markup.points.push_back(pointOf(landmark, set.axes, i));
         }
         document.markups.push_back(std::move(markup));
+        for (std::size_t i = 0; i < set.curves.size(); ++i)
+            document.markups.push_back(markupOf(set.curves[i], i, set));
+        if (!set.unit.empty() && set.unit != "mm")
+            notes.add(LandmarkNote::Kind::UnitOfOthers, 1, set.unit);
     }
     const auto text = readableJson(FieldWriter::write(document, Plain{}, nullptr));
     if (!text)

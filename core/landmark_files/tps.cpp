@@ -218,11 +218,16 @@ void appendCurves(std::string &text, const LandmarkSet &set, Notes &notes)
             notes.add(LandmarkNote::Kind::CurveUnknown, 1, nameOf(curve, i));
             continue;
         }
+        const CurvePart part = partOf(curve, set);
+        if (part.sharedCount() > 0)
+            notes.add(LandmarkNote::Kind::CurveEndsShared, part.sharedCount());
+        if (part.size() == 0)
+            continue;
         ++count;
-        rows += "POINTS=" + std::to_string(curve.semilandmarks.size()) + '\n';
-        for (const WorldPoint &point : curve.semilandmarks) {
+        rows += "POINTS=" + std::to_string(part.size()) + '\n';
+        for (std::size_t k = part.begin; k < part.end; ++k) {
             std::string row;
-            appendNumbers(row, point.coordinates(), ' ');
+            appendNumbers(row, curve.semilandmarks[k].coordinates(), ' ');
             rows += row.substr(1) + '\n';
         }
     }

@@ -68,8 +68,11 @@ void describe(Fields &json, T &hold)
 template <class Fields, Is<landmarks::Landmark> T>
 void describe(Fields &json, T &landmark)
 {
+    static constexpr std::array kAbsences{"notPlaced", "skipped", "missing"};
     json.optional("name", landmark.name);
     json.nullable("position", landmark.world);
+    if (!landmark.world && json.has("absence", landmark.absence != landmarks::Absence::NotPlaced))
+        json.required("absence", landmark.absence, Words{kAbsences});
     describeText(json, "object", landmark.object);
     if (json.has("held", !std::holds_alternative<landmarks::Free>(landmark.anchor)))
         json.required("held", landmark.anchor);

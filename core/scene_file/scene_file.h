@@ -47,8 +47,9 @@ struct SceneFileUi {
 ///   window's "devicePixelRatio" and "fixed", and a perspective's "aspect".
 /// - Unknown keys are kept and written after the known ones, numbers with all their digits. Unknown
 ///   keys of a transform's steps are lost.
-/// - "landmarks" are {"points": [{"name", "position": [x, y, z] or null if missing, "object",
+/// - "landmarks" are {"points": [{"name", "position": [x, y, z] or null, "absence", "object",
 ///   "held", …}], …}, in world space; "object" is the name of the object that the landmark lies on.
+///   "absence" is "skipped" or "missing" for a landmark without a position that is so.
 /// - A projection of type "matrix" has "matrix", 16 numbers column by column, and optionally
 ///   "ndcDepth", [-1, 1] or [0, 1]. A view may be {"matrix": [...]} too. Any finite invertible
 ///   matrix is accepted.

@@ -2,6 +2,7 @@
 
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_file.h"
+#include "core/landmark_files/sliders.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/landmark_joining.h"
 #include "gui/document/object_names.h"
@@ -119,11 +120,11 @@ LandmarkFiles::LandmarkFiles(SceneDocument &document, LandmarkFileQuestions *que
 
 bool LandmarkFiles::isLandmarkFile(const std::filesystem::path &file)
 {
-    const std::optional<Format> format = formatOf(file);
+    const std::optional<Format> format = readFormatOf(file);
     const bool isOtherJson =
         format == Format::SlicerJson
         && pathText(file.stem().extension()).compare(QStringLiteral(".mrk"), Qt::CaseInsensitive) != 0;
-    return format && *format != Format::MeshLabTemplate && !isOtherJson;
+    return format && *format != Format::MeshLabTemplate && !isOtherJson && !isSlidersFile(file);
 }
 
 bool LandmarkFiles::isTemplate(const std::filesystem::path &file)
@@ -356,9 +357,20 @@ bool LandmarkFiles::exportTo(const std::filesystem::path &file)
         return false;
     }
     const QString name = pathText(file.filename());
+    QStringList lost, said{tr("Landmarks written to %1: %2.").arg(name).arg(set.landmarks.size())};
     if (!written->empty())
-        emit warned(landmarkNotesText(name, *written));
-    emit noticed(tr("Landmarks written to %1: %2.").arg(name).arg(set.landmarks.size()));
+        lost << landmarkNotesText(name, *written);
+    if (format != Format::SlicerJson && format != Format::MeshLabTemplate) { // the others number semilandmarks
+        const auto sliders = writeSlidersBeside(file, {&set, 1});
+        if (!sliders)
+            lost << QString::fromStdString(errorText(sliders.error()));
+        else if (*sliders)
+            said << tr("The sliders of the semilandmarks, for geomorph's gpagen(curves=), are in %1.")
+                        .arg(pathText((*sliders)->filename()));
+    }
+    if (!lost.isEmpty())
+        emit warned(lost.join(u'\n'));
+    emit noticed(joinSentences(said));
     return true;
 }
 

@@ -31,6 +31,7 @@ private slots:
     void ontoAMesh();
     void curvesAreLedOnTheMesh();
     void ontoAMeshOfOthers();
+    void slidersOfSemilandmarks();
     void aFolderToATable();
     void tablesOfAllKinds();
     void specimensOfOneName();
@@ -113,13 +114,52 @@ void TestLandmarksCommand::curvesAreLedOnTheMesh()
         if (line.contains("rim"))
             places << QList<double>{cells[1].toDouble(), cells[2].toDouble(), cells[3].toDouble()};
     }
-    QCOMPARE(places, QList<QList<double>>({{1, 1, 0}, {0, 1, 0}, {0, 1, 1}}));
+    QCOMPARE(places, QList<QList<double>>({{0, 1, 0}})); // its ends are the landmarks
     const Run unknown = led(",7,7,7,rim,\"[\"\"A\"\",\"\"Z\"\"]\",geodesic,2\n,7,7,7,rim,,,\n");
     QVERIFY2(unknown.errors.contains("the curve \"rim\" has no semilandmarks: some of its landmarks are missing"),
              unknown.errors);
     QVERIFY(!unknown.output.contains("7,7,7"));
     const Run given = led(",7,7,7,rim,,,\n,8,8,8,rim,,,\n");
     QVERIFY2(given.errors.contains("the curve \"rim\" is not moved"), given.errors);
+}
+
+void TestLandmarksCommand::slidersOfSemilandmarks()
+{
+    const QByteArray
+        rows = "A,0,0,0,,,,\nB,3,0,0,,,,\nc:02,1,0,0,c,\"[\"\"A\"\",\"\"B\"\"]\",geodesic,4\nc:03,2,0,0,c,,,\n",
+        table = "name,x,y,z,curve,curvePoints,curveKind,curveCount\n" + rows;
+    const QString input = m_folder.write("curve.csv", table), sliders = m_folder.path("curve.sliders.csv");
+    const Run run = runCommand({"landmarks", input, m_folder.path("curve.tps"), "--sliders", sliders});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY2(run.errors.endsWith(sliders.toUtf8() + ": 2 sliders, for geomorph's gpagen(curves=)\n"), run.errors);
+    QCOMPARE(bytesOf(sliders), QByteArray("before,slide,after\n1,3,4\n3,4,2\n"));
+    QCOMPARE(bytesOf(m_folder.path("curve.tps")),
+             QByteArray("LM3=2\n0 0 0\n3 0 0\nCURVES=1\nPOINTS=2\n1 0 0\n2 0 0\n\n"));
+
+    // The wide table's columns have the points of all files.
+    QVERIFY(QDir(m_folder.path(".")).mkdir("skulls"));
+    m_folder.write("skulls/a.csv", table);
+    m_folder.write("skulls/b.csv", "name,x,y,z\nC,7,7,7\nB,1,1,1\n");
+    m_folder.write("skulls/old.sliders.csv", "before,slide,after\n1,2,3\n"); // no landmarks, and no error
+    const auto made = [&](const char *format) {
+        return runCommand({"landmarks", "--table", m_folder.path("skulls"), "-o", m_folder.path("all.csv"), "--format",
+                           format, "--sliders", sliders});
+    };
+    QCOMPARE(made("wide").exitCode, 0);
+    QVERIFY(bytesOf(m_folder.path("all.csv")).startsWith("specimen,A_x,A_y,A_z,B_x,B_y,B_z,c:02_x,"));
+    QCOMPARE(bytesOf(sliders), QByteArray("before,slide,after\n1,3,4\n3,4,2\n"));
+
+    // What has no sliders is reported.
+    const Run none = runCommand({"landmarks", "--from", "csv", "--to", "tps", "-", "-", "--sliders", sliders},
+                                "name,x,y,z\nA,1,2,3\n");
+    QCOMPARE(none.exitCode, 1);
+    QVERIFY2(none.errors.endsWith("it is not written, because no curve has semilandmarks\n"), none.errors);
+    const Run json = runCommand({"landmarks", input, m_folder.path("c.mrk.json"), "--sliders", sliders});
+    QCOMPARE(json.exitCode, 2);
+    QVERIFY2(json.errors.contains(".mrk.json has no numbers for semilandmarks; write .csv, .tps or .nts"), json.errors);
+    const Run over = runCommand({"landmarks", input, m_folder.path("c.tps"), "--sliders", input});
+    QCOMPARE(over.exitCode, 2);
+    QCOMPARE(bytesOf(input), table);
 }
 
 /// A point in RAS on a mesh in LPS, say.

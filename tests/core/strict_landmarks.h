@@ -141,10 +141,11 @@ inline QList<StrictPoint> strictPoints(const QByteArray &text, unprojector::land
             qFatal("readers count the lines that hold #");
         const double sign = at(1).endsWith("LPS") ? 1 : -1;
         for (const auto &row : strictCsv(text.mid(text.indexOf("NodeID\n") + 7))) {
-            if (row.size() != 14)
+            if (row.size() != 16 || (row[14] != "0" && row[14] != "2" && row[14] != "3") || row[15].size() != 1)
                 qFatal("a row has %d cells", int(row.size()));
             const glm::dvec3 place = strictPlace(row.mid(1, 3));
-            points << StrictPoint{QString::fromUtf8(row[11]), false, {sign * place.x, sign * place.y, place.z}};
+            points << StrictPoint{
+                QString::fromUtf8(row[11]), row[14] != "2", {sign * place.x, sign * place.y, place.z}};
         }
         break;
     }

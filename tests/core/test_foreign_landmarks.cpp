@@ -65,8 +65,8 @@ void TestForeignLandmarks::filesOfOtherPrograms_data()
               "orientation": [1,0,0,0,1,0,0,0,1], "selected": true, "locked": false, "visibility": false, "positionStatus": "defined"},
              {"id": "2", "label": "u", "position": [0, 0, 0], "positionStatus": "undefined"},
              {"id": "9", "label": "m", "position": null, "positionStatus": "missing"}]}]})")
-        << QByteArray("name,x,y,z,object,face,u,v,w,note,hidden,unit,id\n\"a,b\",-1,2,3,,,,,,d,1,mm,\nu,,,,,,,,,,,mm,"
-                      "\nm,,,,,,,,,,,mm,9\n")
+        << QByteArray("name,x,y,z,object,face,u,v,w,note,hidden,absence,unit,id\n\"a,b\",-1,2,3,,,,,,d,1,,mm,\n"
+                      "u,,,,,,,,,,,,mm,\nm,,,,,,,,,,,missing,mm,9\n")
         << QStringList{turned, "other values of 1 specimen are left out: locked, labelFormat"};
     QTest::newRow("Slicer CSV: LPS, a comma in a label, newer fields")
         << Format::SlicerCsv
@@ -259,8 +259,12 @@ void TestForeignLandmarks::badFilesAreRefusedWithTheirLine_data()
         "f:5: the file ends within the matrix that the parameters announce; is it cut off?");
     add("nts: more", Format::Nts, "1 1L 3 0 DIM=3\na\n1 2 3\n4\n",
         "f:4: \"4\" follows the matrix; write the right numbers of rows and columns into the parameters");
-    add("nts: a label of two words", Format::Nts, "1 1L 3 0 DIM=3\nskull 7\n1 2 3\n",
+    add("nts: labels of two words and a number too many", Format::Nts, "1 1L 3 0 DIM=3\nskull 7\n1 2 3 4\n",
         "f:3: \"3\" follows the matrix; write ");
+    add("csv: an unknown reason", Format::Csv, "name,x,y,z,absence\na,,,,broken\n",
+        "f:2: absence is \"broken\"; write skipped or missing, or leave the cell empty");
+    add("csv: missing, with coordinates", Format::Csv, "name,x,y,z,absence\na,1,2,3,Missing\n",
+        "f:2: this landmark is marked as missing and has coordinates; empty the one or the other");
     add("nts: half missing", Format::Nts, "1 1L 3 1 9999 DIM=3\na\n1 9999 3\n",
         "f:3: some coordinates of a point are missing and some are not; a point is missing as a whole");
     add("nts: distances", Format::Nts, "2 3L 3 0 DIM=3\n",

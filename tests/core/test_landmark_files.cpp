@@ -81,6 +81,10 @@ LandmarkSet setFor(Format format)
             landmark.note = i % 3 == 0 ? "first, \"second\"" : "";
             landmark.isHidden = i % 5 == 0;
         }
+        if (!landmark.world && (isCsv || isJson)) // 3D Slicer has no word for skipped ones
+            landmark.absence = i % 2 == 0            ? Absence::Missing
+                               : isCsv && i % 3 == 0 ? Absence::Skipped
+                                                     : Absence::NotPlaced;
         if (isCsv) {
             landmark.object = i % 2 == 0 ? "skull, left" : "";
             landmark.note += i % 4 == 0 ? "line\nbreak\r\n" : "";
@@ -261,11 +265,16 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid_data()
     QTest::newRow("fcsv")
         << Format::SlicerCsv
         << QStringList{
-               object,      hold,
-               uncertainty, color,
-               specimen,    mesh,
-               unit,        keys,
-               more,        "1 missing point is written as 0, 0, 0 with a status field, which older readers ignore"};
+               object,
+               hold,
+               uncertainty,
+               color,
+               specimen,
+               mesh,
+               unit,
+               keys,
+               more,
+               "1 point without a position is written as 0, 0, 0 with a status field, which older readers ignore"};
     QTest::newRow("pts")
         << Format::Idav
         << QStringList{object,   hold,  uncertainty,
@@ -304,6 +313,7 @@ void TestLandmarkFiles::whatHasNoPlaceIsSaid()
     LandmarkSet set{"skull 7", "skull.ply", "mm", Axes::Lps, {}, {}, text::JsonValue(Json{{"more", {1, 2}}})};
     Landmark full{"N",
                   WorldPoint(1, 9999, 3),
+                  Absence::NotPlaced,
                   "skull",
                   AtVertex{4},
                   WorldVector(1, 1, 1),
@@ -324,10 +334,10 @@ void TestLandmarkFiles::manySpecimens()
     LandmarkSet a{"a", {}, {}, Axes::Lps, {}, {}, {}}, b{"b", {}, {}, Axes::Lps, {}, {}, {}};
     a.landmarks.resize(2);
     b.landmarks.resize(2);
-    a.landmarks[0] = {"N", WorldPoint(1, 2, 3), {}, {}, {}, {}, {}, false, {}};
-    a.landmarks[1] = {"P", WorldPoint(4, 5, 6), {}, {}, {}, {}, {}, false, {}};
-    b.landmarks[0] = {"P", WorldPoint(7, 8, 9.5), {}, {}, {}, {}, {}, false, {}};
-    b.landmarks[1] = {"P", std::nullopt, {}, {}, {}, {}, {}, false, {}};
+    a.landmarks[0] = {"N", WorldPoint(1, 2, 3), {}, {}, {}, {}, {}, {}, false, {}};
+    a.landmarks[1] = {"P", WorldPoint(4, 5, 6), {}, {}, {}, {}, {}, {}, false, {}};
+    b.landmarks[0] = {"P", WorldPoint(7, 8, 9.5), {}, {}, {}, {}, {}, {}, false, {}};
+    b.landmarks[1] = {"P", std::nullopt, {}, {}, {}, {}, {}, {}, false, {}};
     const std::vector<LandmarkSet> sets{a, b};
     const std::string csv = written(sets, Format::Csv);
     QCOMPARE(
@@ -402,7 +412,7 @@ void TestLandmarkFiles::namesThatReadersStumbleOver()
     QVERIFY(fcsv);
     QCOMPARE(noteTexts(fcsv->notes),
              QStringList({"the name \"a#b\" as \"a_b\"", "the note of \"a#b\" is written without line breaks and #"}));
-    QVERIFY(fcsv->text.find("\n1,1,2,3,0,0,0,1,1,1,0,a_b,two_lines _1,\n") != std::string::npos);
+    QVERIFY(fcsv->text.find("\n1,1,2,3,0,0,0,1,1,1,0,a_b,two_lines _1,,2,0\n") != std::string::npos);
 }
 
 /// A key of one program must not be read as another one's coordinates.
@@ -494,19 +504,21 @@ void TestLandmarkFiles::curvesAreWrittenWithThePoints()
     const auto tps = landmarksText(one, Format::Tps);
     QVERIFY(tps);
     QCOMPARE(QString::fromStdString(tps->text),
-             QString("LM3=2\n1 2 3\n1 2 3\nCURVES=1\nPOINTS=3\n1 2 3\n0.1 1e-07 3\n4 5 6\n\n"));
+             QString("LM3=2\n1 2 3\n1 2 3\nCURVES=1\nPOINTS=2\n0.1 1e-07 3\n4 5 6\n\n"));
     QVERIFY(textsOf(tps->notes).contains(unknown));
     QVERIFY(textsOf(tps->notes).contains("the names of 1 curve and what they go through are left out"));
     const auto idav = landmarksText(one, Format::Idav);
     QVERIFY(idav);
-    QVERIFY(idav->text.find("5\n") != std::string::npos && idav->text.find(":03 4 5 6\n") != std::string::npos);
+    QVERIFY(idav->text.find("\n4\n") != std::string::npos && idav->text.find(":02 0.1 ") != std::string::npos
+            && idav->text.find(":03 4 5 6\n") != std::string::npos);
     QVERIFY(textsOf(idav->notes).contains(unknown));
     QVERIFY(textsOf(idav->notes)
-                .contains("3 semilandmarks are written as points behind the others, named by their curve; what "
+                .contains("2 semilandmarks are written as points behind the others, named by their curve; what "
                           "the curves go through is left out"));
+    QVERIFY(textsOf(idav->notes).contains("1 end of a curve is a landmark and is not written again"));
     const auto nts = landmarksText(one, Format::Nts);
-    QVERIFY(nts && nts->text.find("L 15 ") != std::string::npos);
-    QVERIFY(wideTable(one).text.starts_with("specimen,A_x,A_y,A_z,B_x,B_y,B_z,\"brow, left:01_x\","));
+    QVERIFY(nts && nts->text.find("L 12 ") != std::string::npos);
+    QVERIFY(wideTable(one).text.starts_with("specimen,A_x,A_y,A_z,B_x,B_y,B_z,\"brow, left:02_x\","));
 }
 
 void TestLandmarkFiles::curvesComeBackFromTheFormatsThatHoldThem()
@@ -523,7 +535,7 @@ void TestLandmarkFiles::curvesComeBackFromTheFormatsThatHoldThem()
         "x,y,z,curve,curveKind,note,sex\n1,2,3,c,geodesic,,\n1,2,3,c,,worn,\n1,2,3,c,,,f\n", Format::Csv, "x.csv");
     QVERIFY(more);
     QCOMPARE(textsOf(more->notes),
-             QStringList("2 rows of curves say more than where a semilandmark is, which is left out"));
+             QStringList("2 semilandmarks have more than a name and a position, which is left out"));
 
     // Semilandmarks are in the order of their numbers; those not computed are omitted.
     const auto sorted = parseLandmarks("name,x,y,z,curve,curveCount\nc:2,4,5,6,c,2\nc:01,1,2,3,c,\n"
@@ -540,7 +552,8 @@ void TestLandmarkFiles::curvesComeBackFromTheFormatsThatHoldThem()
     const auto back = parseLandmarks(tps->text, Format::Tps, "x.tps");
     QVERIFY(back);
     QCOMPARE(back->sets.front().curves.size(), std::size_t(1));
-    QVERIFY(back->sets.front().curves[0].semilandmarks == set.curves[0].semilandmarks);
+    QVERIFY(back->sets.front().curves[0].semilandmarks
+            == (std::vector{WorldPoint(0.1, 1e-7, 3), WorldPoint(4, 5, 6)})); // the end that is a landmark is one
     QVERIFY(back->sets.front().curves[0].points.empty());
 }
 
@@ -698,7 +711,9 @@ void TestLandmarkFiles::semilandmarksAreTakenForCurves_data()
     using L = QStringList;
     QTest::newRow("two curves") << L{"a", "x:01", "x:02", "y z:01", "y z:02", "y z:03"} << 1 << L{"x", "y z"};
     QTest::newRow("no point besides") << L{"x:01", "x:02"} << 2 << L{};
-    QTest::newRow("one that lacks the first") << L{"a", "x:02", "x:03"} << 3 << L{};
+    QTest::newRow("without the end that is a landmark") << L{"a", "x:02", "x:03"} << 1 << L{"x"};
+    QTest::newRow("one that lacks two") << L{"a", "x:03", "x:04"} << 3 << L{};
+    QTest::newRow("one semilandmark") << L{"a", "x:02"} << 2 << L{};
     QTest::newRow("a gap") << L{"a", "x:01", "x:03"} << 3 << L{};
     QTest::newRow("other digits") << L{"a", "x:1", "x:2"} << 3 << L{};
     QTest::newRow("no name") << L{"a", ":01", ":02"} << 3 << L{};

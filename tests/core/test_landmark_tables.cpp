@@ -110,6 +110,13 @@ void TestLandmarkTables::tables_data()
     csv("a cloud of CloudCompare, with colours", "// X,Y,Z,R\n1.5,2,-3,9\n4,5,6,8\n", {" 1.5 2 -3 |  4 5 6"}, {});
     csv("picks of CloudCompare by index", "0,1.5,2,-3\n1,4,5,6\n", {"0 1.5 2 -3 | 1 4 5 6"},
         {"the table has no first line that names its columns; they are read as name,x,y,z"});
+    csv("picks of CloudCompare, as it prints them",
+        "Point #0,1.500000000000,2.000000000000,-3.000000000000\nPoint #1,4.000000000000,5.000000000000,"
+        "6.000000000000\n",
+        {"Point #0 1.5 2 -3 | Point #1 4 5 6"},
+        {"the table has no first line that names its columns; they are read as name,x,y,z"});
+    csv("picks of CloudCompare by index, whole numbers", "7,1.000000000000,2.000000000000,3.000000000000\n",
+        {"7 1 2 3"}, {"the table has no first line that names its columns; they are read as name,x,y,z"});
     csv("picks with semicolons and decimal commas", "P0;1,5;2,0;-3\nP1;4;5;6\n", {"P0 1.5 2 -3 | P1 4 5 6"},
         {"the table has no first line that names its columns; they are read as name,x,y,z", kCommas});
     csv("coordinates only", "1.5 2 -3\n4 5 6\n", {" 1.5 2 -3 |  4 5 6"},
@@ -165,7 +172,7 @@ void TestLandmarkTables::tables_data()
     const QString flat = "3 points have two coordinates; z is 0",
                   scaled = "coordinates are multiplied by the SCALE of the file, 0.5",
                   isMissing =
-                      "1 point has only coordinates of -1, as tpsDig writes a missing point; it is missing here";
+                      "1 point has only coordinates of -1, as tpsDig writes a missing point; it has no position here";
     tps("tps: -1 -1 is missing and not scaled", "LM=3\n2 4\n-1 -1\n6 8\nIMAGE=w.jpg\nID=1\nSCALE=0.5\n",
         {"1:  1 2 0 |  missing |  3 4 0"}, {isMissing, flat, scaled});
     tps("tps: with decimals", "LM=3\n2.00000 4.00000\n-1.00000 -1.00000\n6 8\n", {" 2 4 0 |  missing |  6 8 0"},
@@ -185,6 +192,18 @@ void TestLandmarkTables::tables_data()
     nts("nts: a row on several lines, small letters", "' IDAV\n1 1l 6 0 dim=3\na\n1 2 3\n4 5 6\n",
         {"a:  1 2 3 |  4 5 6"}, {"1 comment is left out"});
     nts("nts: one specimen of digit.fixed", "\"skull 7\n1 2 3 0 dim=3\n1 2 3\n4 5 6\n", {"skull 7:  1 2 3 |  4 5 6"});
+    nts("nts: as digit.fixed prints it", "\"skull\n1 2 3 0 dim=3\n1.5  2  -3\nNA  NA  NA\n",
+        {"skull:  1.5 2 -3 |  missing"});
+    nts("nts: a second comment, as digitsurface prints it",
+        "\"skull\n\"2 fixed; 0 sliding\n1 2 3 0 dim=3\n1 2 3\n4 5 6\n", {"skull:  1 2 3 |  4 5 6"},
+        {"1 comment is left out"});
+    nts("dta: IDAV Landmark, names with blanks",
+        "'Saved by Landmark\n1 2L 6 1 9999 DIM=3\n\nskull 7.ply\nthe other skull.ply\n\n1 2 3\n4 5 6\n\n7 8 9\n9999 "
+        "9999 9999\n",
+        {"skull 7.ply:  1 2 3 |  4 5 6", "the other skull.ply:  7 8 9 |  missing"}, {"1 comment is left out"});
+    nts("nts: as Checkpoint prints it", "1 1L 6 1 9999 Dim=3\r\nskull\r\n1\t2\t3\r\n4\t5\t6\r\n",
+        {"skull:  1 2 3 |  4 5 6"});
+    nts("nts: several labels in a line", "1 2L 3 0 DIM=3\na b\n1 2 3\n4 5 6\n", {"a:  1 2 3", "b:  4 5 6"});
     nts("nts: labels of the columns", "1 1L 6L 0 DIM=3\na\nN_x N_y N_z Tip.X Tip.Y Tip.Z\n1 2 3 4 5 6\n",
         {"a: N 1 2 3 | Tip 4 5 6"});
     nts("nts: labels in the rows", "1 2B 3 0 DIM=3\na 1 2 3\nb 4 5 6\n", {"a:  1 2 3", "b:  4 5 6"});
@@ -210,6 +229,17 @@ void TestLandmarkTables::tables_data()
                       "Markers { int MarkerTypes } @2\nMarkers { float[3] Coordinates2 } = @3\n"
                       "@1\n1 2 3\n@2\n7\n@3\n4 5 6\n")
         << QStringList{" 1 2 3", " 4 5 6"} << QStringList{"other values of 1 specimen are left out: MarkerTypes"};
+    QTest::newRow("landmarkAscii: the oldest form")
+        << Format::LandmarkAscii
+        << QByteArray("# AmiraMesh ASCII 1.0\n# Created by a script\n\ndefine Markers 2 Parameters {\nContentType "
+                      "\"LandmarkSet\",nSets 1\n}\nMarkers { float[3] Coordinates } = @1\n\n@1 # 2 xyz coordinates\n"
+                      "1.5 2 -3\n4 5 6\n")
+        << QStringList{" 1.5 2 -3 |  4 5 6"} << QStringList();
+    QTest::newRow("landmarkAscii: HyperMesh")
+        << Format::LandmarkAscii
+        << QByteArray("# HyperMesh 3D ASCII 1.0\n\ndefine Markers 1\n\nParameters {\n   ContentType \"LandmarkSet\",\n "
+                      "  NumSets 1 }\n\nMarkers { float[3] Coordinates } @1\n\n# Data section follows\n\n@1\n1 2 3\n")
+        << QStringList{" 1 2 3"} << QStringList();
     QTest::newRow("ljson: version 2")
         << Format::Landmarker
         << QByteArray(R"({"version": 2, "labels": [{"label": "all", "mask": [0, 1, 2]}, {"label": "nose", "mask": [0]},

@@ -83,6 +83,7 @@ void TestSceneFile::everyKeyIsRead()
     QVERIFY(set.landmarks[0]
             == (Landmark{"Nasion",
                          WorldPoint(0.1, 2.5, -3),
+                         {},
                          "face",
                          OnTriangle{4294967295u, {0.2, 0.3, 0.5}},
                          WorldVector(0.01, 0.02, 0.03),
@@ -90,7 +91,7 @@ void TestSceneFile::everyKeyIsRead()
                          glm::u8vec3(255, 128, 1),
                          true,
                          {}}));
-    QVERIFY(set.landmarks[1] == (Landmark{"", WorldPoint(1e-300, 2, 3), "", AtVertex{7}, {}, "", {}, false, {}}));
+    QVERIFY(set.landmarks[1] == (Landmark{"", WorldPoint(1e-300, 2, 3), {}, "", AtVertex{7}, {}, "", {}, false, {}}));
     QVERIFY(set.landmarks[2].anchor == Anchor(OnEdge{{5, 6}, 0.75}));
     QVERIFY(!set.landmarks[3].isPlaced());
     QCOMPARE(set.curves.size(), std::size_t(2));

@@ -46,6 +46,8 @@ void TestOpenedLandmarks::pointFilesByName_data()
     QTest::newRow("a scene") << "a.json" << false;
     QTest::newRow("a template") << "a.pptpl" << false;
     QTest::newRow("NTSYS") << "a.nts" << true;
+    QTest::newRow("a picking list") << "a.txt" << true;
+    QTest::newRow("sliders") << "a.Sliders.csv" << false;
     QTest::newRow("a model") << "a.ply" << false;
     QTest::newRow("no suffix") << "points" << false;
 }

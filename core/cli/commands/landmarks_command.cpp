@@ -7,6 +7,7 @@
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/repeats_table.h"
+#include "core/landmark_files/sliders.h"
 #include "core/mesh/import/import_error_text.h"
 #include "core/mesh/import/mesh_import.h"
 #include "core/ray/tie_landmark.h"
@@ -95,6 +96,33 @@ ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkF
     const ExitCode written = sink.finish();
     if (written == ExitCode::Done)
         tell(name, text->notes);
+    return written;
+}
+
+/// Writes the sliders of points that were written. Reports on stderr what it wrote, or why it
+/// wrote nothing.
+/// @param written  exit code of the points
+ExitCode writeSliders(const std::string &file, const Result<Sliders, LandmarkFileError> &sliders,
+                      const InputFiles &inputs, ExitCode written)
+{
+    if (file.empty() || written == ExitCode::UnusableInput)
+        return written;
+    if (!sliders || sliders->count == 0) {
+        complain(
+            file + ": "
+            + (sliders ? tr("it is not written, because no curve has semilandmarks") : errorText(sliders.error())));
+        return ExitCode::SomeRowsBad;
+    }
+    ByteSink sink(file, inputs);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    sink.write(sliders->text);
+    if (const ExitCode finished = sink.finish(); finished != ExitCode::Done)
+        return finished;
+    complain(file + ": "
+             + tr(sliders->count == 1 ? "%1 slider, for geomorph's gpagen(curves=)"
+                                      : "%1 sliders, for geomorph's gpagen(curves=)",
+                  sliders->count));
     return written;
 }
 
@@ -236,8 +264,13 @@ ExitCode convert(const LandmarksOptions &options)
     InputFiles inputs{options.input};
     if (!options.mesh.empty())
         inputs.push_back(options.mesh);
-    if (!from || !to || isOverInput(options.output, inputs))
+    if (!from || !to || isOverInput(options.output, inputs) || isOverInput(options.sliders, inputs))
         return ExitCode::UnusableInput;
+    if (!options.sliders.empty() && (to == Format::SlicerJson || to == Format::MeshLabTemplate)) {
+        complain(
+            tr("%1: .%2 has no numbers for semilandmarks; write .csv, .tps or .nts", options.sliders, suffixOf(*to)));
+        return ExitCode::UnusableInput;
+    }
     std::optional<ReadLandmarks> read = readFile(options.input, *from);
     if (!read)
         return ExitCode::UnusableInput;
@@ -263,7 +296,9 @@ ExitCode convert(const LandmarksOptions &options)
                                      + (read->sets.size() > 1 ? '_' + std::to_string(i + 1) : "");
         }
     }
-    return write(options.output, landmarksText(read->sets, *to, textsOf(options)), inputs);
+    const ExitCode written = write(options.output, landmarksText(read->sets, *to, textsOf(options)), inputs);
+    inputs.push_back(options.output);
+    return writeSliders(options.sliders, slidersOf(read->sets), inputs, written);
 }
 
 Result<WrittenLandmarks, LandmarkFileError> tableOf(const std::vector<LandmarkSet> &sets, LandmarkTable table,
@@ -296,7 +331,11 @@ ExitCode makeTable(const LandmarksOptions &options)
         return ExitCode::UnusableInput;
     }
     const InputFiles inputs = folder.isTableInput ? InputFiles{options.output} : InputFiles();
-    const ExitCode written = write(options.output, tableOf(folder.sets, options.table, textsOf(options)), inputs);
+    const ExitCode table = write(options.output, tableOf(folder.sets, options.table, textsOf(options)), inputs);
+    const Result<Sliders, LandmarkFileError> sliders = options.table == LandmarkTable::Wide
+                                                           ? slidersOf(folder.sets, wideTableNames(folder.sets))
+                                                           : slidersOf(folder.sets);
+    const ExitCode written = writeSliders(options.sliders, sliders, {options.output}, table);
     return written == ExitCode::Done && !folder.badFiles.empty() ? ExitCode::SomeRowsBad : written;
 }
 

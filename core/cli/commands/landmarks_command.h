@@ -16,6 +16,7 @@ struct LandmarksOptions {
     std::optional<landmark_files::Format> from, to; ///< empty: by the suffix
     std::string mesh;                               ///< model that the landmarks lie on; empty: none
     std::string folder;                             ///< folder whose files become a table; empty: none
+    std::string sliders;                            ///< file for the sliders of the written points; empty: none
     std::vector<std::string> repeats;               ///< files with repeated placements of the same points; empty: none
     LandmarkTable table = LandmarkTable::Long;
     bool isSpreadsheetSafe = false; ///< see text::CellTexts

@@ -287,6 +287,9 @@ void addLandmarks(CLI::App &app, Run &run)
             ->excludes(folder)
             ->expected(2, CLI::detail::expected_max_vector_size);
     CLI::Option *output = addFile(*command, "-o,--output", options->output, tr("The table; - is standard output"));
+    addFile(*command, "--sliders", options->sliders,
+            tr("Also write the sliders of semilandmarks, for geomorph's gpagen(curves=)"))
+        ->excludes(repeats);
     addChoice<LandmarkTable>(*command, "--format", options->table,
                              {{"long", LandmarkTable::Long},
                               {"wide", LandmarkTable::Wide},

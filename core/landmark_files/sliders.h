@@ -1,0 +1,46 @@
+#pragma once
+
+#include "core/landmark_files/landmark_file.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace unprojector::landmark_files {
+
+/// The semilandmarks that slide along their curves, as geomorph's gpagen(curves=) takes them.
+struct Sliders {
+    std::string text; ///< a table before,slide,after: numbers of points, from 1, a row per semilandmark
+    std::size_t count = 0;
+};
+
+/// The names of a specimen's points in the order in which landmarksText writes them: landmarks, then
+/// semilandmarks.
+std::vector<std::string> writtenNames(const landmarks::LandmarkSet &set);
+
+/// The sliders of a table's points. Each semilandmark slides along the direction from the point
+/// before it to the one after it. The ends of a curve don't slide.
+/// @param names  of the table's points, in their order
+/// @return CannotHold: a point that the table lacks, or curves of a name through different points
+geometry::Result<Sliders, LandmarkFileError> slidersOf(std::span<const landmarks::LandmarkSet> sets,
+                                                       std::span<const std::string> names);
+/// The sliders of points as landmarksText writes them.
+/// @return CannotHold: as above, or specimens with different points
+geometry::Result<Sliders, LandmarkFileError> slidersOf(std::span<const landmarks::LandmarkSet> sets);
+/// The names of the points in the columns of wideTable.
+std::vector<std::string> wideTableNames(std::span<const landmarks::LandmarkSet> sets);
+
+/// The file of the sliders beside a table: "all.sliders.csv" for "all.tps".
+std::filesystem::path slidersBeside(const std::filesystem::path &table);
+/// True for the name of a file of sliders, in any case. It holds no landmarks.
+bool isSlidersFile(const std::filesystem::path &file);
+
+/// Writes the sliders beside a table.
+/// @return the file; empty if no semilandmark slides. NotWritable, and the errors of slidersOf
+geometry::Result<std::optional<std::filesystem::path>, LandmarkFileError>
+writeSlidersBeside(const std::filesystem::path &table, std::span<const landmarks::LandmarkSet> sets);
+
+} // namespace unprojector::landmark_files
