@@ -73,7 +73,7 @@ ShadingFeature::ShadingFeature(Window &window)
 {
     m_light->setParent(this);
     m_curvatures->setParent(this);
-    window.frame().add(*m_bar, Qt::AlignBottom | Qt::AlignHCenter);
+    window.frame().addNote(*m_bar);
     connect(m_light, &LightDrag::turned, this, [this] {
         m_isLit->setChecked(true);
         apply();

@@ -285,7 +285,7 @@ void TestCurvature::theUsualValueIgnoresExtremes()
 
 void TestCurvature::itCanBeCancelled()
 {
-    const auto model = modelOf(examples::sphereMesh(1.0, 7));
+    const auto model = modelOf(examples::sphereMesh(1.0, 6));
     std::vector<double> shares;
     const Curvature whole = curvatureOf(*model, [&](double share) {
         shares.push_back(share);
