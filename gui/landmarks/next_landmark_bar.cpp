@@ -57,6 +57,7 @@ NextLandmarkBar::NextLandmarkBar(SceneDocument &document, Hint hint, Picture pic
     m_name->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_where->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_count->setMinimumWidth(1); // it does not widen the panel
+    connect(&m_document, &SceneDocument::opened, this, [this] { m_hasNext = m_isDone = false; });
     auto *line = new QHBoxLayout;
     line->addWidget(m_count, 1);
     line->addWidget(m_skip);
@@ -76,8 +77,21 @@ NextLandmarkBar::NextLandmarkBar(SceneDocument &document, Hint hint, Picture pic
 
 void NextLandmarkBar::setPlacing(bool isPlacing)
 {
-    m_how->setText(isPlacing ? tr("Click its position; P or Esc ends placing.")
-                             : tr("Press P, then click its position."));
+    m_isPlacing = isPlacing;
+    showHow();
+}
+
+QString NextLandmarkBar::howText(bool isDone, bool isPlacing)
+{
+    if (isDone)
+        return isPlacing ? tr("A click places a further landmark; P or Esc ends placing.")
+                         : tr("To place further landmarks, press P.");
+    return isPlacing ? tr("Click its position; P or Esc ends placing.") : tr("Press P, then click its position.");
+}
+
+void NextLandmarkBar::showHow()
+{
+    m_how->setText(howText(m_isDone, m_isPlacing));
 }
 
 void NextLandmarkBar::useFonts()
@@ -139,7 +153,13 @@ void NextLandmarkBar::reserveRoom()
         nameHeight = std::max(nameHeight, heightOf(*m_name, width, nextText(i)));
         hintHeight = std::max(hintHeight, heightOf(*m_where, hintWidth, hint));
     }
+    int howHeight = 0;
+    for (const bool isDone : {false, true}) {
+        for (const bool isPlacing : {false, true})
+            howHeight = std::max(howHeight, heightOf(*m_how, width, howText(isDone, isPlacing)));
+    }
     m_name->setMinimumHeight(nameHeight);
+    m_how->setMinimumHeight(howHeight);
     m_where->setMinimumHeight(hintHeight);
     m_where->setVisible(hasHints || hasPictures);
 }
@@ -179,9 +199,18 @@ void NextLandmarkBar::showNext()
 {
     const std::vector<landmarks::Landmark> &landmarks = m_document.landmarks();
     const std::optional<std::size_t> unplaced = m_document.sceneLandmarks().nextUnplaced();
+    const bool isSameList = std::exchange(m_listed, landmarks.size()) == landmarks.size();
+    m_isDone = !unplaced && isSameList && !landmarks.empty() && (m_hasNext || m_isDone);
+    m_hasNext = unplaced.has_value();
+    const bool isShown = unplaced || m_isDone;
     // It would be a window of its own without a parent; a visible parent shows it later.
-    if (!unplaced || parentWidget())
-        setVisible(unplaced.has_value());
+    if (!isShown || parentWidget())
+        setVisible(isShown);
+    for (QToolButton *button : {m_skip, m_missing})
+        button->setEnabled(m_hasNext);
+    showHow();
+    if (m_isDone)
+        showDone();
     if (!unplaced)
         return;
     reserveRoom();
@@ -193,6 +222,18 @@ void NextLandmarkBar::showNext()
     showCount();
 }
 
+void NextLandmarkBar::showDone()
+{
+    const std::vector<landmarks::Landmark> &landmarks = m_document.landmarks();
+    const bool areAllPlaced = std::all_of(landmarks.begin(), landmarks.end(),
+                                          [](const landmarks::Landmark &landmark) { return landmark.isPlaced(); });
+    m_name->setText(areAllPlaced ? tr("All landmarks are placed") : tr("All landmarks are placed or missing"));
+    m_where->clear();
+    showPicture({});
+    m_missing->setChecked(false);
+    showCount();
+}
+
 QString NextLandmarkBar::nextText(std::size_t index) const
 {
     return tr("Next: %1").arg(SceneLandmarks::shownNameOf(m_document.landmarks(), index));
@@ -201,11 +242,14 @@ QString NextLandmarkBar::nextText(std::size_t index) const
 void NextLandmarkBar::showCount()
 {
     const std::vector<landmarks::Landmark> &landmarks = m_document.landmarks();
-    // Other names don't belong to the template; if the next one is such, all names count.
+    // Other names don't belong to the template; if the next one is such, or no name belongs to it,
+    // all names count.
     const auto isOfTemplate = [&](const landmarks::Landmark &landmark) {
         return m_isOfTemplate(QString::fromStdString(landmark.name));
     };
-    const bool countsAll = !isOfTemplate(landmarks[*m_document.sceneLandmarks().nextUnplaced()]);
+    const std::optional<std::size_t> next = m_document.sceneLandmarks().nextUnplaced();
+    const bool countsAll =
+        next ? !isOfTemplate(landmarks[*next]) : std::none_of(landmarks.begin(), landmarks.end(), isOfTemplate);
     int all = 0, placed = 0, missing = 0, skipped = 0;
     for (const landmarks::Landmark &landmark : landmarks) {
         if (!countsAll && !isOfTemplate(landmark))

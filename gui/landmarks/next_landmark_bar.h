@@ -16,8 +16,9 @@ namespace unprojector::gui {
 class SceneDocument;
 
 /// The landmark to place next: its name in large letters, its hint, the template's image, and how
-/// many are placed. Visible only while there is one. It keeps the height that the longest name and
-/// hint of the list need, so that the rows below stay where they are.
+/// many are placed. Visible while there is one, and after the last one until the list changes. It
+/// keeps the height that the longest name and hint of the list need: the rows below stay where they
+/// are.
 class NextLandmarkBar : public QWidget {
     Q_OBJECT
 public:
@@ -45,6 +46,9 @@ protected:
 private:
     void useFonts();
     void showNext();
+    static QString howText(bool isDone, bool isPlacing);
+    void showHow();
+    void showDone();
     void showPicture(const std::filesystem::path &file);
     /// The side of the square that an image fits into.
     int pictureSide() const;
@@ -66,6 +70,10 @@ private:
     QToolButton *m_skip;
     QToolButton *m_missing;
     std::vector<std::string> m_names; ///< those that the room was computed for
+    std::size_t m_listed = 0;         ///< number of landmarks when they were last shown
+    bool m_hasNext = false;           ///< at that time
+    bool m_isDone = false;            ///< all of the list have been placed
+    bool m_isPlacing = false;
 };
 
 } // namespace unprojector::gui

@@ -531,7 +531,15 @@ void TestLandmarksPanel::aTemplateIsPlacedOneAfterTheOther()
     place(1.0);
     QCOMPARE(next->text(), QStringLiteral("Next: ear"));
     place(2.0);
+    QCOMPARE(next->text(), QStringLiteral("All landmarks are placed or missing"));
+    QCOMPARE(count->text(), QStringLiteral("4 of 5 placed, 1 missing"));
+    QVERIFY(!button(QStringLiteral("Skip"))->isEnabled() && !button(QStringLiteral("Missing"))->isEnabled());
+    m_document->undoStack().undo();
+    QCOMPARE(next->text(), QStringLiteral("Next: ear"));
+    m_document->undoStack().redo();
+    place(9.0); // a further one
     QVERIFY(!next->isVisible());
+    m_document->undoStack().undo();
     QCOMPARE(names().size(), 5);
     QCOMPARE(m_document->landmarks()[2].world->x, 2.0);
     // Another template by its menu reports the names that it replaces.
@@ -651,6 +659,8 @@ void TestLandmarksPanel::theRowsStayWhileLandmarksArePlaced()
         else
             place(1.0 + double(index));
     }
+    QCoreApplication::processEvents();
+    QCOMPARE(m_table->mapTo(m_panel.get(), QPoint(0, 0)).y(), top); // nor at the end, below the button
     QVERIFY(hasOneLine && hasMore && hadPicture == hasPicture);
 }
 
