@@ -26,7 +26,7 @@ struct Measure {
 /// The reason why a measure is undefined.
 struct MeasureError {
     enum class Code {
-        Missing,   ///< point: is missing
+        Missing,   ///< point: has no position
         TooFew,    ///< a length along fewer than two points
         SamePoint, ///< point: coincides with the angle's vertex, so the leg to it has no direction
         NoPlane,   ///< the three points lie on one line, or may do so

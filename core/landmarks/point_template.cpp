@@ -30,12 +30,12 @@ const Landmark *find(std::string_view name, std::span<const Landmark> names)
     return found != names.end() ? &*found : nullptr;
 }
 
-Landmark missingOf(const Landmark &wanted)
+Landmark toPlaceOf(const Landmark &wanted)
 {
-    Landmark missing;
-    missing.name = wanted.name;
-    missing.color = wanted.color;
-    return missing;
+    Landmark toPlace;
+    toPlace.name = wanted.name;
+    toPlace.color = wanted.color;
+    return toPlace;
 }
 
 } // namespace
@@ -67,7 +67,7 @@ std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<co
             --count;
             continue;
         }
-        landmarks.push_back(missingOf(wanted));
+        landmarks.push_back(toPlaceOf(wanted));
     }
     return landmarks;
 }
@@ -82,7 +82,7 @@ std::vector<Landmark> inTemplateOrder(std::vector<Landmark> landmarks, std::span
     for (const Landmark &wanted : names) {
         const auto range = there.equal_range(nameKey(wanted.name));
         if (range.first == range.second) {
-            ordered.push_back(missingOf(wanted));
+            ordered.push_back(toPlaceOf(wanted));
             continue;
         }
         auto found = std::find_if(range.first, range.second, [&](const std::pair<const std::string, std::size_t> &one) {

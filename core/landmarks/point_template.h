@@ -20,13 +20,13 @@ constexpr const char *kPictureColumn = "picture";
 /// removed. Empty for a name of only such characters.
 std::string nameKey(std::string_view name);
 
-/// Appends the landmarks of a template that are absent, as missing: without a position, a note or
+/// Appends the landmarks of a template that are absent, to be placed: without a position, a note or
 /// an object. Names are compared in any case. If the template has a name twice, two landmarks must
 /// exist.
 std::vector<Landmark> withTemplate(std::vector<Landmark> landmarks, std::span<const Landmark> names);
 
 /// The landmarks in the order of a template: for each name the landmark of that name, else one of
-/// the same nameKey, else a missing one. The other landmarks follow in their order. Landmarks of
+/// the same nameKey, else one to place. The other landmarks follow in their order. Landmarks of
 /// one name are used in their order; none is changed.
 std::vector<Landmark> inTemplateOrder(std::vector<Landmark> landmarks, std::span<const Landmark> names);
 

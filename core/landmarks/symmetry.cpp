@@ -211,6 +211,11 @@ WorldPoint MirrorPlane::mirrored(const WorldPoint &point) const
     return point - 2.0 * height * normal;
 }
 
+double MirrorPlane::distanceTo(const WorldPoint &point) const
+{
+    return std::abs(glm::dot(normal.coordinates(), point.coordinates()) - offset);
+}
+
 std::optional<MirrorPlane> mirrorPlaneOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs)
 {
     const std::optional<Fit> fit = fitOf(landmarks, pairs);
@@ -232,22 +237,52 @@ std::vector<std::optional<double>> asymmetriesOf(std::span<const Landmark> landm
     return distances;
 }
 
+std::array<WorldPoint, 4> rectangleOf(const MirrorPlane &plane, std::span<const Landmark> landmarks,
+                                      std::span<const std::size_t> counted)
+{
+    constexpr double kMargin = 0.1; // of the longer side, so that no landmark lies on the edge
+    const glm::dvec3 n = plane.normal.coordinates(), size = glm::abs(n);
+    const glm::dvec3 axis = size.z <= size.x && size.z <= size.y ? glm::dvec3(0, 0, 1)
+                            : size.y <= size.x                   ? glm::dvec3(0, 1, 0)
+                                                                 : glm::dvec3(1, 0, 0);
+    const glm::dvec3 u = glm::normalize(glm::cross(axis, n)), v = glm::cross(n, u);
+    const glm::dvec3 start = landmarks[counted.front()].world->coordinates();
+    const glm::dvec3 about = start - (glm::dot(n, start) - plane.offset) * n;
+    double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
+    for (const std::size_t index : counted) {
+        const glm::dvec3 way = landmarks[index].world->coordinates() - about;
+        left = std::min(left, glm::dot(way, u));
+        right = std::max(right, glm::dot(way, u));
+        bottom = std::min(bottom, glm::dot(way, v));
+        top = std::max(top, glm::dot(way, v));
+    }
+    const double margin = kMargin * std::max(right - left, top - bottom);
+    const auto corner = [&](double x, double y) { return WorldPoint(about + x * u + y * v); };
+    return {corner(left - margin, bottom - margin), corner(right + margin, bottom - margin),
+            corner(right + margin, top + margin), corner(left - margin, top + margin)};
+}
+
 std::optional<Symmetry> symmetryOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs)
 {
     const std::optional<Fit> fit = fitOf(landmarks, pairs);
     if (!fit)
         return std::nullopt;
-    Symmetry symmetry{fit->plane, fit->counted, 0.0, {}};
+    Symmetry symmetry{fit->plane, fit->counted, 0.0, {}, {}};
     const std::vector<std::optional<double>> values = asymmetriesOf(landmarks, pairs, fit->plane);
     for (const std::optional<double> &value : values)
         symmetry.asymmetries.push_back(value ? std::optional(Measure{*value, 0.0}) : std::nullopt);
+    symmetry.distances.resize(landmarks.size());
+    for (const std::size_t i : fit->counted)
+        symmetry.distances[i] = Measure{fit->plane.distanceTo(*landmarks[i].world), 0.0};
     const bool isKnown = std::all_of(fit->counted.begin(), fit->counted.end(),
                                      [&](std::size_t i) { return landmarks[i].uncertainty.has_value(); });
     if (!isKnown) {
         symmetry.offsetError = std::nullopt;
-        for (std::optional<Measure> &one : symmetry.asymmetries) {
-            if (one)
-                one->error = std::nullopt;
+        for (auto *measures : {&symmetry.asymmetries, &symmetry.distances}) {
+            for (std::optional<Measure> &one : *measures) {
+                if (one)
+                    one->error = std::nullopt;
+            }
         }
         return symmetry;
     }
@@ -273,6 +308,7 @@ std::optional<Symmetry> symmetryOf(std::span<const Landmark> landmarks, std::spa
                 const glm::dvec3 a = fromCenter(i);
                 const glm::dvec3 own = i == j ? moved : glm::dvec3(0.0);
                 const double dHeight = glm::dot(dn, a) + glm::dot(n, own) - n[axis] / count;
+                *symmetry.distances[i]->error += std::abs(dHeight) * off;
                 glm::dvec3 dWay = own - 2.0 * dHeight * n - 2.0 * glm::dot(n, a) * dn;
                 if (fit->partners[i] == j)
                     dWay -= moved;

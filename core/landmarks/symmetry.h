@@ -4,6 +4,7 @@
 #include "core/landmarks/landmark.h"
 #include "core/landmarks/measure.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -33,17 +34,27 @@ bool isSided(const std::string &name);
 struct MirrorPlane {
     geometry::WorldVector normal; ///< length 1, to the right side
     double offset = 0.0;
+    friend bool operator==(const MirrorPlane &, const MirrorPlane &) = default;
 
     geometry::WorldPoint mirrored(const geometry::WorldPoint &point) const;
+    /// The distance of a point from the plane: half its distance from its own mirror image.
+    double distanceTo(const geometry::WorldPoint &point) const;
 };
 
 /// @return empty if no pair has both landmarks, or if no plane is better than another
 std::optional<MirrorPlane> mirrorPlaneOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs);
 
-/// The distance of each landmark's mirror image from its partner, or from itself if it has none.
-/// Empty if either is missing, and for a sided landmark without a partner. One per landmark.
+/// The asymmetry of each landmark: the distance of its mirror image from its partner, or from itself
+/// if it has none. That of a landmark of the middle is twice its distance from the plane. Empty if
+/// either has no position, and for a sided landmark without a partner. One per landmark.
 std::vector<std::optional<double>> asymmetriesOf(std::span<const Landmark> landmarks, std::span<const Pair> pairs,
                                                  const MirrorPlane &plane);
+
+/// A rectangle of the plane around the feet of its landmarks, to be drawn. Its sides follow the
+/// world's axes as closely as the plane allows.
+/// @param counted  indices of the landmarks, not empty; each has a position
+std::array<geometry::WorldPoint, 4> rectangleOf(const MirrorPlane &plane, std::span<const Landmark> landmarks,
+                                                std::span<const std::size_t> counted);
 
 /// The best mirror plane and its results, each with its largest error to first order. The plane
 /// moves with every landmark that defines it, so every error has a share of each of them. Errors
@@ -55,6 +66,8 @@ struct Symmetry {
     std::vector<std::size_t> counted;                ///< indices of the landmarks that define the plane, ascending
     std::optional<double> offsetError;               ///< error of the plane's offset
     std::vector<std::optional<Measure>> asymmetries; ///< see asymmetriesOf; one per landmark
+    /// The distance from the plane of each landmark that defines it; one per landmark.
+    std::vector<std::optional<Measure>> distances;
 };
 
 /// @return empty if mirrorPlaneOf returns none

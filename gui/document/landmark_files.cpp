@@ -174,14 +174,14 @@ std::optional<QString> LandmarkFiles::tieAll(std::vector<landmarks::Landmark> &l
 {
     std::vector<Stray> strays;
     Moved onMesh, farOff; // of points near the mesh, and of strays
-    std::size_t missing = 0, free = 0;
+    std::size_t toPlace = 0, missing = 0, free = 0;
     const Waiting waiting;
     const std::vector<ray::TyingTarget> targets = this->targets();
     for (std::size_t i = 0; i < landmarks.size(); ++i) {
         landmarks::Landmark before = landmarks[i];
         const std::optional<ray::Tied> now = ray::tieToMesh(landmarks[i], targets);
         if (!now) { // beyond all distances: it keeps its position
-            ++(!landmarks[i].isPlaced() ? missing : free);
+            ++(landmarks[i].isPlaced() ? free : landmarks[i].isMissing() ? missing : toPlace);
             continue;
         }
         const ray::TyingTarget &target = targets[now->target];
@@ -228,8 +228,10 @@ std::optional<QString> LandmarkFiles::tieAll(std::vector<landmarks::Landmark> &l
                                           : tr("They lie on the mesh."));
     if (free > 0 && !targets.empty())
         said << tr("Left free, far from the mesh: %1.").arg(free);
+    if (toPlace > 0)
+        said << tr("Not placed: %1.").arg(toPlace);
     if (missing > 0)
-        said << tr("Not placed: %1.").arg(missing);
+        said << tr("Missing on this specimen: %1.").arg(missing);
     return joinSentences(said);
 }
 

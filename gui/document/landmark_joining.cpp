@@ -150,6 +150,8 @@ private:
         addKeys(from.extra, to.extra);
         if (from.isPlaced())
             ++joined.filled;
+        else if (from.absence == landmarks::Absence::NotPlaced) // the file knows no more
+            from.absence = to.absence;
         to = std::move(from);
     }
 

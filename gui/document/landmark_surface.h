@@ -10,7 +10,7 @@ namespace unprojector::gui {
 class SceneDocument;
 
 /// Moves landmarks onto the closest point of the surface: of the object that each names, else of
-/// all visible objects. One step of undo; missing landmarks stay missing. A large model takes a
+/// all visible objects. One step of undo; those without a position stay so. A large model takes a
 /// second.
 /// @param indices  in SceneDocument::landmarks()
 geometry::Check putOnSurface(SceneDocument &document, const std::vector<std::size_t> &indices);

@@ -11,7 +11,7 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-// Views of a landmark. Each is one step of undo; for a missing landmark they do nothing.
+// Views of a landmark. Each is one step of undo; without a position they do nothing.
 
 /// The outward surface normal at an anchor, in world space, length 1. At a vertex and on an edge,
 /// the area-weighted mean of the adjacent triangles.

@@ -2,6 +2,7 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
+#include "gui/text/landmark_text.h"
 
 #include <QCoreApplication>
 #include <QScopedValueRollback>
@@ -90,12 +91,17 @@ QString quoted(const std::vector<Landmark> &landmarks, std::size_t index)
     return QString::fromStdString(landmarks[index].name).simplified();
 }
 
+QString absenceOf(const std::vector<Landmark> &landmarks, std::size_t index)
+{
+    return absenceText(landmarks[index], u'“' + quoted(landmarks, index) + u'”');
+}
+
 QString faultOf(const curves::CurveError &error, const std::vector<Landmark> &landmarks)
 {
     using Code = curves::CurveError::Code;
     switch (error.code) {
     case Code::TooFew: return Texts::tr("a curve needs at least two landmarks");
-    case Code::Missing: return Texts::tr("“%1” is not placed").arg(quoted(landmarks, error.point));
+    case Code::Missing: return absenceOf(landmarks, error.point);
     case Code::NotOnSurface:
         return Texts::tr("“%1” is not on a surface; select it and press B").arg(quoted(landmarks, error.point));
     case Code::NotConnected:
@@ -190,7 +196,7 @@ void SceneCurves::locate(Request &request) const
     const std::vector<Landmark> &landmarks = request.points;
     for (std::size_t i = 0; i < landmarks.size() && request.fault.isEmpty(); ++i) {
         if (!landmarks[i].isPlaced())
-            request.fault = tr("“%1” is not placed").arg(quoted(landmarks, i));
+            request.fault = absenceOf(landmarks, i);
         else if (landmarks[i].object.empty())
             request.fault = tr("“%1” is not on a surface; select it and press B").arg(quoted(landmarks, i));
         else if (landmarks[i].object != landmarks.front().object)

@@ -2,6 +2,7 @@
 
 #include "core/curves/curve_line.h"
 #include "core/landmarks/landmark.h"
+#include "core/landmarks/symmetry.h"
 #include "core/scene/scene.h"
 #include "gui/document/background.h"
 #include "gui/document/change_notifier.h"
@@ -9,6 +10,7 @@
 #include <QObject>
 #include <QString>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -27,10 +29,18 @@ struct ShownMeasure {
         Angle,    ///< at the first landmark, between the second and the third
         Height,   ///< of the fourth landmark over the plane of the first three
         Surface,  ///< along the surface: SceneCurves::throughSelected
+        Mirror,   ///< landmarks by twos, each with its partner, or itself in the middle; and `mirror`
+    };
+    /// A mirror plane, and a rectangle of it.
+    struct Mirror {
+        landmarks::MirrorPlane plane;
+        std::array<geometry::WorldPoint, 4> corners;
+        friend bool operator==(const Mirror &, const Mirror &) = default;
     };
     Shape shape = Shape::Polyline;
     std::vector<std::size_t> points; ///< indices into SceneDocument::landmarks()
     QString text;                    ///< "12.3 ± 0.1 mm"
+    std::optional<Mirror> mirror = {};
     friend bool operator==(const ShownMeasure &, const ShownMeasure &) = default;
 };
 

@@ -12,6 +12,7 @@ using namespace geometry;
 
 namespace {
 
+using landmarks::Absence;
 using landmarks::Landmark;
 
 /// The index in one list of a landmark of another list. Landmarks have no id: it is the identical
@@ -50,35 +51,54 @@ private:
     std::vector<bool> m_isTaken;
 };
 
-/// The single landmark that has lost its position, as by undoing its placement.
-std::optional<std::size_t> unplaced(const std::vector<Landmark> &before, const std::vector<Landmark> &after)
+/// The single landmark that waits for a click again, as after undoing its placement.
+std::optional<std::size_t> waitingAgain(const std::vector<Landmark> &before, const std::vector<Landmark> &after)
 {
     std::optional<std::size_t> only;
     for (std::size_t i = 0; before.size() == after.size() && i < after.size(); ++i) {
         if (before[i] == after[i])
             continue;
-        if (only || !before[i].isPlaced() || after[i].isPlaced())
+        const bool waits = after[i].isToPlace()
+                           && (before[i].isPlaced()
+                               || (before[i].absence != Absence::NotPlaced && after[i].absence == Absence::NotPlaced));
+        if (only || !waits)
             return std::nullopt;
         only = i;
     }
     return only;
 }
 
-std::optional<std::size_t> nextMissing(const std::vector<Landmark> &landmarks, std::optional<std::size_t> after)
+std::optional<std::size_t> nextToPlace(const std::vector<Landmark> &landmarks, std::optional<std::size_t> after)
 {
     const std::size_t first = after ? *after + 1 : 0;
-    for (std::size_t i = 0; i < landmarks.size(); ++i) {
-        const std::size_t index = (first + i) % landmarks.size();
-        if (!landmarks[index].isPlaced())
-            return index;
+    for (const Absence absence : {Absence::NotPlaced, Absence::Skipped}) {
+        for (std::size_t i = 0; i < landmarks.size(); ++i) {
+            const std::size_t index = (first + i) % landmarks.size();
+            if (!landmarks[index].isPlaced() && landmarks[index].absence == absence)
+                return index;
+        }
     }
     return std::nullopt;
 }
 
-/// Copies position, anchor and uncertainty.
+/// The next landmark to place after an edit.
+/// @param index  its index before
+/// @param now    its index after; nothing: it is gone
+std::optional<std::size_t> nextAfter(const std::vector<Landmark> &before, const std::vector<Landmark> &after,
+                                     std::size_t index, std::optional<std::size_t> now)
+{
+    if (!now)
+        return nextToPlace(after, index > 0 ? std::optional(index - 1) : std::nullopt);
+    const Landmark &was = before[index], &is = after[*now];
+    const bool isPassed = is.isPlaced() || (is.absence != was.absence && is.absence != Absence::NotPlaced);
+    return isPassed ? nextToPlace(after, now) : now;
+}
+
+/// Copies position, anchor and uncertainty; without a position, it is to be placed.
 void takePlace(Landmark &landmark, const Landmark &of)
 {
     landmark.world = of.world;
+    landmark.absence = Absence::NotPlaced;
     landmark.object = of.object;
     landmark.anchor = of.anchor;
     landmark.uncertainty = of.uncertainty;
@@ -89,9 +109,9 @@ void takePlace(Landmark &landmark, const Landmark &of)
 SceneLandmarks::SceneLandmarks(SceneDocument &document, ChangeNotifier &changes)
     : m_document(document), m_changes(changes)
 {
-    // Nothing is selected in another scene, and the first missing landmark is next.
+    // Nothing is selected in another scene, and the first landmark to place is next.
     connect(&document, &SceneDocument::opened, this,
-            [this] { take({}, std::nullopt, nextMissing(all(), std::nullopt)); });
+            [this] { take({}, std::nullopt, nextToPlace(all(), std::nullopt)); });
 }
 
 const std::vector<Landmark> &SceneLandmarks::all() const
@@ -121,11 +141,31 @@ bool SceneLandmarks::take(std::vector<std::size_t> indices, std::optional<std::s
         current = std::nullopt;
     else if (!current || !std::binary_search(indices.begin(), indices.end(), *current))
         current = indices.front();
+    orderSelection(indices, current);
     const bool isOther = indices != m_selection || current != m_current || nextUnplaced != m_nextUnplaced;
     m_selection = std::move(indices);
     m_current = current;
     m_nextUnplaced = nextUnplaced;
     return isOther;
+}
+
+void SceneLandmarks::orderSelection(const std::vector<std::size_t> &indices, std::optional<std::size_t> current)
+{
+    std::erase_if(m_order,
+                  [&](std::size_t index) { return !std::binary_search(indices.begin(), indices.end(), index); });
+    std::vector<std::size_t> added;
+    for (const std::size_t index : indices) {
+        if (std::find(m_order.begin(), m_order.end(), index) == m_order.end())
+            added.push_back(index);
+    }
+    const bool endsAtCurrent = current && std::find(added.begin(), added.end(), *current) != added.end();
+    if (added.size() > 1 && !endsAtCurrent) { // all of them at once
+        m_order = indices;
+        return;
+    }
+    if (endsAtCurrent && !m_order.empty() && *current < m_order.back()) // a range upwards
+        std::reverse(added.begin(), added.end());
+    m_order.insert(m_order.end(), added.begin(), added.end());
 }
 
 void SceneLandmarks::select(std::vector<std::size_t> indices, std::optional<std::size_t> current)
@@ -134,7 +174,8 @@ void SceneLandmarks::select(std::vector<std::size_t> indices, std::optional<std:
     indices.erase(
         std::remove_if(indices.begin(), indices.end(), [&](std::size_t index) { return index >= landmarks.size(); }),
         indices.end());
-    const bool waits = current && *current < landmarks.size() && !landmarks[*current].isPlaced();
+    const bool waits = current && std::find(indices.begin(), indices.end(), *current) != indices.end()
+                       && !landmarks[*current].isPlaced();
     if (take(std::move(indices), current, waits ? current : m_nextUnplaced))
         m_changes.notify(Change::LandmarkSelection);
 }
@@ -154,14 +195,14 @@ void SceneLandmarks::toggle(std::size_t index)
 void SceneLandmarks::setNextUnplaced(std::optional<std::size_t> index)
 {
     if (index && (*index >= all().size() || all()[*index].isPlaced()))
-        index = std::nullopt;
+        index = nextToPlace(all(), std::nullopt);
     if (take(m_selection, m_current, index))
         m_changes.notify(Change::LandmarkSelection);
 }
 
 void SceneLandmarks::waitForNext(std::optional<std::size_t> after)
 {
-    setNextUnplaced(nextMissing(all(), after));
+    setNextUnplaced(nextToPlace(all(), after));
 }
 
 Changes SceneLandmarks::follow(const std::vector<Landmark> &before, const std::vector<Landmark> &after)
@@ -169,7 +210,7 @@ Changes SceneLandmarks::follow(const std::vector<Landmark> &before, const std::v
     IndicesAfter places(before, after);
     std::vector<std::size_t> selection;
     std::optional<std::size_t> current;
-    for (const std::size_t index : m_selection) {
+    for (const std::size_t index : m_order) {
         const std::optional<std::size_t> now = places.of(index);
         if (!now)
             continue;
@@ -177,13 +218,13 @@ Changes SceneLandmarks::follow(const std::vector<Landmark> &before, const std::v
         if (index == m_current)
             current = now;
     }
-    std::optional<std::size_t> nextUnplaced =
-        m_nextUnplaced ? IndicesAfter(before, after).of(*m_nextUnplaced) : std::nullopt;
-    if (nextUnplaced && after[*nextUnplaced].isPlaced())
-        nextUnplaced = std::nullopt;
-    if (const std::optional<std::size_t> again = unplaced(before, after))
-        nextUnplaced = again;
-    return take(std::move(selection), current, nextUnplaced) ? Change::LandmarkSelection : Changes();
+    m_order = selection;
+    std::optional<std::size_t> next = waitingAgain(before, after);
+    if (!next && m_nextUnplaced && *m_nextUnplaced < before.size())
+        next = nextAfter(before, after, *m_nextUnplaced, IndicesAfter(before, after).of(*m_nextUnplaced));
+    else if (!next)
+        next = nextToPlace(after, std::nullopt);
+    return take(std::move(selection), current, next) ? Change::LandmarkSelection : Changes();
 }
 
 // ---- edits --------------------------------------------------------------------------------------
@@ -216,8 +257,8 @@ Check SceneLandmarks::place(Landmark placed)
     if (const Check done = editLandmarks(m_document, std::move(landmarks), {text}); !done)
         return done;
     selectOnly(index);
-    if (hasWaited)
-        waitForNext(index);
+    if (hasWaited && !m_nextUnplaced)
+        emit allPlaced();
     return std::monostate{};
 }
 
@@ -296,15 +337,35 @@ Check SceneLandmarks::setHidden(const std::vector<std::size_t> &indices, bool is
                 [&](Landmark &landmark) { landmark.isHidden = isHidden; });
 }
 
-Check SceneLandmarks::setMissing(const std::vector<std::size_t> &indices)
+Check SceneLandmarks::setMissing(const std::vector<std::size_t> &indices, bool isMissing)
 {
-    const ChangeNotifier::Batch batch(m_changes);
-    const std::optional<std::size_t> nextUnplaced = m_nextUnplaced; // a landmark made missing is not the next to place
-    const Check done =
-        edit(indices, tr("%1 missing"), tr("%n landmarks missing", nullptr, static_cast<int>(indices.size())),
-             [](Landmark &landmark) { takePlace(landmark, {}); });
-    setNextUnplaced(nextUnplaced);
-    return done;
+    const int count = static_cast<int>(indices.size());
+    return edit(indices, isMissing ? tr("Mark %1 as missing") : tr("Mark %1 as not missing"),
+                isMissing ? tr("Mark %n landmarks as missing", nullptr, count)
+                          : tr("Mark %n landmarks as not missing", nullptr, count),
+                [isMissing](Landmark &landmark) {
+                    if (isMissing)
+                        takePlace(landmark, {});
+                    if (isMissing || landmark.isMissing())
+                        landmark.absence = isMissing ? Absence::Missing : Absence::NotPlaced;
+                });
+}
+
+Check SceneLandmarks::skip(std::size_t index)
+{
+    Q_ASSERT(index < all().size());
+    if (all()[index].isPlaced() || all()[index].absence != Absence::NotPlaced) {
+        waitForNext(index);
+        return std::monostate{};
+    }
+    return edit({index}, tr("Skip %1"), {}, [](Landmark &landmark) { landmark.absence = Absence::Skipped; });
+}
+
+Check SceneLandmarks::placeAgain(const std::vector<std::size_t> &indices)
+{
+    return edit(indices, tr("Place %1 again"),
+                tr("Place %n landmarks again", nullptr, static_cast<int>(indices.size())),
+                [](Landmark &landmark) { takePlace(landmark, {}); });
 }
 
 Check SceneLandmarks::remove(const std::vector<std::size_t> &indices)

@@ -34,6 +34,8 @@ public:
 
     /// The selected indices, ascending.
     const std::vector<std::size_t> &selection() const { return m_selection; }
+    /// The same indices, in the order in which the user selected them.
+    const std::vector<std::size_t> &selectionInOrder() const { return m_order; }
     bool isSelected(std::size_t index) const;
     /// The selected landmark that keys move; nothing if none is selected.
     std::optional<std::size_t> current() const { return m_current; }
@@ -44,20 +46,22 @@ public:
     /// Adds a landmark to the selection as the current one, or removes it from the selection.
     void toggle(std::size_t index);
     void clearSelection() { select({}); }
-    /// The missing landmark that is placed next; nothing: the next placement appends a new one.
+    /// The landmark that the next placement places; nothing: it appends a new one. While a landmark
+    /// is to be placed, there is one. After an edit, also an undone one, it is the one that the edit
+    /// made wait again, else the following one.
     std::optional<std::size_t> nextUnplaced() const { return m_nextUnplaced; }
-    /// @param index  of a missing landmark; else none is next. A missing landmark that becomes the
-    /// current one is next automatically
+    /// @param index  of a landmark without a position; else the first to place is next. Such a
+    /// landmark that becomes the current one is next automatically, also if it is marked as missing
     void setNextUnplaced(std::optional<std::size_t> index);
-    /// Sets the next missing landmark after this one as the next to place, and wraps around at the
-    /// end; none: the first missing one.
+    /// Sets the next landmark to place after this one as the next, and wraps around at the end;
+    /// none: the first one. Skipped landmarks come after all others.
     void waitForNext(std::optional<std::size_t> after);
 
     // Edits. @return the errors of SceneDocument::edit…; landmarks cannot cause any
 
-    /// Places the next missing landmark and advances to the following one; without one, appends a
-    /// landmark, with a name of its own if it has none. Selects it.
-    /// @param placed  for a missing landmark only its position counts
+    /// Places the next landmark; without one, appends a landmark, with a name of its own if it has
+    /// none. Selects it. Emits allPlaced if it was the last one to place.
+    /// @param placed  for a landmark of the list only its position counts
     geometry::Check place(Landmark placed);
     /// Moves a landmark: takes over position, anchor, object and uncertainty of `to`.
     /// @param mergeKey  consecutive moves with the same key are one step
@@ -77,8 +81,14 @@ public:
     geometry::Check setColor(const std::vector<std::size_t> &indices, const std::optional<glm::u8vec3> &color);
     geometry::Check setHidden(const std::vector<std::size_t> &indices, bool isHidden);
     geometry::Check remove(const std::vector<std::size_t> &indices);
-    /// Marks landmarks as missing: they stay in the list without a position.
-    geometry::Check setMissing(const std::vector<std::size_t> &indices);
+    /// Marks landmarks as missing on this specimen, which removes their positions, or removes these
+    /// marks.
+    geometry::Check setMissing(const std::vector<std::size_t> &indices, bool isMissing = true);
+    /// Passes over a landmark to place: it comes again after the others. A landmark that is skipped
+    /// already, or marked as missing, does not change.
+    geometry::Check skip(std::size_t index);
+    /// Removes positions, and marks as missing or skipped: all are to be placed.
+    geometry::Check placeAgain(const std::vector<std::size_t> &indices);
     geometry::Check reorder(std::size_t from, std::size_t to);
     /// @param order  a permutation of the indices
     geometry::Check arrange(const std::vector<std::size_t> &order);
@@ -90,6 +100,10 @@ public:
     /// @return the changes of the selection
     Changes follow(const std::vector<Landmark> &before, const std::vector<Landmark> &after);
 
+signals:
+    /// Emitted when the last landmark to place has been placed.
+    void allPlaced();
+
 private:
     /// Changes single landmarks.
     template <class Change>
@@ -98,11 +112,14 @@ private:
     /// @return whether the selection differs
     bool take(std::vector<std::size_t> indices, std::optional<std::size_t> current,
               std::optional<std::size_t> nextUnplaced);
+    /// Keeps the order of a selection: added indices follow the present ones.
+    void orderSelection(const std::vector<std::size_t> &indices, std::optional<std::size_t> current);
     std::string freeName() const;
 
     SceneDocument &m_document;
     ChangeNotifier &m_changes;
     std::vector<std::size_t> m_selection;
+    std::vector<std::size_t> m_order; ///< the same indices, as they were selected
     std::optional<std::size_t> m_current;
     std::optional<std::size_t> m_nextUnplaced;
 };

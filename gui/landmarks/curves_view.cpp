@@ -127,7 +127,8 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
     m_reason->hide();
 
     m_join->setText(tr("Join"));
-    m_join->setToolTip(tr("Join the selected landmarks on the surface, in list order, to a curve with semilandmarks"));
+    m_join->setToolTip(tr(
+        "Join the selected landmarks on the surface, in the order of their selection, to a curve with semilandmarks"));
     m_join->setFocusPolicy(Qt::StrongFocus);
     m_join->setPopupMode(QToolButton::InstantPopup);
     auto *menu = new QMenu(m_join);
@@ -166,7 +167,7 @@ CurvesView::CurvesView(SceneDocument &document, QWidget *parent)
 
 void CurvesView::join(landmarks::CurveKind kind)
 {
-    const QString reason = m_document.curves().join(m_document.sceneLandmarks().selection(), kind);
+    const QString reason = m_document.curves().join(m_document.sceneLandmarks().selectionInOrder(), kind);
     say(reason.isEmpty() ? QString() : tr("No curve: %1.").arg(reason));
     if (!reason.isEmpty())
         return;

@@ -71,11 +71,21 @@ std::filesystem::path LandmarkTemplates::pictureFor(const QString &name) const
     return picture.empty() ? std::filesystem::path() : m_folder / files::pathFromUtf8(picture);
 }
 
-void fillFromTemplate(SceneDocument &document, const std::vector<landmarks::Landmark> &landmarks, const QString &name)
+QStringList fillFromTemplate(SceneDocument &document, const std::vector<landmarks::Landmark> &landmarks,
+                             const QString &name)
 {
-    static_cast<void>(editLandmarks(document, landmarks::inTemplateOrder(document.landmarks(), landmarks),
-                                    {Templates::tr("Template %1").arg(name)}));
+    std::vector<landmarks::Landmark> all = landmarks::inTemplateOrder(document.landmarks(), landmarks);
+    QStringList removed; // the template's names come first in the list
+    const auto others = all.begin() + static_cast<std::ptrdiff_t>(landmarks.size());
+    for (auto other = others; other != all.end(); ++other) {
+        if (other->isToPlace())
+            removed << QString::fromStdString(other->name);
+    }
+    all.erase(std::remove_if(others, all.end(), [](const landmarks::Landmark &other) { return other.isToPlace(); }),
+              all.end());
+    static_cast<void>(editLandmarks(document, std::move(all), {Templates::tr("Template %1").arg(name)}));
     document.sceneLandmarks().waitForNext(std::nullopt);
+    return removed;
 }
 
 } // namespace unprojector::gui

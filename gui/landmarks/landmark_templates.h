@@ -3,6 +3,7 @@
 #include "core/landmarks/landmark.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <filesystem>
 #include <optional>
@@ -15,7 +16,7 @@ class SceneDocument;
 /// Templates: lists of names to place in order, with a hint for each; the bundled ones and one that
 /// was loaded.
 ///
-/// A scene does not store its template: its names are landmarks, some of them missing. A name's
+/// A scene does not store its template: its names are landmarks, some not placed yet. A name's
 /// hint is looked up in the last chosen template, then in all others, so that a reopened scene has
 /// hints too.
 class LandmarkTemplates {
@@ -50,8 +51,11 @@ private:
     std::filesystem::path m_folder;
 };
 
-/// Appends a template's names that the scene lacks as missing landmarks, in one undoable step, and
-/// makes the first missing one the next to place.
-void fillFromTemplate(SceneDocument &document, const std::vector<landmarks::Landmark> &landmarks, const QString &name);
+/// Adds a template's names that the scene lacks as landmarks to place, in its order. It replaces the
+/// other landmarks to place; those marked as missing stay. One undoable step. The first landmark to
+/// place is next.
+/// @return the names that it removed
+QStringList fillFromTemplate(SceneDocument &document, const std::vector<landmarks::Landmark> &landmarks,
+                             const QString &name);
 
 } // namespace unprojector::gui

@@ -415,6 +415,19 @@ void LandmarkTool::tellUnmoved(std::size_t count, const QPointF &at)
                        &m_view);
 }
 
+bool LandmarkTool::showMenu(const QPointF &local, const QPoint &global)
+{
+    const WidgetPoint position = m_view.widgetPosition(local);
+    const LandmarkMark *mark = markUnder(marks(), QPointF(position.x, position.y));
+    if (!mark)
+        return false;
+    const std::size_t index = mark->index; // the selection changes the marks
+    SceneLandmarks &landmarks = m_document.sceneLandmarks();
+    landmarks.select(landmarks.isSelected(index) ? landmarks.selection() : std::vector{index}, index);
+    emit menuRequested(global);
+    return true;
+}
+
 bool LandmarkTool::showTip(const QHelpEvent &event)
 {
     if (m_document.landmarks().empty())

@@ -44,6 +44,7 @@ public:
     void hover(const std::optional<QPointF> &local) override;
     bool isKey(const QKeyEvent &event) const override;
     void pressKey(const QKeyEvent &event, bool isDragged) override;
+    bool showMenu(const QPointF &local, const QPoint &global) override;
     bool showTip(const QHelpEvent &event) override;
     bool prepareToDraw() override;
     void draw(QPainter &painter, const std::vector<QRectF> &taken) override;
@@ -51,6 +52,8 @@ public:
 
 signals:
     void placingChanged(bool isPlacing);
+    /// Emitted when the menu of the selected landmarks is wanted: a right click on a mark.
+    void menuRequested(const QPoint &global);
 
 private:
     enum class Drag { None, Landmark, Axis };

@@ -9,6 +9,7 @@
 #include "gui/landmarks/curve_waiting.h"
 #include "gui/landmarks/expected_landmarks.h"
 #include "gui/landmarks/file_questions.h"
+#include "gui/landmarks/guided_placing.h"
 #include "gui/landmarks/landmark_templates.h"
 #include "gui/landmarks/landmark_tool.h"
 #include "gui/landmarks/landmarks_panel.h"
@@ -83,6 +84,7 @@ private:
     SeriesPanel *m_seriesPanel;
     ExpectedLandmarks *m_expected;
     LandmarkTool *m_tool;
+    GuidedPlacing *m_guided;
     QAction *m_placing = nullptr;
     std::optional<std::pair<std::size_t, QString>> m_wanted; ///< scan and landmark to select
 };
@@ -93,7 +95,7 @@ LandmarksFeature::LandmarksFeature(Window &window)
       m_series(new ScanSeries(m_document, window.session(), this)),
       m_panel(new LandmarksPanel(m_document, m_templates)), m_seriesPanel(new SeriesPanel(*m_series)),
       m_expected(new ExpectedLandmarks(m_document, *m_series, this)),
-      m_tool(new LandmarkTool(m_document, window.view()))
+      m_tool(new LandmarkTool(m_document, window.view())), m_guided(new GuidedPlacing(m_document, this))
 {
     Session &session = window.session();
     m_tool->setExpected(*m_expected);
@@ -102,8 +104,14 @@ LandmarksFeature::LandmarksFeature(Window &window)
     connect(&session, &Session::commitPendingEdits, m_panel, &LandmarksPanel::applyTyped);
     connect(&session, &Session::landmarkFilesOpened, this, &LandmarksFeature::openFiles);
     connect(m_panel, &LandmarksPanel::warned, &session, &Session::warned);
+    connect(m_panel, &LandmarksPanel::noticed, &session, &Session::noticed);
+    connect(m_panel, &LandmarksPanel::showRequested, this, [this] { m_window.workspaces().show(Panel::Landmarks); });
     connect(m_panel, &LandmarksPanel::placingRequested, this, [this] { m_placing->setChecked(true); });
     connect(m_tool, &LandmarkTool::placingChanged, m_panel, &LandmarksPanel::setPlacing);
+    connect(m_tool, &LandmarkTool::placingChanged, m_guided, &GuidedPlacing::setPlacing);
+    connect(m_tool, &LandmarkTool::menuRequested, m_panel, &LandmarksPanel::openMenu);
+    connect(m_guided, &GuidedPlacing::placingWanted, this, [this](bool isOn) { m_placing->setChecked(isOn); });
+    connect(m_guided, &GuidedPlacing::noticed, &window, &Window::notice);
     connect(m_series, &ScanSeries::failed, &window, &Window::showFailure);
     connect(m_series, &ScanSeries::warned, &session, &Session::warned);
     connect(m_series, &ScanSeries::noticed, &session, &Session::noticed);
@@ -216,6 +224,13 @@ void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
     connect(m_tool, &LandmarkTool::placingChanged, m_placing, &QAction::setChecked);
     putOnBar(bar, *m_placing, Drawing::Points);
     bar.addSeparator();
+    addAction(menu, tr("S&kip Landmark"), Qt::Key_K,
+              tr("Go on with the next landmark to place; the skipped one comes again after the others"),
+              [this] { m_guided->skipNext(); });
+    addAction(menu, tr("Mark as &Missing"), Qt::Key_X,
+              tr("Mark the next landmark to place, else the selected ones, as missing on this specimen; again removes "
+                 "the mark"),
+              [this] { m_guided->toggleMissing(); });
     addAction(
         menu, tr("&Go to Landmark"), Qt::Key_G, tr("Turn the camera to face the surface at the selected landmark"),
         [this] { withCurrent([](SceneDocument &document, std::size_t index) { goToLandmark(document, index); }); });

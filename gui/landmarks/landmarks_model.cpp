@@ -76,6 +76,8 @@ int LandmarksModel::columnCount(const QModelIndex &parent) const
 
 QString LandmarksModel::coordinateText(const Landmark &landmark, int axis) const
 {
+    if (!landmark.world && axis == 0 && landmark.absence != landmarks::Absence::NotPlaced)
+        return heldByText(landmark); // in a column that is always in sight
     return landmark.world
                ? landmarkNotation(landmark, axis, kCoordinateRoom, kMostCoordinateRoom).text((*landmark.world)[axis])
                : QString(QChar(0x2013));
@@ -135,7 +137,7 @@ QString LandmarksModel::toolTip(const QModelIndex &index) const
 QVariant LandmarksModel::sortKey(const QModelIndex &index) const
 {
     const Landmark &landmark = this->point(index);
-    if (isCoordinate(index.column())) // missing landmarks come last
+    if (isCoordinate(index.column())) // those without a position come last
         return landmark.world ? (*landmark.world)[axisOf(index.column())] : std::numeric_limits<double>::infinity();
     if (index.column() == PlusMinus)
         return landmark.world && landmark.uncertainty ? length(*landmark.uncertainty)

@@ -3,6 +3,7 @@
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmarks/point_template.h"
+#include "gui/document/landmark_views.h"
 #include "gui/document/scene_document.h"
 #include "gui/landmarks/curves_view.h"
 #include "gui/landmarks/landmark_templates.h"
@@ -72,7 +73,8 @@ LandmarksPanel::LandmarksPanel(SceneDocument &document, LandmarkTemplates &templ
         m_reason->show();
     });
     connect(m_model, &LandmarksModel::accepted, m_reason, &QWidget::hide);
-    connect(m_table, &QWidget::customContextMenuRequested, this, &LandmarksPanel::showMenu);
+    connect(m_table, &QWidget::customContextMenuRequested, this,
+            [this](const QPoint &place) { openMenu(m_table->viewport()->mapToGlobal(place)); });
     connect(m_table, &LandmarksTable::removeRequested, this, &LandmarksPanel::removeSelected);
     connect(m_table, &LandmarksTable::copyRequested, this, &LandmarksPanel::copySelected);
 
@@ -180,20 +182,18 @@ void LandmarksPanel::fillTemplateMenu()
     for (const LandmarkTemplates::Bundled &bundled : m_templates.bundled()) {
         QAction *action = menu->addAction(bundled.name, this, [this, &bundled] {
             m_templates.choose(bundled.points);
-            fillFromTemplate(m_document, bundled.points, bundled.name);
-            m_next->refresh();
-            beginPlacing();
+            fillFrom(bundled.points, bundled.name);
         });
         action->setToolTip(bundled.source);
     }
     menu->addAction(tr("&None"), this,
                     [this] {
-                        std::vector<std::size_t> missing;
+                        std::vector<std::size_t> toPlace;
                         for (std::size_t i = 0; i < m_document.landmarks().size(); ++i) {
-                            if (!m_document.landmarks()[i].isPlaced())
-                                missing.push_back(i);
+                            if (m_document.landmarks()[i].isToPlace())
+                                toPlace.push_back(i);
                         }
-                        static_cast<void>(m_document.sceneLandmarks().remove(missing));
+                        static_cast<void>(m_document.sceneLandmarks().remove(toPlace));
                     })
         ->setToolTip(tr("Remove the names not placed yet and place landmarks freely"));
     menu->addSeparator();
@@ -204,7 +204,7 @@ void LandmarksPanel::fillTemplateMenu()
         std::vector<std::size_t> all(m_document.landmarks().size());
         for (std::size_t i = 0; i < all.size(); ++i)
             all[i] = i;
-        static_cast<void>(m_document.sceneLandmarks().setMissing(all));
+        static_cast<void>(m_document.sceneLandmarks().placeAgain(all));
         m_document.sceneLandmarks().waitForNext(std::nullopt);
         beginPlacing();
     });
@@ -231,9 +231,20 @@ void LandmarksPanel::takeTemplate(const std::filesystem::path &file)
     }
     std::vector<Landmark> landmarks = std::move(read).value().sets.front().landmarks;
     m_templates.choose(landmarks, file.parent_path());
-    fillFromTemplate(m_document, landmarks, pathText(file.stem()));
+    fillFrom(landmarks, pathText(file.stem()));
+}
+
+void LandmarksPanel::fillFrom(const std::vector<Landmark> &landmarks, const QString &name)
+{
+    const QStringList removed = fillFromTemplate(m_document, landmarks, name);
     m_next->refresh();
     beginPlacing();
+    if (removed.size() == 1)
+        emit noticed(tr("The template %1 replaced %2, which was not placed yet.").arg(name, removed.front()));
+    else if (!removed.isEmpty())
+        emit noticed(
+            tr("The template %1 replaced %n names that were not placed yet.", nullptr, static_cast<int>(removed.size()))
+                .arg(name));
 }
 
 void LandmarksPanel::beginPlacing()
@@ -325,39 +336,52 @@ void LandmarksPanel::addColorMenu(QMenu &menu)
     colors->addAction(tr("&Other…"), this, &LandmarksPanel::chooseColor);
 }
 
-void LandmarksPanel::showMenu(const QPoint &place)
+void LandmarksPanel::openMenu(const QPoint &global)
 {
     SceneLandmarks &landmarks = m_document.sceneLandmarks();
     const std::vector<std::size_t> selected = landmarks.selection();
     if (selected.empty())
         return;
     const std::vector<Landmark> &all = m_document.landmarks();
-    const bool areHidden =
-        std::all_of(selected.begin(), selected.end(), [&](std::size_t i) { return all[i].isHidden; });
-    const bool areMissing =
-        std::all_of(selected.begin(), selected.end(), [&](std::size_t i) { return !all[i].isPlaced(); });
+    const auto areAll = [&](const auto &condition) {
+        return std::all_of(selected.begin(), selected.end(), [&](std::size_t index) { return condition(all[index]); });
+    };
+    const bool areHidden = areAll([](const Landmark &landmark) { return landmark.isHidden; });
+    const bool areMissing = areAll([](const Landmark &landmark) { return landmark.isMissing(); });
+    const bool isPlaced = landmarks.current() && all[*landmarks.current()].isPlaced();
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("&Rename"), m_table, &LandmarksTable::renameCurrent);
+    menu->setObjectName(QStringLiteral("landmarkMenu"));
     // Each applies to the selection when triggered: the selection follows the landmarks, indices
     // don't.
-    menu->addAction(areHidden ? tr("&Show") : tr("&Hide"), this, [this, areHidden] {
-        static_cast<void>(m_document.sceneLandmarks().setHidden(m_document.sceneLandmarks().selection(), !areHidden));
+    menu->addAction(tr("&Go to Landmark"), this,
+                    [this, &landmarks] {
+                        if (landmarks.current())
+                            goToLandmark(m_document, *landmarks.current());
+                    })
+        ->setEnabled(isPlaced);
+    if (landmarks.current() && !isPlaced)
+        menu->addAction(tr("&Place Next"), this, [this, &landmarks] {
+            landmarks.setNextUnplaced(landmarks.current());
+            emit placingRequested();
+        });
+    menu->addSeparator();
+    menu->addAction(tr("&Rename"), this, [this] {
+        emit showRequested();
+        m_table->renameCurrent();
+    });
+    menu->addAction(areHidden ? tr("&Show") : tr("&Hide"), this, [&landmarks, areHidden] {
+        static_cast<void>(landmarks.setHidden(landmarks.selection(), !areHidden));
+    });
+    menu->addAction(areMissing ? tr("Mark as Not &Missing") : tr("Mark as &Missing"), this, [&landmarks, areMissing] {
+        static_cast<void>(landmarks.setMissing(landmarks.selection(), !areMissing));
     });
     addColorMenu(*menu);
-    menu->addSeparator();
-    if (areMissing)
-        menu->addAction(tr("&Place Next"), this,
-                        [this] { m_document.sceneLandmarks().setNextUnplaced(m_document.sceneLandmarks().current()); });
-    else
-        menu->addAction(tr("Mark as &Missing"), this, [this] {
-            static_cast<void>(m_document.sceneLandmarks().setMissing(m_document.sceneLandmarks().selection()));
-        });
     menu->addAction(tr("Copy as C&SV"), this, &LandmarksPanel::copySelected);
     menu->addSeparator();
     menu->addAction(tr("Re&move"), this, &LandmarksPanel::removeSelected);
     connect(m_model, &QAbstractItemModel::modelReset, menu, &QWidget::close);
-    menu->popup(m_table->viewport()->mapToGlobal(place));
+    menu->popup(global);
 }
 
 } // namespace unprojector::gui

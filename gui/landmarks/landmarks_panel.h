@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include <filesystem>
+#include <vector>
 
 class QLabel;
 class QMenu;
@@ -38,13 +39,20 @@ public:
     /// Commits pending input, as Enter does.
     void applyTyped();
 
+    /// Opens the menu of the selected landmarks.
+    void openMenu(const QPoint &global);
+
     QSize minimumSizeHint() const override;
 
 signals:
     /// Emitted when there are names to place: the next click should place the first.
     void placingRequested();
+    /// Emitted when the panel must be shown: the user is about to type into it.
+    void showRequested();
     /// Emitted with an error or import notes.
     void warned(const QString &text);
+    /// Emitted with what happened besides.
+    void noticed(const QString &text);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -53,6 +61,8 @@ private:
     /// Gives the table half of the height, or two thirds, until the user moves the splitter.
     void partHeight();
     void fillTemplateMenu();
+    /// Adds a template's names, and reports the names that it replaces.
+    void fillFrom(const std::vector<landmarks::Landmark> &landmarks, const QString &name);
     void beginPlacing();
     void loadTemplate();
     void saveTemplate();
@@ -61,7 +71,6 @@ private:
     void copySelected();
     void chooseColor();
     void addColorMenu(QMenu &menu);
-    void showMenu(const QPoint &place);
     void updateButtons();
 
     SceneDocument &m_document;

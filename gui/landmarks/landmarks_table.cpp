@@ -20,13 +20,14 @@
 #include <QStyledItemDelegate>
 
 #include <algorithm>
+#include <utility>
 
 namespace unprojector::gui {
 namespace {
 
-// The least visible characters of a name: names give way to digits and their ±.
-constexpr int kLeastNameRoom = 12;
-constexpr int kMostNameRoom = 19;
+constexpr int kLeastNameRoom = 12; // characters
+constexpr int kWholeNameRoom = 20; // a name this long has its width before coordinates and ±
+constexpr int kLeastRoom = 3;      // of a number
 
 /// Shortens the words of a name without enough room: a template's names may differ in any word.
 class NameDelegate : public QStyledItemDelegate {
@@ -85,6 +86,8 @@ LandmarksTable::LandmarksTable(SceneDocument &document, LandmarksModel *model, Q
         if (!(index.flags() & Qt::ItemIsEditable)) // an editable cell opens its editor instead
             goToLandmark(m_document, static_cast<std::size_t>(m_rows->mapToSource(index).row()));
     });
+    // A click on a row that is already selected: a landmark to place becomes the next one.
+    connect(this, &QTreeView::clicked, this, &LandmarksTable::tellSelection);
     connect(selectionModel(), &QItemSelectionModel::selectionChanged, this, &LandmarksTable::tellSelection);
     connect(selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex &current) {
         if (selectionModel()->isSelected(current)) // otherwise the selection is about to change
@@ -95,10 +98,12 @@ LandmarksTable::LandmarksTable(SceneDocument &document, LandmarksModel *model, Q
         if (!m_isFitting)
             m_ownWidths.insert(column);
     });
-    connect(model, &QAbstractItemModel::modelReset, this,
-            [this, model] { widenCoordinates(0, model->rowCount() - 1); });
+    connect(model, &QAbstractItemModel::modelReset, this, [this, model] {
+        m_widestName = 0;
+        widen(0, model->rowCount() - 1);
+    });
     connect(model, &QAbstractItemModel::dataChanged, this,
-            [this](const QModelIndex &from, const QModelIndex &to) { widenCoordinates(from.row(), to.row()); });
+            [this](const QModelIndex &from, const QModelIndex &to) { widen(from.row(), to.row()); });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & (Change::LandmarkSelection | Change::Landmarks))
             showSelection();
@@ -106,20 +111,35 @@ LandmarksTable::LandmarksTable(SceneDocument &document, LandmarksModel *model, Q
     showSelection();
 }
 
-void LandmarksTable::widenCoordinates(int first, int last)
+int LandmarksTable::widthFor(int column, int characters) const
+{
+    const int digit = QFontMetrics(font()).horizontalAdvance(u'0');
+    const int head = header()->fontMetrics().horizontalAdvance(model()->headerData(column, Qt::Horizontal).toString());
+    return std::max(characters * digit, head) + digit;
+}
+
+void LandmarksTable::widen(int first, int last)
 {
     const QScopedValueRollback<bool> fitting(m_isFitting, true);
     const QFontMetrics metrics(font());
     const int margin = metrics.horizontalAdvance(u'0');
-    for (const int column : {LandmarksModel::X, LandmarksModel::Y, LandmarksModel::Z}) {
+    const QAbstractItemModel &rows = *m_rows->sourceModel();
+    for (const int column :
+         {LandmarksModel::Number, LandmarksModel::X, LandmarksModel::Y, LandmarksModel::Z, LandmarksModel::PlusMinus}) {
         if (m_ownWidths.contains(column))
             continue;
         int width = header()->sectionSize(column);
         for (int row = first; row <= last; ++row)
-            width = std::max(
-                width, metrics.horizontalAdvance(m_rows->sourceModel()->index(row, column).data().toString()) + margin);
+            width = std::max(width, metrics.horizontalAdvance(rows.index(row, column).data().toString()) + margin);
         if (width > header()->sectionSize(column))
             header()->resizeSection(column, width);
+    }
+    const int around = style()->pixelMetric(QStyle::PM_IndicatorWidth, nullptr, this)
+                       + 4 * (style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, this) + 1);
+    for (int row = first; row <= last; ++row) {
+        const QModelIndex name = rows.index(row, LandmarksModel::Name);
+        const int swatch = name.data(Qt::DecorationRole).isValid() ? iconSize().width() + margin : 0;
+        m_widestName = std::max(m_widestName, around + swatch + metrics.horizontalAdvance(name.data().toString()));
     }
     fitName();
 }
@@ -133,8 +153,8 @@ void LandmarksTable::fitName()
     int others = 0;
     for (int column = 0; column <= LandmarksModel::PlusMinus; ++column)
         others += column == LandmarksModel::Name ? 0 : header()->sectionSize(column);
-    header()->resizeSection(LandmarksModel::Name,
-                            std::clamp(viewport()->width() - others, kLeastNameRoom * digit, kMostNameRoom * digit));
+    const int room = std::max(viewport()->width() - others, kWholeNameRoom * digit);
+    header()->resizeSection(LandmarksModel::Name, std::max(kLeastNameRoom * digit, std::min(m_widestName, room)));
 }
 
 void LandmarksTable::resizeEvent(QResizeEvent *event)
@@ -151,33 +171,34 @@ void LandmarksTable::useFonts()
 
 void LandmarksTable::fitColumns()
 {
-    const QFontMetrics metrics(font());
-    const int digit = metrics.horizontalAdvance(u'0');
-    const auto fit = [&](int column, int characters) {
-        const int head =
-            header()->fontMetrics().horizontalAdvance(model()->headerData(column, Qt::Horizontal).toString());
-        header()->resizeSection(column, std::max(characters * digit, head) + digit);
+    const auto fit = [this](int column, int characters) {
+        header()->resizeSection(column, widthFor(column, characters));
     };
     const QScopedValueRollback<bool> fitting(m_isFitting, true);
     m_ownWidths.clear();
-    // Up to ± without scrolling in a panel of the usual width.
-    fit(LandmarksModel::Number, 3);
-    fit(LandmarksModel::Name, kMostNameRoom - 1);
-    for (const int column : {LandmarksModel::X, LandmarksModel::Y, LandmarksModel::Z})
-        fit(column, LandmarksModel::kCoordinateRoom);
-    fit(LandmarksModel::PlusMinus, 8);
+    m_widestName = 0;
+    fit(LandmarksModel::Name, kLeastNameRoom);
+    for (const int column :
+         {LandmarksModel::Number, LandmarksModel::X, LandmarksModel::Y, LandmarksModel::Z, LandmarksModel::PlusMinus})
+        fit(column, kLeastRoom - 1); // with the margin
     fit(LandmarksModel::Object, 10);
     fit(LandmarksModel::HeldBy, 13);
     fit(LandmarksModel::Note, 16);
-    widenCoordinates(0, m_rows->sourceModel()->rowCount() - 1); // if more digits are certain
+    widen(0, m_rows->sourceModel()->rowCount() - 1); // if more digits are certain
 }
 
 QSize LandmarksTable::sizeHint() const
 {
     int width = 2 * frameWidth() + verticalScrollBar()->sizeHint().width() // appears with many landmarks
                 + kLeastNameRoom * QFontMetrics(font()).horizontalAdvance(u'0');
-    for (int column = 0; column <= LandmarksModel::PlusMinus; ++column)
-        width += column == LandmarksModel::Name ? 0 : header()->sectionSize(column);
+    // The usual width of the columns, once they have digits.
+    constexpr int kNumberRoom = 3, kPlusMinusRoom = 8;
+    constexpr int kCoordinates = LandmarksModel::kCoordinateRoom;
+    for (const auto &[column, characters] :
+         {std::pair(LandmarksModel::Number, kNumberRoom), std::pair(LandmarksModel::X, kCoordinates),
+          std::pair(LandmarksModel::Y, kCoordinates), std::pair(LandmarksModel::Z, kCoordinates),
+          std::pair(LandmarksModel::PlusMinus, kPlusMinusRoom)})
+        width += std::max(header()->sectionSize(column), widthFor(column, characters));
     return {width, QTreeView::sizeHint().height()};
 }
 

@@ -43,16 +43,20 @@ protected:
 private:
     void useFonts();
     void fitColumns();
-    /// Gives coordinate columns the room that some rows of the model need, except columns that the
-    /// user has resized.
-    void widenCoordinates(int first, int last);
-    /// Gives the name column the room that the columns up to ± leave.
+    /// The width of a column for a number of characters and its head.
+    int widthFor(int column, int characters) const;
+    /// Gives the columns of numbers and names the room that some rows of the model need, except
+    /// columns that the user has resized. Columns without digits are narrow.
+    void widen(int first, int last);
+    /// Gives the name column the room of its longest name, as far as the columns up to ± leave it,
+    /// and at least that of a usual name.
     void fitName();
     void showSelection();
     void tellSelection();
 
     SceneDocument &m_document;
     QSortFilterProxyModel *m_rows;
+    int m_widestName = 0;                       ///< with its check box and margins
     QSet<int> m_ownWidths;                      ///< columns that the user has resized
     bool m_isFitting = false;                   ///< column widths are being computed
     bool m_isShowing = false;                   ///< the document's selection is being shown and must not be sent back

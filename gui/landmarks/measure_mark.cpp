@@ -7,7 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace unprojector::gui {
 using namespace geometry;
@@ -40,12 +42,29 @@ public:
         if (a && b)
             m_lines.emplace_back(*a, *b);
     }
-    std::vector<QLineF> take() { return std::move(m_lines); }
+    void addImage(const glm::dvec3 &image)
+    {
+        if (const std::optional<QPointF> at = seen(image))
+            m_images.push_back(*at);
+    }
+    void addPlane(const std::array<WorldPoint, 4> &corners)
+    {
+        QPolygonF polygon;
+        for (const WorldPoint &corner : corners) {
+            if (const std::optional<QPointF> at = seen(corner.coordinates()))
+                polygon << *at;
+        }
+        if (polygon.size() == static_cast<qsizetype>(corners.size()))
+            m_plane = polygon;
+    }
+    MeasureMark take() { return {std::move(m_lines), std::move(m_plane), std::move(m_images), {}}; }
 
 private:
     const Setup &m_setup;
     Result<glm::dmat4> m_clipFromWorld;
     std::vector<QLineF> m_lines;
+    QPolygonF m_plane;
+    std::vector<QPointF> m_images;
 };
 
 /// Adds both legs of an angle, and an arc between them.
@@ -85,6 +104,31 @@ glm::dvec3 addHeight(Drawing &drawing, const std::vector<glm::dvec3> &at)
     return (at[3] + foot) / 2.0;
 }
 
+/// Adds the plane; for a pair the mirror image of each landmark, with a line to the other one; and
+/// for a landmark of the middle a line to its foot on the plane.
+/// @param at  landmarks by twos: a landmark and its partner, or itself
+/// @return the position of the label: on the line of a single pair or landmark, else on the plane
+glm::dvec3 addMirror(Drawing &drawing, const std::vector<glm::dvec3> &at, const ShownMeasure::Mirror &mirror)
+{
+    drawing.addPlane(mirror.corners);
+    glm::dvec3 middle = mirror.corners[3].coordinates();
+    for (std::size_t i = 0; i + 1 < at.size(); i += 2) {
+        const glm::dvec3 image = mirror.plane.mirrored(WorldPoint(at[i])).coordinates();
+        const bool isMiddle = at[i] == at[i + 1];
+        const glm::dvec3 to = isMiddle ? (at[i] + image) / 2.0 : image;
+        drawing.addImage(image);
+        drawing.add(at[i + 1], to);
+        if (!isMiddle) {
+            const glm::dvec3 other = mirror.plane.mirrored(WorldPoint(at[i + 1])).coordinates();
+            drawing.addImage(other);
+            drawing.add(at[i], other);
+        }
+        if (at.size() == 2)
+            middle = (at[1] + to) / 2.0;
+    }
+    return middle;
+}
+
 /// Adds a polyline. @return its middle, measured along it
 glm::dvec3 addPolyline(Drawing &drawing, const std::vector<glm::dvec3> &at)
 {
@@ -116,6 +160,11 @@ std::optional<MeasureMark> measureMark(const SceneDocument &document)
     case Shape::Polyline: middle = addPolyline(drawing, at); break;
     case Shape::Angle: middle = addAngle(drawing, at); break;
     case Shape::Height: middle = addHeight(drawing, at); break;
+    case Shape::Mirror:
+        if (!shown->mirror)
+            return std::nullopt;
+        middle = addMirror(drawing, at, *shown->mirror);
+        break;
     case Shape::Surface: {
         const SceneCurves::Line *line = document.curves().throughSelected();
         if (!line || !line->line || line->isComputing || line->line->path.empty())
@@ -127,8 +176,7 @@ std::optional<MeasureMark> measureMark(const SceneDocument &document)
     const std::optional<QPointF> seen = drawing.seen(middle);
     if (!seen)
         return std::nullopt;
-    MeasureMark mark;
-    mark.lines = drawing.take();
+    MeasureMark mark = drawing.take();
     mark.label.at = *seen;
     mark.label.label = shown->text;
     mark.label.isCurrent = true; // it is placed before others
@@ -138,7 +186,16 @@ std::optional<MeasureMark> measureMark(const SceneDocument &document)
 void drawMeasure(QPainter &painter, const MeasureMark &mark, const std::optional<PlacedLabel> &label)
 {
     painter.setRenderHint(QPainter::Antialiasing);
+    if (!mark.plane.isEmpty()) {
+        painter.setPen(QPen(QColor(0x1f, 0x5f, 0xbf, 200), 1.5));
+        painter.setBrush(QColor(0x56, 0xb4, 0xe9, 60)); // the surface shows through
+        painter.drawPolygon(mark.plane);
+    }
     std::vector<QLineF> lines = mark.lines;
+    for (const QPointF &image : mark.images) { // crosses
+        lines.emplace_back(image - QPointF(kMarkRadius, kMarkRadius), image + QPointF(kMarkRadius, kMarkRadius));
+        lines.emplace_back(image - QPointF(kMarkRadius, -kMarkRadius), image + QPointF(kMarkRadius, -kMarkRadius));
+    }
     if (label && label->hasLeader)
         lines.emplace_back(mark.label.at, label->box.center()); // the box hides its end
     for (const auto &[color, width] : {std::pair(QColor(0, 0, 0, 170), 3.5), std::pair(QColor(Qt::white), 1.5)}) {

@@ -3,6 +3,7 @@
 #include "gui/landmarks/landmark_marks.h"
 
 #include <QLineF>
+#include <QPolygonF>
 
 #include <optional>
 #include <vector>
@@ -13,8 +14,10 @@ namespace unprojector::gui {
 
 /// The drawing of a measure in the view.
 struct MeasureMark {
-    std::vector<QLineF> lines; ///< logical pixels of the surface; a geodesic is drawn with the curves instead
-    LandmarkMark label;        ///< represents the measure in the label layout: its text and anchor position
+    std::vector<QLineF> lines;   ///< logical pixels of the surface; a geodesic is drawn with the curves instead
+    QPolygonF plane;             ///< a mirror plane's rectangle; empty: none, or a part is behind the eye
+    std::vector<QPointF> images; ///< mirror images of landmarks
+    LandmarkMark label;          ///< represents the measure in the label layout: its text and anchor position
 };
 
 /// The mark of the measure that the document shows; nothing if there is none, or it is behind the

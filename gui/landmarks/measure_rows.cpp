@@ -9,6 +9,9 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <functional>
+#include <numeric>
+
 namespace unprojector::gui {
 using namespace geometry;
 
@@ -43,18 +46,30 @@ QString namesOf(const LandmarkSet &set, const std::vector<std::size_t> &indices)
     return names.join(QStringLiteral(" – "));
 }
 
-MeasureRow lengthRow(const QString &kind, const QString &points, const Measured &measured, const LandmarkSet &set)
+/// Why a measure of these landmarks does not exist.
+QString reasonOf(const landmarks::MeasureError &error, const LandmarkSet &set, const std::vector<std::size_t> &indices)
+{
+    if (error.code != landmarks::MeasureError::Code::Missing)
+        return measureErrorText(error);
+    const std::size_t index = indices[error.point];
+    return absenceText(set.landmarks[index], nameOf(set, index));
+}
+
+/// @param indices  of the landmarks, as they were measured
+MeasureRow lengthRow(const QString &kind, const QString &points, const Measured &measured, const LandmarkSet &set,
+                     const std::vector<std::size_t> &indices)
 {
     if (!measured)
-        return {kind, points, measureErrorText(measured.error())};
+        return {kind, points, reasonOf(measured.error(), set, indices)};
     return {kind, points, lengthText(*measured, QString::fromStdString(set.unit)), measured->value, measured->error};
 }
 
-MeasureRow angleRow(const QString &points, const Measured &measured)
+MeasureRow angleRow(const QString &points, const Measured &measured, const LandmarkSet &set,
+                    const std::vector<std::size_t> &indices)
 {
     const QString kind = Measures::tr("Angle");
     if (!measured)
-        return {kind, points, measureErrorText(measured.error())};
+        return {kind, points, reasonOf(measured.error(), set, indices)};
     return {kind, points, angleText(*measured), degreesFromRadians(measured->value),
             measured->error ? std::optional(degreesFromRadians(*measured->error)) : std::nullopt};
 }
@@ -79,24 +94,26 @@ std::vector<MeasureRow> measuresOf(const LandmarkSet &set, const std::vector<std
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t k = i + 1; k < count; ++k)
                 addShown(lengthRow(Measures::tr("Distance"), namesOf(set, {indices[i], indices[k]}),
-                                   landmarks::distanceOf(*points[i], *points[k]), set),
+                                   landmarks::distanceOf(*points[i], *points[k]), set, {indices[i], indices[k]}),
                          {Shape::Polyline, {indices[i], indices[k]}, {}});
         }
     }
     for (std::size_t i = 0; count == 3 && i < count; ++i) {
         const std::size_t a = (i + 2) % 3, c = (i + 1) % 3;
         addShown(angleRow(Measures::tr("at %1").arg(nameOf(set, indices[i])),
-                          landmarks::angleAt(*points[i], *points[a], *points[c])),
+                          landmarks::angleAt(*points[i], *points[a], *points[c]), set,
+                          {indices[i], indices[a], indices[c]}),
                  {Shape::Angle, {indices[i], indices[a], indices[c]}, {}});
     }
     if (count == 4)
         addShown(lengthRow(Measures::tr("Height"),
                            Measures::tr("%1 over the plane %2")
                                .arg(nameOf(set, indices[3]), namesOf(set, {indices[0], indices[1], indices[2]})),
-                           landmarks::heightOver(*points[0], *points[1], *points[2], *points[3]), set),
+                           landmarks::heightOver(*points[0], *points[1], *points[2], *points[3]), set, indices),
                  {Shape::Height, indices, {}});
     if (count >= 3)
-        addShown(lengthRow(Measures::tr("Length along"), namesOf(set, indices), landmarks::lengthAlong(points), set),
+        addShown(lengthRow(Measures::tr("Length along"), namesOf(set, indices), landmarks::lengthAlong(points), set,
+                           indices),
                  {Shape::Polyline, indices, {}});
     return rows;
 }
@@ -158,6 +175,65 @@ std::vector<MeasureRow> madeFrom(const LandmarkSet &set, const std::vector<landm
     return rows;
 }
 
+QString normalText(const geometry::WorldVector &normal, const std::function<QString(double)> &text)
+{
+    return Measures::tr("normal (%1, %2, %3)").arg(text(normal.x), text(normal.y), text(normal.z));
+}
+
+/// The row of the mirror plane. The view shows the plane and all mirror images.
+MeasureRow planeRow(const LandmarkSet &set, const std::vector<landmarks::Pair> &pairs,
+                    const landmarks::Symmetry &symmetry, const ShownMeasure::Mirror &mirror)
+{
+    constexpr int kDigits = 5;
+    const landmarks::MirrorPlane &plane = symmetry.plane;
+    const landmarks::Measure offset{plane.offset, symmetry.offsetError};
+    MeasureRow row{Measures::tr("Mirror plane"),
+                   normalText(plane.normal, [](double value) { return writtenText(value, kDigits); }),
+                   Measures::tr("offset %1").arg(lengthText(offset, QString::fromStdString(set.unit))), plane.offset,
+                   symmetry.offsetError};
+    row.copied = normalText(plane.normal, [](double value) { return shortestText(value); });
+    std::vector<std::size_t> partners(set.landmarks.size());
+    std::iota(partners.begin(), partners.end(), std::size_t{0});
+    for (const landmarks::Pair &pair : pairs) {
+        partners[pair.left] = pair.right;
+        partners[pair.right] = pair.left;
+    }
+    ShownMeasure shown{ShownMeasure::Shape::Mirror, {}, Measures::tr("Mirror plane"), mirror};
+    for (const std::size_t index : symmetry.counted) {
+        if (partners[index] >= index) // a pair once
+            shown.points.insert(shown.points.end(), {index, partners[index]});
+    }
+    row.shown = std::move(shown);
+    return row;
+}
+
+/// Rows for the pairs of which a landmark has no position, with their number.
+std::vector<MeasureRow> leftOut(const LandmarkSet &set, const std::vector<landmarks::Pair> &pairs)
+{
+    std::vector<std::size_t> toPlace, missing;
+    int pairsToPlace = 0, pairsMissing = 0;
+    for (const landmarks::Pair &pair : pairs) {
+        const Landmark &left = set.landmarks[pair.left], &right = set.landmarks[pair.right];
+        if (left.isPlaced() && right.isPlaced())
+            continue;
+        const bool isMissing = left.isMissing() || right.isMissing();
+        ++(isMissing ? pairsMissing : pairsToPlace);
+        for (const std::size_t index : {pair.left, pair.right}) {
+            if (isMissing ? set.landmarks[index].isMissing() : set.landmarks[index].isToPlace())
+                (isMissing ? missing : toPlace).push_back(index);
+        }
+    }
+    std::vector<MeasureRow> rows;
+    if (pairsToPlace > 0)
+        rows.push_back({Measures::tr("Left out"), Measures::tr("not placed yet: %1").arg(listOf(set, toPlace)),
+                        Measures::tr("pairs: %1").arg(pairsToPlace)});
+    if (pairsMissing > 0)
+        rows.push_back({Measures::tr("Left out"),
+                        Measures::tr("missing on this specimen: %1").arg(listOf(set, missing)),
+                        Measures::tr("pairs: %1").arg(pairsMissing)});
+    return rows;
+}
+
 } // namespace
 
 std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
@@ -170,56 +246,57 @@ std::vector<MeasureRow> sidesOf(const LandmarkSet &whole)
     const std::vector<landmarks::Pair> pairs = landmarks::pairsByName(set.landmarks);
     if (pairs.empty())
         return {};
-    const auto whyNot = [&](std::size_t index) {
-        return !whole.landmarks[index].isPlaced() ? Measures::tr("%1 is not placed").arg(nameOf(set, index))
-                                                  : Measures::tr("%1 is hidden").arg(nameOf(set, index));
-    };
     const std::optional<landmarks::Symmetry> symmetry = landmarks::symmetryOf(set.landmarks, pairs);
     std::vector<MeasureRow> rows;
-    const QString unit = QString::fromStdString(set.unit);
+    std::optional<ShownMeasure::Mirror> mirror;
     if (symmetry) {
-        const landmarks::MirrorPlane *plane = &symmetry->plane;
-        constexpr int kDigits = 5;
-        rows.push_back({Measures::tr("Mirror plane"),
-                        Measures::tr("normal (%1, %2, %3)")
-                            .arg(writtenText(plane->normal.x, kDigits), writtenText(plane->normal.y, kDigits),
-                                 writtenText(plane->normal.z, kDigits)),
-                        Measures::tr("offset %1").arg(lengthText({plane->offset, symmetry->offsetError}, unit)),
-                        plane->offset, symmetry->offsetError});
+        mirror = ShownMeasure::Mirror{symmetry->plane,
+                                      landmarks::rectangleOf(symmetry->plane, set.landmarks, symmetry->counted)};
+        rows.push_back(planeRow(set, pairs, *symmetry, *mirror));
         for (MeasureRow &row : madeFrom(set, pairs, symmetry->counted))
             rows.push_back(std::move(row));
     } else {
         rows.push_back(
             {Measures::tr("Mirror plane"), {}, Measures::tr("too few pairs; place more left and right landmarks")});
     }
-    const auto add = [&](const QString &kind, const QString &points, std::size_t index, std::size_t partner) {
+    const auto add = [&](const QString &kind, const QString &points, std::size_t index, std::size_t partner,
+                         const std::optional<landmarks::Measure> &measure) {
         MeasureRow row{kind, points, {}};
-        if (!set.landmarks[index].isPlaced() || !set.landmarks[partner].isPlaced()) {
-            row.value = whyNot(!set.landmarks[index].isPlaced() ? index : partner);
-        } else if (symmetry && symmetry->asymmetries[index]) {
-            row.number = symmetry->asymmetries[index]->value;
-            row.error = symmetry->asymmetries[index]->error;
-            row.value = lengthText(*symmetry->asymmetries[index], unit);
+        if (whole.landmarks[index].isHidden || whole.landmarks[partner].isHidden) {
+            row.value =
+                Measures::tr("%1 is hidden").arg(nameOf(set, whole.landmarks[index].isHidden ? index : partner));
+        } else if (measure) {
+            row.number = measure->value;
+            row.error = measure->error;
+            row.value = lengthText(*measure, QString::fromStdString(set.unit));
+            row.shown = ShownMeasure{ShownMeasure::Shape::Mirror, {index, partner}, {}, mirror};
         } else {
             return;
         }
         rows.push_back(std::move(row));
     };
+    using Values = std::vector<std::optional<landmarks::Measure>>;
+    const Values none(set.landmarks.size());
+    const Values &asymmetries = symmetry ? symmetry->asymmetries : none;
+    const Values &distances = symmetry ? symmetry->distances : none;
     std::vector<bool> isPaired(set.landmarks.size(), false);
     for (const landmarks::Pair &pair : pairs) {
         isPaired[pair.left] = isPaired[pair.right] = true;
-        add(Measures::tr("Asymmetry"), QStringLiteral("%1 ↔ %2").arg(nameOf(set, pair.left), nameOf(set, pair.right)),
-            pair.left, pair.right);
+        if (whole.landmarks[pair.left].isPlaced() && whole.landmarks[pair.right].isPlaced())
+            add(Measures::tr("Asymmetry"),
+                QStringLiteral("%1 ↔ %2").arg(nameOf(set, pair.left), nameOf(set, pair.right)), pair.left, pair.right,
+                asymmetries[pair.left]);
     }
     for (std::size_t i = 0; i < isPaired.size(); ++i) {
-        if (isPaired[i] || !whole.landmarks[i].isPlaced()) // names to place are listed above
+        if (isPaired[i] || !whole.landmarks[i].isPlaced()) // the table lists names to place
             continue;
         if (landmarks::isSided(set.landmarks[i].name))
             rows.push_back({Measures::tr("Left out"), nameOf(set, i), Measures::tr("no partner on the other side")});
         else
-            add(Measures::tr("Distance from the mirror plane"), nameOf(set, i), i,
-                i); // between the landmark and its image
+            add(Measures::tr("Plane distance"), nameOf(set, i), i, i, distances[i]);
     }
+    for (MeasureRow &row : leftOut(whole, pairs))
+        rows.push_back(std::move(row));
     return rows;
 }
 
@@ -233,8 +310,9 @@ QString csvOf(const std::vector<MeasureRow> &rows, const QString &unit)
     QString csv = QStringLiteral("kind,points,value,error,unit\n");
     for (const MeasureRow &row : rows) {
         const bool isAngle = row.value.contains(QChar(0x00B0));
-        csv += cell(row.kind) + u',' + cell(row.points) + u',' + (row.number ? shortestText(*row.number) : QString())
-               + u',' + (row.error ? shortestText(*row.error) : QString()) + u','
+        csv += cell(row.kind) + u',' + cell(row.copied.isEmpty() ? row.points : row.copied) + u','
+               + (row.number ? shortestText(*row.number) : QString()) + u','
+               + (row.error ? shortestText(*row.error) : QString()) + u','
                + cell(isAngle ? QStringLiteral("deg") : unit) + u'\n';
     }
     return csv;

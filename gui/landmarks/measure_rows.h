@@ -20,6 +20,7 @@ struct MeasureRow {
     std::optional<double> error = {};
     /// The measure for the view, without its text; nothing if the view cannot show it.
     std::optional<ShownMeasure> shown = {};
+    QString copied = {}; ///< `points` with all digits; empty: the same
 };
 
 /// The measures of some landmarks, in list order: the distance of two; the angles of three and
@@ -36,9 +37,9 @@ MeasureRow surfaceLengthOf(const landmarks::LandmarkSet &set, const std::vector<
 QString curveLengthText(const SceneCurves::Line &line, const QString &unit);
 
 /// Rows for the plane that best mirrors left landmarks to right ones: its landmarks and those
-/// without an uncertainty. Then for each pair, and each landmark of the middle, the distance from
-/// its mirror image, or why it is left out: it is hidden, or has a side but no partner. Empty
-/// without a pair.
+/// without an uncertainty. Then for each pair the asymmetry, and for each landmark of the middle the
+/// distance from the plane, or why it is left out: it is hidden, or has a side but no partner. The
+/// last rows count the pairs without both positions. Empty without a pair.
 std::vector<MeasureRow> sidesOf(const landmarks::LandmarkSet &set);
 
 /// The rows as a table: kind, points, value and error with all their digits, unit.

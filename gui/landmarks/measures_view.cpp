@@ -52,9 +52,9 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     m_rows->setFocusPolicy(Qt::StrongFocus);
     m_rows->setContextMenuPolicy(Qt::CustomContextMenu);
     m_rows->header()->setStretchLastSection(false);
-    m_rows->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_rows->header()->setSectionResizeMode(QHeaderView::Fixed);
     m_rows->header()->setSectionResizeMode(1, QHeaderView::Stretch);
-    m_rows->header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+    m_rows->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     connect(m_rows, &QWidget::customContextMenuRequested, this, &MeasuresView::showMenu);
     m_empty->setWordWrap(true);
     m_unit->setAccessibleName(tr("Unit of the scene"));
@@ -128,12 +128,20 @@ void MeasuresView::showRows()
         auto *item = new QTreeWidgetItem(m_rows, {row.kind, row.points, row.value});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
         QString tip =
-            tr("%1 %2: %3", "what is measured, of which points, its value").arg(row.kind, row.points, row.value);
+            row.value.isEmpty()
+                ? tr("%1 %2", "what is shown, of which landmarks").arg(row.kind, row.points)
+                : tr("%1 %2: %3", "what is measured, of which points, its value").arg(row.kind, row.points, row.value);
         if (row.shown && row.shown->shape == ShownMeasure::Shape::Surface)
             tip += QStringLiteral(". ")
                    + tr("Geodesic of the mesh from landmark to landmark, like a thread pulled tight, exact to rounding "
                         "for the triangles. Around a hole or a hill it follows the shortest of the paths over sample "
                         "points on the edges.");
+        if (isSides && row.shown && row.shown->points.size() == 2)
+            tip += QStringLiteral(". ")
+                   + (row.shown->points[0] == row.shown->points[1]
+                          ? tr("The distance of a landmark of the middle from the mirror plane. Its mirror image is "
+                               "twice as far.")
+                          : tr("The distance of a landmark's mirror image from its partner."));
         if (isSides && m_rows->topLevelItemCount() <= kPlaneRows)
             tip += QStringLiteral(". ")
                    + tr("A landmark without left or right in its name counts as in the middle. A hidden landmark is "
@@ -149,6 +157,7 @@ void MeasuresView::showRows()
     m_rows->setVisible(!m_listed.empty());
     layout()->activate();
     showWholeRows();
+    fitColumns();
     showChosen();
 }
 
@@ -166,6 +175,22 @@ void MeasuresView::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     showWholeRows();
+    fitColumns();
+}
+
+void MeasuresView::fitColumns()
+{
+    constexpr double kMostOfKinds = 0.35, kMostOfValues = 0.45;
+    const int width = m_rows->viewport()->width();
+    QHeaderView &header = *m_rows->header();
+    const auto wanted = [this, &header](int column) {
+        return std::max(static_cast<QAbstractItemView *>(m_rows)->sizeHintForColumn(column),
+                        header.sectionSizeHint(column));
+    };
+    const int kinds = std::min(wanted(0), static_cast<int>(kMostOfKinds * width));
+    const int values = std::min(wanted(2), static_cast<int>(kMostOfValues * width));
+    header.resizeSection(0, kinds);
+    header.resizeSection(2, values);
 }
 
 void MeasuresView::showChosen()
@@ -181,7 +206,7 @@ void MeasuresView::showChosen()
     if (m_chosen) {
         const MeasureRow &row = m_listed[static_cast<std::size_t>(*m_chosen)];
         shown = row.shown;
-        if (shown)
+        if (shown && shown->text.isEmpty())
             shown->text = row.value;
     }
     m_rows->clearSelection();

@@ -36,6 +36,8 @@ private:
 
     std::vector<MeasureRow> rows() const;
     void showRows();
+    /// Divides the width among the columns: long texts of one leave room to the others.
+    void fitColumns();
     /// Makes the table as high as its rows, so that none is cut off.
     void showWholeRows();
     /// Shows the chosen row in the view.

@@ -12,7 +12,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <cstddef>
+#include <algorithm>
 #include <utility>
 
 namespace unprojector::gui {
@@ -21,7 +21,7 @@ NextLandmarkBar::NextLandmarkBar(SceneDocument &document, Hint hint, Picture pic
                                  QWidget *parent)
     : QWidget(parent), m_document(document), m_hint(std::move(hint)), m_picture(std::move(picture)),
       m_isOfTemplate(std::move(isOfTemplate)), m_name(new QLabel), m_how(new QLabel), m_where(new QLabel),
-      m_drawing(new QLabel), m_count(new QLabel), m_skip(new QToolButton)
+      m_drawing(new QLabel), m_count(new QLabel), m_skip(new QToolButton), m_missing(new QToolButton)
 {
     for (QLabel *label : {m_name, m_how, m_where, m_drawing, m_count}) {
         label->setTextFormat(Qt::PlainText); // names come from files
@@ -34,36 +34,64 @@ NextLandmarkBar::NextLandmarkBar(SceneDocument &document, Hint hint, Picture pic
     m_drawing->hide();
     m_count->setAccessibleName(tr("Number of placed landmarks"));
     m_skip->setText(tr("Skip"));
-    m_skip->setToolTip(tr("Leave this one missing and go on with the next"));
-    m_skip->setFocusPolicy(Qt::StrongFocus);
+    m_skip->setToolTip(tr("Go on with the next one; this one comes again after the others (K)"));
+    m_missing->setText(tr("Missing", "button: mark the landmark as missing"));
+    m_missing->setToolTip(tr("Mark this one as missing on this specimen, and go on with the next (X)"));
+    m_missing->setCheckable(true);
+    for (QToolButton *button : {m_skip, m_missing})
+        button->setFocusPolicy(Qt::StrongFocus);
     connect(m_skip, &QToolButton::clicked, this, [this] {
         SceneLandmarks &landmarks = m_document.sceneLandmarks();
-        landmarks.waitForNext(landmarks.nextUnplaced());
+        if (landmarks.nextUnplaced())
+            static_cast<void>(landmarks.skip(*landmarks.nextUnplaced()));
+    });
+    connect(m_missing, &QToolButton::clicked, this, [this](bool isMissing) {
+        SceneLandmarks &landmarks = m_document.sceneLandmarks();
+        if (landmarks.nextUnplaced())
+            static_cast<void>(landmarks.setMissing({*landmarks.nextUnplaced()}, isMissing));
     });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & (Change::Landmarks | Change::LandmarkSelection))
-            refresh();
+            showNext();
     });
+    m_name->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_where->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_count->setMinimumWidth(1); // it does not widen the panel
+    connect(&m_document, &SceneDocument::opened, this, [this] { m_hasNext = m_isDone = false; });
     auto *line = new QHBoxLayout;
-    line->addWidget(m_name, 1);
-    line->addWidget(m_count, 0, Qt::AlignTop);
-    line->addWidget(m_skip, 0, Qt::AlignTop);
+    line->addWidget(m_count, 1);
+    line->addWidget(m_skip);
+    line->addWidget(m_missing);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addLayout(line);
+    layout->addWidget(m_name);
     layout->addWidget(m_how);
     auto *place = new QHBoxLayout;
     place->addWidget(m_where, 1, Qt::AlignTop);
     place->addWidget(m_drawing, 0, Qt::AlignTop);
     layout->addLayout(place);
+    layout->addLayout(line);
     useFonts();
     refresh();
 }
 
 void NextLandmarkBar::setPlacing(bool isPlacing)
 {
-    m_how->setText(isPlacing ? tr("Click its position; P or Esc ends placing.")
-                             : tr("Press P, then click its position."));
+    m_isPlacing = isPlacing;
+    showHow();
+}
+
+QString NextLandmarkBar::howText(bool isDone, bool isPlacing)
+{
+    if (isDone)
+        return isPlacing ? tr("A click places a further landmark; P or Esc ends placing.")
+                         : tr("To place further landmarks, press P.");
+    return isPlacing ? tr("Click its position; P or Esc ends placing.") : tr("Press P, then click its position.");
+}
+
+void NextLandmarkBar::showHow()
+{
+    m_how->setText(howText(m_isDone, m_isPlacing));
 }
 
 void NextLandmarkBar::useFonts()
@@ -72,6 +100,8 @@ void NextLandmarkBar::useFonts()
     large.setPointSizeF(1.4 * large.pointSizeF());
     large.setBold(true);
     m_name->setFont(large);
+    m_names.clear();
+    reserveRoom();
 }
 
 void NextLandmarkBar::changeEvent(QEvent *event)
@@ -79,6 +109,59 @@ void NextLandmarkBar::changeEvent(QEvent *event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::ApplicationFontChange)
         useFonts();
+}
+
+void NextLandmarkBar::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    m_names.clear();
+    reserveRoom();
+}
+
+int NextLandmarkBar::pictureSide() const
+{
+    constexpr int kLines = 9;
+    return kLines * fontMetrics().lineSpacing();
+}
+
+void NextLandmarkBar::reserveRoom()
+{
+    const std::vector<landmarks::Landmark> &landmarks = m_document.landmarks();
+    const auto isKnown = [](const landmarks::Landmark &landmark, const std::string &name) {
+        return landmark.name == name;
+    };
+    if (std::equal(landmarks.begin(), landmarks.end(), m_names.begin(), m_names.end(), isKnown))
+        return;
+    m_names.clear();
+    constexpr int kLeastHintLines = 2;
+    const bool hasPictures = std::any_of(landmarks.begin(), landmarks.end(), [this](const auto &landmark) {
+        return !m_picture(QString::fromStdString(landmark.name)).empty();
+    });
+    const int width = contentsRect().width();
+    const int hintWidth = hasPictures ? width - pictureSide() - layout()->spacing() : width;
+    int nameHeight = 0, hintHeight = hasPictures ? pictureSide() : kLeastHintLines * fontMetrics().lineSpacing();
+    const auto heightOf = [](const QLabel &label, int room, const QString &text) {
+        return label.fontMetrics()
+            .boundingRect(0, 0, std::max(1, room), QWIDGETSIZE_MAX, Qt::TextWordWrap, text)
+            .height();
+    };
+    bool hasHints = false;
+    for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        m_names.push_back(landmarks[i].name);
+        const QString hint = m_hint(QString::fromStdString(landmarks[i].name));
+        hasHints = hasHints || !hint.isEmpty();
+        nameHeight = std::max(nameHeight, heightOf(*m_name, width, nextText(i)));
+        hintHeight = std::max(hintHeight, heightOf(*m_where, hintWidth, hint));
+    }
+    int howHeight = 0;
+    for (const bool isDone : {false, true}) {
+        for (const bool isPlacing : {false, true})
+            howHeight = std::max(howHeight, heightOf(*m_how, width, howText(isDone, isPlacing)));
+    }
+    m_name->setMinimumHeight(nameHeight);
+    m_how->setMinimumHeight(howHeight);
+    m_where->setMinimumHeight(hintHeight);
+    m_where->setVisible(hasHints || hasPictures);
 }
 
 void NextLandmarkBar::showPicture(const std::filesystem::path &file)
@@ -99,9 +182,8 @@ void NextLandmarkBar::showPicture(const std::filesystem::path &file)
         m_drawing->setText(tr("The image %1 cannot be shown: %2.").arg(name, reader.errorString()));
         return;
     }
-    constexpr int kLines = 9;
     const double ratio = devicePixelRatioF();
-    const int side = static_cast<int>(kLines * fontMetrics().lineSpacing() * ratio);
+    const int side = static_cast<int>(pictureSide() * ratio);
     QPixmap pixmap = QPixmap::fromImage(image.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation));
     pixmap.setDevicePixelRatio(ratio);
     m_drawing->setPixmap(pixmap);
@@ -109,31 +191,81 @@ void NextLandmarkBar::showPicture(const std::filesystem::path &file)
 
 void NextLandmarkBar::refresh()
 {
+    m_names.clear();
+    showNext();
+}
+
+void NextLandmarkBar::showNext()
+{
     const std::vector<landmarks::Landmark> &landmarks = m_document.landmarks();
     const std::optional<std::size_t> unplaced = m_document.sceneLandmarks().nextUnplaced();
+    const bool isSameList = std::exchange(m_listed, landmarks.size()) == landmarks.size();
+    m_isDone = !unplaced && isSameList && !landmarks.empty() && (m_hasNext || m_isDone);
+    m_hasNext = unplaced.has_value();
+    const bool isShown = unplaced || m_isDone;
     // It would be a window of its own without a parent; a visible parent shows it later.
-    if (!unplaced || parentWidget())
-        setVisible(unplaced.has_value());
+    if (!isShown || parentWidget())
+        setVisible(isShown);
+    for (QToolButton *button : {m_skip, m_missing})
+        button->setEnabled(m_hasNext);
+    showHow();
+    if (m_isDone)
+        showDone();
     if (!unplaced)
         return;
-    const QString name = SceneLandmarks::shownNameOf(landmarks, *unplaced);
-    m_name->setText(tr("Next: %1").arg(name));
-    showPicture(m_picture(QString::fromStdString(landmarks[*unplaced].name)));
-    const QString hint = m_hint(QString::fromStdString(landmarks[*unplaced].name));
-    m_where->setText(hint);
-    m_where->setVisible(!hint.isEmpty());
-    // Other names don't belong to the template; if the next one is such, all names count.
+    reserveRoom();
+    m_name->setText(nextText(*unplaced));
+    const QString name = QString::fromStdString(landmarks[*unplaced].name);
+    showPicture(m_picture(name));
+    m_where->setText(m_hint(name));
+    m_missing->setChecked(landmarks[*unplaced].isMissing());
+    showCount();
+}
+
+void NextLandmarkBar::showDone()
+{
+    const std::vector<landmarks::Landmark> &landmarks = m_document.landmarks();
+    const bool areAllPlaced = std::all_of(landmarks.begin(), landmarks.end(),
+                                          [](const landmarks::Landmark &landmark) { return landmark.isPlaced(); });
+    m_name->setText(areAllPlaced ? tr("All landmarks are placed") : tr("All landmarks are placed or missing"));
+    m_where->clear();
+    showPicture({});
+    m_missing->setChecked(false);
+    showCount();
+}
+
+QString NextLandmarkBar::nextText(std::size_t index) const
+{
+    return tr("Next: %1").arg(SceneLandmarks::shownNameOf(m_document.landmarks(), index));
+}
+
+void NextLandmarkBar::showCount()
+{
+    const std::vector<landmarks::Landmark> &landmarks = m_document.landmarks();
+    // Other names don't belong to the template; if the next one is such, or no name belongs to it,
+    // all names count.
     const auto isOfTemplate = [&](const landmarks::Landmark &landmark) {
         return m_isOfTemplate(QString::fromStdString(landmark.name));
     };
-    const bool countsAll = !isOfTemplate(landmarks[*unplaced]);
-    std::size_t all = 0, placed = 0;
+    const std::optional<std::size_t> next = m_document.sceneLandmarks().nextUnplaced();
+    const bool countsAll =
+        next ? !isOfTemplate(landmarks[*next]) : std::none_of(landmarks.begin(), landmarks.end(), isOfTemplate);
+    int all = 0, placed = 0, missing = 0, skipped = 0;
     for (const landmarks::Landmark &landmark : landmarks) {
-        const bool counts = countsAll || isOfTemplate(landmark);
-        all += counts ? 1U : 0U;
-        placed += counts && landmark.isPlaced() ? 1U : 0U;
+        if (!countsAll && !isOfTemplate(landmark))
+            continue;
+        ++all;
+        placed += landmark.isPlaced() ? 1 : 0;
+        missing += landmark.isMissing() ? 1 : 0;
+        skipped += !landmark.isPlaced() && landmark.absence == landmarks::Absence::Skipped ? 1 : 0;
     }
-    m_count->setText(tr("%1 of %2").arg(placed).arg(all));
+    QString text = tr("%1 of %2 placed").arg(placed).arg(all);
+    if (missing > 0)
+        text += tr(", %1 missing", "after the number of placed landmarks").arg(missing);
+    if (skipped > 0)
+        text += tr(", %1 skipped", "after the number of placed landmarks").arg(skipped);
+    m_count->setText(text);
+    m_count->setToolTip(plainToolTip(text));
 }
 
 } // namespace unprojector::gui

@@ -2,8 +2,11 @@
 
 #include <QWidget>
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 class QLabel;
 class QToolButton;
@@ -12,8 +15,10 @@ namespace unprojector::gui {
 
 class SceneDocument;
 
-/// The landmark to place next: its name in large letters, its hint, and the template's image.
-/// Visible only while there is one.
+/// The landmark to place next: its name in large letters, its hint, the template's image, and how
+/// many are placed. Visible while there is one, and after the last one until the list changes. It
+/// keeps the height that the longest name and hint of the list need: the rows below stay where they
+/// are.
 class NextLandmarkBar : public QWidget {
     Q_OBJECT
 public:
@@ -31,15 +36,26 @@ public:
 
     /// Sets whether a click in the view places it; otherwise the bar explains how.
     void setPlacing(bool isPlacing);
-    /// Shows the present next landmark. Call it after hints have changed.
+    /// Shows the present next landmark, after hints have changed.
     void refresh();
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void useFonts();
+    void showNext();
+    static QString howText(bool isDone, bool isPlacing);
+    void showHow();
+    void showDone();
     void showPicture(const std::filesystem::path &file);
+    /// The side of the square that an image fits into.
+    int pictureSide() const;
+    /// Computes the heights that the names, hints and images of the list need at the present width.
+    void reserveRoom();
+    QString nextText(std::size_t index) const;
+    void showCount();
 
     SceneDocument &m_document;
     Hint m_hint;
@@ -52,6 +68,12 @@ private:
     QLabel *m_drawing;
     QLabel *m_count;
     QToolButton *m_skip;
+    QToolButton *m_missing;
+    std::vector<std::string> m_names; ///< those that the room was computed for
+    std::size_t m_listed = 0;         ///< number of landmarks when they were last shown
+    bool m_hasNext = false;           ///< at that time
+    bool m_isDone = false;            ///< all of the list have been placed
+    bool m_isPlacing = false;
 };
 
 } // namespace unprojector::gui

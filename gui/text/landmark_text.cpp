@@ -47,12 +47,23 @@ QString measureText(double value, const std::optional<double> &error, const QStr
     return QStringLiteral("%1 ± %2").arg(toLastDigitOf(bound, value, *error) + inner, bound + behind);
 }
 
+/// The state of a landmark without a position, in one or two words.
+QString stateText(landmarks::Absence absence)
+{
+    switch (absence) {
+    case landmarks::Absence::NotPlaced: return Points::tr("not placed", "state of a landmark");
+    case landmarks::Absence::Skipped: return Points::tr("skipped", "state of a landmark");
+    case landmarks::Absence::Missing: return Points::tr("missing", "state of a landmark");
+    }
+    return {};
+}
+
 } // namespace
 
 QString heldByText(const landmarks::Landmark &landmark)
 {
     if (!landmark.isPlaced())
-        return Points::tr("missing");
+        return stateText(landmark.absence);
     return std::visit(
         Cases{[](const landmarks::Free &) { return Points::tr("free"); },
               [](const landmarks::OnTriangle &held) { return Points::tr("triangle %1").arg(held.triangle); },
@@ -65,8 +76,11 @@ QString heldByText(const landmarks::Landmark &landmark)
 
 QString heldByExplanation(const landmarks::Landmark &landmark)
 {
+    if (landmark.isMissing())
+        return Points::tr("Missing on this specimen. To place it all the same, click this row, then the surface.");
     if (!landmark.isPlaced())
-        return Points::tr("No position: not placed yet, or missing on this object.");
+        return landmark.absence == landmarks::Absence::Skipped ? Points::tr("Skipped: it comes again after the others.")
+                                                               : Points::tr("Not placed yet.");
     return std::visit(
         Cases{[](const landmarks::Free &) { return Points::tr("Free: only its coordinates define the position."); },
               [](const landmarks::OnTriangle &held) {
@@ -83,6 +97,12 @@ QString heldByExplanation(const landmarks::Landmark &landmark)
                            writtenText(held.share, 6));
               }},
         landmark.anchor);
+}
+
+QString absenceText(const landmarks::Landmark &landmark, const QString &name)
+{
+    return landmark.isMissing() ? Points::tr("%1 is missing on this specimen").arg(name)
+                                : Points::tr("%1 is not placed yet").arg(name);
 }
 
 QString plusMinusText(const landmarks::Landmark &landmark)
@@ -132,7 +152,7 @@ QString measureErrorText(const landmarks::MeasureError &error)
 {
     using Code = landmarks::MeasureError::Code;
     switch (error.code) {
-    case Code::Missing: return Points::tr("a landmark is missing");
+    case Code::Missing: return Points::tr("a landmark has no position");
     case Code::TooFew: return Points::tr("there are fewer than two landmarks");
     case Code::SamePoint: return Points::tr("two landmarks coincide, so there is no direction");
     case Code::NoPlane:

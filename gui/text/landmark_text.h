@@ -12,12 +12,15 @@ namespace unprojector::gui {
 
 // Landmarks in words.
 
-/// The anchor of a landmark in one or two words: "triangle 7", "vertex 3", "edge 1–2", "free";
-/// "missing" for one without a position.
+/// The anchor of a landmark in one or two words: "triangle 7", "vertex 3", "edge 1–2", "free".
+/// Without a position: "missing", "skipped" or "not placed".
 QString heldByText(const landmarks::Landmark &landmark);
 /// The same in a sentence.
 QString heldByExplanation(const landmarks::Landmark &landmark);
-/// The uncertainty of a landmark: its length, "0.05"; "?" if unknown.
+/// The reason why a landmark has no position, a clause: "nasion is missing on this specimen".
+/// @param name  as it is to be shown
+QString absenceText(const landmarks::Landmark &landmark, const QString &name);
+/// The uncertainty of a landmark: its length, "0.05"; "?" if unknown; nothing without a position.
 QString plusMinusText(const landmarks::Landmark &landmark);
 /// The notation of a landmark's coordinates: two digits below the uncertainty if they fit into
 /// `characters`; else only the certain ones if they fit into `most`; thousandths if the uncertainty

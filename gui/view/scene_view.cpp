@@ -340,7 +340,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
     if (event->button() == Qt::RightButton) {
         const std::optional<QPointF> position = std::exchange(m_menuPosition, std::nullopt);
         if (position && m_drag == Drag::None)
-            showViewMenu(*this, m_document, widgetPosition(*position), event->globalPosition().toPoint());
+            openMenu(*position, event->globalPosition().toPoint());
     }
     if (event->buttons() != Qt::NoButton)
         return;
@@ -435,8 +435,14 @@ void SceneView::contextMenuEvent(QContextMenuEvent *event)
     if (event->reason() == QContextMenuEvent::Mouse)
         return; // opens on release, if it was no drag
     setCrosshairShown(true);
-    const WidgetPoint position = m_crosshair.position();
-    showViewMenu(*this, m_document, position, mapToGlobal(localPosition(position)).toPoint());
+    const QPointF local = localPosition(m_crosshair.position());
+    openMenu(local, mapToGlobal(local).toPoint());
+}
+
+void SceneView::openMenu(const QPointF &local, const QPoint &global)
+{
+    if (!m_tool || !m_tool->showMenu(local, global))
+        showViewMenu(*this, m_document, widgetPosition(local), global);
 }
 
 void SceneView::setCrosshairShown(bool isShown)

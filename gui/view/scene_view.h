@@ -135,6 +135,8 @@ private:
     geometry::WorldPoint pivotAt(const geometry::WidgetPoint &position);
     /// Shows the snap mark of a position, and reports what is there.
     void lookAt(const geometry::WidgetPoint &position);
+    /// Opens the context menu at a position: the tool's, else the pixel's.
+    void openMenu(const QPointF &local, const QPoint &global);
     /// Handles that the pointer has left the surface.
     void leaveSurface();
     /// Shows a mark, or none.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPoint>
 #include <QPointF>
 #include <QRectF>
 #include <QString>
@@ -46,6 +47,9 @@ public:
     virtual bool isKey(const QKeyEvent &event) const = 0;
     /// @param isDragged  the view or the tool's object is being dragged
     virtual void pressKey(const QKeyEvent &event, bool isDragged) = 0;
+    /// Opens the context menu of the tool's object at a position.
+    /// @return false if there is none: the view then opens the menu of the pixel
+    virtual bool showMenu(const QPointF &local, const QPoint &global) = 0;
     /// @return whether the tool has tips here, and has shown or hidden one
     virtual bool showTip(const QHelpEvent &event) = 0;
 

@@ -7,6 +7,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -66,6 +67,7 @@ private slots:
     void pairsHaveNames();
     void aMirrorPlaneIsFound();
     void asymmetryIsMeasured();
+    void theMiddleIsMeasuredFromThePlane();
     void noMirrorPlane();
 };
 
@@ -274,6 +276,12 @@ void TestLandmarkMeasures::asymmetryIsMeasured()
     QCOMPARE(*off[1], 5.0);
     QCOMPARE(*off[2], 0.5);
 
+    // A landmark of the middle is as far from its mirror image as from the plane and back.
+    const MirrorPlane almostX{normalized(WorldVector(1, -0.0011826, 0)), 44.98397};
+    const Points middle{named("mid3", 45.4, 70, 0)};
+    QCOMPARE(std::round(1e4 * almostX.distanceTo(*middle[0].world)), 3332.0);
+    QCOMPARE(std::round(1e4 * *asymmetriesOf(middle, {}, almostX)[0]), 6664.0);
+
     // A fitted plane: no plane near it is better.
     Points moved = symmetric({1, 0, 0}, {0, 0, 0});
     std::mt19937_64 engine(12);
@@ -327,6 +335,8 @@ void TestLandmarkMeasures::errorsOfTheMirrorPlane()
     check([](const Symmetry &symmetry) { return symmetry.plane.offset; }, *exact->offsetError);
     for (std::size_t i = 0; i < points.size(); ++i)
         check([i](const Symmetry &symmetry) { return symmetry.asymmetries[i]->value; }, *exact->asymmetries[i]->error);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        check([i](const Symmetry &symmetry) { return symmetry.distances[i]->value; }, *exact->distances[i]->error);
     const auto values = asymmetriesOf(points, pairs, *mirrorPlaneOf(points, pairs));
     for (std::size_t i = 0; i < points.size(); ++i)
         QCOMPARE(exact->asymmetries[i]->value, *values[i]);
@@ -341,7 +351,32 @@ void TestLandmarkMeasures::errorsOfTheMirrorPlane()
     // A point without an uncertainty leaves every dependent error unknown.
     alike[3].uncertainty.reset();
     const auto unknown = symmetryOf(alike, pairs);
-    QVERIFY(!unknown->offsetError && !unknown->asymmetries[0]->error);
+    QVERIFY(!unknown->offsetError && !unknown->asymmetries[0]->error && !unknown->distances[0]->error);
+}
+
+/// Three pairs about the plane x = 1, and two landmarks of the middle at x = 1.3 and x = 0.7.
+void TestLandmarkMeasures::theMiddleIsMeasuredFromThePlane()
+{
+    const Points points{named("L a", -2, 0, 0),   named("R a", 4, 0, 0),   named("L b", -1, 3, 1),
+                        named("R b", 3, 3, 1),    named("L c", -4, 1, 5),  named("R c", 6, 1, 5),
+                        named("top", 1.3, 9, 2),  named("tip", 0.7, 9, 2), named("L d", 0, 2, 7),
+                        named("tail", 99, 0, 0.5)};
+    Points placed = points;
+    placed.back().world.reset();
+    const auto symmetry = symmetryOf(placed, pairsByName(placed));
+    QVERIFY(symmetry);
+    QVERIFY(std::abs(symmetry->plane.normal.x - 1.0) < 1e-15 && std::abs(symmetry->plane.offset - 1.0) < 1e-14);
+    const std::array<double, 8> distances{3, 3, 2, 2, 5, 5, 0.3, 0.3}, asymmetries{0, 0, 0, 0, 0, 0, 0.6, 0.6};
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        QVERIFY(std::abs(symmetry->distances[i]->value - distances[i]) < 1e-14);
+        QVERIFY(std::abs(symmetry->asymmetries[i]->value - asymmetries[i]) < 1e-14);
+    }
+    QVERIFY(!symmetry->distances[8] && !symmetry->distances[9]); // no partner; no position
+    // The rectangle of the plane: y from 0 to 9, z from 0 to 5, and a tenth of 9 around.
+    const auto corners = rectangleOf(symmetry->plane, placed, symmetry->counted);
+    const std::array<glm::dvec3, 4> expected{{{1, -0.9, -0.9}, {1, 9.9, -0.9}, {1, 9.9, 5.9}, {1, -0.9, 5.9}}};
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        QVERIFY(glm::length(corners[i].coordinates() - expected[i]) < 1e-13);
 }
 
 void TestLandmarkMeasures::noMirrorPlane()

@@ -12,6 +12,7 @@
 #include "gui/landmarks/measure_mark.h"
 #include "gui/landmarks/measures_view.h"
 #include "gui/view/curve_shapes.h"
+#include "gui/widgets/segmented_switch.h"
 #include "gui_scene.h"
 #include "tests/support/patience.h"
 #include "window_user.h"
@@ -110,6 +111,8 @@ private slots:
     void curvesAreDrawnOnTheSurface();
     void theChosenMeasureIsShown_data();
     void theChosenMeasureIsShown();
+    void theMirrorPlaneIsShown();
+    void joinTakesTheOrderOfTheSelection();
 };
 
 void TestCurves::pointsAreJoinedAsOneStep()
@@ -167,8 +170,11 @@ void TestCurves::curvesSayWhyTheyDoNotGo()
     QCOMPARE(document->curves().join({0, 1}, CurveKind::Geodesic), QString());
     const auto reason = [&] { return document->curves().line(0).reason; };
     QVERIFY(document->sceneLandmarks().setMissing({1}));
-    QCOMPARE(reason(), "“front” is not placed");
+    QCOMPARE(reason(), "“front” is missing on this specimen");
     QVERIFY(!document->curves().line(0).line);
+    QVERIFY(document->sceneLandmarks().placeAgain({1}));
+    QCOMPARE(reason(), "“front” is not placed yet");
+    document->undoStack().undo();
     document->undoStack().undo();
     QVERIFY(document->sceneLandmarks().moveTo(1, WorldPoint(kFront + glm::dvec3(0, 0, 1))));
     QCOMPARE(reason(), "“front” is not on a surface; select it and press B");
@@ -356,7 +362,7 @@ void TestCurves::theListEditsCurves()
     rows->topLevelItem(0)->setText(0, "ridge");
     QTRY_COMPARE_WITH_TIMEOUT(document->curves().all()[0].name, "ridge", kPatienceMilliseconds);
     QVERIFY(document->sceneLandmarks().setMissing({1}));
-    QCOMPARE(rows->topLevelItem(0)->text(4), "“front” is not placed");
+    QCOMPARE(rows->topLevelItem(0)->text(4), "“front” is missing on this specimen");
     rows->setCurrentItem(rows->topLevelItem(0));
     document->curves().remove(0);
     QVERIFY(view.isHidden());
@@ -454,6 +460,65 @@ void TestCurves::theChosenMeasureIsShown()
                         [&](const PlacedLabel &label) { return label.mark + 1 == marks.size(); }));
     emit rows->itemClicked(rows->findItems(kind, Qt::MatchExactly)[0], 0); // once more
     QVERIFY(!measureMark(document));
+}
+
+void TestCurves::theMirrorPlaneIsShown()
+{
+    const std::unique_ptr<MainWindow> window = cubeWindow(false);
+    SceneDocument &document = window->document();
+    const auto at = [&](double x, double y, const char *name) {
+        add(document, heldAt(document.objects()[0], kCubeCenter + glm::dvec3(x, y, 1.0), name));
+    };
+    at(-0.8, 0.5, "eye left");
+    at(0.8, 0.5, "eye right");
+    at(-0.6, -0.7, "lip left");
+    at(0.7, -0.7, "lip right");
+    at(0.1, 0.0, "nose");
+    auto *measures = window->findChild<MeasuresView *>();
+    auto *rows = measures->findChild<QTreeWidget *>();
+    measures->findChild<SegmentedSwitch *>()->setChoice(1);
+    const auto choose = [&](const QString &kind, int which) {
+        const QList<QTreeWidgetItem *> items = rows->findItems(kind, Qt::MatchExactly);
+        QVERIFY(which < items.size());
+        emit rows->itemClicked(items[which], 0);
+    };
+    const QImage before = window->view().grabFramebuffer();
+    choose(QStringLiteral("Mirror plane"), 0);
+    auto mark = measureMark(document);
+    QVERIFY(mark);
+    QCOMPARE(mark->plane.size(), qsizetype(4));
+    QCOMPARE(mark->images.size(), std::size_t(5)); // two a pair, and the nose's
+    QCOMPARE(mark->lines.size(), std::size_t(5));
+    QCOMPARE(mark->label.label, QStringLiteral("Mirror plane"));
+    QVERIFY(differentPixels(before, window->view().grabFramebuffer()) > 200);
+    choose(QStringLiteral("Asymmetry"), 1);
+    mark = measureMark(document);
+    QVERIFY(mark && mark->plane.size() == 4);
+    QCOMPARE(mark->images.size(), std::size_t(2));
+    QCOMPARE(mark->label.label, rows->findItems(QStringLiteral("Asymmetry"), Qt::MatchExactly)[1]->text(2));
+    choose(QStringLiteral("Plane distance"), 0);
+    mark = measureMark(document);
+    QVERIFY(mark);
+    QCOMPARE(mark->images.size(), std::size_t(1));
+    // The line ends on the plane: half the way to the image.
+    QVERIFY(QLineF(mark->lines[0].p2(), (mark->lines[0].p1() + mark->images[0]) / 2.0).length() < 1.0);
+    for (int row = 0; row < rows->topLevelItemCount(); ++row)
+        QVERIFY2(!rows->topLevelItem(row)->toolTip(1).contains(QStringLiteral(": .")),
+                 qPrintable(rows->topLevelItem(row)->toolTip(1)));
+}
+
+void TestCurves::joinTakesTheOrderOfTheSelection()
+{
+    const auto document = cubeDocument();
+    CurvesView view(*document);
+    SceneLandmarks &landmarks = document->sceneLandmarks();
+    landmarks.selectOnly(2);
+    landmarks.toggle(0);
+    landmarks.toggle(1);
+    view.join(CurveKind::Geodesic);
+    QCOMPARE(document->curves().all().size(), std::size_t(1));
+    const std::vector<std::string> order{landmarks.all()[2].name, landmarks.all()[0].name, landmarks.all()[1].name};
+    QVERIFY(document->curves().all()[0].points == order);
 }
 
 QTEST_MAIN(TestCurves)

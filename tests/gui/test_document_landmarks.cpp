@@ -91,6 +91,9 @@ private slots:
     void aDragIsOneStep();
     void whatWaitsIsPlacedFirst();
     void anUndonePlacingWaitsAgain();
+    void skippedOnesComeAgainAndMissingOnesDoNot();
+    void redoneStepsLeadOn();
+    void theOrderOfTheSelectionIsKept();
     void aTwinIsAnotherPoint();
     void theSelectionGoesWithThePoints_data();
     void theSelectionGoesWithThePoints();
@@ -127,7 +130,14 @@ void TestDocumentLandmarks::eachVerbIsOneStepByName_data()
     row("hide two", "Hide 2 landmarks", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().setHidden({0, 2}, true)); });
     row("remove", "Remove a", "b c", [](auto &d) { QVERIFY(d.sceneLandmarks().remove({0})); });
     row("remove two", "Remove 2 landmarks", "b", [](auto &d) { QVERIFY(d.sceneLandmarks().remove({2, 0})); });
-    row("missing", "b missing", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().setMissing({1})); });
+    row("missing", "Mark b as missing", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().setMissing({1})); });
+    row("two missing", "Mark 2 landmarks as missing", "a b c", [](auto &d) {
+        QVERIFY(d.sceneLandmarks().setMissing({0, 1}));
+    });
+    row("again", "Place c again", "a b c", [](auto &d) { QVERIFY(d.sceneLandmarks().placeAgain({2})); });
+    row("all again", "Place 3 landmarks again", "a b c", [](auto &d) {
+        QVERIFY(d.sceneLandmarks().placeAgain({0, 1, 2}));
+    });
     row("reorder", "Order of landmarks", "c a b", [](auto &d) { QVERIFY(d.sceneLandmarks().reorder(2, 0)); });
     row("sort", "Order of landmarks", "c b a", [](auto &d) { QVERIFY(d.sceneLandmarks().arrange({2, 1, 0})); });
     row("another set", "Import landmarks", "z", [](auto &d) {
@@ -191,8 +201,6 @@ void TestDocumentLandmarks::whatWaitsIsPlacedFirst()
     landmarks[2].name = "gnathion";
     QVERIFY(editLandmarks(document, landmarks, kLabel));
     SceneLandmarks &list = document.sceneLandmarks();
-    QVERIFY(!list.nextUnplaced());
-    list.waitForNext(std::nullopt);
     QVERIFY(list.nextUnplaced() == 0u);
     QVERIFY(list.place(pointAt(5)));
     QCOMPARE(pointNames(document), QStringList({"nasion", "there", "gnathion"}));
@@ -226,7 +234,6 @@ void TestDocumentLandmarks::anUndonePlacingWaitsAgain()
     second.name = "second";
     QVERIFY(editLandmarks(document, {first, second}, kLabel));
     SceneLandmarks &landmarks = document.sceneLandmarks();
-    landmarks.waitForNext(std::nullopt);
     QVERIFY(landmarks.place(pointAt(1)));
     QVERIFY(landmarks.nextUnplaced() == 1u);
     document.undoStack().undo();
@@ -239,6 +246,103 @@ void TestDocumentLandmarks::anUndonePlacingWaitsAgain()
     QVERIFY(!landmarks.nextUnplaced());
     QVERIFY(landmarks.setMissing({0})); // it is not there: nothing to be placed
     QVERIFY(!landmarks.nextUnplaced());
+}
+
+void TestDocumentLandmarks::skippedOnesComeAgainAndMissingOnesDoNot()
+{
+    SceneDocument document;
+    openScene(document);
+    std::vector<Landmark> names(5);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        names[i].name = std::string(1, static_cast<char>('a' + i));
+    QVERIFY(editLandmarks(document, names, kLabel));
+    SceneLandmarks &list = document.sceneLandmarks();
+    QVERIFY(list.skip(0));
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("Skip a"));
+    QVERIFY(list.all()[0].absence == Absence::Skipped && list.nextUnplaced() == 1u);
+    QVERIFY(list.setMissing({1}));
+    QVERIFY(list.all()[1].isMissing() && list.nextUnplaced() == 2u);
+    document.undoStack().undo(); // each undone step makes its landmark the next again
+    QVERIFY(list.nextUnplaced() == 1u);
+    document.undoStack().undo();
+    QVERIFY(list.nextUnplaced() == 0u);
+    document.undoStack().redo();
+    document.undoStack().redo();
+    QVERIFY(list.nextUnplaced() == 2u);
+    QVERIFY(list.place(pointAt(1)) && list.place(pointAt(2)) && list.place(pointAt(3)));
+    QVERIFY(list.nextUnplaced() == 0u); // the skipped one comes after all others, the missing one never
+    const int steps = document.undoStack().count();
+    QVERIFY(list.skip(0)); // it is the only one left, and skipped already
+    QVERIFY(list.nextUnplaced() == 0u && document.undoStack().count() == steps);
+    QVERIFY(list.place(pointAt(4)));
+    QVERIFY(list.all()[0].isPlaced() && list.all()[0].absence == Absence::NotPlaced);
+    QVERIFY(!list.nextUnplaced());
+    // A missing one is placed all the same if the user chooses it.
+    list.selectOnly(1);
+    QVERIFY(list.nextUnplaced() == 1u);
+    QVERIFY(list.place(pointAt(5)));
+    QVERIFY(list.all()[1].isPlaced() && list.all()[1].absence == Absence::NotPlaced && !list.nextUnplaced());
+    QVERIFY(list.setMissing({1, 2}));
+    QVERIFY(!list.all()[1].isPlaced() && list.all()[1].isMissing() && !list.nextUnplaced());
+    QVERIFY(list.setMissing({0, 1, 2}, false));
+    QVERIFY(list.all()[0].isPlaced() && list.all()[1].isToPlace() && list.nextUnplaced() == 1u);
+    list.toggle(2); // a deselected one is not chosen
+    list.toggle(2);
+    list.setNextUnplaced(1);
+    list.select({3, 4}, 2);
+    QVERIFY(list.nextUnplaced() == 1u);
+}
+
+void TestDocumentLandmarks::redoneStepsLeadOn()
+{
+    SceneDocument document;
+    openScene(document);
+    std::vector<Landmark> names(3);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        names[i].name = std::string(1, static_cast<char>('a' + i));
+    SceneLandmarks &list = document.sceneLandmarks();
+    QVERIFY(editLandmarks(document, names, kLabel));
+    for (int i = 0; i < 3; ++i)
+        QVERIFY(list.place(pointAt(i)));
+    for (int i = 0; i < 4; ++i)
+        document.undoStack().undo();
+    QVERIFY(list.all().empty() && !list.nextUnplaced());
+    document.undoStack().redo();
+    QVERIFY(list.nextUnplaced() == 0u);
+    document.undoStack().redo();
+    QVERIFY(list.nextUnplaced() == 1u);
+    QVERIFY(list.place(pointAt(7)));
+    QCOMPARE(pointNames(document), (QStringList{"a", "b", "c"}));
+    QCOMPARE(list.all()[1].world->x, 7.0);
+}
+
+void TestDocumentLandmarks::theOrderOfTheSelectionIsKept()
+{
+    SceneDocument document;
+    openScene(document);
+    std::vector<Landmark> landmarks;
+    for (int i = 0; i < 6; ++i)
+        landmarks.push_back(pointAt(i, QString::number(i).toUtf8().constData()));
+    QVERIFY(editLandmarks(document, landmarks, kLabel));
+    SceneLandmarks &list = document.sceneLandmarks();
+    list.selectOnly(4);
+    list.toggle(1);
+    list.toggle(3);
+    QVERIFY(list.selectionInOrder() == (Places{4, 1, 3}) && list.selection() == (Places{1, 3, 4}));
+    list.toggle(1);
+    list.toggle(1);
+    QVERIFY(list.selectionInOrder() == (Places{4, 3, 1}));
+    QVERIFY(list.remove({0})); // it follows the landmarks
+    QVERIFY(list.selectionInOrder() == (Places{3, 2, 0}));
+    list.selectOnly(3);
+    list.select({0, 1, 2, 3}, 0); // a range upwards
+    QVERIFY(list.selectionInOrder() == (Places{3, 2, 1, 0}));
+    list.selectOnly(1);
+    list.select({1, 2, 3, 4}, 4);
+    QVERIFY(list.selectionInOrder() == (Places{1, 2, 3, 4}));
+    list.selectOnly(2);
+    list.select({0, 1, 2, 3, 4}, 2); // all at once
+    QVERIFY(list.selectionInOrder() == (Places{0, 1, 2, 3, 4}));
 }
 
 void TestDocumentLandmarks::aTwinIsAnotherPoint()
@@ -497,14 +601,18 @@ void TestDocumentLandmarks::aThousandStepsAndBack()
                && (selection.empty() || selection.back() < document.landmarks().size())
                && landmarks.current().has_value() == !selection.empty()
                && (!landmarks.current() || landmarks.isSelected(*landmarks.current()))
-               && (!landmarks.nextUnplaced()
-                   || (*landmarks.nextUnplaced() < document.landmarks().size()
-                       && !document.landmarks()[*landmarks.nextUnplaced()].isPlaced()));
+               && std::is_permutation(selection.begin(), selection.end(), landmarks.selectionInOrder().begin(),
+                                      landmarks.selectionInOrder().end())
+               && (landmarks.nextUnplaced()
+                       ? *landmarks.nextUnplaced() < document.landmarks().size()
+                             && !document.landmarks()[*landmarks.nextUnplaced()].isPlaced()
+                       : std::none_of(document.landmarks().begin(), document.landmarks().end(),
+                                      [](const Landmark &landmark) { return landmark.isToPlace(); }));
     };
     for (int step = 0; step < 1000; ++step) {
         const std::size_t count = document.landmarks().size();
         const std::size_t some = count ? below(count) : 0, other = count ? below(count) : 0;
-        const int kind = static_cast<int>(below(17));
+        const int kind = static_cast<int>(below(18));
         if (kind < 3 || count == 0) {
             QVERIFY(landmarks.place(pointAt(double(random() % 1000))));
         } else if (kind == 3) {
@@ -522,8 +630,9 @@ void TestDocumentLandmarks::aThousandStepsAndBack()
         } else if (kind == 9) {
             QVERIFY(landmarks.setColor({some}, glm::u8vec3(random() % 3)));
         } else if (kind == 10) {
-            QVERIFY(landmarks.setMissing({some}));
-            landmarks.waitForNext(some);
+            QVERIFY(random() % 2 == 0 ? landmarks.setMissing({some}, random() % 3 != 0) : landmarks.placeAgain({some}));
+        } else if (kind == 17) {
+            QVERIFY(landmarks.skip(some));
         } else if (kind == 11) {
             landmarks.toggle(some);
         } else if (kind == 12) {
@@ -543,7 +652,7 @@ void TestDocumentLandmarks::aThousandStepsAndBack()
         }
         QVERIFY(isSelectionValid());
         const auto index = static_cast<std::size_t>(document.undoStack().index() - first);
-        if (index < states.size() && kind >= 15) {
+        if (index < states.size() && (kind == 15 || kind == 16)) {
             QVERIFY(states[index] == document.scene().landmarks);
         } else {
             states.resize(index + 1);
@@ -578,7 +687,7 @@ void TestDocumentLandmarks::pointsAreInTheSceneFile()
     QVERIFY(document.sceneLandmarks().place(pointAt(0.1, "b")));
     QVERIFY(document.sceneLandmarks().setNote(1, QStringLiteral("chipped")));
     QVERIFY(document.sceneLandmarks().setHidden({1}, true));
-    QVERIFY(document.sceneLandmarks().setMissing({1}));
+    QVERIFY(document.sceneLandmarks().placeAgain({1}));
     const scene_file::SceneFile file = scene_file::sceneFileFrom(document.scene(), document.setup(), "scene.json");
     const auto text = scene_file::sceneText(file);
     QVERIFY(text);

@@ -21,6 +21,7 @@ private slots:
     void thoseThatAreThere_data();
     void thoseThatAreThere();
     void namesThatWaitAreFilled();
+    void missingOnesStayMissing();
     void namesThatAFileWritesOtherwiseAreFilled();
     void replacedPointsKeepTheScenesNames();
     void pointsWithoutNamesFillByOrder_data();
@@ -99,6 +100,25 @@ std::vector<Landmark> namedPoints(const QStringList &names)
 }
 
 } // namespace
+
+void TestLandmarkJoining::missingOnesStayMissing()
+{
+    open({QStringLiteral("square.obj")});
+    Landmark a, b;
+    a.name = "a";
+    b.name = "b";
+    a.absence = landmarks::Absence::Missing;
+    QVERIFY(editLandmarks(*m_document, {a, b}, {QStringLiteral("two")}));
+    // A file without positions knows no more than the scene.
+    write(QStringLiteral("p.csv"), "name,x,y,z\na,,,\nb,1,2,0\n");
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
+    QVERIFY(points()[0].isMissing() && points()[1].isPlaced());
+    write(QStringLiteral("p.csv"), "name,x,y,z\na,2,2,0\n");
+    m_answers->join = LandmarkFileQuestions::Join::Append;
+    QVERIFY(m_files->importFrom(file(QStringLiteral("p.csv"))));
+    QCOMPARE(points().size(), std::size_t(2));
+    QVERIFY(points()[0].isPlaced() && points()[0].absence == landmarks::Absence::NotPlaced);
+}
 
 void TestLandmarkJoining::namesThatAFileWritesOtherwiseAreFilled()
 {

@@ -1,9 +1,11 @@
 // The table of placed points, the next one to place, and the measures, as a user handles them.
 
 #include "core/examples/bundled_scene.h"
+#include "core/landmarks/point_template.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
+#include "gui/landmarks/guided_placing.h"
 #include "gui/landmarks/landmark_templates.h"
 #include "gui/landmarks/landmarks_model.h"
 #include "gui/landmarks/landmarks_panel.h"
@@ -37,7 +39,10 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 using namespace unprojector;
@@ -79,7 +84,13 @@ private slots:
     void copiedAsATable();
     void aTemplateIsPlacedOneAfterTheOther();
     void theNextOfATemplateIsCountedAndInSight();
-    void skippedOnesStayMissing();
+    void skippedOnesComeAgain();
+    void aClickOnARowToPlaceMakesItTheNext();
+    void theRowsStayWhileLandmarksArePlaced_data();
+    void theRowsStayWhileLandmarksArePlaced();
+    void namesHaveTheWidthFirst();
+    void theMenuOfTheSelection();
+    void placingEndsWithTheTemplate();
     void withoutATemplateNothingIsMissing();
     void bundledTemplatesHaveHints();
     void aTemplatesPictureIsShown();
@@ -147,6 +158,12 @@ private:
     }
     void place(double x) { QVERIFY(m_document->sceneLandmarks().place(point("", glm::dvec3(x, 0.0, 0.0)))); }
 
+    void clickRow(int row)
+    {
+        QTest::mouseClick(m_table->viewport(), Qt::LeftButton, {},
+                          m_table->visualRect(at(row, LandmarksModel::PlusMinus)).center());
+    }
+
     std::unique_ptr<LandmarkTemplates> m_templates;
     std::unique_ptr<SceneDocument> m_document;
     std::unique_ptr<LandmarksPanel> m_panel;
@@ -190,8 +207,14 @@ void TestLandmarksPanel::aRowTellsItsPoint()
     QCOMPARE(textAt(1, LandmarksModel::HeldBy), QStringLiteral("free"));
     QCOMPARE(textAt(1, LandmarksModel::PlusMinus), QStringLiteral("?")); // unknown
     QCOMPARE(textAt(2, LandmarksModel::PlusMinus), QString());           // it has no position
-    QCOMPARE(textAt(2, LandmarksModel::HeldBy), QStringLiteral("missing"));
+    QCOMPARE(textAt(2, LandmarksModel::HeldBy), QStringLiteral("not placed"));
     QCOMPARE(textAt(2, LandmarksModel::X), QStringLiteral("–"));
+    QVERIFY(m_document->sceneLandmarks().skip(2));
+    QCOMPARE(textAt(2, LandmarksModel::X), QStringLiteral("skipped"));
+    QVERIFY(m_document->sceneLandmarks().setMissing({2}));
+    QCOMPARE(textAt(2, LandmarksModel::X), QStringLiteral("missing"));
+    QCOMPARE(textAt(2, LandmarksModel::HeldBy), QStringLiteral("missing"));
+    QVERIFY(at(2, LandmarksModel::X).data(Qt::ToolTipRole).toString().contains(QStringLiteral("Missing on this")));
 }
 
 void TestLandmarksPanel::certainDigitsAreTold_data()
@@ -309,7 +332,6 @@ void TestLandmarksPanel::whoPlacesIsNotToldToPressP()
     QVERIFY((*found)->text().contains(QStringLiteral("Press P")));
     // The hint also appears while a name is still to be placed.
     QVERIFY(editLandmarks(*m_document, {point("tip", {})}, {QStringLiteral("one")}));
-    m_document->sceneLandmarks().waitForNext(std::nullopt);
     const auto *how = named<QLabel>(QStringLiteral("Instruction for placing"));
     QVERIFY(how->isVisible());
     QCOMPARE(how->text(), QStringLiteral("Press P, then click its position."));
@@ -491,22 +513,44 @@ void TestLandmarksPanel::copiedAsATable()
 
 void TestLandmarksPanel::aTemplateIsPlacedOneAfterTheOther()
 {
-    fillFromTemplate(*m_document, {point("nasion", {}), point("chin", {}), point("ear", {})}, QStringLiteral("Mine"));
-    QCOMPARE(names(), (QStringList{"nasion", "chin", "ear", "pronasale", "gone"}));
+    // It replaces "gone", which is not placed, but not a landmark that is missing on this specimen.
+    QVERIFY(m_document->sceneLandmarks().place(point("", glm::dvec3(0.0))));
+    QVERIFY(m_document->sceneLandmarks().place(point("lost", glm::dvec3(0.0))));
+    QVERIFY(m_document->sceneLandmarks().setMissing({3}) && m_document->sceneLandmarks().placeAgain({2}));
+    const QStringList removed = fillFromTemplate(
+        *m_document, {point("nasion", {}), point("chin", {}), point("ear", {})}, QStringLiteral("Mine"));
+    QCOMPARE(removed, QStringList("gone"));
+    QCOMPARE(names(), (QStringList{"nasion", "chin", "ear", "pronasale", "lost"}));
     QCOMPARE(m_document->undoStack().undoText(), QStringLiteral("Template Mine"));
     const auto *next = named<QLabel>(QStringLiteral("Landmark to place next"));
     const auto *count = named<QLabel>(QStringLiteral("Number of placed landmarks"));
     QVERIFY(next && count);
     QVERIFY(next->isVisible());
     QCOMPARE(next->text(), QStringLiteral("Next: chin"));
-    QCOMPARE(count->text(), QStringLiteral("2 of 5"));
+    QCOMPARE(count->text(), QStringLiteral("2 of 5 placed, 1 missing"));
     place(1.0);
     QCOMPARE(next->text(), QStringLiteral("Next: ear"));
     place(2.0);
-    place(3.0);
+    QCOMPARE(next->text(), QStringLiteral("All landmarks are placed or missing"));
+    QCOMPARE(count->text(), QStringLiteral("4 of 5 placed, 1 missing"));
+    QVERIFY(!button(QStringLiteral("Skip"))->isEnabled() && !button(QStringLiteral("Missing"))->isEnabled());
+    m_document->undoStack().undo();
+    QCOMPARE(next->text(), QStringLiteral("Next: ear"));
+    m_document->undoStack().redo();
+    place(9.0); // a further one
     QVERIFY(!next->isVisible());
+    m_document->undoStack().undo();
     QCOMPARE(names().size(), 5);
-    QCOMPARE(m_document->landmarks()[4].world->x, 3.0);
+    QCOMPARE(m_document->landmarks()[2].world->x, 2.0);
+    // Another template by its menu reports the names that it replaces.
+    QSignalSpy noticed(m_panel.get(), &LandmarksPanel::noticed);
+    QVERIFY(m_document->sceneLandmarks().placeAgain({1, 2}));
+    button(QStringLiteral("Template"))->menu()->actions().front()->trigger();
+    QCOMPARE(noticed.count(), 1);
+    QCOMPARE(noticed[0][0].toString(), QStringLiteral("The template Skull (craniometric points) replaced 2 names that "
+                                                      "were not placed yet."));
+    m_document->undoStack().undo();
+    QCOMPARE(names(), (QStringList{"nasion", "chin", "ear", "pronasale", "lost"}));
 }
 
 void TestLandmarksPanel::theNextOfATemplateIsCountedAndInSight()
@@ -523,7 +567,7 @@ void TestLandmarksPanel::theNextOfATemplateIsCountedAndInSight()
     };
     QVERIFY(isInSight(0));
     place(1.0);
-    QCOMPARE(named<QLabel>(QStringLiteral("Number of placed landmarks"))->text(), QStringLiteral("1 of 60"));
+    QCOMPARE(named<QLabel>(QStringLiteral("Number of placed landmarks"))->text(), QStringLiteral("1 of 60 placed"));
     for (int i = 1; i < 40; ++i)
         place(1.0 + i);
     QVERIFY(isInSight(40));
@@ -532,16 +576,218 @@ void TestLandmarksPanel::theNextOfATemplateIsCountedAndInSight()
     QVERIFY(isInSight(0));
 }
 
-void TestLandmarksPanel::skippedOnesStayMissing()
+void TestLandmarksPanel::skippedOnesComeAgain()
 {
     fillFromTemplate(*m_document, {point("chin", {}), point("ear", {})}, QStringLiteral("Mine"));
     const auto *next = named<QLabel>(QStringLiteral("Landmark to place next"));
     QTest::mouseClick(button(QStringLiteral("Skip")), Qt::LeftButton);
     QCOMPARE(next->text(), QStringLiteral("Next: ear"));
+    const auto *count = named<QLabel>(QStringLiteral("Number of placed landmarks"));
+    QCOMPARE(count->text(), QStringLiteral("2 of 4 placed, 1 skipped"));
     place(1.0);
-    place(2.0);
     QCOMPARE(next->text(), QStringLiteral("Next: chin")); // it comes again
     QVERIFY(!m_document->landmarks()[0].isPlaced());
+    m_document->undoStack().undo();
+    QTest::mouseClick(button(QStringLiteral("Missing")), Qt::LeftButton);
+    QVERIFY(m_document->landmarks()[1].isMissing());
+    QCOMPARE(next->text(), QStringLiteral("Next: chin"));
+    QCOMPARE(count->text(), QStringLiteral("2 of 4 placed, 1 missing, 1 skipped"));
+    // The row of the missing one makes it the next; the button takes the mark back.
+    QVERIFY(!button(QStringLiteral("Missing"))->isChecked());
+    clickRow(1);
+    QCOMPARE(next->text(), QStringLiteral("Next: ear"));
+    QVERIFY(button(QStringLiteral("Missing"))->isChecked());
+    QTest::mouseClick(button(QStringLiteral("Missing")), Qt::LeftButton);
+    QVERIFY(m_document->landmarks()[1].isToPlace());
+    QCOMPARE(next->text(), QStringLiteral("Next: ear"));
+}
+
+void TestLandmarksPanel::aClickOnARowToPlaceMakesItTheNext()
+{
+    fillFromTemplate(*m_document, {point("chin", {}), point("ear", {}), point("tip", {})}, QStringLiteral("Mine"));
+    const auto next = [this] { return *m_document->sceneLandmarks().nextUnplaced(); };
+    clickRow(2);
+    QCOMPARE(next(), std::size_t(2));
+    m_document->sceneLandmarks().setNextUnplaced(0);
+    clickRow(2); // it is selected already
+    QCOMPARE(next(), std::size_t(2));
+}
+
+void TestLandmarksPanel::theRowsStayWhileLandmarksArePlaced_data()
+{
+    QTest::addColumn<int>("width");
+    QTest::addColumn<bool>("hasPicture");
+    QTest::newRow("a narrow panel") << 300 << false;
+    QTest::newRow("the usual panel") << 420 << false;
+    QTest::newRow("an image beside some hints") << 420 << true;
+}
+
+void TestLandmarksPanel::theRowsStayWhileLandmarksArePlaced()
+{
+    QFETCH(int, width);
+    QFETCH(bool, hasPicture);
+    QTemporaryDir folder;
+    std::vector<Landmark> mine = m_templates->bundled()[1].points;
+    mine[4].name = "a name that is too long for one line of the panel in large letters";
+    mine[5].note.clear();
+    if (hasPicture) {
+        QImage image(100, 100, QImage::Format_RGB32);
+        image.fill(Qt::red);
+        QVERIFY(image.save(folder.filePath(QStringLiteral("p.png"))));
+        mine[3].extra.edit()[landmarks::kPictureColumn] = "p.png";
+    }
+    m_panel->setPlacing(true);
+    m_panel->resize(width, 900);
+    m_templates->choose(mine, folder.path().toStdU16String());
+    fillFromTemplate(*m_document, mine, QStringLiteral("Mine"));
+    QCoreApplication::processEvents();
+    const int top = m_table->mapTo(m_panel.get(), QPoint(0, 0)).y();
+    const auto *hint = named<QLabel>(QStringLiteral("Definition of the landmark"));
+    bool hasOneLine = false, hasMore = false, hadPicture = false;
+    while (m_document->sceneLandmarks().nextUnplaced()) {
+        const std::size_t index = *m_document->sceneLandmarks().nextUnplaced();
+        QCoreApplication::processEvents();
+        QCOMPARE(m_table->mapTo(m_panel.get(), QPoint(0, 0)).y(), top);
+        const int needed = hint->fontMetrics()
+                               .boundingRect(0, 0, hint->width(), QWIDGETSIZE_MAX, Qt::TextWordWrap, hint->text())
+                               .height();
+        QVERIFY2(needed <= hint->height(), qPrintable(hint->text())); // none is cut
+        (needed < 2 * hint->fontMetrics().lineSpacing() ? hasOneLine : hasMore) = true;
+        hadPicture = hadPicture || named<QLabel>(QStringLiteral("Image from the template"))->isVisible();
+        if (index % 5 == 1)
+            QVERIFY(m_document->sceneLandmarks().setMissing({index}));
+        else
+            place(1.0 + double(index));
+    }
+    QCoreApplication::processEvents();
+    QCOMPARE(m_table->mapTo(m_panel.get(), QPoint(0, 0)).y(), top); // nor at the end, below the button
+    QVERIFY(hasOneLine && hasMore && hadPicture == hasPicture);
+}
+
+void TestLandmarksPanel::namesHaveTheWidthFirst()
+{
+    m_panel->resize(420, 900);
+    fillFromTemplate(*m_document, m_templates->bundled()[1].points, QStringLiteral("Face"));
+    QVERIFY(m_document->sceneLandmarks().placeAgain({0, 2}));
+    std::vector<std::size_t> placed;
+    for (std::size_t i = 0; i < m_document->landmarks().size(); ++i) {
+        if (m_document->landmarks()[i].isPlaced())
+            placed.push_back(i);
+    }
+    QVERIFY(m_document->sceneLandmarks().remove(placed));
+    m_table->setFont(m_table->font()); // the columns are fitted anew
+    QEvent event(QEvent::FontChange);
+    QCoreApplication::sendEvent(m_table, &event);
+    const QHeaderView &header = *m_table->header();
+    const auto width = [&](int column) { return header.sectionSize(column); };
+    const auto areNamesWhole = [&](int most) {
+        for (int row = 0; row < m_table->model()->rowCount(); ++row) {
+            const int needed = m_table->fontMetrics().horizontalAdvance(textAt(row, LandmarksModel::Name));
+            if (width(LandmarksModel::Name) <= std::min(needed, most))
+                return false;
+        }
+        return true;
+    };
+    QVERIFY(areNamesWhole(QWIDGETSIZE_MAX)); // no coordinate takes their room
+    const int narrow = width(LandmarksModel::X);
+    QVERIFY(narrow < width(LandmarksModel::Name) / 3);
+    QVERIFY(m_document->sceneLandmarks().place(point("", glm::dvec3(-5412345.678), 1e-4))); // on a map
+    QVERIFY(width(LandmarksModel::X) > narrow);
+    QVERIFY(areNamesWhole(20 * m_table->fontMetrics().horizontalAdvance(u'0') - 1));
+}
+
+void TestLandmarksPanel::theMenuOfTheSelection()
+{
+    const auto open = [this] {
+        m_panel->openMenu(QPoint(0, 0));
+        const QList<QMenu *> menus = m_panel->findChildren<QMenu *>(QStringLiteral("landmarkMenu"));
+        return menus.isEmpty() ? nullptr : menus.back();
+    };
+    const auto trigger = [](QMenu *menu, const QString &text) {
+        QVERIFY(menu);
+        for (QAction *action : menu->actions()) {
+            if (action->text().remove(u'&') == text) {
+                QVERIFY(action->isEnabled());
+                action->trigger();
+                menu->close();
+                QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+                return;
+            }
+        }
+        QFAIL(qPrintable(text));
+    };
+    QVERIFY(!open()); // nothing is selected
+    m_document->sceneLandmarks().selectOnly(1);
+    trigger(open(), QStringLiteral("Go to Landmark"));
+    QVERIFY(distance(m_document->scene().camera->center, *m_document->landmarks()[1].world) < 1e-9);
+    trigger(open(), QStringLiteral("Hide"));
+    QVERIFY(m_document->landmarks()[1].isHidden);
+    trigger(open(), QStringLiteral("Show"));
+    trigger(open(), QStringLiteral("Mark as Missing"));
+    QVERIFY(m_document->landmarks()[1].isMissing());
+    trigger(open(), QStringLiteral("Mark as Not Missing"));
+    QVERIFY(m_document->landmarks()[1].isToPlace());
+    m_document->sceneLandmarks().setNextUnplaced(2);
+    QSignalSpy placing(m_panel.get(), &LandmarksPanel::placingRequested);
+    trigger(open(), QStringLiteral("Place Next"));
+    QCOMPARE(m_document->sceneLandmarks().nextUnplaced(), std::optional<std::size_t>(1));
+    QCOMPARE(placing.count(), 1);
+    QSignalSpy shown(m_panel.get(), &LandmarksPanel::showRequested);
+    trigger(open(), QStringLiteral("Rename"));
+    QCOMPARE(shown.count(), 1);
+    QVERIFY(m_table->findChild<QLineEdit *>());
+    m_table->applyTyped();
+    trigger(open(), QStringLiteral("Remove"));
+    QCOMPARE(names(), (QStringList{"nasion", "gone"}));
+}
+
+void TestLandmarksPanel::placingEndsWithTheTemplate()
+{
+    GuidedPlacing guided(*m_document);
+    QSignalSpy wanted(&guided, &GuidedPlacing::placingWanted), noticed(&guided, &GuidedPlacing::noticed);
+    connect(&guided, &GuidedPlacing::placingWanted, &guided, &GuidedPlacing::setPlacing); // as the action does
+    const auto lastText = [&] { return noticed.isEmpty() ? QString() : noticed.back()[0].toString(); };
+    fillFromTemplate(*m_document, {point("chin", {}), point("ear", {}), point("tip", {})}, QStringLiteral("Mine"));
+    guided.setPlacing(true);
+    guided.skipNext();
+    QCOMPARE(lastText(), QStringLiteral("chin is skipped. It comes again after the others. Next: ear."));
+    guided.toggleMissing();
+    QCOMPARE(lastText(), QStringLiteral("ear is marked as missing on this specimen. Next: tip."));
+    place(1.0);
+    QVERIFY(wanted.isEmpty());
+    place(2.0);
+    QCOMPARE(wanted.count(), 1);
+    QVERIFY(!wanted.back()[0].toBool());
+    QCOMPARE(lastText(), QStringLiteral("Placed: 4 of 5 landmarks. Missing on this specimen: 1."));
+    // An undone placement goes on with it.
+    m_document->undoStack().undo();
+    QCOMPARE(wanted.count(), 2);
+    QVERIFY(wanted.back()[0].toBool());
+    m_document->sceneLandmarks().selectOnly(1);
+    place(3.0);
+    place(4.0);
+    QCOMPARE(wanted.count(), 3);
+    QCOMPARE(lastText(), QStringLiteral("All 5 landmarks are placed."));
+    // The user goes on freely: nothing ends any more.
+    guided.setPlacing(true);
+    place(5.0);
+    place(6.0);
+    QCOMPARE(names().size(), 7);
+    QCOMPARE(wanted.count(), 3);
+    // Without a name to place, the selection is marked.
+    m_document->sceneLandmarks().select({5, 6});
+    guided.toggleMissing();
+    QCOMPARE(lastText(), QStringLiteral("2 landmarks are marked as missing on this specimen."));
+    guided.toggleMissing();
+    QVERIFY(m_document->landmarks()[5].isToPlace());
+    guided.setPlacing(false);
+    QVERIFY(m_document->sceneLandmarks().remove({5, 6}));
+    m_document->sceneLandmarks().clearSelection();
+    for (const auto &verb : {&GuidedPlacing::skipNext, &GuidedPlacing::toggleMissing}) {
+        const auto count = noticed.count();
+        (guided.*verb)();
+        QCOMPARE(noticed.count(), count + 1); // it tells why nothing happens
+    }
 }
 
 void TestLandmarksPanel::withoutATemplateNothingIsMissing()
@@ -556,7 +802,8 @@ void TestLandmarksPanel::withoutATemplateNothingIsMissing()
     QCOMPARE(names().size(), 3);
     // The first bundled template, by its entry.
     actions.front()->trigger();
-    QCOMPARE(names().size(), 3 + static_cast<int>(m_templates->bundled().front().points.size()) - 1); // nasion is there
+    // nasion is there; "gone" is replaced
+    QCOMPARE(names().size(), 3 + static_cast<int>(m_templates->bundled().front().points.size()) - 2);
     QVERIFY(named<QLabel>(QStringLiteral("Landmark to place next"))->isVisible());
 }
 
@@ -601,8 +848,6 @@ void TestLandmarksPanel::aTemplatesPictureIsShown()
         return nullptr;
     }();
     QVERIFY(picture);
-    m_document->sceneLandmarks().waitForNext(
-        5); // from the start again, behind "gone", which is no name of the template
     QVERIFY(!picture->isHidden());
     const QSize size = picture->pixmap(Qt::ReturnByValue).deviceIndependentSize().toSize();
     QVERIFY(std::abs(size.width() - 4 * size.height()) <= 4); // the picture's aspect, to a pixel
@@ -611,11 +856,9 @@ void TestLandmarksPanel::aTemplatesPictureIsShown()
     m_document->sceneLandmarks().waitForNext(m_document->sceneLandmarks().nextUnplaced());
     QVERIFY2(picture->isVisibleTo(m_panel.get()) && picture->text().contains(QStringLiteral("none.png")),
              qPrintable(picture->text()));
-    for (const char *without : {"tip", "gone"}) {
-        m_document->sceneLandmarks().waitForNext(m_document->sceneLandmarks().nextUnplaced());
-        QCOMPARE(m_document->landmarks()[*m_document->sceneLandmarks().nextUnplaced()].name, std::string(without));
-        QVERIFY(picture->isHidden());
-    }
+    m_document->sceneLandmarks().waitForNext(m_document->sceneLandmarks().nextUnplaced());
+    QCOMPARE(m_document->landmarks()[*m_document->sceneLandmarks().nextUnplaced()].name, std::string("tip"));
+    QVERIFY(picture->isHidden());
 }
 
 void TestLandmarksPanel::measuresOfWhatIsSelected_data()
@@ -634,7 +877,16 @@ void TestLandmarksPanel::measuresOfWhatIsSelected_data()
     QTest::newRow("four") << P{0, 1, 2, 3}
                           << QStringList{"Height|d over the plane a – b – c|2 ± ? mm",
                                          "Length along|a – b – c – d|12.47214 ± ? mm"};
-    QTest::newRow("a missing one") << P{0, 4} << QStringList{"Distance|a – e|a landmark is missing"};
+    QTest::newRow("one to place") << P{0, 4} << QStringList{"Distance|a – e|e is not placed yet"};
+    QTest::newRow("a missing one") << P{0, 5} << QStringList{"Distance|a – f|f is missing on this specimen"};
+    QTest::newRow("both") << P{0, 4, 5}
+                          << QStringList{"Distance|a – e|e is not placed yet",
+                                         "Distance|a – f|f is missing on this specimen",
+                                         "Distance|e – f|e is not placed yet",
+                                         "Angle|at a|f is missing on this specimen",
+                                         "Angle|at e|e is not placed yet",
+                                         "Angle|at f|f is missing on this specimen",
+                                         "Length along|a – e – f|e is not placed yet"};
 }
 
 void TestLandmarksPanel::measuresOfWhatIsSelected()
@@ -643,8 +895,13 @@ void TestLandmarksPanel::measuresOfWhatIsSelected()
     QFETCH(QStringList, rows);
     landmarks::LandmarkSet set;
     set.unit = "mm";
-    set.landmarks = {point("a", glm::dvec3(0.0), 0.1), point("b", glm::dvec3(3.0, 0.0, 0.0), 0.1),
-                     point("c", glm::dvec3(0.0, 4.0, 0.0)), point("d", glm::dvec3(0.0, 0.0, 2.0)), point("e", {})};
+    set.landmarks = {point("a", glm::dvec3(0.0), 0.1),
+                     point("b", glm::dvec3(3.0, 0.0, 0.0), 0.1),
+                     point("c", glm::dvec3(0.0, 4.0, 0.0)),
+                     point("d", glm::dvec3(0.0, 0.0, 2.0)),
+                     point("e", {}),
+                     point("f", {})};
+    set.landmarks[5].absence = landmarks::Absence::Missing;
     QStringList shown;
     for (const MeasureRow &row : measuresOf(set, places))
         shown << QStringList{row.kind, row.points, QString(row.value).replace(QChar::Nbsp, u' ')}.join(u'|');
@@ -677,6 +934,11 @@ void TestLandmarksPanel::leftAndRight()
     QCOMPARE(rows[3].points, QStringLiteral("eye left ↔ eye right"));
     QVERIFY(*rows[3].number < 1e-12);
     QCOMPARE(rows[5].points, QStringLiteral("nose"));
+    using Points = std::vector<std::size_t>;
+    QVERIFY(rows[0].shown->points == (Points{0, 1, 2, 3, 4, 4}) && rows[3].shown->points == (Points{0, 1}));
+    QVERIFY(rows[5].shown->points == (Points{4, 4}));
+    for (const WorldPoint &corner : rows[0].shown->mirror->corners)
+        QVERIFY(std::abs(corner.x) < 1e-12);
     for (Landmark &each : set.landmarks)
         each.uncertainty = WorldVector(0.1, 0.1, 0.1);
     set.landmarks[4].uncertainty.reset();
@@ -691,11 +953,26 @@ void TestLandmarksPanel::leftAndRight()
     QCOMPARE(lines.size(), 7);
     QVERIFY2(lines[0].startsWith(QStringLiteral("Mirror plane|normal (1, 0, 0)|")), qPrintable(lines[0]));
     QCOMPARE(lines[1], QStringLiteral("Made from|pairs: 2|"));
-    QCOMPARE(lines[4], QStringLiteral("Asymmetry|brow left ↔ brow right|brow left is not placed"));
-    QCOMPARE(lines[5], QStringLiteral("Distance from the mirror plane|nose|nose is hidden"));
-    QCOMPARE(lines[6], QStringLiteral("Left out|jaw left|no partner on the other side"));
+    QCOMPARE(lines[4], QStringLiteral("Plane distance|nose|nose is hidden"));
+    QCOMPARE(lines[5], QStringLiteral("Left out|jaw left|no partner on the other side"));
+    QCOMPARE(lines[6], QStringLiteral("Left out|not placed yet: brow left|pairs: 1"));
+    set.landmarks[6].absence = landmarks::Absence::Missing;
+    set.landmarks.push_back(point("chin left", {}));
+    set.landmarks.push_back(point("chin right", {}));
+    QCOMPARE(shown(sidesOf(set)).mid(6), (QStringList{"Left out|not placed yet: chin left, chin right|pairs: 1",
+                                                      "Left out|missing on this specimen: brow left|pairs: 1"}));
+    // The nose is 0.3 off the plane, and 0.6 from its mirror image.
+    landmarks::LandmarkSet bent;
+    bent.landmarks = {point("L a", glm::dvec3(-2, 0, 0)),  point("R a", glm::dvec3(4, 0, 0)),
+                      point("L b", glm::dvec3(-1, 3, 1)),  point("R b", glm::dvec3(3, 3, 1)),
+                      point("L c", glm::dvec3(-4, 1, 5)),  point("R c", glm::dvec3(6, 1, 5)),
+                      point("top", glm::dvec3(1.3, 9, 2)), point("nose", glm::dvec3(0.7, 9, 2))};
+    QCOMPARE(shown(sidesOf(bent)).back(), QStringLiteral("Plane distance|nose|0.3 ± ?"));
     set.landmarks[0].world = WorldPoint(-2.5, 0.0, 0.0);
     QVERIFY(*sidesOf(set)[2].number > 0.1);
+    const std::vector<MeasureRow> turned = sidesOf(set);
+    QVERIFY(turned[0].copied.size() > turned[0].points.size() + 10); // all digits are copied
+    QVERIFY(csvOf(turned, {}).contains(turned[0].copied));
     QVERIFY(sidesOf({}).empty());
     QCOMPARE(csvOf(sidesOf(set), QStringLiteral("mm")).section(u'\n', 0, 0),
              QStringLiteral("kind,points,value,error,unit"));

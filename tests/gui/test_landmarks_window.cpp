@@ -12,6 +12,7 @@
 #include "gui/landmarks/landmark_marks.h"
 #include "gui/landmarks/landmark_tool.h"
 #include "gui/landmarks/landmarks_model.h"
+#include "gui/landmarks/landmarks_panel.h"
 #include "gui/landmarks/landmarks_table.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/shell/overlay_bars.h"
@@ -22,6 +23,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -47,6 +49,7 @@ class TestLandmarksWindow : public QObject {
 
 private slots:
     void init();
+    void aTemplateIsPlacedToItsEnd();
     void droppedPointsComeToTheTable();
     void aDroppedTemplateHasItsNamesPlaced();
     void keysGoThroughASeries();
@@ -71,6 +74,61 @@ void TestLandmarksWindow::init()
     m_folder = std::make_unique<QTemporaryDir>();
     for (const char *name : {"a.obj", "b.obj"})
         write(QLatin1String(name), kSquare);
+}
+
+/// A template by the mouse and keys: K skips, X marks as missing, and the last click ends placing.
+void TestLandmarksWindow::aTemplateIsPlacedToItsEnd()
+{
+    const std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
+    SceneDocument &document = window->document();
+    SceneLandmarks &list = document.sceneLandmarks();
+    write(QStringLiteral("t.csv"), "name,x,y,z\none,,,\ntwo,,,\nthree,,,\nfour,,,\n");
+    window->session().openFiles({std::filesystem::path(path(QStringLiteral("a.obj")).toStdU16String())});
+    QTRY_COMPARE_WITH_TIMEOUT(document.objects()[0].name, std::string("a.obj"), kPatienceMilliseconds);
+    part<LandmarksPanel>(*window).takeTemplate(path(QStringLiteral("t.csv")).toStdU16String());
+    fitAll(document);
+    document.picks().rayCasters().complete(document.objects());
+    QVERIFY(part<LandmarkTool>(*window).isPlacing());
+    window->activateWindow(); // keys are for the active one
+    QVERIFY(QTest::qWaitForWindowActive(window.get(), kPatienceMilliseconds));
+    SceneView &view = window->view();
+    const auto clickAt = [&](double x) { click(view, localOf(*window, glm::dvec3(x, 5.0, 0.0))); };
+    QTest::keyClick(&view, Qt::Key_K);
+    QVERIFY(list.all()[0].absence == landmarks::Absence::Skipped && list.nextUnplaced() == 1u);
+    QTest::keyClick(&view, Qt::Key_X);
+    QVERIFY(list.all()[1].isMissing() && list.nextUnplaced() == 2u);
+    clickAt(2.0);
+    clickAt(4.0);
+    QVERIFY(list.nextUnplaced() == 0u);
+    clickAt(6.0);
+    QVERIFY(!part<LandmarkTool>(*window).isPlacing()); // a further click reads a coordinate
+    clickAt(8.0);
+    QCOMPARE(list.all().size(), std::size_t(4));
+    QVERIFY(document.picks().pickedPoint());
+    document.undoStack().undo(); // of the last landmark: its click is wanted again
+    QVERIFY(part<LandmarkTool>(*window).isPlacing());
+    clickAt(7.0);
+    QVERIFY(!part<LandmarkTool>(*window).isPlacing() && std::abs(list.all()[0].world->x - 7.0) < 0.1);
+    // Placing goes on freely if the user wants it.
+    actionOf(*window, QStringLiteral("Place Landmarks"))->trigger();
+    clickAt(9.0);
+    QVERIFY(part<LandmarkTool>(*window).isPlacing());
+    QCOMPARE(list.all().size(), std::size_t(5));
+
+    // A right click on a marker opens its menu, elsewhere that of the pixel.
+    const auto menuAt = [&](double x) {
+        const QPoint at = localOf(*window, glm::dvec3(x, 5.0, 0.0)).toPoint();
+        QTest::mouseClick(&view, Qt::RightButton, {}, at);
+        auto *menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
+        const QString name = menu ? menu->objectName() : QString();
+        if (menu)
+            menu->close();
+        return name;
+    };
+    list.selectOnly(0);
+    QCOMPARE(menuAt(4.0), QStringLiteral("landmarkMenu"));
+    QVERIFY(list.selection() == std::vector<std::size_t>{3}); // the one under the pointer
+    QCOMPARE(menuAt(5.5), QStringLiteral("viewMenu"));
 }
 
 void TestLandmarksWindow::droppedPointsComeToTheTable()
@@ -252,7 +310,8 @@ void TestLandmarksWindow::fromAScanToASavedSceneAndBack()
             QCOMPARE(landmark.object, std::string("hill.obj"));
             QVERIFY(landmark.uncertainty && length(*landmark.uncertainty) > 0.0);
         }
-        QVERIFY(!document.sceneLandmarks().nextUnplaced());
+        QVERIFY(!document.sceneLandmarks().nextUnplaced() && !part<LandmarkTool>(*window).isPlacing());
+        actionOf(*window, QStringLiteral("Place Landmarks"))->trigger(); // to move them at once
         const landmarks::LandmarkSet placed = document.scene().landmarks;
 
         const QPointF top = localOf(*window, placed.landmarks[1].world->coordinates());
