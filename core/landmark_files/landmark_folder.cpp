@@ -50,7 +50,8 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, 
         const std::filesystem::path &file = it->path();
         const std::optional<Format> format = formatOf(file);
         // Other JSON contains no landmarks.
-        const bool isOther = format == Format::SlicerJson && !isMarkup(file.stem());
+        const bool isOther =
+            (format == Format::SlicerJson && !isMarkup(file.stem())) || file.filename() == seriesTemplate({});
         if (format && !isOther && it->is_regular_file(ignored))
             found.push_back(file);
     }
@@ -86,6 +87,11 @@ std::filesystem::path landmarksBeside(const std::filesystem::path &scan, int pla
     std::filesystem::path file = scan;
     file += placing > 1 ? ".points-" + std::to_string(placing) + ".csv" : std::string(".points.csv");
     return file;
+}
+
+std::filesystem::path seriesTemplate(const std::filesystem::path &folder)
+{
+    return folder / "series-template.csv";
 }
 
 std::string specimenOf(const std::filesystem::path &file)
