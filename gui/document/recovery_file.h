@@ -39,7 +39,7 @@ struct RecoveryInfo {
 
     /// The name, and the series of a scan.
     QString shownName() const;
-    /// What is lost without the file: the name, and the numbers of a scan's landmarks.
+    /// Describes the loss without the file: the name, and the numbers of a scan's landmarks.
     QString lostText() const;
 };
 

@@ -103,7 +103,7 @@ public:
     /// Cancels the loading and emits `noticed`.
     void cancelLoading();
 
-    /// Sets who keeps a part of the scene in files of its own; null: nobody.
+    /// Sets the keeper of a part of the scene that has files of its own; null: there is none.
     /// @param keeper  outlives the session, or is reset
     void setKeeper(SceneKeeper *keeper) { m_keeper = keeper; }
     SessionQuestions &questions() { return m_questions; }

@@ -27,7 +27,7 @@ struct ScanPlacing {
 struct ScanStep {
     ScanPlacing where;
     QString text; ///< "Place nasion"
-    /// In coordinates of the scan's own file.
+    /// Landmarks in coordinates of the scan's own file.
     landmarks::LandmarkSet before, after;
 };
 

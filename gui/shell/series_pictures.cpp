@@ -103,7 +103,7 @@ void SeriesPictures::take()
         document.picks().rayCasters().complete(document.objects()); // tells which landmarks are visible
         document.curves().complete();
         PictureMarks marks;
-        marks.pick = false;
+        marks.pick = marks.grid = marks.axes = false;
         const QSize size = *m_options.windowSize;
         const geometry::Result<QImage> picture =
             scenePicture(m_window->view(), {{size.width(), size.height(), 1.0}, marks, false});
