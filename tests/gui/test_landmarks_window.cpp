@@ -353,7 +353,7 @@ void TestLandmarksWindow::theTypedSuffixSelectsTheFormat()
         }
     });
     answers.start(20);
-    const auto buttons = dockOf(*window, "Series")->findChildren<QToolButton *>();
+    const auto buttons = dockOf(*window, "series")->findChildren<QToolButton *>();
     const auto button = std::find_if(buttons.begin(), buttons.end(),
                                      [](QToolButton *each) { return each->text() == QStringLiteral("Export…"); });
     QVERIFY(button != buttons.end());
