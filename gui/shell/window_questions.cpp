@@ -66,7 +66,7 @@ bool WindowQuestions::askOverwriteChanged(const std::filesystem::path &file)
 SessionQuestions::FewerAnswer WindowQuestions::askFewerLandmarks(const std::filesystem::path &file, int saved, int now)
 {
     QMessageBox box(QMessageBox::Question, tr("Fewer Landmarks"),
-                    tr("%1 has %2 placed landmarks. Now %3 are placed. Replace the saved landmarks?")
+                    tr("%1: landmarks placed in the file: %2; now: %3. Replace the saved landmarks?")
                         .arg(pathText(file.filename()))
                         .arg(saved)
                         .arg(now),
