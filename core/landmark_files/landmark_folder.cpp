@@ -50,8 +50,9 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, 
         std::error_code ignored;
         const std::filesystem::path &file = it->path();
         const std::optional<Format> format = formatOf(file);
-        // Other JSON contains no landmarks, and neither do sliders.
-        const bool isOther = (format == Format::SlicerJson && !isMarkup(file.stem())) || isSlidersFile(file);
+        // Other JSON contains no landmarks, and neither do sliders and a series' template.
+        const bool isOther = (format == Format::SlicerJson && !isMarkup(file.stem())) || isSlidersFile(file)
+                             || file.filename() == seriesTemplate({});
         if (format && !isOther && it->is_regular_file(ignored))
             found.push_back(file);
     }
@@ -87,6 +88,11 @@ std::filesystem::path landmarksBeside(const std::filesystem::path &scan, int pla
     std::filesystem::path file = scan;
     file += placing > 1 ? ".points-" + std::to_string(placing) + ".csv" : std::string(".points.csv");
     return file;
+}
+
+std::filesystem::path seriesTemplate(const std::filesystem::path &folder)
+{
+    return folder / "series-template.csv";
 }
 
 std::string specimenOf(const std::filesystem::path &file)

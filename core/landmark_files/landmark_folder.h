@@ -14,6 +14,10 @@ namespace unprojector::landmark_files {
 ///         "face.ply.points-2.csv"
 std::filesystem::path landmarksBeside(const std::filesystem::path &scan, int placing = 1);
 
+/// The template of a folder's series of scans: its names are to be placed on each scan. It is no
+/// specimen.
+std::filesystem::path seriesTemplate(const std::filesystem::path &folder);
+
 /// The specimen's name according to a file name: the name without the format's suffixes, "face" for
 /// "face.mrk.json" and "face.ply.points.csv". UTF-8.
 std::string specimenOf(const std::filesystem::path &file);

@@ -75,6 +75,13 @@ void fitObject(SceneDocument &document, std::size_t index)
     showFramed(document, framing.setup(), boundsOf(object));
 }
 
+void fitAllFrom(SceneDocument &document, const LookAt &camera, const Projection &projection)
+{
+    const WorldPoint center(document.bounds().isEmpty() ? glm::dvec3(0.0) : document.bounds().center());
+    setView(document, {center + (camera.eye - camera.center), center, camera.up}, projection);
+    fitAll(document);
+}
+
 void goHome(SceneDocument &document)
 {
     document.look({SceneDocument::tr("Home")}, [](SceneSettings &settings) {

@@ -23,6 +23,9 @@ void setView(SceneDocument &document, const geometry::LookAt &camera, const geom
 void fitAll(SceneDocument &document);
 /// Fits one object, hidden or not. @pre index < objects().size()
 void fitObject(SceneDocument &document, std::size_t index);
+/// Shows all visible objects as large as possible, in the view direction of another camera and with
+/// its projection.
+void fitAllFrom(SceneDocument &document, const geometry::LookAt &camera, const geometry::Projection &projection);
 /// Returns to the camera that the scene opened with.
 void goHome(SceneDocument &document);
 /// Switches from a perspective to glOrtho and back; the image stays the same at centerDistance.

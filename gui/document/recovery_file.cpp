@@ -4,6 +4,7 @@
 
 #include "gui/document/portable.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -22,6 +23,10 @@ using namespace geometry;
 using namespace scene_file;
 
 namespace {
+
+struct RecoveryTexts {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::RecoveryTexts)
+};
 
 constexpr int kVersion = 1;
 /// The largest size of the first line: more than any path needs.
@@ -54,12 +59,40 @@ QString reasonText(const std::error_code &error)
     return QString::fromLocal8Bit(error.message().c_str());
 }
 
+QString textOf(const std::filesystem::path &path)
+{
+    return QString::fromStdU16String(path.u16string());
+}
+
 std::optional<files::FileStamp> stampFromText(const QString &text)
 {
     const QStringList numbers = text.split(u' ');
     if (numbers.size() != 3)
         return std::nullopt;
     return files::FileStamp{numbers[0] == QStringLiteral("1"), numbers[1].toULongLong(), numbers[2].toULongLong()};
+}
+
+QJsonObject seriesJson(const RecoverySeries &series)
+{
+    return {{QStringLiteral("folder"), textOf(series.folder)}, {QStringLiteral("scan"), textOf(series.scan)},
+            {QStringLiteral("placing"), series.placing},       {QStringLiteral("stamp"), stampText(series.stamp)},
+            {QStringLiteral("landmarks"), series.placed},      {QStringLiteral("savedLandmarks"), series.saved}};
+}
+
+/// @return nothing if the scene is of no series
+std::optional<RecoverySeries> seriesFromJson(const QJsonObject &json)
+{
+    RecoverySeries series;
+    series.folder = pathOf(json.value(QStringLiteral("folder")).toString());
+    series.scan = pathOf(json.value(QStringLiteral("scan")).toString());
+    series.placing = json.value(QStringLiteral("placing")).toInt(1);
+    series.placed = json.value(QStringLiteral("landmarks")).toInt();
+    series.saved = json.value(QStringLiteral("savedLandmarks")).toInt();
+    const std::optional<files::FileStamp> stamp = stampFromText(json.value(QStringLiteral("stamp")).toString());
+    if (!stamp || !series.folder.is_absolute() || !series.scan.is_absolute())
+        return std::nullopt;
+    series.stamp = *stamp;
+    return series;
 }
 
 /// Makes files private that earlier versions left readable by others.
@@ -73,6 +106,25 @@ void keepAllToOwner(const QString &folder)
 }
 
 } // namespace
+
+QString RecoveryInfo::shownName() const
+{
+    if (!series)
+        return name;
+    std::filesystem::path folder = series->folder;
+    if (!folder.has_filename()) // "scans/"
+        folder = folder.parent_path();
+    return RecoveryTexts::tr("%1 of the series %2").arg(name, textOf(folder.filename()));
+}
+
+QString RecoveryInfo::lostText() const
+{
+    return series ? RecoveryTexts::tr("%1 (landmarks placed: %2; in its file: %3)")
+                        .arg(shownName())
+                        .arg(series->placed)
+                        .arg(series->saved)
+                  : name;
+}
 
 QString RecoveryFile::defaultFolder(const QString &programFolder)
 {
@@ -154,9 +206,11 @@ Kept RecoveryFile::write(const RecoveryInfo &info, const std::string &sceneText)
                      {QStringLiteral("name"), info.name},
                      {QStringLiteral("time"), info.time.toUTC().toString(Qt::ISODateWithMs)}};
     if (!info.sceneFile.empty())
-        json.insert(QStringLiteral("sceneFile"), QString::fromStdU16String(info.sceneFile.u16string()));
+        json.insert(QStringLiteral("sceneFile"), textOf(info.sceneFile));
     if (info.stamp)
         json.insert(QStringLiteral("sceneStamp"), stampText(*info.stamp));
+    if (info.series)
+        json.insert(QStringLiteral("series"), seriesJson(*info.series));
     QSaveFile file(path());
     if (!file.open(QIODevice::WriteOnly))
         return file.errorString();
@@ -184,6 +238,7 @@ std::optional<RecoveryInfo> RecoveryFile::info() const
     info.sceneFile = std::filesystem::path(json.value(QStringLiteral("sceneFile")).toString().toStdU16String());
     info.time = QDateTime::fromString(json.value(QStringLiteral("time")).toString(), Qt::ISODateWithMs).toLocalTime();
     info.stamp = stampFromText(json.value(QStringLiteral("sceneStamp")).toString());
+    info.series = seriesFromJson(json.value(QStringLiteral("series")).toObject());
     if (info.name.isEmpty() || !info.time.isValid() || (!info.sceneFile.empty() && !info.sceneFile.is_absolute()))
         return std::nullopt;
     return info;

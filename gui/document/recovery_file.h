@@ -19,12 +19,28 @@ namespace unprojector::gui {
 /// Success, or the system's reason for a failure.
 using Kept = geometry::Result<std::monostate, QString>;
 
+/// A scan of a series with unsaved landmarks.
+struct RecoverySeries {
+    std::filesystem::path folder; ///< absolute
+    std::filesystem::path scan;   ///< absolute
+    int placing = 1;
+    files::FileStamp stamp; ///< of the file with its landmarks at the last read or write
+    int placed = 0;         ///< number of placed landmarks
+    int saved = 0;          ///< number of placed landmarks in that file
+};
+
 /// The description of the scene that a recovery file keeps.
 struct RecoveryInfo {
     QString name;                               ///< as the window's title has it
     std::filesystem::path sceneFile;            ///< absolute: the file it was opened from or saved to; empty: none
     QDateTime time;                             ///< when it was kept
     std::optional<files::FileStamp> stamp = {}; ///< of the scene file at the last read or write
+    std::optional<RecoverySeries> series = {};  ///< of a scan of a series
+
+    /// The name, and the series of a scan.
+    QString shownName() const;
+    /// Describes the loss without the file: the name, and the numbers of a scan's landmarks.
+    QString lostText() const;
 };
 
 /// A scene with unsaved changes, kept in the recovery folder in case the program ends unexpectedly.

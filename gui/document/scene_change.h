@@ -40,6 +40,8 @@ public:
     void redo() override;
     int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
     bool mergeWith(const QUndoCommand *next) override;
+    const SceneState &before() const { return m_before; }
+    const SceneState &after() const { return m_after; }
 
 private:
     bool isEdit() const { return m_before.edit != m_after.edit; }

@@ -14,6 +14,20 @@ using namespace geometry;
 using namespace scene;
 using namespace unproject;
 
+namespace {
+
+/// The semilandmarks of curves through landmarks are left out: they are computed again.
+std::shared_ptr<const landmarks::LandmarkSet> sharedLandmarks(landmarks::LandmarkSet set)
+{
+    for (landmarks::Curve &curve : set.curves) {
+        if (!curve.points.empty())
+            curve.semilandmarks.clear();
+    }
+    return std::make_shared<const landmarks::LandmarkSet>(std::move(set));
+}
+
+} // namespace
+
 SceneDocument::SceneDocument(QObject *parent)
     : QObject(parent), m_sceneLandmarks(*this, m_changes), m_picks(std::make_unique<Picks>(*this, m_changes))
 {
@@ -135,13 +149,8 @@ Check SceneDocument::edit(const EditLabel &label, const std::function<void(Scene
     SceneState state = m_state;
     state.edit = m_lastEdit + 1;
     // States share equal parts.
-    if (next.landmarks != m_scene.landmarks) {
-        for (landmarks::Curve &curve : next.landmarks.curves) {
-            if (!curve.points.empty())
-                curve.semilandmarks.clear();
-        }
-        state.landmarks = std::make_shared<const landmarks::LandmarkSet>(std::move(next.landmarks));
-    }
+    if (next.landmarks != m_scene.landmarks)
+        state.landmarks = sharedLandmarks(std::move(next.landmarks));
     const bool hasOtherObjects = bool(changesBetween(m_scene.objects, next.objects));
     if (hasOtherObjects)
         state.objects = std::make_shared<const std::vector<SceneObject>>(std::move(next.objects));
@@ -160,6 +169,17 @@ void SceneDocument::look(const EditLabel &label, const std::function<void(SceneS
     change(state.settings);
     // A step without a valid setup (such as a zoom past the smallest number) is skipped.
     static_cast<void>(commit(state, label));
+}
+
+void SceneDocument::restoreLandmarks(landmarks::LandmarkSet set)
+{
+    SceneState state = m_state;
+    state.edit = ++m_lastEdit;
+    state.landmarks = sharedLandmarks(std::move(set));
+    const Result<Changes> changes = take(state);
+    Q_ASSERT(changes.hasValue()); // landmarks cannot make a setup invalid
+    if (changes)
+        m_changes.defer(*changes);
 }
 
 void SceneDocument::markSaved()

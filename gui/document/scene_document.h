@@ -77,6 +77,9 @@ public:
     /// Changes how the scene is shown. Does nothing if the setup would be invalid or nothing
     /// changes.
     void look(const EditLabel &label, const std::function<void(scene::SceneSettings &)> &change);
+    /// Replaces the landmarks for a command of the undo stack, which reports the change: pushes no
+    /// command itself.
+    void restoreLandmarks(landmarks::LandmarkSet set);
     /// Sets the view's size, not undoably. A scene with a size of its own ignores the window's.
     void setSurface(const geometry::Surface &surface);
     /// Runs `draw` with the setup of another size, as for an exported image. Reports nothing.

@@ -224,10 +224,14 @@ bool Session::showScene(Opened &opened)
         return false;
     }
     setScene(opening.origin);
-    if (opening.recovered)
+    if (opening.recovered) {
+        const std::optional<RecoveryInfo> info = opening.recovered->info();
         takeRecovered(opening.recovered);
-    else
+        if (info && info->series && m_keeper)
+            m_keeper->resume(*info->series);
+    } else {
         rememberRecent(opening.origin.file);
+    }
     return true;
 }
 
@@ -243,6 +247,15 @@ void Session::setScene(const SceneOrigin &origin, const QString &lesson, bool is
 // ---- saving -------------------------------------------------------------------------------------
 
 bool Session::save()
+{
+    if (m_origin.file.empty() && m_keeper) {
+        if (const std::optional<bool> saved = m_keeper->save())
+            return *saved;
+    }
+    return saveToScene();
+}
+
+bool Session::saveToScene()
 {
     return m_origin.file.empty() ? saveAs() : saveScene(m_origin.file);
 }
@@ -275,7 +288,8 @@ bool Session::saveAs()
 bool Session::saveScene(const std::filesystem::path &file)
 {
     emit commitPendingEdits();
-    emit aboutToSaveOrLeave();
+    if (m_keeper)
+        static_cast<void>(m_keeper->keepBeforeLeaving()); // the scene has them too
     const std::filesystem::path path = absolutePath(file);
     const SceneFile contents = sceneFileFrom(m_document.scene(), m_document.setup(), path);
     const std::optional<files::FileStamp> onlyIf = path == m_origin.file ? m_origin.stamp : std::nullopt;
@@ -313,36 +327,34 @@ QString Session::droppedMatrices() const
 
 bool Session::mayLeave()
 {
-    if (!m_aside) {
-        finishBeforeLeaving();
-        return mayLoseChanges();
-    }
+    if (!m_aside)
+        return finishBeforeLeaving() && mayLoseChanges();
     if (!mayLeaveStep())
         return false;
     if (!m_options.remembers || !m_aside->isUnsaved)
         return true;
     // It is restored only to be saved: a user who cancels continues with the lesson.
-    return mayLoseChanges(m_aside->origin.name, !m_aside->origin.file.empty(), [this] { return comeBack() && save(); });
+    return mayLoseChanges(m_aside->origin.name, !m_aside->origin.file.empty(),
+                          [this] { return comeBack() && saveToScene(); });
 }
 
 bool Session::mayLeaveStep()
 {
-    finishBeforeLeaving();
-    return !m_aside || m_origin.file.empty() || mayLoseChanges();
+    return finishBeforeLeaving() && (!m_aside || m_origin.file.empty() || mayLoseChanges());
 }
 
-void Session::finishBeforeLeaving()
+bool Session::finishBeforeLeaving()
 {
     m_opener.cancel(); // it could replace the scene during the question
     emit commitPendingEdits();
-    emit aboutToSaveOrLeave();
+    return !m_keeper || m_keeper->keepBeforeLeaving();
 }
 
 bool Session::mayLoseChanges()
 {
     if (!m_options.remembers || !hasUnsavedChanges())
         return true;
-    return mayLoseChanges(name(), !m_origin.file.empty(), [this] { return save(); });
+    return mayLoseChanges(name(), !m_origin.file.empty(), [this] { return saveToScene(); });
 }
 
 bool Session::mayLoseChanges(const QString &name, bool hasFile, const std::function<bool()> &save)
@@ -419,7 +431,8 @@ Result<Autosave::Content, QString> Session::unsavedContent() const
         error.file = name().toStdString();
         return QString::fromStdString(sceneErrorText(error));
     }
-    return Autosave::Content{{name(), m_origin.file, QDateTime::currentDateTime(), m_origin.stamp},
+    return Autosave::Content{{name(), m_origin.file, QDateTime::currentDateTime(), m_origin.stamp,
+                              m_keeper ? m_keeper->series() : std::nullopt},
                              std::move(text).value()};
 }
 
@@ -488,8 +501,8 @@ void Session::takeRecovered(const RecoveryFile *file)
 
 void Session::discardOffered(std::size_t index)
 {
-    const QString name = m_offered.at(index)->info().value_or(RecoveryInfo{}).name;
-    if (m_questions.askDeleteKept(name))
+    const QString lost = m_offered.at(index)->info().value_or(RecoveryInfo{}).lostText();
+    if (m_questions.askDeleteKept(lost))
         takeOffered(index)->remove();
 }
 

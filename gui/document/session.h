@@ -3,6 +3,7 @@
 #include "gui/document/autosave.h"
 #include "gui/document/kept_pick.h"
 #include "gui/document/model_store.h"
+#include "gui/document/scene_keeper.h"
 #include "gui/document/scene_opener.h"
 
 #include <QObject>
@@ -36,8 +37,13 @@ public:
     virtual bool askOverwrite(const std::filesystem::path &file) = 0;
     /// Asks whether to overwrite this file, which another program has changed since it was read.
     virtual bool askOverwriteChanged(const std::filesystem::path &file) = 0;
-    /// Asks whether to delete the kept changes of this scene for good.
-    virtual bool askDeleteKept(const QString &name) = 0;
+    enum class FewerAnswer { Replace, KeepSaved, Cancel };
+    /// Asks whether to replace the landmarks saved in a file by much fewer ones, or by none.
+    /// @param saved, now  the numbers of placed landmarks
+    virtual FewerAnswer askFewerLandmarks(const std::filesystem::path &file, int saved, int now) = 0;
+    /// Asks whether to delete the kept changes for good.
+    /// @param lost  the scene, and the numbers of a scan's landmarks
+    virtual bool askDeleteKept(const QString &lost) = 0;
 };
 
 /// The scene that the document shows, its origin and the fate of its changes: leaves, saves,
@@ -97,14 +103,24 @@ public:
     /// Cancels the loading and emits `noticed`.
     void cancelLoading();
 
+    /// Sets the keeper of a part of the scene that has files of its own; null: there is none.
+    /// @param keeper  outlives the session, or is reset
+    void setKeeper(SceneKeeper *keeper) { m_keeper = keeper; }
+    SessionQuestions &questions() { return m_questions; }
+    /// Returns whether the user is asked questions, and choices last.
+    bool remembers() const { return m_options.remembers; }
+
     /// Commits pending input.
     void commitTyped() { emit commitPendingEdits(); }
 
     // ---- saving
 
-    /// Saves to its file, or as saveAs.
+    /// Saves to its file, or as saveAs. Of a scan without a scene file, saves the landmarks beside
+    /// it instead.
     /// @return whether it is on the disk
     bool save();
+    /// Returns whether save() saves the landmarks of a scan.
+    bool savesLandmarks() const { return m_origin.file.empty() && m_keeper && m_keeper->canSave(); }
     /// Asks for a name and saves; appends ".json" if it has no suffix.
     bool saveAs();
     std::filesystem::path proposedName() const;
@@ -139,8 +155,6 @@ signals:
     /// Emitted when pending input must be committed: a part of the scene is about to be written or
     /// left. See commitTyped.
     void commitPendingEdits();
-    /// Emitted when the scene is about to be saved or left, after all input is committed.
-    void aboutToSaveOrLeave();
     /// Emitted when the name, the file, or the state "has unsaved changes" changes.
     void changed();
     /// Emitted when a file is being opened or was saved: earlier messages are outdated.
@@ -193,8 +207,11 @@ private:
     void createAutosave();
     void followChanges();
     geometry::Result<Autosave::Content, QString> unsavedContent() const;
+    /// Saves the scene to its file, or as saveAs.
+    bool saveToScene();
     /// Cancels the loading and commits pending input before the scene is left.
-    void finishBeforeLeaving();
+    /// @return false if the user wants to stay
+    bool finishBeforeLeaving();
     /// Asks the user whether to save the changes of a scene.
     /// @param hasFile  see SessionQuestions::askSave
     /// @param save     saves this scene; called if the user answers "save"
@@ -209,6 +226,7 @@ private:
     ModelStore m_models;
     SceneOpener m_opener;
     SceneOrigin m_origin;
+    SceneKeeper *m_keeper = nullptr;
     std::optional<SceneAside> m_aside;                    ///< the scene before the lesson
     Autosave *m_autosave = nullptr;                       ///< null if nothing is kept
     std::vector<std::unique_ptr<RecoveryFile>> m_offered; ///< the last one first

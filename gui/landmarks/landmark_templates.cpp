@@ -6,10 +6,13 @@
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
 
+#include <nlohmann/json.hpp>
+
 #include <QCoreApplication>
 #include <QFile>
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace unprojector::gui {
@@ -59,6 +62,8 @@ QString LandmarkTemplates::hintFor(const QString &name) const
 {
     const std::string wanted = name.toStdString();
     std::string_view hint = landmarks::hintFor(wanted, m_chosen);
+    if (hint.empty() && isChosen(name))
+        return {};
     for (auto known = m_bundled.begin(); hint.empty() && known != m_bundled.end(); ++known)
         hint = landmarks::hintFor(wanted, known->points);
     return QString::fromUtf8(hint.data(), static_cast<qsizetype>(hint.size()));
@@ -69,6 +74,25 @@ std::filesystem::path LandmarkTemplates::pictureFor(const QString &name) const
     const std::string wanted = name.toStdString();
     const std::string_view picture = landmarks::pictureFor(wanted, m_chosen);
     return picture.empty() ? std::filesystem::path() : m_folder / files::pathFromUtf8(picture);
+}
+
+landmarks::LandmarkSet LandmarkTemplates::templateOf(const std::vector<landmarks::Landmark> &names,
+                                                     const std::filesystem::path &folder) const
+{
+    landmarks::LandmarkSet set;
+    for (const landmarks::Landmark &landmark : names) {
+        landmarks::Landmark named;
+        named.name = landmark.name;
+        const QString called = QString::fromStdString(landmark.name);
+        named.note = hintFor(called).toStdString();
+        if (const std::filesystem::path picture = pictureFor(called); !picture.empty()) {
+            std::error_code error; // on an error the absolute path is used
+            const std::filesystem::path relative = std::filesystem::proximate(picture, folder, error);
+            named.extra.edit() = {{landmarks::kPictureColumn, files::utf8FromPath(error ? picture : relative)}};
+        }
+        set.landmarks.push_back(std::move(named));
+    }
+    return set;
 }
 
 QStringList fillFromTemplate(SceneDocument &document, const std::vector<landmarks::Landmark> &landmarks,

@@ -40,10 +40,15 @@ public:
     }
     /// Returns whether the last chosen template has this name.
     bool isChosen(const QString &name) const;
-    /// The hint for a landmark of this name; empty if there is none.
+    /// The hint for a landmark of this name; empty if there is none. For a name of the chosen
+    /// template, no other template counts: a face's nasion has no hint for skulls.
     QString hintFor(const QString &name) const;
     /// The chosen template's image for a landmark of this name; empty if there is none.
     std::filesystem::path pictureFor(const QString &name) const;
+    /// A template with the names of these landmarks, their hints and images.
+    /// @param folder  of the template's file: the images are relative to it
+    landmarks::LandmarkSet templateOf(const std::vector<landmarks::Landmark> &names,
+                                      const std::filesystem::path &folder) const;
 
 private:
     std::vector<Bundled> m_bundled;

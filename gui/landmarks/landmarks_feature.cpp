@@ -118,6 +118,12 @@ LandmarksFeature::LandmarksFeature(Window &window)
     connect(m_files, &LandmarkFiles::failed, &window, &Window::showFailure);
     connect(m_files, &LandmarkFiles::warned, &window, &Window::showMessage);
     connect(m_files, &LandmarkFiles::noticed, &session, &Session::noticed);
+    connect(m_series, &ScanSeries::resumed, this, [this] {
+        m_window.workspaces().enter(Workspace::Landmarks);
+        m_window.workspaces().show(Panel::Series);
+    });
+    if (window.remembers())
+        m_series->setTemplates(m_templates);
     if (window.remembers()) // with a user at the window, waiting is possible
         m_document.curves().setWaiting([this] { return waitForCurves(m_window, m_document); });
 }

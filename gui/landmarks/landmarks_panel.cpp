@@ -1,8 +1,6 @@
 #include "gui/landmarks/landmarks_panel.h"
 
-#include "core/files/path_text.h"
 #include "core/landmark_files/landmark_file.h"
-#include "core/landmarks/point_template.h"
 #include "gui/document/landmark_views.h"
 #include "gui/document/scene_document.h"
 #include "gui/landmarks/curves_view.h"
@@ -16,8 +14,6 @@
 #include "gui/widgets/copy_menu.h"
 #include "gui/widgets/save_name.h"
 
-#include <nlohmann/json.hpp>
-
 #include <QColorDialog>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -30,7 +26,6 @@
 
 #include <algorithm>
 #include <array>
-#include <system_error>
 #include <utility>
 
 namespace unprojector::gui {
@@ -261,19 +256,7 @@ void LandmarksPanel::saveTemplate()
                                            .file;
     if (file.empty())
         return;
-    landmarks::LandmarkSet set;
-    for (const Landmark &landmark : m_document.landmarks()) {
-        Landmark named;
-        named.name = landmark.name;
-        const QString called = QString::fromStdString(landmark.name);
-        named.note = m_templates.hintFor(called).toStdString();
-        if (const std::filesystem::path picture = m_templates.pictureFor(called); !picture.empty()) {
-            std::error_code error; // on an error the absolute path is used
-            const std::filesystem::path relative = std::filesystem::proximate(picture, file.parent_path(), error);
-            named.extra.edit() = {{landmarks::kPictureColumn, files::utf8FromPath(error ? picture : relative)}};
-        }
-        set.landmarks.push_back(std::move(named));
-    }
+    const landmarks::LandmarkSet set = m_templates.templateOf(m_document.landmarks(), file.parent_path());
     const auto written = landmark_files::writeLandmarkFile(file, {&set, 1});
     if (!written) {
         emit warned(QString::fromStdString(landmark_files::errorText(written.error())));

@@ -4,16 +4,13 @@
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmarks/point_template.h"
-#include "gui/document/landmark_objects.h"
-#include "gui/document/scene_curves.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/scene_document.h"
-#include "gui/document/scene_edits.h"
 #include "gui/document/session.h"
 #include "gui/text/error_text.h"
 #include "gui/text/note_text.h"
 
 #include <algorithm>
-#include <cmath>
 #include <system_error>
 #include <utility>
 
@@ -25,76 +22,30 @@ namespace {
 
 using namespace landmark_files;
 
-bool isScan(const std::filesystem::path &file)
-{
-    // "Models (*.obj … *.glb)"
-    const QString pattern = u'*' + pathText(file.extension()).toLower(), all = modelFileFilter();
-    return file.has_extension() && (all.contains(pattern + u' ') || all.contains(pattern + u')'));
-}
-
 std::string nameOrNumber(const LandmarkSet &set, std::size_t index)
 {
     return set.landmarks[index].name.empty() ? std::to_string(index + 1) : set.landmarks[index].name;
 }
 
-/// A scan as in its file.
-SceneObject asInItsFile(const std::filesystem::path &file, const SceneObject &shown)
-{
-    return {files::utf8FromPath(file.filename()), file, shown.model, {}};
-}
-
-/// Returns whether a landmark kept its position, up to rounding.
-bool isStill(const Landmark &now, const Landmark &was)
-{
-    constexpr double kRounding = 1e-12;
-    if (!now.world || !was.world || now.anchor != was.anchor)
-        return false;
-    const auto &[a, b] = std::pair(now.world->coordinates(), was.world->coordinates());
-    const double size = std::max({std::abs(b.x), std::abs(b.y), std::abs(b.z)});
-    return std::abs(a.x - b.x) <= kRounding * size && std::abs(a.y - b.y) <= kRounding * size
-           && std::abs(a.z - b.z) <= kRounding * size;
-}
-
 } // namespace
 
-std::size_t Scan::placedCount() const
-{
-    return static_cast<std::size_t>(std::count_if(points.landmarks.begin(), points.landmarks.end(),
-                                                  [](const Landmark &landmark) { return landmark.isPlaced(); }));
-}
-
-void readKept(Scan &scan, int placing)
-{
-    const std::filesystem::path file = landmarksBeside(scan.file, placing);
-    scan.points = {};
-    scan.problem.clear();
-    scan.isDamaged = false;
-    std::error_code error;
-    scan.isKept = std::filesystem::exists(file, error);
-    if (!scan.isKept)
-        return;
-    auto read = readLandmarkFile(file);
-    if (!read)
-        scan.problem = QString::fromStdString(errorText(read.error()));
-    else if (read->sets.size() > 1)
-        scan.problem =
-            ScanSeries::tr(
-                "%1: this file has the landmarks of %2 specimens. A scan is one specimen: put each into its own file.")
-                .arg(pathText(file))
-                .arg(read->sets.size());
-    else
-        scan.points = std::move(std::move(read).value().sets.front());
-    scan.isDamaged = !scan.problem.isEmpty();
-}
-
 ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *parent)
-    : QObject(parent), m_document(document), m_session(session)
+    : QObject(parent), m_document(document), m_session(session), m_history(document),
+      m_shownScan(document, session, m_files, [this] { return m_shown ? &m_scans[*m_shown] : nullptr; })
 {
+    m_session.setKeeper(this);
+    connect(this, &QObject::destroyed, &m_session, [&session] { session.setKeeper(nullptr); });
+    connect(&m_shownScan, &ShownScan::failed, this, &ScanSeries::failed);
+    connect(&m_shownScan, &ShownScan::warned, this, &ScanSeries::warned);
+    connect(&m_shownScan, &ShownScan::noticed, this, &ScanSeries::noticed);
+    connect(&m_history, &SeriesHistory::wanted, this, &ScanSeries::goTo);
+    connect(&m_history, &SeriesHistory::refused, this, &ScanSeries::warned);
     // Handled before the other scene's landmarks are reported, which are not this scan's.
     connect(&m_document, &SceneDocument::opened, this, [this] {
         if (m_inView)
             m_aside = SuspendedScan{*m_inView, m_shown.has_value(), m_placing};
         m_inView = m_shown = std::nullopt;
+        m_history.setNoneShown();
     });
     connect(&m_session, &Session::opened, this, [this](const QString &lesson, bool isBack) {
         if (isBack && m_aside) {
@@ -111,7 +62,7 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
             }
         } else if (m_isOpening) {
             m_former.reset();
-            takeShown();
+            takeShown(true);
         } else if (m_current) { // another scene
             m_current = std::nullopt;
             emit changed();
@@ -122,6 +73,8 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
         if (!std::exchange(m_isOpening, false))
             return;
         m_current = m_inView;
+        m_target.reset();
+        m_passedOver.reset();
         if (m_former && m_wasAsked) // the user did not want to leave the scene
             goBack();
         emit changed();
@@ -130,17 +83,18 @@ ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *paren
         if (!m_isOpening || !m_current || m_session.isLoading()) // during loading, something else has failed
             return;
         m_isOpening = false;
+        m_target.reset();
         m_scans[*m_current].problem = reason;
         emit changed();
-    });
-    connect(&m_session, &Session::aboutToSaveOrLeave, this, [this] {
-        m_wasAsked = m_isOpening;
-        keep();
+        if (m_passedOver)
+            passOver(reason);
     });
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (!(changes & Change::Landmarks) || !m_shown)
             return;
-        takeLandmarks(m_document.scene().landmarks); // saving waits for the curves
+        const std::vector<Landmark> before = m_scans[*m_shown].points.landmarks;
+        if (m_shownScan.take(m_scans[*m_shown])) // saving waits for the curves
+            dropRemoved(before);
         emit this->changed();
     });
 }
@@ -149,49 +103,97 @@ bool ScanSeries::open(const std::filesystem::path &folder)
 {
     if (!keep())
         return false;
-    std::vector<Scan> scans;
-    std::error_code error;
-    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-        std::error_code ignored;
-        if (isScan(it->path()) && it->is_regular_file(ignored))
-            scans.push_back({it->path(), {}, {}});
-    }
-    if (error || scans.empty()) {
-        emit failed(
-            error ? QString::fromStdString(landmark_files::folderErrorText(folder, error))
-                  : tr("%1: this folder has no model file. Supported: %2.").arg(pathText(folder), modelFileFilter()));
+    const std::filesystem::path absolute = absolutePath(folder);
+    geometry::Result<std::vector<Scan>, QString> scans = scansIn(absolute);
+    if (!scans) {
+        emit failed(scans.error());
         return false;
     }
-    std::sort(scans.begin(), scans.end(), [](const Scan &a, const Scan &b) { return a.file < b.file; });
     PreviousSeries former{m_folder, m_scans, m_names, m_curves, m_inView, m_shown, m_aside, m_placing};
     m_aside.reset();
-    m_folder = folder;
-    m_scans = std::move(scans);
     m_current = m_inView = m_shown = std::nullopt;
     m_isOpening = false;
-    m_placing = 1;
-    m_names.clear();
-    m_curves.clear();
-    for (Scan &scan : m_scans) {
-        readKept(scan, m_placing);
-        m_names = landmarks::withTemplate(std::move(m_names), scan.points.landmarks);
-    }
-    if (m_names.empty()) // the scene's names to place define the series
-        m_names = landmarks::withTemplate({}, m_document.landmarks());
-    const auto unfinished = std::find_if(m_scans.begin(), m_scans.end(), [this](const Scan &scan) {
-        return !scan.isKept || scan.placedCount() < m_names.size();
-    });
+    takeSeries(absolute, std::move(scans).value(), 1);
     emit changed();
-    show(unfinished == m_scans.end() ? 0 : static_cast<std::size_t>(unfinished - m_scans.begin()));
+    m_passedOver = QStringList();
+    const std::size_t first = firstIncomplete(0);
+    for (std::size_t i = first; i > 0 && !m_scans[first].isKept && m_curves.empty(); --i)
+        addCurves(m_curves, m_scans[i - 1].points.curves); // a new scan takes them from the one before
+    show(first);
     if (m_isOpening)
         m_former = std::move(former);
     return true;
+}
+
+void ScanSeries::takeSeries(const std::filesystem::path &folder, std::vector<Scan> scans, int placing)
+{
+    m_folder = folder;
+    m_scans = std::move(scans);
+    m_placing = placing;
+    m_names.clear();
+    m_curves.clear();
+    m_target.reset();
+    geometry::Result<std::optional<std::vector<Landmark>>, QString> own = m_files.readTemplate(folder);
+    const bool hasTemplate = own && *own;
+    if (hasTemplate)
+        m_names = withTemplate({}, **own);
+    for (Scan &scan : m_scans) {
+        readKept(scan, m_placing);
+        if (!hasTemplate)
+            m_names = withTemplate(std::move(m_names), scan.points.landmarks);
+    }
+    if (m_names.empty()) { // the scene's names to place define the series
+        m_names = withTemplate({}, m_document.landmarks());
+        addCurves(m_curves, m_document.scene().landmarks.curves);
+    }
+    for (Scan &scan : m_scans)
+        withoutUnwanted(scan.points.landmarks, m_names);
+    if (!own)
+        emit failed(own.error());
+    else if (hasTemplate)
+        emit noticed(tr("The series takes its %1 names from %2.")
+                         .arg(m_names.size())
+                         .arg(pathText(landmark_files::seriesTemplate({}))));
+}
+
+void ScanSeries::read(Scan &scan)
+{
+    readKept(scan, m_placing);
+    withoutUnwanted(scan.points.landmarks, m_names);
+}
+
+std::size_t ScanSeries::firstIncomplete(std::size_t from) const
+{
+    for (std::size_t i = from; i < m_scans.size(); ++i) {
+        const Scan &scan = m_scans[i];
+        if (scan.problem.isEmpty() && (!scan.isKept || !scan.isComplete(m_names)))
+            return i;
+    }
+    const auto readable =
+        std::find_if(m_scans.begin(), m_scans.end(), [](const Scan &scan) { return scan.problem.isEmpty(); });
+    return readable != m_scans.end() ? static_cast<std::size_t>(readable - m_scans.begin()) : 0;
+}
+
+void ScanSeries::passOver(const QString &reason)
+{
+    *m_passedOver << reason;
+    const std::size_t index = firstIncomplete(*m_current + 1);
+    if (!m_scans[index].problem.isEmpty()) {
+        m_passedOver.reset();
+        return;
+    }
+    std::optional<PreviousSeries> former = std::move(m_former);
+    show(index);
+    if (m_isOpening)
+        m_former = std::move(former);
 }
 
 bool ScanSeries::close()
 {
     if (!keep())
         return false;
+    keepTemplate();
+    m_history.forget();
     m_folder.clear();
     m_scans.clear();
     m_names.clear();
@@ -199,6 +201,9 @@ bool ScanSeries::close()
     m_current = m_inView = m_shown = std::nullopt;
     m_former.reset();
     m_aside.reset();
+    m_look.reset();
+    m_passedOver.reset();
+    m_target.reset();
     m_isOpening = false;
     m_placing = 1;
     emit changed();
@@ -233,10 +238,26 @@ QStringList ScanSeries::landmarkNames() const
     return names;
 }
 
+std::size_t ScanSeries::wantedCount(const Scan &scan) const
+{
+    std::vector<Landmark> all = withTemplate(scan.points.landmarks, m_names);
+    if (m_shown) // what is added there is wanted on every scan
+        all = withTemplate(std::move(all), m_scans[*m_shown].points.landmarks);
+    return all.size();
+}
+
+QString ScanSeries::progressText(const Scan &scan) const
+{
+    const std::size_t placed = scan.placedCount(), wanted = wantedCount(scan), missing = scan.missingCount();
+    return missing > 0 ? tr("%1 of %2, %3 missing").arg(placed).arg(wanted).arg(missing)
+                       : tr("%1 of %2").arg(placed).arg(wanted);
+}
+
 void ScanSeries::step(int by)
 {
     if (m_scans.empty())
         return;
+    m_target.reset();
     const auto count = static_cast<int>(m_scans.size());
     const int from = index() ? static_cast<int>(*index()) : by > 0 ? -1 : count;
     if (const int to = from + by; to >= 0 && to < count)
@@ -249,10 +270,10 @@ void ScanSeries::show(std::size_t index)
     if (!keep())
         return;
     if (m_shown || (m_aside && m_aside->isShown)) {
-        const landmarks::LandmarkSet &before = m_scans[m_shown.value_or(m_aside ? m_aside->inView : 0)].points;
-        m_names = landmarks::withTemplate(std::move(m_names), before.landmarks);
+        const LandmarkSet &before = m_scans[m_shown.value_or(m_aside ? m_aside->inView : 0)].points;
+        m_names = withTemplate(std::move(m_names), before.landmarks);
         m_curves = before.curves;
-        std::erase_if(m_curves, [](const landmarks::Curve &curve) { return curve.points.empty(); });
+        std::erase_if(m_curves, [this](const Curve &curve) { return m_isReadOnly || curve.points.empty(); });
     }
     m_isOpening = true;
     m_wasAsked = false;
@@ -266,55 +287,76 @@ void ScanSeries::show(std::size_t index)
     emit changed();
 }
 
-void ScanSeries::takeShown()
+void ScanSeries::takeShown(bool isLoaded)
 {
     m_isOpening = false;
     m_inView = m_current;
     Scan &scan = m_scans[*m_current];
-    m_stamp = files::stampOf(landmarksBeside(scan.file, m_placing));
-    readKept(scan, m_placing);
+    if (isLoaded && m_look)
+        fitAllFrom(m_document, m_look->first, m_look->second);
+    if (const QStringList passed = std::exchange(m_passedOver, std::nullopt).value_or(QStringList()); passed.size() > 1)
+        emit warned(passed.join(u'\n'));
+    m_shownScan.begin(scan.file, landmarksBeside(scan.file, m_placing));
+    read(scan);
     if (scan.isDamaged) { // not overwritten: the user may want to repair it
+        putHistoryBack();
         emit failed(scan.problem + u'\n'
                     + tr("The file is not overwritten: to keep new landmarks, save the scene. Or repair or move the "
                          "file, and open the scan again."));
         emit changed();
         return;
     }
-    const auto &objects = m_document.objects();
-    const auto object = std::find_if(objects.begin(), objects.end(), [&](const SceneObject &each) {
-        return each.file.filename() == scan.file.filename();
-    });
-    m_object = object != objects.end() ? *object : objects.empty() ? SceneObject() : objects.front();
-    landmarks::LandmarkSet set = scan.points;
-    set.landmarks = landmarks::withTemplate(std::move(set.landmarks), m_names);
-    for (const landmarks::Curve &curve : m_curves) {
-        const auto hasName = [&curve](const landmarks::Curve &other) { return other.name == curve.name; };
-        if (std::none_of(set.curves.begin(), set.curves.end(), hasName))
-            set.curves.push_back(curve);
-    }
-    const SceneObject inFile = asInItsFile(scan.file, m_object);
-    const auto tie = [&] { // landmarks of this scan follow it
-        for (Landmark &landmark : set.landmarks) {
-            if (landmark.world && landmark.object.empty())
-                landmark.object = inFile.name;
-        }
-    };
-    tie();
-    const QString loose = detachStale(set.landmarks, {inFile});
-    tie();
-    m_kept = set;
-    scan.points = set;
-    if (std::optional<landmarks::LandmarkSet> placed = transformed(set, inFile, m_object))
-        set = std::move(*placed);
-    static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Landmarks of the scan")}));
-    // The saved landmarks are the starting point: undo goes back no further.
-    m_document.undoStack().clear();
+    const QString loose = m_shownScan.takeRead(scan, m_names, m_curves);
+    m_shownScan.showSaved();
+    putHistoryBack();
     m_document.markSaved();
     m_shown = m_current;
     m_document.sceneLandmarks().waitForNext(std::nullopt);
     if (!loose.isEmpty())
         emit warned(QStringLiteral("%1: %2").arg(pathText(landmarksBeside(scan.file, m_placing).filename()), loose));
     emit changed();
+    runTarget();
+}
+
+ScanPlacing ScanSeries::shownPlacing() const
+{
+    return {m_scans[*m_inView].file, m_placing};
+}
+
+void ScanSeries::putHistoryBack()
+{
+    m_history.putBack(shownPlacing(), [this](const std::filesystem::path &file) {
+        return std::any_of(m_scans.begin(), m_scans.end(), [&file](const Scan &scan) { return scan.file == file; });
+    });
+}
+
+void ScanSeries::goTo(const std::shared_ptr<const ScanStep> &step, bool isRedo)
+{
+    const auto scan = std::find_if(m_scans.begin(), m_scans.end(),
+                                   [&step](const Scan &each) { return each.file == step->where.scan; });
+    if (scan == m_scans.end() || m_isOpening)
+        return;
+    const auto index = static_cast<std::size_t>(scan - m_scans.begin());
+    m_target = {step, isRedo};
+    if (step->where.placing != m_placing)
+        setPlacing(step->where.placing);
+    if (!m_target || step->where.placing != m_placing) { // done, or refused with a reason
+        m_target.reset();
+        return;
+    }
+    show(index);
+    if (!m_isOpening)
+        m_target.reset();
+}
+
+void ScanSeries::runTarget()
+{
+    if (!m_target || m_target->step->where != shownPlacing())
+        return;
+    const Target target = *std::exchange(m_target, std::nullopt);
+    if (m_history.run(target.step, target.isRedo))
+        emit noticed((target.isRedo ? tr("Redone on %1: %2.") : tr("Undone on %1: %2."))
+                         .arg(pathText(target.step->where.scan.filename()), target.step->text));
 }
 
 void ScanSeries::comeBack()
@@ -323,114 +365,157 @@ void ScanSeries::comeBack()
     if (aside.placing != m_placing) {
         m_placing = aside.placing;
         for (Scan &scan : m_scans)
-            readKept(scan, m_placing);
+            read(scan);
     }
     m_inView = aside.inView;
     if (!m_isOpening) // else it is restored only to be saved
         m_current = m_inView;
     if (aside.isShown) {
         m_shown = m_inView;
-        takeLandmarks(m_document.scene().landmarks);
+        m_shownScan.take(m_scans[*m_shown]);
     }
+    putHistoryBack();
     emit changed();
 }
 
-bool ScanSeries::takeLandmarks(landmarks::LandmarkSet set)
+void ScanSeries::dropRemoved(const std::vector<Landmark> &before)
 {
-    Scan &scan = m_scans[*m_shown];
-    for (const SceneObject &object : m_document.objects()) {
-        if (object.file == m_object.file) {
-            m_object = object;
-            break;
-        }
+    std::vector<Landmark> removed = before;
+    std::erase_if(removed, [this](const Landmark &landmark) {
+        return !landmark.isToPlace() || has(m_scans[*m_shown].points.landmarks, landmark.name);
+    });
+    if (removed.empty())
+        return;
+    std::erase_if(m_names, [&removed](const Landmark &name) { return has(removed, name.name); });
+    for (std::size_t i = 0; i < m_scans.size(); ++i) {
+        if (i != *m_shown)
+            std::erase_if(m_scans[i].points.landmarks, [&removed](const Landmark &landmark) {
+                return landmark.isToPlace() && has(removed, landmark.name);
+            });
     }
-    auto points = transformed(std::move(set), m_object, asInItsFile(scan.file, m_object));
-    if (!points)
-        return false;
-    for (std::size_t i = 0; i < std::min(points->landmarks.size(), m_kept.landmarks.size()); ++i) {
-        Landmark &landmark = points->landmarks[i];
-        if (isStill(landmark, m_kept.landmarks[i])) { // a transform and its inverse leave rounding
-            landmark.world = m_kept.landmarks[i].world;
-            landmark.uncertainty = m_kept.landmarks[i].uncertainty;
-        }
-    }
-    scan.points = std::move(*points);
-    return true;
-}
-
-bool ScanSeries::isScanAlone() const
-{
-    const Scene &scene = m_document.scene();
-    return m_session.file().empty() && scene.clipPlanes.empty() && scene.objects.size() == 1
-           && scene.objects.front().transform.empty() && !scene.objects.front().isHidden;
-}
-
-bool ScanSeries::isAsKept() const
-{
-    landmarks::LandmarkSet now = m_scans[*m_shown].points;
-    if (!m_scans[*m_shown].isKept || now.curves.size() != m_kept.curves.size())
-        return false;
-    for (std::size_t i = 0; i < now.curves.size(); ++i) { // they follow from the rest
-        if (m_kept.curves[i].semilandmarks.empty())
-            return false;
-        now.curves[i].semilandmarks = m_kept.curves[i].semilandmarks;
-    }
-    return now == m_kept;
 }
 
 bool ScanSeries::keep()
 {
-    m_session.commitTyped();
+    const ShownScan::Kept kept = keepShown(false);
+    return kept != ShownScan::Kept::Failed && kept != ShownScan::Kept::Cancelled;
+}
+
+bool ScanSeries::keepBeforeLeaving()
+{
+    m_wasAsked = m_isOpening;
+    if (m_inView)
+        m_look = {*m_document.scene().camera, *m_document.scene().projection};
+    const ShownScan::Kept kept = keepShown(false);
+    if (m_shown)
+        m_history.collect(shownPlacing());
+    if (kept != ShownScan::Kept::Cancelled)
+        keepTemplate();
+    return kept != ShownScan::Kept::Cancelled;
+}
+
+std::optional<bool> ScanSeries::save()
+{
     if (!m_shown)
-        return true;
-    if (takeLandmarks(m_document.scene().landmarks) && isAsKept()) {
-        m_scans[*m_shown].points = m_kept;
-        if (isScanAlone())
-            m_document.markSaved();
-        return true;
+        return std::nullopt;
+    const ShownScan::Kept kept = keepShown(true);
+    const Scan &scan = m_scans[*m_shown];
+    const QString name = pathText(scan.file.filename()),
+                  file = pathText(landmarksBeside(scan.file, m_placing).filename());
+    if (kept == ShownScan::Kept::AsBefore)
+        emit noticed(scan.isKept ? tr("The landmarks of %1 are saved in %2 already.").arg(name, file)
+                                 : tr("%1 has no landmark yet, so there is nothing to save.").arg(name));
+    const bool isSaved = kept == ShownScan::Kept::Written || kept == ShownScan::Kept::AsBefore;
+    if (isSaved && m_session.hasUnsavedChanges())
+        emit warned(tr("The landmarks of %1 are saved. Other changes of the scene are not: choose File > Save Scene As "
+                       "to save them.")
+                        .arg(name));
+    if (isSaved)
+        keepTemplate();
+    return isSaved;
+}
+
+ShownScan::Kept ScanSeries::keepShown(bool isWanted)
+{
+    m_session.commitTyped();
+    return m_shown && !m_isReadOnly ? m_shownScan.keep(landmarksBeside(m_scans[*m_shown].file, m_placing), isWanted)
+                                    : ShownScan::Kept::AsBefore;
+}
+
+void ScanSeries::keepTemplate()
+{
+    if (!isOpen())
+        return;
+    const std::vector<Landmark> names = m_shown ? withTemplate(m_names, m_scans[*m_shown].points.landmarks) : m_names;
+    const geometry::Result<bool, QString> kept = m_files.keepTemplate(m_folder, names);
+    if (!kept)
+        emit warned(kept.error());
+}
+
+std::optional<RecoverySeries> ScanSeries::series() const
+{
+    if (!m_shown)
+        return std::nullopt;
+    const Scan &scan = m_scans[*m_shown];
+    return RecoverySeries{m_folder,
+                          absolutePath(scan.file),
+                          m_placing,
+                          m_shownScan.stamp(),
+                          static_cast<int>(scan.placedCount()),
+                          scan.isKept ? static_cast<int>(placedCount(m_shownScan.saved())) : 0};
+}
+
+void ScanSeries::resume(const RecoverySeries &series)
+{
+    geometry::Result<std::vector<Scan>, QString> scans = scansIn(series.folder);
+    const auto isIt = [&series](const Scan &scan) { return scan.file == series.scan; };
+    const bool isThere = scans && std::any_of(scans->begin(), scans->end(), isIt);
+    if (!isThere) {
+        emit failed((scans ? QString() : scans.error() + u'\n')
+                    + tr("The series cannot continue at %1. Its landmarks are shown as a scene: export them to keep "
+                         "them.")
+                          .arg(pathText(series.scan)));
+        return;
     }
-    const std::optional<std::size_t> shown = m_shown;
-    geometry::Result<landmarks::LandmarkSet, QString> known = m_document.curves().withSemilandmarks();
-    if (m_shown != shown) // another scan arrived during the wait, after these were saved
-        return true;
-    if (!known) {
-        emit failed(tr("The landmarks of %1 are not saved yet: %2.")
-                        .arg(pathText(m_scans[*m_shown].file.filename()), known.error()));
-        return false;
+    m_former.reset();
+    m_aside.reset();
+    m_isOpening = false;
+    takeSeries(series.folder, std::move(scans).value(), series.placing);
+    m_current = m_inView =
+        static_cast<std::size_t>(std::find_if(m_scans.begin(), m_scans.end(), isIt) - m_scans.begin());
+    Scan &scan = m_scans[*m_current];
+    const std::filesystem::path file = landmarksBeside(scan.file, m_placing);
+    m_shownScan.begin(scan.file, file);
+    if (scan.isDamaged) {
+        emit failed(scan.problem);
+        emit changed();
+        emit resumed();
+        return;
     }
-    Scan &scan = m_scans[*m_shown];
-    if (!takeLandmarks(std::move(known).value())) {
-        emit failed(tr("The landmarks of %1 cannot be saved: because of the object's scale they have no coordinates in "
-                       "its file. Reset its glScale.")
-                        .arg(pathText(scan.file.filename())));
-        return false;
+    const QString loose = m_shownScan.takeRead(scan, m_names, m_curves);
+    if (!loose.isEmpty())
+        emit warned(QStringLiteral("%1: %2").arg(pathText(file.filename()), loose));
+    m_shown = m_current;
+    const LandmarkSet &saved = m_shownScan.saved();
+    const bool isSaved = m_shownScan.take(scan) && holds(saved.landmarks, scan.points.landmarks);
+    if (m_shownScan.stamp() == series.stamp) {
+        emit noticed(tr("The series continues at %1.").arg(pathText(scan.file.filename())));
+    } else if (isSaved) { // just before the end
+        m_shownScan.showSaved();
+        emit noticed(tr("The series continues at %1. Its landmarks were saved in %2.")
+                         .arg(pathText(scan.file.filename()), pathText(file.filename())));
+        keep();
+    } else {
+        m_shownScan.setStamp(series.stamp); // it is not overwritten
+        emit warned(tr("%1 has changed since the landmarks were recovered from the crash: placed in the file: %2; "
+                       "recovered: %3. The file is not overwritten; move it away to keep the recovered ones.")
+                        .arg(pathText(file))
+                        .arg(placedCount(saved))
+                        .arg(scan.placedCount()));
     }
-    // A scan without landmarks needs no file.
-    if (scan.isKept ? scan.points != m_kept : scan.placedCount() > 0) {
-        const std::filesystem::path file = landmarksBeside(scan.file, m_placing);
-        std::error_code error;
-        if (std::filesystem::exists(file, error) && !files::isAsAt(m_stamp, file)) {
-            emit failed(tr("Another window or program has changed %1 since it was read. It is not overwritten; move it "
-                           "away to keep the shown landmarks.")
-                            .arg(pathText(file)));
-            return false;
-        }
-        const auto written = writeLandmarkFile(file, {&scan.points, 1});
-        if (!written) {
-            emit failed(QString::fromStdString(errorText(written.error())));
-            return false;
-        }
-        scan.isKept = true;
-        m_kept = scan.points;
-        m_stamp = files::stampOf(file);
-        if (!written->empty())
-            emit warned(landmarkNotesText(pathText(file.filename()), *written));
-        emit noticed(tr("Landmarks of %1 saved beside it.").arg(pathText(scan.file.filename())));
-    }
-    // After other changes, the scene still asks about them.
-    if (isScanAlone())
-        m_document.markSaved();
-    return true;
+    m_document.sceneLandmarks().waitForNext(std::nullopt);
+    emit changed();
+    emit resumed();
 }
 
 void ScanSeries::setPlacing(int placing)
@@ -441,13 +526,17 @@ void ScanSeries::setPlacing(int placing)
         emit changed(); // the field for the placing shows the present value again
         return;
     }
+    if (m_shown) {
+        m_history.collect(shownPlacing());
+        m_names = withTemplate(std::move(m_names), m_scans[*m_shown].points.landmarks);
+    }
     m_placing = placing;
     for (Scan &scan : m_scans)
-        readKept(scan, placing);
+        read(scan);
     m_shown = std::nullopt;
     if (m_inView) {
         m_current = m_inView;
-        takeShown();
+        takeShown(false);
     }
     emit changed();
 }

@@ -1,9 +1,14 @@
 #pragma once
 
-#include "core/files/file_stamp.h"
+#include "core/geometry/camera.h"
+#include "core/geometry/projection.h"
 #include "core/landmarks/landmark.h"
-#include "core/scene/scene.h"
+#include "gui/document/scene_keeper.h"
+#include "gui/landmarks/scan.h"
+#include "gui/landmarks/series_files.h"
+#include "gui/landmarks/series_history.h"
 #include "gui/landmarks/series_table.h"
+#include "gui/landmarks/shown_scan.h"
 
 #include <QObject>
 #include <QString>
@@ -11,38 +16,26 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace unprojector::gui {
 
+class LandmarkTemplates;
 class SceneDocument;
 class Session;
 
-/// The largest number of placings of a series.
-inline constexpr int kMostPlacings = 99;
-
-/// A scan of a series, with its landmarks.
-struct Scan {
-    std::filesystem::path file;
-    landmarks::LandmarkSet points; ///< saved or current, in coordinates of the scan's own file
-    QString problem;               ///< why the scan or its landmarks could not be read; empty: no error
-    bool isKept = false;           ///< it has a landmark file
-    bool isDamaged = false;        ///< that file could not be read
-    std::size_t placedCount() const;
-};
-
-/// Reads the landmarks of one placing that are saved beside the scan.
-void readKept(Scan &scan, int placing);
-
 /// A folder of scans with the same landmarks, shown one after the other. The landmarks of each are
-/// saved beside it, in "face.ply.points.csv": when another scan is shown, when the scene is saved,
-/// and when it is left. Names that a scan lacks are taken from the scan before.
+/// saved beside it, in "face.ply.points.csv": when another scan is shown, by File > Save, when the
+/// scene is saved, and when it is left. Names that a scan lacks are taken from the scan before; a
+/// name to place that is removed from the shown scan is removed from all.
 ///
 /// Coordinates in these files, in `scans` and in the tables are in the space of the scan's own
 /// file: they don't change when the scan is moved, turned or scaled in the scene. A file that
 /// cannot be read, or that another program has changed since it was read, is never overwritten.
-class ScanSeries : public QObject {
+class ScanSeries : public QObject, public SceneKeeper {
     Q_OBJECT
 public:
     using Table = SeriesTable;
@@ -50,12 +43,18 @@ public:
     /// @param document, session  outlive it
     ScanSeries(SceneDocument &document, Session &session, QObject *parent = nullptr);
 
-    /// Opens a folder's model files as a series, sorted by name, and shows the first incomplete
-    /// one. If the user refuses to leave the present scene, the former series stays.
+    /// Sets the templates: the series then keeps its own one in the folder.
+    /// @param templates  outlives it
+    void setTemplates(LandmarkTemplates &templates) { m_files.setTemplates(templates); }
+    /// Only shows: saves nothing, and gives a scan no curves of other scans.
+    void setReadOnly() { m_isReadOnly = true; }
+    /// Opens a folder's model files as a series, sorted by name, and shows the first one that can be
+    /// read and lacks a landmark. If the user refuses to leave the present scene, the former series
+    /// stays.
     /// @return false without any model file, after `failed`
     bool open(const std::filesystem::path &folder);
     /// Saves the landmarks and closes the series; the present scene stays.
-    /// @return false after `failed`
+    /// @return false after `failed`, or if the user cancels
     bool close();
     bool isOpen() const { return !m_scans.empty(); }
     const std::filesystem::path &folder() const { return m_folder; }
@@ -66,6 +65,10 @@ public:
     bool hasPrevious() const { return isOpen() && index() != std::size_t(0); }
     /// The names of all landmarks of all scans, in the order of first appearance.
     QStringList landmarkNames() const;
+    /// The number of landmarks that a scan has or that are to be placed on it.
+    std::size_t wantedCount(const Scan &scan) const;
+    /// "9 of 10, 1 missing"
+    QString progressText(const Scan &scan) const;
 
     /// Saves the landmarks of the present scan and shows another one. @pre index < scans().size()
     void show(std::size_t index);
@@ -76,15 +79,24 @@ public:
     /// Changes the placing, unless the landmarks of the present scan cannot be saved, or the other
     /// placing's cannot be read.
     void setPlacing(int placing);
-    /// Saves the landmarks of the present scan beside it, if they have changed.
-    /// @return false after `failed`
+    /// Saves the landmarks of the present scan beside it, if they have changed. Asks before much
+    /// fewer landmarks replace the saved ones.
+    /// @return false after `failed`, or if the user cancels
     bool keep();
-    /// @return false after `failed`
+    /// @return false after `failed`, or if the user cancels
     bool exportTable(const std::filesystem::path &file, Table table);
+
+    bool keepBeforeLeaving() override;
+    std::optional<bool> save() override;
+    bool canSave() const override { return m_shown.has_value(); }
+    std::optional<RecoverySeries> series() const override;
+    void resume(const RecoverySeries &series) override;
 
 signals:
     /// Emitted when the list of scans, or the progress of one, changes.
     void changed();
+    /// Emitted when a series continues after a crash.
+    void resumed();
     /// Emitted when a file could not be read or written, with the reason.
     void failed(const QString &reason);
     /// Emitted with import or export notes: what was left out.
@@ -98,25 +110,36 @@ private:
         bool isShown = false; ///< its landmarks are saved
         int placing = 1;
     };
-
     /// The index that next and previous start from; in a lesson the suspended scan's.
     std::optional<std::size_t> index() const { return m_current || !m_aside ? m_current : m_aside->inView; }
     void step(int by);
     bool mayPlaceAs(int placing);
+    void takeSeries(const std::filesystem::path &folder, std::vector<Scan> scans, int placing);
+    /// Reads the saved landmarks of a scan, without names to place that the series has no more.
+    void read(Scan &scan);
+    /// The first scan from this index on that lacks a landmark; else the first one.
+    std::size_t firstIncomplete(std::size_t from) const;
+    /// Continues after a scan that could not be read.
+    void passOver(const QString &reason);
     /// Adds the landmarks of the current scan once it is in the view.
-    void takeShown();
+    /// @param isLoaded  the scan has just been loaded
+    void takeShown(bool isLoaded);
+    ScanPlacing shownPlacing() const;
+    /// Puts the changes on all scans on the undo stack.
+    void putHistoryBack();
+    /// Shows the scan of a change, to undo or redo it there.
+    void goTo(const std::shared_ptr<const ScanStep> &step, bool isRedo);
+    void runTarget();
     /// Restores the scan from before a lesson, in its former state. @pre m_aside
     void comeBack();
-    /// Copies the scene's landmarks to the present scan.
-    /// @return false if they have no finite coordinates in its file
-    bool takeLandmarks(landmarks::LandmarkSet set);
-    /// Returns whether the landmarks of the present scan are the saved ones. @pre m_shown
-    bool isAsKept() const;
+    /// Removes names to place that were removed from the present scan from the other scans too.
+    void dropRemoved(const std::vector<landmarks::Landmark> &before);
+    /// Saves the landmarks of the present scan, if there are any.
+    /// @param isWanted  the user asked to save, not to leave
+    ShownScan::Kept keepShown(bool isWanted);
+    void keepTemplate();
     /// Returns to the former series, whose scan is still in the view. @pre m_former
     void goBack();
-    /// Returns whether the scene has only the present scan, as in its file, and its landmarks.
-    bool isScanAlone() const;
-
     /// The state before a series whose first scan is being loaded.
     struct PreviousSeries {
         std::filesystem::path folder;
@@ -127,25 +150,36 @@ private:
         std::optional<SuspendedScan> aside;
         int placing = 1;
     };
+    /// A change to undo or redo once its scan is shown.
+    struct Target {
+        std::shared_ptr<const ScanStep> step;
+        bool isRedo = false;
+    };
 
     SceneDocument &m_document;
     Session &m_session;
+    SeriesHistory m_history;
+    SeriesFiles m_files;
+    ShownScan m_shownScan;
     std::filesystem::path m_folder;
     std::vector<Scan> m_scans;
     std::optional<std::size_t> m_current;
     std::vector<landmarks::Landmark> m_names; ///< given to every scan
     std::vector<landmarks::Curve> m_curves;   ///< the same, by the names of their landmarks
-    bool m_isOpening = false;                 ///< the current scan is being loaded
-    std::optional<std::size_t> m_inView;      ///< the scan in the view
+    bool m_isReadOnly = false;
+    bool m_isOpening = false;            ///< the current scan is being loaded
+    std::optional<std::size_t> m_inView; ///< the scan in the view
     /// the same, but nothing if its landmark file is damaged: then they are not saved
     std::optional<std::size_t> m_shown;
     std::optional<SuspendedScan> m_aside; ///< the scan before the present lesson
-    scene::SceneObject m_object;          ///< the scan, as it was last in the scene
-    landmarks::LandmarkSet m_kept;        ///< its landmarks as last read or written
-    files::FileStamp m_stamp;             ///< of their file at that time
     int m_placing = 1;
     std::optional<PreviousSeries> m_former;
     bool m_wasAsked = false; ///< leaving the former scene was asked about since this scan is loading
+    /// the camera and the projection of the scan that was shown last
+    std::optional<std::pair<geometry::LookAt, geometry::Projection>> m_look;
+    /// while the first scan of a series is searched: why others could not be read
+    std::optional<QStringList> m_passedOver;
+    std::optional<Target> m_target;
 };
 
 } // namespace unprojector::gui

@@ -47,7 +47,7 @@ QVariant SeriesModel::text(const QModelIndex &index) const
     if (index.column() == Scan)
         return pathText(scan.file.filename());
     if (index.column() == Placed)
-        return scan.problem.isEmpty() ? tr("%1 of %2").arg(scan.placedCount()).arg(m_names.size()) : tr("not read");
+        return scan.problem.isEmpty() ? m_series.progressText(scan) : tr("not read");
     const QString &name = m_names[index.column() - FirstLandmark];
     const auto &points = scan.points.landmarks;
     const auto found = std::find_if(points.begin(), points.end(), [&](const landmarks::Landmark &landmark) {
@@ -55,7 +55,9 @@ QVariant SeriesModel::text(const QModelIndex &index) const
                                                   : QString::fromStdString(landmark.name);
         return own.compare(name, Qt::CaseInsensitive) == 0;
     });
-    return found == points.end() || !found->isPlaced() ? QStringLiteral("–") : QStringLiteral("●");
+    if (found == points.end() || found->isToPlace())
+        return QStringLiteral("–");
+    return found->isPlaced() ? QStringLiteral("●") : QStringLiteral("×");
 }
 
 QVariant SeriesModel::data(const QModelIndex &index, int role) const

@@ -131,7 +131,7 @@ void RecoveryBar::offer(const std::vector<RecoveryInfo> &kept)
 {
     m_choice->clear();
     for (const RecoveryInfo &info : kept) {
-        m_choice->addItem(tr("%1, %2").arg(info.name, dateText(info.time)));
+        m_choice->addItem(tr("%1, %2").arg(info.shownName(), dateText(info.time)));
         m_choice->setItemData(m_choice->count() - 1, plainToolTip(pathText(info.sceneFile)), Qt::ToolTipRole);
     }
     if (kept.empty()) {
@@ -141,7 +141,7 @@ void RecoveryBar::offer(const std::vector<RecoveryInfo> &kept)
     m_choice->setVisible(kept.size() > 1);
     if (kept.size() == 1) {
         const QString name =
-            fontMetrics().elidedText(kept.front().name, Qt::ElideMiddle, 40 * fontMetrics().averageCharWidth());
+            fontMetrics().elidedText(kept.front().shownName(), Qt::ElideMiddle, 60 * fontMetrics().averageCharWidth());
         m_text->setText(tr("The program ended unexpectedly on %1. The unsaved changes to %2 were kept.")
                             .arg(dateText(kept.front().time), name));
         m_text->setToolTip(plainToolTip(pathText(kept.front().sceneFile)));

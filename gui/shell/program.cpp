@@ -5,6 +5,7 @@
 #include "gui/shell/language_menu.h"
 #include "gui/shell/main_window.h"
 #include "gui/shell/screenshot_run.h"
+#include "gui/shell/series_pictures.h"
 #include "gui/shell/start_window.h"
 #include "gui/text/print.h"
 #include "gui/view/opengl_check.h"
@@ -168,10 +169,12 @@ int Program::runForPicture()
         setAppearance(*m_options.appearance);
     if (m_options.language && m_translation->lacksFont()) // the requested language is replaced
         printMessage(missingFontText());
-    ScreenshotRun run(m_options);
-    QObject::connect(&run, &ScreenshotRun::ended, &*m_application, &QCoreApplication::exit, Qt::QueuedConnection);
-    run.start();
-    return QApplication::exec();
+    const auto until = [this](auto run) {
+        QObject::connect(&run, &decltype(run)::ended, &*m_application, &QCoreApplication::exit, Qt::QueuedConnection);
+        run.start();
+        return QApplication::exec();
+    };
+    return m_options.pictures ? until(SeriesPictures(m_options)) : until(ScreenshotRun(m_options));
 }
 
 } // namespace unprojector::gui

@@ -130,9 +130,10 @@ void SceneCodeWindow::copy() const
 
 void SceneCodeWindow::save()
 {
-    const QString filter = dialect() == CodeDialect::ThreeJs ? tr("JavaScript (*.js)")
-                           : dialect() == CodeDialect::NumPy ? tr("Python (*.py)")
-                                                             : tr("C++ (*.cpp)");
+    const QString filter = dialect() == CodeDialect::ThreeJs ? tr("JavaScript (%1)").arg(QStringLiteral("*.js *.mjs"))
+                           : dialect() == CodeDialect::NumPy
+                               ? tr("Python (%1)").arg(QStringLiteral("*.py"))
+                               : tr("C++ (%1)").arg(QStringLiteral("*.cpp *.cc *.cxx *.h *.hpp"));
     const std::filesystem::path file =
         askSaveName(*this, tr("Save Code"), {filter}, pathText(m_session.proposedName().stem())).file;
     if (file.empty())

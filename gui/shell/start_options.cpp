@@ -68,7 +68,13 @@ OptionReader::OptionReader()
         // Qt's own help option adds --help-all, which would be the same here.
         {{"h", "help"}, tr("Print this help and quit.")},
         {"screenshot", tr("Open, save an image of the whole window, print the clicks as JSON, and quit."), "OUT.png"},
-        {"size", tr("Size of the window in logical pixels (default 1280x800)."), "WxH", "1280x800"},
+        {"series", tr("Open a folder of scans as a series. The landmarks of each scan are saved beside it."), "FOLDER"},
+        {"screenshots",
+         tr("With --series: write an image of each scan with its landmarks, and contact-sheet.png with all of them, to "
+            "this folder, and quit."),
+         "OUT"},
+        {"size", tr("Size of the window in logical pixels (default 1280x800); with --screenshots, of each image."),
+         "WxH", "1280x800"},
         {"view-size",
          tr("Size of the view itself in logical pixels, instead of --size. The same clicks then mean the same pixels "
             "for every font and language."),
@@ -111,6 +117,10 @@ geometry::Result<StartOptions, QString> OptionReader::read(const QStringList &wo
         m_options.picture = m_parser.value("screenshot");
     if (m_parser.isSet("lesson"))
         m_options.lesson = m_parser.value("lesson");
+    if (m_parser.isSet("series"))
+        m_options.series = m_parser.value("series");
+    if (m_parser.isSet("screenshots"))
+        m_options.pictures = m_parser.value("screenshots");
     for (const QString &file : m_parser.positionalArguments())
         m_options.files.emplace_back(file.toStdU16String());
     readSizes();
@@ -118,6 +128,12 @@ geometry::Result<StartOptions, QString> OptionReader::read(const QStringList &wo
     readClicks();
     if (m_options.lesson && !m_options.files.empty())
         mistake(tr("Give --lesson or files to open, not both."));
+    if (m_options.series && (m_options.lesson || !m_options.files.empty()))
+        mistake(tr("Give --series alone, without --lesson and without files to open."));
+    if (m_options.pictures && !m_options.series)
+        mistake(tr("--screenshots works together with --series FOLDER."));
+    if (m_options.picture && m_options.series)
+        mistake(tr("--screenshot writes one image. For a series, give --screenshots OUT."));
     if (!m_mistake.isEmpty())
         return m_mistake;
     return m_options;
@@ -174,7 +190,7 @@ void OptionReader::readClicks()
         else
             mistake(tr("--click is %1; give x,y in logical pixels of the view, such as 412,300.").arg(text));
     }
-    if (m_parser.isSet("click") && !m_options.isScreenshotRun())
+    if (m_parser.isSet("click") && !m_options.picture)
         mistake(tr("--click works together with --screenshot OUT.png."));
 }
 

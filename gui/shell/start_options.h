@@ -20,6 +20,8 @@ namespace unprojector::gui {
 struct StartOptions {
     QString textToPrint;             ///< the help or the version, to print instead of a start; else empty
     std::optional<QString> picture;  ///< the file that a screenshot run writes; nothing: a window for a user
+    std::optional<QString> series;   ///< the folder of a series of scans
+    std::optional<QString> pictures; ///< the folder for an image of each scan of the series
     std::optional<QSize> windowSize; ///< logical pixels; a screenshot run always has one
     std::optional<QSize> viewSize;   ///< logical pixels; overrides windowSize
     std::optional<lessons::Workspace> workspace;
@@ -31,7 +33,7 @@ struct StartOptions {
     std::optional<QString> lesson;             ///< its name, optionally with a step after a colon, from 1
     std::vector<std::filesystem::path> files;  ///< none: the bundled scene
 
-    bool isScreenshotRun() const { return picture.has_value(); }
+    bool isScreenshotRun() const { return picture || pictures; }
 };
 
 /// The language that the words ask for, even if they have other errors; nothing if they ask for no

@@ -2,6 +2,7 @@
 
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
+#include "gui/landmarks/scan_series.h"
 #include "gui/lessons/lesson_player.h"
 #include "gui/shell/main_window.h"
 #include "gui/shell/start_options.h"
@@ -71,7 +72,10 @@ QString startWindow(MainWindow &window, const StartOptions &options)
         window.workspaces().enter(*options.workspace);
     if (!options.hasPanels)
         window.workspaces().hidePanels(true);
-    if (options.files.empty())
+    if (options.series) {
+        if (window.findChild<ScanSeries *>()->open(std::filesystem::path(options.series->toStdU16String())))
+            window.workspaces().show(Panel::Series);
+    } else if (options.files.empty())
         window.session().openBundledScene();
     else
         window.session().openFiles(options.files);
@@ -83,7 +87,7 @@ QString startWindow(MainWindow &window, const StartOptions &options)
     }
     if (options.viewSize)
         window.setViewSize(*options.viewSize);
-    if (!options.isScreenshotRun() && options.files.empty() && !options.lesson) {
+    if (!options.isScreenshotRun() && options.files.empty() && !options.lesson && !options.series) {
         new ExamplePick(window);
         showFromOutside(window);
     }

@@ -125,10 +125,15 @@ void WindowMenus::addFileMenu()
                       session.addFiles(std::move(files));
               });
     m_recent = menu.addMenu(tr("Open &Recent"));
-    putOnBar(*m_bar,
-             *addAction(menu, tr("&Save Scene"), QKeySequence::Save, tr("Write the scene to its file"),
-                        [&session] { session.save(); }),
-             Drawing::Save);
+    QAction *save = addAction(menu, tr("&Save Scene"), QKeySequence::Save,
+                              tr("Write the scene to its file; in a series, the landmarks beside their scan"),
+                              [&session] { session.save(); });
+    putOnBar(*m_bar, *save, Drawing::Save);
+    const auto nameSave = [&session, save] {
+        save->setText(session.savesLandmarks() ? tr("&Save Landmarks of the Scan") : tr("&Save Scene"));
+    };
+    connect(&session, &Session::changed, save, nameSave);
+    connect(&session, &Session::opened, save, nameSave);
     m_bar->addSeparator();
     addAction(menu, tr("Save Scene &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, tr("Write the scene to another file"),
               [&session] { session.saveAs(); });

@@ -1,9 +1,10 @@
 #include "gui/shell/window_questions.h"
 
 #include "gui/text/error_text.h"
+#include "gui/widgets/save_name.h"
 
-#include <QFileDialog>
 #include <QMessageBox>
+#include <QPushButton>
 
 namespace unprojector::gui {
 namespace {
@@ -42,9 +43,7 @@ SessionQuestions::SaveAnswer WindowQuestions::askSave(const QString &name, bool 
 
 std::filesystem::path WindowQuestions::askFileName(const std::filesystem::path &proposal)
 {
-    const QString name =
-        QFileDialog::getSaveFileName(&m_window, tr("Save Scene"), pathText(proposal), tr("Scenes (*.json)"));
-    return std::filesystem::path(name.toStdU16String());
+    return askSaveName(m_window, tr("Save Scene"), {tr("Scenes (*.json)")}, pathText(proposal)).file;
 }
 
 bool WindowQuestions::askOverwrite(const std::filesystem::path &file)
@@ -64,9 +63,27 @@ bool WindowQuestions::askOverwriteChanged(const std::filesystem::path &file)
            == QMessageBox::Yes;
 }
 
-bool WindowQuestions::askDeleteKept(const QString &name)
+SessionQuestions::FewerAnswer WindowQuestions::askFewerLandmarks(const std::filesystem::path &file, int saved, int now)
 {
-    return ask(m_window, tr("Discard Unsaved Changes"), tr("Delete the unsaved changes to %1 for good?").arg(name),
+    QMessageBox box(QMessageBox::Question, tr("Fewer Landmarks"),
+                    tr("%1: landmarks placed in the file: %2; now: %3. Replace the saved landmarks?")
+                        .arg(pathText(file.filename()))
+                        .arg(saved)
+                        .arg(now),
+                    QMessageBox::Cancel, &m_window);
+    box.setTextFormat(Qt::PlainText);
+    const QAbstractButton *replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    const QAbstractButton *keep = box.addButton(tr("&Keep the Saved Ones"), QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == replace ? FewerAnswer::Replace
+           : box.clickedButton() == keep  ? FewerAnswer::KeepSaved
+                                          : FewerAnswer::Cancel;
+}
+
+bool WindowQuestions::askDeleteKept(const QString &lost)
+{
+    return ask(m_window, tr("Discard Unsaved Changes"), tr("Delete the unsaved changes to %1 for good?").arg(lost),
                QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Cancel)
            == QMessageBox::Discard;
 }

@@ -22,7 +22,8 @@ public:
     std::filesystem::path askFileName(const std::filesystem::path &proposal) override;
     bool askOverwrite(const std::filesystem::path &file) override;
     bool askOverwriteChanged(const std::filesystem::path &file) override;
-    bool askDeleteKept(const QString &name) override;
+    FewerAnswer askFewerLandmarks(const std::filesystem::path &file, int saved, int now) override;
+    bool askDeleteKept(const QString &lost) override;
 
 private:
     QWidget &m_window;

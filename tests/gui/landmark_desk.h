@@ -30,6 +30,14 @@ struct FixedAnswers : unprojector::gui::SessionQuestions, unprojector::gui::Land
     std::filesystem::path askFileName(const std::filesystem::path &) override { return {}; }
     bool askOverwrite(const std::filesystem::path &) override { return true; }
     bool askOverwriteChanged(const std::filesystem::path &) override { return true; }
+    FewerAnswer askFewerLandmarks(const std::filesystem::path &file, int saved, int now) override
+    {
+        fewerQuestions << QStringLiteral("%1 %2 %3")
+                              .arg(QString::fromStdU16String(file.filename().u16string()))
+                              .arg(saved)
+                              .arg(now);
+        return fewer;
+    }
     bool askDeleteKept(const QString &) override { return true; }
     Join askJoin(const Counts &counts) override
     {
@@ -52,6 +60,8 @@ struct FixedAnswers : unprojector::gui::SessionQuestions, unprojector::gui::Land
     }
 
     SaveAnswer save = SaveAnswer::Discard;
+    FewerAnswer fewer = FewerAnswer::Cancel;
+    QStringList fewerQuestions; ///< "face.ply.points.csv 10 0"
     Join join = Join::Replace;
     unprojector::gui::LandmarkFileQuestions::Stray stray = unprojector::gui::LandmarkFileQuestions::Stray::Tie;
     int saveQuestions = 0, joinQuestions = 0;
@@ -101,6 +111,16 @@ protected:
         }
     }
 
+    void openSeries()
+    {
+        QVERIFY(m_series->open(file(QString())));
+        QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    }
+    void nextScan()
+    {
+        m_series->next();
+        QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    }
     void placeOne(const char *name, double x)
     {
         unprojector::landmarks::Landmark placed;
@@ -144,6 +164,7 @@ inline void LandmarksTest::begin()
     connect(m_series.get(), &unprojector::gui::ScanSeries::warned, this, note(m_warnings));
     connect(m_session.get(), &unprojector::gui::Session::warned, this, note(m_warnings));
     connect(m_files.get(), &unprojector::gui::LandmarkFiles::noticed, this, note(m_notices));
+    connect(m_series.get(), &unprojector::gui::ScanSeries::noticed, this, note(m_notices));
     connect(m_session.get(), &unprojector::gui::Session::landmarkFilesOpened, this,
             [this](const std::vector<std::filesystem::path> &opened) {
                 for (const std::filesystem::path &one : opened)

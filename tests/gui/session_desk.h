@@ -63,6 +63,11 @@ public:
         note(QStringLiteral("changed ") + QString::fromStdU16String(file.filename().u16string()));
         return yes;
     }
+    FewerAnswer askFewerLandmarks(const std::filesystem::path &file, int, int) override
+    {
+        note(QStringLiteral("fewer ") + QString::fromStdU16String(file.filename().u16string()));
+        return FewerAnswer::Cancel;
+    }
     bool askDeleteKept(const QString &name) override
     {
         note(QStringLiteral("delete ") + name);

@@ -16,6 +16,7 @@
 #include "gui/landmarks/landmarks_table.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/shell/overlay_bars.h"
+#include "gui/widgets/save_name.h"
 #include "tests/support/patience.h"
 
 #include <QApplication>
@@ -24,6 +25,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -31,6 +33,7 @@
 #include <QTreeWidget>
 #include <QUrl>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace unprojector;
@@ -55,6 +58,7 @@ private slots:
     void keysGoThroughASeries();
     void longMessagesAreFolded();
     void whatIsBeingTypedIsKeptWithItsScan();
+    void theTypedSuffixSelectsTheFormat();
     void fromAScanToASavedSceneAndBack();
 
 private:
@@ -376,6 +380,50 @@ void TestLandmarksWindow::fromAScanToASavedSceneAndBack()
     }
     const std::vector<LandmarkMark> marks = landmarkMarks(window->document());
     QCOMPARE(marks.size(), std::size_t(3));
+}
+
+void TestLandmarksWindow::theTypedSuffixSelectsTheFormat()
+{
+    const QStringList filters{QStringLiteral("Rows (*.csv)"), QStringLiteral("Columns (*.csv)"),
+                              QStringLiteral("Markups (*.mrk.json)"), QStringLiteral("C++ (*.cpp *.h)")};
+    QCOMPARE(filterOf(QStringLiteral("a.csv"), filters, 1), std::optional(1)); // the chosen one of two
+    QCOMPARE(filterOf(QStringLiteral("a.CSV"), filters, 2), std::optional(0));
+    QCOMPARE(filterOf(QStringLiteral("a.mrk.json"), filters, 0), std::optional(2));
+    QCOMPARE(filterOf(QStringLiteral("a.json"), filters, 0), std::optional(2));
+    QCOMPARE(filterOf(QStringLiteral("a.b.h"), filters, 0), std::optional(3));
+    QCOMPARE(filterOf(QStringLiteral("a.txt"), filters, 0), std::optional<int>());
+    QCOMPARE(filterOf(QStringLiteral("a"), filters, 0), std::optional<int>());
+
+    write(QStringLiteral("a.obj.points.csv"), "name,x,y,z\nfirst,1,2,0\n");
+    const std::unique_ptr<MainWindow> window = windowOfSize({1280, 800});
+    QVERIFY(window->findChild<ScanSeries *>()->open(path(QString()).toStdU16String()));
+    QTRY_VERIFY_WITH_TIMEOUT(!window->session().isLoading(), kPatienceMilliseconds);
+    window->workspaces().show(Panel::Series);
+    QStringList names{path(QStringLiteral("all.txt")), path(QStringLiteral("all.tps"))}, said;
+    QTimer answers; // the table is still chosen in the dialog
+    connect(&answers, &QTimer::timeout, this, [&names, &said] {
+        QWidget *modal = QApplication::activeModalWidget();
+        if (auto *box = qobject_cast<QMessageBox *>(modal)) {
+            said << box->text();
+            box->button(QMessageBox::Ok)->click();
+        } else if (auto *dialog = qobject_cast<QFileDialog *>(modal); dialog && !names.isEmpty()) {
+            dialog->findChild<QLineEdit *>()->setText(names.takeFirst());
+            QMetaObject::invokeMethod(dialog, "accept");
+        }
+    });
+    answers.start(20);
+    const auto buttons = dockOf(*window, "series")->findChildren<QToolButton *>();
+    const auto button = std::find_if(buttons.begin(), buttons.end(),
+                                     [](QToolButton *each) { return each->text() == QStringLiteral("Export…"); });
+    QVERIFY(button != buttons.end());
+    (*button)->click();
+    answers.stop();
+    QCOMPARE(said.size(), 1);
+    QVERIFY2(said[0].contains(QStringLiteral(".csv, .tps, .nts")), qPrintable(said[0]));
+    QVERIFY(!QFile::exists(path(QStringLiteral("all.txt"))));
+    QFile table(path(QStringLiteral("all.tps")));
+    QVERIFY(table.open(QIODevice::ReadOnly));
+    QVERIFY(table.readAll().startsWith("LM3=1"));
 }
 
 QTEST_MAIN(TestLandmarksWindow)

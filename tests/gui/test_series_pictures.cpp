@@ -1,0 +1,127 @@
+// --series with --screenshots: an image of each scan with its landmarks, and a contact sheet.
+
+#include "tests/gui/program_run.h"
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace program_run;
+
+class TestSeriesPictures : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void eachScanHasItsPicture();
+    void aScanThatCannotBeReadIsInTheSheet();
+    void aMistakeIsToldOnStderr_data();
+    void aMistakeIsToldOnStderr();
+
+private:
+    QString path(const QString &name) const { return m_folder->filePath(name); }
+    void write(const QString &name, const QByteArray &text) const
+    {
+        QFile out(path(name));
+        QVERIFY(out.open(QIODevice::WriteOnly));
+        QCOMPARE(out.write(text), text.size());
+    }
+    QStringList files() const { return QDir(path(QStringLiteral("scans"))).entryList(QDir::Files); }
+    Run pictures(const QStringList &more = {}) const
+    {
+        return run(QStringList{QStringLiteral("--series"), path(QStringLiteral("scans")),
+                               QStringLiteral("--screenshots"), path(QStringLiteral("out")), QStringLiteral("--size"),
+                               QStringLiteral("400x300")}
+                   + more);
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestSeriesPictures::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("scans")));
+    for (const char *name : {"scans/a.obj", "scans/b.obj", "scans/c.obj"})
+        write(QLatin1String(name), "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nf 1 2 3\nf 1 3 4\n");
+    write(QStringLiteral("scans/a.obj.points.csv"), "name,x,y,z,color\nleft,2,5,0,#ff0000\nright,8,5,0,#ff0000\n");
+    write(QStringLiteral("scans/b.obj.points.csv"), "name,x,y,z\nleft,2,5,0\nright,,,\n");
+}
+
+void TestSeriesPictures::eachScanHasItsPicture()
+{
+    const QStringList before = files();
+    const Run result = pictures();
+    QVERIFY2(result.hasExited && result.exitCode == 0, result.errors.constData());
+    QCOMPARE(QDir(path(QStringLiteral("out"))).entryList(QDir::Files),
+             (QStringList{"a.obj.png", "b.obj.png", "c.obj.png", "contact-sheet.png"}));
+    for (const char *line : {"1 of 3: a.obj: 2 of 2", "2 of 3: b.obj: 1 of 2", "3 of 3: c.obj: 0 of 2",
+                             "Images of 3 scans and contact-sheet.png written to "})
+        QVERIFY2(result.errors.contains(line), result.errors.constData());
+    const QImage a(path(QStringLiteral("out/a.obj.png"))), c(path(QStringLiteral("out/c.obj.png")));
+    QCOMPARE(a.size(), QSize(400, 300));
+    const auto reds = [](const QImage &image) { // of the landmarks' markers
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor color = image.pixelColor(x, y);
+                count += color.red() > 200 && color.green() < 60 && color.blue() < 60 ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    QVERIFY2(reds(a) > 20, qPrintable(QString::number(reds(a))));
+    QCOMPARE(reds(c), 0);
+    const QImage sheet(path(QStringLiteral("out/contact-sheet.png")));
+    QVERIFY(sheet.width() >= 2 * 320 && sheet.height() >= 2 * 240);
+    QVERIFY(reds(sheet.copy(0, 0, sheet.width() / 2, sheet.height() / 2)) > 5);
+    QCOMPARE(files(), before); // nothing is written there
+}
+
+void TestSeriesPictures::aScanThatCannotBeReadIsInTheSheet()
+{
+    write(QStringLiteral("scans/b.obj"), "v 1 2\n");
+    write(QStringLiteral("scans/c.obj.points.csv"), "name,x,y,z\nleft,1,two,3\n");
+    const Run result = pictures();
+    QVERIFY2(result.hasExited && result.exitCode == 1, result.errors.constData());
+    QCOMPARE(QDir(path(QStringLiteral("out"))).entryList(QDir::Files), (QStringList{"a.obj.png", "contact-sheet.png"}));
+    for (const char *line : {"2 of 3: b.obj: ", "3 of 3: c.obj: ", "Scans that could not be read: 2."})
+        QVERIFY2(result.errors.contains(line), result.errors.constData());
+    const QImage sheet(path(QStringLiteral("out/contact-sheet.png")));
+    QVERIFY(!sheet.isNull());
+    int ink = 0; // the reason, on the second tile
+    for (int y = 20; y < 230; ++y) {
+        for (int x = 350; x < 640; ++x) {
+            const QColor color = sheet.pixelColor(x, y);
+            ink += color.red() > color.blue() + 60 ? 1 : 0;
+        }
+    }
+    QVERIFY2(ink > 50, qPrintable(QString::number(ink)));
+}
+
+void TestSeriesPictures::aMistakeIsToldOnStderr_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QString>("said");
+    const QString out = QStringLiteral("--screenshots"), series = QStringLiteral("--series");
+    QTest::newRow("without a series") << QStringList{out, "o"} << "--screenshots works together with --series FOLDER.";
+    QTest::newRow("one image") << QStringList{series, "s", "--screenshot", "x.png"} << "give --screenshots OUT";
+    QTest::newRow("with a model") << QStringList{series, "s", "a.obj"} << "Give --series alone";
+    QTest::newRow("no folder") << QStringList{series, "/nowhere/at/all", out, "/tmp"} << "the folder cannot be read";
+    QTest::newRow("no folder to write") << QStringList{series, "s", out, "/dev/null/x"} << "is not a folder";
+}
+
+void TestSeriesPictures::aMistakeIsToldOnStderr()
+{
+    QFETCH(QStringList, words);
+    QFETCH(QString, said);
+    const Run result = run(words);
+    QVERIFY(result.hasExited);
+    QCOMPARE(result.exitCode, 2);
+    QVERIFY2(textOf(result.errors).contains(said), result.errors.constData());
+}
+
+QTEST_MAIN(TestSeriesPictures)
+#include "test_series_pictures.moc"
