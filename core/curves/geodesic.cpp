@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -133,34 +134,75 @@ bool leadAroundBends(TriangleStrip &strip, const StripPath &path, const PlacedMe
     return isChanged;
 }
 
-} // namespace
-
-Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
-                                        const glm::dmat4 &worldFromObject, const GoesOn &goesOn)
+/// The geodesic that a strip leads to.
+Result<StripPath, PathError> straightened(TriangleStrip strip, const PlacedMesh &mesh, const PathEnd &from,
+                                          const PathEnd &to, const GoesOn &goesOn)
 {
-    const PlacedMesh placed(mesh, worldFromObject);
-    const PathEnd start(placed, from), goal(placed, to);
-    Result<TriangleStrip, PathError> found = stripBetween(placed, start, goal, goesOn);
-    if (!found)
-        return found.error();
-    TriangleStrip strip = std::move(found).value();
     std::optional<StripPath> best;
     for (;;) {
-        if (goesOn && !goesOn())
+        if (!goesOn(0.0))
             return PathError::Stopped;
-        shorten(strip, start, goal);
-        StripPath path = shortestIn(strip, placed, start, goal);
+        shorten(strip, from, to);
+        StripPath path = shortestIn(strip, mesh, from, to);
         // Every pass shortens the path until rounding dominates.
         if (best && !(path.length < best->length))
             break;
         best = std::move(path);
-        if (!leadAroundBends(strip, *best, placed))
+        if (!leadAroundBends(strip, *best, mesh))
             break;
     }
+    return *std::move(best);
+}
+
+/// The strip of a long way, in the corridor of a wave.
+Result<TriangleStrip, PathError> stripAlongWave(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
+                                                const GoesOn &goesOn)
+{
+    const Result<Corridor, PathError> corridor = corridorBetween(mesh, from, to, goesOn);
+    if (!corridor)
+        return corridor.error();
+    const GoesOn within = [&goesOn](double) { return goesOn(1.0); };
+    Result<TriangleStrip, PathError> strip = stripWithin(*corridor, mesh, from, to, within);
+    if (strip || strip.error() == PathError::Stopped)
+        return strip;
+    // The wave passed a corner at which sheets touch without a common edge.
+    const auto whole = stripBetween(mesh, from, to, within, std::numeric_limits<std::size_t>::max());
+    if (!whole)
+        return whole.error();
+    return **whole;
+}
+
+} // namespace
+
+Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
+                                        const glm::dmat4 &worldFromObject, const GoesOn &goesOn, std::size_t mostEdges)
+{
+    const PlacedMesh placed(mesh, worldFromObject);
+    const PathEnd start(placed, from), goal(placed, to);
+    // The limit of edges is reached early on a long way.
+    constexpr double kShort = 0.1, kWave = 0.95;
+    double done = 0.0; // shares never decrease
+    const auto goes = [&](double first, double last) -> GoesOn {
+        return [&, first, last](double share) {
+            done = std::max(done, first + (last - first) * share);
+            return !goesOn || goesOn(done);
+        };
+    };
+    const Result<std::optional<TriangleStrip>, PathError> nearby =
+        stripBetween(placed, start, goal, goes(0.0, kShort), mostEdges);
+    if (!nearby)
+        return nearby.error();
+    const Result<TriangleStrip, PathError> strip =
+        *nearby ? Result<TriangleStrip, PathError>(**nearby) : stripAlongWave(placed, start, goal, goes(kShort, kWave));
+    if (!strip)
+        return strip.error();
+    const Result<StripPath, PathError> found = straightened(*strip, placed, start, goal, goes(kWave, 1.0));
+    if (!found)
+        return found.error();
     SurfacePath path;
-    path.length = best->length;
-    const double least = 1e-12 * best->length;
-    for (const glm::dvec3 &place : best->places) {
+    path.length = found->length;
+    const double least = 1e-12 * found->length;
+    for (const glm::dvec3 &place : found->places) {
         if (path.places.empty() || glm::distance(path.places.back().coordinates(), place) > least)
             path.places.push_back(WorldPoint(place));
     }

@@ -1,5 +1,6 @@
 #include "gui/document/scene_landmarks.h"
 
+#include "core/ray/placed_landmark.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
 
@@ -75,13 +76,14 @@ std::optional<std::size_t> nextMissing(const std::vector<Landmark> &landmarks, s
     return std::nullopt;
 }
 
-/// Copies position, anchor and uncertainty.
+/// Copies position, anchor, uncertainty and the edge of the pixel.
 void takePlace(Landmark &landmark, const Landmark &of)
 {
     landmark.world = of.world;
     landmark.object = of.object;
     landmark.anchor = of.anchor;
     landmark.uncertainty = of.uncertainty;
+    ray::takeEdge(landmark, of);
 }
 
 } // namespace

@@ -20,6 +20,7 @@ struct MeasureRow {
     std::optional<double> error = {};
     /// The measure for the view, without its text; nothing if the view cannot show it.
     std::optional<ShownMeasure> shown = {};
+    bool isComputing = false;
 };
 
 /// The measures of some landmarks, in list order: the distance of two; the angles of three and

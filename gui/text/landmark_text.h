@@ -17,8 +17,11 @@ namespace unprojector::gui {
 QString heldByText(const landmarks::Landmark &landmark);
 /// The same in a sentence.
 QString heldByExplanation(const landmarks::Landmark &landmark);
-/// The uncertainty of a landmark: its length, "0.05"; "?" if unknown.
+/// The uncertainty of a landmark: its length, "0.05"; "?" if unknown. A triangle before it marks an
+/// edge in the landmark's pixel: "▲ 4.3".
 QString plusMinusText(const landmarks::Landmark &landmark);
+/// The occluding edge in the pixel that the landmark was placed by, a sentence; empty without one.
+QString landmarkEdgeText(const landmarks::Landmark &landmark);
 /// The notation of a landmark's coordinates: two digits below the uncertainty if they fit into
 /// `characters`; else only the certain ones if they fit into `most`; thousandths if the uncertainty
 /// is unknown.

@@ -347,7 +347,7 @@ void TestSurfacePaths::workIsEndedWhenAsked()
     const auto model = ball(4);
     QVERIFY(!SurfaceMesh::build(*model, [](double) { return false; }));
     const auto path = geodesic(*surfaceOf(*model), nearestTo(*model, {0, 0, 1}), nearestTo(*model, {0, 1, 0}), kAsItIs,
-                               [] { return false; });
+                               [](double) { return false; });
     QVERIFY(!path && path.error() == PathError::Stopped);
 }
 
