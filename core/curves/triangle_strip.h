@@ -35,6 +35,9 @@ using Corridor = std::vector<std::uint32_t>;
 /// @return NotConnected, Stopped
 geometry::Result<Corridor, PathError> corridorBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
                                                       const GoesOn &goesOn);
+/// Some rings of triangles around others.
+Corridor corridorAbout(const SurfaceMesh &mesh, Corridor triangles);
+
 /// The strip of stripBetween, searched only in a corridor.
 /// @return NotConnected, Stopped
 geometry::Result<TriangleStrip, PathError> stripWithin(const Corridor &corridor, const PlacedMesh &mesh,

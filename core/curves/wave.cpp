@@ -223,4 +223,17 @@ Result<Corridor, PathError> corridorBetween(const PlacedMesh &mesh, const PathEn
     return Wave(mesh, from, to, goesOn).run();
 }
 
+Corridor corridorAbout(const SurfaceMesh &mesh, Corridor triangles)
+{
+    constexpr int kRings = 12;
+    for (int ring = 0; ring < kRings; ++ring) {
+        for (const std::uint32_t corner : cornersOf(mesh, triangles)) {
+            const auto [begin, end] = mesh.around(corner);
+            triangles.insert(triangles.end(), begin, end);
+        }
+        sort(triangles);
+    }
+    return triangles;
+}
+
 } // namespace unprojector::curves
