@@ -50,8 +50,12 @@ Result<CurveLine, CurveError> lineThrough(const SurfaceMesh &mesh, std::span<con
     CurveLine line;
     std::vector<glm::dvec3> gradients(points.size(), glm::dvec3(0.0));
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const auto pathOf = kind == CurveKind::Geodesic ? geodesic : planeSection;
-        Result<SurfacePath, PathError> piece = pathOf(mesh, places[i - 1], places[i], worldFromObject, goesOn);
+        const GoesOn pieceGoesOn = [&](double share) {
+            return !goesOn || goesOn((double(i - 1) + share) / double(points.size() - 1));
+        };
+        Result<SurfacePath, PathError> piece =
+            kind == CurveKind::Geodesic ? geodesic(mesh, places[i - 1], places[i], worldFromObject, pieceGoesOn)
+                                        : planeSection(mesh, places[i - 1], places[i], worldFromObject, pieceGoesOn);
         if (!piece)
             return errorOf(piece.error(), i);
         const std::vector<WorldPoint> &way = piece->places;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -133,34 +134,113 @@ bool leadAroundBends(TriangleStrip &strip, const StripPath &path, const PlacedMe
     return isChanged;
 }
 
-} // namespace
-
-Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
-                                        const glm::dmat4 &worldFromObject, const GoesOn &goesOn)
+/// The geodesic that a strip leads to.
+Result<StripPath, PathError> straightened(TriangleStrip strip, const PlacedMesh &mesh, const PathEnd &from,
+                                          const PathEnd &to, const GoesOn &goesOn)
 {
-    const PlacedMesh placed(mesh, worldFromObject);
-    const PathEnd start(placed, from), goal(placed, to);
-    Result<TriangleStrip, PathError> found = stripBetween(placed, start, goal, goesOn);
-    if (!found)
-        return found.error();
-    TriangleStrip strip = std::move(found).value();
     std::optional<StripPath> best;
     for (;;) {
-        if (goesOn && !goesOn())
+        if (!goesOn(0.0))
             return PathError::Stopped;
-        shorten(strip, start, goal);
-        StripPath path = shortestIn(strip, placed, start, goal);
+        shorten(strip, from, to);
+        StripPath path = shortestIn(strip, mesh, from, to);
         // Every pass shortens the path until rounding dominates.
         if (best && !(path.length < best->length))
             break;
         best = std::move(path);
-        if (!leadAroundBends(strip, *best, placed))
+        if (!leadAroundBends(strip, *best, mesh))
             break;
     }
+    return *std::move(best);
+}
+
+/// A geodesic with the triangles that it passes.
+struct Straight {
+    StripPath path;
+    Corridor triangles;
+};
+
+/// The geodesic of the strip that A* finds in a corridor.
+Result<Straight, PathError> straightWithin(const Corridor &corridor, const PlacedMesh &mesh, const PathEnd &from,
+                                           const PathEnd &to, const GoesOn &goesOn)
+{
+    const Result<TriangleStrip, PathError> strip = stripWithin(corridor, mesh, from, to, goesOn);
+    if (!strip)
+        return strip.error();
+    Result<StripPath, PathError> path = straightened(*strip, mesh, from, to, goesOn);
+    if (!path)
+        return path.error();
+    return Straight{std::move(path).value(), strip->triangles};
+}
+
+/// The geodesic of a long way: of the one along the wave, of the one in the rings around the wave,
+/// and of those in the rings around the best one, the shortest.
+Result<StripPath, PathError> alongWave(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
+                                       const GoesOn &goesOn)
+{
+    constexpr double kWave = 0.7; // share of the time
+    const Result<Corridor, PathError> wave =
+        corridorBetween(mesh, from, to, [&](double share) { return goesOn(kWave * share); });
+    if (!wave)
+        return wave.error();
+    double left = 1.0 - kWave;
+    const GoesOn within = [&](double share) { return goesOn(1.0 - left * (1.0 - share / 2.0)); };
+    Result<Straight, PathError> best = straightWithin(*wave, mesh, from, to, within);
+    if (!best && best.error() == PathError::NotConnected) {
+        // The wave passed a corner at which sheets touch without a common edge.
+        const auto whole = stripBetween(mesh, from, to, within, std::numeric_limits<std::size_t>::max());
+        if (!whole)
+            return whole.error();
+        return straightened(**whole, mesh, from, to, within);
+    }
+    Corridor middle = *wave;
+    for (bool isFirst = true; best; isFirst = false) {
+        left /= 2.0;
+        constexpr double kShorter = 1e-9;
+        Result<Straight, PathError> next =
+            straightWithin(corridorAbout(mesh.mesh(), std::move(middle)), mesh, from, to, within);
+        if (!next)
+            return next.error();
+        const bool isShorter = next->path.length < (1.0 - kShorter) * best->path.length;
+        if (!isShorter && !isFirst)
+            break;
+        if (isShorter)
+            best = std::move(next);
+        middle = best->triangles;
+    }
+    if (!best)
+        return best.error();
+    return std::move(best).value().path;
+}
+
+} // namespace
+
+Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from, const SurfacePlace &to,
+                                        const glm::dmat4 &worldFromObject, const GoesOn &goesOn, std::size_t mostEdges)
+{
+    const PlacedMesh placed(mesh, worldFromObject);
+    const PathEnd start(placed, from), goal(placed, to);
+    // The limit of edges is reached early on a long way.
+    constexpr double kShort = 0.1;
+    double done = 0.0; // shares never decrease
+    const auto goes = [&](double first, double last) -> GoesOn {
+        return [&, first, last](double share) {
+            done = std::max(done, first + (last - first) * share);
+            return !goesOn || goesOn(done);
+        };
+    };
+    const Result<std::optional<TriangleStrip>, PathError> nearby =
+        stripBetween(placed, start, goal, goes(0.0, kShort), mostEdges);
+    if (!nearby)
+        return nearby.error();
+    const Result<StripPath, PathError> found = *nearby ? straightened(**nearby, placed, start, goal, goes(0.0, 1.0))
+                                                       : alongWave(placed, start, goal, goes(kShort, 1.0));
+    if (!found)
+        return found.error();
     SurfacePath path;
-    path.length = best->length;
-    const double least = 1e-12 * best->length;
-    for (const glm::dvec3 &place : best->places) {
+    path.length = found->length;
+    const double least = 1e-12 * found->length;
+    for (const glm::dvec3 &place : found->places) {
         if (path.places.empty() || glm::distance(path.places.back().coordinates(), place) > least)
             path.places.push_back(WorldPoint(place));
     }

@@ -72,7 +72,7 @@ private:
                 path.places.push_back(WorldPoint(place));
         };
         for (std::uint32_t steps = 0; steps < m_mesh.mesh().triangleCount(); ++steps) {
-            if (steps % kAsking == 0 && goesOn && !goesOn())
+            if (steps % kAsking == 0 && goesOn && !goesOn(0.0))
                 return PathError::Stopped;
             const double aboveA = above(a), aboveB = above(b);
             const double share = aboveA / (aboveA - aboveB);

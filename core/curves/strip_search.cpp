@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <unordered_map>
 #include <utility>
@@ -25,27 +26,35 @@ public:
     {
     }
 
-    Result<TriangleStrip, PathError> run()
+    /// Searches only in these triangles.
+    /// @param corridor  outlives this
+    void stayIn(const Corridor &corridor) { m_corridor = &corridor; }
+
+    /// @return nothing if it would visit more edges
+    Result<std::optional<TriangleStrip>, PathError> run(std::size_t mostEdges)
     {
         for (const std::uint32_t triangle : m_from.triangles()) {
             if (m_to.isIn(triangle))
-                return TriangleStrip{{triangle}, {}};
+                return std::optional(TriangleStrip{{triangle}, {}});
         }
         for (const std::uint32_t triangle : m_from.triangles())
             enter(triangle, kNone, m_from.place(), 0.0);
         for (std::size_t steps = 0; !m_open.empty(); ++steps) {
-            if (steps % kAsking == 0 && m_goesOn && !m_goesOn())
+            if (steps % kAsking == 0 && m_goesOn && !m_goesOn(m_share))
                 return PathError::Stopped;
+            if (m_edges.size() > mostEdges)
+                return std::optional<TriangleStrip>();
             const std::uint32_t number = m_open.top().second;
             m_open.pop();
             if (number == kNone)
-                return traced();
+                return std::optional(traced());
             Node &node = m_nodes[number];
             if (std::exchange(node.isDone, true))
                 continue;
             const Node from = node; // a copy, because adding nodes moves them
             const TriangleStrip::Edge edge = m_edges[number / kPlaces];
             const glm::dvec3 place = placeOf(number);
+            m_share = std::max(m_share, from.cost / (from.cost + glm::distance(place, m_to.place())));
             m_mesh.mesh().across(from.via, edge[0], edge[1],
                                  [&](std::uint32_t triangle) { enter(triangle, number, place, from.cost); });
         }
@@ -85,6 +94,8 @@ private:
     /// Relaxes the neighbours in a triangle, from a point of its boundary or inside.
     void enter(std::uint32_t triangle, std::uint32_t parent, const glm::dvec3 &place, double cost)
     {
+        if (m_corridor && !std::binary_search(m_corridor->begin(), m_corridor->end(), triangle))
+            return;
         if (m_to.isIn(triangle)) {
             const double whole = cost + glm::distance(place, m_to.place());
             if (whole < m_end.cost) {
@@ -125,7 +136,9 @@ private:
     const PlacedMesh &m_mesh;
     const PathEnd &m_from, &m_to;
     const GoesOn &m_goesOn;
-    std::vector<Node> m_nodes; ///< kPlaces per edge
+    const Corridor *m_corridor = nullptr; ///< none: the whole surface
+    double m_share = 0.0;                 ///< done, if only the goal's distance in a straight line were left
+    std::vector<Node> m_nodes;            ///< kPlaces per edge
     std::vector<TriangleStrip::Edge> m_edges;
     std::unordered_map<std::uint64_t, std::uint32_t> m_numbers; ///< edge indices
     Node m_end;
@@ -135,10 +148,22 @@ private:
 
 } // namespace
 
-Result<TriangleStrip, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
-                                              const GoesOn &goesOn)
+Result<std::optional<TriangleStrip>, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from,
+                                                             const PathEnd &to, const GoesOn &goesOn,
+                                                             std::size_t mostEdges)
 {
-    return Search(mesh, from, to, goesOn).run();
+    return Search(mesh, from, to, goesOn).run(mostEdges);
+}
+
+Result<TriangleStrip, PathError> stripWithin(const Corridor &corridor, const PlacedMesh &mesh, const PathEnd &from,
+                                             const PathEnd &to, const GoesOn &goesOn)
+{
+    Search search(mesh, from, to, goesOn);
+    search.stayIn(corridor);
+    Result<std::optional<TriangleStrip>, PathError> found = search.run(std::numeric_limits<std::size_t>::max());
+    if (!found)
+        return found.error();
+    return **std::move(found);
 }
 
 } // namespace unprojector::curves

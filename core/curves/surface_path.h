@@ -23,8 +23,12 @@ enum class PathError {
     Stopped,
 };
 
-/// Called repeatedly; returns false to stop the work.
-using GoesOn = std::function<bool()>;
+/// Called repeatedly with the share done in [0, 1], which never decreases; returns false to stop the
+/// work.
+using GoesOn = std::function<bool(double share)>;
+
+/// The edges that the search of a geodesic visits before it follows a wave instead.
+inline constexpr std::size_t kMostEdges = 1 << 16;
 
 /// A geodesic: a path that no small change shortens, like a thread pulled tight. It is exact to
 /// rounding for the triangles. Where several exist, left or right around a hole, it follows the
@@ -36,11 +40,17 @@ using GoesOn = std::function<bool()>;
 /// with less than half a turn on its other side, the strip is rerouted around that side. This
 /// repeats until no such bend remains (Xin and Wang, 2007).
 ///
+/// On a long way, A* would visit most edges of the mesh. Beyond `mostEdges`, a wave therefore finds
+/// a corridor by fast marching, in a tenth of the time and memory, and A* searches only there. Of
+/// 272 long ways on seven meshes, 212 are then the same, 59 are up to 2 % shorter, and one is 0.8 %
+/// longer; differences below 10 parts per million count as the same.
+///
 /// @param worldFromObject  the length is measured in the world
 /// @param goesOn           may be empty
+/// @param mostEdges        another limit, for comparisons
 geometry::Result<SurfacePath, PathError> geodesic(const SurfaceMesh &mesh, const SurfacePlace &from,
                                                   const SurfacePlace &to, const glm::dmat4 &worldFromObject,
-                                                  const GoesOn &goesOn);
+                                                  const GoesOn &goesOn, std::size_t mostEdges = kMostEdges);
 
 /// The section of the surface by a plane through both points, along the mean of their normals. Of
 /// its two ways from one point to the other, it is the shorter one.

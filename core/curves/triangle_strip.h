@@ -19,9 +19,29 @@ struct TriangleStrip {
 };
 
 /// A strip around a short path from one end to the other, found by A* over points on the edges.
+/// @param mostEdges  see geodesic
+/// @return nothing if the search would visit more edges; NotConnected, Stopped
+geometry::Result<std::optional<TriangleStrip>, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from,
+                                                                       const PathEnd &to, const GoesOn &goesOn,
+                                                                       std::size_t mostEdges);
+
+/// Triangles, sorted.
+using Corridor = std::vector<std::uint32_t>;
+
+/// The triangles about a short path from one end to the other. A wave spreads from corner to corner
+/// by fast marching until it reaches the goal (Kimmel and Sethian, 1998); a corner's distance
+/// follows from two others by the image of the source (Novotni and Klein, 2002). It needs 16 bytes
+/// per corner.
 /// @return NotConnected, Stopped
-geometry::Result<TriangleStrip, PathError> stripBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
-                                                        const GoesOn &goesOn);
+geometry::Result<Corridor, PathError> corridorBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
+                                                      const GoesOn &goesOn);
+/// Some rings of triangles around others.
+Corridor corridorAbout(const SurfaceMesh &mesh, Corridor triangles);
+
+/// The strip of stripBetween, searched only in a corridor.
+/// @return NotConnected, Stopped
+geometry::Result<TriangleStrip, PathError> stripWithin(const Corridor &corridor, const PlacedMesh &mesh,
+                                                       const PathEnd &from, const PathEnd &to, const GoesOn &goesOn);
 
 /// The shortest path within a strip.
 struct StripPath {

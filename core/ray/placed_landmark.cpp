@@ -2,6 +2,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +14,9 @@ namespace unprojector::ray {
 using namespace geometry;
 using namespace landmarks;
 namespace {
+
+/// The key of a landmark's other data.
+constexpr const char *kEdgeKey = "pixelEdge";
 
 OnEdge edgeOf(const TriangleDetail &triangle)
 {
@@ -90,6 +94,44 @@ Landmark landmarkAt(const SceneHit &hit, Snap snap, const SceneRays &rays, const
     landmark.object = object;
     landmark.uncertainty = hit.uncertainty + WorldVector(reachOf(hit, landmark.anchor, rays, position, pixels));
     return landmark;
+}
+
+void addEdge(Landmark &landmark, const PixelEdge &edge, const std::string &object)
+{
+    nlohmann::ordered_json &json = landmark.extra.edit()[kEdgeKey];
+    json["object"] = edge.object ? nlohmann::ordered_json(object) : nlohmann::ordered_json();
+    json["behind"] = edge.object ? nlohmann::ordered_json(edge.behind) : nlohmann::ordered_json();
+    if (landmark.uncertainty)
+        landmark.uncertainty = *landmark.uncertainty + edge.reach;
+}
+
+std::optional<LandmarkEdge> edgeOf(const Landmark &landmark)
+{
+    const nlohmann::ordered_json &extra = landmark.extra.json();
+    const auto found = extra.is_object() ? extra.find(kEdgeKey) : extra.end();
+    if (!extra.is_object() || found == extra.end() || !found->is_object())
+        return std::nullopt;
+    const auto object = found->find("object"), behind = found->find("behind");
+    LandmarkEdge edge;
+    if (object != found->end() && object->is_string())
+        edge.object = object->get<std::string>();
+    if (behind != found->end() && behind->is_number())
+        edge.behind = behind->get<double>();
+    return edge;
+}
+
+void takeEdge(Landmark &landmark, const Landmark &of)
+{
+    const auto holdsEdge = [](const Landmark &each) {
+        return each.extra.json().is_object() && each.extra.json().contains(kEdgeKey);
+    };
+    if (holdsEdge(of)) {
+        landmark.extra.edit()[kEdgeKey] = of.extra.json()[kEdgeKey];
+    } else if (holdsEdge(landmark)) {
+        landmark.extra.edit().erase(kEdgeKey);
+        if (landmark.extra.json().empty())
+            landmark.extra = {};
+    }
 }
 
 } // namespace unprojector::ray

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "core/landmarks/landmark.h"
+#include "core/ray/pixel_edge.h"
 #include "core/ray/scene_rays.h"
 
+#include <optional>
 #include <string>
 
 namespace unprojector::ray {
@@ -22,5 +24,20 @@ landmarks::Anchor anchorOf(const SceneHit &hit, Snap snap);
 /// @param pixels    the precision of pointing, device pixels: a click means its pixel, 1
 landmarks::Landmark landmarkAt(const SceneHit &hit, Snap snap, const SceneRays &rays,
                                const geometry::DevicePoint &position, const std::string &object, double pixels = 1.0);
+
+/// An occluding edge in the pixel that a landmark was placed by: what lay on its other side.
+struct LandmarkEdge {
+    std::string object;  ///< UTF-8; empty: the background
+    double behind = 0.0; ///< see PixelEdge
+};
+
+/// Records the edge of its pixel in a landmark, and adds the edge's reach to its uncertainty: the
+/// user may have meant the other side.
+/// @param object  name of the object on the other side; ignored for the background
+void addEdge(landmarks::Landmark &landmark, const PixelEdge &edge, const std::string &object);
+/// The recorded edge; nothing if there is none or a file has another value there.
+std::optional<LandmarkEdge> edgeOf(const landmarks::Landmark &landmark);
+/// Replaces the recorded edge of a landmark by another landmark's.
+void takeEdge(landmarks::Landmark &landmark, const landmarks::Landmark &of);
 
 } // namespace unprojector::ray

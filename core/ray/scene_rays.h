@@ -62,6 +62,7 @@ public:
 
 private:
     friend class SnapSearch;
+    friend class PixelEdgeSearch;
     struct Object {
         std::size_t index;
         std::shared_ptr<const RayCaster> caster;

@@ -36,8 +36,16 @@ Json jsonOf(const RayOnMesh &ray)
 {
     Json json = Json::object();
     json["hit"] = ray.hit.has_value();
-    if (!ray.hit)
+    const auto addPixelEdge = [&] {
+        if (!ray.edge)
+            return;
+        json["pixelEdge"]["object"] = ray.edge->object ? Json(ray.edgeObject) : Json();
+        json["pixelEdge"]["behind"] = ray.hit && ray.edge->object ? number(ray.edge->behind) : Json();
+    };
+    if (!ray.hit) {
+        addPixelEdge();
         return json;
+    }
     const SceneHit &hit = *ray.hit;
     const std::optional<TriangleDetail> &triangle = hit.triangle;
     json["object"] = ray.object;
@@ -55,6 +63,7 @@ Json jsonOf(const RayOnMesh &ray)
         addPlace(json["edge"], triangle->edge.world, triangle->edge.distance);
     }
     json["uncertainty"] = list(hit.uncertainty.coordinates());
+    addPixelEdge();
     return json;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/ray/scene_hit.h"
+#include "core/ray/pixel_edge.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -16,9 +16,14 @@ namespace unprojector::scene_file {
 /// "objectPoint", "normal", "distance", "vertex" ("id", "world", "distance"), "edge" ("ids",
 /// "world", "distance") and "uncertainty". For a point of a cloud, keys that only apply to
 /// triangles are null. Numbers that are not finite are null too.
+///
+/// If an occluding edge crosses the pixel, "pixelEdge" tells the other side: "object" (null: the
+/// background) and "behind" (null on the background), see PixelEdge.
 struct RayOnMesh {
     std::optional<ray::SceneHit> hit;
     std::string object; ///< UTF-8, of the hit object
+    std::optional<ray::PixelEdge> edge = {};
+    std::string edgeObject = {}; ///< of the edge's other side
 };
 
 nlohmann::ordered_json jsonOf(const RayOnMesh &ray);

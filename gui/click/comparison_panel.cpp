@@ -118,6 +118,15 @@ ComparisonPanel::ComparisonPanel(SceneDocument &document, QWidget *parent)
 QWidget *ComparisonPanel::answerPart()
 {
     m_answer = new AnswerView;
+    m_edge = new QLabel;
+    m_edge->setAccessibleName(tr("Edge in the pixel"));
+    m_edge->setToolTip(tr("Rays of this pixel hit surfaces at different distances. Zoom in to choose one of them."));
+    m_edge->setWordWrap(true);
+    m_edge->setTextFormat(Qt::PlainText);
+    m_edge->setContentsMargins(4, 2, 4, 2);
+    m_edge->setAutoFillBackground(true);
+    m_edge->setBackgroundRole(QPalette::ToolTipBase);
+    m_edge->setForegroundRole(QPalette::ToolTipText);
     m_verdict = new VerdictView;
 
     m_changed = new QWidget;
@@ -176,6 +185,7 @@ QWidget *ComparisonPanel::answerPart()
     auto *part = new QWidget;
     auto *layout = columnOf(*part);
     layout->addWidget(m_answer);
+    layout->addWidget(m_edge);
     layout->addWidget(m_verdict);
     layout->addWidget(m_changed);
     layout->addWidget(m_nowFold);
@@ -295,6 +305,10 @@ void ComparisonPanel::showRay()
     m_rayModel->setRay(pick ? &*pick : nullptr, ray);
     m_ray->clear();
     m_ray->setValue({});
+    const bool hasEdge = ray && ray->state == PickedRay::State::Answered && ray->edge && !isVertexTaken();
+    m_edge->setText(hasEdge ? pixelEdgeText(*ray->edge, nameOf(std::nullopt, ray->edgeObject), ray->met.has_value())
+                            : QString());
+    m_edge->setVisible(hasEdge);
     m_rayDetail->clear();
     const Result<WorldPoint> *formula = pick ? &pick->point.world[Method::Formula] : nullptr;
     QString notAnswered;
@@ -319,6 +333,12 @@ void ComparisonPanel::showRay()
         const WorldVector &uncertainty = ray->met->hit.uncertainty;
         m_ray->setValue({QStringLiteral("rayUncertainty"), {uncertainty.x, uncertainty.y, uncertainty.z}});
     }
+}
+
+bool ComparisonPanel::isVertexTaken() const
+{
+    const MetPlace *taken = takenPlace();
+    return taken && m_document.picks().pickedRay()->snap == ray::Snap::Vertex;
 }
 
 const MetPlace *ComparisonPanel::takenPlace() const
@@ -438,7 +458,10 @@ QString ComparisonPanel::text() const
     const std::optional<Pick> &pick = m_document.picks().pick();
     if (!pick)
         return {};
-    QString text = m_answer->heading() + u'\n' + m_answer->text() + u'\n' + m_verdict->text();
+    QString text = m_answer->heading() + u'\n' + m_answer->text() + u'\n';
+    if (!m_edge->text().isEmpty())
+        text += m_edge->text() + u'\n';
+    text += m_verdict->text();
     if (m_document.picks().sinceClick().isAnything())
         text += m_sinceClick->text() + u'\n' + m_now->text();
     for (const SteadyLabel *link : m_chain) {

@@ -84,6 +84,8 @@ private:
     void showRay();
     /// The snapped hit; null if the click took the surface under the pixel.
     const MetPlace *takenPlace() const;
+    /// Returns whether the point is a vertex, whose coordinate no pixel leaves uncertain.
+    bool isVertexTaken() const;
     /// The display name of an object; its former name if it is gone, else "the surface".
     QString nameOf(const std::optional<std::size_t> &object, const std::string &formerName) const;
     void showSinceClick();
@@ -94,6 +96,7 @@ private:
     QWidget *m_before; ///< shown before the first click
     QWidget *m_after;  ///< shown with a pick
     AnswerView *m_answer;
+    QLabel *m_edge; ///< shown if an occluding edge crosses the pixel
     VerdictView *m_verdict;
     QWidget *m_changed; ///< the banner and its button
     QLabel *m_sinceClick;

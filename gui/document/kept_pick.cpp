@@ -130,6 +130,10 @@ void answerRay(KeptPick &kept, const Unprojector &unprojector, const ray::SceneR
     ray.state = PickedRay::State::Answered;
     if (*met)
         ray.met = metPlace(**met, clicked, now);
+    if (!*met || (*met)->triangle)
+        ray.edge = ray::edgeInPixel(rays, position, *met);
+    if (ray.edge && ray.edge->object)
+        ray.edgeObject = clicked[*ray.edge->object].name;
     // The triangle gives the uncertainty of the depth's own point if it is the drawn triangle.
     const bool isSameObject = *met && ray.met->object && ray.met->object == pick.object;
     const Pick known = isSameObject ? refined(pick, ray::drawnSurface(clicked[(*met)->object], **met)) : pick;

@@ -22,7 +22,13 @@ std::optional<Landmark> landmarkMet(const SceneDocument &document, const DeviceP
     const Result<std::optional<ray::SceneHit>> hit = rays->at(position, snap);
     if (!hit || !*hit)
         return std::nullopt;
-    return ray::landmarkAt(**hit, snap, *rays, position, document.objects()[(*hit)->object].name, pixels);
+    const std::vector<SceneObject> &objects = document.objects();
+    Landmark landmark = ray::landmarkAt(**hit, snap, *rays, position, objects[(*hit)->object].name, pixels);
+    if (!std::holds_alternative<landmarks::AtVertex>(landmark.anchor)) {
+        if (const auto edge = ray::edgeInPixel(*rays, position, *hit, pixels))
+            ray::addEdge(landmark, *edge, edge->object ? objects[*edge->object].name : std::string());
+    }
+    return landmark;
 }
 
 /// The formula's point of a pick, without an anchor.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/ray/pixel_edge.h"
 #include "core/ray/ray_comparison.h"
 #include "core/ray/scene_rays.h"
 #include "core/unproject/other_programs.h"
@@ -31,8 +32,10 @@ struct PickedRay {
     };
     State state = State::Preparing;
     std::optional<JobFailure> failure;
-    std::optional<MetPlace> met;   ///< the hit of the ray itself; nothing: it hits nothing
-    ray::RayComparison comparison; ///< of the hit with the frame
+    std::optional<MetPlace> met;        ///< the hit of the ray itself; nothing: it hits nothing
+    ray::RayComparison comparison;      ///< of the hit with the frame
+    std::optional<ray::PixelEdge> edge; ///< the occluding edge inside the pixel
+    std::string edgeObject;             ///< name of the object on its other side, at the click
     ray::Snap snap = ray::Snap::Surface;
     /// The answers of other programs for a click that hits: the clicked pixel's depth as read,
     /// other pixels' depths from ray hits.

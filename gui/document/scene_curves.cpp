@@ -59,15 +59,17 @@ struct SceneCurves::Known {
 /// alive.
 class SceneCurves::Surfaces {
 public:
-    /// @return null if `isEnded`. Throws std::bad_alloc.
-    std::shared_ptr<const curves::SurfaceMesh> of(const std::shared_ptr<const Model> &model)
+    /// @return null if `isEnded` or goesOn requests a stop. Throws std::bad_alloc.
+    std::shared_ptr<const curves::SurfaceMesh> of(const std::shared_ptr<const Model> &model,
+                                                  const curves::GoesOn &goesOn)
     {
         const std::lock_guard lock(m_mutex);
         std::erase_if(m_kept, [](const auto &entry) { return entry.second.first.expired(); });
         const auto found = m_kept.find(model.get());
         if (found != m_kept.end())
             return found->second.second;
-        auto surface = curves::SurfaceMesh::build(*model, [this](double) { return !isEnded; });
+        auto surface =
+            curves::SurfaceMesh::build(*model, [&](double share) { return !isEnded && (!goesOn || goesOn(share)); });
         if (surface)
             m_kept[model.get()] = {model, surface};
         return surface;
@@ -122,14 +124,21 @@ SceneCurves::Line worked(const Request &request, Surfaces &surfaces, const curve
 {
     SceneCurves::Line line;
     try {
-        const std::shared_ptr<const curves::SurfaceMesh> surface = surfaces.of(request.model);
+        // The shares of the surface, which takes no time if it exists, and of the line.
+        constexpr double kSurface = 0.3;
+        const auto goesOnFrom = [&goesOn](double from, double to) -> curves::GoesOn {
+            return [&goesOn, from, to](double share) { return !goesOn || goesOn(from + (to - from) * share); };
+        };
+        const std::shared_ptr<const curves::SurfaceMesh> surface =
+            surfaces.of(request.model, goesOnFrom(0.0, kSurface));
         line.isComputing = !surface;
         if (!surface)
             return line;
         std::vector<const Landmark *> points;
         for (const Landmark &landmark : request.points)
             points.push_back(&landmark);
-        auto through = curves::lineThrough(*surface, points, request.kind, request.placement, goesOn);
+        auto through =
+            curves::lineThrough(*surface, points, request.kind, request.placement, goesOnFrom(kSurface, 1.0));
         if (through)
             line.line = std::move(through).value();
         else if (through.error().code == curves::CurveError::Code::Stopped)
@@ -149,6 +158,7 @@ struct SceneCurves::Task {
     std::vector<Request> requests;
     std::atomic<bool> isEnded{false}; ///< finished lines are used
     std::atomic<std::size_t> done{0};
+    double share = 0.0; ///< done, as reported
 };
 
 SceneCurves::SceneCurves(SceneDocument &document, ChangeNotifier &changes)
@@ -305,24 +315,59 @@ void SceneCurves::begin()
         if (known.line.isComputing)
             task->requests.push_back(known.request);
     };
-    std::for_each(m_known.begin(), m_known.end(), ask);
-    if (m_selected)
-        ask(*m_selected);
+    forEachKnown(ask);
     if (task->requests.empty())
         return;
     m_task = task;
     m_background.start(
-        [task, surfaces = m_surfaces](Job &) {
+        [task, surfaces = m_surfaces](Job &job) {
             std::vector<Line> lines;
             for (const Request &request : task->requests) {
                 if (task->isEnded)
                     break;
-                lines.push_back(worked(request, *surfaces, [&task] { return !task->isEnded; }));
+                lines.push_back(worked(request, *surfaces, [&](double share) {
+                    return job.report((double(task->done) + share) / double(task->requests.size())) && !task->isEnded;
+                }));
                 ++task->done;
             }
             return lines;
         },
-        [this](const JobResult<std::vector<Line>> &lines) { take(lines); });
+        [this](const JobResult<std::vector<Line>> &lines) { take(lines); },
+        [this, task](double share) {
+            task->share = share;
+            emit progressed();
+        });
+}
+
+template <class Visit>
+void SceneCurves::forEachKnown(const Visit &visit)
+{
+    std::for_each(m_known.begin(), m_known.end(), visit);
+    if (m_selected)
+        visit(*m_selected);
+}
+
+void SceneCurves::cancel()
+{
+    if (!m_task)
+        return;
+    m_task->isEnded = true;
+    forEachKnown([](Known &known) {
+        if (known.line.isComputing)
+            known.line = {false, {}, tr("cancelled; its menu computes it again"), {}, true};
+    });
+    m_changes.notify(Change::Curves);
+}
+
+void SceneCurves::computeAgain()
+{
+    forEachKnown([](Known &known) {
+        if (known.line.isCancelled)
+            known.line = {true, {}, {}, {}};
+    });
+    if (!m_task)
+        begin();
+    m_changes.notify(Change::Curves);
 }
 
 void SceneCurves::take(const JobResult<std::vector<Line>> &lines)
@@ -338,22 +383,20 @@ void SceneCurves::take(const JobResult<std::vector<Line>> &lines)
                 known.line = std::move(line);
         }
     };
-    std::for_each(m_known.begin(), m_known.end(), put);
-    if (m_selected)
-        put(*m_selected);
+    forEachKnown(put);
     begin();
     m_changes.notify(Change::Curves);
 }
 
 SceneCurves::Progress SceneCurves::progress() const
 {
-    return m_task ? Progress{m_task->done, m_task->requests.size()} : Progress{};
+    return m_task ? Progress{m_task->done, m_task->requests.size(), m_task->share} : Progress{};
 }
 
 bool SceneCurves::complete()
 {
     for (Known &known : m_known) {
-        if (known.line.failure)
+        if (known.line.failure || known.line.isCancelled)
             known.line = {true, {}, {}, {}};
     }
     if (!m_task)

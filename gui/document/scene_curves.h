@@ -60,6 +60,7 @@ public:
         std::optional<curves::CurveLine> line; ///< none: see `reason`, or it is not computed yet
         QString reason;                        ///< a sentence without a full stop
         std::optional<JobFailure> failure;     ///< the reason is not the curve's fault: complete() tries again
+        bool isCancelled = false;              ///< the user cancelled it: complete() tries again
     };
 
     /// @param changes  receives the changes when lines were computed
@@ -73,11 +74,16 @@ public:
     /// selected.
     const Line *throughSelected() const;
     bool isComputing() const { return m_background.isRunning(); }
-    /// The number of curves to compute, and how many of them are done.
+    /// The number of curves to compute, how many of them are done, and the share done of all.
     struct Progress {
         std::size_t done = 0, count = 0;
+        double share = 0.0;
     };
     Progress progress() const;
+    /// Cancels all computations under way; their lines are Line::isCancelled.
+    void cancel();
+    /// Computes the cancelled lines.
+    void computeAgain();
     /// Blocks until all curves are computed, including curves that lacked a thread or memory
     /// before.
     /// @return false if the user gave up waiting (setWaiting); the computation then continues
@@ -110,6 +116,10 @@ public:
 
     static QString shownNameOf(const landmarks::Curve &curve, std::size_t index);
 
+signals:
+    /// Emitted in at most a hundred steps while lines are computed.
+    void progressed();
+
 private:
     struct Request;
     struct Known;
@@ -127,6 +137,9 @@ private:
     void locate(Request &request) const;
     Request requestOf(const landmarks::Curve &curve) const;
     void begin();
+    /// Calls a function with every line and its request.
+    template <class Visit>
+    void forEachKnown(const Visit &visit);
     void take(const JobResult<std::vector<Line>> &lines);
     void edit(std::vector<landmarks::Curve> curves, const QString &text, const QString &mergeKey = {});
 

@@ -1,5 +1,6 @@
 #include "gui/document/scene_landmarks.h"
 
+#include "core/ray/placed_landmark.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
 
@@ -94,7 +95,8 @@ std::optional<std::size_t> nextAfter(const std::vector<Landmark> &before, const 
     return isPassed ? nextToPlace(after, now) : now;
 }
 
-/// Copies position, anchor and uncertainty; without a position, it is to be placed.
+/// Copies position, anchor, uncertainty and the edge of the pixel; without a position, it is to be
+/// placed.
 void takePlace(Landmark &landmark, const Landmark &of)
 {
     landmark.world = of.world;
@@ -102,6 +104,7 @@ void takePlace(Landmark &landmark, const Landmark &of)
     landmark.object = of.object;
     landmark.anchor = of.anchor;
     landmark.uncertainty = of.uncertainty;
+    ray::takeEdge(landmark, of);
 }
 
 } // namespace

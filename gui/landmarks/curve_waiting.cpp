@@ -40,10 +40,11 @@ bool waitForCurves(QWidget &window, SceneDocument &document)
     const auto show = [&] {
         const SceneCurves::Progress progress = curves.progress();
         const int count = static_cast<int>(progress.count), done = static_cast<int>(progress.done);
+        constexpr int kPercent = 100;
+        dialog.setRange(0, kPercent);
+        dialog.setValue(static_cast<int>(kPercent * progress.share));
         if (count < 2)
-            return; // a single curve has no measurable progress
-        dialog.setRange(0, count);
-        dialog.setValue(done);
+            return;
         dialog.setLabelText(Texts::tr("Computing curves on the surface: %1 of %2").arg(done).arg(count));
     };
     QTimer tick;

@@ -2,6 +2,7 @@
 
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
+#include "gui/landmarks/computing_button.h"
 #include "gui/landmarks/measure_rows.h"
 #include "gui/text/error_text.h"
 
@@ -260,13 +261,14 @@ void CurvesView::fitHeight()
 void CurvesView::showLengths()
 {
     const QSignalBlocker blocker(m_rows);
-    const SceneCurves &curves = m_document.curves();
+    SceneCurves &curves = m_document.curves();
     const QString unit = QString::fromStdString(m_document.scene().landmarks.unit);
     for (std::size_t i = 0; i < curves.all().size(); ++i) {
         QTreeWidgetItem *item = m_rows->topLevelItem(static_cast<int>(i));
         if (!item)
             return; // the landmarks have not been reported yet
         item->setText(Length, curveLengthText(curves.line(i), unit));
+        showComputing(*m_rows, *item, Length, curves, curves.line(i).isComputing);
         for (int column = 0; column <= Length; ++column)
             item->setToolTip(column, plainToolTip(tr("%1 %2: %3", "a curve, its points, its length")
                                                       .arg(item->text(Name), item->text(Points), item->text(Length))));
@@ -316,6 +318,8 @@ void CurvesView::showMenu(const QPoint &place)
                 m_document.curves().setKind(*curve, isGeodesic ? CurveKind::PlaneSection : CurveKind::Geodesic);
             });
     }
+    if (m_document.curves().line(*curve).isCancelled)
+        menu->addAction(tr("&Compute Again"), this, [this] { m_document.curves().computeAgain(); });
     menu->addAction(tr("Re&move"), this, [this, curve] { m_document.curves().remove(*curve); });
     connect(&m_document, &SceneDocument::changed, menu, &QWidget::close);
     menu->popup(m_rows->viewport()->mapToGlobal(place));

@@ -123,11 +123,15 @@ QString LandmarksModel::toolTip(const QModelIndex &index) const
     }
     switch (index.column()) {
     case Name: return landmark.isHidden ? tr("%1, hidden").arg(shownName(landmark.name)) : shownName(landmark.name);
-    case PlusMinus:
-        return !landmark.world ? QString()
-               : landmark.uncertainty
-                   ? tr("Uncertainty in world units: √(±x² + ±y² + ±z²), from the ± of each coordinate")
-                   : tr("The uncertainty is unknown, so all digits are grey");
+    case PlusMinus: {
+        if (!landmark.world)
+            return {};
+        const QString edge = landmarkEdgeText(landmark);
+        return (landmark.uncertainty
+                    ? tr("Uncertainty in world units: √(±x² + ±y² + ±z²), from the ± of each coordinate")
+                    : tr("The uncertainty is unknown, so all digits are grey"))
+               + (edge.isEmpty() ? QString() : u'\n' + edge);
+    }
     case HeldBy: return heldByExplanation(landmark);
     case Note: return QString::fromStdString(landmark.note);
     default: return text(index).toString();

@@ -130,6 +130,7 @@ MeasureRow surfaceLengthOf(const LandmarkSet &set, const std::vector<std::size_t
 {
     MeasureRow row{Measures::tr("Along the surface"), namesOf(set, indices),
                    curveLengthText(line, QString::fromStdString(set.unit))};
+    row.isComputing = line.isComputing;
     if (line.isComputing || !line.line)
         return row;
     row.number = line.line->length.value;

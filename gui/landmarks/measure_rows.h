@@ -21,6 +21,7 @@ struct MeasureRow {
     /// The measure for the view, without its text; nothing if the view cannot show it.
     std::optional<ShownMeasure> shown = {};
     QString copied = {}; ///< `points` with all digits; empty: the same
+    bool isComputing = false;
 };
 
 /// The measures of some landmarks, in list order: the distance of two; the angles of three and

@@ -3,6 +3,7 @@
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
+#include "gui/landmarks/computing_button.h"
 #include "gui/landmarks/measure_rows.h"
 #include "gui/text/error_text.h"
 #include "gui/widgets/copy_menu.h"
@@ -127,6 +128,8 @@ void MeasuresView::showRows()
     for (const MeasureRow &row : m_listed) {
         auto *item = new QTreeWidgetItem(m_rows, {row.kind, row.points, row.value});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+        if (row.isComputing)
+            showComputing(*m_rows, *item, 2, m_document.curves(), true);
         QString tip =
             row.value.isEmpty()
                 ? tr("%1 %2", "what is shown, of which landmarks").arg(row.kind, row.points)
@@ -227,6 +230,9 @@ void MeasuresView::showMenu(const QPoint &place)
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("Copy as C&SV"), this, [this] { copyToClipboard(csv()); });
+    const SceneCurves::Line *line = m_document.curves().throughSelected();
+    if (line && line->isCancelled)
+        menu->addAction(tr("&Compute Again"), this, [this] { m_document.curves().computeAgain(); });
     menu->popup(m_rows->viewport()->mapToGlobal(place));
 }
 

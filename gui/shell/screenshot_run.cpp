@@ -34,7 +34,12 @@ std::optional<RayOnMesh> rayOf(const SceneDocument &document)
     const PickedRay *ray = document.picks().pickedRay();
     if (!ray || ray->state != PickedRay::State::Answered)
         return std::nullopt;
-    return ray->met ? RayOnMesh{ray->met->hit, ray->met->objectName} : RayOnMesh{};
+    RayOnMesh written{{}, {}, ray->edge, ray->edgeObject};
+    if (ray->met) {
+        written.hit = ray->met->hit;
+        written.object = ray->met->objectName;
+    }
+    return written;
 }
 
 } // namespace

@@ -1,10 +1,12 @@
 #include "gui/text/landmark_text.h"
 
 #include "core/geometry/angle.h"
+#include "core/ray/placed_landmark.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 namespace unprojector::gui {
@@ -112,7 +114,23 @@ QString plusMinusText(const landmarks::Landmark &landmark)
     if (!landmark.uncertainty)
         return QStringLiteral("?");
     const double off = length(*landmark.uncertainty);
-    return off > 0.0 ? boundText(off) : QStringLiteral("0");
+    const QString bound = off > 0.0 ? boundText(off) : QStringLiteral("0");
+    return ray::edgeOf(landmark) ? QStringLiteral("▲ ") + bound : bound;
+}
+
+QString landmarkEdgeText(const landmarks::Landmark &landmark)
+{
+    const std::optional<ray::LandmarkEdge> edge = ray::edgeOf(landmark);
+    if (!edge)
+        return {};
+    if (edge->object.empty())
+        return Points::tr("Its pixel held an edge of the surface: beside it was the background.");
+    const QString away = significantText(std::abs(edge->behind), 2),
+                  object = QString::fromStdString(edge->object).simplified();
+    return (edge->behind >= 0.0
+                ? Points::tr("Its pixel held an edge of the surface: %1 behind it lay %2. The ± reaches there.")
+                : Points::tr("Its pixel held an edge of the surface: %1 before it lay %2. The ± reaches there."))
+        .arg(away, object);
 }
 
 Notation landmarkNotation(const landmarks::Landmark &landmark, int axis, int characters, int most)

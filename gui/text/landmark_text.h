@@ -20,8 +20,11 @@ QString heldByExplanation(const landmarks::Landmark &landmark);
 /// The reason why a landmark has no position, a clause: "nasion is missing on this specimen".
 /// @param name  as it is to be shown
 QString absenceText(const landmarks::Landmark &landmark, const QString &name);
-/// The uncertainty of a landmark: its length, "0.05"; "?" if unknown; nothing without a position.
+/// The uncertainty of a landmark: its length, "0.05"; "?" if unknown; nothing without a position. A
+/// triangle before it marks an edge in the landmark's pixel: "▲ 4.3".
 QString plusMinusText(const landmarks::Landmark &landmark);
+/// The occluding edge in the pixel that the landmark was placed by, a sentence; empty without one.
+QString landmarkEdgeText(const landmarks::Landmark &landmark);
 /// The notation of a landmark's coordinates: two digits below the uncertainty if they fit into
 /// `characters`; else only the certain ones if they fit into `most`; thousandths if the uncertainty
 /// is unknown.

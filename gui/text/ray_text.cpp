@@ -125,6 +125,20 @@ QString rayComparisonText(const RayComparison &comparison, const QString &shown,
     Q_UNREACHABLE();
 }
 
+QString pixelEdgeText(const PixelEdge &edge, const QString &other, bool hasHit)
+{
+    if (!hasHit)
+        return RayTexts::tr("This pixel holds an edge of %1. The click is beside it.").arg(other);
+    const QString centre = QStringLiteral(" ") + RayTexts::tr("The ± is for the pixel's centre only.");
+    if (!edge.object)
+        return RayTexts::tr("This pixel holds an edge of the surface: beside it is the background.") + centre;
+    const QString away = significantText(std::abs(edge.behind), 2);
+    return (edge.behind >= 0.0 ? RayTexts::tr("This pixel holds an edge of the surface: %1 behind it lies %2.")
+                               : RayTexts::tr("This pixel holds an edge of the surface: %1 before it lies %2."))
+               .arg(away, other)
+           + centre;
+}
+
 QString rayPreparingText()
 {
     return RayTexts::tr("The exact hit comes as soon as the model is prepared for it.");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/ray/pixel_edge.h"
 #include "core/ray/ray_comparison.h"
 #include "core/ray/scene_rays.h"
 
@@ -14,6 +15,10 @@ namespace unprojector::gui {
 /// @param shown  name of the frame's object
 /// @param met    name of the hit object
 QString rayComparisonText(const ray::RayComparison &comparison, const QString &shown, const QString &met);
+/// The occluding edge inside a clicked pixel, and what lies on its other side.
+/// @param other   name of the object there
+/// @param hasHit  whether the click hits a surface
+QString pixelEdgeText(const ray::PixelEdge &edge, const QString &other, bool hasHit);
 QString rayPreparingText();
 /// @param reason  a clause; empty: the setup has no rays
 QString rayImpossibleText(const QString &reason);

@@ -3,11 +3,16 @@
 // - the shortest path along its edges by Dijkstra's algorithm in the plainest form, stopped at the
 //   other end.
 //   bench_curves [triangles …], 1000000 without any
+// Or a long curve on the bundled head, whose triangles are divided into n * n each: from the nose to
+// the back of the head. 17 gives 13 million triangles. --whole: by the search of the whole surface.
+//   bench_curves --head [--whole] n
 
 #include "core/curves/surface_path.h"
+#include "core/examples/head.h"
 #include "tests/support/cube_sphere.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -15,6 +20,7 @@
 #include <limits>
 #include <queue>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -113,10 +119,79 @@ void measure(std::uint32_t triangles)
     std::printf("  the way along the edges is up to %.1f %% longer than the geodesic\n", 100.0 * longer);
 }
 
+/// A mesh with its triangles divided into n * n. Points of a common edge have equal coordinates.
+std::shared_ptr<mesh::Model> divided(const mesh::Mesh &mesh, std::uint32_t n)
+{
+    mesh::Mesh fine;
+    for (std::size_t triangle = 0; triangle < mesh.triangleCount(); ++triangle) {
+        std::array<std::size_t, 3> ids{mesh.vertexAt(3 * triangle), mesh.vertexAt(3 * triangle + 1),
+                                       mesh.vertexAt(3 * triangle + 2)};
+        const bool isOdd = (ids[0] > ids[1]) ^ (ids[1] > ids[2]) ^ (ids[0] > ids[2]);
+        std::sort(ids.begin(), ids.end()); // so that both triangles of an edge round in the same way
+        const glm::dvec3 a(mesh.positions[ids[0]]), b(mesh.positions[ids[1]]), c(mesh.positions[ids[2]]);
+        const auto first = static_cast<std::uint32_t>(fine.positions.size());
+        const auto number = [&](std::uint32_t i, std::uint32_t j) { return first + i * (i + 1) / 2 + j; };
+        for (std::uint32_t i = 0; i <= n; ++i) { // towards b and c; j from b to c
+            for (std::uint32_t j = 0; j <= i; ++j)
+                fine.positions.emplace_back((double(n - i) * a + double(i - j) * b + double(j) * c) / double(n));
+        }
+        const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+            fine.indices.insert(fine.indices.end(), {p, isOdd ? r : q, isOdd ? q : r});
+        };
+        for (std::uint32_t i = 0; i < n; ++i) {
+            for (std::uint32_t j = 0; j <= i; ++j) {
+                add(number(i, j), number(i + 1, j), number(i + 1, j + 1));
+                if (j < i)
+                    add(number(i, j), number(i + 1, j + 1), number(i, j + 1));
+            }
+        }
+    }
+    auto model = std::make_shared<mesh::Model>();
+    model->meshes.push_back(std::move(fine));
+    return model;
+}
+
+/// The triangle whose first corner lies farthest in a direction.
+std::uint32_t outermost(const SurfaceMesh &mesh, const glm::dvec3 &direction)
+{
+    std::uint32_t best = 0;
+    for (std::uint32_t i = 0; i < mesh.triangleCount(); ++i) {
+        if (glm::dot(mesh.place(mesh.corners(i)[0]) - mesh.place(mesh.corners(best)[0]), direction) > 0.0)
+            best = i;
+    }
+    return best;
+}
+
+void measureHead(std::uint32_t n, bool isWhole)
+{
+    const auto model = divided(examples::headMesh(), n);
+    Clock::time_point start = Clock::now();
+    const auto mesh = SurfaceMesh::build(*model, {});
+    std::printf("%u triangles; the surface mesh %.1f s\n", mesh->triangleCount(), secondsSince(start));
+    const SurfacePlace from{outermost(*mesh, {0.05, 0.0, 1.0}), glm::dvec3(0.2, 0.3, 0.5)},
+        to{outermost(*mesh, {-0.2, 0.1, -1.0}), glm::dvec3(0.2, 0.3, 0.5)};
+    start = Clock::now();
+    int calls = 0;
+    const auto line = geodesic(
+        *mesh, from, to, glm::dmat4(1.0),
+        [&calls](double) {
+            ++calls;
+            return true;
+        },
+        isWhole ? std::numeric_limits<std::size_t>::max() : kMostEdges);
+    std::printf("geodesic%s: %.1f s, length %.15g, %zu places, %d calls of progress\n", isWhole ? ", whole" : "",
+                secondsSince(start), line ? line->length : 0.0, line ? line->places.size() : 0, calls);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
 {
+    if (argc > 2 && std::string(argv[1]) == "--head") {
+        const bool isWhole = std::string(argv[2]) == "--whole";
+        measureHead(static_cast<std::uint32_t>(std::strtoul(argv[argc - 1], nullptr, 10)), isWhole);
+        return 0;
+    }
     std::vector<std::uint32_t> sizes;
     for (int i = 1; i < argc; ++i)
         sizes.push_back(static_cast<std::uint32_t>(std::strtoul(argv[i], nullptr, 10)));

@@ -51,6 +51,7 @@ private slots:
     void aVertexHasTheDigitsOfTheFile_data();
     void aVertexHasTheDigitsOfTheFile();
     void rowsGoThrough();
+    void edgesInPixelsAreTold();
     void jsonLines();
     void manyRowsKeepTheirOrder();
     void badRowsAreNamed();
@@ -245,6 +246,38 @@ void TestPickCommand::rowsGoThrough()
     QVERIFY(run.lines()[1].startsWith("\"a, b\",500,150,0.5,0.75,3,face,1,0.3125,0.625,0.0625,0.25,0.375,0,0,0,1,"));
     QCOMPARE(run.lines()[1].count(','), run.lines()[0].count(',') + 1);
     QCOMPARE(run.lines()[2], QByteArray("miss,-1,0" + QByteArray(kColumns.size(), ',')));
+}
+
+void TestPickCommand::edgesInPixelsAreTold()
+{
+    // A row of pixels over a cube: the ray hits it between two outlines.
+    QByteArray input = "px,py\n";
+    for (int x = 0; x < 200; ++x)
+        input += QByteArray::number(x + 0.5) + ",75.5\n";
+    const QString cube = m_folder.write(
+        "cube.obj", "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+                    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n");
+    const Run run = runCommand({"pick", "--edges", "--size", "200x150", cube, "-"}, input);
+    QCOMPARE(run.exitCode, 0);
+    const QList<QByteArray> names = run.lines()[0].split(',');
+    QCOMPARE(names.mid(names.size() - 3), (QList<QByteArray>{"pixel_edge", "beyond_edge", "behind"}));
+    QList<int> edges, changes;
+    for (int x = 0; x < 200; ++x) {
+        const QList<QByteArray> cells = run.lines()[x + 1].split(',');
+        if (cells[names.indexOf("pixel_edge")] == "1")
+            edges << x;
+        if (x > 0 && cells[2].isEmpty() != run.lines()[x].split(',')[2].isEmpty())
+            changes << x;
+    }
+    QCOMPARE(changes.size(), 2);
+    QCOMPARE(edges.size(), 2); // its other edges face the eye on one side
+    for (int k = 0; k < 2; ++k)
+        QVERIFY(edges[k] == changes[k] || edges[k] == changes[k] - 1);
+    const QString position = QStringLiteral("%1.5,75.5").arg(edges[0]);
+    const QJsonObject json = pick({"--size", "200x150", cube, "--at", position});
+    QVERIFY(json.contains("pixelEdge"));
+    QVERIFY(runCommand({"pick", "--size", "200x150", cube, "--at", position}).output.contains("pixel edge"));
+    QVERIFY(!pick({"--size", "200x150", cube, "--at", "100.5,75.5"}).contains("pixelEdge"));
 }
 
 void TestPickCommand::jsonLines()

@@ -2,8 +2,10 @@
 // with a rim.
 
 #include "core/curves/curve_line.h"
+#include "core/examples/bundled_models.h"
 #include "core/ray/closest_place.h"
 #include "tests/core/ray_meshes.h"
+#include "tests/support/cube_sphere.h"
 
 #include <QTest>
 
@@ -11,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <random>
 
 namespace {
 
@@ -68,6 +72,24 @@ std::shared_ptr<Model> sheet(std::uint32_t columns, std::uint32_t rows,
         }
     }
     return modelOf(std::move(mesh));
+}
+
+/// A flat sheet without its middle, [0.3, 0.7] x [0.3, 0.7].
+std::shared_ptr<Model> sheetWithAHole()
+{
+    auto model = sheet(30, 30, [](double u, double v) { return glm::dvec3(u, v, 0.0); });
+    Mesh &mesh = model->meshes.front();
+    std::vector<std::uint32_t> left;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::dvec3 middle =
+            (mesh.position(mesh.indices[i]) + mesh.position(mesh.indices[i + 1]) + mesh.position(mesh.indices[i + 2]))
+            / 3.0;
+        if (std::max(std::abs(middle.x - 0.5), std::abs(middle.y - 0.5)) > 0.2)
+            left.insert(left.end(), mesh.indices.begin() + std::ptrdiff_t(i),
+                        mesh.indices.begin() + std::ptrdiff_t(i) + 3);
+    }
+    mesh.indices = left;
+    return model;
 }
 
 /// A prism of so many sides, of radius 1 and height 4 along z, without lids: developable to the
@@ -166,6 +188,11 @@ private slots:
     void thePathStaysOnTheSurface();
     void stretchedObjectsAreMeasuredInTheWorld();
     void piecesThatDoNotTouchHaveNoPath();
+    void longWaysAreAsShortAsByTheWholeSearch_data();
+    void longWaysAreAsShortAsByTheWholeSearch();
+    void sheetsThatTouchAtACornerHaveNoLongPath();
+    void progressNeverDecreases_data();
+    void progressNeverDecreases();
     void workIsEndedWhenAsked();
     void planesCutSpheresInCircles();
     void thereIsNoPlaneAlongTheNormal();
@@ -260,18 +287,7 @@ void TestSurfacePaths::aSphereHasGreatCircles()
 /// A sheet with a square cut out of it: the shortest way touches two of its corners.
 void TestSurfacePaths::aHoleIsGoneAround()
 {
-    auto model = sheet(30, 30, [](double u, double v) { return glm::dvec3(u, v, 0.0); });
-    Mesh &mesh = model->meshes.front();
-    std::vector<std::uint32_t> left;
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const glm::dvec3 middle =
-            (mesh.position(mesh.indices[i]) + mesh.position(mesh.indices[i + 1]) + mesh.position(mesh.indices[i + 2]))
-            / 3.0;
-        if (std::max(std::abs(middle.x - 0.5), std::abs(middle.y - 0.5)) > 0.2)
-            left.insert(left.end(), mesh.indices.begin() + std::ptrdiff_t(i),
-                        mesh.indices.begin() + std::ptrdiff_t(i) + 3);
-    }
-    mesh.indices = left;
+    const auto model = sheetWithAHole();
     const double got = lengthBetween(*model, glm::dvec3(0.1, 0.55, 0.0), glm::dvec3(0.9, 0.55, 0.0));
     QVERIFY2(std::abs(got - (2.0 * std::hypot(0.2, 0.15) + 0.4)) < 1e-6, qPrintable(QString::number(got, 'g', 12)));
 }
@@ -342,12 +358,91 @@ void TestSurfacePaths::piecesThatDoNotTouchHaveNoPath()
     QCOMPARE(path.error(), PathError::NotConnected);
 }
 
+void TestSurfacePaths::longWaysAreAsShortAsByTheWholeSearch_data()
+{
+    QTest::addColumn<std::shared_ptr<const Model>>("model");
+    QTest::addColumn<int>("longer"); ///< of 25 ways, by more than 10 parts per million
+
+    QTest::newRow("head") << examples::bundledModels().at("Head") << 0;
+    QTest::newRow("hills") << std::shared_ptr<const Model>(cubeSphere(40)) << 1;
+    QTest::newRow("torus") << std::shared_ptr<const Model>(ray_meshes::torus(100)) << 1;
+    QTest::newRow("sheet with a hole") << std::shared_ptr<const Model>(sheetWithAHole()) << 0;
+}
+
+void TestSurfacePaths::longWaysAreAsShortAsByTheWholeSearch()
+{
+    QFETCH(std::shared_ptr<const Model>, model);
+    QFETCH(int, longer);
+    const auto mesh = surfaceOf(*model);
+    std::mt19937 random(3);
+    int count = 0;
+    double most = 0.0;
+    for (int i = 0; i < 25; ++i) {
+        const SurfacePlace from{static_cast<std::uint32_t>(random() % mesh->triangleCount()), {0.2, 0.3, 0.5}},
+            to{static_cast<std::uint32_t>(random() % mesh->triangleCount()), {0.5, 0.3, 0.2}};
+        const auto whole = geodesic(*mesh, from, to, kAsItIs, {}, std::numeric_limits<std::size_t>::max());
+        const auto byWave = geodesic(*mesh, from, to, kAsItIs, {}, 0);
+        QVERIFY(whole && byWave);
+        QVERIFY(std::abs(summed(byWave->places) - byWave->length) < 1e-12 * byWave->length);
+        const double ratio = whole->length > 0.0 ? byWave->length / whole->length : 1.0;
+        count += ratio > 1.00001 ? 1 : 0;
+        most = std::max(most, ratio);
+    }
+    const QString told = QStringLiteral("%1 longer, the most by a factor of %2").arg(count).arg(most, 0, 'g', 8);
+    QVERIFY2(count <= longer && most < 1.01, qPrintable(told));
+}
+
+void TestSurfacePaths::sheetsThatTouchAtACornerHaveNoLongPath()
+{
+    // The wave passes from sheet to sheet by the common corner; a path needs a common edge.
+    const auto model = modelOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {0, 1, 2, 0, 3, 4});
+    const auto mesh = surfaceOf(*model);
+    const SurfacePlace from{0, glm::dvec3(0.2, 0.3, 0.5)}, to{1, glm::dvec3(0.2, 0.3, 0.5)};
+    for (const std::size_t most : {std::size_t{0}, kMostEdges}) {
+        const auto path = geodesic(*mesh, from, to, kAsItIs, {}, most);
+        QVERIFY(!path && path.error() == PathError::NotConnected);
+    }
+}
+
+void TestSurfacePaths::progressNeverDecreases_data()
+{
+    QTest::addColumn<qulonglong>("mostEdges");
+    QTest::newRow("short") << qulonglong(kMostEdges);
+    QTest::newRow("long") << qulonglong(100);
+}
+
+void TestSurfacePaths::progressNeverDecreases()
+{
+    QFETCH(qulonglong, mostEdges);
+    const auto model = ball(6);
+    const auto mesh = surfaceOf(*model);
+    const SurfacePlace from = nearestTo(*model, {0, 0, 1}), to = nearestTo(*model, {0.3, 0.1, -0.9});
+    std::vector<double> shares;
+    const auto record = [&shares](double share) {
+        shares.push_back(share);
+        return true;
+    };
+    QVERIFY(geodesic(*mesh, from, to, kAsItIs, record, mostEdges));
+    QVERIFY(shares.size() > 5);
+    QVERIFY(std::is_sorted(shares.begin(), shares.end()));
+    QVERIFY(shares.front() >= 0.0 && shares.back() <= 1.0);
+    QVERIFY(std::any_of(shares.begin(), shares.end(), [](double share) { return share > 0.05 && share < 0.7; }));
+    // Each call can stop the work.
+    for (const std::size_t stop : {std::size_t{1}, shares.size() / 2, shares.size()}) {
+        std::size_t calls = 0;
+        const auto path = geodesic(
+            *mesh, from, to, kAsItIs, [&](double) { return ++calls < stop; }, mostEdges);
+        QVERIFY(!path && path.error() == PathError::Stopped);
+        QCOMPARE(calls, stop);
+    }
+}
+
 void TestSurfacePaths::workIsEndedWhenAsked()
 {
     const auto model = ball(4);
     QVERIFY(!SurfaceMesh::build(*model, [](double) { return false; }));
     const auto path = geodesic(*surfaceOf(*model), nearestTo(*model, {0, 0, 1}), nearestTo(*model, {0, 1, 0}), kAsItIs,
-                               [] { return false; });
+                               [](double) { return false; });
     QVERIFY(!path && path.error() == PathError::Stopped);
 }
 

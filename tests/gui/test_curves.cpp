@@ -104,6 +104,7 @@ private slots:
     void curvesSayWhyTheyDoNotGo();
     void joiningIsRefusedInWords();
     void largeModelsAreWorkedOutAside();
+    void aComputationIsCancelledInItsRow();
     void whoWaitsForCurvesMayGiveUp();
     void filesHaveTheSemilandmarks();
     void theListEditsCurves();
@@ -232,6 +233,44 @@ void TestCurves::largeModelsAreWorkedOutAside()
     QVERIFY(distance(document.curves().line(0).line->path.back(), WorldPoint(0, -1, 0)) < 0.05);
     QVERIFY(!curveShapes(document).lines.empty());
     QVERIFY(document.sceneLandmarks().move(1, heldAt(ball, {0, 0, 1}, "b"))); // and it may end while it works
+}
+
+void TestCurves::aComputationIsCancelledInItsRow()
+{
+    SceneDocument document;
+    document.setSurface({800, 600, 1.0});
+    SceneObject ball;
+    ball.name = "ball";
+    auto model = std::make_shared<Model>();
+    model->meshes.push_back(examples::sphereMesh(1.0, 5));
+    model->bounds = boundsOf(model->meshes);
+    ball.model = model;
+    openObjects(document, {ball});
+    CurvesView view(document);
+    view.show();
+    QVERIFY(editLandmarks(document, {heldAt(ball, {1, 0, 0}, "a"), heldAt(ball, {-0.9, 0.1, 0.2}, "b")}, {"put"}));
+    QCOMPARE(document.curves().join({0, 1}, CurveKind::Geodesic), QString());
+    auto *rows = view.findChild<QTreeWidget *>();
+    QTreeWidgetItem *row = rows->topLevelItem(0);
+    constexpr int kLength = 4;
+    auto *button = qobject_cast<QToolButton *>(rows->itemWidget(row, kLength));
+    QVERIFY(button);
+    QCOMPARE(button->text(), "Cancel, 0 %");
+    button->click();
+    QTRY_VERIFY(document.curves().line(0).isCancelled);
+    QVERIFY(!document.curves().line(0).isComputing && !document.curves().line(0).line);
+    QVERIFY(row->text(kLength).startsWith("cancelled"));
+    QVERIFY(!rows->itemWidget(row, kLength));
+    QTRY_VERIFY_WITH_TIMEOUT(!document.curves().isComputing(), kPatienceMilliseconds);
+    QVERIFY(document.curves().line(0).isCancelled); // its late result is not used
+    QSignalSpy progressed(&document.curves(), &SceneCurves::progressed);
+    document.curves().computeAgain();
+    QVERIFY(rows->itemWidget(row, kLength));
+    QTRY_VERIFY_WITH_TIMEOUT(document.curves().line(0).line, kPatienceMilliseconds);
+    QVERIFY(!document.curves().line(0).isCancelled && !rows->itemWidget(row, kLength));
+    QVERIFY(progressed.size() >= 3);
+    document.curves().cancel(); // nothing is under way
+    QVERIFY(document.curves().line(0).line);
 }
 
 void TestCurves::whoWaitsForCurvesMayGiveUp()

@@ -5,12 +5,15 @@
 #include "told_changes.h"
 
 #include "core/geometry/camera.h"
+#include "core/landmark_files/landmark_file.h"
 #include "core/ray/closest_place.h"
+#include "core/ray/placed_landmark.h"
 #include "core/scene_file/scene_file.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/landmark_placing.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
+#include "gui/text/landmark_text.h"
 
 #include <QTest>
 
@@ -104,6 +107,7 @@ private slots:
     void clicksAreHeldByTheMesh_data();
     void clicksAreHeldByTheMesh();
     void aHandIsAsSureAsItsPixel();
+    void anEdgeInThePixelIsKept();
     void aDepthWithoutAMeshIsFree();
     void aThousandStepsAndBack();
     void pointsAreInTheSceneFile();
@@ -553,6 +557,40 @@ void TestDocumentLandmarks::aHandIsAsSureAsItsPixel()
     const glm::dvec3 corner = ray::cornersOf(document.objects()[0].model->meshes[0], 0)[0];
     const glm::dvec3 there(worldFromObject(document.objects()[0].transform) * glm::dvec4(corner, 1.0));
     QVERIFY(length(*landmarkOnMesh(document, deviceOf(document, there))->uncertainty) < 1e-6 * footprint);
+}
+
+void TestDocumentLandmarks::anEdgeInThePixelIsKept()
+{
+    SceneDocument document;
+    openTriangle(document);
+    SceneObject wall{"wall", {}, document.objects()[0].model, {Translate{{-1, -1, -3}}, Scale{{2, 2, 1}}}};
+    QVERIFY(addObjects(document, {wall}));
+    const DevicePoint rim = deviceOf(document, {0.0, 1.0, 0.0});
+    const Landmark inside = *landmarkOnMesh(document, {rim.x + 1.0, rim.y}),
+                   atRim = *landmarkOnMesh(document, {rim.x + 0.2, rim.y});
+    QVERIFY(!ray::edgeOf(inside));
+    const std::optional<ray::LandmarkEdge> edge = ray::edgeOf(atRim);
+    QVERIFY(edge);
+    QCOMPARE(edge->object, std::string("wall"));
+    QVERIFY(std::abs(edge->behind - 3.0) < 0.1); // the ray is inclined
+    // The uncertainty reaches the other surface.
+    QVERIFY(inside.uncertainty->z < 0.1);
+    QVERIFY(std::abs(atRim.uncertainty->z - 3.0) < 0.1);
+    QVERIFY(plusMinusText(atRim).startsWith(QChar(u'▲')) && !plusMinusText(inside).contains(QChar(u'▲')));
+    QVERIFY2(landmarkEdgeText(atRim).contains("behind it lay wall"), qPrintable(landmarkEdgeText(atRim)));
+    QVERIFY(landmarkEdgeText(inside).isEmpty());
+    // It goes with the position, and files keep it.
+    QVERIFY(document.sceneLandmarks().place(atRim));
+    QVERIFY(ray::edgeOf(document.landmarks()[0]));
+    const landmarks::LandmarkSet set = document.scene().landmarks;
+    const auto written = landmark_files::landmarksText({&set, 1}, landmark_files::Format::Csv);
+    QVERIFY(written);
+    const auto read = landmark_files::parseLandmarks(written->text, landmark_files::Format::Csv, "edge.csv");
+    QVERIFY(read);
+    QVERIFY(std::abs(ray::edgeOf(read->sets[0].landmarks[0])->behind - edge->behind) < 1e-9);
+    QVERIFY(document.sceneLandmarks().move(0, inside));
+    QVERIFY(!ray::edgeOf(document.landmarks()[0]));
+    QVERIFY(document.landmarks()[0].extra == text::JsonValue());
 }
 
 void TestDocumentLandmarks::aDepthWithoutAMeshIsFree()

@@ -91,6 +91,8 @@ class TestRayPanel : public QObject {
 private slots:
     void eachSituationIsExplained_data();
     void eachSituationIsExplained();
+    void anEdgeInThePixelIsTold_data();
+    void anEdgeInThePixelIsTold();
     void theTableHasTheRaysNumbers();
     void whatAClickTakesIsShown_data();
     void whatAClickTakesIsShown();
@@ -137,6 +139,40 @@ void TestRayPanel::eachSituationIsExplained()
     const QString text = said(panel, "Exact hit");
     for (const QString &part : expected)
         QVERIFY2(text.contains(part), qPrintable(text));
+}
+
+void TestRayPanel::anEdgeInThePixelIsTold_data()
+{
+    QTest::addColumn<WidgetPoint>("position");
+    QTest::addColumn<DepthSample>("sample");
+    QTest::addColumn<Snap>("snap");
+    QTest::addColumn<QString>("expected");
+    const QString centre = QStringLiteral(" The ± is for the pixel's centre only.");
+    // The cube in front is moved by a quarter of a pixel to the right.
+    QTest::newRow("over the back") << WidgetPoint(150, 140) << at(1.0, 0) << Snap::Surface
+                                   << "This pixel holds an edge of the surface: 5.0 behind it lies back." + centre;
+    QTest::newRow("a vertex has none") << WidgetPoint(150, 200) << at(1.0, 0) << Snap::Vertex << QString();
+    QTest::newRow("on the background") << WidgetPoint(250, 140) << kBackground << Snap::Surface
+                                       << QStringLiteral("This pixel holds an edge of front. The click is beside it.");
+    QTest::newRow("a pixel before") << WidgetPoint(149, 140) << kBackground << Snap::Surface << QString();
+    QTest::newRow("in the middle") << WidgetPoint(220, 140) << at(1.0, 0) << Snap::Surface << QString();
+}
+
+void TestRayPanel::anEdgeInThePixelIsTold()
+{
+    QFETCH(WidgetPoint, position);
+    QFETCH(DepthSample, sample);
+    QFETCH(Snap, snap);
+    QFETCH(QString, expected);
+    SceneDocument document;
+    openCubes(document);
+    QVERIFY(editTransform(document, 0, {Translate{{0.005, 0, 0}}}, {QStringLiteral("move")}));
+    document.picks().setSnap(snap);
+    const ComparisonPanel panel(document);
+    pickAt(document, position, sample);
+    QTRY_COMPARE_WITH_TIMEOUT(document.picks().pickedRay()->state, PickedRay::State::Answered, kPatienceMilliseconds);
+    QCOMPARE(said(panel, "Edge in the pixel"), expected);
+    QCOMPARE(panel.text().contains("holds an edge"), !expected.isEmpty());
 }
 
 void TestRayPanel::theTableHasTheRaysNumbers()

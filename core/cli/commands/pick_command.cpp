@@ -38,6 +38,22 @@ std::optional<DevicePoint> positionGiven(const std::string &text)
     return std::nullopt;
 }
 
+/// The hit at a position, with its names and the edge in its pixel.
+/// @param hasEdge  whether to search for the edge: it takes a hundred times as long as the ray
+scene_file::RayOnMesh withEdge(const SceneRays &rays, const DevicePoint &position, const std::optional<SceneHit> &hit,
+                               bool hasEdge, const OpenedScene &opened)
+{
+    const auto nameOf = [&](std::size_t object) { return opened.objects[object].name; };
+    scene_file::RayOnMesh ray{hit, hit ? nameOf(hit->object) : std::string()};
+    if (hasEdge && rays.rays().isInPicture(position) && (!hit || hit->triangle)) {
+        const DevicePixel pixel{static_cast<int>(std::floor(position.x)), static_cast<int>(std::floor(position.y))};
+        ray.edge = edgeInPixel(rays, pixelCenter(pixel), hit);
+    }
+    if (ray.edge && ray.edge->object)
+        ray.edgeObject = nameOf(*ray.edge->object);
+    return ray;
+}
+
 /// The data shared by all rows.
 struct Task {
     const PickOptions &options;
@@ -69,7 +85,7 @@ public:
         for (std::size_t i = 0; i < m_rows.count(); ++i) {
             if (bad != m_rows.bad.end() && *bad == i) {
                 m_task.layout.writeBad(writer, block, m_rows, *bad++);
-                writePick(writer, std::nullopt, {});
+                writePick(writer, {}, m_task.options.hasEdges);
             } else {
                 m_task.layout.writeInput(writer, block, m_rows, i);
                 pick(i, block, writer, result);
@@ -90,8 +106,10 @@ private:
             m_task.reader.complainOf(block, m_rows.places[row], NumberReader::kNoColumn, errorText(hit.error()),
                                      result.messages);
         }
-        const std::optional<SceneHit> &met = hit ? *hit : std::optional<SceneHit>();
-        writePick(writer, met, met ? m_task.opened.objects[met->object].name : std::string());
+        const bool hasEdges = m_task.options.hasEdges;
+        writePick(writer,
+                  hit ? withEdge(m_task.rays, position, *hit, hasEdges, m_task.opened) : scene_file::RayOnMesh{},
+                  hasEdges);
     }
 
     const Task &m_task;
@@ -112,7 +130,7 @@ ExitCode pickRows(const PickOptions &options, const OpenedScene &opened, const S
                     opened,
                     rays,
                     NumberReader(source.name(), *columns),
-                    RowLayout(*columns, pickColumns(), options.format),
+                    RowLayout(*columns, pickColumns(options.hasEdges), options.format),
                     outside};
     if (!options.isHeaderless) {
         std::string header;
@@ -151,11 +169,12 @@ ExitCode pickPositions(const PickOptions &options, const std::vector<DevicePoint
             code = ExitCode::SomeRowsBad;
             continue;
         }
-        const std::string name = *hit ? opened.objects[(*hit)->object].name : std::string();
+        const bool isVertex = options.snap == Snap::Vertex; // the file defines its coordinate
+        const scene_file::RayOnMesh ray = withEdge(rays, position, *hit, !isVertex, opened);
         if (options.isJson)
-            sink.write(pickJson(position, *hit, name));
+            sink.write(pickJson(position, ray));
         else
-            sink.print(pickText(position, options.snap, *hit, opened.objects));
+            sink.print(pickText(position, options.snap, ray, opened.objects));
     }
     const ExitCode written = sink.finish();
     return written == ExitCode::Done ? code : written;

@@ -17,6 +17,7 @@ struct PickOptions {
     std::vector<std::string> positions; ///< "X,Y", device pixels
     std::string size;                   ///< size of the view, "WxH"; empty: its own
     ray::Snap snap = ray::Snap::Surface;
+    bool hasEdges = false;             ///< adds columns with the edge inside each pixel, for rows
     bool isJson = false;               ///< for `positions`
     RowFormat format = RowFormat::Csv; ///< for rows
     bool isSpreadsheetSafe = false;    ///< makes CSV RowFormat::SafeCsv

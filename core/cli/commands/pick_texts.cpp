@@ -13,6 +13,8 @@
 #include <glm/matrix.hpp>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace unprojector::cli {
 using namespace mesh;
 using namespace geometry;
@@ -56,23 +58,37 @@ glm::dvec3 objectBounds(const SceneObject &object, const WorldVector &uncertaint
 
 } // namespace
 
-std::string pickJson(const DevicePoint &position, const std::optional<SceneHit> &hit, const std::string &name)
+std::string pickJson(const DevicePoint &position, const RayOnMesh &ray)
 {
     nlohmann::ordered_json json;
     json["pixel"] = nlohmann::ordered_json::array({jsonNumber(position.x), jsonNumber(position.y)});
-    json.update(jsonOf(RayOnMesh{hit, name}));
+    json.update(jsonOf(ray));
     return jsonLine(json) + '\n';
 }
 
-std::string pickText(const DevicePoint &position, Snap snap, const std::optional<SceneHit> &hit,
+std::string pickText(const DevicePoint &position, Snap snap, const RayOnMesh &ray,
                      const std::vector<SceneObject> &objects)
 {
+    const std::optional<SceneHit> &hit = ray.hit;
     std::string text = tr("pixel %1 %2", shortestText(position.x), shortestText(position.y)) + '\n';
-    if (!hit)
-        return text + "  " + nothingText(snap) + '\n';
     const auto add = [&text](const std::string &name, const std::string &value) {
         text += "  " + padded(name, 13) + value + '\n';
     };
+    const auto addEdge = [&] {
+        if (!ray.edge)
+            return;
+        const std::string object = printableLine(ray.edgeObject);
+        const std::string away = shortestText(std::abs(ray.edge->behind), 0.01 * std::abs(ray.edge->behind));
+        add(tr("pixel edge"), !hit                     ? tr("beside it lies %1", object)
+                              : !ray.edge->object      ? tr("beside it is the background")
+                              : ray.edge->behind < 0.0 ? tr("%1 before it lies %2", away, object)
+                                                       : tr("%1 behind it lies %2", away, object));
+    };
+    if (!hit) {
+        text += "  " + nothingText(snap) + '\n';
+        addEdge();
+        return text;
+    }
     const SceneObject &object = objects[hit->object];
     const auto rounded = [](const WorldPoint &point, const WorldVector &uncertainty) {
         return spaced(point.coordinates(), kLeftOut * uncertainty.coordinates());
@@ -97,18 +113,24 @@ std::string pickText(const DevicePoint &position, Snap snap, const std::optional
         add(tr("edge|row"), tr("%1 to %2, at %3, %4 away", edge.ids[0], edge.ids[1],
                                rounded(edge.world, edge.uncertainty), distanceText(edge.distance)));
     }
+    addEdge();
     return text;
 }
 
-std::vector<std::string> pickColumns()
+std::vector<std::string> pickColumns(bool hasEdges)
 {
-    return {"x",        "y",        "z",         "object",   "triangle", "u",        "v",
-            "w",        "object_x", "object_y",  "object_z", "normal_x", "normal_y", "normal_z",
-            "distance", "vertex",   "edge_from", "edge_to",  "dx",       "dy",       "dz"};
+    std::vector<std::string> columns{"x",        "y",        "z",        "object",   "triangle",  "u",
+                                     "v",        "w",        "object_x", "object_y", "object_z",  "normal_x",
+                                     "normal_y", "normal_z", "distance", "vertex",   "edge_from", "edge_to",
+                                     "dx",       "dy",       "dz"};
+    if (hasEdges)
+        columns.insert(columns.end(), {"pixel_edge", "beyond_edge", "behind"});
+    return columns;
 }
 
-void writePick(RowWriter &writer, const std::optional<SceneHit> &hit, const std::string &name)
+void writePick(RowWriter &writer, const RayOnMesh &ray, bool hasEdges)
 {
+    const std::optional<SceneHit> &hit = ray.hit;
     const auto three = [&writer](const glm::dvec3 &v) {
         for (int k = 0; k < 3; ++k)
             writer.numberOrNothing(v[k]);
@@ -117,10 +139,26 @@ void writePick(RowWriter &writer, const std::optional<SceneHit> &hit, const std:
         for (std::size_t k = 0; k < cells; ++k)
             writer.nothing();
     };
-    if (!hit)
-        return nothing(pickColumns().size());
+    const auto writeEdge = [&] {
+        if (!hasEdges)
+            return;
+        if (!ray.edge)
+            return nothing(3);
+        writer.number(1);
+        if (!ray.edge->object)
+            return nothing(2);
+        writer.text(ray.edgeObject);
+        if (hit)
+            writer.numberOrNothing(ray.edge->behind);
+        else
+            nothing(1);
+    };
+    if (!hit) {
+        nothing(pickColumns(false).size());
+        return writeEdge();
+    }
     three(hit->world.coordinates());
-    writer.text(name);
+    writer.text(ray.object);
     if (hit->triangle) {
         writer.number(hit->triangle->triangle);
         three(hit->triangle->barycentric);
@@ -141,6 +179,7 @@ void writePick(RowWriter &writer, const std::optional<SceneHit> &hit, const std:
         nothing(2);
     }
     three(hit->uncertainty.coordinates());
+    writeEdge();
 }
 
 } // namespace unprojector::cli

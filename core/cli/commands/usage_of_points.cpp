@@ -108,6 +108,11 @@ void addPick(CLI::App &app, Run &run)
                           {"edge", ray::Snap::Edge},
                           {"face", ray::Snap::Face}},
                          tr("Snap to the hit of the ray, or to the nearest visible element within 8 pixels"));
+    command
+        ->add_flag("--edges", options->hasEdges,
+                   tr("Add the columns pixel_edge, beyond_edge and behind: 1 if an edge of the surface crosses\nthe "
+                      "pixel, the object on its other side, and how far behind it lies. Takes longer"))
+        ->excludes(at);
     command->add_flag("--json", options->isJson, tr("With --at: one JSON object per position, one per line"))
         ->needs(at);
     addChoice<RowFormat>(*command, "--format", options->format, {{"csv", RowFormat::Csv}, {"jsonl", RowFormat::Jsonl}},

@@ -1,0 +1,239 @@
+// Fast marching from corner to corner: finds the corridor of triangles for a long geodesic.
+
+#include "core/curves/triangle_strip.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <utility>
+
+namespace unprojector::curves {
+using namespace geometry;
+
+namespace {
+
+constexpr std::uint32_t kNone = SurfaceMesh::kNone;
+
+/// A triangle by the lengths of its sides: an edge from A to B, and from both to the corner C.
+struct Sides {
+    double edge, toA, toB;
+};
+
+/// The distance of a corner beyond an edge whose ends' distances are known: from the source's image
+/// in the corner's plane. It is exact where the wave comes from one point over flat triangles.
+struct Beyond {
+    double distance = std::numeric_limits<double>::infinity();
+    bool isNearerA = true; ///< the shortest way passes the edge nearer to A
+};
+Beyond beyondEdge(const Sides &sides, double atA, double atB)
+{
+    const auto &[edge, toA, toB] = sides;
+    const Beyond around = atA + toA <= atB + toB ? Beyond{atA + toA, true} : Beyond{atB + toB, false};
+    if (!(edge > 0.0))
+        return around;
+    // The plane has A at the origin and B at (edge, 0); the source is below it, the corner above.
+    const double sourceX = (atA * atA - atB * atB + edge * edge) / (2.0 * edge);
+    const double cornerX = (toA * toA - toB * toB + edge * edge) / (2.0 * edge);
+    const double sourceSquare = atA * atA - sourceX * sourceX, cornerSquare = toA * toA - cornerX * cornerX;
+    if (!(sourceSquare >= 0.0 && cornerSquare > 0.0))
+        return around;
+    const double below = std::sqrt(sourceSquare), above = std::sqrt(cornerSquare);
+    const double crossing = (sourceX * above + cornerX * below) / (above + below);
+    if (crossing < 0.0 || crossing > edge)
+        return around;
+    return {std::hypot(cornerX - sourceX, above + below), crossing <= edge / 2.0};
+}
+
+/// The straight distance between the corners on both sides of an edge, unfolded into a plane;
+/// nothing if the line passes outside the edge.
+std::optional<double> acrossEdge(const Sides &one, const Sides &other)
+{
+    const auto beyond = beyondEdge(other, one.toA, one.toB);
+    const double x = (one.toA * one.toA - one.toB * one.toB + one.edge * one.edge) / (2.0 * one.edge);
+    const bool isFlat = !(one.edge > 0.0) || !(one.toA * one.toA - x * x >= 0.0);
+    const bool isAround = beyond.distance == std::min(one.toA + other.toA, one.toB + other.toB);
+    return isFlat || isAround ? std::nullopt : std::optional(beyond.distance);
+}
+
+void sort(std::vector<std::uint32_t> &numbers)
+{
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+/// The corners of triangles, each once, sorted.
+std::vector<std::uint32_t> cornersOf(const SurfaceMesh &mesh, const std::vector<std::uint32_t> &triangles)
+{
+    std::vector<std::uint32_t> corners;
+    for (const std::uint32_t triangle : triangles)
+        corners.insert(corners.end(), mesh.corners(triangle).begin(), mesh.corners(triangle).end());
+    sort(corners);
+    return corners;
+}
+
+class Wave {
+public:
+    Wave(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to, const GoesOn &goesOn)
+        : m_mesh(mesh), m_from(from), m_to(to), m_goesOn(goesOn), m_corners(mesh.mesh().cornerCount())
+    {
+    }
+
+    Result<Corridor, PathError> run()
+    {
+        for (const std::uint32_t triangle : m_from.triangles()) {
+            for (const std::uint32_t corner : m_mesh.mesh().corners(triangle))
+                offer(corner, glm::distance(m_from.place(), m_mesh[corner]), kNone);
+        }
+        const std::vector<std::uint32_t> goals = cornersOf(m_mesh.mesh(), m_to.triangles());
+        std::size_t left = goals.size();
+        double nearest = std::numeric_limits<double>::infinity(); // to the goal in a straight line
+        for (std::size_t steps = 0; left > 0; ++steps) {
+            if (m_open.empty())
+                return PathError::NotConnected;
+            const auto [distance, corner] = m_open.top();
+            m_open.pop();
+            if (m_corners[corner].isDone)
+                continue;
+            m_corners[corner].isDone = true;
+            left -= std::binary_search(goals.begin(), goals.end(), corner) ? 1u : 0u;
+            nearest = std::min(nearest, glm::distance(m_mesh[corner], m_to.place()));
+            constexpr std::size_t kAsking = 1 << 12;
+            if (steps % kAsking == 0 && m_goesOn && !m_goesOn(distance / (distance + nearest)))
+                return PathError::Stopped;
+            spread(corner);
+        }
+        return way();
+    }
+
+private:
+    struct Corner {
+        double distance = std::numeric_limits<double>::infinity();
+        std::uint32_t parent = kNone; ///< the corner nearest to the way from the source; none: at the source
+        bool isDone = false;
+    };
+
+    void offer(std::uint32_t corner, double distance, std::uint32_t parent)
+    {
+        Corner &known = m_corners[corner];
+        if (known.isDone || !(distance < known.distance))
+            return;
+        known.distance = distance;
+        known.parent = parent;
+        m_open.emplace(distance, corner);
+    }
+
+    /// Offers distances to the corners beside a corner that has its own.
+    void spread(std::uint32_t corner)
+    {
+        const glm::dvec3 place = m_mesh[corner];
+        const double own = m_corners[corner].distance;
+        const auto [begin, end] = m_mesh.mesh().around(corner);
+        for (const std::uint32_t *triangle = begin; triangle != end; ++triangle) {
+            const std::array<std::uint32_t, 3> &corners = m_mesh.mesh().corners(*triangle);
+            const std::size_t k = corners[0] == corner ? 0 : corners[1] == corner ? 1 : 2;
+            const std::array others{corners[(k + 1) % 3], corners[(k + 2) % 3]};
+            for (std::size_t i = 0; i < 2; ++i) {
+                const std::uint32_t next = others[i], third = others[1 - i];
+                if (m_corners[next].isDone)
+                    continue;
+                if (m_corners[third].isDone)
+                    pass(corner, third, next, sidesOf(corner, third, next));
+                else
+                    offer(next, own + glm::distance(place, m_mesh[next]), corner);
+            }
+            spreadAcross(corner, *triangle, others);
+        }
+    }
+
+    Sides sidesOf(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
+    {
+        return {glm::distance(m_mesh[a], m_mesh[b]), glm::distance(m_mesh[a], m_mesh[c]),
+                glm::distance(m_mesh[b], m_mesh[c])};
+    }
+
+    /// Offers a distance from two corners that have theirs.
+    void pass(std::uint32_t a, std::uint32_t b, std::uint32_t corner, const Sides &sides)
+    {
+        const Beyond beyond = beyondEdge(sides, m_corners[a].distance, m_corners[b].distance);
+        offer(corner, beyond.distance, beyond.isNearerA ? a : b);
+    }
+
+    /// Offers distances to the corner on the other side of an opposite edge: an obtuse triangle
+    /// there lacks the wave from its own corners.
+    void spreadAcross(std::uint32_t corner, std::uint32_t triangle, const std::array<std::uint32_t, 2> &edge)
+    {
+        const std::uint32_t other = m_mesh.mesh().onlyAcross(triangle, edge[0], edge[1]);
+        if (other == kNone)
+            return;
+        const std::array<std::uint32_t, 3> &corners = m_mesh.mesh().corners(other);
+        const std::uint32_t next = *std::find_if(
+            corners.begin(), corners.end(), [&](std::uint32_t each) { return each != edge[0] && each != edge[1]; });
+        if (m_corners[next].isDone)
+            return;
+        const Sides own = sidesOf(edge[0], edge[1], corner), beyond = sidesOf(edge[0], edge[1], next);
+        const std::optional<double> straight = acrossEdge(own, beyond);
+        if (!straight)
+            return;
+        offer(next, m_corners[corner].distance + *straight, corner);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double toEnd = i == 0 ? own.toA : own.toB, fromEnd = i == 0 ? beyond.toA : beyond.toB;
+            if (m_corners[edge[i]].isDone)
+                pass(corner, edge[i], next, {toEnd, *straight, fromEnd});
+        }
+    }
+
+    /// The triangles along the way, and those of both ends.
+    Corridor way() const
+    {
+        double least = std::numeric_limits<double>::infinity();
+        std::uint32_t corner = kNone;
+        for (const std::uint32_t each : cornersOf(m_mesh.mesh(), m_to.triangles())) {
+            const double whole = m_corners[each].distance + glm::distance(m_mesh[each], m_to.place());
+            if (std::exchange(least, std::min(least, whole)) > whole)
+                corner = each;
+        }
+        Corridor triangles(m_from.triangles());
+        triangles.insert(triangles.end(), m_to.triangles().begin(), m_to.triangles().end());
+        for (; corner != kNone; corner = m_corners[corner].parent) {
+            const auto [begin, end] = m_mesh.mesh().around(corner);
+            triangles.insert(triangles.end(), begin, end);
+        }
+        sort(triangles);
+        return triangles;
+    }
+
+    const PlacedMesh &m_mesh;
+    const PathEnd &m_from, &m_to;
+    const GoesOn &m_goesOn;
+    std::vector<Corner> m_corners;
+    using Open = std::pair<double, std::uint32_t>; ///< distance, corner
+    std::priority_queue<Open, std::vector<Open>, std::greater<>> m_open;
+};
+
+} // namespace
+
+Result<Corridor, PathError> corridorBetween(const PlacedMesh &mesh, const PathEnd &from, const PathEnd &to,
+                                            const GoesOn &goesOn)
+{
+    return Wave(mesh, from, to, goesOn).run();
+}
+
+Corridor corridorAbout(const SurfaceMesh &mesh, Corridor triangles)
+{
+    constexpr int kRings = 12;
+    for (int ring = 0; ring < kRings; ++ring) {
+        for (const std::uint32_t corner : cornersOf(mesh, triangles)) {
+            const auto [begin, end] = mesh.around(corner);
+            triangles.insert(triangles.end(), begin, end);
+        }
+        sort(triangles);
+    }
+    return triangles;
+}
+
+} // namespace unprojector::curves
