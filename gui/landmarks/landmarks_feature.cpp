@@ -15,6 +15,7 @@
 #include "gui/landmarks/series_panel.h"
 #include "gui/text/error_text.h"
 #include "gui/view/scene_view.h"
+#include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/save_name.h"
 #include "gui/window/actions.h"
 #include "gui/window/feature.h"
@@ -22,7 +23,6 @@
 
 #include <QAction>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QMenu>
 #include <QToolBar>
 
@@ -136,11 +136,11 @@ void LandmarksFeature::openFiles(const std::vector<std::filesystem::path> &files
 void LandmarksFeature::importLandmarks()
 {
     m_window.session().commitTyped();
-    const QString name =
-        QFileDialog::getOpenFileName(&m_window, tr("Import Landmarks"), {},
-                                     LandmarkFiles::importFilter() + QStringLiteral(";;") + tr("All files (*)"));
-    if (!name.isEmpty())
-        m_files->importFrom(std::filesystem::path(name.toStdU16String()));
+    const std::filesystem::path file =
+        askFileName(m_window, FileKind::Landmarks, tr("Import Landmarks"),
+                    LandmarkFiles::importFilter() + QStringLiteral(";;") + tr("All files (*)"));
+    if (!file.empty())
+        m_files->importFrom(file);
 }
 
 void LandmarksFeature::exportLandmarks()
@@ -148,7 +148,7 @@ void LandmarksFeature::exportLandmarks()
     m_window.session().commitTyped();
     const SaveName named =
         askSaveName(m_window, tr("Export Landmarks"), LandmarkFiles::exportFilters().split(QStringLiteral(";;")),
-                    pathText(m_window.session().proposedName().stem()));
+                    pathText(m_window.session().proposedName().stem()), FileKind::Landmarks);
     if (!named.file.empty() && m_window.mayExportTo(named.file))
         m_files->exportTo(named.file);
 }

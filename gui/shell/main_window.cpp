@@ -202,6 +202,8 @@ QString MainWindow::message() const
 void MainWindow::showName()
 {
     setWindowTitle(tr("%1[*] – Unprojector").arg(m_session->name()));
+    // File dialogs start in its folder.
+    setWindowFilePath(pathText(m_session->file().empty() ? m_session->proposedName() : m_session->file()));
     setWindowModified(m_session->hasUnsavedChanges());
 }
 

@@ -134,7 +134,7 @@ void SceneCodeWindow::save()
                            : dialect() == CodeDialect::NumPy ? tr("Python (*.py)")
                                                              : tr("C++ (*.cpp)");
     const std::filesystem::path file =
-        askSaveName(*this, tr("Save Code"), {filter}, pathText(m_session.proposedName().stem())).file;
+        askSaveName(*this, tr("Save Code"), {filter}, pathText(m_session.proposedName().stem()), FileKind::Code).file;
     if (file.empty())
         return;
     if (const QString problem = exportTo(file); !problem.isEmpty())

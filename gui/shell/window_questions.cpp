@@ -1,8 +1,8 @@
 #include "gui/shell/window_questions.h"
 
 #include "gui/text/error_text.h"
+#include "gui/widgets/file_dialogs.h"
 
-#include <QFileDialog>
 #include <QMessageBox>
 
 namespace unprojector::gui {
@@ -42,9 +42,7 @@ SessionQuestions::SaveAnswer WindowQuestions::askSave(const QString &name, bool 
 
 std::filesystem::path WindowQuestions::askFileName(const std::filesystem::path &proposal)
 {
-    const QString name =
-        QFileDialog::getSaveFileName(&m_window, tr("Save Scene"), pathText(proposal), tr("Scenes (*.json)"));
-    return std::filesystem::path(name.toStdU16String());
+    return askSceneName(m_window, tr("Save Scene"), proposal, tr("Scenes (*.json)"));
 }
 
 bool WindowQuestions::askOverwrite(const std::filesystem::path &file)

@@ -6,9 +6,10 @@
 
 namespace unprojector::gui {
 
-SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &filters, const QString &proposed)
+SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &filters, const QString &proposed,
+                     FileKind kind)
 {
-    QFileDialog dialog(&parent, title);
+    QFileDialog dialog(&parent, title, startFolder(parent, kind));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters(filters);
     const auto takeSuffix = [&dialog](const QString &filter) {
@@ -19,6 +20,7 @@ SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &f
     dialog.selectFile(proposed);
     if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
         return {};
+    rememberFolder(kind, dialog.selectedFiles().front());
     return {std::filesystem::path(dialog.selectedFiles().front().toStdU16String()),
             static_cast<int>(std::max<qsizetype>(0, filters.indexOf(dialog.selectedNameFilter())))};
 }

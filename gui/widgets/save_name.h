@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gui/widgets/file_dialogs.h"
+
 #include <QString>
 #include <QStringList>
 
@@ -19,6 +21,8 @@ struct SaveName {
 /// question whether to replace an existing file.
 /// @param filters  "Table (*.csv)", each with one suffix
 /// @param proposed  a name; may be empty
-SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &filters, const QString &proposed = {});
+/// @param kind  decides the folder, see file_dialogs.h
+SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &filters, const QString &proposed = {},
+                     FileKind kind = FileKind::Table);
 
 } // namespace unprojector::gui
