@@ -5,6 +5,7 @@
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/shell/features.h"
+#include "gui/shell/focus_return.h"
 #include "gui/shell/language_menu.h"
 #include "gui/shell/overlay_bars.h"
 #include "gui/shell/picture_note.h"
@@ -64,6 +65,7 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     setCentralWidget(m_frame);
     createView();
     createFeatures();
+    returnFocus();
     new StatusReadout(*this);
     connectSession();
     restoreLayout();
@@ -123,6 +125,14 @@ void MainWindow::createFeatures()
     m_workspaces = new Workspaces(*this, std::move(panels), std::move(workspaces));
     m_menus = new WindowMenus(*this, m_features, *m_message, m_options.translation);
     connect(m_menus, &WindowMenus::smoothEdgesChosen, this, &MainWindow::setSmoothEdges);
+}
+
+void MainWindow::returnFocus()
+{
+    std::vector<QWidget *> areas{m_frame, &m_workspaces->dock(Panel::Landmarks), &m_workspaces->dock(Panel::Series)};
+    for (QToolBar *bar : findChildren<QToolBar *>(QString(), Qt::FindDirectChildrenOnly))
+        areas.push_back(bar);
+    new FocusReturn(*m_view, std::move(areas));
 }
 
 void MainWindow::connectSession()
