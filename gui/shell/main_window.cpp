@@ -9,6 +9,7 @@
 #include "gui/shell/language_menu.h"
 #include "gui/shell/overlay_bars.h"
 #include "gui/shell/picture_note.h"
+#include "gui/shell/status_bar.h"
 #include "gui/shell/status_readout.h"
 #include "gui/shell/stretch_bar.h"
 #include "gui/shell/window_menus.h"
@@ -63,6 +64,7 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     setWindowIcon(programIcon());
     resize(startSize());
     setCentralWidget(m_frame);
+    setStatusBar(new StatusBar);
     createView();
     createFeatures();
     returnFocus();

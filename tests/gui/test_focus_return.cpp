@@ -1,4 +1,4 @@
-// The keyboard focus after controls that were used by mouse.
+// The keyboard focus after controls that were used by mouse, and messages in the status bar.
 
 #include "gui/document/picks.h"
 #include "gui/document/scene_edits.h"
@@ -6,12 +6,14 @@
 #include "gui/landmarks/scan_series.h"
 #include "gui/landmarks/series_panel.h"
 #include "gui/shell/overlay_bars.h"
+#include "gui/shell/status_bar.h"
 #include "tests/support/patience.h"
 #include "window_user.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QFile>
+#include <QHelpEvent>
 #include <QLineEdit>
 #include <QMenu>
 #include <QSpinBox>
@@ -21,6 +23,7 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
+#include <QToolTip>
 #include <QTreeView>
 
 using namespace unprojector;
@@ -68,6 +71,7 @@ private slots:
     void aDoubleClickedRowIsDone();
     void anEditorOfANameKeepsIt();
     void theToolBarTakesItFromAField();
+    void longMessagesEndInDots();
 
 private:
     bool hasView() const { return m_window->focusWidget() == &m_window->view(); }
@@ -258,6 +262,31 @@ void TestFocusReturn::theToolBarTakesItFromAField()
     QVERIFY(fit);
     QTest::mouseClick(fit, Qt::LeftButton);
     QVERIFY(viewGetsFocus());
+}
+
+void TestFocusReturn::longMessagesEndInDots()
+{
+    auto *bar = qobject_cast<StatusBar *>(m_window->statusBar());
+    QVERIFY(bar);
+    const QString message = QString(QStringLiteral("The file has a name. ")).repeated(30);
+    m_window->notice(message);
+    settle();
+    QCOMPARE(bar->currentMessage(), message);
+    QVERIFY(bar->shownMessage().endsWith(QChar(0x2026)));
+    QVERIFY(bar->messageRoom().width() > bar->width() / 3);
+    QVERIFY(bar->fontMetrics().horizontalAdvance(bar->shownMessage()) <= bar->messageRoom().width());
+    for (const QWidget *widget : bar->findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly))
+        QVERIFY(widget->isHidden() || !widget->geometry().intersects(bar->messageRoom()));
+    const auto tip = [bar] {
+        QToolTip::hideText();
+        QHelpEvent help(QEvent::ToolTip, bar->messageRoom().center(), bar->mapToGlobal(bar->messageRoom().center()));
+        QCoreApplication::sendEvent(bar, &help);
+        return QToolTip::text();
+    };
+    QVERIFY(tip().contains(message.trimmed()));
+    m_window->notice(QStringLiteral("Short"));
+    QCOMPARE(bar->shownMessage(), QStringLiteral("Short"));
+    QVERIFY(!tip().contains(QStringLiteral("Short")));
 }
 
 QTEST_MAIN(TestFocusReturn)
