@@ -8,6 +8,7 @@
 #include "gui/document/session.h"
 #include "gui/landmarks/curve_waiting.h"
 #include "gui/landmarks/file_questions.h"
+#include "gui/landmarks/landmark_looks.h"
 #include "gui/landmarks/landmark_templates.h"
 #include "gui/landmarks/landmark_tool.h"
 #include "gui/landmarks/landmarks_panel.h"
@@ -50,7 +51,8 @@ public:
     ViewTool *tool() override { return m_tool; }
     QVariantMap state() const override { return {{kIsPlacing, m_placing->isChecked()}}; }
     void restore(const QVariantMap &state) override { m_placing->setChecked(state[kIsPlacing].toBool()); }
-    using Feature::restore;
+    void keep(QSettings &settings) const override { m_looks->keep(settings); }
+    void restore(const QSettings &settings) override { m_looks->restore(settings); }
 
 private:
     static inline const QString kIsPlacing = QStringLiteral("isPlacing");
@@ -64,6 +66,8 @@ private:
     bool isPlaced(std::size_t index) const { return m_document.landmarks()[index].isPlaced(); }
     /// Applies a function to the selected landmark, if it is placed.
     void withCurrent(void (*change)(SceneDocument &, std::size_t));
+    void tellToSelect();
+    void showArrows(bool areShown);
     void putSelectedOnSurface();
     void join(landmarks::CurveKind kind);
 
@@ -76,7 +80,9 @@ private:
     LandmarksPanel *m_panel;
     SeriesPanel *m_seriesPanel;
     LandmarkTool *m_tool;
+    LandmarkLooksMenu *m_looks;
     QAction *m_placing = nullptr;
+    QAction *m_arrows = nullptr;
 };
 
 LandmarksFeature::LandmarksFeature(Window &window)
@@ -84,7 +90,7 @@ LandmarksFeature::LandmarksFeature(Window &window)
       m_files(new LandmarkFiles(m_document, window.remembers() ? &m_questions : nullptr, this)),
       m_series(new ScanSeries(m_document, window.session(), this)),
       m_panel(new LandmarksPanel(m_document, m_templates)), m_seriesPanel(new SeriesPanel(*m_series)),
-      m_tool(new LandmarkTool(m_document, window.view()))
+      m_tool(new LandmarkTool(m_document, window.view())), m_looks(new LandmarkLooksMenu(*m_tool))
 {
     Session &session = window.session();
     connect(&session, &Session::commitPendingEdits, m_panel, &LandmarksPanel::applyTyped);
@@ -118,6 +124,8 @@ void LandmarksFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
     } else if (kind == MenuKind::Edit) {
         menu.addSeparator();
         addPlacingActions(menu, bar);
+    } else if (kind == MenuKind::View) {
+        m_looks->addTo(menu);
     }
 }
 
@@ -216,6 +224,10 @@ void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
                   });
               })
         ->setObjectName(QStringLiteral("zoom_to_point"));
+    m_arrows = addSwitch(menu, tr("Axis Arro&ws"), Qt::Key_A,
+                         tr("Show arrows at the selected landmark that move it along the axes, off the surface"));
+    connect(m_arrows, &QAction::toggled, this, &LandmarksFeature::showArrows);
+    connect(m_tool, &LandmarkTool::arrowsChanged, m_arrows, &QAction::setChecked);
     addAction(menu, tr("Put &Back on the Surface"), Qt::Key_B,
               tr("Move the selected landmarks to the closest point of the surface"),
               [this] { putSelectedOnSurface(); });
@@ -227,14 +239,26 @@ void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
               [this] { join(landmarks::CurveKind::PlaneSection); });
 }
 
+void LandmarksFeature::showArrows(bool areShown)
+{
+    if (m_tool->setArrowsShown(areShown))
+        return;
+    m_arrows->setChecked(false);
+    tellToSelect();
+}
+
 void LandmarksFeature::withCurrent(void (*change)(SceneDocument &, std::size_t))
 {
     const std::optional<std::size_t> index = m_document.sceneLandmarks().current();
     if (index && isPlaced(*index))
         change(m_document, *index);
     else
-        m_window.notice(
-            tr("Select a placed landmark first: its marker in the view, or its row in the Landmarks panel."));
+        tellToSelect();
+}
+
+void LandmarksFeature::tellToSelect()
+{
+    m_window.notice(tr("Select a placed landmark first: its marker in the view, or its row in the Landmarks panel."));
 }
 
 void LandmarksFeature::putSelectedOnSurface()
