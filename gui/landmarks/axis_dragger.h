@@ -22,7 +22,7 @@ struct AxisArrow {
 /// green and blue.
 std::array<AxisArrow, 3> axisArrows(const geometry::Setup &setup, const geometry::WorldPoint &point);
 
-/// The axis whose arrow head is under the pointer; nothing near the point itself, which takes
+/// The axis whose arrow is under the pointer; nothing near the point itself, which takes
 /// precedence.
 std::optional<int> axisUnder(const std::array<AxisArrow, 3> &arrows, const QPointF &pointer);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <utility>
@@ -77,6 +78,20 @@ std::vector<QLineF> loupeEdges(const ray::SceneRays &rays, const DevicePoint &at
         }
     }
     return edges;
+}
+
+bool leaveSurfaceVisible(const std::vector<QLineF> &edges)
+{
+    constexpr double kLongPixels = 6.0;
+    constexpr std::size_t kMostTriangles = 48; // of 7 to 8 pixels each
+    if (edges.size() > 3 * kMostTriangles)
+        return false;
+    std::vector<double> lengths;
+    for (const QLineF &edge : edges)
+        lengths.push_back(edge.length());
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return middle != lengths.end() && *middle > kLongPixels;
 }
 
 void drawLoupe(QPainter &painter, const QRectF &box, const DevicePoint &at, const QImage &pixels,

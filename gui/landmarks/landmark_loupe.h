@@ -19,6 +19,13 @@ namespace unprojector::gui {
 constexpr int kLoupePixels = 19; ///< device pixels across, odd: one is in the middle
 constexpr int kLoupeZoom = 8;    ///< logical pixels for each of them
 
+/// The choice of when the loupe shows the edges of the mesh.
+enum class LoupeEdges {
+    WhereLong, ///< where they don't cover the surface, see leaveSurfaceVisible
+    Always,
+    Never
+};
+
 /// The shown pixels, device pixels, origin top-left; they may extend beyond the view's edge.
 QRect loupePixels(const geometry::DevicePoint &at);
 
@@ -29,6 +36,11 @@ QRectF loupeBox(const geometry::Surface &surface, const geometry::DevicePoint &a
 
 /// The edges of the visible triangles there, device pixels.
 std::vector<QLineF> loupeEdges(const ray::SceneRays &rays, const geometry::DevicePoint &at);
+
+/// Returns whether edges leave the surface between them visible: their median is longer than six
+/// pixels, and they belong to few triangles, not to many thin ones.
+/// @param edges  three for each triangle
+bool leaveSurfaceVisible(const std::vector<QLineF> &edges);
 
 /// @param pixels  of loupePixels(at), the top row first
 void drawLoupe(QPainter &painter, const QRectF &box, const geometry::DevicePoint &at, const QImage &pixels,

@@ -7,10 +7,12 @@
 
 #include <QCoreApplication>
 #include <QPainter>
+#include <QPolygonF>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace unprojector::gui {
 using namespace geometry;
@@ -30,10 +32,10 @@ const QColor kDark(0x18, 0x1a, 0x1c), kLight(0xff, 0xff, 0xff);
 bool isBehind(const SceneDocument &document, const Landmark &landmark, const DevicePoint &at)
 {
     const std::vector<glm::dvec4> &planes = document.scene().clipPlanes;
-    const double pixel = worldPerLogicalPixel(document.setup(), *landmark.world);
+    const auto pixel = [&] { return worldPerLogicalPixel(document.setup(), *landmark.world); };
     const auto isCutAway = [&](const glm::dvec4 &plane) {
         return glm::dot(plane, glm::dvec4(landmark.world->coordinates(), 1.0))
-               < -pixel * glm::length(glm::dvec3(plane));
+               < -pixel() * glm::length(glm::dvec3(plane));
     };
     if (std::any_of(planes.begin(), planes.end(), isCutAway))
         return true;
@@ -41,17 +43,19 @@ bool isBehind(const SceneDocument &document, const Landmark &landmark, const Dev
     if (!rays)
         return false;
     const Result<std::optional<ray::SceneHit>> hit = rays->at(at);
-    const auto ray = rays->rays().at(at);
-    if (!hit || !*hit || !ray)
+    if (!hit || !*hit)
         return false;
     // Triangle indices are counted in each object.
     if (const auto *held = std::get_if<landmarks::OnTriangle>(&landmark.anchor);
         held && (*hit)->triangle && (*hit)->triangle->triangle == held->triangle
         && document.objects()[(*hit)->object].name == landmark.object)
         return false;
+    const auto ray = rays->rays().at(at);
+    if (!ray)
+        return false;
     const double t = dot(*landmark.world - ray->from, ray->along) / dot(ray->along, ray->along);
     // A point up to a pixel below the surface, as from a file with few digits, counts as on it.
-    const double deep = std::max(pixel, 4.0 * length((*hit)->uncertainty));
+    const double deep = std::max(pixel(), 4.0 * length((*hit)->uncertainty));
     return (*hit)->t < t && distance((*hit)->world, *landmark.world) > deep;
 }
 
@@ -60,34 +64,42 @@ class Room {
 public:
     explicit Room(const QRectF &area)
         : m_area(area), m_columns(std::max(1, int(area.width() / kCell))),
-          m_rows(std::max(1, int(area.height() / kCell))),
-          m_taken(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows), false)
+          m_rows(std::max(1, int(area.height() / kCell))), m_words((m_columns + kBits - 1) / kBits),
+          m_taken(static_cast<std::size_t>(m_words) * static_cast<std::size_t>(m_rows), 0)
     {
     }
     bool isFree(const QRectF &box) const
     {
-        return m_area.contains(box) && everyCell(box, [this](std::size_t cell) { return !m_taken[cell]; });
+        return m_area.contains(box)
+               && everyWord(box, [this](std::size_t word, std::uint64_t cells) { return !(m_taken[word] & cells); });
     }
     void take(const QRectF &box)
     {
-        everyCell(box, [this](std::size_t cell) { return m_taken[cell] = true; });
+        everyWord(box, [this](std::size_t word, std::uint64_t cells) {
+            m_taken[word] |= cells;
+            return true;
+        });
     }
 
 private:
     static constexpr double kCell = 3.0;
+    static constexpr int kBits = 64;
 
-    /// Visits cells until `visit` returns false.
+    /// Visits the cells of a box, up to 64 of a row at once, until `visit` returns false.
     template <class Visit>
-    bool everyCell(const QRectF &box, const Visit &visit) const
+    bool everyWord(const QRectF &box, const Visit &visit) const
     {
         const auto index = [](double way, int count) { return std::clamp(int(std::floor(way / kCell)), 0, count - 1); };
         const int left = index(box.left() - m_area.left(), m_columns);
         const int right = index(box.right() - m_area.left(), m_columns);
         const int top = index(box.top() - m_area.top(), m_rows), bottom = index(box.bottom() - m_area.top(), m_rows);
         for (int row = top; row <= bottom; ++row) {
-            for (int column = left; column <= right; ++column) {
-                if (!visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(m_columns)
-                           + static_cast<std::size_t>(column)))
+            for (int word = left / kBits; word <= right / kBits; ++word) {
+                const int from = std::max(left - word * kBits, 0), to = std::min(right - word * kBits, kBits - 1);
+                const std::uint64_t cells = (~std::uint64_t{0} >> (kBits - 1 - (to - from))) << from;
+                if (!visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(m_words)
+                               + static_cast<std::size_t>(word),
+                           cells))
                     return false;
             }
         }
@@ -96,7 +108,8 @@ private:
 
     QRectF m_area;
     int m_columns, m_rows;
-    std::vector<bool> m_taken;
+    int m_words; ///< of a row, with a bit for each of its cells
+    std::vector<std::uint64_t> m_taken;
 };
 
 QRectF boxOf(const QPointF &middle, double half)
@@ -113,6 +126,18 @@ QSizeF paddingOf(const QFontMetricsF &metrics)
 QPointF nearestOf(const QRectF &box, const QPointF &point)
 {
     return {std::clamp(point.x(), box.left(), box.right()), std::clamp(point.y(), box.top(), box.bottom())};
+}
+
+/// A disc, or a diamond for a free landmark.
+void drawShape(QPainter &painter, const LandmarkMark &mark, double radius)
+{
+    if (!mark.isFree) {
+        painter.drawEllipse(mark.at, radius, radius);
+        return;
+    }
+    const double half = 1.4 * radius; // about the area of the disc
+    painter.drawPolygon(QPolygonF({mark.at + QPointF(half, 0.0), mark.at + QPointF(0.0, half),
+                                   mark.at - QPointF(half, 0.0), mark.at - QPointF(0.0, half)}));
 }
 
 } // namespace
@@ -142,6 +167,7 @@ std::vector<LandmarkMark> landmarkMarks(const SceneDocument &document)
         mark.isBehind = isBehind(document, landmark, at);
         mark.isSelected = list.isSelected(i);
         mark.isCurrent = list.current() == i;
+        mark.isFree = std::holds_alternative<landmarks::Free>(landmark.anchor) && !landmark.uncertainty;
         mark.color = landmark.color ? QColor(landmark.color->r, landmark.color->g, landmark.color->b) : kUsualColor;
         const QString name = SceneLandmarks::shownNameOf(landmarks, i);
         mark.label = mark.isBehind ? Texts::tr("%1 (behind)", "a point that the surface hides").arg(name) : name;
@@ -169,7 +195,7 @@ const LandmarkMark *markUnder(const std::vector<LandmarkMark> &marks, const QPoi
 
 std::vector<PlacedLabel> placedLabels(const std::vector<LandmarkMark> &marks, const QFontMetricsF &metrics,
                                       const QRectF &area, const std::vector<QLineF> &lines,
-                                      const std::vector<QRectF> &taken)
+                                      const std::vector<QRectF> &taken, double radius)
 {
     Room room(area);
     for (const QRectF &box : taken) {
@@ -182,7 +208,7 @@ std::vector<PlacedLabel> placedLabels(const std::vector<LandmarkMark> &marks, co
             room.take(boxOf(line.pointAt(static_cast<double>(i) / steps), kMarkRadius));
     }
     for (const LandmarkMark &mark : marks)
-        room.take(boxOf(mark.at, kMarkRadius));
+        room.take(boxOf(mark.at, radius));
     std::vector<std::size_t> order(marks.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         order[i] = i;
@@ -204,10 +230,12 @@ std::vector<PlacedLabel> placedLabels(const std::vector<LandmarkMark> &marks, co
     std::vector<PlacedLabel> labels;
     for (const std::size_t i : order) {
         const LandmarkMark &mark = marks[i];
+        if (mark.label.isEmpty())
+            continue;
         const QSizeF size(metrics.horizontalAdvance(mark.label) + 2.0 * padding.width(),
                           metrics.height() + 2.0 * padding.height());
         const auto placeAt = [&](double gap, double x, double y) -> std::optional<PlacedLabel> {
-            const double away = kMarkRadius + gap;
+            const double away = radius + gap;
             const QPointF middle = mark.at + QPointF(x * (away + size.width() / 2.0), y * (away + size.height() / 2.0));
             const QRectF box(middle - QPointF(size.width() / 2.0, size.height() / 2.0), size);
             return room.isFree(box) ? std::optional(PlacedLabel{i, box, gap > kClose}) : std::nullopt;
@@ -234,7 +262,8 @@ std::vector<PlacedLabel> placedLabels(const std::vector<LandmarkMark> &marks, co
     return labels;
 }
 
-void drawLandmarks(QPainter &painter, const std::vector<LandmarkMark> &marks, const std::vector<PlacedLabel> &labels)
+void drawLandmarks(QPainter &painter, const std::vector<LandmarkMark> &marks, const std::vector<PlacedLabel> &labels,
+                   double radius)
 {
     painter.setRenderHint(QPainter::Antialiasing);
     for (const PlacedLabel &label : labels) {
@@ -250,22 +279,26 @@ void drawLandmarks(QPainter &painter, const std::vector<LandmarkMark> &marks, co
         if (mark.isSelected) {
             painter.setBrush(Qt::NoBrush);
             painter.setPen(QPen(kDark, 4.0));
-            painter.drawEllipse(mark.at, kMarkRadius + 3.0, kMarkRadius + 3.0);
+            painter.drawEllipse(mark.at, radius + 3.0, radius + 3.0);
             painter.setPen(QPen(kLight, 2.0));
-            painter.drawEllipse(mark.at, kMarkRadius + 3.0, kMarkRadius + 3.0);
+            painter.drawEllipse(mark.at, radius + 3.0, radius + 3.0);
         }
         // Dark around light, visible on any surface; the exact position stays visible as a dot.
-        painter.setPen(QPen(kDark, mark.isBehind ? 3.5 : 1.5));
-        painter.setBrush(mark.isBehind ? QBrush(Qt::NoBrush) : QBrush(mark.color));
-        painter.drawEllipse(mark.at, kMarkRadius, kMarkRadius);
         if (mark.isBehind) {
-            painter.setPen(QPen(mark.color, 1.5));
-            painter.drawEllipse(mark.at, kMarkRadius, kMarkRadius);
-        } else {
-            painter.setPen(Qt::NoPen);
-            painter.setBrush(kDark);
-            painter.drawEllipse(mark.at, 1.0, 1.0);
+            painter.setBrush(Qt::NoBrush);
+            for (const QPen &pen : {QPen(kDark, 3.5), QPen(mark.color, 1.5)}) {
+                painter.setPen(pen);
+                drawShape(painter, mark, radius);
+            }
+            continue;
         }
+        constexpr double kHalfRim = 0.75;
+        painter.setPen(Qt::NoPen); // two fills are faster than a fill with a rim
+        painter.setBrush(kDark);
+        drawShape(painter, mark, radius + kHalfRim);
+        painter.setBrush(mark.color);
+        drawShape(painter, mark, radius - kHalfRim);
+        painter.fillRect(boxOf(mark.at, 0.9), kDark);
     }
     const QSizeF padding = paddingOf(QFontMetricsF(painter.font()));
     for (const PlacedLabel &label : labels) {
@@ -291,6 +324,8 @@ QString landmarkTip(const SceneDocument &document, const LandmarkMark &mark)
         lines << QString::fromStdString(landmark.note);
     if (mark.isBehind)
         lines << Texts::tr("A surface hides it in this view.");
+    if (mark.isFree)
+        lines << Texts::tr("It is free: no anchor holds it on a surface. B puts it back.");
     return lines.join(u'\n').toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
 }
 

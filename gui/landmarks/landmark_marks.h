@@ -24,12 +24,13 @@ struct LandmarkMark {
     bool isBehind = false; ///< hidden behind a surface, or cut away
     bool isSelected = false;
     bool isCurrent = false;
+    bool isFree = false; ///< no anchor holds it on a surface, and its uncertainty is unknown
     QColor color;
     QString label;
 };
 
-/// The radius of a mark, and the distance from its centre within which the pointer hits it; logical
-/// pixels.
+/// The radius of a mark of medium size, and the distance from its centre within which the pointer
+/// hits a mark of any size; logical pixels.
 constexpr double kMarkRadius = 4.5;
 constexpr double kMarkReach = 8.0;
 
@@ -52,15 +53,18 @@ struct PlacedLabel {
 
 /// The placement of labels beside their marks: they overlap neither each other nor another mark,
 /// and stay in the area. The current landmark's comes first, then the selected ones. Labels without
-/// room are left out.
+/// room and empty ones are left out.
 /// @param area   logical pixels
 /// @param lines, taken  arrows, texts and the like that no label may cover; logical pixels
+/// @param radius  of the marks, logical pixels
 std::vector<PlacedLabel> placedLabels(const std::vector<LandmarkMark> &marks, const QFontMetricsF &metrics,
                                       const QRectF &area, const std::vector<QLineF> &lines = {},
-                                      const std::vector<QRectF> &taken = {});
+                                      const std::vector<QRectF> &taken = {}, double radius = kMarkRadius);
 
-/// Draws marks, filled if visible and hollow if hidden behind a surface, and their labels.
-void drawLandmarks(QPainter &painter, const std::vector<LandmarkMark> &marks, const std::vector<PlacedLabel> &labels);
+/// Draws marks, filled if visible and hollow if hidden behind a surface, and their labels. A free
+/// landmark has a diamond instead of a disc.
+void drawLandmarks(QPainter &painter, const std::vector<LandmarkMark> &marks, const std::vector<PlacedLabel> &labels,
+                   double radius = kMarkRadius);
 
 /// The tooltip of a mark.
 QString landmarkTip(const SceneDocument &document, const LandmarkMark &mark);

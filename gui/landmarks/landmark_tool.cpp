@@ -62,12 +62,16 @@ LandmarkTool::LandmarkTool(SceneDocument &document, SceneView &view)
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Landmarks) // the dragged landmark may be gone
             endDrag();
+        if (m_arrows != Arrows::Hidden && visibleCurrent() != m_arrowsOf)
+            setArrows(Arrows::Hidden);
         if (changes & (kVisibleChanges | Change::Landmarks | Change::LandmarkSelection))
             m_marks.reset();
+        m_drawn.reset();
     });
     // Only now is it known which landmarks are hidden.
     connect(&m_document.picks().rayCasters(), &RayCasters::built, this, [this] {
         m_marks.reset();
+        m_drawn.reset();
         if (!m_document.landmarks().empty())
             m_view.update();
     });
@@ -84,7 +88,15 @@ void LandmarkTool::setPlacing(bool isPlacing)
     if (std::exchange(m_isPlacing, isPlacing) == isPlacing)
         return;
     aimLoupe(std::nullopt);
+    setArrows(Arrows::Hidden);
     emit placingChanged(isPlacing);
+}
+
+void LandmarkTool::setLooks(const LandmarkLooks &looks)
+{
+    m_looks = looks;
+    m_drawn.reset();
+    m_view.update();
 }
 
 const std::vector<LandmarkMark> &LandmarkTool::marks()
@@ -108,19 +120,59 @@ void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
         if (arrow.isUsable)
             lines.emplace_back(arrow.from, arrow.to);
     }
-    drawMarks(painter, m_view.surfaceRect(), taken, marks(), std::move(lines));
+    if (!marks().empty())
+        drawMarksOnce(painter, taken, std::move(lines));
     if (shownArrows)
         drawAxes(painter, *shownArrows, m_drag == Drag::Axis ? std::optional(m_axis) : std::nullopt);
     if (m_loupeAt) {
-        const ray::SceneRays *rays = m_document.picks().rays();
+        const ray::SceneRays *rays = m_looks.loupeEdges == LoupeEdges::Never ? nullptr : m_document.picks().rays();
+        std::vector<QLineF> edges = rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>();
+        if (m_looks.loupeEdges == LoupeEdges::WhereLong && !leaveSurfaceVisible(edges))
+            edges.clear();
         drawLoupe(painter, loupeBox(m_document.setup().surface, *m_loupeAt, m_view.cornerWidth()), *m_loupeAt, m_loupe,
-                  rays ? loupeEdges(*rays, *m_loupeAt) : std::vector<QLineF>());
+                  edges);
     }
+}
+
+void LandmarkTool::drawMarksOnce(QPainter &painter, const std::vector<QRectF> &taken, std::vector<QLineF> lines)
+{
+    const QRectF area = m_view.surfaceRect();
+    const double ratio = m_document.setup().surface.devicePixelRatio;
+    if (!m_drawn || m_drawn->area != area || m_drawn->ratio != ratio || m_drawn->taken != taken
+        || m_drawn->font != painter.font()) {
+        m_drawn = {area, ratio, taken, painter.font(), {}};
+        m_drawn->image = marksImage(*m_drawn, marks(), std::move(lines));
+    }
+    painter.drawImage(area.topLeft(), m_drawn->image);
+}
+
+QImage LandmarkTool::marksImage(const Drawn &drawn, const std::vector<LandmarkMark> &shown,
+                                std::vector<QLineF> lines) const
+{
+    QImage image((drawn.area.size() * drawn.ratio).toSize(), QImage::Format_ARGB32_Premultiplied);
+    if (image.isNull()) // too little memory for a large one
+        return image;
+    image.setDevicePixelRatio(drawn.ratio);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setFont(drawn.font);
+    painter.translate(-drawn.area.topLeft());
+    drawMarks(painter, drawn.area, drawn.taken, shown, std::move(lines));
+    return image;
 }
 
 void LandmarkTool::drawPicture(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken)
 {
-    drawMarks(painter, area, taken, landmarkMarks(m_document), {});
+    const std::vector<LandmarkMark> shown = landmarkMarks(m_document);
+    if (shown.empty())
+        return;
+    // An image as in the view: OpenGL draws letters slightly differently.
+    const QImage image =
+        marksImage({area, painter.device()->devicePixelRatioF(), taken, painter.font(), {}}, shown, {});
+    if (image.isNull())
+        drawMarks(painter, area, taken, shown, {});
+    else
+        painter.drawImage(area.topLeft(), image);
 }
 
 void LandmarkTool::drawMarks(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken,
@@ -134,11 +186,16 @@ void LandmarkTool::drawMarks(QPainter &painter, const QRectF &area, const std::v
     }
     const std::optional<MeasureMark> measure = measureMark(m_document);
     std::vector<LandmarkMark> labelled = shown;
+    for (LandmarkMark &mark : labelled) { // their marks still keep the measure's label away
+        if (!m_looks.hasLabels)
+            mark.label.clear();
+    }
     if (measure) { // beside its line, and clear of the landmarks' labels
         lines.insert(lines.end(), measure->lines.begin(), measure->lines.end());
         labelled.push_back(measure->label);
     }
-    std::vector<PlacedLabel> labels = placedLabels(labelled, QFontMetricsF(painter.font()), area, lines, occupied);
+    const double radius = radiusOf(m_looks.size);
+    std::vector<PlacedLabel> labels = placedLabels(labelled, QFontMetricsF(painter.font()), area, lines, occupied, radius);
     std::optional<PlacedLabel> ofMeasure;
     std::erase_if(labels, [&](const PlacedLabel &label) {
         if (label.mark < shown.size())
@@ -148,7 +205,7 @@ void LandmarkTool::drawMarks(QPainter &painter, const QRectF &area, const std::v
     });
     if (measure)
         drawMeasure(painter, *measure, ofMeasure);
-    drawLandmarks(painter, shown, labels);
+    drawLandmarks(painter, shown, labels, radius);
 }
 
 void LandmarkTool::aimLoupe(const std::optional<DevicePoint> &at)
@@ -212,12 +269,20 @@ void LandmarkTool::dragTo(const QPointF &local)
 void LandmarkTool::release(const QPointF &local)
 {
     aimLoupe(m_isPlacing ? pointedAt(local) : std::nullopt);
-    if (std::exchange(m_drag, Drag::None) == Drag::Landmark && m_hasMoved && m_leftBehind > 0)
+    const Drag ended = std::exchange(m_drag, Drag::None);
+    if (ended == Drag::Landmark && m_hasMoved && m_leftBehind > 0)
         tellUnmoved(m_leftBehind, local);
+    if (ended != Drag::Axis || m_hasMoved)
+        return;
+    if (m_isPlacing) // a click on an arrow is a click on the surface below it
+        click(local);
+    else
+        m_view.pickAt(m_view.widgetPosition(local));
 }
 
 void LandmarkTool::hover(const std::optional<QPointF> &local)
 {
+    hoverArrows(local);
     if (!local)
         aimLoupe(std::nullopt);
     else if (m_isPlacing)
@@ -251,15 +316,66 @@ void LandmarkTool::dragLandmark(const QPointF &local)
     aimLoupe(deviceOf(m_document.setup().surface, wanted));
 }
 
-std::optional<std::array<AxisArrow, 3>> LandmarkTool::arrows() const
+std::optional<std::size_t> LandmarkTool::visibleCurrent() const
 {
     const std::optional<std::size_t> current = m_document.sceneLandmarks().current();
-    if (!m_isPlacing || !current)
+    const std::vector<Landmark> &landmarks = m_document.landmarks();
+    const bool isVisible =
+        current && *current < landmarks.size() && landmarks[*current].isPlaced() && !landmarks[*current].isHidden;
+    return isVisible ? current : std::nullopt;
+}
+
+std::optional<std::array<AxisArrow, 3>> LandmarkTool::arrows() const
+{
+    const std::optional<std::size_t> current = m_arrows == Arrows::Hidden ? std::nullopt : visibleCurrent();
+    if (!current)
         return std::nullopt;
-    const Landmark &landmark = m_document.landmarks()[*current];
-    if (!landmark.isPlaced() || landmark.isHidden)
-        return std::nullopt;
-    return axisArrows(m_document.setup(), *landmark.world);
+    return axisArrows(m_document.setup(), *m_document.landmarks()[*current].world);
+}
+
+bool LandmarkTool::setArrowsShown(bool areShown)
+{
+    if (areShown && !visibleCurrent())
+        return false;
+    setArrows(areShown ? Arrows::Asked : Arrows::Hidden);
+    return true;
+}
+
+void LandmarkTool::setArrows(Arrows arrows)
+{
+    m_arrowsOf = visibleCurrent();
+    const Arrows before = std::exchange(m_arrows, arrows);
+    if (before == arrows)
+        return;
+    m_drawn.reset();
+    m_view.update();
+    if ((before == Arrows::Asked) != (arrows == Arrows::Asked))
+        emit arrowsChanged(arrows == Arrows::Asked);
+}
+
+void LandmarkTool::hoverArrows(const std::optional<QPointF> &local)
+{
+    constexpr double kAtMark = 16.0; // where the arrows begin
+    const bool wasOver = std::exchange(m_isOverCurrent, false);
+    double away = kAtMark;
+    QPointF pointer;
+    if (local) {
+        const WidgetPoint position = m_view.widgetPosition(*local);
+        pointer = QPointF(position.x, position.y);
+        for (const LandmarkMark &mark : marks()) {
+            if (mark.isCurrent && !mark.isBehind)
+                away = std::hypot(mark.at.x() - pointer.x(), mark.at.y() - pointer.y());
+        }
+        m_isOverCurrent = away <= kMarkReach;
+    }
+    if (m_arrows == Arrows::Asked)
+        return;
+    const bool isNameWaiting = m_isPlacing && m_document.sceneLandmarks().nextUnplaced();
+    const auto shown = arrows();
+    // After a placement the pointer is on the mark already: it has to come back to it.
+    const bool comes = m_isOverCurrent && !wasOver;
+    const bool stays = shown && local && (away < kAtMark || axisUnder(*shown, pointer));
+    setArrows((comes || stays) && !isNameWaiting ? Arrows::Hovered : Arrows::Hidden);
 }
 
 bool LandmarkTool::pressArrow(const QPointF &pointer)
@@ -285,6 +401,7 @@ bool LandmarkTool::pressArrow(const QPointF &pointer)
 
 void LandmarkTool::dragAlongAxis(const QPointF &local)
 {
+    m_hasMoved = true; // it is no click, even if it cannot move the landmark
     const ray::SceneRays *rays = m_document.picks().rays();
     if (!rays)
         return;
@@ -295,7 +412,6 @@ void LandmarkTool::dragAlongAxis(const QPointF &local)
         return;
     WorldPoint to = m_axisStart;
     to[m_axis] += *way - m_axisFrom;
-    m_hasMoved = true;
     const QScopedValueRollback<bool> moving(m_isMoving, true);
     static_cast<void>(m_document.sceneLandmarks().moveTo(m_dragged, to, m_mergeKey));
 }
@@ -308,6 +424,7 @@ void LandmarkTool::click(const QPointF &local)
         landmarkOfClick(m_document, position, click ? std::optional(click->sample) : std::nullopt);
     if (there) {
         static_cast<void>(m_document.sceneLandmarks().place(*there));
+        m_isOverCurrent = true;
         return;
     }
     QToolTip::showText(m_view.mapToGlobal(local).toPoint(), tr("Background: no surface here"), &m_view);
@@ -338,11 +455,7 @@ bool LandmarkTool::isKey(const QKeyEvent &event) const
         return isPlain && (m_drag != Drag::None || m_isPlacing);
     if (event.key() == Qt::Key_Delete)
         return isPlain && !selectedInView().empty();
-    const std::optional<std::size_t> current = m_document.sceneLandmarks().current();
-    if (!m_isPlacing || !current || !nudgeOf(event))
-        return false;
-    const Landmark &landmark = m_document.landmarks()[*current];
-    return !landmark.isHidden && landmark.isPlaced(); // else there is nothing to move, and keys turn the view
+    return m_isPlacing && nudgeOf(event) && visibleCurrent(); // else nothing moves, and keys turn the view
 }
 
 void LandmarkTool::pressKey(const QKeyEvent &event, bool isDragged)

@@ -2,9 +2,11 @@
 
 #include "gui/document/scene_document.h"
 #include "gui/landmarks/axis_dragger.h"
+#include "gui/landmarks/landmark_looks.h"
 #include "gui/landmarks/landmark_marks.h"
 #include "gui/view/view_tool.h"
 
+#include <QFont>
 #include <QImage>
 #include <QObject>
 
@@ -34,6 +36,14 @@ public:
     bool isPlacing() const { return m_isPlacing; }
     void setPlacing(bool isPlacing);
 
+    /// Shows arrows along the axes at the current landmark until another one is current, or hides
+    /// them. Without this, they appear only while the pointer is on its mark.
+    /// @return false if no placed landmark is current
+    bool setArrowsShown(bool areShown);
+
+    const LandmarkLooks &looks() const { return m_looks; }
+    void setLooks(const LandmarkLooks &looks);
+
     /// Selects a visible mark. A mark that was already selected can be dragged; in placing mode,
     /// any mark can.
     Press press(const QMouseEvent &event, const QString &mergeKey) override;
@@ -54,21 +64,48 @@ signals:
     void placingChanged(bool isPlacing);
     /// Emitted when the menu of the selected landmarks is wanted: a right click on a mark.
     void menuRequested(const QPoint &global);
+    /// Emitted when arrows requested by setArrowsShown appear or disappear.
+    void arrowsChanged(bool areShown);
 
 private:
     enum class Drag { None, Landmark, Axis };
+    enum class Arrows {
+        Hidden,
+        Hovered, ///< as long as the pointer is at the landmark or at an arrow
+        Asked    ///< until another landmark is current
+    };
+
+    /// The marks with their labels as an image, and what they depend on.
+    struct Drawn {
+        QRectF area;
+        double ratio = 1.0;
+        std::vector<QRectF> taken;
+        QFont font;
+        QImage image;
+    };
 
     /// Draws marks with their labels, and the chosen measure.
     /// @param lines  that no label may cover
     void drawMarks(QPainter &painter, const QRectF &area, const std::vector<QRectF> &taken,
                    const std::vector<LandmarkMark> &shown, std::vector<QLineF> lines) const;
+    /// Draws the marks in the present view. They are kept as an image: a move of the pointer changes
+    /// only the loupe, and 500 labels take longer than a frame.
+    void drawMarksOnce(QPainter &painter, const std::vector<QRectF> &taken, std::vector<QLineF> lines);
+    /// The image for that area; null if there is too little memory.
+    QImage marksImage(const Drawn &drawn, const std::vector<LandmarkMark> &shown, std::vector<QLineF> lines) const;
     /// The marks in the present view.
     const std::vector<LandmarkMark> &marks();
     /// Moves the landmark to the surface under the pointer, and the other selected ones by as many
     /// pixels.
     void dragLandmark(const QPointF &local);
-    /// The arrows that move the current landmark off the surface: only in placing mode.
+    /// The current landmark, if it is placed and not hidden.
+    std::optional<std::size_t> visibleCurrent() const;
+    /// The shown arrows, which move the current landmark off the surface.
     std::optional<std::array<AxisArrow, 3>> arrows() const;
+    void setArrows(Arrows arrows);
+    /// Shows and hides the arrows as the pointer comes to the current landmark's mark and leaves.
+    /// While a name waits for a click, the pointer doesn't show them.
+    void hoverArrows(const std::optional<QPointF> &local);
     /// @return whether an arrow was pressed
     bool pressArrow(const QPointF &pointer);
     void dragAlongAxis(const QPointF &local);
@@ -90,7 +127,12 @@ private:
     SceneView &m_view;
     ExpectedLandmarks *m_expected = nullptr;
     bool m_isPlacing = false;
+    LandmarkLooks m_looks;
     std::optional<std::vector<LandmarkMark>> m_marks; ///< nothing: must be computed
+    std::optional<Drawn> m_drawn;                     ///< nothing: they must be drawn
+    Arrows m_arrows = Arrows::Hidden;
+    std::optional<std::size_t> m_arrowsOf; ///< the landmark that was current when they appeared
+    bool m_isOverCurrent = false;          ///< the pointer is on the current landmark's mark
     Drag m_drag = Drag::None;
     QString m_mergeKey;        ///< of the drag
     std::size_t m_dragged = 0; ///< its index

@@ -10,6 +10,7 @@
 #include "gui/landmarks/expected_landmarks.h"
 #include "gui/landmarks/file_questions.h"
 #include "gui/landmarks/guided_placing.h"
+#include "gui/landmarks/landmark_looks.h"
 #include "gui/landmarks/landmark_templates.h"
 #include "gui/landmarks/landmark_tool.h"
 #include "gui/landmarks/landmarks_panel.h"
@@ -17,6 +18,7 @@
 #include "gui/landmarks/series_panel.h"
 #include "gui/text/error_text.h"
 #include "gui/view/scene_view.h"
+#include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/save_name.h"
 #include "gui/window/actions.h"
 #include "gui/window/feature.h"
@@ -24,7 +26,6 @@
 
 #include <QAction>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QMenu>
 #include <QToolBar>
 
@@ -54,7 +55,8 @@ public:
     ViewTool *tool() override { return m_tool; }
     QVariantMap state() const override { return {{kIsPlacing, m_placing->isChecked()}}; }
     void restore(const QVariantMap &state) override { m_placing->setChecked(state[kIsPlacing].toBool()); }
-    using Feature::restore;
+    void keep(QSettings &settings) const override { m_looks->keep(settings); }
+    void restore(const QSettings &settings) override { m_looks->restore(settings); }
 
 private:
     static inline const QString kIsPlacing = QStringLiteral("isPlacing");
@@ -68,6 +70,8 @@ private:
     bool isPlaced(std::size_t index) const { return m_document.landmarks()[index].isPlaced(); }
     /// Applies a function to the selected landmark, if it is placed.
     void withCurrent(void (*change)(SceneDocument &, std::size_t));
+    void tellToSelect();
+    void showArrows(bool areShown);
     void putSelectedOnSurface();
     /// Shows a scan of the series, and selects a landmark once the scan is in the view.
     void showLandmark(std::size_t scan, const QString &name);
@@ -84,8 +88,10 @@ private:
     SeriesPanel *m_seriesPanel;
     ExpectedLandmarks *m_expected;
     LandmarkTool *m_tool;
+    LandmarkLooksMenu *m_looks;
     GuidedPlacing *m_guided;
     QAction *m_placing = nullptr;
+    QAction *m_arrows = nullptr;
     std::optional<std::pair<std::size_t, QString>> m_wanted; ///< scan and landmark to select
 };
 
@@ -95,7 +101,8 @@ LandmarksFeature::LandmarksFeature(Window &window)
       m_series(new ScanSeries(m_document, window.session(), this)),
       m_panel(new LandmarksPanel(m_document, m_templates)), m_seriesPanel(new SeriesPanel(*m_series)),
       m_expected(new ExpectedLandmarks(m_document, *m_series, this)),
-      m_tool(new LandmarkTool(m_document, window.view())), m_guided(new GuidedPlacing(m_document, this))
+      m_tool(new LandmarkTool(m_document, window.view())), m_looks(new LandmarkLooksMenu(*m_tool)),
+      m_guided(new GuidedPlacing(m_document, this))
 {
     Session &session = window.session();
     m_tool->setExpected(*m_expected);
@@ -144,6 +151,8 @@ void LandmarksFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
     } else if (kind == MenuKind::Edit) {
         menu.addSeparator();
         addPlacingActions(menu, bar);
+    } else if (kind == MenuKind::View) {
+        m_looks->addTo(menu);
     }
 }
 
@@ -162,11 +171,11 @@ void LandmarksFeature::openFiles(const std::vector<std::filesystem::path> &files
 void LandmarksFeature::importLandmarks()
 {
     m_window.session().commitTyped();
-    const QString name =
-        QFileDialog::getOpenFileName(&m_window, tr("Import Landmarks"), {},
-                                     LandmarkFiles::importFilter() + QStringLiteral(";;") + tr("All files (*)"));
-    if (!name.isEmpty())
-        m_files->importFrom(std::filesystem::path(name.toStdU16String()));
+    const std::filesystem::path file =
+        askFileName(m_window, FileKind::Landmarks, tr("Import Landmarks"),
+                    LandmarkFiles::importFilter() + QStringLiteral(";;") + tr("All files (*)"));
+    if (!file.empty())
+        m_files->importFrom(file);
 }
 
 void LandmarksFeature::exportLandmarks()
@@ -174,7 +183,7 @@ void LandmarksFeature::exportLandmarks()
     m_window.session().commitTyped();
     const SaveName named =
         askSaveName(m_window, tr("Export Landmarks"), LandmarkFiles::exportFilters().split(QStringLiteral(";;")),
-                    pathText(m_window.session().proposedName().stem()));
+                    pathText(m_window.session().proposedName().stem()), FileKind::Landmarks);
     if (!named.file.empty() && m_window.mayExportTo(named.file))
         m_files->exportTo(named.file);
 }
@@ -259,6 +268,10 @@ void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
                                   tr("Show where the other scans of the series expect the landmarks to place"));
     expected->setChecked(m_expected->isShown());
     connect(expected, &QAction::toggled, m_expected, &ExpectedLandmarks::setShown);
+    m_arrows = addSwitch(menu, tr("Axis Arro&ws"), Qt::Key_A,
+                         tr("Show arrows at the selected landmark that move it along the axes, off the surface"));
+    connect(m_arrows, &QAction::toggled, this, &LandmarksFeature::showArrows);
+    connect(m_tool, &LandmarkTool::arrowsChanged, m_arrows, &QAction::setChecked);
     addAction(menu, tr("Put &Back on the Surface"), Qt::Key_B,
               tr("Move the selected landmarks to the closest point of the surface"),
               [this] { putSelectedOnSurface(); });
@@ -270,14 +283,26 @@ void LandmarksFeature::addPlacingActions(QMenu &menu, QToolBar &bar)
               [this] { join(landmarks::CurveKind::PlaneSection); });
 }
 
+void LandmarksFeature::showArrows(bool areShown)
+{
+    if (m_tool->setArrowsShown(areShown))
+        return;
+    m_arrows->setChecked(false);
+    tellToSelect();
+}
+
 void LandmarksFeature::withCurrent(void (*change)(SceneDocument &, std::size_t))
 {
     const std::optional<std::size_t> index = m_document.sceneLandmarks().current();
     if (index && isPlaced(*index))
         change(m_document, *index);
     else
-        m_window.notice(
-            tr("Select a placed landmark first: its marker in the view, or its row in the Landmarks panel."));
+        tellToSelect();
+}
+
+void LandmarksFeature::tellToSelect()
+{
+    m_window.notice(tr("Select a placed landmark first: its marker in the view, or its row in the Landmarks panel."));
 }
 
 void LandmarksFeature::putSelectedOnSurface()

@@ -12,10 +12,10 @@
 #include "gui/text/error_text.h"
 #include "gui/text/note_text.h"
 #include "gui/widgets/copy_menu.h"
+#include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/save_name.h"
 
 #include <QColorDialog>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -209,12 +209,11 @@ void LandmarksPanel::fillTemplateMenu()
 
 void LandmarksPanel::loadTemplate()
 {
-    const QString name = QFileDialog::getOpenFileName(
-        this, tr("Load Template"), {},
+    const std::filesystem::path file = askFileName(
+        *this, FileKind::Template, tr("Load Template"),
         tr("Templates and landmarks (%1)").arg(QStringLiteral("*.pptpl *.csv *.pp *.mrk.json *.fcsv *.pts *.tps")));
-    if (name.isEmpty())
-        return;
-    takeTemplate(std::filesystem::path(name.toStdU16String()));
+    if (!file.empty())
+        takeTemplate(file);
 }
 
 void LandmarksPanel::takeTemplate(const std::filesystem::path &file)
@@ -252,7 +251,8 @@ void LandmarksPanel::saveTemplate()
 {
     const std::filesystem::path file = askSaveName(*this, tr("Save Names as Template"),
                                                    {tr("MeshLab's template (%1)").arg(QStringLiteral("*.pptpl")),
-                                                    tr("Table with hints (%1)").arg(QStringLiteral("*.csv"))})
+                                                    tr("Table with hints (%1)").arg(QStringLiteral("*.csv"))},
+                                                   {}, FileKind::Template)
                                            .file;
     if (file.empty())
         return;

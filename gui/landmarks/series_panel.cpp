@@ -5,9 +5,9 @@
 #include "gui/landmarks/series_model.h"
 #include "gui/text/error_text.h"
 #include "gui/widgets/elided_label.h"
+#include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/save_name.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -117,8 +117,8 @@ void SeriesPanel::refresh()
 
 bool SeriesPanel::chooseFolder()
 {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a Series of Scans"));
-    return !folder.isEmpty() && m_series.open(std::filesystem::path(folder.toStdU16String()));
+    const std::filesystem::path folder = askFolder(*this, FileKind::Series, tr("Open a Series of Scans"));
+    return !folder.empty() && m_series.open(folder);
 }
 
 void SeriesPanel::exportTable()

@@ -65,7 +65,7 @@ void MapFeature::exportMap()
 {
     const SaveName named =
         askSaveName(m_window, tr("Export Map"), {tr("Image with its scale (*.png)"), tr("Float map (*.pfm)")},
-                    pathText(m_window.session().proposedName().stem()) + QStringLiteral("-map"));
+                    pathText(m_window.session().proposedName().stem()) + QStringLiteral("-map"), FileKind::Map);
     if (named.file.empty() || !m_window.mayExportTo(named.file))
         return;
     if (const QString problem = m_map->exportTo(named.file); !problem.isEmpty())

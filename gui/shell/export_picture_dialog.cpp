@@ -206,7 +206,7 @@ void exportPicture(Window &window)
         return;
     const SaveName named =
         askSaveName(window, ExportPictureDialog::tr("Export Image"), {ExportPictureDialog::tr("Image (*.png)")},
-                    pathText(window.session().proposedName().stem()));
+                    pathText(window.session().proposedName().stem()), FileKind::Image);
     if (named.file.empty() || !window.mayExportTo(named.file))
         return;
     if (const QString problem = writePicture(window.view(), dialog.options(), named.file); !problem.isEmpty())

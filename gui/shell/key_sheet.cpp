@@ -73,8 +73,8 @@ KeySheet::KeySheet(const QMenuBar &menus, QWidget *parent) : QDialog(parent)
     rows += heading(tr("Landmarks"));
     rows += row(tr("left button on a marker"), tr("select the landmark; with Ctrl, add it to the selection"));
     rows += row(tr("left drag of a marker"), tr("slide the landmark on the surface; Esc cancels"));
-    rows += row(tr("left drag of an arrow at the selected landmark, while placing"),
-                tr("move the landmark along the axis, off the surface"));
+    rows += row(tr("left drag of an arrow at the selected landmark"),
+                tr("move the landmark along the axis, off the surface; A shows the arrows"));
     rows += row(tr("left button, while placing"), tr("place a landmark; Esc ends placing"));
     rows += row(tr("arrows, while placing"),
                 tr("move the selected landmark by a pixel, with Shift by ten, with Alt by a tenth"));

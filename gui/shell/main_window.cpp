@@ -5,9 +5,11 @@
 #include "gui/document/picks.h"
 #include "gui/document/scene_document.h"
 #include "gui/shell/features.h"
+#include "gui/shell/focus_return.h"
 #include "gui/shell/language_menu.h"
 #include "gui/shell/overlay_bars.h"
 #include "gui/shell/picture_note.h"
+#include "gui/shell/status_bar.h"
 #include "gui/shell/status_readout.h"
 #include "gui/shell/stretch_bar.h"
 #include "gui/shell/window_menus.h"
@@ -62,8 +64,10 @@ MainWindow::MainWindow(const Options &options, QWidget *parent)
     setWindowIcon(programIcon());
     resize(startSize());
     setCentralWidget(m_frame);
+    setStatusBar(new StatusBar);
     createView();
     createFeatures();
+    returnFocus();
     new StatusReadout(*this);
     connectSession();
     restoreLayout();
@@ -123,6 +127,14 @@ void MainWindow::createFeatures()
     m_workspaces = new Workspaces(*this, std::move(panels), std::move(workspaces));
     m_menus = new WindowMenus(*this, m_features, *m_message, m_options.translation);
     connect(m_menus, &WindowMenus::smoothEdgesChosen, this, &MainWindow::setSmoothEdges);
+}
+
+void MainWindow::returnFocus()
+{
+    std::vector<QWidget *> areas{m_frame, &m_workspaces->dock(Panel::Landmarks), &m_workspaces->dock(Panel::Series)};
+    for (QToolBar *bar : findChildren<QToolBar *>(QString(), Qt::FindDirectChildrenOnly))
+        areas.push_back(bar);
+    new FocusReturn(*m_view, std::move(areas));
 }
 
 void MainWindow::connectSession()
@@ -202,6 +214,8 @@ QString MainWindow::message() const
 void MainWindow::showName()
 {
     setWindowTitle(tr("%1[*] – Unprojector").arg(m_session->name()));
+    // File dialogs start in its folder.
+    setWindowFilePath(pathText(m_session->file().empty() ? m_session->proposedName() : m_session->file()));
     setWindowModified(m_session->hasUnsavedChanges());
 }
 

@@ -71,6 +71,8 @@ protected:
 private:
     void createView();
     void createFeatures();
+    /// Lets the controls of placing give the focus back to the view.
+    void returnFocus();
     void connectSession();
     void connectBars(LoadingBar &loading, RecoveryBar &recovery);
     void setSmoothEdges(bool isSmooth);

@@ -135,7 +135,7 @@ void SceneCodeWindow::save()
                                ? tr("Python (%1)").arg(QStringLiteral("*.py"))
                                : tr("C++ (%1)").arg(QStringLiteral("*.cpp *.cc *.cxx *.h *.hpp"));
     const std::filesystem::path file =
-        askSaveName(*this, tr("Save Code"), {filter}, pathText(m_session.proposedName().stem())).file;
+        askSaveName(*this, tr("Save Code"), {filter}, pathText(m_session.proposedName().stem()), FileKind::Code).file;
     if (file.empty())
         return;
     if (const QString problem = exportTo(file); !problem.isEmpty())

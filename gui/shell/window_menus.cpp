@@ -14,6 +14,7 @@
 #include "gui/shell/view_size_dialog.h"
 #include "gui/text/error_text.h"
 #include "gui/view/scene_view.h"
+#include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/help_link.h"
 #include "gui/window/actions.h"
 #include "gui/window/window.h"
@@ -21,7 +22,6 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QLayout>
 #include <QMenu>
 #include <QMenuBar>
@@ -34,18 +34,6 @@
 
 namespace unprojector::gui {
 using namespace geometry;
-
-namespace {
-
-std::vector<std::filesystem::path> askForModels(QWidget &window, const QString &title, const QString &filter)
-{
-    std::vector<std::filesystem::path> files;
-    for (const QString &name : QFileDialog::getOpenFileNames(&window, title, {}, filter))
-        files.emplace_back(name.toStdU16String());
-    return files;
-}
-
-} // namespace
 
 WindowMenus::WindowMenus(Window &window, const std::vector<Feature *> &features, MessageBar &messages,
                          const Translation *translation)
@@ -111,7 +99,7 @@ void WindowMenus::addFileMenu()
              *addAction(menu, tr("&Open…"), QKeySequence::Open, tr("Open model files or a scene"),
                         [this, &session, models, all] {
                             std::vector<std::filesystem::path> files =
-                                askForModels(m_window, tr("Open Models or a Scene"),
+                                askFileNames(m_window, FileKind::Model, tr("Open Models or a Scene"),
                                              openableFileFilter() + QStringLiteral(";;") + models + QStringLiteral(";;")
                                                  + tr("Scenes (*.json)") + all);
                             if (!files.empty())
@@ -120,7 +108,8 @@ void WindowMenus::addFileMenu()
              Drawing::Open);
     addAction(menu, tr("A&dd to Scene…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O, tr("Add more models to this scene"),
               [this, &session, models, all] {
-                  std::vector<std::filesystem::path> files = askForModels(m_window, tr("Add Models"), models + all);
+                  std::vector<std::filesystem::path> files =
+                      askFileNames(m_window, FileKind::Model, tr("Add Models"), models + all);
                   if (!files.empty())
                       session.addFiles(std::move(files));
               });

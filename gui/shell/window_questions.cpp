@@ -43,7 +43,7 @@ SessionQuestions::SaveAnswer WindowQuestions::askSave(const QString &name, bool 
 
 std::filesystem::path WindowQuestions::askFileName(const std::filesystem::path &proposal)
 {
-    return askSaveName(m_window, tr("Save Scene"), {tr("Scenes (*.json)")}, pathText(proposal)).file;
+    return askSaveName(m_window, tr("Save Scene"), {tr("Scenes (*.json)")}, pathText(proposal), FileKind::Scene).file;
 }
 
 bool WindowQuestions::askOverwrite(const std::filesystem::path &file)

@@ -63,9 +63,10 @@ std::optional<int> filterOf(const QString &fileName, const QStringList &filters,
     return found != filters.end() ? std::optional(static_cast<int>(found - filters.begin())) : std::nullopt;
 }
 
-SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &filters, const QString &proposed)
+SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &filters, const QString &proposed,
+                     FileKind kind)
 {
-    QFileDialog dialog(&parent, title);
+    QFileDialog dialog(&parent, title, startFolder(parent, kind));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilters(filters);
     const auto takeSuffix = [&dialog](const QString &filter) { dialog.setDefaultSuffix(suffixesOf(filter).front()); };
@@ -75,8 +76,10 @@ SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &f
     while (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty()) {
         const QString file = dialog.selectedFiles().front();
         const auto chosen = static_cast<int>(filters.indexOf(dialog.selectedNameFilter()));
-        if (const std::optional<int> filter = filterOf(file, filters, chosen))
+        if (const std::optional<int> filter = filterOf(file, filters, chosen)) {
+            rememberFolder(kind, file);
             return {std::filesystem::path(file.toStdU16String()), *filter};
+        }
         rejectSuffix(parent, title, file, filters);
     }
     return {};

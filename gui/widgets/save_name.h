@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gui/widgets/file_dialogs.h"
+
 #include <QString>
 #include <QStringList>
 
@@ -26,6 +28,8 @@ std::optional<int> filterOf(const QString &fileName, const QStringList &filters,
 /// replace an existing file. A suffix of no filter is rejected with a message.
 /// @param filters  see filterOf
 /// @param proposed  a name; may be empty
-SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &filters, const QString &proposed = {});
+/// @param kind  decides the folder, see file_dialogs.h
+SaveName askSaveName(QWidget &parent, const QString &title, const QStringList &filters, const QString &proposed = {},
+                     FileKind kind = FileKind::Table);
 
 } // namespace unprojector::gui

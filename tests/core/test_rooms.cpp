@@ -146,6 +146,7 @@ private slots:
     void heavyHeadersStayInTheirRooms_data();
     void heavyHeadersStayInTheirRooms();
     void noHeaderTakesANamespace();
+    void allFileDialogsStartInAKnownFolder();
     void namesThatWindowsTakesAreFound();
     void noNameIsAMacroOfWindows();
 };
@@ -301,6 +302,20 @@ void TestRooms::noHeaderTakesANamespace()
         if (!file.endsWith(QLatin1String(".cpp")))
             QVERIFY2(matchesIn(textOf(file), directive).isEmpty(), qPrintable(file));
     }
+}
+
+/// The dialogs of gui/widgets/file_dialogs.h start in the folder last used. Qt's own start where the
+/// program was started.
+void TestRooms::allFileDialogsStartInAKnownFolder()
+{
+    const QStringList own{"gui/widgets/file_dialogs.cpp", "gui/widgets/save_name.cpp"};
+    int count = 0;
+    for (const QString &file : sourcesUnder({"gui"})) {
+        const bool hasDialog = textOf(file).contains(QLatin1String("QFileDialog"));
+        count += hasDialog ? 1 : 0;
+        QVERIFY2(!hasDialog || own.contains(file), qPrintable(file));
+    }
+    QCOMPARE(count, own.size());
 }
 
 void TestRooms::namesThatWindowsTakesAreFound()

@@ -659,6 +659,7 @@ void TestLandmarkView::arrowsMoveOffTheSurface()
     SceneDocument &document = window->document();
     document.sceneLandmarks().selectOnly(0);
     part<LandmarkTool>(*window).setPlacing(true);
+    QVERIFY(part<LandmarkTool>(*window).setArrowsShown(true));
     const std::array<AxisArrow, 3> arrows = axisArrows(document.setup(), *only(*window).world);
     const AxisArrow &arrow = arrows[static_cast<std::size_t>(axis)];
     QVERIFY(arrow.isUsable);

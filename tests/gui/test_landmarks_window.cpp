@@ -284,7 +284,7 @@ void TestLandmarksWindow::fromAScanToASavedSceneAndBack()
         QTimer::singleShot(0, this, [file] {
             auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
             QVERIFY(dialog);
-            dialog->findChild<QLineEdit *>()->setText(file);
+            dialog->selectFile(file);
             QMetaObject::invokeMethod(dialog, "accept");
         });
     };
