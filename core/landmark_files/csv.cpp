@@ -3,7 +3,6 @@
 
 #include "core/landmark_files/csv_columns.h"
 #include "core/landmark_files/lines.h"
-#include "core/landmarks/distinct_names.h"
 #include "core/scene_file/json_text.h"
 #include "core/text/number_text.h"
 
@@ -11,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 
 namespace unprojector::landmark_files {
@@ -48,7 +48,9 @@ std::string colorText(const glm::u8vec3 &color)
     return text;
 }
 
-std::array<std::string, kWrittenCount> cellsOf(const LandmarkSet &set, const Landmark &landmark)
+/// @param absent  stands for each coordinate of a landmark without a position
+std::array<std::string, kWrittenCount> cellsOf(const LandmarkSet &set, const Landmark &landmark,
+                                               const std::string &absent)
 {
     std::array<std::string, kWrittenCount> cells;
     cells[Mesh] = set.mesh;
@@ -56,6 +58,8 @@ std::array<std::string, kWrittenCount> cellsOf(const LandmarkSet &set, const Lan
     cells[Name] = landmark.name;
     if (landmark.world)
         putNumbers(cells, X, landmark.world->coordinates());
+    else
+        std::fill_n(cells.begin() + X, 3, absent);
     cells[Object] = landmark.object;
     if (const auto *triangle = std::get_if<OnTriangle>(&landmark.anchor)) {
         cells[Face] = std::to_string(triangle->triangle);
@@ -121,17 +125,21 @@ using Row = std::array<std::string, kWrittenCount>;
 /// Calls a function with each row of a table and its landmark, null for a semilandmark. All rows at
 /// once would need a kilobyte per landmark.
 template <class Take>
-void forEachRow(std::span<const LandmarkSet> sets, Notes &notes, const Take &take)
+void forEachRow(std::span<const LandmarkSet> sets, const std::string &absent, Notes &notes, const Take &take)
 {
-    PlainNames specimens("", true, notes); // rows of one name belong to one specimen
+    const bool hasPlacings = hasSeveralPlacings(sets);
+    std::map<int, PlainNames> specimens; // rows of one name and placing belong to one specimen
     for (std::size_t i = 0; i < sets.size(); ++i) {
         const LandmarkSet &set = sets[i];
-        const std::string specimen = sets.size() > 1 ? specimens.of(set.name, std::to_string(i + 1)) : set.name;
+        PlainNames &names = specimens.try_emplace(set.placing, "", true, notes).first->second;
+        const std::string specimen = sets.size() > 1 ? names.of(set.name, std::to_string(i + 1)) : set.name;
+        const std::string placing = hasPlacings ? std::to_string(set.placing) : std::string();
         if (set.landmarks.empty() && set.curves.empty() && (sets.size() > 1 || !set.name.empty()))
             notes.add(LandmarkNote::Kind::EmptySpecimenLeftOut, 1, specimen);
         for (const Landmark &landmark : set.landmarks) {
-            Row row = cellsOf(set, landmark);
+            Row row = cellsOf(set, landmark, absent);
             row[Specimen] = specimen;
+            row[Placing] = placing;
             take(row, &landmark);
         }
         PlainNames curves("", true, notes); // rows of one name belong to one curve
@@ -139,6 +147,7 @@ void forEachRow(std::span<const LandmarkSet> sets, Notes &notes, const Take &tak
             const Curve &curve = set.curves[k];
             for (Row &row : rowsOf(set, curve, curves.of(nameOf(curve, k)))) {
                 row[Specimen] = specimen;
+                row[Placing] = placing;
                 take(row, static_cast<const Landmark *>(nullptr));
             }
             for (auto it = curve.extra.json().begin(); it != curve.extra.json().end(); ++it)
@@ -149,11 +158,16 @@ void forEachRow(std::span<const LandmarkSet> sets, Notes &notes, const Take &tak
 
 } // namespace
 
-std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, Notes &notes)
+bool hasSeveralPlacings(std::span<const LandmarkSet> sets)
+{
+    return std::any_of(sets.begin(), sets.end(), [](const LandmarkSet &set) { return set.placing > 1; });
+}
+
+std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, Notes &notes, const std::string &absent)
 {
     FormatCapabilities all;
     all.names = all.objects = all.anchors = all.uncertainties = all.notes = all.colors = all.hidden = all.keys = true;
-    all.absences = all.specimenName = all.mesh = all.unit = true;
+    all.absences = all.specimenName = all.placings = all.mesh = all.unit = true;
     addLosses(notes, sets, all);
 
     std::array<bool, kWrittenCount> isUsed{};
@@ -164,7 +178,7 @@ std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, No
     };
     std::fill(isUsed.begin() + Name, isUsed.begin() + Vertex, true);
     isUsed[Specimen] = sets.size() > 1;
-    forEachRow(sets, notes, [&](const Row &row, const Landmark *landmark) {
+    forEachRow(sets, absent, notes, [&](const Row &row, const Landmark *landmark) {
         for (std::size_t column = 0; column < kWrittenCount; ++column)
             isUsed[column] = isUsed[column] || !row[column].empty();
         if (!landmark)
@@ -190,7 +204,7 @@ std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, No
     }
     text += '\n';
     Notes said; // notes of the first pass
-    forEachRow(sets, said, [&](const Row &row, const Landmark *landmark) {
+    forEachRow(sets, absent, said, [&](const Row &row, const Landmark *landmark) {
         separator = "";
         // A row of commas only would look like a spreadsheet's padding.
         const bool isEmpty = std::all_of(row.begin(), row.end(), [](const std::string &cell) { return cell.empty(); });
@@ -200,7 +214,10 @@ std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, No
             text += separator;
             if (isEmpty && column == Name)
                 text += "\"\"";
-            appendCell(text, row[column], texts);
+            if (column >= X && column <= Z) // NA in quotes would be a text
+                text += row[column];
+            else
+                appendCell(text, row[column], texts);
             separator = ",";
         }
         for (const std::string &other : others) {
@@ -208,44 +225,16 @@ std::string csvText(std::span<const LandmarkSet> sets, text::CellTexts texts, No
             if (!landmark)
                 continue;
             const Json &extra = landmark->extra.json();
-            if (extra.is_object() && extra.contains(other))
+            if (!extra.is_object() || !extra.contains(other))
+                continue;
+            if (extra[other].is_null())
+                text += "NA";
+            else
                 appendCell(text, cellOf(extra[other]), texts);
         }
         text += '\n';
     });
     return text;
-}
-
-WrittenLandmarks wideTable(std::span<const LandmarkSet> specimens, text::CellTexts texts)
-{
-    Notes notes;
-    const std::vector<LandmarkSet> sets = withCurvesAsPoints(specimens, notes);
-    const DistinctNames distinct = distinctNames(sets);
-    FormatCapabilities held;
-    held.names = held.specimenName = true;
-    addLosses(notes, sets, held);
-    std::string text = "specimen";
-    for (const std::string &name : distinct.names) {
-        for (const char *axis : {"_x", "_y", "_z"}) {
-            text += ',';
-            appendCell(text, name + axis, texts);
-        }
-    }
-    text += '\n';
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-        appendCell(text, sets[i].name, texts);
-        std::vector<const Landmark *> row(distinct.names.size());
-        for (std::size_t k = 0; k < sets[i].landmarks.size(); ++k)
-            row[distinct.places[i][k]] = &sets[i].landmarks[k];
-        for (const Landmark *landmark : row) {
-            if (landmark && landmark->world)
-                appendNumbers(text, landmark->world->coordinates(), ',');
-            else
-                text += ",,,";
-        }
-        text += '\n';
-    }
-    return {std::move(text), notes.take()};
 }
 
 } // namespace unprojector::landmark_files

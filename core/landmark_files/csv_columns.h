@@ -8,6 +8,7 @@ namespace unprojector::landmark_files::csv {
 /// All known columns, in the order in which they are written.
 enum Column : std::size_t {
     Specimen,
+    Placing,
     Name,
     X,
     Y,
@@ -41,9 +42,9 @@ enum Column : std::size_t {
 };
 inline constexpr std::size_t kColumnCount = Locked + 1, kWrittenCount = CurveCount + 1;
 inline constexpr std::array<const char *, kWrittenCount> kColumnNames{
-    "specimen", "name",   "x",       "y",        "z",      "object",    "face",        "u",         "v",
-    "w",        "note",   "vertex",  "edgefrom", "edgeto", "edgeshare", "dx",          "dy",        "dz",
-    "color",    "hidden", "absence", "mesh",     "unit",   "curve",     "curvepoints", "curvekind", "curvecount"};
+    "specimen", "placing", "name",   "x",        "y",      "z",           "object",    "face",      "u",  "v",
+    "w",        "note",    "vertex", "edgefrom", "edgeto", "edgeshare",   "dx",        "dy",        "dz", "color",
+    "hidden",   "absence", "mesh",   "unit",     "curve",  "curvepoints", "curvekind", "curvecount"};
 inline constexpr std::array kCurveKinds{"geodesic", "planeSection"};
 inline constexpr std::array kAbsences{"", "skipped", "missing"};
 

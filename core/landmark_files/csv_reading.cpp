@@ -457,7 +457,7 @@ ReadLandmarks readCsv(std::string_view text)
     ReadLandmarks read;
     Notes notes;
     addTableNotes(notes, table);
-    std::map<std::string, std::size_t, std::less<>> places;
+    std::map<std::pair<std::string, std::uint32_t>, std::size_t> places;    ///< by specimen and placing
     std::map<std::pair<std::size_t, std::string>, std::size_t> curvePlaces; ///< by specimen and name
     std::vector<CurveRows> curves;
     std::size_t rowNames = 0, apostrophes = 0;
@@ -467,10 +467,15 @@ ReadLandmarks readCsv(std::string_view text)
         if (const std::size_t count = trimmedTexts(header, row); count > 0)
             notes.add(LandmarkNote::Kind::BlanksLeftOut, count);
         const Cells cells(table, row);
-        const auto [place, isNew] = places.try_emplace(std::string(cells[Specimen]), read.sets.size());
+        const std::uint32_t placing =
+            cells[Placing].empty() ? 1 : countOf(cells[Placing], row.line, kColumnNames[Placing]);
+        if (placing == 0 || placing > kMostPlacings)
+            throw Failure{row.line, tr("placing is %1; write a whole number from 1 to %2", placing, kMostPlacings)};
+        const auto [place, isNew] = places.try_emplace({std::string(cells[Specimen]), placing}, read.sets.size());
         if (isNew) {
             LandmarkSet set;
             set.name = cells[Specimen];
+            set.placing = static_cast<int>(placing);
             set.mesh = cells[Mesh];
             set.unit = cells[Unit];
             set.axes = header.axes;

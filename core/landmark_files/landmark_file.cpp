@@ -150,7 +150,8 @@ std::string textOf(std::span<const LandmarkSet> sets, Format format, text::CellT
 /// The least number of bytes of a point in .mrk.json.
 constexpr std::size_t kLeastJsonBytes = 200;
 
-/// Checks that the text is small enough to be read again.
+} // namespace
+
 void checkSize(std::size_t bytes)
 {
     if (bytes > kMostLandmarkBytes)
@@ -160,8 +161,6 @@ void checkSize(std::size_t bytes)
                          (bytes >> 20) + 1, kMostLandmarkBytes >> 20),
                       LandmarkFileError::Code::CannotHold};
 }
-
-} // namespace
 
 Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const LandmarkSet> sets, Format format,
                                                           text::CellTexts texts)
@@ -193,13 +192,11 @@ Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const Landma
     }
 }
 
-Result<ReadLandmarks, LandmarkFileError> readLandmarkFile(const std::filesystem::path &file)
+Result<std::string, LandmarkFileError> readText(const std::filesystem::path &file)
 {
-    const std::string name = utf8FromPath(file);
-    const auto failed = [&name](LandmarkFileError::Code code) { return LandmarkFileError{code, name, 0, {}}; };
-    const std::optional<Format> format = readFormatOf(file);
-    if (!format)
-        return failed(LandmarkFileError::Code::UnknownFormat);
+    const auto failed = [&file](LandmarkFileError::Code code) {
+        return LandmarkFileError{code, utf8FromPath(file), 0, {}};
+    };
     std::error_code system;
     const std::filesystem::file_status status = std::filesystem::status(file, system);
     if (status.type() == std::filesystem::file_type::not_found)
@@ -219,7 +216,19 @@ Result<ReadLandmarks, LandmarkFileError> readLandmarkFile(const std::filesystem:
     } while (stream && text.size() <= kMostLandmarkBytes);
     if (stream.bad())
         return failed(LandmarkFileError::Code::NotReadable);
-    return parseLandmarks(text, *format, name);
+    return text;
+}
+
+Result<ReadLandmarks, LandmarkFileError> readLandmarkFile(const std::filesystem::path &file)
+{
+    const std::string name = utf8FromPath(file);
+    const std::optional<Format> format = readFormatOf(file);
+    if (!format)
+        return LandmarkFileError{LandmarkFileError::Code::UnknownFormat, name, 0, {}};
+    const Result<std::string, LandmarkFileError> text = readText(file);
+    if (!text)
+        return text.error();
+    return parseLandmarks(*text, *format, name);
 }
 
 Result<std::vector<LandmarkNote>, LandmarkFileError> writeLandmarkFile(const std::filesystem::path &file,

@@ -66,6 +66,9 @@ struct LandmarkNote {
         SpecimenNameLeftOut, ///< detail: the name
         MeshLeftOut,         ///< detail: the file's name
         UnitLeftOut,         ///< detail: the unit
+        PlacingsLeftOut,     ///< count: specimens whose placing is not the first
+        MeasuresLeftOut,     ///< count: measures of the protocol
+        RepeatsLeftOut,      ///< count: further placings of a specimen, where each would be one more specimen
         // Writing: the file has it in another form.
         NameChanged,          ///< detail: both names in quotes
         NoteChanged,          ///< detail: the landmark
@@ -172,12 +175,6 @@ geometry::Result<ReadLandmarks, LandmarkFileError> parseLandmarks(std::string_vi
 geometry::Result<WrittenLandmarks, LandmarkFileError> landmarksText(std::span<const landmarks::LandmarkSet> sets,
                                                                     Format format,
                                                                     text::CellTexts texts = text::CellTexts::AsTheyAre);
-
-/// A table with one row per specimen: specimen,A_x,A_y,A_z,B_x,… The columns are the landmarks of
-/// all specimens by name, in order of first appearance. A landmark that a specimen lacks has empty
-/// cells. Names come from landmarks::distinctNames. Semilandmarks are further points, "CURVE:01".
-WrittenLandmarks wideTable(std::span<const landmarks::LandmarkSet> specimens,
-                           text::CellTexts texts = text::CellTexts::AsTheyAre);
 
 /// Converts trailing points "NAME:01", "NAME:02" and so on without a gap to curves with
 /// semilandmarks only. Formats without curves name semilandmarks so. The first one may be

@@ -3,12 +3,14 @@
 #include "core/files/path_text.h"
 #include "core/files/replace_file.h"
 #include "core/landmark_files/lines.h"
+#include "core/landmark_files/measures_file.h"
 #include "core/landmark_files/sliders.h"
 #include "core/text/system_error.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -24,16 +26,17 @@ bool isMarkup(const std::filesystem::path &stem)
     return lowerCase(utf8FromPath(stem.extension())) == ".mrk";
 }
 
-/// True for ".points" and ".points-2".
-bool isPlacing(const std::string &suffix)
+/// The number of ".points-2"; 1 for ".points", empty for another suffix.
+std::optional<int> placingOfSuffix(const std::string &suffix)
 {
     constexpr std::string_view kWord = ".points";
-    if (!suffix.starts_with(kWord))
-        return false;
-    const std::string_view number = std::string_view(suffix).substr(kWord.size());
-    return number.empty()
-           || (number.size() > 1 && number.front() == '-'
-               && number.find_first_not_of("0123456789", 1) == std::string_view::npos);
+    if (suffix == kWord)
+        return 1;
+    int number = 0;
+    const char *end = suffix.data() + suffix.size();
+    const bool isNumber = suffix.starts_with(kWord) && suffix.size() > kWord.size() + 1 && suffix[kWord.size()] == '-'
+                          && std::from_chars(suffix.data() + kWord.size() + 1, end, number).ptr == end;
+    return isNumber && number >= 1 && number <= kMostPlacings ? std::optional(number) : std::nullopt;
 }
 
 bool isModel(const std::string &suffix)
@@ -42,7 +45,14 @@ bool isModel(const std::string &suffix)
     return std::find(kSuffixes.begin(), kSuffixes.end(), lowerCase(suffix)) != kSuffixes.end();
 }
 
-/// The landmark files of a folder, sorted.
+/// What a file's landmarks are of: its scan, else the file itself.
+std::filesystem::path sourceOf(const std::filesystem::path &file)
+{
+    std::filesystem::path scan = scanOf(file);
+    return scan.empty() ? file : scan;
+}
+
+/// The landmark files of a folder, sorted, placings of a scan by number.
 std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, std::error_code &error)
 {
     std::vector<std::filesystem::path> found;
@@ -50,13 +60,16 @@ std::vector<std::filesystem::path> filesIn(const std::filesystem::path &folder, 
         std::error_code ignored;
         const std::filesystem::path &file = it->path();
         const std::optional<Format> format = formatOf(file);
-        // Other JSON contains no landmarks, and neither do sliders and a series' template.
-        const bool isOther = (format == Format::SlicerJson && !isMarkup(file.stem())) || isSlidersFile(file)
-                             || file.filename() == seriesTemplate({});
+        // Other JSON contains no landmarks, and neither do measures, sliders and a series' template.
+        const bool isOther = (format == Format::SlicerJson && !isMarkup(file.stem())) || isMeasuresFile(file)
+                             || isSlidersFile(file) || file.filename() == seriesTemplate({});
         if (format && !isOther && it->is_regular_file(ignored))
             found.push_back(file);
     }
-    std::sort(found.begin(), found.end());
+    // "face.ply.points-2.csv" would come before "face.ply.points.csv".
+    std::sort(found.begin(), found.end(), [](const std::filesystem::path &a, const std::filesystem::path &b) {
+        return std::pair(sourceOf(a), placingOf(a)) < std::pair(sourceOf(b), placingOf(b));
+    });
     return found;
 }
 
@@ -100,21 +113,34 @@ std::string specimenOf(const std::filesystem::path &file)
     const std::filesystem::path stem = file.stem();
     if (isMarkup(stem))
         return utf8FromPath(stem.stem());
-    if (!isPlacing(utf8FromPath(stem.extension())))
+    const std::filesystem::path scan = scanOf(file).filename();
+    if (scan.empty())
         return utf8FromPath(stem);
-    const std::filesystem::path scan = stem.stem();
     return utf8FromPath(isModel(utf8FromPath(scan.extension())) ? scan.stem() : scan);
 }
 
-LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std::filesystem::path &table,
+int placingOf(const std::filesystem::path &file)
+{
+    return placingOfSuffix(utf8FromPath(file.stem().extension())).value_or(1);
+}
+
+std::filesystem::path scanOf(const std::filesystem::path &file)
+{
+    const std::filesystem::path stem = file.stem();
+    return placingOfSuffix(utf8FromPath(stem.extension())) ? file.parent_path() / stem.stem() : std::filesystem::path();
+}
+
+LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, std::span<const std::filesystem::path> tables,
                                   std::error_code &error)
 {
     LandmarkFolder read;
-    std::filesystem::path earlier;
+    std::vector<std::filesystem::path> earlier;
     std::vector<FileNote> notes;
     for (const std::filesystem::path &file : filesIn(folder, error)) {
-        if (!table.empty() && isSameFile(file, table)) {
-            earlier = file;
+        if (std::any_of(tables.begin(), tables.end(), [&file](const std::filesystem::path &table) {
+                return !table.empty() && isSameFile(file, table);
+            })) {
+            earlier.push_back(file);
             continue;
         }
         const std::string name = utf8FromPath(file);
@@ -136,17 +162,32 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std
             LandmarkSet &set = landmarks.sets[i];
             if (set.name.empty())
                 set.name = specimenOf(file) + (landmarks.sets.size() > 1 ? '_' + std::to_string(i + 1) : "");
-            // a.pp beside a.pts: each is a specimen of its own.
-            if (std::any_of(read.sets.begin(), read.sets.end(),
-                            [&set](const LandmarkSet &other) { return other.name == set.name; }))
-                set.name += " (" + utf8FromPath(file.filename()) + ')';
+            if (const int placing = placingOf(file); placing > 1)
+                set.placing = placing;
+            // a.pp beside a.pts: each is a specimen of its own. Placings of one scan are not.
+            const std::filesystem::path source = sourceOf(file);
+            const auto isTaken = [&](const std::string &wanted) {
+                for (std::size_t k = 0; k < read.sets.size(); ++k) {
+                    if (read.sets[k].name == wanted
+                        && (sourceOf(read.files[k]) != source || read.sets[k].placing == set.placing))
+                        return true;
+                }
+                return false;
+            };
+            const std::string plain = set.name + " (" + utf8FromPath(source.filename()) + ')';
+            if (isTaken(set.name))
+                set.name = plain;
+            for (int number = 2; isTaken(set.name); ++number)
+                set.name = plain + ' ' + std::to_string(number);
             read.sets.push_back(std::move(set));
+            read.files.push_back(file);
         }
     }
     std::vector<std::string> lines = noteLines(notes);
     read.reports.insert(read.reports.end(), std::make_move_iterator(lines.begin()),
                         std::make_move_iterator(lines.end()));
-    read.isTableInput = !earlier.empty() && holdsMore(earlier, read.sets);
+    read.isTableInput = std::any_of(earlier.begin(), earlier.end(),
+                                    [&read](const std::filesystem::path &file) { return holdsMore(file, read.sets); });
     return read;
 }
 

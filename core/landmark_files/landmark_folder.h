@@ -3,6 +3,7 @@
 #include "core/landmark_files/landmark_file.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -22,20 +23,27 @@ std::filesystem::path seriesTemplate(const std::filesystem::path &folder);
 /// "face.mrk.json" and "face.ply.points.csv". UTF-8.
 std::string specimenOf(const std::filesystem::path &file);
 
+/// The number of the placing according to a file name: 2 for "face.ply.points-2.csv", 1 for others.
+int placingOf(const std::filesystem::path &file);
+/// The scan that a file lies beside, "face.ply" for "face.ply.points-2.csv"; empty for others.
+std::filesystem::path scanOf(const std::filesystem::path &file);
+
 /// The content of all landmark files in a folder.
 struct LandmarkFolder {
-    std::vector<landmarks::LandmarkSet> sets; ///< each with a distinct name
+    /// Each with a name, or a name and a placing, of its own; placings of a scan have one name.
+    std::vector<landmarks::LandmarkSet> sets;
+    std::vector<std::filesystem::path> files; ///< the file of each set
     std::vector<std::string> reports;         ///< changes, losses and read errors, each a sentence with its file
     std::size_t fileCount = 0;                ///< number of landmark files, including unreadable ones
     std::vector<std::string> badFiles;        ///< the unreadable ones
-    bool isTableInput = false; ///< the new table would replace landmarks that no other file of the folder has
+    bool isTableInput = false; ///< a new table would replace landmarks that no other file of the folder has
 };
 
 /// Reads the landmark files of a folder, by name. Skips templates, and JSON that is not 3D
 /// Slicer's.
-/// @param error  the reason if the folder could not be read
-/// @param table  the file to be made from them: an earlier one is not read; may be empty
-LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, const std::filesystem::path &table,
+/// @param tables  the files to be made from them: earlier ones are not read; they may be empty
+/// @param error   the reason if the folder could not be read
+LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, std::span<const std::filesystem::path> tables,
                                   std::error_code &error);
 
 /// The message with the folder's name and the reason why it cannot be read.

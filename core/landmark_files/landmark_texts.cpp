@@ -90,6 +90,15 @@ std::string noteText(const LandmarkNote &note)
     case Kind::SpecimenNameLeftOut: return tr("the name of the specimen, \"%1\", is left out", note.detail);
     case Kind::MeshLeftOut: return tr("the name of the mesh, \"%1\", is left out", note.detail);
     case Kind::UnitLeftOut: return tr("the unit, %1, is left out", note.detail);
+    case Kind::PlacingsLeftOut:
+        return said(marked("the placing of %1 specimen, which is not its first, is left out"),
+                    marked("the placings of %1 specimens, which are not their first, are left out"));
+    case Kind::RepeatsLeftOut:
+        return said(marked("%1 repeated placing is left out: the format would have it as one more specimen"),
+                    marked("%1 repeated placings are left out: the format would have them as more specimens"));
+    case Kind::MeasuresLeftOut:
+        return said(marked("%1 measure of the protocol is left out; save the protocol in a file of its own"),
+                    marked("%1 measures of the protocol are left out; save the protocol in a file of its own"));
     case Kind::NameChanged: return tr("the name %1", note.detail);
     case Kind::NoteChanged: return tr("the note of \"%1\" is written without line breaks and #", note.detail);
     case Kind::AbsencesLeftOut:

@@ -186,6 +186,10 @@ void addLosses(Notes &notes, std::span<const LandmarkSet> sets, const FormatCapa
             specimenKeys.add(set.extra.json());
         if (!format.specimenName && !set.name.empty())
             notes.add(Kind::SpecimenNameLeftOut, 1, set.name);
+        if (!format.placings && set.placing > 1)
+            notes.add(Kind::PlacingsLeftOut);
+        if (!set.measures.empty()) // they have a file of their own
+            notes.add(Kind::MeasuresLeftOut, set.measures.size());
         if (!format.mesh && !set.mesh.empty())
             notes.add(Kind::MeshLeftOut, 1, set.mesh);
         if (!format.unit && !set.unit.empty())

@@ -78,7 +78,7 @@ struct FormatCapabilities {
     bool names = false, positions = true, objects = false, anchors = false, uncertainties = false, notes = false,
          colors = false, hidden = false, keys = false;
     bool absences = false; ///< the reasons why landmarks have no position
-    bool specimenKeys = false, specimenName = false, mesh = false, unit = false;
+    bool specimenKeys = false, specimenName = false, placings = false, mesh = false, unit = false;
 };
 /// Adds notes about properties of the sets that the format cannot hold.
 void addLosses(Notes &notes, std::span<const landmarks::LandmarkSet> sets, const FormatCapabilities &format);
@@ -130,6 +130,12 @@ void appendCell(std::string &text, std::string_view cell);
 /// apostrophe of the name itself is doubled.
 void appendCell(std::string &text, const std::string &cell, text::CellTexts texts);
 
+/// Reads a file, at most a byte more than kMostLandmarkBytes and a block.
+/// @return NotFound, IsDirectory, NotReadable
+geometry::Result<std::string, LandmarkFileError> readText(const std::filesystem::path &file);
+/// Throws Failure if a file of that size could not be read again.
+void checkSize(std::size_t bytes);
+
 /// The failure for an error of a JSON document: its position is the key, or line and column.
 Failure failureOf(scene_file::SceneFileError error);
 
@@ -144,7 +150,11 @@ ReadLandmarks readNts(std::string_view text);
 ReadLandmarks readAmira(std::string_view text);
 ReadLandmarks readLandmarker(std::string_view text);
 
-std::string csvText(std::span<const landmarks::LandmarkSet> sets, text::CellTexts texts, Notes &notes);
+/// Returns whether a set is a second or later placing.
+bool hasSeveralPlacings(std::span<const landmarks::LandmarkSet> sets);
+/// @param absent  stands for each coordinate of a landmark without a position
+std::string csvText(std::span<const landmarks::LandmarkSet> sets, text::CellTexts texts, Notes &notes,
+                    const std::string &absent = {});
 std::string meshLabText(const landmarks::LandmarkSet &set, Notes &notes);
 std::string meshLabTemplateText(const landmarks::LandmarkSet &set, Notes &notes);
 std::string slicerJsonText(std::span<const landmarks::LandmarkSet> sets, Notes &notes);

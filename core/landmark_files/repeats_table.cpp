@@ -76,4 +76,78 @@ geometry::Result<WrittenLandmarks, LandmarkFileError> repeatsTable(std::span<con
     return WrittenLandmarks{std::move(text), notes.take()};
 }
 
+namespace {
+
+void appendValue(std::string &text, const std::optional<double> &value)
+{
+    text += ',';
+    if (value)
+        text::appendNumber(text, *value);
+    else
+        text += "NA";
+}
+
+} // namespace
+
+landmarks::MeasurementError measurementErrorOf(std::span<const RepeatedSpecimen> specimens)
+{
+    std::vector<std::vector<landmarks::LandmarkSet>> placings;
+    for (const RepeatedSpecimen &specimen : specimens)
+        placings.push_back(specimen.placings);
+    return landmarks::measurementErrorOf(placings);
+}
+
+std::vector<std::string> errorRemarks(const landmarks::MeasurementError &error)
+{
+    std::vector<std::string> remarks;
+    if (error.all.specimens == 0)
+        remarks.push_back(tr("no landmark was placed twice on a specimen, so there is no error of measurement"));
+    else if (error.specimens - error.notAligned < 2)
+        remarks.push_back(tr("the intraclass correlation needs two specimens with three landmarks or more that are "
+                             "not on a line"));
+    else if (error.notAligned > 0)
+        remarks.push_back(tr("specimens that cannot be aligned with the others, because they have fewer than three "
+                             "landmarks or all on a line: %1; the intraclass correlation leaves them out",
+                             error.notAligned));
+    return remarks;
+}
+
+geometry::Result<WrittenLandmarks, LandmarkFileError> errorsTable(std::span<const RepeatedSpecimen> specimens,
+                                                                  text::CellTexts texts)
+{
+    Notes notes;
+    RepeatedSpecimen all; // an error over all specimens has one unit
+    for (const RepeatedSpecimen &specimen : specimens) {
+        for (const landmarks::LandmarkSet &placing : specimen.placings)
+            all.placings.emplace_back().unit = placing.unit;
+        all.files.insert(all.files.end(), specimen.files.begin(), specimen.files.end());
+    }
+    try {
+        checkUnits(all, notes);
+    } catch (const Failure &failure) {
+        return LandmarkFileError{failure.code, {}, failure.line, failure.text};
+    }
+    const landmarks::MeasurementError found = measurementErrorOf(specimens);
+    std::string text = "landmark,specimens,placings,error,icc1,icc2";
+    for (const int placing : found.placings)
+        text += ",error_" + std::to_string(placing) + ",bias_" + std::to_string(placing);
+    text += '\n';
+    const auto append = [&](const std::string &name, const landmarks::LandmarkError &error) {
+        appendCell(text, name, texts);
+        text += ',' + std::to_string(error.specimens) + ',' + std::to_string(error.placings);
+        appendValue(text, error.error);
+        appendValue(text, error.icc1);
+        appendValue(text, error.icc2);
+        for (const landmarks::PlacingError &placing : error.byPlacing) {
+            appendValue(text, placing.error);
+            appendValue(text, placing.bias);
+        }
+        text += '\n';
+    };
+    for (const landmarks::LandmarkError &error : found.landmarks)
+        append(error.name, error);
+    append("(all)", found.all);
+    return WrittenLandmarks{std::move(text), notes.take()};
+}
+
 } // namespace unprojector::landmark_files

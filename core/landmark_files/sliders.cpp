@@ -3,7 +3,6 @@
 #include "core/files/path_text.h"
 #include "core/files/replace_file.h"
 #include "core/landmark_files/lines.h"
-#include "core/landmarks/distinct_names.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
@@ -81,12 +80,6 @@ std::vector<std::string> writtenNames(const LandmarkSet &set)
     for (const Landmark &landmark : plain.front().landmarks)
         names.push_back(landmark.name);
     return names;
-}
-
-std::vector<std::string> wideTableNames(std::span<const LandmarkSet> sets)
-{
-    Notes unused;
-    return distinctNames(withCurvesAsPoints(sets, unused)).names;
 }
 
 Result<Sliders, LandmarkFileError> slidersOf(std::span<const LandmarkSet> sets, std::span<const std::string> names)

@@ -30,8 +30,6 @@ geometry::Result<Sliders, LandmarkFileError> slidersOf(std::span<const landmarks
 /// The sliders of points as landmarksText writes them.
 /// @return CannotHold: as above, or specimens with different points
 geometry::Result<Sliders, LandmarkFileError> slidersOf(std::span<const landmarks::LandmarkSet> sets);
-/// The names of the points in the columns of wideTable.
-std::vector<std::string> wideTableNames(std::span<const landmarks::LandmarkSet> sets);
 
 /// The file of the sliders beside a table: "all.sliders.csv" for "all.tps".
 std::filesystem::path slidersBeside(const std::filesystem::path &table);

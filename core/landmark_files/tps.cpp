@@ -17,6 +17,8 @@ using namespace landmarks;
 using text::tr;
 namespace {
 
+constexpr std::string_view kPlacingWord = "placing ";
+
 /// A line "KEY=value", the key in capitals; empty for another line.
 struct KeyValue {
     std::string key;
@@ -89,6 +91,15 @@ Landmark landmarkOf(const std::vector<std::string_view> &words, std::size_t line
     return landmark;
 }
 
+/// The placing in this program's "COMMENT=placing 2"; other programs skip comments.
+std::optional<int> placingOf(std::string_view key, std::string_view value)
+{
+    if (key != "COMMENT" || !value.starts_with(kPlacingWord))
+        return std::nullopt;
+    const std::optional<long long> number = text::integerFromWord(value.substr(kPlacingWord.size()));
+    return number && *number >= 1 && *number <= kMostPlacings ? std::optional(static_cast<int>(*number)) : std::nullopt;
+}
+
 } // namespace
 
 ReadLandmarks readTps(std::string_view text)
@@ -132,6 +143,8 @@ ReadLandmarks readTps(std::string_view text)
             throw Failure{lines.number(), tr("%1 is here for the second time in a specimen; remove one of them", key)};
         if (key == "ID") {
             set.name = value;
+        } else if (const auto placing = placingOf(key, value)) {
+            set.placing = *placing;
         } else if (key == "IMAGE") {
             set.mesh = value;
         } else if (key == "SCALE") {
@@ -241,7 +254,7 @@ void appendCurves(std::string &text, const LandmarkSet &set, Notes &notes)
 
 std::string tpsText(std::span<const LandmarkSet> sets, Notes &notes)
 {
-    addLosses(notes, sets, {.specimenKeys = true, .specimenName = true, .mesh = true});
+    addLosses(notes, sets, {.specimenKeys = true, .specimenName = true, .placings = true, .mesh = true});
     std::string text;
     PlainNames names("\x7f", false, notes);
     for (const LandmarkSet &set : sets) {
@@ -259,11 +272,13 @@ std::string tpsText(std::span<const LandmarkSet> sets, Notes &notes)
         if (!set.mesh.empty())
             text += "IMAGE=" + names.of(set.mesh) + '\n';
         for (auto it = set.extra.json().begin(); it != set.extra.json().end(); ++it) {
-            if (isTpsEntry(it.key(), *it))
+            if (isTpsEntry(it.key(), *it) && (set.placing == 1 || it.key() != "COMMENT"))
                 text += it.key() + '=' + it->get<std::string>() + '\n';
             else
                 notes.add(LandmarkNote::Kind::SpecimenKeysLeftOut, 1, it.key());
         }
+        if (set.placing > 1)
+            text += "COMMENT=" + std::string(kPlacingWord) + std::to_string(set.placing) + '\n';
         if (!set.name.empty())
             text += "ID=" + names.of(set.name) + '\n';
         text += '\n';

@@ -92,6 +92,26 @@ struct Curve {
     friend bool operator==(const Curve &, const Curve &) = default;
 };
 
+/// The kind of a kept measure.
+enum class MeasureKind {
+    Distance, ///< of two landmarks
+    Angle,    ///< at the second of three landmarks, between the first and the third
+    Height,   ///< of the fourth landmark over the plane of the first three
+    Length,   ///< straight from landmark to landmark, of two or more
+    Surface,  ///< along the surface through two or more, by geodesics
+};
+
+/// A measure of landmarks that the user named and keeps. A list of them is a protocol.
+struct KeptMeasure {
+    std::string name; ///< UTF-8; unique within a protocol
+    MeasureKind kind = MeasureKind::Distance;
+    std::vector<std::string> landmarks; ///< their names, in order
+
+    friend bool operator==(const KeptMeasure &, const KeptMeasure &) = default;
+};
+
+inline constexpr int kMostPlacings = 99; ///< of one specimen
+
 /// The landmarks of one specimen, in order.
 ///
 /// Their coordinates are always in the axes of the mesh's own file, in any axes of the landmark
@@ -104,7 +124,9 @@ struct LandmarkSet {
     Axes axes = Axes::Lps;
     std::vector<Landmark> landmarks;
     std::vector<Curve> curves;
-    text::JsonValue extra; ///< as in a landmark
+    std::vector<KeptMeasure> measures; ///< the protocol; a scene has one, a landmark file has none
+    int placing = 1;                   ///< from 1: which of the specimen's repeated placings
+    text::JsonValue extra;             ///< as in a landmark
 
     friend bool operator==(const LandmarkSet &, const LandmarkSet &) = default;
 };

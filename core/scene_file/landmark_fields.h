@@ -95,6 +95,15 @@ void describe(Fields &json, T &curve)
         json.list("semilandmarks", curve.semilandmarks);
 }
 
+template <class Fields, Is<landmarks::KeptMeasure> T>
+void describe(Fields &json, T &measure)
+{
+    static constexpr std::array kKinds{"distance", "angle", "height", "length", "surface"};
+    json.required("name", measure.name);
+    json.required("kind", measure.kind, Words{kKinds});
+    json.list("landmarks", measure.landmarks);
+}
+
 template <class Fields, Is<landmarks::LandmarkSet> T>
 void describe(Fields &json, T &set)
 {
@@ -107,6 +116,8 @@ void describe(Fields &json, T &set)
     json.list("points", set.landmarks);
     if (json.has("curves", !set.curves.empty()))
         json.list("curves", set.curves);
+    if (json.has("measures", !set.measures.empty()))
+        json.list("measures", set.measures);
 }
 
 } // namespace unprojector::scene_file

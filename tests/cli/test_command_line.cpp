@@ -121,8 +121,6 @@ void TestCommandLine::wordsAreChecked_data()
     row("no such option, and nothing else", {"points", "--nonsense"},
         "--nonsense is not an option of 'unproject points'");
     row("no such option of the program", {"--nonsense"}, "--nonsense is not an option of 'unproject'");
-    row("one file of two", {"landmarks", "--repeats", "a.pp", "-o", "a.csv"},
-        "--repeats a.pp needs 2 or more values and got 1; see 'unproject landmarks --help'");
     row("of two only one", {"pick", "a.ply", "--at", "1,2", "a.csv"},
         "PIXELS a.csv and --at 1,2 exclude each other; leave one of them out\n");
     row("what is for something else", {"map", "a.json", "--what", "uncertainty", "--convention", "vtk", "-o", "a.pfm"},

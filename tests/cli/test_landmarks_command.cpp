@@ -35,6 +35,11 @@ private slots:
     void aFolderToATable();
     void tablesOfAllKinds();
     void specimensOfOneName();
+    void namesAlignEveryTable();
+    void aSecondPlacingIsNoSpecimen();
+    void aTableOfSpecimensToTps();
+    void aProtocol();
+    void repeatsOfAFolder();
     void repeatedPlacings();
     void repeatsInOtherUnits();
     void repeatedSpecimens();
@@ -213,7 +218,9 @@ void TestLandmarksCommand::aFolderToATable()
         const Run run = runCommand({"landmarks", "--table", m_folder.path("many"), "-o", output});
         QCOMPARE(run.exitCode, 1);
         QCOMPARE(run.errors, m_folder.path("many/skull42.pts").toUtf8()
-                                 + ":3: \"Nasion 1 2\" is not a point; write its name, x, y and z\n");
+                                 + ":3: \"Nasion 1 2\" is not a point; write its name, x, y and z\n" + output.toUtf8()
+                                 + ": 99 landmarks have no coordinates (not placed: 99, skipped: 0, missing on their "
+                                   "specimens: 0)\n");
         const QList<QByteArray> lines = bytesOf(output).trimmed().split('\n');
         QCOMPARE(lines.size(), 1 + 2 * 99);
         QCOMPARE(lines[0], QByteArray("specimen,name,x,y,z,object,face,u,v,w,note"));
@@ -222,7 +229,7 @@ void TestLandmarksCommand::aFolderToATable()
                 continue;
             const QByteArray name = "skull" + QByteArray::number(i).rightJustified(2, '0');
             QCOMPARE(lines[row++], name + ",Nasion,0.1,-2,3,,,,,,");
-            QCOMPARE(lines[row++], name + ",gone,,,,,,,,,");
+            QCOMPARE(lines[row++], name + ",gone,NA,NA,NA,,,,,,");
         }
     }
 }
@@ -239,16 +246,22 @@ void TestLandmarksCommand::tablesOfAllKinds()
         return runCommand({"landmarks", "--table", m_folder.path("two"), "-o", "-", "--format", format});
     };
     const Run wide = table("wide");
-    VERIFY_SUCCEEDED(wide);
+    QCOMPARE(wide.exitCode, 0);
+    QCOMPARE(wide.errors, QByteArray("stdout: 10 landmarks have no coordinates (not placed: 10, skipped: 0, missing on "
+                                     "their specimens: 0)\n"));
     QCOMPARE(wide.output,
              QByteArray("specimen,Nasion_x,Nasion_y,Nasion_z,gone_x,gone_y,gone_z,1_x,1_y,1_z,2_x,2_y,2_z\n"
-                        "A,1,1,1,,,,,,,,,\na,0.1,-2,3,,,,,,,,,\nlate,,,,,,,1,2,3,4,5,6\nb_2,,,,,,,7,8,9,10,11,12\n"));
-    QCOMPARE(
-        table("tps").output,
-        QByteArray("LM3=2\n1 1 1\nNA NA NA\nID=A\n\nLM3=2\n0.1 -2 3\nNA NA NA\nID=a\n\nLM3=2\n1 2 3\n4 5 6\nID=late\n\n"
-                   "LM3=2\n7 8 9\n10 11 12\nID=b_2\n\n"));
-    QCOMPARE(table("nts").output, QByteArray("1 4L 6 1 9999 DIM=3\nA\na\nlate\nb_2\n1 1 1 9999 9999 9999\n0.1 -2 3 "
-                                             "9999 9999 9999\n1 2 3 4 5 6\n7 8 9 10 11 12\n"));
+                        "A,1,1,1,NA,NA,NA,NA,NA,NA,NA,NA,NA\na,0.1,-2,3,NA,NA,NA,NA,NA,NA,NA,NA,NA\n"
+                        "late,NA,NA,NA,NA,NA,NA,1,2,3,4,5,6\nb_2,NA,NA,NA,NA,NA,NA,7,8,9,10,11,12\n"));
+    // Landmarks without names are no named ones.
+    const QByteArray none = "NA NA NA\n";
+    QCOMPARE(table("tps").output, "LM3=4\n1 1 1\n" + none + none + none + "ID=A\n\nLM3=4\n0.1 -2 3\n" + none + none
+                                      + none + "ID=a\n\nLM3=4\n" + none + none + "1 2 3\n4 5 6\nID=late\n\nLM3=4\n"
+                                      + none + none + "7 8 9\n10 11 12\nID=b_2\n\n");
+    QCOMPARE(table("nts").output,
+             QByteArray("1 4L 12 1 9999 DIM=3\nA\na\nlate\nb_2\n1 1 1 9999 9999 9999 9999 9999 9999 9999 9999 9999\n"
+                        "0.1 -2 3 9999 9999 9999 9999 9999 9999 9999 9999 9999\n"
+                        "9999 9999 9999 9999 9999 9999 1 2 3 4 5 6\n9999 9999 9999 9999 9999 9999 7 8 9 10 11 12\n"));
 }
 
 /// a.pp beside a.pts, and a file whose specimens have one name: each is a specimen of its own.
@@ -258,16 +271,132 @@ void TestLandmarksCommand::specimensOfOneName()
     m_folder.write("same/a.pts", kPts);
     m_folder.write("same/a.csv", kTable);
     const Run table = runCommand({"landmarks", "--table", m_folder.path("same"), "-o", "-", "--format", "wide"});
-    VERIFY_SUCCEEDED(table);
-    QCOMPARE(
-        table.output,
-        QByteArray("specimen,Nasion_x,Nasion_y,Nasion_z,gone_x,gone_y,gone_z\na,0.1,-2,3,,,\na (a.pts),0.1,-2,3,,,\n"));
+    QCOMPARE(table.exitCode, 0);
+    QCOMPARE(table.output, QByteArray("specimen,Nasion_x,Nasion_y,Nasion_z,gone_x,gone_y,gone_z\na,0.1,-2,3,NA,NA,NA\n"
+                                      "a (a.pts),0.1,-2,3,NA,NA,NA\n"));
     const Run csv = runCommand({"landmarks", "--from", "tps", "--to", "csv", "-", "-"},
                                "LM3=1\n1 2 3\nLM3=1\n4 5 6\nID=2\nLM3=0\n");
     QCOMPARE(csv.exitCode, 0);
     QCOMPARE(csv.output, QByteArray("specimen,name,x,y,z,object,face,u,v,w,note\n1,,1,2,3,,,,,,\n2,,4,5,6,,,,,,\n"));
     QCOMPARE(csv.errors, QByteArray("stdout: the name \"\" as \"1\"\nstdout: the name \"\" as \"3\"\n"
                                     "stdout: the specimen \"3\" has no points and is left out\n"));
+}
+
+/// s2 has the landmarks in another order, s3 lacks one and has a further one.
+void TestLandmarksCommand::namesAlignEveryTable()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("orders")));
+    m_folder.write("orders/s1.csv", "name,x,y,z\na,1,0,0\nb,2,0,0\nc,3,0,0\n");
+    m_folder.write("orders/s2.csv", "name,x,y,z\nc,6,0,0\na,4,0,0\nb,5,0,0\n");
+    m_folder.write("orders/s3.csv", "name,x,y,z\na,7,0,0\nd,8,0,0\n");
+    const auto table = [&](const char *format) {
+        const Run run = runCommand({"landmarks", "--table", m_folder.path("orders"), "-o", "-", "--format", format});
+        return run.exitCode == 0 ? run.output : run.errors;
+    };
+    QCOMPARE(table("tps"), QByteArray("LM3=4\n1 0 0\n2 0 0\n3 0 0\nNA NA NA\nID=s1\n\nLM3=4\n4 0 0\n5 0 0\n6 0 0\n"
+                                      "NA NA NA\nID=s2\n\nLM3=4\n7 0 0\nNA NA NA\nNA NA NA\n8 0 0\nID=s3\n\n"));
+    QVERIFY2(table("nts").endsWith("\n4 0 0 5 0 0 6 0 0 9999 9999 9999\n7 0 0 9999 9999 9999 9999 9999 9999 8 0 0\n"),
+             table("nts"));
+    QVERIFY2(table("wide").contains("\ns3,7,0,0,NA,NA,NA,NA,NA,NA,8,0,0\n"), table("wide"));
+    QVERIFY2(table("long").contains("\ns3,b,NA,NA,NA,"), table("long"));
+}
+
+void TestLandmarksCommand::aSecondPlacingIsNoSpecimen()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("placed")));
+    m_folder.write("placed/s01.obj.points.csv", "name,x,y,z\na,1,0,0\n");
+    m_folder.write("placed/s01.obj.points-2.csv", "name,x,y,z\na,2,0,0\n");
+    m_folder.write("placed/s01.ply.points-2.csv", "name,x,y,z\na,3,0,0\n"); // another scan of that name
+    m_folder.write("placed/s02.obj.points-3.csv", "name,x,y,z\na,4,0,0\n");
+    const auto table = [&](const char *format) {
+        return runCommand({"landmarks", "--table", m_folder.path("placed"), "-o", "-", "--format", format});
+    };
+    QCOMPARE(table("wide").output, QByteArray("specimen,placing,a_x,a_y,a_z\ns01,1,1,0,0\ns01,2,2,0,0\n"
+                                              "s01 (s01.ply),2,3,0,0\ns02,3,4,0,0\n"));
+    QVERIFY2(table("long").output.startsWith("specimen,placing,name,x,y,z,object,face,u,v,w,note\ns01,1,a,1,0,0,"),
+             table("long").output);
+    const Run tps = table("tps");
+    QCOMPARE(tps.output.count("LM3="), 3);
+    QVERIFY2(tps.errors.contains("1 repeated placing is left out: the format would have it as one more specimen"),
+             tps.errors);
+}
+
+/// The rows of the specimens are in other orders, and TPS knows no names.
+void TestLandmarksCommand::aTableOfSpecimensToTps()
+{
+    const Run run = runCommand({"landmarks", "--from", "csv", "--to", "tps", "-", "-"},
+                               "specimen,name,x,y,z\ns,a,1,0,0\ns,b,2,0,0\nt,b,4,0,0\nt,a,3,0,0\n");
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.output, QByteArray("LM3=2\n1 0 0\n2 0 0\nID=s\n\nLM3=2\n3 0 0\n4 0 0\nID=t\n\n"));
+}
+
+/// Two scans are squares of another size; the way along the surface is found on each one's own mesh.
+void TestLandmarksCommand::aProtocol()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("measured")));
+    const auto square = [](const QByteArray &size) {
+        return "v 0 0 0\nv " + size + " 0 0\nv " + size + " " + size + " 0\nv 0 " + size + " 0\nf 1 2 3 4\n";
+    };
+    m_folder.write("measured/s1.obj", square("3"));
+    m_folder.write("measured/s2.obj", square("6"));
+    m_folder.write("measured/s1.obj.points.csv", "name,x,y,z\na,0,0,0\nb,3,0,0\nc,3,3,0\n");
+    m_folder.write("measured/s2.obj.points.csv", "name,x,y,z\nb,6,0,0\na,0,0,0\nc,,,\n");
+    m_folder.write("measured/alone.csv", "name,x,y,z\na,0,0,0\nb,0,0,1\nc,0,1,0\n");
+    const QString protocol = m_folder.write("measured/my.measures.csv", "name,kind,landmarks\nwidth,distance,a,b\n"
+                                                                        "corner,angle,a,b,c\nway,surface,a,c\n");
+    const auto table = [&](const char *format) {
+        return runCommand(
+            {"landmarks", "--table", m_folder.path("measured"), "--measures", protocol, "-o", "-", "--format", format});
+    };
+    const Run wide = table("wide");
+    QCOMPARE(wide.exitCode, 0);
+    const QList<QByteArray> lines = wide.lines();
+    QCOMPARE(lines.size(), 4);
+    QVERIFY2(lines[0].endsWith(",c_z,width,width_error,corner,corner_error,way,way_error,measures_note"), lines[0]);
+    QVERIFY2(lines[1].endsWith(",1,NA,45,NA,NA,NA,way: there is no model beside alone.csv"), lines[1]);
+    QVERIFY2(lines[2].endsWith(",3,NA,90,NA,4.242640687119285,NA,"), lines[2]);
+    QVERIFY2(lines[3].endsWith(
+                 ",6,NA,NA,NA,NA,NA,\"corner: \"\"c\"\" has no position yet; way: \"\"c\"\" has no position yet\""),
+             lines[3]);
+    QVERIFY2(
+        wide.errors.contains("stdout: the measure \"way\" is NA for 2 of 3 specimens; the column measures_note has "
+                             "the reasons\n"),
+        wide.errors);
+    QVERIFY2(table("long").output.contains("s2,a,0,0,0,,,,,,,6,NA,NA,NA,NA,NA,"), table("long").output);
+    QVERIFY2(table("tps").errors.contains("3 measures of the protocol are left out"), table("tps").errors);
+}
+
+void TestLandmarksCommand::repeatsOfAFolder()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("twice")));
+    m_folder.write("twice/s1.obj.points.csv", "name,x,y,z\na,0,0,0\nb,9,0,0\nc,0,9,0\n");
+    m_folder.write("twice/s1.obj.points-2.csv", "name,x,y,z\nb,9,0,0\nc,0,9,0\na,2,0,0\n");
+    m_folder.write("twice/s2.obj.points.csv", "name,x,y,z\na,1,0,0\nb,8,0,0\nc,0,7,0\n");
+    m_folder.write("twice/s2.obj.points-2.csv", "name,x,y,z\na,1,0,0\nb,8,0,0\nc,0,7,0\n");
+    const QString errors = m_folder.path("twice/errors.csv");
+    for (int time = 0; time < 2; ++time) { // the second time, the table lies in the folder
+        const Run run = runCommand({"landmarks", "--repeats", m_folder.path("twice"), "--errors", errors});
+        VERIFY_SUCCEEDED(run);
+        const QByteArray table = bytesOf(errors);
+        QVERIFY2(
+            table.startsWith("landmark,specimens,placings,error,icc1,icc2,error_1,bias_1,error_2,bias_2\na,2,4,1,"),
+            table);
+        QVERIFY2(table.contains("\n(all),6,12,0.57735026918962"), table);
+    }
+    // The files one by one are the same specimens.
+    const Run files = runCommand({"landmarks", "--repeats", m_folder.path("twice/s1.obj.points.csv"),
+                                  m_folder.path("twice/s1.obj.points-2.csv"), m_folder.path("twice/s2.obj.points.csv"),
+                                  m_folder.path("twice/s2.obj.points-2.csv"), "-o", "-"});
+    VERIFY_SUCCEEDED(files);
+    QVERIFY2(files.output.contains("\ns1,a,2,1,0,0,1.414213562373095") && files.output.contains("\ns2,a,2,1,0,0,0,0\n"),
+             files.output);
+    // So is one table of all placings.
+    QVERIFY(QFile::remove(errors));
+    const QString table = m_folder.path("placings.csv");
+    VERIFY_SUCCEEDED(runCommand({"landmarks", "--table", m_folder.path("twice"), "-o", table}));
+    const Run again = runCommand({"landmarks", "--repeats", table, "-o", "-"});
+    VERIFY_SUCCEEDED(again);
+    QCOMPARE(again.output, files.output);
 }
 
 void TestLandmarksCommand::repeatedPlacings()
@@ -316,7 +445,7 @@ void TestLandmarksCommand::repeatedSpecimens()
     QCOMPARE(run.exitCode, 0);
     QCOMPARE(run.output, QByteArray("specimen,name,placings,x,y,z,error,farthest\nb,1,2,1,2,3,0,0\n"
                                     "a,1,2,1,1,2,1.4142135623730951,1\nc,1,1,0,0,0,,0\n"));
-    QCOMPARE(run.errors, QByteArray("the specimen \"c\" is in one file only: there is nothing to compare it with\n"));
+    QCOMPARE(run.errors, QByteArray("the specimen \"c\" was placed only once: there is nothing to compare it with\n"));
 }
 
 void TestLandmarksCommand::refused_data()
@@ -337,7 +466,12 @@ void TestLandmarksCommand::refused_data()
     QTest::newRow("no folder") << QStringList{"--table", m_folder.path("none"), "-o", "-"}
                                << "none: the folder cannot be read: ";
     QVERIFY(QDir().mkpath(m_folder.path("empty")));
-    QTest::newRow("one placing") << QStringList{"--repeats", input, "-o", "-"} << "--repeats";
+    QTest::newRow("one placing") << QStringList{"--repeats", input, "-o", "-"}
+                                 << "no specimen was placed more than once";
+    QTest::newRow("measures of no table") << QStringList{"--measures", input, input, "-"} << "--measures";
+    QTest::newRow("errors of no repeats") << QStringList{"--errors", input, input, "-"} << "--errors";
+    QTest::newRow("no list of measures") << QStringList{"--table", m_folder.path("."), "--measures", input, "-o", "-"}
+                                         << "this is no list of measures";
     QTest::newRow("repeats to nowhere") << QStringList{"--repeats", input, input} << "-o,--output is required";
     QTest::newRow("repeats and a file") << QStringList{"--repeats", input, input, "--to", "csv", "-o", "-"}
                                         << "exclude each other; leave one of them out";

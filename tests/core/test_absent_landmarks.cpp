@@ -118,10 +118,6 @@ void TestAbsentLandmarks::reasonsThatAreLostAreReported()
                || other.contains("the name \"\"");
     });
     QCOMPARE(notes, note.isEmpty() ? QStringList() : QStringList(note));
-    const std::vector<LandmarkSet> sets{set, setWith({Absence::Missing})};
-    QCOMPARE(noteTexts(wideTable(sets).notes),
-             QStringList("4 points have no position, for different reasons (not placed: 1, skipped: 1, missing: 2); "
-                         "the reasons are left out"));
 }
 
 /// NA is the word of these formats for a missing landmark.

@@ -3,6 +3,7 @@
 
 #include "core/landmark_files/landmark_folder.h"
 #include "core/landmark_files/sliders.h"
+#include "core/landmark_files/specimen_table.h"
 #include "tests/core/strict_landmarks.h"
 
 #include <nlohmann/json.hpp>
@@ -158,10 +159,11 @@ void TestSemilandmarkFiles::slidersOfAWideTableGoByItsColumns()
     std::vector<LandmarkSet> sets{specimen("s", 0.0), specimen("t", 20.0)};
     sets[0].landmarks.erase(sets[0].landmarks.begin() + 2); // C, with its curve
     sets[0].curves.resize(1);
-    const QList<QList<QByteArray>> table = strictCsv(QByteArray::fromStdString(wideTable(sets).text));
+    const QList<QList<QByteArray>> table =
+        strictCsv(QByteArray::fromStdString(specimenTable(sets, TableForm::Wide).value().text));
     const auto nameOf = [&table](int number) { return table[0].at(3 * number - 2).chopped(2); };
     QStringList named;
-    const auto sliders = slidersOf(sets, wideTableNames(sets));
+    const auto sliders = specimenTable(sets, TableForm::Wide).value().sliders;
     QVERIFY2(sliders, sliders ? "" : errorText(sliders.error()).c_str());
     for (const QList<int> &row : slidersIn(sliders->text))
         named << nameOf(row[0]) + ' ' + nameOf(row[1]) + ' ' + nameOf(row[2]);
@@ -179,10 +181,10 @@ void TestSemilandmarkFiles::slidersOfDifferentSpecimensAreRefused()
     QCOMPARE(QString::fromStdString(errorText(refused.error())),
              QString("\"s\" and \"t\" have different points, or the same in another order: their semilandmarks have "
                      "different numbers, so there are no sliders for both"));
-    QVERIFY(slidersOf(sets, wideTableNames(sets))); // its columns go by name
+    QVERIFY(specimenTable(sets, TableForm::Wide).value().sliders); // its columns go by name
     sets[1].curves[0].points = {"B", "A"};
     std::reverse(sets[1].curves[0].semilandmarks.begin(), sets[1].curves[0].semilandmarks.end());
-    const auto other = slidersOf(sets, wideTableNames(sets));
+    const auto other = specimenTable(sets, TableForm::Wide).value().sliders;
     QVERIFY(!other);
     QCOMPARE(QString::fromStdString(errorText(other.error())),
              QString("the curve \"ab\" of \"t\" goes through other points than that of another specimen, so there are "

@@ -1,27 +1,25 @@
 #include "core/cli/commands/landmarks_command.h"
 
+#include "core/cli/commands/landmark_streams.h"
+#include "core/cli/commands/landmark_tables.h"
 #include "core/cli/commands/opened_scene.h"
 #include "core/cli/rows/byte_stream.h"
 #include "core/curves/curve_line.h"
 #include "core/curves/surface_mesh.h"
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_folder.h"
-#include "core/landmark_files/repeats_table.h"
 #include "core/landmark_files/sliders.h"
 #include "core/mesh/import/import_error_text.h"
 #include "core/mesh/import/mesh_import.h"
 #include "core/ray/tie_landmark.h"
-#include "core/text/system_error.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -33,117 +31,6 @@ using namespace files;
 using geometry::Result;
 using text::tr;
 namespace {
-
-text::CellTexts textsOf(const LandmarksOptions &options)
-{
-    return options.isSpreadsheetSafe ? text::CellTexts::SpreadsheetSafe : text::CellTexts::AsTheyAre;
-}
-
-void tell(const std::string &name, const std::vector<LandmarkNote> &notes)
-{
-    std::vector<FileNote> ofFile;
-    ofFile.reserve(notes.size());
-    for (const LandmarkNote &note : notes)
-        ofFile.push_back({name, note});
-    for (const std::string &line : noteLines(ofFile))
-        complain(line);
-}
-
-/// Reads a landmark file. Prints errors on stderr.
-std::optional<ReadLandmarks> readFile(const std::string &file, Format format)
-{
-    ByteSource source(file);
-    if (!source.isOpen())
-        return std::nullopt;
-    std::string text;
-    std::array<char, 65536> block;
-    std::size_t size = 0;
-    do {
-        size = source.read(block.data(), block.size());
-        text.append(block.data(), size);
-    } while (size > 0 && text.size() <= kMostLandmarkBytes);
-    if (source.hasFailed()) {
-        complain(tr("%1: the file cannot be read to its end", source.name()));
-        return std::nullopt;
-    }
-    Result<ReadLandmarks, LandmarkFileError> read = parseLandmarks(text, format, source.name());
-    if (!read) {
-        complain(errorText(read.error()));
-        return std::nullopt;
-    }
-    tell(source.name(), read->notes);
-    const auto isEmpty = [](const LandmarkSet &set) { return set.landmarks.empty() && set.curves.empty(); };
-    if (std::all_of(read->sets.begin(), read->sets.end(), isEmpty))
-        complain(tr("%1: there are no points in the file", source.name()));
-    return std::move(read).value();
-}
-
-/// @param inputs  inputs of the run: none of them is overwritten
-ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkFileError> &text,
-               const InputFiles &inputs)
-{
-    const std::string name = file == "-" ? "stdout" : file;
-    if (!text) {
-        LandmarkFileError error = text.error();
-        error.file = name;
-        complain(errorText(error));
-        return ExitCode::UnusableInput;
-    }
-    ByteSink sink(file, inputs);
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
-    sink.write(text->text);
-    const ExitCode written = sink.finish();
-    if (written == ExitCode::Done)
-        tell(name, text->notes);
-    return written;
-}
-
-/// Writes the sliders of points that were written. Reports on stderr what it wrote, or why it
-/// wrote nothing.
-/// @param written  exit code of the points
-ExitCode writeSliders(const std::string &file, const Result<Sliders, LandmarkFileError> &sliders,
-                      const InputFiles &inputs, ExitCode written)
-{
-    if (file.empty() || written == ExitCode::UnusableInput)
-        return written;
-    if (!sliders || sliders->count == 0) {
-        complain(
-            file + ": "
-            + (sliders ? tr("it is not written, because no curve has semilandmarks") : errorText(sliders.error())));
-        return ExitCode::SomeRowsBad;
-    }
-    ByteSink sink(file, inputs);
-    if (!sink.isOpen())
-        return ExitCode::UnusableInput;
-    sink.write(sliders->text);
-    if (const ExitCode finished = sink.finish(); finished != ExitCode::Done)
-        return finished;
-    complain(file + ": "
-             + tr(sliders->count == 1 ? "%1 slider, for geomorph's gpagen(curves=)"
-                                      : "%1 sliders, for geomorph's gpagen(curves=)",
-                  sliders->count));
-    return written;
-}
-
-/// The given format of a file, else the one of its suffix. An unknown format is reported on stderr.
-std::optional<Format> formatOf(const std::string &file, const std::optional<Format> &given, const char *option)
-{
-    if (given)
-        return given;
-    const bool isRead = option == std::string_view("--from");
-    const std::optional<Format> format = file == "-" ? std::nullopt
-                                         : isRead    ? readFormatOf(pathFromUtf8(file))
-                                                     : landmark_files::formatOf(pathFromUtf8(file));
-    if (!format) {
-        complain(tr("%1: the name does not tell the format; give %2, one of %3",
-                    file != "-"                       ? file
-                    : option == std::string("--from") ? "stdin"
-                                                      : "stdout",
-                    option, isRead ? readWords() : writtenWords()));
-    }
-    return format;
-}
 
 /// "0.0123": three digits suffice for a distance.
 std::string shortText(double value)
@@ -288,6 +175,14 @@ ExitCode convert(const LandmarksOptions &options)
         }
         tying->tellFarthest();
     }
+    // In TPS and NTSYS, landmarks of several specimens belong together by their order.
+    const bool isTable = *to == Format::Tps || *to == Format::Nts;
+    const auto isNamed = [](const LandmarkSet &set) {
+        return std::any_of(set.landmarks.begin(), set.landmarks.end(),
+                           [](const Landmark &landmark) { return !landmark.name.empty(); });
+    };
+    const bool isAligned =
+        isTable && read->sets.size() > 1 && std::any_of(read->sets.begin(), read->sets.end(), isNamed);
     // NTSYS rows are specimens by name. Where the input has no name, the file's name is used.
     if (*to == Format::Nts && options.input != "-") {
         for (std::size_t i = 0; i < read->sets.size(); ++i) {
@@ -296,106 +191,15 @@ ExitCode convert(const LandmarksOptions &options)
                                      + (read->sets.size() > 1 ? '_' + std::to_string(i + 1) : "");
         }
     }
-    const ExitCode written = write(options.output, landmarksText(read->sets, *to, textsOf(options)), inputs);
+    const auto table = isAligned ? specimenTable(read->sets, *to == Format::Tps ? TableForm::Tps : TableForm::Nts)
+                                 : Result<WrittenTable, LandmarkFileError>(WrittenTable{});
+    if (!table)
+        return write(options.output, table.error(), inputs);
+    const ExitCode written = isAligned
+                                 ? write(options.output, WrittenLandmarks{table->text, table->notes}, inputs)
+                                 : write(options.output, landmarksText(read->sets, *to, textsOf(options)), inputs);
     inputs.push_back(options.output);
-    return writeSliders(options.sliders, slidersOf(read->sets), inputs, written);
-}
-
-Result<WrittenLandmarks, LandmarkFileError> tableOf(const std::vector<LandmarkSet> &sets, LandmarkTable table,
-                                                    text::CellTexts texts)
-{
-    switch (table) {
-    case LandmarkTable::Long: return landmarksText(sets, Format::Csv, texts);
-    case LandmarkTable::Wide: return wideTable(sets, texts);
-    case LandmarkTable::Tps: return landmarksText(sets, Format::Tps);
-    case LandmarkTable::Nts: return landmarksText(sets, Format::Nts);
-    }
-    return wideTable(sets, texts);
-}
-
-ExitCode makeTable(const LandmarksOptions &options)
-{
-    std::error_code error;
-    const LandmarkFolder folder =
-        readLandmarkFolder(pathFromUtf8(options.folder),
-                           options.output == "-" ? std::filesystem::path() : pathFromUtf8(options.output), error);
-    if (error) {
-        complain(folderErrorText(pathFromUtf8(options.folder), error));
-        return ExitCode::UnusableInput;
-    }
-    for (const std::string &report : folder.reports)
-        complain(report);
-    if (folder.sets.empty()) {
-        complain(folder.fileCount == 0 ? tr("%1: there are no files of landmarks (%2)", options.folder, readWords())
-                                       : tr("%1: none of its files of landmarks could be read", options.folder));
-        return ExitCode::UnusableInput;
-    }
-    const InputFiles inputs = folder.isTableInput ? InputFiles{options.output} : InputFiles();
-    const ExitCode table = write(options.output, tableOf(folder.sets, options.table, textsOf(options)), inputs);
-    const Result<Sliders, LandmarkFileError> sliders = options.table == LandmarkTable::Wide
-                                                           ? slidersOf(folder.sets, wideTableNames(folder.sets))
-                                                           : slidersOf(folder.sets);
-    const ExitCode written = writeSliders(options.sliders, sliders, {options.output}, table);
-    return written == ExitCode::Done && !folder.badFiles.empty() ? ExitCode::SomeRowsBad : written;
-}
-
-/// Groups the sets of several files by specimen. If each file has one set, all are the same
-/// specimen, under any name. Otherwise sets of the same name belong together, or, without names,
-/// sets at the same index.
-/// @param names  of the files
-std::vector<RepeatedSpecimen> specimensOf(const std::vector<std::vector<LandmarkSet>> &files,
-                                          const std::vector<std::string> &names)
-{
-    const std::string firstName = specimenOf(pathFromUtf8(names.front()));
-    const bool isOne = std::all_of(files.begin(), files.end(), [](const auto &sets) { return sets.size() == 1; });
-    std::vector<RepeatedSpecimen> specimens;
-    for (std::size_t file = 0; file < files.size(); ++file) {
-        const std::vector<LandmarkSet> &sets = files[file];
-        for (std::size_t i = 0; i < sets.size(); ++i) {
-            const std::string name = !sets[i].name.empty() ? sets[i].name : isOne ? firstName : std::to_string(i + 1);
-            auto known = std::find_if(specimens.begin(), specimens.end(),
-                                      [&](const RepeatedSpecimen &specimen) { return isOne || specimen.name == name; });
-            if (known == specimens.end())
-                known = specimens.insert(known, RepeatedSpecimen{name, {}, {}});
-            known->placings.push_back(sets[i]);
-            known->files.push_back(names[file]);
-        }
-    }
-    return specimens;
-}
-
-/// Warns about a file given twice, because a set compared with itself has no scatter.
-void tellSameFiles(const std::vector<std::string> &files)
-{
-    std::map<std::filesystem::path, std::string> known;
-    for (const std::string &file : files) {
-        std::error_code error;
-        const auto [first, isNew] = known.emplace(std::filesystem::weakly_canonical(pathFromUtf8(file), error), file);
-        if (!isNew && !error)
-            complain(
-                tr("%1: this is %2 again; the placing counts twice, so the scatter is too small", file, first->second));
-    }
-}
-
-ExitCode makeRepeats(const LandmarksOptions &options)
-{
-    std::vector<std::vector<LandmarkSet>> files;
-    if (isOverInput(options.output, options.repeats))
-        return ExitCode::UnusableInput;
-    for (const std::string &file : options.repeats) {
-        const std::optional<Format> format = formatOf(file, options.from, "--from");
-        std::optional<ReadLandmarks> read = format ? readFile(file, *format) : std::nullopt;
-        if (!read)
-            return ExitCode::UnusableInput;
-        files.push_back(std::move(read->sets));
-    }
-    tellSameFiles(options.repeats);
-    const std::vector<RepeatedSpecimen> specimens = specimensOf(files, options.repeats);
-    for (const RepeatedSpecimen &specimen : specimens) {
-        if (specimen.placings.size() < 2)
-            complain(tr("the specimen \"%1\" is in one file only: there is nothing to compare it with", specimen.name));
-    }
-    return write(options.output, repeatsTable(specimens, textsOf(options)), options.repeats);
+    return writeSliders(options.sliders, isAligned ? table->sliders : slidersOf(read->sets), inputs, written);
 }
 
 } // namespace

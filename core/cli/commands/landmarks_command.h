@@ -2,6 +2,7 @@
 
 #include "core/cli/terminal/exit_code.h"
 #include "core/landmark_files/landmark_file.h"
+#include "core/landmark_files/specimen_table.h"
 
 #include <optional>
 #include <string>
@@ -9,16 +10,16 @@
 
 namespace unprojector::cli {
 
-enum class LandmarkTable { Long, Wide, Tps, Nts };
-
 struct LandmarksOptions {
     std::string input, output;                      ///< UTF-8; "-" is stdin and stdout
     std::optional<landmark_files::Format> from, to; ///< empty: by the suffix
     std::string mesh;                               ///< model that the landmarks lie on; empty: none
     std::string folder;                             ///< folder whose files become a table; empty: none
     std::string sliders;                            ///< file for the sliders of the written points; empty: none
-    std::vector<std::string> repeats;               ///< files with repeated placements of the same points; empty: none
-    LandmarkTable table = LandmarkTable::Long;
+    std::vector<std::string> repeats;               ///< files and folders with repeated placements; empty: none
+    std::string errors;                             ///< the table of the error of measurement; empty: none
+    std::string measures;                           ///< protocol whose measures the table of a folder has; empty: none
+    landmark_files::TableForm table = landmark_files::TableForm::Long;
     bool isSpreadsheetSafe = false; ///< see text::CellTexts
 };
 

@@ -17,6 +17,7 @@
 
 namespace unprojector::cli {
 using namespace geometry;
+using landmark_files::TableForm;
 using namespace matrices;
 using namespace unproject;
 using text::tr;
@@ -278,24 +279,29 @@ void addLandmarks(CLI::App &app, Run &run)
         command
             ->add_option(
                 "--repeats", options->repeats,
-                tr("Files of the same landmarks, placed two or more times: the mean and the error of each landmark"))
-            ->type_name("FILE")
+                tr("Files of the same landmarks, placed two or more times, or a folder of them: the mean and the error "
+                   "of each landmark"))
+            ->type_name("FILE|FOLDER")
             ->excludes(input)
             ->excludes(converted)
             ->excludes(to)
             ->excludes(mesh)
             ->excludes(folder)
-            ->expected(2, CLI::detail::expected_max_vector_size);
+            ->expected(1, CLI::detail::expected_max_vector_size);
+    CLI::Option *errors =
+        addFile(*command, "--errors", options->errors,
+                tr("With --repeats, the table of each landmark's error of measurement over all specimens"))
+            ->needs(repeats);
+    addFile(*command, "--measures", options->measures, tr("With --table, a protocol: its measures are columns"))
+        ->needs(folder);
     CLI::Option *output = addFile(*command, "-o,--output", options->output, tr("The table; - is standard output"));
     addFile(*command, "--sliders", options->sliders,
             tr("Also write the sliders of semilandmarks, for geomorph's gpagen(curves=)"))
         ->excludes(repeats);
-    addChoice<LandmarkTable>(*command, "--format", options->table,
-                             {{"long", LandmarkTable::Long},
-                              {"wide", LandmarkTable::Wide},
-                              {"tps", LandmarkTable::Tps},
-                              {"nts", LandmarkTable::Nts}},
-                             tr("Form of the table: a row per landmark, a row per specimen, or a file of specimens"));
+    addChoice<TableForm>(
+        *command, "--format", options->table,
+        {{"long", TableForm::Long}, {"wide", TableForm::Wide}, {"tps", TableForm::Tps}, {"nts", TableForm::Nts}},
+        tr("Form of the table: a row per landmark, a row per specimen, or a file of specimens"));
     addSpreadsheetSafe(*command, options->isSpreadsheetSafe);
     command->footer(
         tr("csv  this program's: name,x,y,z,object,face,u,v,w,note; keeps everything. Tables of R, 3D Slicer, "
@@ -308,12 +314,16 @@ void addLandmarks(CLI::App &app, Run &run)
            "the csv table has the\ntriangle of each landmark and its position there. Landmarks farther from the mesh "
            "than 1 % of its size are named.\nThe error of --repeats is the standard deviation of one placing, all "
            "three coordinates together; farthest is the\ngreatest distance from the mean. Landmarks are matched by "
-           "their names.")
+           "their names.\n\nTables have all landmarks of all files, with NA where a specimen lacks one. Files beside a "
+           "scan, as\nface.ply.points-2.csv, are placings of one specimen; the column placing tells them apart. A "
+           "protocol is a table\nname,kind,landmarks; kinds are distance, angle, height, length and surface.")
         + "\n\n" + tr("Examples:")
         + "\n  unproject landmarks skull.pp skull.mrk.json\n  unproject landmarks --from fcsv --to csv - - < "
           "points.fcsv\n  unproject landmarks --table skulls -o all.csv\n  unproject landmarks --table skulls -o "
-          "all.csv --format wide\n  unproject landmarks --repeats monday.pp tuesday.pp -o error.csv");
-    command->callback([options, input, converted, output, folder, repeats, &run] {
+          "all.csv --format wide\n  unproject landmarks --table skulls --measures protocol.csv -o all.csv --format "
+          "wide\n  unproject landmarks "
+          "--repeats monday.pp tuesday.pp -o repeats.csv\n  unproject landmarks --repeats skulls --errors errors.csv");
+    command->callback([options, input, converted, output, folder, repeats, errors, &run] {
         if (folder->count() == 0 && repeats->count() == 0) {
             if (output->count() > 0)
                 throw CLI::RequiredError(tr("--table or --repeats (with -o)"));
@@ -321,7 +331,7 @@ void addLandmarks(CLI::App &app, Run &run)
                 if (needed->count() == 0)
                     throw CLI::RequiredError(tr("%1 (or --table)", needed->get_name()));
             }
-        } else if (output->count() == 0) {
+        } else if (output->count() == 0 && errors->count() == 0) {
             throw CLI::RequiredError("-o,--output");
         }
         run = [options] { return runLandmarks(*options); };

@@ -1,0 +1,123 @@
+#include "core/cli/commands/landmark_streams.h"
+
+#include "core/files/path_text.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace unprojector::cli {
+using namespace landmarks;
+using namespace landmark_files;
+using namespace files;
+using geometry::Result;
+using text::tr;
+
+text::CellTexts textsOf(const LandmarksOptions &options)
+{
+    return options.isSpreadsheetSafe ? text::CellTexts::SpreadsheetSafe : text::CellTexts::AsTheyAre;
+}
+
+void tell(const std::string &name, const std::vector<LandmarkNote> &notes)
+{
+    std::vector<FileNote> ofFile;
+    ofFile.reserve(notes.size());
+    for (const LandmarkNote &note : notes)
+        ofFile.push_back({name, note});
+    for (const std::string &line : noteLines(ofFile))
+        complain(line);
+}
+
+std::optional<ReadLandmarks> readFile(const std::string &file, Format format)
+{
+    ByteSource source(file);
+    if (!source.isOpen())
+        return std::nullopt;
+    std::string text;
+    std::array<char, 65536> block;
+    std::size_t size = 0;
+    do {
+        size = source.read(block.data(), block.size());
+        text.append(block.data(), size);
+    } while (size > 0 && text.size() <= kMostLandmarkBytes);
+    if (source.hasFailed()) {
+        complain(tr("%1: the file cannot be read to its end", source.name()));
+        return std::nullopt;
+    }
+    Result<ReadLandmarks, LandmarkFileError> read = parseLandmarks(text, format, source.name());
+    if (!read) {
+        complain(errorText(read.error()));
+        return std::nullopt;
+    }
+    tell(source.name(), read->notes);
+    const auto isEmpty = [](const LandmarkSet &set) { return set.landmarks.empty() && set.curves.empty(); };
+    if (std::all_of(read->sets.begin(), read->sets.end(), isEmpty))
+        complain(tr("%1: there are no points in the file", source.name()));
+    return std::move(read).value();
+}
+
+ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkFileError> &text,
+               const InputFiles &inputs)
+{
+    const std::string name = file == "-" ? "stdout" : file;
+    if (!text) {
+        LandmarkFileError error = text.error();
+        error.file = name;
+        complain(errorText(error));
+        return ExitCode::UnusableInput;
+    }
+    ByteSink sink(file, inputs);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    sink.write(text->text);
+    const ExitCode written = sink.finish();
+    if (written == ExitCode::Done)
+        tell(name, text->notes);
+    return written;
+}
+
+ExitCode writeSliders(const std::string &file, const Result<Sliders, LandmarkFileError> &sliders,
+                      const InputFiles &inputs, ExitCode written)
+{
+    if (file.empty() || written == ExitCode::UnusableInput)
+        return written;
+    if (!sliders || sliders->count == 0) {
+        complain(
+            file + ": "
+            + (sliders ? tr("it is not written, because no curve has semilandmarks") : errorText(sliders.error())));
+        return ExitCode::SomeRowsBad;
+    }
+    ByteSink sink(file, inputs);
+    if (!sink.isOpen())
+        return ExitCode::UnusableInput;
+    sink.write(sliders->text);
+    if (const ExitCode finished = sink.finish(); finished != ExitCode::Done)
+        return finished;
+    complain(file + ": "
+             + tr(sliders->count == 1 ? "%1 slider, for geomorph's gpagen(curves=)"
+                                      : "%1 sliders, for geomorph's gpagen(curves=)",
+                  sliders->count));
+    return written;
+}
+
+std::optional<Format> formatOf(const std::string &file, const std::optional<Format> &given, const char *option)
+{
+    if (given)
+        return given;
+    const bool isRead = option == std::string_view("--from");
+    const std::optional<Format> format = file == "-" ? std::nullopt
+                                         : isRead    ? readFormatOf(pathFromUtf8(file))
+                                                     : landmark_files::formatOf(pathFromUtf8(file));
+    if (!format) {
+        complain(tr("%1: the name does not tell the format; give %2, one of %3",
+                    file != "-"                       ? file
+                    : option == std::string("--from") ? "stdin"
+                                                      : "stdout",
+                    option, isRead ? readWords() : writtenWords()));
+    }
+    return format;
+}
+
+} // namespace unprojector::cli

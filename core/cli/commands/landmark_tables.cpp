@@ -1,0 +1,277 @@
+#include "core/cli/commands/landmark_tables.h"
+
+#include "core/cli/commands/landmark_streams.h"
+#include "core/curves/scan_surface.h"
+#include "core/files/path_text.h"
+#include "core/landmark_files/landmark_folder.h"
+#include "core/landmark_files/measures_file.h"
+#include "core/landmark_files/repeats_table.h"
+#include "core/landmark_files/specimen_table.h"
+#include "core/landmarks/protocol.h"
+#include "core/text/translation.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace unprojector::cli {
+using namespace landmarks;
+using namespace landmark_files;
+using namespace files;
+using geometry::Result;
+using text::tr;
+namespace {
+
+/// Reads a folder. Prints reports on stderr, also why there is nothing in it.
+std::optional<LandmarkFolder> readFolder(const std::string &name, const LandmarksOptions &options)
+{
+    std::vector<std::filesystem::path> outputs;
+    for (const std::string &output : {options.output, options.errors}) {
+        if (output != "-")
+            outputs.push_back(pathFromUtf8(output));
+    }
+    std::error_code error;
+    LandmarkFolder folder = readLandmarkFolder(pathFromUtf8(name), outputs, error);
+    if (error) {
+        complain(folderErrorText(pathFromUtf8(name), error));
+        return std::nullopt;
+    }
+    for (const std::string &report : folder.reports)
+        complain(report);
+    if (!folder.sets.empty())
+        return folder;
+    complain(folder.fileCount == 0 ? tr("%1: there are no files of landmarks (%2)", name, readWords())
+                                   : tr("%1: none of its files of landmarks could be read", name));
+    return std::nullopt;
+}
+
+/// The model file of a specimen: the scan that its file lies beside, else the mesh that the file names.
+/// Empty if there is none.
+std::filesystem::path modelOf(const LandmarkSet &set, const std::filesystem::path &file)
+{
+    std::error_code ignored;
+    if (const std::filesystem::path scan = scanOf(file); std::filesystem::is_regular_file(scan, ignored))
+        return scan;
+    const std::filesystem::path mesh = file.parent_path() / pathFromUtf8(set.mesh);
+    return !set.mesh.empty() && std::filesystem::is_regular_file(mesh, ignored) ? mesh : std::filesystem::path();
+}
+
+/// The values of a protocol for each specimen of a folder, and the models read for them.
+struct MeasuredFolder {
+    std::vector<std::vector<ProtocolValue>> values;
+    InputFiles models;
+};
+
+MeasuredFolder measured(const LandmarkFolder &folder, const std::vector<KeptMeasure> &measures)
+{
+    const text::InEnglish english; // reasons are cells of the table
+    MeasuredFolder found;
+    std::unique_ptr<curves::ScanSurface> surface; // placings of a scan share it
+    for (std::size_t i = 0; i < folder.sets.size(); ++i) {
+        const std::filesystem::path model = modelOf(folder.sets[i], folder.files[i]);
+        const auto along = [&](std::span<const Landmark *const> points) -> Result<Measure, std::string> {
+            if (model.empty())
+                return tr("there is no model beside %1", utf8FromPath(folder.files[i].filename()));
+            if (!surface || surface->file() != model) {
+                surface = std::make_unique<curves::ScanSurface>(model);
+                found.models.push_back(utf8FromPath(model));
+            }
+            return surface->length(points, {});
+        };
+        std::vector<ProtocolValue> &values = found.values.emplace_back();
+        for (const KeptMeasure &measure : measures)
+            values.push_back(valueOf(measure, folder.sets[i], along));
+    }
+    return found;
+}
+
+/// A set to compare, and its file.
+struct Placing {
+    LandmarkSet set;
+    std::string file;
+    std::size_t input = 0; ///< index of the given name
+};
+
+/// Reads the files and folders with repeated placings. Prints errors on stderr.
+/// @return empty if one cannot be used at all
+std::optional<std::vector<Placing>> readPlacings(const LandmarksOptions &options, ExitCode &code)
+{
+    std::vector<Placing> placings;
+    for (std::size_t i = 0; i < options.repeats.size(); ++i) {
+        const std::string &name = options.repeats[i];
+        std::error_code ignored;
+        if (name != "-" && std::filesystem::is_directory(pathFromUtf8(name), ignored)) {
+            std::optional<LandmarkFolder> folder = readFolder(name, options);
+            if (!folder)
+                return std::nullopt;
+            if (!folder->badFiles.empty())
+                code = ExitCode::SomeRowsBad;
+            for (std::size_t k = 0; k < folder->sets.size(); ++k)
+                placings.push_back({std::move(folder->sets[k]), utf8FromPath(folder->files[k]), i});
+            continue;
+        }
+        const std::optional<Format> format = formatOf(name, options.from, "--from");
+        std::optional<ReadLandmarks> read = format ? readFile(name, *format) : std::nullopt;
+        if (!read)
+            return std::nullopt;
+        for (LandmarkSet &set : read->sets) {
+            set.placing = std::max(set.placing, placingOf(pathFromUtf8(name)));
+            placings.push_back({std::move(set), name, i});
+        }
+    }
+    return placings;
+}
+
+/// Groups sets by specimen. If each file has one set and none lies beside a scan, all are the same
+/// specimen, under any name. Otherwise sets of the same name belong together, or, without names, those
+/// beside the same scan, or at the same index. Numbers placings of a specimen by their file, where the
+/// file does not tell.
+std::vector<RepeatedSpecimen> specimensOf(const std::vector<Placing> &placings)
+{
+    const bool areFiles = std::adjacent_find(placings.begin(), placings.end(),
+                                             [](const Placing &a, const Placing &b) { return a.input == b.input; })
+                          == placings.end();
+    const bool isOne = areFiles && std::all_of(placings.begin(), placings.end(), [](const Placing &placing) {
+                           return scanOf(pathFromUtf8(placing.file)).empty();
+                       });
+    std::vector<RepeatedSpecimen> specimens;
+    std::size_t index = 0, input = 0;
+    for (const Placing &placing : placings) {
+        index = placing.input == input ? index + 1 : 1;
+        input = placing.input;
+        const std::filesystem::path file = pathFromUtf8(placing.file);
+        const bool isNamedByFile = isOne || !scanOf(file).empty();
+        const std::string name = !placing.set.name.empty() ? placing.set.name
+                                 : isNamedByFile           ? specimenOf(file)
+                                                           : std::to_string(index);
+        auto known = std::find_if(specimens.begin(), specimens.end(),
+                                  [&](const RepeatedSpecimen &specimen) { return isOne || specimen.name == name; });
+        if (known == specimens.end())
+            known = specimens.insert(known, RepeatedSpecimen{name, {}, {}});
+        LandmarkSet set = placing.set;
+        if (set.placing == 1 && scanOf(file).empty())
+            set.placing = static_cast<int>(placing.input) + 1;
+        const auto isTaken = [&known](int number) {
+            return std::any_of(known->placings.begin(), known->placings.end(),
+                               [number](const LandmarkSet &other) { return other.placing == number; });
+        };
+        while (isTaken(set.placing))
+            ++set.placing;
+        known->placings.push_back(std::move(set));
+        known->files.push_back(placing.file);
+    }
+    return specimens;
+}
+
+/// Warns about a file given twice, because a set compared with itself has no scatter.
+void tellSameFiles(const std::vector<std::string> &files)
+{
+    std::map<std::filesystem::path, std::string> known;
+    for (const std::string &file : files) {
+        std::error_code error;
+        const auto [first, isNew] = known.emplace(std::filesystem::weakly_canonical(pathFromUtf8(file), error), file);
+        if (!isNew && !error)
+            complain(
+                tr("%1: this is %2 again; the placing counts twice, so the scatter is too small", file, first->second));
+    }
+}
+
+/// Names the specimens that were placed once.
+void tellSingles(const std::vector<RepeatedSpecimen> &specimens)
+{
+    constexpr std::size_t kMostLines = 3;
+    std::vector<std::string> names;
+    for (const RepeatedSpecimen &specimen : specimens) {
+        if (specimen.placings.size() < 2)
+            names.push_back(specimen.name);
+    }
+    if (names.size() > kMostLines) {
+        complain(tr("%1 specimens were placed only once: there is nothing to compare them with", names.size()));
+        return;
+    }
+    for (const std::string &name : names)
+        complain(tr("the specimen \"%1\" was placed only once: there is nothing to compare it with", name));
+}
+
+} // namespace
+
+ExitCode makeTable(const LandmarksOptions &options)
+{
+    const std::optional<LandmarkFolder> folder = readFolder(options.folder, options);
+    if (!folder)
+        return ExitCode::UnusableInput;
+    InputFiles inputs;
+    if (folder->isTableInput)
+        inputs.push_back(options.output);
+    std::vector<KeptMeasure> measures;
+    MeasuredFolder found;
+    if (!options.measures.empty()) {
+        Result<std::vector<KeptMeasure>, LandmarkFileError> read = readMeasures(pathFromUtf8(options.measures));
+        if (!read) {
+            complain(errorText(read.error()));
+            return ExitCode::UnusableInput;
+        }
+        measures = std::move(read).value();
+        if (measures.empty())
+            complain(tr("%1: there are no measures in the file", options.measures));
+        found = measured(*folder, measures);
+        inputs.push_back(options.measures);
+        inputs.insert(inputs.end(), found.models.begin(), found.models.end());
+    }
+    const std::string name = options.output == "-" ? "stdout" : options.output;
+    const auto table = specimenTable(folder->sets, options.table, {measures, found.values}, {}, textsOf(options));
+    const ExitCode written = table ? write(options.output, WrittenLandmarks{table->text, table->notes}, inputs)
+                                   : write(options.output, table.error(), inputs);
+    if (written != ExitCode::Done)
+        return written;
+    if (const std::string absent = absentText(table->absent); !absent.empty())
+        complain(name + ": " + absent);
+    if (options.table == TableForm::Wide || options.table == TableForm::Long) {
+        for (const std::string &text : unmeasuredTexts({measures, found.values}))
+            complain(name + ": " + text);
+    }
+    inputs.push_back(options.output);
+    const ExitCode withSliders = writeSliders(options.sliders, table->sliders, inputs, written);
+    return withSliders == ExitCode::Done && !folder->badFiles.empty() ? ExitCode::SomeRowsBad : withSliders;
+}
+
+ExitCode makeRepeats(const LandmarksOptions &options)
+{
+    InputFiles inputs = options.repeats;
+    if (isOverInput(options.output, inputs) || isOverInput(options.errors, inputs))
+        return ExitCode::UnusableInput;
+    ExitCode code = ExitCode::Done;
+    const std::optional<std::vector<Placing>> placings = readPlacings(options, code);
+    if (!placings)
+        return ExitCode::UnusableInput;
+    for (const Placing &placing : *placings)
+        inputs.push_back(placing.file);
+    tellSameFiles(options.repeats);
+    const std::vector<RepeatedSpecimen> specimens = specimensOf(*placings);
+    tellSingles(specimens);
+    if (std::all_of(specimens.begin(), specimens.end(),
+                    [](const RepeatedSpecimen &specimen) { return specimen.placings.size() < 2; })) {
+        complain(tr("no specimen was placed more than once, so there are no repeats to compare"));
+        return ExitCode::UnusableInput;
+    }
+    if (!options.output.empty()) {
+        const ExitCode written = write(options.output, repeatsTable(specimens, textsOf(options)), inputs);
+        if (written != ExitCode::Done)
+            return written;
+    }
+    if (!options.errors.empty()) {
+        const ExitCode written = write(options.errors, errorsTable(specimens, textsOf(options)), inputs);
+        if (written != ExitCode::Done)
+            return written;
+        for (const std::string &remark : errorRemarks(measurementErrorOf(specimens)))
+            complain((options.errors == "-" ? "stdout" : options.errors) + ": " + remark);
+    }
+    return code;
+}
+
+} // namespace unprojector::cli

@@ -1,0 +1,131 @@
+#include "core/landmark_files/measures_file.h"
+
+#include "core/files/path_text.h"
+#include "core/landmark_files/lines.h"
+#include "core/landmarks/protocol.h"
+#include "core/text/csv.h"
+#include "core/text/translation.h"
+#include "core/text/utf8.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace unprojector::landmark_files {
+using namespace landmarks;
+using geometry::Result;
+using text::CsvRow;
+using text::tr;
+namespace {
+
+std::string kindWords()
+{
+    std::string words;
+    for (const char *kind : kMeasureKinds)
+        words += (words.empty() ? "" : ", ") + std::string(kind);
+    return words;
+}
+
+std::string cellOf(const CsvRow &row, std::size_t index)
+{
+    return index < row.cells.size() ? row.cells[index].text : std::string();
+}
+
+/// The measure of a row. Throws Failure.
+KeptMeasure measureOf(CsvRow &row)
+{
+    while (!row.cells.empty() && row.cells.back().text.empty()) // padding of a spreadsheet
+        row.cells.pop_back();
+    KeptMeasure measure;
+    measure.name = cellOf(row, 0);
+    if (measure.name.empty())
+        throw Failure{row.line, tr("the measure has no name; write one into the first cell")};
+    const std::string kind = lowerCase(cellOf(row, 1));
+    const auto known = std::find(kMeasureKinds.begin(), kMeasureKinds.end(), kind);
+    if (known == kMeasureKinds.end())
+        throw Failure{row.line, tr("\"%1\" is no kind of measure; write one of %2", kind, kindWords())};
+    measure.kind = static_cast<MeasureKind>(known - kMeasureKinds.begin());
+    for (std::size_t i = 2; i < row.cells.size(); ++i) {
+        if (row.cells[i].text.empty())
+            throw Failure{row.line,
+                          tr("there is an empty cell between the landmarks of \"%1\"; remove it", measure.name)};
+        measure.landmarks.push_back(row.cells[i].text);
+    }
+    const MeasureSize size = sizeOf(measure.kind);
+    const std::size_t count = measure.landmarks.size();
+    if (count < size.fewest || count > size.most)
+        throw Failure{row.line,
+                      tr(size.most == size.fewest ? "a measure of the kind %1 has %2 landmarks, and \"%3\" has %4"
+                                                  : "a measure of the kind %1 has %2 landmarks or more, and "
+                                                    "\"%3\" has %4",
+                         kind, size.fewest, measure.name, count)};
+    return measure;
+}
+
+} // namespace
+
+bool isMeasuresFile(const std::filesystem::path &file)
+{
+    constexpr std::string_view kSuffix = ".measures.csv";
+    return lowerCase(files::utf8FromPath(file.filename())).ends_with(kSuffix);
+}
+
+Result<std::vector<KeptMeasure>, LandmarkFileError> parseMeasures(std::string_view text, const std::string &name)
+{
+    try {
+        if (text.starts_with("\xef\xbb\xbf"))
+            text.remove_prefix(3);
+        if (text.find('\0') != text.npos || text::firstNotUtf8(text) != text.npos)
+            throw Failure{0, tr("this is not a text in UTF-8; save it as UTF-8")};
+        const std::optional<char> separator = text::takeSeparatorLine(text);
+        const std::string_view first = text.substr(0, text.find_first_of("\r\n"));
+        text::CsvReader reader(text, separator.value_or(text::csvSeparatorOf(first)));
+        const bool hasHeader = reader.next() && lowerCase(cellOf(reader.row(), 0)) == "name"
+                               && lowerCase(cellOf(reader.row(), 1)) == "kind";
+        if (!hasHeader && !reader.error())
+            throw Failure{1, tr("this is no list of measures; its first line is name,kind,landmarks")};
+        std::vector<KeptMeasure> measures;
+        std::set<std::string> names;
+        while (reader.next()) {
+            if (reader.row().isPadding())
+                continue;
+            measures.push_back(measureOf(reader.row()));
+            if (!names.insert(measures.back().name).second)
+                throw Failure{reader.row().line,
+                              tr("the measure \"%1\" is there twice; rename one of them", measures.back().name)};
+        }
+        if (reader.error())
+            throw Failure{reader.error()->line, reader.error()->text};
+        return measures;
+    } catch (const Failure &failure) {
+        return LandmarkFileError{failure.code, name, failure.line, failure.text};
+    }
+}
+
+Result<std::vector<KeptMeasure>, LandmarkFileError> readMeasures(const std::filesystem::path &file)
+{
+    const Result<std::string, LandmarkFileError> text = readText(file);
+    if (!text)
+        return text.error();
+    if (text->size() > kMostLandmarkBytes)
+        return LandmarkFileError{LandmarkFileError::Code::TooLarge, files::utf8FromPath(file), 0, {}};
+    return parseMeasures(*text, files::utf8FromPath(file));
+}
+
+std::string measuresText(std::span<const KeptMeasure> measures)
+{
+    std::string text = "name,kind,landmarks\n";
+    for (const KeptMeasure &measure : measures) {
+        appendCell(text, measure.name);
+        text += ',' + std::string(kMeasureKinds[static_cast<std::size_t>(measure.kind)]);
+        for (const std::string &landmark : measure.landmarks) {
+            text += ',';
+            appendCell(text, landmark);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+} // namespace unprojector::landmark_files

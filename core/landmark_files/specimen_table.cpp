@@ -1,0 +1,282 @@
+#include "core/landmark_files/specimen_table.h"
+
+#include "core/landmark_files/lines.h"
+#include "core/landmarks/distinct_names.h"
+#include "core/text/number_text.h"
+#include "core/text/translation.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace unprojector::landmark_files {
+using namespace landmarks;
+using text::tr;
+namespace {
+
+constexpr const char *kNoteColumn = "measures_note";
+
+/// Returns whether all sets have curves of the same names, each with as many semilandmarks beside its
+/// landmarks.
+bool haveSameCurves(std::span<const LandmarkSet> sets)
+{
+    const LandmarkSet &first = sets.front();
+    const auto isIn = [&first](const Curve &curve, const LandmarkSet &set) {
+        return std::any_of(set.curves.begin(), set.curves.end(), [&](const Curve &other) {
+            const CurvePart part = partOf(other, set), wanted = partOf(curve, first);
+            return other.name == curve.name && other.semilandmarks.size() == curve.semilandmarks.size()
+                   && part.begin == wanted.begin && part.end == wanted.end;
+        });
+    };
+    return std::all_of(sets.begin(), sets.end(), [&](const LandmarkSet &set) {
+        return set.curves.size() == first.curves.size()
+               && std::all_of(first.curves.begin(), first.curves.end(),
+                              [&](const Curve &curve) { return isIn(curve, set); });
+    });
+}
+
+/// Sorts the curves of each set as in the first one. @pre haveSameCurves
+void sortCurves(std::vector<LandmarkSet> &sets)
+{
+    for (LandmarkSet &set : sets) {
+        std::vector<Curve> sorted;
+        for (const Curve &first : sets.front().curves)
+            sorted.push_back(*std::find_if(set.curves.begin(), set.curves.end(),
+                                           [&first](const Curve &curve) { return curve.name == first.name; }));
+        set.curves = std::move(sorted);
+    }
+}
+
+/// Removes all placings of a specimen but its first one.
+void removeRepeats(std::vector<LandmarkSet> &sets, Notes &notes)
+{
+    std::map<std::string, int> first;
+    for (const LandmarkSet &set : sets) {
+        int &placing = first.try_emplace(set.name, set.placing).first->second;
+        placing = std::min(placing, set.placing);
+    }
+    if (const std::size_t count = std::erase_if(
+            sets, [&first](const LandmarkSet &set) { return !set.name.empty() && set.placing > first[set.name]; });
+        count > 0)
+        notes.add(LandmarkNote::Kind::RepeatsLeftOut, count);
+}
+
+/// Gives each set the landmarks of all sets, in the same order.
+/// @param names  come first
+void align(std::vector<LandmarkSet> &sets, std::span<const Landmark> names, Notes &notes)
+{
+    std::vector<LandmarkSet> all(1);
+    for (const Landmark &name : names)
+        all.front().landmarks.emplace_back().name = name.name;
+    all.insert(all.end(), sets.begin(), sets.end());
+    const DistinctNames distinct = distinctNames(all);
+    const std::map<std::string, std::string> respelled(distinct.respelled.begin(), distinct.respelled.end());
+    for (const auto &[name, other] : respelled)
+        notes.add(LandmarkNote::Kind::NameChanged, 1, tr("\"%1\" as \"%2\"", name, other));
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        std::vector<Landmark> aligned(distinct.names.size());
+        for (std::size_t k = 0; k < sets[i].landmarks.size(); ++k)
+            aligned[distinct.places[i + 1][k]] = std::move(sets[i].landmarks[k]);
+        for (std::size_t k = 0; k < aligned.size(); ++k)
+            aligned[k].name = distinct.names[k];
+        sets[i].landmarks = std::move(aligned);
+        for (Curve &curve : sets[i].curves) { // they know their landmarks by name
+            for (std::string &point : curve.points) {
+                if (const auto other = respelled.find(point); other != respelled.end())
+                    point = other->second;
+            }
+        }
+    }
+}
+
+AbsentLandmarks absentIn(std::span<const LandmarkSet> sets)
+{
+    AbsentLandmarks absent;
+    for (const LandmarkSet &set : sets) {
+        for (const Landmark &landmark : set.landmarks) {
+            if (landmark.isPlaced())
+                continue;
+            ++(landmark.isMissing()                   ? absent.missing
+               : landmark.absence == Absence::Skipped ? absent.skipped
+                                                      : absent.notPlaced);
+        }
+    }
+    return absent;
+}
+
+std::string reasonsOf(const ProtocolColumns &protocol, std::size_t specimen)
+{
+    std::string reasons;
+    for (std::size_t m = 0; m < protocol.measures.size(); ++m) {
+        if (const ProtocolValue &value = protocol.values[specimen][m]; !value.measure)
+            reasons += (reasons.empty() ? "" : "; ") + protocol.measures[m].name + ": " + value.reason;
+    }
+    return reasons;
+}
+
+/// A number as the text of a cell; null, which is written as NA, for none.
+nlohmann::ordered_json cellOf(const std::optional<double> &value)
+{
+    if (!value)
+        return nullptr;
+    std::string text;
+    text::appendNumber(text, *value);
+    return text;
+}
+
+/// Puts the values into columns of their own, which are the same in each row of a specimen.
+void addProtocol(std::vector<LandmarkSet> &sets, const ProtocolColumns &protocol, Notes &notes)
+{
+    for (std::size_t i = 0; i < sets.size() && !protocol.measures.empty(); ++i) {
+        nlohmann::ordered_json columns;
+        for (std::size_t m = 0; m < protocol.measures.size(); ++m) {
+            const std::optional<Measure> &measure = protocol.values[i][m].measure;
+            const std::string &name = protocol.measures[m].name;
+            columns[name] = cellOf(measure ? std::optional(measure->value) : std::nullopt);
+            columns[name + "_error"] = cellOf(measure ? measure->error : std::nullopt);
+        }
+        columns[kNoteColumn] = reasonsOf(protocol, i);
+        for (Landmark &landmark : sets[i].landmarks) {
+            for (auto it = columns.begin(); it != columns.end(); ++it) {
+                if (landmark.extra.json().contains(it.key())) // another program's column of that name
+                    notes.add(LandmarkNote::Kind::KeysLeftOut, 1, it.key());
+            }
+            landmark.extra.edit().update(columns);
+        }
+    }
+}
+
+void appendValue(std::string &text, const std::optional<double> &value)
+{
+    text += ',';
+    if (value)
+        text::appendNumber(text, *value);
+    else
+        text += "NA";
+}
+
+std::string wideText(std::span<const LandmarkSet> sets, const ProtocolColumns &protocol, text::CellTexts texts,
+                     Notes &notes)
+{
+    FormatCapabilities held;
+    held.names = held.specimenName = held.placings = true;
+    addLosses(notes, sets, held);
+    const bool hasPlacings = hasSeveralPlacings(sets);
+    std::string text = hasPlacings ? "specimen,placing" : "specimen";
+    for (const Landmark &landmark : sets.front().landmarks) {
+        for (const char *axis : {"_x", "_y", "_z"}) {
+            text += ',';
+            appendCell(text, landmark.name + axis, texts);
+        }
+    }
+    for (const KeptMeasure &measure : protocol.measures) {
+        for (const char *part : {"", "_error"}) {
+            text += ',';
+            appendCell(text, measure.name + part, texts);
+        }
+    }
+    if (!protocol.measures.empty())
+        text += std::string(",") + kNoteColumn;
+    text += '\n';
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        appendCell(text, sets[i].name, texts);
+        if (hasPlacings)
+            text += ',' + std::to_string(sets[i].placing);
+        for (const Landmark &landmark : sets[i].landmarks) {
+            if (landmark.world)
+                appendNumbers(text, landmark.world->coordinates(), ',');
+            else
+                text += ",NA,NA,NA";
+        }
+        for (std::size_t m = 0; m < protocol.measures.size(); ++m) {
+            const std::optional<Measure> &measure = protocol.values[i][m].measure;
+            appendValue(text, measure ? std::optional(measure->value) : std::nullopt);
+            appendValue(text, measure ? measure->error : std::nullopt);
+        }
+        if (!protocol.measures.empty()) {
+            text += ',';
+            appendCell(text, reasonsOf(protocol, i), texts);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string textOf(std::vector<LandmarkSet> &sets, TableForm form, const ProtocolColumns &protocol,
+                   text::CellTexts texts, Notes &notes)
+{
+    if (!protocol.measures.empty() && (form == TableForm::Tps || form == TableForm::Nts))
+        notes.add(LandmarkNote::Kind::MeasuresLeftOut, protocol.measures.size());
+    switch (form) {
+    case TableForm::Long: addProtocol(sets, protocol, notes); return csvText(sets, texts, notes, "NA");
+    case TableForm::Wide: return wideText(sets, protocol, texts, notes);
+    case TableForm::Tps: return tpsText(sets, notes);
+    case TableForm::Nts: return ntsText(sets, notes);
+    }
+    return {};
+}
+
+} // namespace
+
+std::string absentText(const AbsentLandmarks &absent)
+{
+    if (absent.all() == 0)
+        return {};
+    return tr(absent.all() == 1
+                  ? "%1 landmark has no coordinates (not placed: %2, skipped: %3, missing on its specimen: %4)"
+                  : "%1 landmarks have no coordinates (not placed: %2, skipped: %3, missing on their specimens: %4)",
+              absent.all(), absent.notPlaced, absent.skipped, absent.missing);
+}
+
+std::vector<std::string> unmeasuredTexts(const ProtocolColumns &protocol)
+{
+    std::vector<std::string> texts;
+    for (std::size_t m = 0; m < protocol.measures.size(); ++m) {
+        const auto lacks = [m](const std::vector<ProtocolValue> &values) { return !values[m].measure; };
+        if (const auto count = std::count_if(protocol.values.begin(), protocol.values.end(), lacks); count > 0)
+            texts.push_back(tr("the measure \"%1\" is NA for %2 of %3 specimens; the column measures_note has the "
+                               "reasons",
+                               protocol.measures[m].name, count, protocol.values.size()));
+    }
+    return texts;
+}
+
+geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const LandmarkSet> specimens, TableForm form,
+                                                                const ProtocolColumns &protocol,
+                                                                std::span<const Landmark> names, text::CellTexts texts)
+{
+    Notes notes;
+    std::vector<LandmarkSet> sets(specimens.begin(), specimens.end());
+    try {
+        if (sets.empty())
+            throw Failure{0, tr("there are no specimens"), LandmarkFileError::Code::CannotHold};
+        for (LandmarkSet &set : sets)
+            set.measures.clear(); // `protocol` has them
+        if (form == TableForm::Tps || form == TableForm::Nts)
+            removeRepeats(sets, notes);
+        align(sets, names, notes);
+        const bool keepsCurves = form == TableForm::Long || (form == TableForm::Tps && haveSameCurves(sets));
+        const std::vector<LandmarkSet> withCurves = sets;
+        if (keepsCurves && form == TableForm::Tps) {
+            sortCurves(sets);
+        } else if (!keepsCurves) {
+            sets = withCurvesAsPoints(sets, notes);
+            align(sets, {}, notes);
+        }
+        auto sliders = keepsCurves ? slidersOf(sets) : slidersOf(withCurves, writtenNames(sets.front()));
+        const AbsentLandmarks absent = absentIn(sets);
+        std::string text = textOf(sets, form, protocol, texts, notes);
+        checkSize(text.size());
+        std::vector<LandmarkNote> taken = notes.take();
+        std::erase_if(taken, [](const LandmarkNote &note) { // `absent` has the reasons
+            return note.kind == LandmarkNote::Kind::AbsencesLeftOut;
+        });
+        return WrittenTable{std::move(text), std::move(taken), absent, std::move(sliders)};
+    } catch (const Failure &failure) {
+        return LandmarkFileError{failure.code, {}, failure.line, failure.text};
+    }
+}
+
+} // namespace unprojector::landmark_files

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "core/landmark_files/landmark_file.h"
+#include "core/landmark_files/sliders.h"
+#include "core/landmarks/landmark.h"
+#include "core/landmarks/protocol.h"
+#include "core/text/csv.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace unprojector::landmark_files {
+
+enum class TableForm {
+    Long, ///< a row a landmark, as this program's files
+    Wide, ///< a row a specimen: specimen,A_x,A_y,A_z,B_x,…
+    Tps,
+    Nts,
+};
+
+/// A protocol as columns of a table.
+struct ProtocolColumns {
+    std::span<const landmarks::KeptMeasure> measures;
+    /// The values of each specimen, one per measure.
+    std::span<const std::vector<landmarks::ProtocolValue>> values;
+};
+
+/// The number of landmarks without coordinates in a table, by Absence.
+struct AbsentLandmarks {
+    std::size_t notPlaced = 0, skipped = 0, missing = 0;
+    std::size_t all() const { return notPlaced + skipped + missing; }
+};
+/// "12 landmarks have no coordinates: 9 not placed, 1 skipped, 2 missing on their specimens"; empty
+/// for none.
+std::string absentText(const AbsentLandmarks &absent);
+
+/// A sentence without a full stop for each measure that some specimens lack.
+std::vector<std::string> unmeasuredTexts(const ProtocolColumns &protocol);
+
+struct WrittenTable {
+    std::string text;
+    std::vector<LandmarkNote> notes;
+    AbsentLandmarks absent;
+    /// Of the table's points; CannotHold where the specimens have different curves.
+    geometry::Result<Sliders, LandmarkFileError> sliders = Sliders{};
+};
+
+/// A table of several specimens. Landmarks belong together by name, see distinctNames: each specimen
+/// has the landmarks of all, in the order of first appearance, with NA (in NTSYS a number) for
+/// coordinates that it lacks. So do curves. Where the curves differ, TPS has semilandmarks as
+/// landmarks.
+///
+/// If a specimen was placed several times, the tables have a column "placing". TPS and NTSYS have its
+/// first placing only.
+/// The columns of a protocol are "NAME" and "NAME_error", and "measures_note" with the reasons for
+/// NA; TPS and NTSYS have none.
+/// @param names  landmarks whose names come first; may be empty
+/// @return CannotHold, as landmarksText
+geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const landmarks::LandmarkSet> specimens,
+                                                                TableForm form, const ProtocolColumns &protocol = {},
+                                                                std::span<const landmarks::Landmark> names = {},
+                                                                text::CellTexts texts = text::CellTexts::AsTheyAre);
+
+} // namespace unprojector::landmark_files
