@@ -195,7 +195,8 @@ void LandmarkTool::drawMarks(QPainter &painter, const QRectF &area, const std::v
         labelled.push_back(measure->label);
     }
     const double radius = radiusOf(m_looks.size);
-    std::vector<PlacedLabel> labels = placedLabels(labelled, QFontMetricsF(painter.font()), area, lines, occupied, radius);
+    std::vector<PlacedLabel> labels =
+        placedLabels(labelled, QFontMetricsF(painter.font()), area, lines, occupied, radius);
     std::optional<PlacedLabel> ofMeasure;
     std::erase_if(labels, [&](const PlacedLabel &label) {
         if (label.mark < shown.size())

@@ -13,8 +13,7 @@
 
 namespace unprojector::gui {
 
-/// The largest number of placings of a series.
-inline constexpr int kMostPlacings = 99;
+using landmarks::kMostPlacings;
 
 /// A scan of a series, with its landmarks.
 struct Scan {

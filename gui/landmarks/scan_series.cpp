@@ -31,7 +31,7 @@ std::string nameOrNumber(const LandmarkSet &set, std::size_t index)
 
 ScanSeries::ScanSeries(SceneDocument &document, Session &session, QObject *parent)
     : QObject(parent), m_document(document), m_session(session), m_history(document),
-      m_shownScan(document, session, m_files, [this] { return m_shown ? &m_scans[*m_shown] : nullptr; })
+      m_shownScan(document, session, m_files, m_protocol, [this] { return m_shown ? &m_scans[*m_shown] : nullptr; })
 {
     m_session.setKeeper(this);
     connect(this, &QObject::destroyed, &m_session, [&session] { session.setKeeper(nullptr); });
@@ -142,6 +142,7 @@ void ScanSeries::takeSeries(const std::filesystem::path &folder, std::vector<Sca
         if (!hasTemplate)
             m_names = withTemplate(std::move(m_names), scan.points.landmarks);
     }
+    openProtocol();
     if (m_names.empty()) { // the scene's names to place define the series
         m_names = withTemplate({}, m_document.landmarks());
         addCurves(m_curves, m_document.scene().landmarks.curves);
@@ -188,6 +189,12 @@ void ScanSeries::passOver(const QString &reason)
         m_former = std::move(former);
 }
 
+void ScanSeries::openProtocol()
+{
+    if (const QString problem = m_protocol.open(m_folder, m_document.scene().landmarks.measures); !problem.isEmpty())
+        emit warned(problem);
+}
+
 bool ScanSeries::close()
 {
     if (!keep())
@@ -198,6 +205,7 @@ bool ScanSeries::close()
     m_scans.clear();
     m_names.clear();
     m_curves.clear();
+    m_protocol.close();
     m_current = m_inView = m_shown = std::nullopt;
     m_former.reset();
     m_aside.reset();
@@ -221,6 +229,7 @@ void ScanSeries::goBack()
     m_aside = m_former->aside;
     m_placing = m_former->placing;
     m_former.reset();
+    openProtocol();
 }
 
 QStringList ScanSeries::landmarkNames() const
@@ -558,11 +567,23 @@ bool ScanSeries::mayPlaceAs(int placing)
     return m_shown || !m_document.isEdited() || m_session.mayLeave();
 }
 
+std::optional<SeriesRepeats> ScanSeries::repeats()
+{
+    if (!keep())
+        return std::nullopt;
+    SeriesRepeats found = repeatsIn(m_scans);
+    if (const auto table = errorsTable(found.specimens); !table) { // placings in several units
+        emit failed(QString::fromStdString(errorText(table.error())));
+        return std::nullopt;
+    }
+    return found;
+}
+
 bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
 {
     if (!keep())
         return false;
-    const auto written = writeSeries(file, table, m_scans, m_names);
+    const auto written = writeSeries(file, table, {m_scans, m_names, measures(), m_placing, m_waiting});
     if (!written) {
         emit failed(written.error());
         return false;

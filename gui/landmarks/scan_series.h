@@ -7,6 +7,7 @@
 #include "gui/landmarks/scan.h"
 #include "gui/landmarks/series_files.h"
 #include "gui/landmarks/series_history.h"
+#include "gui/landmarks/series_protocol.h"
 #include "gui/landmarks/series_table.h"
 #include "gui/landmarks/shown_scan.h"
 
@@ -16,6 +17,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -83,6 +85,15 @@ public:
     /// fewer landmarks replace the saved ones.
     /// @return false after `failed`, or if the user cancels
     bool keep();
+    /// The measures that the series keeps, see SeriesProtocol.
+    const std::vector<landmarks::KeptMeasure> &measures() const { return m_protocol.measures(); }
+    /// The placings of all scans, after those of the present scan are saved; nothing after `failed`.
+    std::optional<SeriesRepeats> repeats();
+    /// Sets a callback that shows the progress of a long export and returns false to cancel it.
+    void setWaiting(std::function<bool(std::size_t done, std::size_t count)> waiting)
+    {
+        m_waiting = std::move(waiting);
+    }
     /// @return false after `failed`, or if the user cancels
     bool exportTable(const std::filesystem::path &file, Table table);
 
@@ -138,6 +149,8 @@ private:
     /// @param isWanted  the user asked to save, not to leave
     ShownScan::Kept keepShown(bool isWanted);
     void keepTemplate();
+    /// Opens the folder's protocol, or that of the scene.
+    void openProtocol();
     /// Returns to the former series, whose scan is still in the view. @pre m_former
     void goBack();
     /// The state before a series whose first scan is being loaded.
@@ -160,6 +173,7 @@ private:
     Session &m_session;
     SeriesHistory m_history;
     SeriesFiles m_files;
+    SeriesProtocol m_protocol;
     ShownScan m_shownScan;
     std::filesystem::path m_folder;
     std::vector<Scan> m_scans;
@@ -174,6 +188,7 @@ private:
     std::optional<SuspendedScan> m_aside; ///< the scan before the present lesson
     int m_placing = 1;
     std::optional<PreviousSeries> m_former;
+    std::function<bool(std::size_t, std::size_t)> m_waiting;
     bool m_wasAsked = false; ///< leaving the former scene was asked about since this scan is loading
     /// the camera and the projection of the scan that was shown last
     std::optional<std::pair<geometry::LookAt, geometry::Projection>> m_look;

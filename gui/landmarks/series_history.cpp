@@ -34,6 +34,7 @@ std::optional<LandmarkSet> inFile(LandmarkSet set, const std::vector<SceneObject
     const SceneObject *object = objectOf(scan, objects);
     if (!object)
         return std::nullopt;
+    set.measures.clear();             // they belong to the series
     for (Curve &curve : set.curves) { // they follow from the rest
         if (!curve.points.empty())
             curve.semilandmarks.clear();
@@ -190,6 +191,7 @@ bool SeriesHistory::apply(const std::shared_ptr<const ScanStep> &step, bool isRe
     if (now && areAs(now->landmarks, from.landmarks)) {
         addFromOthers(to, from, *now);
         const SceneObject *object = objectOf(scan, objects);
+        to.measures = m_document.scene().landmarks.measures;
         shown = transformed(std::move(to), asInItsFile(scan, *object), *object);
     }
     if (!shown) {

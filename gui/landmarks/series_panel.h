@@ -3,8 +3,10 @@
 #include <QWidget>
 
 #include <cstddef>
+#include <memory>
 
 class QLabel;
+class QProgressDialog;
 class QSpinBox;
 class QStackedWidget;
 class QToolButton;
@@ -22,12 +24,13 @@ class SeriesPanel : public QWidget {
     Q_OBJECT
 public:
     explicit SeriesPanel(ScanSeries &series, QWidget *parent = nullptr);
+    ~SeriesPanel() override;
 
     /// Asks for the folder of a series.
     /// @return whether another series was opened
     bool chooseFolder();
-    /// Asks for a file and exports the repeats of all placings.
-    void exportRepeats();
+    /// Shows the error of measurement of all placings, and exports it on request.
+    void showRepeats();
 
     QSize minimumSizeHint() const override;
 
@@ -37,6 +40,9 @@ signals:
 
 private:
     void exportTable();
+    /// Shows the progress of a long export.
+    /// @return false to cancel
+    bool goesOn(std::size_t done, std::size_t count);
     void refresh();
 
     ScanSeries &m_series;
@@ -51,6 +57,7 @@ private:
     QToolButton *m_deviations;
     QStackedWidget *m_pages;
     QSpinBox *m_placing;
+    std::unique_ptr<QProgressDialog> m_progress; ///< while a table is exported
 };
 
 } // namespace unprojector::gui

@@ -19,8 +19,9 @@ using namespace landmarks;
 using namespace scene;
 using namespace landmark_files;
 
-ShownScan::ShownScan(SceneDocument &document, Session &session, SeriesFiles &files, std::function<Scan *()> shown)
-    : m_document(document), m_session(session), m_files(files), m_shown(std::move(shown))
+ShownScan::ShownScan(SceneDocument &document, Session &session, SeriesFiles &files, SeriesProtocol &protocol,
+                     std::function<Scan *()> shown)
+    : m_document(document), m_session(session), m_files(files), m_protocol(protocol), m_shown(std::move(shown))
 {
 }
 
@@ -65,11 +66,14 @@ void ShownScan::showSaved()
     LandmarkSet set = m_saved;
     if (std::optional<LandmarkSet> placed = transformed(set, asInItsFile(m_scan, m_object), m_object))
         set = *std::move(placed);
+    set.measures = m_protocol.measures();
     static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Landmarks of the scan")}));
 }
 
 bool ShownScan::take(Scan &scan, LandmarkSet set)
 {
+    if (const QString problem = m_protocol.take(std::exchange(set.measures, {})); !problem.isEmpty())
+        emit failed(problem);
     for (const SceneObject &object : m_document.objects()) {
         if (object.file == m_object.file) {
             m_object = object;

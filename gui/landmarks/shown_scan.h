@@ -5,6 +5,7 @@
 #include "core/scene/scene.h"
 #include "gui/landmarks/scan.h"
 #include "gui/landmarks/series_files.h"
+#include "gui/landmarks/series_protocol.h"
 
 #include <QObject>
 #include <QString>
@@ -32,9 +33,11 @@ public:
         Cancelled,
         Failed
     };
-    /// @param files  makes backups
-    /// @param shown  the scan whose landmarks are in the scene; null: none
-    ShownScan(SceneDocument &document, Session &session, SeriesFiles &files, std::function<Scan *()> shown);
+    /// @param files     makes backups
+    /// @param protocol  the measures that the scene has with each scan
+    /// @param shown     the scan whose landmarks are in the scene; null: none
+    ShownScan(SceneDocument &document, Session &session, SeriesFiles &files, SeriesProtocol &protocol,
+              std::function<Scan *()> shown);
 
     /// Finds the object of a scan that is in the view now, and notes the state of its landmark file.
     void begin(const std::filesystem::path &scan, const std::filesystem::path &landmarkFile);
@@ -42,9 +45,9 @@ public:
     /// @return landmarks that lost their anchor, in words
     QString takeRead(Scan &scan, const std::vector<landmarks::Landmark> &names,
                      const std::vector<landmarks::Curve> &curves);
-    /// Shows the saved landmarks in the scene, as one edit.
+    /// Shows the saved landmarks in the scene, with the measures of the series, as one edit.
     void showSaved();
-    /// Copies the scene's landmarks to the scan.
+    /// Copies the scene's landmarks to the scan, and its measures to the protocol.
     /// @return false if they have no finite coordinates in its file
     bool take(Scan &scan) { return take(scan, sceneLandmarks()); }
     /// Saves the landmarks of the shown scan, if they have changed. Asks before much fewer landmarks
@@ -76,6 +79,7 @@ private:
     SceneDocument &m_document;
     Session &m_session;
     SeriesFiles &m_files;
+    SeriesProtocol &m_protocol;
     std::function<Scan *()> m_shown;
     std::filesystem::path m_scan;
     scene::SceneObject m_object;    ///< the scan, as it was last in the scene
