@@ -1,8 +1,8 @@
 #include "gui/shell/window_questions.h"
 
 #include "gui/text/error_text.h"
-#include "gui/widgets/save_name.h"
 
+#include <QFileDialog>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -43,7 +43,9 @@ SessionQuestions::SaveAnswer WindowQuestions::askSave(const QString &name, bool 
 
 std::filesystem::path WindowQuestions::askFileName(const std::filesystem::path &proposal)
 {
-    return askSaveName(m_window, tr("Save Scene"), {tr("Scenes (*.json)")}, pathText(proposal)).file;
+    const QString name =
+        QFileDialog::getSaveFileName(&m_window, tr("Save Scene"), pathText(proposal), tr("Scenes (*.json)"));
+    return std::filesystem::path(name.toStdU16String());
 }
 
 bool WindowQuestions::askOverwrite(const std::filesystem::path &file)
