@@ -1,7 +1,7 @@
 #include "gui/shell/window_questions.h"
 
 #include "gui/text/error_text.h"
-#include "gui/widgets/save_name.h"
+#include "gui/widgets/file_dialogs.h"
 
 #include <QMessageBox>
 #include <QPushButton>
@@ -43,7 +43,7 @@ SessionQuestions::SaveAnswer WindowQuestions::askSave(const QString &name, bool 
 
 std::filesystem::path WindowQuestions::askFileName(const std::filesystem::path &proposal)
 {
-    return askSaveName(m_window, tr("Save Scene"), {tr("Scenes (*.json)")}, pathText(proposal), FileKind::Scene).file;
+    return askSceneName(m_window, tr("Save Scene"), proposal, tr("Scenes (*.json)"));
 }
 
 bool WindowQuestions::askOverwrite(const std::filesystem::path &file)

@@ -84,4 +84,16 @@ std::filesystem::path askFolder(QWidget &parent, FileKind kind, const QString &t
     return pathOf(folder);
 }
 
+std::filesystem::path askSceneName(QWidget &parent, const QString &title, const std::filesystem::path &proposal,
+                                   const QString &filter)
+{
+    const QString proposed = pathText(proposal), folder = startFolder(parent, FileKind::Scene);
+    const bool hasFolder = proposal.has_parent_path() || folder.isEmpty();
+    const QString name =
+        QFileDialog::getSaveFileName(&parent, title, hasFolder ? proposed : folder + u'/' + proposed, filter);
+    if (!name.isEmpty())
+        rememberFolder(FileKind::Scene, name);
+    return pathOf(name);
+}
+
 } // namespace unprojector::gui

@@ -27,5 +27,8 @@ std::vector<std::filesystem::path> askFileNames(QWidget &parent, FileKind kind, 
                                                 const QString &filter);
 std::filesystem::path askFileName(QWidget &parent, FileKind kind, const QString &title, const QString &filter);
 std::filesystem::path askFolder(QWidget &parent, FileKind kind, const QString &title);
+/// Asks for the name of a scene to save. @param proposal  with or without its folder
+std::filesystem::path askSceneName(QWidget &parent, const QString &title, const std::filesystem::path &proposal,
+                                   const QString &filter);
 
 } // namespace unprojector::gui
