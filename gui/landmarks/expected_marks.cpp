@@ -78,7 +78,7 @@ void drawExpected(QPainter &painter, const std::vector<ExpectedMark> &marks, con
     painter.setRenderHint(QPainter::Antialiasing);
     for (const ExpectedMark &mark : marks) {
         // Light on dark, so that they show on any surface; without a brush, so that it stays visible.
-        const int alpha = mark.isNext ? 230 : 90;
+        const int alpha = mark.isNext ? 230 : 120;
         const QColor dark(0x18, 0x1a, 0x1c, alpha), light(0x7f, 0xd4, 0xff, alpha);
         painter.setBrush(Qt::NoBrush);
         if (mark.radius > 0.0) {
@@ -97,7 +97,7 @@ void drawExpected(QPainter &painter, const std::vector<ExpectedMark> &marks, con
     if (labelBox.isNull())
         return;
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0x18, 0x1a, 0x1c, 150));
+    painter.setBrush(QColor(0x18, 0x1a, 0x1c, 190));
     painter.drawRoundedRect(labelBox, 3.0, 3.0);
     painter.setPen(QColor(0x7f, 0xd4, 0xff));
     painter.drawText(labelBox, Qt::AlignCenter | Qt::TextSingleLine | Qt::TextDontClip, marks.back().label);

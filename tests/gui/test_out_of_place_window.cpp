@@ -6,6 +6,8 @@
 #include "gui/landmarks/deviations_view.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/landmarks/series_panel.h"
+#include "gui/view/picture_options.h"
+#include "gui/view/scene_picture.h"
 #include "tests/support/patience.h"
 
 #include <QFile>
@@ -205,6 +207,20 @@ void TestOutOfPlaceWindow::expectedPlacesAreDrawn()
     QVERIFY(isChanged({9.0, 6.0, 0.0}));
     QVERIFY(isChanged({1.0, 6.0, 0.0}));
     QVERIFY(!isChanged({5.0, 5.0, 0.0}));
+
+    // An image has them with the landmarks only.
+    const auto pictureWith = [&](bool landmarks) {
+        PictureOptions options{window->document().setup().surface, {}, true};
+        options.marks.landmarks = landmarks;
+        const auto picture = scenePicture(window->view(), options);
+        return picture ? *picture : QImage();
+    };
+    const QImage shown = pictureWith(true), plain = pictureWith(false);
+    action->setChecked(false);
+    QVERIFY(!shown.isNull() && !plain.isNull());
+    QVERIFY(differentPixels(shown, pictureWith(true)) > 50);
+    QCOMPARE(differentPixels(plain, pictureWith(false)), 0);
+    action->setChecked(true);
 
     // The key turns the camera there; a reason is told where there is none.
     window->activateWindow(); // keys are for the active one
