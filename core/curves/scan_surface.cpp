@@ -31,10 +31,14 @@ std::string reasonOf(const CurveError &error, const std::vector<const Landmark *
 Result<landmarks::Measure, std::string> ScanSurface::length(std::span<const Landmark *const> points,
                                                             const GoesOn &goesOn)
 {
-    const auto progress = [&goesOn](double) { return !goesOn || goesOn(); };
+    bool isStopped = false;
+    const GoesOn progress = [&](double share) {
+        isStopped = goesOn && !goesOn(share);
+        return !isStopped;
+    };
     if (!m_surface && m_problem.empty()) {
         const auto model = mesh::importModel(m_file, progress);
-        if (goesOn && !goesOn())
+        if (isStopped)
             return tr("it was cancelled");
         if (!model) {
             m_problem = mesh::importErrorText(model.error());

@@ -106,7 +106,7 @@ std::optional<std::vector<std::vector<ProtocolValue>>> measured(const Specimens 
     std::unique_ptr<curves::ScanSurface> surface; // placings of a scan share it
     bool isCancelled = false;
     for (std::size_t i = 0; i < specimens.sets.size() && !isCancelled; ++i) {
-        const auto goesOn = [&] {
+        const auto goesOn = [&](double) {
             isCancelled = isCancelled || (content.goesOn && !content.goesOn(i, specimens.sets.size()));
             return !isCancelled;
         };
