@@ -131,11 +131,10 @@ bool isSlidersFile(const std::filesystem::path &file)
     return lowerCase(utf8FromPath(file.filename())).ends_with(kSuffix);
 }
 
-Result<std::optional<std::filesystem::path>, LandmarkFileError> writeSlidersBeside(const std::filesystem::path &table,
-                                                                                   std::span<const LandmarkSet> sets)
+Result<std::optional<std::filesystem::path>, LandmarkFileError>
+writeSlidersBeside(const std::filesystem::path &table, const Result<Sliders, LandmarkFileError> &sliders)
 {
     const std::filesystem::path file = slidersBeside(table);
-    Result<Sliders, LandmarkFileError> sliders = slidersOf(sets);
     if (!sliders) {
         LandmarkFileError error = sliders.error();
         error.file = utf8FromPath(file);

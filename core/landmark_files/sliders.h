@@ -37,8 +37,8 @@ std::filesystem::path slidersBeside(const std::filesystem::path &table);
 bool isSlidersFile(const std::filesystem::path &file);
 
 /// Writes the sliders beside a table.
-/// @return the file; empty if no semilandmark slides. NotWritable, and the errors of slidersOf
+/// @return the file; empty if no semilandmark slides. NotWritable, and the error of the sliders
 geometry::Result<std::optional<std::filesystem::path>, LandmarkFileError>
-writeSlidersBeside(const std::filesystem::path &table, std::span<const landmarks::LandmarkSet> sets);
+writeSlidersBeside(const std::filesystem::path &table, const geometry::Result<Sliders, LandmarkFileError> &sliders);
 
 } // namespace unprojector::landmark_files

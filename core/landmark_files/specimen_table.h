@@ -43,7 +43,7 @@ struct WrittenTable {
     std::string text;
     std::vector<LandmarkNote> notes;
     AbsentLandmarks absent;
-    /// Of the table's points; CannotHold where the specimens have different curves.
+    /// The sliders of the table's points; CannotHold where the specimens have different curves.
     geometry::Result<Sliders, LandmarkFileError> sliders = Sliders{};
 };
 

@@ -363,7 +363,7 @@ bool LandmarkFiles::exportTo(const std::filesystem::path &file)
     if (!written->empty())
         lost << landmarkNotesText(name, *written);
     if (format != Format::SlicerJson && format != Format::MeshLabTemplate) { // the others number semilandmarks
-        const auto sliders = writeSlidersBeside(file, {&set, 1});
+        const auto sliders = writeSlidersBeside(file, slidersOf({&set, 1}));
         if (!sliders)
             lost << QString::fromStdString(errorText(sliders.error()));
         else if (*sliders)

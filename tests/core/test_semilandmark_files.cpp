@@ -169,6 +169,12 @@ void TestSemilandmarkFiles::slidersOfAWideTableGoByItsColumns()
         named << nameOf(row[0]) + ' ' + nameOf(row[1]) + ' ' + nameOf(row[2]);
     QCOMPARE(named, (QStringList{"A ab:02 ab:03", "ab:02 ab:03 ab:04", "ab:03 ab:04 B", "B open:02 open:03",
                                  "C loop:02 loop:03", "loop:02 loop:03 C"}));
+    for (const TableForm form : {TableForm::Tps, TableForm::Nts}) { // the same points, NA where a specimen lacks them
+        const auto points = specimenTable(sets, form);
+        QVERIFY(points && points->sliders);
+        QCOMPARE(points->sliders->text, sliders->text);
+    }
+    QVERIFY(!specimenTable(sets, TableForm::Long).value().sliders); // its rows are those that a specimen has
 }
 
 void TestSemilandmarkFiles::slidersOfDifferentSpecimensAreRefused()
@@ -203,7 +209,7 @@ void TestSemilandmarkFiles::slidersBesideATable()
     QCOMPARE(slidersBeside("all"), std::filesystem::path("all.sliders.csv"));
     LandmarkSet set = specimen("s", 0.0);
     QVERIFY(writeLandmarkFile(path("all.tps"), {&set, 1}));
-    const auto file = writeSlidersBeside(path("all.tps"), {&set, 1});
+    const auto file = writeSlidersBeside(path("all.tps"), slidersOf({&set, 1}));
     QVERIFY(file && *file == path("all.sliders.csv"));
     QFile read(folder.filePath("all.sliders.csv"));
     QVERIFY(read.open(QIODevice::ReadOnly));
@@ -215,7 +221,7 @@ void TestSemilandmarkFiles::slidersBesideATable()
     QCOMPARE(all.fileCount, std::size_t(1));
     QVERIFY(all.badFiles.empty());
     set.curves.clear();
-    const auto none = writeSlidersBeside(path("none.tps"), {&set, 1});
+    const auto none = writeSlidersBeside(path("none.tps"), slidersOf({&set, 1}));
     QVERIFY(none && !*none);
     QVERIFY(!QFile::exists(folder.filePath("none.sliders.csv")));
 }

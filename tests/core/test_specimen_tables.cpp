@@ -220,9 +220,11 @@ void TestSpecimenTables::protocolIsColumns()
                      "s,0,0,0,3,4,0,5,0.6,\n"
                      "t,1,0,0,NA,NA,NA,NA,NA,\"width, outer: \"\"b\"\" is missing on this specimen\"\n"));
     const QString rows = tableText(sets, TableForm::Long, protocol);
-    QVERIFY2(rows.contains("dx,dy,dz,\"width, outer\",\"width, outer_error\",measures_note\n"), qPrintable(rows));
-    QVERIFY2(rows.contains("0.5,0,0,5,0.6,\n"), qPrintable(rows));
-    QVERIFY2(rows.contains(",NA,NA,\"width, outer: \"\"b\"\" is missing on this specimen\"\n"), qPrintable(rows));
+    QVERIFY2(rows.contains("dx,dy,dz,absence,\"width, outer\",\"width, outer_error\",measures_note\n"),
+             qPrintable(rows));
+    QVERIFY2(rows.contains("0.5,0,0,,5,0.6,\n"), qPrintable(rows));
+    QVERIFY2(rows.contains("missing,NA,NA,\"width, outer: \"\"b\"\" is missing on this specimen\"\n"),
+             qPrintable(rows));
     const auto tps = specimenTable(sets, TableForm::Tps, protocol);
     QVERIFY(tps);
     QCOMPARE(noteText(tps->notes.front()),
