@@ -112,7 +112,8 @@ void ShadingFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
         if (!isOn)
             m_curvatures->cancel();
         prepareCurvatures();
-        takeCurvatures();
+        if (!m_curvatures->isComputing()) // else a large model would be drawn once more for nothing
+            takeCurvatures();
     });
     connect(m_isCurved, &QAction::triggered, this, [this](bool isOn) { // after `toggled`
         m_isToExplain = isOn;

@@ -57,8 +57,8 @@ public:
     /// The uploaded share, in [0, 1].
     double uploadedShare() const;
 
-    /// Uploads the curvature of the vertices, unless it is uploaded already. Adds to the failures if
-    /// the graphics memory is too small.
+    /// Uploads the curvature of the vertices, unless it is uploaded already. Adds to the failures
+    /// if the graphics memory is too small.
     /// @pre all of the model is uploaded
     /// @return whether the meshes have it, scaled so that the usual value is 0.7 and none exceeds 1
     bool uploadCurvature(const std::shared_ptr<const mesh::Curvature> &curvature);
