@@ -563,7 +563,7 @@ void TestDocumentLandmarks::anEdgeInThePixelIsKept()
 {
     SceneDocument document;
     openTriangle(document);
-    SceneObject wall{"wall", {}, document.objects()[0].model, {Translate{{-1, -1, -3}}, Scale{{2, 2, 1}}}};
+    SceneObject wall{"wall", {}, document.objects()[0].model, {Translate{{-9, -9, -3}}, Scale{{9, 9, 1}}}};
     QVERIFY(addObjects(document, {wall}));
     const DevicePoint rim = deviceOf(document, {0.0, 1.0, 0.0});
     const Landmark inside = *landmarkOnMesh(document, {rim.x + 1.0, rim.y}),
@@ -571,8 +571,8 @@ void TestDocumentLandmarks::anEdgeInThePixelIsKept()
     QVERIFY(!ray::edgeOf(inside));
     const std::optional<ray::LandmarkEdge> edge = ray::edgeOf(atRim);
     QVERIFY(edge);
-    QCOMPARE(edge->object, std::string("wall"));
-    QVERIFY(std::abs(edge->behind - 3.0) < 0.1); // the ray is inclined
+    QCOMPARE(QString::fromStdString(edge->object), "wall");
+    QVERIFY(edge->behind > 3.0 && edge->behind < 4.0); // the ray is inclined
     // The uncertainty reaches the other surface.
     QVERIFY(inside.uncertainty->z < 0.1);
     QVERIFY(std::abs(atRim.uncertainty->z - 3.0) < 0.1);

@@ -150,11 +150,11 @@ void TestRayPanel::anEdgeInThePixelIsTold_data()
     const QString centre = QStringLiteral(" The ± is for the pixel's centre only.");
     // The cube in front is moved by a quarter of a pixel to the right.
     QTest::newRow("over the back") << WidgetPoint(150, 140) << at(1.0, 0) << Snap::Surface
-                                   << "This pixel holds an edge of the surface: 5.0 behind it lies back." + centre;
+                                   << "This pixel holds an edge of the surface: 5 behind it lies back." + centre;
     QTest::newRow("a vertex has none") << WidgetPoint(150, 200) << at(1.0, 0) << Snap::Vertex << QString();
     QTest::newRow("on the background") << WidgetPoint(250, 140) << kBackground << Snap::Surface
                                        << QStringLiteral("This pixel holds an edge of front. The click is beside it.");
-    QTest::newRow("a pixel before") << WidgetPoint(149, 140) << kBackground << Snap::Surface << QString();
+    QTest::newRow("three pixels before") << WidgetPoint(147, 140) << kBackground << Snap::Surface << QString();
     QTest::newRow("in the middle") << WidgetPoint(220, 140) << at(1.0, 0) << Snap::Surface << QString();
 }
 
