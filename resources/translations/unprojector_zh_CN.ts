@@ -597,6 +597,26 @@
         <source>There is no exact hit: %1.</source>
         <translation>无法给出精确交点：%1。</translation>
     </message>
+    <message>
+        <source>This pixel holds an edge of %1. The click is beside it.</source>
+        <translation>这个像素内有 %1 的边缘。点击位于其旁边。</translation>
+    </message>
+    <message>
+        <source>The ± is for the pixel&apos;s centre only.</source>
+        <translation>± 只针对像素中心。</translation>
+    </message>
+    <message>
+        <source>This pixel holds an edge of the surface: beside it is the background.</source>
+        <translation>这个像素内有表面的边缘：旁边是背景。</translation>
+    </message>
+    <message>
+        <source>This pixel holds an edge of the surface: %1 behind it lies %2.</source>
+        <translation>这个像素内有表面的边缘：其后 %1 处是 %2。</translation>
+    </message>
+    <message>
+        <source>This pixel holds an edge of the surface: %1 before it lies %2.</source>
+        <translation>这个像素内有表面的边缘：其前 %1 处是 %2。</translation>
+    </message>
 </context>
 <context>
     <name>SinceClickTexts</name>
@@ -1421,6 +1441,25 @@ Grey digits are smaller than the uncertainty.</source>
         <source>Exact hit</source>
         <translation>精确交点</translation>
     </message>
+    <message>
+        <source>Edge in the pixel</source>
+        <translation>像素内的边缘</translation>
+    </message>
+    <message>
+        <source>Rays of this pixel hit surfaces at different distances. Zoom in to choose one of them.</source>
+        <translation>这个像素的各条射线在不同距离处与表面相交。放大可选择其中之一。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ComputingButton</name>
+    <message>
+        <source>Cancel the computation of curves on the surface</source>
+        <translation>取消计算表面上的曲线</translation>
+    </message>
+    <message>
+        <source>Cancel, %1 %</source>
+        <translation>取消，%1 %</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::CoordinatesTable</name>
@@ -1505,6 +1544,21 @@ Grey digits are smaller than the uncertainty.</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::CurvatureBar</name>
+    <message>
+        <source>Computing the curvature</source>
+        <translation>正在计算曲率</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Show the surface without its curvature</source>
+        <translation>显示没有曲率的表面</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::CurveWaiting</name>
     <message>
         <source>Computing curves on the surface…</source>
@@ -1556,10 +1610,6 @@ Grey digits are smaller than the uncertainty.</source>
     <message>
         <source>Join</source>
         <translation>连接</translation>
-    </message>
-    <message>
-        <source>Join the selected landmarks on the surface, in list order, to a curve with semilandmarks</source>
-        <translation>按列表中的次序在曲面上连接所选的点：得到带半标志点的曲线</translation>
     </message>
     <message>
         <source>No curve: %1.</source>
@@ -1621,6 +1671,14 @@ Grey digits are smaller than the uncertainty.</source>
     <message>
         <source>Kind</source>
         <translation>类型</translation>
+    </message>
+    <message>
+        <source>Join the selected landmarks on the surface, in the order of their selection, to a curve with semilandmarks</source>
+        <translation>按选择的次序在表面上连接选中的标志点，得到带半标志点的曲线</translation>
+    </message>
+    <message>
+        <source>&amp;Compute Again</source>
+        <translation>重新计算(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -1710,6 +1768,80 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
     <message>
         <source>Computation of the chosen number</source>
         <translation>所选的数是怎样算出来的</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::DeviationsModel</name>
+    <message>
+        <source>out of place</source>
+        <translation>位置不对</translation>
+    </message>
+    <message>
+        <source>left and right are swapped on the whole scan</source>
+        <translation>整个扫描左右对调</translation>
+    </message>
+    <message>
+        <source>left and right are swapped</source>
+        <translation>左右对调</translation>
+    </message>
+    <message>
+        <source>swapped with %1</source>
+        <translation>与 %1 对调</translation>
+    </message>
+    <message>
+        <source>Distance from where the other scans put it, in units of the scan</source>
+        <translation>离其他扫描给出的位置的距离，以扫描的单位计</translation>
+    </message>
+    <message>
+        <source>The same, divided by the usual distance of this landmark on the other scans</source>
+        <translation>同一距离，除以该标志点在其他扫描上的通常距离</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>标志点</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Spreads</source>
+        <translation>散布倍数</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::DeviationsView</name>
+    <message>
+        <source>Landmarks by their distance from where the other scans put them</source>
+        <translation>标志点，按离其他扫描给出的位置的距离排列</translation>
+    </message>
+    <message>
+        <source>The scans could not be compared: %1.</source>
+        <translation>无法比较各扫描：%1。</translation>
+    </message>
+    <message>
+        <source>The comparison needs at least %1 scans with the same %2 landmarks.</source>
+        <translation>比较至少需要 %1 个扫描，且有同样的 %2 个标志点。</translation>
+    </message>
+    <message>
+        <source>Compared scans: %1. Landmarks more than %2 spreads off: %3.</source>
+        <translation>已比较的扫描：%1。偏离超过 %2 倍散布的标志点：%3。</translation>
+    </message>
+    <message>
+        <source>Not compared, with fewer than %1 landmarks that others have: %2.</source>
+        <translation>未比较，其他扫描也有的标志点少于 %1 个：%2。</translation>
+    </message>
+    <message>
+        <source>On fewer than %1 scans: %2.</source>
+        <translation>所在扫描少于 %1 个：%2。</translation>
     </message>
 </context>
 <context>
@@ -2035,6 +2167,41 @@ Both in the scene&apos;s units. The circle is the clicked point. A click&apos;s 
     <message>
         <source>Click a number to see how it is computed. Double-click a vector to type your own.</source>
         <translation>点击一个数，可看它是怎样算出来的。双击向量，可输入您自己的数。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ExpectedLandmarks</name>
+    <message>
+        <source>Expected places come from the other scans of a series. No scan of a series is shown.</source>
+        <translation>预期位置来自系列的其他扫描。现在没有显示系列的扫描。</translation>
+    </message>
+    <message>
+        <source>No landmark is next, so there is no expected place. Choose a landmark that is not placed.</source>
+        <translation>没有下一个标志点，因此没有预期位置。请选择一个尚未放置的标志点。</translation>
+    </message>
+    <message>
+        <source>No other scan of the series has landmarks that tell where the next one is.</source>
+        <translation>系列的其他扫描都没有能说明下一个标志点在哪里的标志点。</translation>
+    </message>
+    <message>
+        <source>Place three landmarks that other scans have. Then the other scans tell where the next one is.</source>
+        <translation>请放置三个其他扫描也有的标志点。然后其他扫描会说明下一个在哪里。</translation>
+    </message>
+    <message>
+        <source>The placed landmarks are on a line. Place one beside it: then the other scans tell where the next one is.</source>
+        <translation>已放置的标志点在一条直线上。请在直线旁边放置一个：然后其他扫描会说明下一个在哪里。</translation>
+    </message>
+    <message>
+        <source>No other scan of the series has %1.</source>
+        <translation>系列的其他扫描都没有 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ExpectedMark</name>
+    <message>
+        <source>%1 expected here</source>
+        <comment>a landmark</comment>
+        <translation>%1 预期在此</translation>
     </message>
 </context>
 <context>
@@ -2537,6 +2704,10 @@ Both are scaled to fit.</source>
         <source>The image %1 is larger than OpenGL allows here; it is shown scaled down to a width of %2 pixels.</source>
         <translation>图像 %1 超出了此处 OpenGL 能绘制的大小，已缩小到 %2 像素宽显示。</translation>
     </message>
+    <message>
+        <source>The graphics memory is too small for the curvature of %1.</source>
+        <translation>显存不足，无法显示 %1 的曲率。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::GroupHeading</name>
@@ -2555,6 +2726,63 @@ Both are scaled to fit.</source>
     <message>
         <source>Folded</source>
         <translation>已折叠</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::GuidedPlacing</name>
+    <message numerus="yes">
+        <source>All %n landmarks are placed.</source>
+        <translation>
+            <numerusform>全部 %n 个标志点已放置。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Placed: %1 of %2 landmarks. Missing on this specimen: %3.</source>
+        <translation>已放置的标志点：%1 / %2。此标本上缺失：%3。</translation>
+    </message>
+    <message>
+        <source>Next: %1.</source>
+        <translation>下一个：%1。</translation>
+    </message>
+    <message>
+        <source>No landmark waits for its position, so there is none to skip.</source>
+        <translation>没有等待放置的标志点，因此无可跳过。</translation>
+    </message>
+    <message>
+        <source>%1 is the only landmark that is not placed.</source>
+        <translation>只剩 %1 尚未放置。</translation>
+    </message>
+    <message>
+        <source>%1 stays marked as missing.</source>
+        <translation>%1 仍标为缺失。</translation>
+    </message>
+    <message>
+        <source>%1 is skipped. It comes again after the others.</source>
+        <translation>已跳过 %1。在其他标志点之后再次轮到它。</translation>
+    </message>
+    <message>
+        <source>Select landmarks first: their markers in the view, or their rows in the Landmarks panel.</source>
+        <translation>请先选择标志点：点击视图中的标记，或“标志点”面板中的各行。</translation>
+    </message>
+    <message>
+        <source>%1 is not marked as missing any more.</source>
+        <translation>%1 不再标为缺失。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmarks are not marked as missing any more.</source>
+        <translation>
+            <numerusform>%n 个标志点不再标为缺失。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is marked as missing on this specimen.</source>
+        <translation>%1 已标为此标本上缺失。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n landmarks are marked as missing on this specimen.</source>
+        <translation>
+            <numerusform>%n 个标志点已标为此标本上缺失。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2893,14 +3121,6 @@ Both are scaled to fit.</source>
         <translation>让标志点在表面上滑动；Esc 放回原处</translation>
     </message>
     <message>
-        <source>left drag of an arrow at the selected landmark, while placing</source>
-        <translation>放置标志点时，左键拖动选中标志点处的箭头</translation>
-    </message>
-    <message>
-        <source>move the landmark along the axis, off the surface</source>
-        <translation>让标志点沿坐标轴移动，离开表面</translation>
-    </message>
-    <message>
         <source>left button, while placing</source>
         <translation>放置点时按左键</translation>
     </message>
@@ -2931,6 +3151,22 @@ Both are scaled to fit.</source>
     <message>
         <source>search all pages of the manual</source>
         <translation>搜索手册的所有页面</translation>
+    </message>
+    <message>
+        <source>Ctrl + Shift + left drag</source>
+        <translation>Ctrl + Shift + 左键拖动</translation>
+    </message>
+    <message>
+        <source>turn the light from the side; Esc takes the drag back</source>
+        <translation>转动侧光；Esc 撤回此次拖动</translation>
+    </message>
+    <message>
+        <source>left drag of an arrow at the selected landmark</source>
+        <translation>左键拖动选中标志点处的箭头</translation>
+    </message>
+    <message>
+        <source>move the landmark along the axis, off the surface; A shows the arrows</source>
+        <translation>让标志点沿坐标轴移动，离开表面；A 显示箭头</translation>
     </message>
 </context>
 <context>
@@ -3084,6 +3320,85 @@ Both are scaled to fit.</source>
         <source>%1: landmarks without a name, appended: %2.</source>
         <translation>%1：没有名称、排在其他标志点之后的标志点：%2 个。</translation>
     </message>
+    <message>
+        <source>Missing on this specimen: %1.</source>
+        <translation>此标本上缺失：%1。</translation>
+    </message>
+    <message>
+        <source>The sliders of the semilandmarks, for geomorph&apos;s gpagen(curves=), are in %1.</source>
+        <translation>半标志点的滑动点表在 %1 中，供 geomorph 的 gpagen(curves=) 使用。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::LandmarkLooksMenu</name>
+    <message>
+        <source>Landmar&amp;ks</source>
+        <translation>标志点(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>名称(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Show the names of the landmarks in the view</source>
+        <translation>在视图中显示标志点的名称</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>&amp;Small</source>
+        <translation>小(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Small markers, for many landmarks</source>
+        <translation>小标记，适合很多标志点</translation>
+    </message>
+    <message>
+        <source>&amp;Medium</source>
+        <translation>中(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Markers of medium size</source>
+        <translation>中等大小的标记</translation>
+    </message>
+    <message>
+        <source>Lar&amp;ge</source>
+        <translation>大(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Large markers, for a large screen</source>
+        <translation>大标记，适合大屏幕</translation>
+    </message>
+    <message>
+        <source>Mesh edges in the loupe</source>
+        <translation>放大镜中网格的边</translation>
+    </message>
+    <message>
+        <source>&amp;Where They Are Long</source>
+        <translation>边较长时(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Show the edges in the loupe only where most are longer than 6 pixels</source>
+        <translation>仅当多数边长于 6 个像素时，在放大镜中显示边</translation>
+    </message>
+    <message>
+        <source>&amp;Always</source>
+        <translation>始终(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Always show the edges in the loupe</source>
+        <translation>始终在放大镜中显示边</translation>
+    </message>
+    <message>
+        <source>&amp;Never</source>
+        <translation>从不(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Show only the surface in the loupe</source>
+        <translation>在放大镜中只显示表面</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::LandmarkMark</name>
@@ -3095,6 +3410,10 @@ Both are scaled to fit.</source>
     <message>
         <source>A surface hides it in this view.</source>
         <translation>它在此处可见的表面后面。</translation>
+    </message>
+    <message>
+        <source>It is free: no anchor holds it on a surface. B puts it back.</source>
+        <translation>它是自由的：没有依附元素把它固定在表面上。按 B 放回表面。</translation>
     </message>
 </context>
 <context>
@@ -3247,10 +3566,6 @@ Both are scaled to fit.</source>
         <translation>重复测量(&amp;R)…</translation>
     </message>
     <message>
-        <source>Write the mean and the scatter of each landmark&apos;s placings to a table</source>
-        <translation>把每个标志点各次放置的平均值及离散程度写入表格</translation>
-    </message>
-    <message>
         <source>&amp;Close Series</source>
         <translation>关闭系列(&amp;C)</translation>
     </message>
@@ -3317,6 +3632,50 @@ Both are scaled to fit.</source>
     <message>
         <source>Select two or more landmarks first: their rows in the Landmarks panel, with Ctrl.</source>
         <translation>请先选择两个或更多的标志点：按住 Ctrl 点击“标志点”面板中的各行。</translation>
+    </message>
+    <message>
+        <source>Show how well each landmark is repeated: its error of measurement over all placings</source>
+        <translation>显示每个标志点重复得多好：它在所有遍次中的测量误差</translation>
+    </message>
+    <message>
+        <source>S&amp;kip Landmark</source>
+        <translation>跳过标志点(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Go on with the next landmark to place; the skipped one comes again after the others</source>
+        <translation>继续下一个要放置的标志点；跳过的在其他标志点之后再次轮到</translation>
+    </message>
+    <message>
+        <source>Mark as &amp;Missing</source>
+        <translation>标为缺失(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Mark the next landmark to place, else the selected ones, as missing on this specimen; again removes the mark</source>
+        <translation>将下一个要放置的标志点标为此标本上缺失；没有时，标记选中的标志点；再按一次去掉标记</translation>
+    </message>
+    <message>
+        <source>Turn to &amp;Expected Place</source>
+        <translation>转到预期位置(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Turn the camera to face the surface where the other scans of the series expect the next landmark</source>
+        <translation>转动相机，正对系列的其他扫描预期下一个标志点的表面</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w Expected Places</source>
+        <translation>显示预期位置(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Show where the other scans of the series expect the landmarks to place</source>
+        <translation>显示系列的其他扫描预期待放置的标志点在哪里</translation>
+    </message>
+    <message>
+        <source>Axis Arro&amp;ws</source>
+        <translation>坐标轴箭头(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Show arrows at the selected landmark that move it along the axes, off the surface</source>
+        <translation>在选中的标志点处显示箭头，可沿坐标轴移动它，离开表面</translation>
     </message>
 </context>
 <context>
@@ -3551,6 +3910,24 @@ Both are scaled to fit.</source>
     <message>
         <source>No landmarks yet. Click the surface. Or choose a template and place its landmarks one after the other.</source>
         <translation>还没有标志点。在要放标志点的地方单击；或选择一个模板，依次放置其中的标志点。</translation>
+    </message>
+    <message>
+        <source>The template %1 replaced %2, which was not placed yet.</source>
+        <translation>模板 %1 替换了尚未放置的 %2。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The template %1 replaced %n names that were not placed yet.</source>
+        <translation>
+            <numerusform>模板 %1 替换了 %n 个尚未放置的名称。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Go to Landmark</source>
+        <translation>转到该标志点(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Mark as Not &amp;Missing</source>
+        <translation>去掉缺失标记(&amp;M)</translation>
     </message>
 </context>
 <context>
@@ -4514,10 +4891,6 @@ Both are scaled to fit.</source>
         <translation>不对称</translation>
     </message>
     <message>
-        <source>Distance from the mirror plane</source>
-        <translation>到镜像平面的距离</translation>
-    </message>
-    <message>
         <source>computing…</source>
         <translation>正在计算…</translation>
     </message>
@@ -4551,10 +4924,6 @@ Both are scaled to fit.</source>
         <translation>使误差无法确定</translation>
     </message>
     <message>
-        <source>%1 is not placed</source>
-        <translation>%1 尚未放置</translation>
-    </message>
-    <message>
         <source>%1 is hidden</source>
         <translation>%1 已隐藏</translation>
     </message>
@@ -4565,6 +4934,18 @@ Both are scaled to fit.</source>
     <message>
         <source>no partner on the other side</source>
         <translation>另一侧没有对应点</translation>
+    </message>
+    <message>
+        <source>not placed yet: %1</source>
+        <translation>尚未放置：%1</translation>
+    </message>
+    <message>
+        <source>missing on this specimen: %1</source>
+        <translation>此标本上缺失：%1</translation>
+    </message>
+    <message>
+        <source>Plane distance</source>
+        <translation>到平面的距离</translation>
     </message>
 </context>
 <context>
@@ -4649,6 +5030,114 @@ Both are scaled to fit.</source>
         <source>%1 %2: %3</source>
         <comment>what is measured, of which points, its value</comment>
         <translation>%1 %2：%3</translation>
+    </message>
+    <message>
+        <source>Protocol</source>
+        <translation>测量方案</translation>
+    </message>
+    <message>
+        <source>Kept measures: each is measured on every scan of a series, and a column of its tables</source>
+        <translation>保留的测量值：在系列的每个扫描上测量，并成为其表格的列</translation>
+    </message>
+    <message>
+        <source>&amp;Load Protocol…</source>
+        <translation>载入测量方案(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Save Protocol…</source>
+        <translation>保存测量方案(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>what is shown, of which landmarks</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>The distance of a landmark of the middle from the mirror plane. Its mirror image is twice as far.</source>
+        <translation>正中的标志点到镜像平面的距离。它的镜像有两倍远。</translation>
+    </message>
+    <message>
+        <source>The distance of a landmark&apos;s mirror image from its partner.</source>
+        <translation>标志点的镜像到其对应点的距离。</translation>
+    </message>
+    <message>
+        <source>No measures kept yet. Select landmarks, choose a measure under Selected, and press Keep.</source>
+        <translation>尚未保留测量值。请选中标志点，在“所选”中选择一个测量值，然后按“保留”。</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>重命名(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Compute Again</source>
+        <translation>重新计算(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Remove the chosen measure from the protocol</source>
+        <translation>把所选的测量值从测量方案中移除</translation>
+    </message>
+    <message>
+        <source>Keep the chosen measure in the protocol</source>
+        <translation>把所选的测量值保留在测量方案中</translation>
+    </message>
+    <message>
+        <source>Choose a measure in the list first.</source>
+        <translation>请先在列表中选择一个测量值。</translation>
+    </message>
+    <message>
+        <source>Remove measure %1</source>
+        <translation>移除测量值 %1</translation>
+    </message>
+    <message>
+        <source>A kept measure knows its landmarks by name. Give each of them a name of its own.</source>
+        <translation>保留的测量值按名称认识它的标志点。请给每个标志点各取一个名称。</translation>
+    </message>
+    <message>
+        <source>This measure has no value yet, so it cannot be kept.</source>
+        <translation>这个测量值还没有值，因此不能保留。</translation>
+    </message>
+    <message>
+        <source>Keep measure %1</source>
+        <translation>保留测量值 %1</translation>
+    </message>
+    <message>
+        <source>There is a measure of this name already.</source>
+        <translation>已有这个名称的测量值。</translation>
+    </message>
+    <message>
+        <source>Rename measure</source>
+        <translation>重命名测量值</translation>
+    </message>
+    <message>
+        <source>Load Protocol</source>
+        <translation>载入测量方案</translation>
+    </message>
+    <message>
+        <source>Protocol (%1)</source>
+        <translation>测量方案 (%1)</translation>
+    </message>
+    <message>
+        <source>Load protocol</source>
+        <translation>载入测量方案</translation>
+    </message>
+    <message>
+        <source>Save Protocol</source>
+        <translation>保存测量方案</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::MeshEdges</name>
+    <message>
+        <source>The edges of %1 are not drawn: the graphics driver takes at most %2 numbers of a mesh.</source>
+        <translation>%1 的边未画出：显卡驱动对每个网格最多接受 %2 个数。</translation>
     </message>
 </context>
 <context>
@@ -4864,16 +5353,8 @@ Both are scaled to fit.</source>
         <translation>跳过</translation>
     </message>
     <message>
-        <source>Leave this one missing and go on with the next</source>
-        <translation>让这个点保持缺失，继续下一个</translation>
-    </message>
-    <message>
         <source>Next: %1</source>
         <translation>下一个：%1</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>Image from the template</source>
@@ -4894,6 +5375,49 @@ Both are scaled to fit.</source>
     <message>
         <source>Click its position; P or Esc ends placing.</source>
         <translation>点击它所在的位置；按 P 或 Esc 结束放置。</translation>
+    </message>
+    <message>
+        <source>Go on with the next one; this one comes again after the others (K)</source>
+        <translation>继续下一个；这个点在其他标志点之后再次轮到（K）</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <comment>button: mark the landmark as missing</comment>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>Mark this one as missing on this specimen, and go on with the next (X)</source>
+        <translation>标明此标本上没有这个点，继续下一个（X）</translation>
+    </message>
+    <message>
+        <source>A click places a further landmark; P or Esc ends placing.</source>
+        <translation>点击即放置另一个标志点；按 P 或 Esc 结束放置。</translation>
+    </message>
+    <message>
+        <source>To place further landmarks, press P.</source>
+        <translation>要放置更多标志点，请按 P。</translation>
+    </message>
+    <message>
+        <source>All landmarks are placed</source>
+        <translation>全部标志点已放置</translation>
+    </message>
+    <message>
+        <source>All landmarks are placed or missing</source>
+        <translation>全部标志点已放置或缺失</translation>
+    </message>
+    <message>
+        <source>%1 of %2 placed</source>
+        <translation>已放置 %1 / %2</translation>
+    </message>
+    <message>
+        <source>, %1 missing</source>
+        <comment>after the number of placed landmarks</comment>
+        <translation>，%1 个缺失</translation>
+    </message>
+    <message>
+        <source>, %1 skipped</source>
+        <comment>after the number of placed landmarks</comment>
+        <translation>，%1 个已跳过</translation>
     </message>
 </context>
 <context>
@@ -6111,10 +6635,6 @@ of a point that needs no division</source>
 <context>
     <name>unprojector::gui::Points</name>
     <message>
-        <source>missing</source>
-        <translation>缺失</translation>
-    </message>
-    <message>
         <source>free</source>
         <translation>自由</translation>
     </message>
@@ -6129,10 +6649,6 @@ of a point that needs no division</source>
     <message>
         <source>edge %1–%2</source>
         <translation>边 %1–%2</translation>
-    </message>
-    <message>
-        <source>No position: not placed yet, or missing on this object.</source>
-        <translation>它没有位置：尚未放置，或此物体上没有这个点。</translation>
     </message>
     <message>
         <source>Free: only its coordinates define the position.</source>
@@ -6151,10 +6667,6 @@ of a point that needs no division</source>
         <translation>在网格从顶点 %1 到顶点 %2 的边上，处于全程的 %3。</translation>
     </message>
     <message>
-        <source>a landmark is missing</source>
-        <translation>有一个标志点缺失</translation>
-    </message>
-    <message>
         <source>there are fewer than two landmarks</source>
         <translation>少于两个标志点</translation>
     </message>
@@ -6165,6 +6677,57 @@ of a point that needs no division</source>
     <message>
         <source>within their uncertainty the three landmarks lie on one line, so there is no plane</source>
         <translation>在其确定程度内，这三个标志点在一条直线上，因此没有平面</translation>
+    </message>
+    <message>
+        <source>not placed</source>
+        <comment>state of a landmark</comment>
+        <translation>未放置</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <comment>state of a landmark</comment>
+        <translation>已跳过</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <comment>state of a landmark</comment>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>Missing on this specimen. To place it all the same, click this row, then the surface.</source>
+        <translation>此标本上没有这个点。若仍要放置它，请点击这一行，再点击表面。</translation>
+    </message>
+    <message>
+        <source>Skipped: it comes again after the others.</source>
+        <translation>已跳过：在其他标志点之后再次轮到它。</translation>
+    </message>
+    <message>
+        <source>Not placed yet.</source>
+        <translation>尚未放置。</translation>
+    </message>
+    <message>
+        <source>%1 is missing on this specimen</source>
+        <translation>此标本上没有 %1</translation>
+    </message>
+    <message>
+        <source>%1 is not placed yet</source>
+        <translation>%1 尚未放置</translation>
+    </message>
+    <message>
+        <source>Its pixel held an edge of the surface: beside it was the background.</source>
+        <translation>它的像素内曾有表面的边缘：旁边是背景。</translation>
+    </message>
+    <message>
+        <source>Its pixel held an edge of the surface: %1 behind it lay %2. The ± reaches there.</source>
+        <translation>它的像素内曾有表面的边缘：其后 %1 处是 %2。± 包括到那里。</translation>
+    </message>
+    <message>
+        <source>Its pixel held an edge of the surface: %1 before it lay %2. The ± reaches there.</source>
+        <translation>它的像素内曾有表面的边缘：其前 %1 处是 %2。± 包括到那里。</translation>
+    </message>
+    <message>
+        <source>a landmark has no position</source>
+        <translation>有一个标志点没有位置</translation>
     </message>
 </context>
 <context>
@@ -6385,6 +6948,52 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::Protocol</name>
+    <message>
+        <source>distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>along the surface</source>
+        <translation>沿曲面</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>kind of a measure, its landmarks</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>click to compute</source>
+        <translation>点击以计算</translation>
+    </message>
+    <message>
+        <source>computed at export</source>
+        <translation>在导出时计算</translation>
+    </message>
+    <message>
+        <source>%1. The tables of Export have its value.</source>
+        <comment>a measure along the surface</comment>
+        <translation>%1。导出的表格中有它的值。</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>a measure, its value</comment>
+        <translation>%1。%2</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::RayModel</name>
     <message>
         <source>Vertex</source>
@@ -6532,42 +7141,187 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::RecoveryTexts</name>
+    <message>
+        <source>%1 of the series %2</source>
+        <translation>系列 %2 的 %1</translation>
+    </message>
+    <message>
+        <source>%1 (landmarks placed: %2; in its file: %3)</source>
+        <translation>%1（已放置标志点：%2；其文件中：%3）</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::RepeatsDialog</name>
+    <message>
+        <source>Repeats: Error of Measurement</source>
+        <translation>重复测量：测量误差</translation>
+    </message>
+    <message>
+        <source>Landmark</source>
+        <translation>标志点</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source>Placings</source>
+        <translation>遍次</translation>
+    </message>
+    <message>
+        <source>Error ±</source>
+        <translation>误差 ±</translation>
+    </message>
+    <message>
+        <source>ICC(1)</source>
+        <translation>ICC(1)</translation>
+    </message>
+    <message>
+        <source>ICC(2,1)</source>
+        <translation>ICC(2,1)</translation>
+    </message>
+    <message>
+        <source>Error of %1</source>
+        <translation>遍次 %1 的误差</translation>
+    </message>
+    <message>
+        <source>Bias of %1</source>
+        <translation>遍次 %1 的偏差</translation>
+    </message>
+    <message>
+        <source>Error of measurement of each landmark</source>
+        <translation>每个标志点的测量误差</translation>
+    </message>
+    <message>
+        <source>Scans on which the landmark was placed more than once</source>
+        <translation>该标志点放置过不止一遍的扫描</translation>
+    </message>
+    <message>
+        <source>All placings on these scans</source>
+        <translation>这些扫描上的所有遍次</translation>
+    </message>
+    <message>
+        <source>Standard deviation of one placing, pooled over the scans: the technical error of measurement; for two placings Dahlberg&apos;s error</source>
+        <translation>单个遍次的标准差，对各扫描合并：即技术测量误差；两个遍次时为 Dahlberg 误差</translation>
+    </message>
+    <message>
+        <source>Intraclass correlation of one placing: the share of the variance that is between scans, after Procrustes superimposition</source>
+        <translation>单个遍次的组内相关系数：普氏叠合之后，方差中扫描之间所占的份额</translation>
+    </message>
+    <message>
+        <source>The same for scans with all placings, each by another observer; the observers&apos; differences count as error</source>
+        <translation>同上，取具有所有遍次的扫描，每个遍次由另一位观察者完成；观察者之间的差别算作误差</translation>
+    </message>
+    <message>
+        <source>Standard deviation of this placing; of two placings, both have the same</source>
+        <translation>该遍次的标准差；只有两个遍次时，二者相同</translation>
+    </message>
+    <message>
+        <source>Distance of this placing&apos;s mean from the mean of all placings</source>
+        <translation>该遍次的平均值与所有遍次平均值的距离</translation>
+    </message>
+    <message>
+        <source>All landmarks</source>
+        <translation>所有标志点</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>复制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Export &amp;Means…</source>
+        <translation>导出平均值(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Copy the table to the clipboard</source>
+        <translation>把表格复制到剪贴板</translation>
+    </message>
+    <message>
+        <source>Write this table to a file, with all digits</source>
+        <translation>把这张表格写入文件，保留全部位数</translation>
+    </message>
+    <message>
+        <source>Write the mean and the scatter of each landmark on each scan to a file</source>
+        <translation>把每个扫描上每个标志点的平均值和离散程度写入文件</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SaveName</name>
+    <message>
+        <source>%1: no format has this suffix. End the name with one of: %2.</source>
+        <translation>%1：没有格式使用此后缀。名称请以其中之一结尾：%2。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::ScanSeries</name>
     <message>
         <source>%1: this folder has no model file. Supported: %2.</source>
         <translation>%1：此文件夹中没有模型文件。可读取：%2。</translation>
     </message>
     <message>
-        <source>Landmarks of the scan</source>
-        <translation>扫描的标志点</translation>
-    </message>
-    <message>
-        <source>Landmarks of %1 saved beside it.</source>
-        <translation>%1 的标志点已保存在它旁边。</translation>
-    </message>
-    <message>
         <source>The file is not overwritten: to keep new landmarks, save the scene. Or repair or move the file, and open the scan again.</source>
         <translation>该文件不会被覆盖：现在放置的点只有保存场景才能保留。请修好该文件或把它移走，然后重新打开这个扫描。</translation>
-    </message>
-    <message>
-        <source>The landmarks of %1 cannot be saved: because of the object&apos;s scale they have no coordinates in its file. Reset its glScale.</source>
-        <translation>无法保存 %1 的标志点：按物体的缩放，它们在其文件中没有坐标。请把它的 glScale 改回去。</translation>
-    </message>
-    <message>
-        <source>Another window or program has changed %1 since it was read. It is not overwritten; move it away to keep the shown landmarks.</source>
-        <translation>%1 在此处读取之后已被另一个窗口或程序修改，不会被覆盖；要保存所显示的标志点，请先把该文件移走。</translation>
     </message>
     <message>
         <source>Placing %1 continues. Repair the file, or move it away.</source>
         <translation>仍继续第 %1 遍。请修好该文件，或把它移走。</translation>
     </message>
     <message>
-        <source>The landmarks of %1 are not saved yet: %2.</source>
-        <translation>%1 的标志点尚未保存：%2。</translation>
-    </message>
-    <message>
         <source>%1: this file has the landmarks of %2 specimens. A scan is one specimen: put each into its own file.</source>
         <translation>%1：这里有 %2 个标本的标志点；一个扫描是一个标本，请把每个标本放进各自的文件。</translation>
+    </message>
+    <message>
+        <source>The series takes its %1 names from %2.</source>
+        <translation>系列的 %1 个名称取自 %2。</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 missing</source>
+        <translation>%1 / %2，缺失 %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Redone on %1: %2.</source>
+        <translation>已在 %1 上重做：%2。</translation>
+    </message>
+    <message>
+        <source>Undone on %1: %2.</source>
+        <translation>已在 %1 上撤销：%2。</translation>
+    </message>
+    <message>
+        <source>The landmarks of %1 are saved in %2 already.</source>
+        <translation>%1 的标志点已经保存在 %2 中。</translation>
+    </message>
+    <message>
+        <source>%1 has no landmark yet, so there is nothing to save.</source>
+        <translation>%1 还没有标志点，无需保存。</translation>
+    </message>
+    <message>
+        <source>The landmarks of %1 are saved. Other changes of the scene are not: choose File &gt; Save Scene As to save them.</source>
+        <translation>%1 的标志点已保存。场景的其他更改尚未保存：要保存它们，请选择“文件 &gt; 场景另存为”。</translation>
+    </message>
+    <message>
+        <source>The series cannot continue at %1. Its landmarks are shown as a scene: export them to keep them.</source>
+        <translation>系列无法从 %1 继续。它的标志点作为场景显示：要保留它们，请导出。</translation>
+    </message>
+    <message>
+        <source>The series continues at %1.</source>
+        <translation>系列从 %1 继续。</translation>
+    </message>
+    <message>
+        <source>The series continues at %1. Its landmarks were saved in %2.</source>
+        <translation>系列从 %1 继续。它的标志点已保存在 %2 中。</translation>
+    </message>
+    <message>
+        <source>%1 has changed since the landmarks were recovered from the crash: placed in the file: %2; recovered: %3. The file is not overwritten; move it away to keep the recovered ones.</source>
+        <translation>崩溃之后 %1 已改变：文件中已放置：%2；已恢复：%3。该文件不会被覆盖；要保存所恢复的标志点，请先把该文件移走。</translation>
     </message>
 </context>
 <context>
@@ -6621,14 +7375,6 @@ of a point that needs no division</source>
         <translation>把代码写入文件</translation>
     </message>
     <message>
-        <source>JavaScript (*.js)</source>
-        <translation>JavaScript (*.js)</translation>
-    </message>
-    <message>
-        <source>C++ (*.cpp)</source>
-        <translation>C++ (*.cpp)</translation>
-    </message>
-    <message>
         <source>Save Code</source>
         <translation>保存代码</translation>
     </message>
@@ -6641,8 +7387,16 @@ of a point that needs no division</source>
         <translation>只用 NumPy 的 Python：各矩阵，以及用公式和逆矩阵算出的点击</translation>
     </message>
     <message>
-        <source>Python (*.py)</source>
-        <translation>Python (*.py)</translation>
+        <source>JavaScript (%1)</source>
+        <translation>JavaScript (%1)</translation>
+    </message>
+    <message>
+        <source>Python (%1)</source>
+        <translation>Python (%1)</translation>
+    </message>
+    <message>
+        <source>C++ (%1)</source>
+        <translation>C++ (%1)</translation>
     </message>
 </context>
 <context>
@@ -6654,10 +7408,6 @@ of a point that needs no division</source>
     <message>
         <source>a curve needs at least two landmarks</source>
         <translation>曲线至少要有两个标志点</translation>
-    </message>
-    <message>
-        <source>“%1” is not placed</source>
-        <translation>“%1”尚未放置</translation>
     </message>
     <message>
         <source>“%1” is not on a surface; select it and press B</source>
@@ -6723,6 +7473,10 @@ of a point that needs no division</source>
         <source>Remove %1</source>
         <translation>移除 %1</translation>
     </message>
+    <message>
+        <source>cancelled; its menu computes it again</source>
+        <translation>已取消；可在其菜单中重新计算</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::SceneDocument</name>
@@ -6769,6 +7523,18 @@ of a point that needs no division</source>
     <message>
         <source>Rename object</source>
         <translation>重命名物体</translation>
+    </message>
+    <message>
+        <source>Add clip plane</source>
+        <translation>添加裁剪平面</translation>
+    </message>
+    <message>
+        <source>Flip clip plane</source>
+        <translation>翻转裁剪平面</translation>
+    </message>
+    <message>
+        <source>Remove clip plane</source>
+        <translation>移除裁剪平面</translation>
     </message>
 </context>
 <context>
@@ -6835,16 +7601,6 @@ of a point that needs no division</source>
         </translation>
     </message>
     <message>
-        <source>%1 missing</source>
-        <translation>%1 缺失</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n landmarks missing</source>
-        <translation>
-            <numerusform>%n 个标志点缺失</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Remove %1</source>
         <translation>移除 %1</translation>
     </message>
@@ -6872,6 +7628,40 @@ of a point that needs no division</source>
         <source>Move %n landmarks</source>
         <translation>
             <numerusform>移动 %n 个标志点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mark %1 as missing</source>
+        <translation>将 %1 标为缺失</translation>
+    </message>
+    <message>
+        <source>Mark %1 as not missing</source>
+        <translation>去掉 %1 的缺失标记</translation>
+    </message>
+    <message numerus="yes">
+        <source>Mark %n landmarks as missing</source>
+        <translation>
+            <numerusform>将 %n 个标志点标为缺失</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Mark %n landmarks as not missing</source>
+        <translation>
+            <numerusform>去掉 %n 个标志点的缺失标记</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Skip %1</source>
+        <translation>跳过 %1</translation>
+    </message>
+    <message>
+        <source>Place %1 again</source>
+        <translation>重新放置 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Place %n landmarks again</source>
+        <translation>
+            <numerusform>重新放置 %n 个标志点</numerusform>
         </translation>
     </message>
 </context>
@@ -7015,11 +7805,33 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
-    <name>unprojector::gui::SeriesModel</name>
+    <name>unprojector::gui::SeriesFiles</name>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 / %2</translation>
+        <source>%1 has no backup: %2.</source>
+        <translation>%1 没有备份：%2。</translation>
     </message>
+    <message>
+        <source>%1: this file is no template: it has the landmarks of several specimens.</source>
+        <translation>%1：此文件不是模板：其中有多个标本的标志点。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SeriesHistory</name>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>“%1” on %2 cannot be redone: its landmarks have changed since.</source>
+        <translation>无法重做 %2 上的“%1”：它的标志点此后已改变。</translation>
+    </message>
+    <message>
+        <source>“%1” on %2 cannot be undone: its landmarks have changed since.</source>
+        <translation>无法撤销 %2 上的“%1”：它的标志点此后已改变。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SeriesModel</name>
     <message>
         <source>not read</source>
         <translation>未读取</translation>
@@ -7116,16 +7928,74 @@ of a point that needs no division</source>
         <translation>重复测量…</translation>
     </message>
     <message>
-        <source>Write the mean and the scatter of each landmark&apos;s placings to a table</source>
-        <translation>把每个标志点各次放置的平均值及离散程度写入表格</translation>
-    </message>
-    <message>
         <source>Repeats: Mean and Error of All Placings</source>
         <translation>重复测量：各次放置的平均值与误差</translation>
     </message>
     <message>
         <source>Table (%1)</source>
         <translation>表格 (%1)</translation>
+    </message>
+    <message>
+        <source>Show how well each landmark is repeated: its error of measurement over all placings</source>
+        <translation>显示每个标志点重复得多好：它在所有遍次中的测量误差</translation>
+    </message>
+    <message>
+        <source>Out of Place</source>
+        <translation>位置不对</translation>
+    </message>
+    <message>
+        <source>Show how far each landmark is from where the other scans put it, the worst first</source>
+        <translation>显示每个标志点离其他扫描给出的位置多远，最差的在前</translation>
+    </message>
+    <message>
+        <source>Measuring along the surfaces…</source>
+        <translation>正在沿各曲面测量…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Repeats: Error of Each Landmark</source>
+        <translation>重复测量：每个标志点的误差</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SeriesPictures</name>
+    <message>
+        <source>%1 is not a folder and cannot be created. Give --screenshots another folder.</source>
+        <translation>%1 不是文件夹，也无法创建。请给 --screenshots 另一个文件夹。</translation>
+    </message>
+    <message>
+        <source>OpenGL has no memory for an image of %1 × %2 pixels. Choose a smaller --size.</source>
+        <translation>OpenGL 没有足够内存绘制 %1 × %2 像素的图像。请选择更小的 --size。</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3: %4</source>
+        <translation>%1 / %2：%3：%4</translation>
+    </message>
+    <message>
+        <source>There is no memory for the image %1.</source>
+        <translation>没有足够内存生成图像 %1。</translation>
+    </message>
+    <message>
+        <source>Images of %1 scans and %2 written to %3. Scans that could not be read: %4.</source>
+        <translation>已将 %1 个扫描的图像和 %2 写入 %3。无法读取的扫描：%4。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::SeriesProtocol</name>
+    <message>
+        <source>%1 could not be read and is not overwritten. Repair it or move it away to keep the measures.</source>
+        <translation>%1 无法读取，不会被覆盖。要保留测量值，请修复它或把它移走。</translation>
+    </message>
+    <message>
+        <source>Another window or program has changed %1 since it was read. It is not overwritten; move it away to keep the measures.</source>
+        <translation>%1 读取之后被另一个窗口或程序更改。它不会被覆盖；要保留测量值，请把它移走。</translation>
     </message>
 </context>
 <context>
@@ -7161,6 +8031,14 @@ of a point that needs no division</source>
     <message>
         <source>Scans written to %1: %2.</source>
         <translation>写入 %1 的扫描：%2 个。</translation>
+    </message>
+    <message>
+        <source>Placing shown: %1.</source>
+        <translation>所显示的遍次：%1。</translation>
+    </message>
+    <message>
+        <source>The export was cancelled. %1 was not written.</source>
+        <translation>导出已取消。%1 未写出。</translation>
     </message>
 </context>
 <context>
@@ -7213,6 +8091,136 @@ of a point that needs no division</source>
     </message>
 </context>
 <context>
+    <name>unprojector::gui::ShadingFeature</name>
+    <message>
+        <source>The curvature is not shown: %1.</source>
+        <translation>曲率未显示：%1。</translation>
+    </message>
+    <message>
+        <source>Sha&amp;ding</source>
+        <translation>明暗(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Light from the Side</source>
+        <translation>侧光(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Light the surface from one side, so that ridges and wrinkles show. Ctrl + Shift + drag turns the light</source>
+        <translation>从一侧照亮表面，使隆起和皱纹显现。Ctrl + Shift + 拖动转动这束光</translation>
+    </message>
+    <message>
+        <source>&amp;Curvature</source>
+        <translation>曲率(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Draw ridges light and valleys dark, in any light</source>
+        <translation>隆起处画得浅，凹陷处画得深，与光无关</translation>
+    </message>
+    <message>
+        <source>C&amp;olours and Textures</source>
+        <translation>颜色和纹理(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show the colours of the model; without them, the surface is grey</source>
+        <translation>显示模型的颜色；没有颜色时表面为灰色</translation>
+    </message>
+    <message>
+        <source>&amp;Edges of Triangles</source>
+        <translation>三角形的边(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Draw the edges of triangles that are more than a few pixels large</source>
+        <translation>画出大于几个像素的三角形的边</translation>
+    </message>
+    <message>
+        <source>Clip &amp;at the Pick</source>
+        <translation>在拾取处裁剪(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Cut away everything in front of the picked point, across the view</source>
+        <translation>垂直于视线方向，切去所拾取的点之前的一切</translation>
+    </message>
+    <message>
+        <source>Clip &amp;Through the Last Two Picks</source>
+        <translation>通过最近两次拾取裁剪(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Cut along the line through the last two picked points, straight away from the eye</source>
+        <translation>沿最近所拾取的两点的连线，顺着视线方向切开</translation>
+    </message>
+    <message>
+        <source>&amp;Flip the Last Clip Plane</source>
+        <translation>翻转最后一个裁剪平面(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Keep the other side of the last clip plane</source>
+        <translation>保留最后一个裁剪平面的另一侧</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the Last Clip Plane</source>
+        <translation>移除最后一个裁剪平面(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Show what the last clip plane has cut away</source>
+        <translation>显示最后一个裁剪平面切去的部分</translation>
+    </message>
+    <message>
+        <source>The scene has %1 clip planes, and takes no more. Remove one first.</source>
+        <translation>场景已有 %1 个裁剪平面，不能再多。请先移除一个。</translation>
+    </message>
+    <message>
+        <source>The two points are behind each other in this view. Turn the view, or pick another point.</source>
+        <translation>这两点在此视图中前后重合。请转动视图，或拾取另一个点。</translation>
+    </message>
+    <message>
+        <source>The clip plane could not be set here.</source>
+        <translation>无法在此处放置裁剪平面。</translation>
+    </message>
+    <message>
+        <source>Click a point of the surface first: the clip plane goes through it.</source>
+        <translation>请先点击表面上的一个点：裁剪平面将通过它。</translation>
+    </message>
+    <message>
+        <source>Click two points of the surface first: the clip plane goes through them.</source>
+        <translation>请先点击表面上的两个点：裁剪平面将通过它们。</translation>
+    </message>
+    <message>
+        <source>The curvature was cancelled. Press C to compute it.</source>
+        <translation>已取消计算曲率。按 C 可重新计算。</translation>
+    </message>
+    <message>
+        <source>Ridges are light, valleys are dark. Smoothed over %1 units.</source>
+        <translation>隆起处浅，凹陷处深。平滑范围为 %1 个单位。</translation>
+    </message>
+    <message>
+        <source>No object has a surface with a curvature.</source>
+        <translation>没有物体具有带曲率的表面。</translation>
+    </message>
+</context>
+<context>
+    <name>unprojector::gui::ShownScan</name>
+    <message>
+        <source>Landmarks of the scan</source>
+        <translation>扫描的标志点</translation>
+    </message>
+    <message>
+        <source>The landmarks of %1 are not saved yet: %2.</source>
+        <translation>%1 的标志点尚未保存：%2。</translation>
+    </message>
+    <message>
+        <source>The landmarks of %1 cannot be saved: because of the object&apos;s scale they have no coordinates in its file. Reset its glScale.</source>
+        <translation>无法保存 %1 的标志点：按物体的缩放，它们在其文件中没有坐标。请把它的 glScale 改回去。</translation>
+    </message>
+    <message>
+        <source>Another window or program has changed %1 since it was read. It is not overwritten; move it away to keep the shown landmarks.</source>
+        <translation>%1 在此处读取之后已被另一个窗口或程序修改，不会被覆盖；要保存所显示的标志点，请先把该文件移走。</translation>
+    </message>
+    <message>
+        <source>Landmarks of %1 saved in %2.</source>
+        <translation>%1 的标志点已保存到 %2。</translation>
+    </message>
+</context>
+<context>
     <name>unprojector::gui::StageText</name>
     <message>
         <source>Model</source>
@@ -7260,10 +8268,6 @@ of a point that needs no division</source>
     <message>
         <source>Open, save an image of the whole window, print the clicks as JSON, and quit.</source>
         <translation>打开程序，把整个窗口保存为图像，以 JSON 输出各次点击的结果，然后退出。</translation>
-    </message>
-    <message>
-        <source>Size of the window in logical pixels (default 1280x800).</source>
-        <translation>窗口大小，以逻辑像素计（默认 1280x800）。</translation>
     </message>
     <message>
         <source>With --screenshot: press the left button at this position of the view, logical pixels from its top-left corner. May be given several times.</source>
@@ -7344,6 +8348,30 @@ of a point that needs no division</source>
     <message>
         <source>Give --lesson or files to open, not both.</source>
         <translation>--lesson 与要打开的文件只能给出其一。</translation>
+    </message>
+    <message>
+        <source>Open a folder of scans as a series. The landmarks of each scan are saved beside it.</source>
+        <translation>将一个扫描文件夹作为系列打开。每个扫描的标志点保存在它旁边。</translation>
+    </message>
+    <message>
+        <source>With --series: write an image of each scan with its landmarks, and contact-sheet.png with all of them, to this folder, and quit.</source>
+        <translation>与 --series 一起：将每个扫描连同其标志点的图像，以及包含全部扫描的 contact-sheet.png 写入此文件夹，然后退出。</translation>
+    </message>
+    <message>
+        <source>Size of the window in logical pixels (default 1280x800); with --screenshots, of each image.</source>
+        <translation>窗口大小，逻辑像素（默认 1280x800）；与 --screenshots 一起时为每张图像的大小。</translation>
+    </message>
+    <message>
+        <source>Give --series alone, without --lesson and without files to open.</source>
+        <translation>--series 请单独使用，不要同时给出 --lesson 或要打开的文件。</translation>
+    </message>
+    <message>
+        <source>--screenshots works together with --series FOLDER.</source>
+        <translation>--screenshots 须与 --series FOLDER 一起使用。</translation>
+    </message>
+    <message>
+        <source>--screenshot writes one image. For a series, give --screenshots OUT.</source>
+        <translation>--screenshot 只写一张图像。对系列请用 --screenshots OUT。</translation>
     </message>
 </context>
 <context>
@@ -8120,10 +9148,6 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <translation>保存场景(&amp;S)</translation>
     </message>
     <message>
-        <source>Write the scene to its file</source>
-        <translation>将场景写入其文件</translation>
-    </message>
-    <message>
         <source>Save Scene &amp;As…</source>
         <translation>场景另存为(&amp;A)…</translation>
     </message>
@@ -8379,6 +9403,14 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
         <source>Manual, formulas, keys, version and licence</source>
         <translation>手册、公式、按键、版本与许可</translation>
     </message>
+    <message>
+        <source>Write the scene to its file; in a series, the landmarks beside their scan</source>
+        <translation>将场景写入其文件；在系列中则将标志点写在扫描旁边</translation>
+    </message>
+    <message>
+        <source>&amp;Save Landmarks of the Scan</source>
+        <translation>保存扫描的标志点(&amp;S)</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::WindowQuestions</name>
@@ -8417,6 +9449,22 @@ vx, vy, width, height：视口；left, right, bottom, top：投影窗口</transl
     <message>
         <source>Save the changes to %1 as a scene file? Model files are not changed.</source>
         <translation>要把对 %1 的更改保存为场景文件吗？模型文件不会改变。</translation>
+    </message>
+    <message>
+        <source>Fewer Landmarks</source>
+        <translation>标志点变少</translation>
+    </message>
+    <message>
+        <source>%1: landmarks placed in the file: %2; now: %3. Replace the saved landmarks?</source>
+        <translation>%1：文件中已放置的标志点：%2；现在：%3。要替换已保存的标志点吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>替换(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the Saved Ones</source>
+        <translation>保留已保存的(&amp;K)</translation>
     </message>
 </context>
 <context>
