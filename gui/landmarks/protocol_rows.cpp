@@ -56,12 +56,14 @@ ShownMeasure shownOf(MeasureKind kind, std::vector<std::size_t> indices)
     return {Shape::Polyline, std::move(indices), {}};
 }
 
-MeasureKind kindOf(const ShownMeasure &shown)
+/// Nothing for a mirror plane: it depends on all landmarks.
+std::optional<MeasureKind> kindOf(const ShownMeasure &shown)
 {
     switch (shown.shape) {
     case Shape::Angle: return MeasureKind::Angle;
     case Shape::Height: return MeasureKind::Height;
     case Shape::Surface: return MeasureKind::Surface;
+    case Shape::Mirror: return std::nullopt;
     case Shape::Polyline: break;
     }
     return shown.points.size() == 2 ? MeasureKind::Distance : MeasureKind::Length;
@@ -154,8 +156,11 @@ QString protocolTip(const KeptMeasure &measure, const LandmarkSet &set)
 
 std::optional<KeptMeasure> keptMeasureOf(const ShownMeasure &shown, const LandmarkSet &set)
 {
+    const std::optional<MeasureKind> kind = kindOf(shown);
+    if (!kind)
+        return std::nullopt;
     KeptMeasure measure;
-    measure.kind = kindOf(shown);
+    measure.kind = *kind;
     std::vector<std::size_t> points = shown.points;
     if (measure.kind == MeasureKind::Angle)
         std::swap(points[0], points[1]); // the vertex is the second one
