@@ -13,7 +13,7 @@ struct PixelEdge {
     /// The surface on the other side: its object, an index in the scene's list. Nothing: the
     /// background.
     std::optional<std::size_t> object;
-    /// How far behind the hit of the position the other surface lies, along the ray, world units;
+    /// The distance of the other surface behind the hit of the position, along the ray, world units;
     /// negative before it. 0 for the background, and if the position itself hits nothing.
     double behind = 0.0;
     /// The largest difference of each coordinate, along the ray, from the hit to the surfaces on

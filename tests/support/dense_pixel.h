@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -47,9 +48,8 @@ public:
     /// The distance along the ray in widths of a pixel there; infinity on the background.
     double distanceAt(const Place &place) const
     {
-        using namespace unprojector;
-        const auto ray = m_rays.rays().at(geometry::DevicePoint(place.x, place.y));
-        const std::optional<ray::FirstTriangle> first = m_rays.firstTriangle(*ray);
+        const auto ray = m_rays.rays().at(unprojector::geometry::DevicePoint(place.x, place.y));
+        const std::optional<unprojector::ray::FirstTriangle> first = m_rays.firstTriangle(*ray);
         return first ? first->hit.t * length(ray->along) / m_pixel : std::numeric_limits<double>::infinity();
     }
 

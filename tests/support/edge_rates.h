@@ -23,31 +23,35 @@ struct EdgeRates {
 inline EdgeRates edgeRates(const std::shared_ptr<const unprojector::mesh::Model> &model, int views, int pixelsPerView,
                            std::uint64_t seed, int perSide = 64)
 {
-    using namespace unprojector;
-    using namespace unprojector::geometry;
     EdgeRates rates;
     std::mt19937_64 engine(seed);
     std::normal_distribution<double> normal;
-    const auto caster = ray::RayCaster::build(model, {});
-    const std::vector<scene::SceneObject> objects{{"model", {}, model, {}}};
-    const Surface surface{800, 600, 1.0};
+    const auto caster = unprojector::ray::RayCaster::build(model, {});
+    const std::vector<unprojector::scene::SceneObject> objects{{"model", {}, model, {}}};
+    const unprojector::geometry::Surface surface{800, 600, 1.0};
     const glm::dvec3 center = model->bounds.center();
     const double size = model->bounds.diagonal();
     for (int view = 0; view < views; ++view) {
         const glm::dvec3 side = glm::normalize(glm::dvec3(normal(engine), normal(engine), normal(engine)));
         const glm::dvec3 up = std::abs(side.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
         const glm::dvec3 eye = center + 1.2 * size * side;
-        const Projection projection =
-            view % 3 == 2 ? Projection(Ortho{-0.6 * size, 0.6 * size, -0.45 * size, 0.45 * size, 0.1 * size, 3 * size})
-                          : Projection(Perspective{radiansFromDegrees(40.0), 4.0 / 3.0, 0.1 * size, 3 * size});
-        const Setup setup{surface,
-                          wholeSurface(surface),
-                          {},
-                          projection,
-                          LookAt{WorldPoint(eye), WorldPoint(center), WorldVector(up)}};
-        const ray::SceneRays rays(*unproject::Unprojector::of(setup), objects, {{caster}}, {});
+        const unprojector::geometry::Projection projection =
+            view % 3 == 2 ? unprojector::geometry::Projection(
+                unprojector::geometry::Ortho{-0.6 * size, 0.6 * size, -0.45 * size, 0.45 * size, 0.1 * size, 3 * size})
+                          : unprojector::geometry::Projection(unprojector::geometry::Perspective{
+                              unprojector::geometry::radiansFromDegrees(40.0), 4.0 / 3.0, 0.1 * size, 3 * size});
+        const unprojector::geometry::Setup setup{
+            surface,
+            unprojector::geometry::wholeSurface(surface),
+            {},
+            projection,
+            unprojector::geometry::LookAt{unprojector::geometry::WorldPoint(eye),
+                                          unprojector::geometry::WorldPoint(center),
+                                          unprojector::geometry::WorldVector(up)}};
+        const unprojector::ray::SceneRays rays(*unprojector::unproject::Unprojector::of(setup), objects, {{caster}},
+                                               {});
         DensePixel dense(rays);
-        dense.setPixel(pixelFootprint(setup, 1.2 * size).x);
+        dense.setPixel(unprojector::geometry::pixelFootprint(setup, 1.2 * size).x);
         int besideEdges = 0, anywhere = 0;
         for (int tries = 0; tries < 200'000 && besideEdges + anywhere < 2 * pixelsPerView; ++tries) {
             const glm::dvec2 at(double(engine() % 796) + 2.5, double(engine() % 596) + 2.5);
@@ -59,10 +63,10 @@ inline EdgeRates edgeRates(const std::shared_ptr<const unprojector::mesh::Model>
             if (count >= pixelsPerView)
                 continue;
             ++count;
-            const DevicePoint position(at.x, at.y);
-            const std::optional<ray::SceneHit> hit = *rays.at(position);
+            const unprojector::geometry::DevicePoint position(at.x, at.y);
+            const std::optional<unprojector::ray::SceneHit> hit = *rays.at(position);
             const auto start = std::chrono::steady_clock::now();
-            const std::optional<ray::PixelEdge> edge = ray::edgeInPixel(rays, position, hit);
+            const std::optional<unprojector::ray::PixelEdge> edge = unprojector::ray::edgeInPixel(rays, position, hit);
             rates.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
             ++rates.searched;
             const double step = dense.largestStep(at, 0.5, perSide);
@@ -74,7 +78,7 @@ inline EdgeRates edgeRates(const std::shared_ptr<const unprojector::mesh::Model>
                 rates.wronglyFound += edge ? 1 : 0;
             }
             if (edge && edge->object) {
-                const double told = here + edge->behind / pixelFootprint(setup, 1.2 * size).x;
+                const double told = here + edge->behind / unprojector::geometry::pixelFootprint(setup, 1.2 * size).x;
                 bool isThere = false;
                 for (int j = 0; j <= perSide && !isThere; ++j) {
                     for (int i = 0; i <= perSide && !isThere; ++i)
