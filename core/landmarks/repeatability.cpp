@@ -281,6 +281,7 @@ MeasurementError measurementErrorOf(std::span<const std::vector<LandmarkSet>> sp
     }
     const DistinctNames distinct = distinctNames(sets);
     const std::size_t landmarks = distinct.names.size();
+    MeasurementError found;
     std::vector<std::vector<Repeats>> ofLandmarks(landmarks); ///< for each landmark, the specimens with it
     std::vector<std::vector<Repeats>> ofSpecimens;
     std::vector<Configuration> means;
@@ -289,13 +290,17 @@ MeasurementError measurementErrorOf(std::span<const std::vector<LandmarkSet>> sp
         ofSpecimens.push_back(repeatsOf(specimen, places.first(specimen.size()), landmarks));
         places = places.subspan(specimen.size());
         Configuration &mean = means.emplace_back(landmarks);
+        const auto isRepeated = [](const Repeats &repeats) { return repeats.placings.size() > 1; };
+        if (std::any_of(ofSpecimens.back().begin(), ofSpecimens.back().end(), isRepeated)) {
+            ++found.all.specimens;
+            found.all.placings += specimen.size();
+        }
         for (std::size_t k = 0; k < landmarks; ++k) {
             if (!ofSpecimens.back()[k].placings.empty())
                 mean[k] = ofSpecimens.back()[k].mean;
         }
     }
     const Superimposition aligned = superimposed(means);
-    MeasurementError found;
     found.placings.assign(placings.begin(), placings.end());
     found.specimens = specimens.size();
     for (std::size_t i = 0; i < ofSpecimens.size(); ++i) {
@@ -313,7 +318,6 @@ MeasurementError measurementErrorOf(std::span<const std::vector<LandmarkSet>> sp
         LandmarkError &error = found.landmarks.emplace_back();
         error.name = distinct.names[k];
         for (const Repeats &specimen : ofLandmarks[k]) {
-            error.complete += isComplete(specimen, found.placings) ? 1U : 0U;
             if (specimen.placings.size() < 2)
                 continue;
             ++error.specimens;
@@ -324,9 +328,6 @@ MeasurementError measurementErrorOf(std::span<const std::vector<LandmarkSet>> sp
         for (std::size_t j = 0; j < found.placings.size(); ++j)
             error.byPlacing[j].bias = biasOf(ofLandmarks[k], found.placings, j);
         all.add(sums);
-        found.all.specimens += error.specimens;
-        found.all.placings += error.placings;
-        found.all.complete += error.complete;
     }
     takeSums(found.all, all, found.placings);
     return found;

@@ -28,9 +28,8 @@ struct PlacingError {
 /// The error of measurement of one landmark, or of all.
 struct LandmarkError {
     std::string name;          ///< empty: all landmarks together
-    std::size_t specimens = 0; ///< with two placings or more; for all landmarks the sum
+    std::size_t specimens = 0; ///< with two placings or more; for all landmarks, of any of them
     std::size_t placings = 0;  ///< of these specimens
-    std::size_t complete = 0;  ///< specimens with all placings
     /// The standard deviation of one placing, all three coordinates together, pooled over the
     /// specimens: the technical error of measurement.
     ///

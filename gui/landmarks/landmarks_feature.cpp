@@ -173,9 +173,10 @@ void LandmarksFeature::addSeriesActions(QMenu &menu)
     QAction *previous =
         addAction(menu, tr("&Previous Scan"), Qt::CTRL | Qt::Key_PageUp,
                   tr("Keep the landmarks and show the previous scan"), [this] { m_series->previous(); });
-    QAction *repeats = addAction(menu, tr("&Repeats…"), {},
-                                 tr("Write the mean and the scatter of each landmark's placings to a table"),
-                                 [this] { m_seriesPanel->exportRepeats(); });
+    QAction *repeats =
+        addAction(menu, tr("&Repeats…"), {},
+                  tr("Show how well each landmark is repeated: its error of measurement over all placings"),
+                  [this] { m_seriesPanel->showRepeats(); });
     QAction *close = addAction(menu, tr("&Close Series"), {}, tr("Keep the landmarks and leave the series"), [this] {
         if (m_series->close())
             m_window.workspaces().dock(Panel::Series).hide();

@@ -114,7 +114,9 @@ LandmarksPanel::LandmarksPanel(SceneDocument &document, LandmarkTemplates &templ
     m_parts->setChildrenCollapsible(false);
     m_parts->addWidget(list);
     m_parts->addWidget(m_curves);
-    m_parts->addWidget(new MeasuresView(document));
+    auto *measures = new MeasuresView(document);
+    connect(measures, &MeasuresView::warned, this, &LandmarksPanel::warned);
+    m_parts->addWidget(measures);
     layout->addWidget(m_parts, 1);
     connect(m_parts, &QSplitter::splitterMoved, this, [this] { m_isPartedByUser = true; });
     connect(m_curves, &CurvesView::shownOrHidden, this, &LandmarksPanel::partHeight,

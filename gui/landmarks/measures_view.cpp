@@ -1,19 +1,25 @@
 #include "gui/landmarks/measures_view.h"
 
+#include "core/files/replace_file.h"
+#include "core/landmark_files/measures_file.h"
 #include "gui/document/scene_curves.h"
 #include "gui/document/scene_document.h"
 #include "gui/document/scene_edits.h"
 #include "gui/landmarks/measure_rows.h"
+#include "gui/landmarks/protocol_rows.h"
 #include "gui/text/error_text.h"
 #include "gui/widgets/copy_menu.h"
+#include "gui/widgets/save_name.h"
 #include "gui/widgets/segmented_switch.h"
 
 #include <QComboBox>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -27,8 +33,10 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
           tr("Measured quantity"),
           {{tr("Selected"), tr("Distances, angles and heights of the selected landmarks")},
            {tr("Left and Right"),
-            tr("Landmarks whose names differ only in left and right, and the plane that mirrors them best")}})),
-      m_unit(new QComboBox), m_rows(new QTreeWidget), m_empty(new QLabel)
+            tr("Landmarks whose names differ only in left and right, and the plane that mirrors them best")},
+           {tr("Protocol"), tr("Kept measures: each is measured on every scan of a series, and a column of its "
+                               "tables")}})),
+      m_keep(new QToolButton), m_unit(new QComboBox), m_rows(new QTreeWidget), m_empty(new QLabel)
 {
     m_rows->setAccessibleName(tr("Measures"));
     m_rows->setRootIsDecorated(false);
@@ -39,9 +47,12 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     m_rows->setToolTip(tr("Select a measure to show it in the view; select it again to hide it"));
     connect(m_rows, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem *item) {
         const QString kind = item->text(0);
-        const bool isAgain = m_chosen && *m_chosen == m_rows->indexOfTopLevelItem(item);
+        const int row = m_rows->indexOfTopLevelItem(item);
+        const bool isAgain = m_chosen == row;
+        if (m_what->choice() == OfProtocol)
+            selectLandmarksOf(static_cast<std::size_t>(row)); // replaces the items
         m_chosenKind = isAgain ? QString() : kind;
-        m_chosen = isAgain ? std::nullopt : std::optional(m_rows->indexOfTopLevelItem(item));
+        m_chosen = isAgain ? std::nullopt : std::optional(row);
         showChosen();
     });
     connect(m_rows, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem *item) { // Enter
@@ -61,6 +72,19 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     m_unit->setToolTip(tr("Length of a world unit of this scene; coordinates are not converted"));
     connect(m_unit, &QComboBox::activated, this, &MeasuresView::setUnit);
     connect(m_what, &SegmentedSwitch::chosen, this, [this] { showRows(); });
+    m_rows->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    connect(m_rows, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem *item, int column) {
+        if (m_what->choice() == OfProtocol && column == 0)
+            m_rows->editItem(item, 0);
+    });
+    connect(m_rows, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem *item) { rename(*item); });
+    m_keep->setFocusPolicy(Qt::StrongFocus);
+    m_keep->setPopupMode(QToolButton::MenuButtonPopup);
+    auto *files = new QMenu(m_keep);
+    files->addAction(tr("&Load Protocol…"), this, &MeasuresView::loadProtocol);
+    files->addAction(tr("&Save Protocol…"), this, &MeasuresView::saveProtocol);
+    m_keep->setMenu(files);
+    connect(m_keep, &QToolButton::clicked, this, &MeasuresView::keepOrRemove);
     connect(&m_document, &SceneDocument::changed, this, [this](Changes changes) {
         if (changes & Change::Landmarks)
             showUnit();
@@ -74,6 +98,7 @@ MeasuresView::MeasuresView(SceneDocument &document, QWidget *parent)
     auto *line = new QHBoxLayout;
     line->addWidget(m_what);
     line->addStretch();
+    line->addWidget(m_keep);
     line->addWidget(m_unit);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -111,6 +136,8 @@ std::vector<MeasureRow> MeasuresView::rows() const
     if (m_what->choice() == OfSides)
         return sidesOf(set);
     const std::vector<std::size_t> &selection = m_document.sceneLandmarks().selection();
+    if (m_what->choice() == OfProtocol)
+        return protocolRows(set, selection, m_document.curves().throughSelected());
     std::vector<MeasureRow> rows = measuresOf(set, selection);
     if (const SceneCurves::Line *line = m_document.curves().throughSelected())
         rows.push_back(surfaceLengthOf(set, selection, *line));
@@ -120,6 +147,7 @@ std::vector<MeasureRow> MeasuresView::rows() const
 void MeasuresView::showRows()
 {
     const bool isSides = m_what->choice() == OfSides;
+    const bool isProtocol = m_what->choice() == OfProtocol;
     const QSignalBlocker blocker(m_rows);
     constexpr int kPlaneRows = 2; // the plane, and its landmarks
     m_listed = rows();
@@ -127,6 +155,8 @@ void MeasuresView::showRows()
     for (const MeasureRow &row : m_listed) {
         auto *item = new QTreeWidgetItem(m_rows, {row.kind, row.points, row.value});
         item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+        if (isProtocol)
+            item->setFlags(item->flags() | Qt::ItemIsEditable);
         QString tip =
             tr("%1 %2: %3", "what is measured, of which points, its value").arg(row.kind, row.points, row.value);
         if (row.shown && row.shown->shape == ShownMeasure::Shape::Surface)
@@ -144,7 +174,8 @@ void MeasuresView::showRows()
     m_empty->setText(
         isSides ? tr(
             "No pairs. Give landmarks names that differ only in “left” and “right”, as “eye left” and “eye right”.")
-                : tr("Select two or more landmarks to measure between them."));
+        : isProtocol ? tr("No measures kept yet. Select landmarks, choose a measure under Selected, and press Keep.")
+                     : tr("Select two or more landmarks to measure between them."));
     m_empty->setVisible(m_listed.empty());
     m_rows->setVisible(!m_listed.empty());
     layout()->activate();
@@ -184,6 +215,7 @@ void MeasuresView::showChosen()
         if (shown)
             shown->text = row.value;
     }
+    showProtocolButton();
     m_rows->clearSelection();
     if (m_chosen)
         m_rows->topLevelItem(*m_chosen)->setSelected(true);
@@ -201,8 +233,122 @@ void MeasuresView::showMenu(const QPoint &place)
 {
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (QTreeWidgetItem *item = m_rows->itemAt(place); item && m_what->choice() == OfProtocol)
+        menu->addAction(tr("&Rename"), m_rows, [rows = m_rows, index = m_rows->indexOfTopLevelItem(item)] {
+            if (QTreeWidgetItem *named = rows->topLevelItem(index))
+                rows->editItem(named, 0);
+        });
     menu->addAction(tr("Copy as C&SV"), this, [this] { copyToClipboard(csv()); });
     menu->popup(m_rows->viewport()->mapToGlobal(place));
+}
+
+// ---- the protocol -------------------------------------------------------------------------------
+
+const std::vector<landmarks::KeptMeasure> &MeasuresView::protocol() const
+{
+    return m_document.scene().landmarks.measures;
+}
+
+void MeasuresView::editProtocol(std::vector<landmarks::KeptMeasure> measures, const QString &text)
+{
+    landmarks::LandmarkSet set = m_document.scene().landmarks;
+    set.measures = std::move(measures);
+    static_cast<void>(editLandmarkSet(m_document, std::move(set), {text}));
+}
+
+void MeasuresView::showProtocolButton()
+{
+    const bool isProtocol = m_what->choice() == OfProtocol;
+    m_keep->setVisible(m_what->choice() != OfSides);
+    m_keep->setText(isProtocol ? tr("Remove") : tr("Keep"));
+    m_keep->setToolTip(isProtocol ? tr("Remove the chosen measure from the protocol")
+                                  : tr("Keep the chosen measure in the protocol"));
+}
+
+void MeasuresView::keepOrRemove()
+{
+    std::vector<landmarks::KeptMeasure> measures = protocol();
+    if (!m_chosen) {
+        emit warned(tr("Choose a measure in the list first."));
+        return;
+    }
+    const auto index = static_cast<std::size_t>(*m_chosen);
+    if (m_what->choice() == OfProtocol) {
+        const QString name = QString::fromStdString(measures[index].name);
+        measures.erase(measures.begin() + *m_chosen);
+        editProtocol(std::move(measures), tr("Remove measure %1").arg(name));
+        return;
+    }
+    const std::optional<ShownMeasure> &shown = m_listed[index].shown;
+    std::optional<landmarks::KeptMeasure> kept =
+        shown ? keptMeasureOf(*shown, m_document.scene().landmarks) : std::nullopt;
+    if (!kept) {
+        emit warned(shown ? tr("A kept measure knows its landmarks by name. Give each of them a name of its own.")
+                          : tr("This measure has no value yet, so it cannot be kept."));
+        return;
+    }
+    const QString name = QString::fromStdString(kept->name);
+    measures.push_back(std::move(*kept));
+    editProtocol(std::move(measures), tr("Keep measure %1").arg(name));
+}
+
+void MeasuresView::rename(QTreeWidgetItem &item)
+{
+    std::vector<landmarks::KeptMeasure> measures = protocol();
+    const auto index = static_cast<std::size_t>(m_rows->indexOfTopLevelItem(&item));
+    if (m_what->choice() != OfProtocol || index >= measures.size())
+        return;
+    const std::string name = item.text(0).trimmed().toStdString();
+    const bool isTaken = std::any_of(measures.begin(), measures.end(),
+                                     [&name](const landmarks::KeptMeasure &other) { return other.name == name; });
+    if (name.empty() || isTaken) {
+        if (isTaken && name != measures[index].name)
+            emit warned(tr("There is a measure of this name already."));
+        showRows();
+        return;
+    }
+    measures[index].name = name;
+    m_chosenKind = QString::fromStdString(name);
+    editProtocol(std::move(measures), tr("Rename measure"));
+}
+
+void MeasuresView::loadProtocol()
+{
+    const QString name =
+        QFileDialog::getOpenFileName(this, tr("Load Protocol"), {}, tr("Protocol (%1)").arg(QStringLiteral("*.csv")));
+    if (name.isEmpty())
+        return;
+    auto read = landmark_files::readMeasures(std::filesystem::path(name.toStdU16String()));
+    if (!read) {
+        emit warned(QString::fromStdString(landmark_files::errorText(read.error())));
+        return;
+    }
+    m_what->setChoice(OfProtocol);
+    editProtocol(std::move(read).value(), tr("Load protocol"));
+}
+
+void MeasuresView::saveProtocol()
+{
+    const std::filesystem::path file =
+        askSaveName(*this, tr("Save Protocol"), {tr("Protocol (%1)").arg(QStringLiteral("*.csv"))},
+                    QStringLiteral("protocol.measures.csv"))
+            .file;
+    if (file.empty())
+        return;
+    if (const files::Written written = files::replaceFile(file, landmark_files::measuresText(protocol())); !written)
+        emit warned(QStringLiteral("%1: %2").arg(pathText(file),
+                                                 QString::fromStdString(files::fileErrorText(written.error()))));
+}
+
+void MeasuresView::selectLandmarksOf(std::size_t row)
+{
+    if (row >= protocol().size())
+        return;
+    std::vector<std::size_t> indices = indicesOf(protocol()[row], m_document.scene().landmarks);
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    if (!indices.empty())
+        m_document.sceneLandmarks().select(indices);
 }
 
 } // namespace unprojector::gui

@@ -10,7 +10,9 @@
 
 class QComboBox;
 class QLabel;
+class QToolButton;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace unprojector::gui {
 
@@ -18,7 +20,8 @@ class SceneDocument;
 class SegmentedSwitch;
 
 /// The measures of the selected landmarks, each with the error that follows from their
-/// uncertainties; or the symmetry of left and right. The view shows the chosen measure, and the
+/// uncertainties; the symmetry of left and right; or the protocol, the measures that the scene keeps.
+/// The view shows the chosen measure, and the
 /// corresponding one after another selection.
 class MeasuresView : public QWidget {
     Q_OBJECT
@@ -28,11 +31,15 @@ public:
     /// The shown rows, with all digits.
     QString csv() const;
 
+signals:
+    /// Emitted when a measure cannot be kept or a protocol cannot be read or written.
+    void warned(const QString &text);
+
 protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    enum Shown { OfSelection, OfSides };
+    enum Shown { OfSelection, OfSides, OfProtocol };
 
     std::vector<MeasureRow> rows() const;
     void showRows();
@@ -44,8 +51,21 @@ private:
     void setUnit(int index);
     void showMenu(const QPoint &place);
 
+    // The protocol.
+    const std::vector<landmarks::KeptMeasure> &protocol() const;
+    void editProtocol(std::vector<landmarks::KeptMeasure> measures, const QString &text);
+    void showProtocolButton();
+    /// Keeps the chosen measure; in the protocol, removes it.
+    void keepOrRemove();
+    void rename(QTreeWidgetItem &item);
+    void loadProtocol();
+    void saveProtocol();
+    /// Selects the landmarks of a row of the protocol, so that the view shows them.
+    void selectLandmarksOf(std::size_t row);
+
     SceneDocument &m_document;
     SegmentedSwitch *m_what;
+    QToolButton *m_keep;
     QComboBox *m_unit;
     QTreeWidget *m_rows;
     QLabel *m_empty;

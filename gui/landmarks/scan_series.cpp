@@ -176,6 +176,7 @@ bool ScanSeries::open(const std::filesystem::path &folder)
         readKept(scan, m_placing);
         m_names = landmarks::withTemplate(std::move(m_names), scan.points.landmarks);
     }
+    openProtocol();
     if (m_names.empty()) // the scene's names to place define the series
         m_names = landmarks::withTemplate({}, m_document.landmarks());
     const auto unfinished = std::find_if(m_scans.begin(), m_scans.end(), [this](const Scan &scan) {
@@ -188,6 +189,12 @@ bool ScanSeries::open(const std::filesystem::path &folder)
     return true;
 }
 
+void ScanSeries::openProtocol()
+{
+    if (const QString problem = m_protocol.open(m_folder, m_document.scene().landmarks.measures); !problem.isEmpty())
+        emit warned(problem);
+}
+
 bool ScanSeries::close()
 {
     if (!keep())
@@ -196,6 +203,7 @@ bool ScanSeries::close()
     m_scans.clear();
     m_names.clear();
     m_curves.clear();
+    m_protocol.close();
     m_current = m_inView = m_shown = std::nullopt;
     m_former.reset();
     m_aside.reset();
@@ -216,6 +224,7 @@ void ScanSeries::goBack()
     m_aside = m_former->aside;
     m_placing = m_former->placing;
     m_former.reset();
+    openProtocol();
 }
 
 QStringList ScanSeries::landmarkNames() const
@@ -306,6 +315,7 @@ void ScanSeries::takeShown()
     scan.points = set;
     if (std::optional<landmarks::LandmarkSet> placed = transformed(set, inFile, m_object))
         set = std::move(*placed);
+    set.measures = m_protocol.measures();
     static_cast<void>(editLandmarkSet(m_document, std::move(set), {tr("Landmarks of the scan")}));
     // The saved landmarks are the starting point: undo goes back no further.
     m_document.undoStack().clear();
@@ -337,6 +347,8 @@ void ScanSeries::comeBack()
 
 bool ScanSeries::takeLandmarks(landmarks::LandmarkSet set)
 {
+    if (const QString problem = m_protocol.take(std::exchange(set.measures, {})); !problem.isEmpty())
+        emit failed(problem);
     Scan &scan = m_scans[*m_shown];
     for (const SceneObject &object : m_document.objects()) {
         if (object.file == m_object.file) {
@@ -469,11 +481,23 @@ bool ScanSeries::mayPlaceAs(int placing)
     return m_shown || !m_document.isEdited() || m_session.mayLeave();
 }
 
+std::optional<SeriesRepeats> ScanSeries::repeats()
+{
+    if (!keep())
+        return std::nullopt;
+    SeriesRepeats found = repeatsIn(m_scans);
+    if (const auto table = errorsTable(found.specimens); !table) { // placings in several units
+        emit failed(QString::fromStdString(errorText(table.error())));
+        return std::nullopt;
+    }
+    return found;
+}
+
 bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
 {
     if (!keep())
         return false;
-    const auto written = writeSeries(file, table, m_scans, m_names);
+    const auto written = writeSeries(file, table, {m_scans, m_names, measures(), m_placing, m_waiting});
     if (!written) {
         emit failed(written.error());
         return false;

@@ -3,6 +3,7 @@
 #include "core/files/file_stamp.h"
 #include "core/landmarks/landmark.h"
 #include "core/scene/scene.h"
+#include "gui/landmarks/series_protocol.h"
 #include "gui/landmarks/series_table.h"
 
 #include <QObject>
@@ -11,6 +12,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -19,8 +21,7 @@ namespace unprojector::gui {
 class SceneDocument;
 class Session;
 
-/// The largest number of placings of a series.
-inline constexpr int kMostPlacings = 99;
+using landmarks::kMostPlacings;
 
 /// A scan of a series, with its landmarks.
 struct Scan {
@@ -79,6 +80,15 @@ public:
     /// Saves the landmarks of the present scan beside it, if they have changed.
     /// @return false after `failed`
     bool keep();
+    /// The measures that the series keeps, see SeriesProtocol.
+    const std::vector<landmarks::KeptMeasure> &measures() const { return m_protocol.measures(); }
+    /// The placings of all scans, after those of the present scan are saved; nothing after `failed`.
+    std::optional<SeriesRepeats> repeats();
+    /// Sets a callback that shows the progress of a long export and returns false to cancel it.
+    void setWaiting(std::function<bool(std::size_t done, std::size_t count)> waiting)
+    {
+        m_waiting = std::move(waiting);
+    }
     /// @return false after `failed`
     bool exportTable(const std::filesystem::path &file, Table table);
 
@@ -110,6 +120,8 @@ private:
     /// Copies the scene's landmarks to the present scan.
     /// @return false if they have no finite coordinates in its file
     bool takeLandmarks(landmarks::LandmarkSet set);
+    /// Opens the folder's protocol, or that of the scene.
+    void openProtocol();
     /// Returns whether the landmarks of the present scan are the saved ones. @pre m_shown
     bool isAsKept() const;
     /// Returns to the former series, whose scan is still in the view. @pre m_former
@@ -145,6 +157,8 @@ private:
     files::FileStamp m_stamp;             ///< of their file at that time
     int m_placing = 1;
     std::optional<PreviousSeries> m_former;
+    SeriesProtocol m_protocol;
+    std::function<bool(std::size_t, std::size_t)> m_waiting;
     bool m_wasAsked = false; ///< leaving the former scene was asked about since this scan is loading
 };
 

@@ -1,5 +1,6 @@
 #include "gui/landmarks/series_model.h"
 
+#include "gui/landmarks/protocol_rows.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/text/error_text.h"
 
@@ -13,19 +14,20 @@
 namespace unprojector::gui {
 
 SeriesModel::SeriesModel(ScanSeries &series, QObject *parent)
-    : QAbstractTableModel(parent), m_series(series), m_names(series.landmarkNames()),
+    : QAbstractTableModel(parent), m_series(series), m_names(series.landmarkNames()), m_measures(series.measures()),
       m_rows(static_cast<int>(series.scans().size()))
 {
     connect(&m_series, &ScanSeries::changed, this, [this] {
         QStringList names = m_series.landmarkNames();
         const int rows = static_cast<int>(m_series.scans().size());
-        if (names == m_names && rows == m_rows) {
+        if (names == m_names && rows == m_rows && m_measures == m_series.measures()) {
             if (rows > 0)
                 emit dataChanged(index(0, 0), index(rows - 1, columnCount() - 1));
             return;
         }
         beginResetModel();
         m_names = std::move(names);
+        m_measures = m_series.measures();
         m_rows = rows;
         endResetModel();
     });
@@ -38,7 +40,13 @@ int SeriesModel::rowCount(const QModelIndex &parent) const
 
 int SeriesModel::columnCount(const QModelIndex &parent) const
 {
-    return parent.isValid() ? 0 : FirstLandmark + static_cast<int>(m_names.size());
+    return parent.isValid() ? 0 : FirstLandmark + static_cast<int>(m_names.size() + m_measures.size());
+}
+
+const landmarks::KeptMeasure *SeriesModel::measureOf(int column) const
+{
+    const auto index = static_cast<std::size_t>(column - FirstLandmark) - static_cast<std::size_t>(m_names.size());
+    return column >= FirstLandmark && index < m_measures.size() ? &m_measures[index] : nullptr;
 }
 
 QVariant SeriesModel::text(const QModelIndex &index) const
@@ -48,6 +56,8 @@ QVariant SeriesModel::text(const QModelIndex &index) const
         return pathText(scan.file.filename());
     if (index.column() == Placed)
         return scan.problem.isEmpty() ? tr("%1 of %2").arg(scan.placedCount()).arg(m_names.size()) : tr("not read");
+    if (const landmarks::KeptMeasure *measure = measureOf(index.column()))
+        return protocolText(*measure, scan.points);
     const QString &name = m_names[index.column() - FirstLandmark];
     const auto &points = scan.points.landmarks;
     const auto found = std::find_if(points.begin(), points.end(), [&](const landmarks::Landmark &landmark) {
@@ -68,6 +78,8 @@ QVariant SeriesModel::data(const QModelIndex &index, int role) const
     switch (role) {
     case Qt::DisplayRole: return text(index);
     case Qt::ToolTipRole:
+        if (const landmarks::KeptMeasure *measure = measureOf(index.column()))
+            return plainToolTip(protocolTip(*measure, scan.points));
         return plainToolTip(scan.problem.isEmpty() ? pathText(scan.file) : pathText(scan.file) + u'\n' + scan.problem);
     case Qt::FontRole: {
         QFont font = QGuiApplication::font();
@@ -90,6 +102,8 @@ QVariant SeriesModel::headerData(int section, Qt::Orientation orientation, int r
         return tr("Scan");
     if (section == Placed)
         return tr("Placed");
+    if (const landmarks::KeptMeasure *measure = measureOf(section))
+        return QString::fromStdString(measure->name);
     return m_names.value(section - FirstLandmark);
 }
 

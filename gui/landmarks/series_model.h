@@ -1,13 +1,18 @@
 #pragma once
 
+#include "core/landmarks/landmark.h"
+
 #include <QAbstractTableModel>
 #include <QStringList>
+
+#include <vector>
 
 namespace unprojector::gui {
 
 class ScanSeries;
 
-/// The scans of a series, one a row: its name, the number of placed landmarks, and which ones.
+/// The scans of a series, one a row: its name, the number of placed landmarks, and which ones; then the
+/// measures of the protocol.
 class SeriesModel : public QAbstractTableModel {
     Q_OBJECT
 public:
@@ -22,9 +27,12 @@ public:
 
 private:
     QVariant text(const QModelIndex &index) const;
+    /// The measure of a column; null for another column.
+    const landmarks::KeptMeasure *measureOf(int column) const;
 
     ScanSeries &m_series;
     QStringList m_names;
+    std::vector<landmarks::KeptMeasure> m_measures;
     int m_rows = 0;
 };
 

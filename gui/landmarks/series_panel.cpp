@@ -1,8 +1,11 @@
 #include "gui/landmarks/series_panel.h"
 
+#include "core/landmark_files/repeats_table.h"
+#include "gui/landmarks/repeats_dialog.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/landmarks/series_model.h"
 #include "gui/text/error_text.h"
+#include "gui/text/sentences.h"
 #include "gui/widgets/elided_label.h"
 #include "gui/widgets/save_name.h"
 
@@ -10,6 +13,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QProgressDialog>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
@@ -45,8 +49,9 @@ SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     set(m_previous, tr("Previous"), tr("Keep the landmarks and show the previous scan (Ctrl+PgUp)"));
     set(m_next, tr("Next"), tr("Keep the landmarks and show the next scan (Ctrl+PgDown)"));
     set(m_export, tr("Export…"), tr("Write the landmarks of all scans to one table"));
-    set(m_repeats, tr("Repeats…"), tr("Write the mean and the scatter of each landmark's placings to a table"));
-    connect(m_repeats, &QToolButton::clicked, this, &SeriesPanel::exportRepeats);
+    set(m_repeats, tr("Repeats…"),
+        tr("Show how well each landmark is repeated: its error of measurement over all placings"));
+    connect(m_repeats, &QToolButton::clicked, this, &SeriesPanel::showRepeats);
     connect(m_open, &QToolButton::clicked, this, &SeriesPanel::chooseFolder);
     connect(m_previous, &QToolButton::clicked, &m_series, &ScanSeries::previous);
     connect(m_next, &QToolButton::clicked, &m_series, &ScanSeries::next);
@@ -76,7 +81,13 @@ SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     layout->addLayout(buttons);
     const int digit = fontMetrics().horizontalAdvance(u'0');
     m_scans->header()->resizeSection(SeriesModel::Scan, 20 * digit);
+    m_series.setWaiting([this](std::size_t done, std::size_t count) { return goesOn(done, count); });
     refresh();
+}
+
+SeriesPanel::~SeriesPanel()
+{
+    m_series.setWaiting({});
 }
 
 QSize SeriesPanel::minimumSizeHint() const
@@ -121,14 +132,51 @@ void SeriesPanel::exportTable()
     const SaveName named = askSaveName(*this, tr("Export Landmarks of All Scans"), filters);
     if (!named.file.empty())
         m_series.exportTable(named.file, kinds[static_cast<std::size_t>(named.filter)].first);
+    m_progress.reset();
 }
 
-void SeriesPanel::exportRepeats()
+bool SeriesPanel::goesOn(std::size_t done, std::size_t count)
 {
-    const SaveName named = askSaveName(*this, tr("Repeats: Mean and Error of All Placings"),
-                                       {tr("Table (%1)").arg(QStringLiteral("*.csv"))});
-    if (!named.file.empty())
-        m_series.exportTable(named.file, ScanSeries::Table::Repeats);
+    if (!m_progress) {
+        m_progress = std::make_unique<QProgressDialog>(tr("Measuring along the surfaces…"), tr("Cancel"), 0,
+                                                       static_cast<int>(count), this);
+        m_progress->setWindowTitle(tr("Export"));
+        m_progress->setWindowModality(Qt::ApplicationModal);
+        m_progress->setAutoReset(false);
+    }
+    m_progress->setValue(static_cast<int>(done)); // processes events
+    return !m_progress->wasCanceled();
+}
+
+void SeriesPanel::showRepeats()
+{
+    const std::optional<SeriesRepeats> repeats = m_series.repeats();
+    if (!repeats)
+        return;
+    const landmarks::MeasurementError error = landmark_files::measurementErrorOf(repeats->specimens);
+    QStringList remarks{repeats->summary};
+    for (const std::string &remark : landmark_files::errorRemarks(error))
+        remarks << sentence(remark);
+    remarks << repeats->problems;
+    QString unit;
+    for (const auto &specimen : repeats->specimens) {
+        for (const landmarks::LandmarkSet &placing : specimen.placings) {
+            if (unit.isEmpty())
+                unit = QString::fromStdString(placing.unit);
+        }
+    }
+    auto *dialog = new RepeatsDialog(error, unit, remarks, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    const auto save = [this](ScanSeries::Table table, const QString &title) {
+        const SaveName named = askSaveName(*this, title, {tr("Table (%1)").arg(QStringLiteral("*.csv"))});
+        if (!named.file.empty())
+            m_series.exportTable(named.file, table);
+    };
+    connect(dialog, &RepeatsDialog::errorsRequested, this,
+            [save] { save(ScanSeries::Table::Errors, tr("Repeats: Error of Each Landmark")); });
+    connect(dialog, &RepeatsDialog::meansRequested, this,
+            [save] { save(ScanSeries::Table::Repeats, tr("Repeats: Mean and Error of All Placings")); });
+    dialog->open();
 }
 
 } // namespace unprojector::gui

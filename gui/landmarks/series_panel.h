@@ -2,7 +2,11 @@
 
 #include <QWidget>
 
+#include <cstddef>
+#include <memory>
+
 class QLabel;
+class QProgressDialog;
 class QSpinBox;
 class QToolButton;
 class QTreeView;
@@ -19,17 +23,21 @@ class SeriesPanel : public QWidget {
     Q_OBJECT
 public:
     explicit SeriesPanel(ScanSeries &series, QWidget *parent = nullptr);
+    ~SeriesPanel() override;
 
     /// Asks for the folder of a series.
     /// @return whether another series was opened
     bool chooseFolder();
-    /// Asks for a file and exports the repeats of all placings.
-    void exportRepeats();
+    /// Shows the error of measurement of all placings, and exports it on request.
+    void showRepeats();
 
     QSize minimumSizeHint() const override;
 
 private:
     void exportTable();
+    /// Shows the progress of a long export.
+    /// @return false to cancel
+    bool goesOn(std::size_t done, std::size_t count);
     void refresh();
 
     ScanSeries &m_series;
@@ -42,6 +50,7 @@ private:
     QToolButton *m_export;
     QToolButton *m_repeats;
     QSpinBox *m_placing;
+    std::unique_ptr<QProgressDialog> m_progress; ///< while a table is exported
 };
 
 } // namespace unprojector::gui

@@ -1,11 +1,14 @@
 #include "gui/landmarks/series_table.h"
 
+#include "core/curves/scan_surface.h"
 #include "core/files/path_text.h"
 #include "core/files/replace_file.h"
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/landmark_folder.h"
-#include "core/landmark_files/repeats_table.h"
-#include "core/landmarks/point_template.h"
+#include "core/landmark_files/measures_file.h"
+#include "core/landmark_files/specimen_table.h"
+#include "core/landmarks/protocol.h"
+#include "core/text/translation.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/text/error_text.h"
 #include "gui/text/note_text.h"
@@ -14,6 +17,9 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -29,72 +35,104 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::SeriesTable)
 };
 
-/// The landmarks of all scans with any, all in the same order, as tables of numbers need them.
-std::vector<LandmarkSet> alignedSets(const std::vector<Scan> &scans, std::vector<Landmark> names)
+/// A scan's name in tables: without its suffix, if no other scan has that name.
+std::string nameIn(const std::vector<Scan> &scans, const Scan &scan)
 {
-    for (const Scan &scan : scans)
-        names = landmarks::withTemplate(std::move(names), scan.points.landmarks);
-    std::vector<LandmarkSet> sets;
-    for (const Scan &scan : scans) {
-        if (scan.placedCount() == 0)
-            continue;
-        LandmarkSet set = scan.points;
-        set.name = files::utf8FromPath(scan.file.stem());
-        if (std::any_of(sets.begin(), sets.end(), [&](const LandmarkSet &other) { return other.name == set.name; }))
-            set.name = files::utf8FromPath(scan.file.filename());
-        std::vector<Landmark> inOrder;
-        std::vector<Landmark> left = std::move(set.landmarks);
-        for (const Landmark &name : names) {
-            const auto found = std::find_if(left.begin(), left.end(), [&](const Landmark &landmark) {
-                return QString::fromStdString(landmark.name)
-                           .compare(QString::fromStdString(name.name), Qt::CaseInsensitive)
-                       == 0;
-            });
-            inOrder.push_back(found != left.end() ? *found : name);
-            if (found != left.end())
-                left.erase(found);
-        }
-        set.landmarks = std::move(inOrder);
-        sets.push_back(std::move(set));
-    }
-    return sets;
+    const auto count = std::count_if(scans.begin(), scans.end(),
+                                     [&scan](const Scan &other) { return other.file.stem() == scan.file.stem(); });
+    return files::utf8FromPath(count > 1 ? scan.file.filename() : scan.file.stem());
 }
 
-/// The scans with their landmarks of every placing.
-/// @param problems  read errors
-/// @param said      the data in the table, in words
-std::vector<RepeatedSpecimen> repeatedScans(const std::vector<Scan> &scans, QStringList &problems, QString &said)
+/// A scan with the landmarks of one placing as saved; nothing if it has none.
+/// @param problems  gets the error if they cannot be read
+std::optional<LandmarkSet> savedPlacing(const Scan &scan, int placing, QStringList &problems)
 {
-    std::size_t repeated = 0;
-    int most = 0;
-    std::vector<RepeatedSpecimen> specimens;
-    for (const Scan &scan : scans) {
-        RepeatedSpecimen &specimen = specimens.emplace_back();
-        specimen.name = files::utf8FromPath(scan.file.stem());
-        std::error_code error;
-        for (int placing = 1; placing <= kMostPlacings; ++placing) {
-            if (!std::filesystem::exists(landmarksBeside(scan.file, placing), error))
-                continue; // an observer who has not placed this scan
-            most = std::max(most, placing);
-            Scan placed{scan.file, {}, {}};
-            readKept(placed, placing);
-            if (placed.isDamaged) {
-                problems << placed.problem;
-                continue;
-            }
-            specimen.placings.push_back(std::move(placed.points));
-            specimen.files.push_back(files::utf8FromPath(landmarksBeside(scan.file, placing).filename()));
-        }
-        if (specimen.placings.size() > 1)
-            ++repeated;
+    std::error_code error;
+    if (!std::filesystem::exists(landmarksBeside(scan.file, placing), error))
+        return std::nullopt; // an observer who has not placed this scan
+    Scan placed{scan.file, {}, {}};
+    readKept(placed, placing);
+    if (placed.isDamaged) {
+        problems << placed.problem;
+        return std::nullopt;
     }
-    said =
-        repeated > 0
-            ? Texts::tr("Scans that were placed more than once: %1; placings up to number %2.").arg(repeated).arg(most)
-            : Texts::tr(
-                "No scan was placed more than once, so there is no scatter: set Placing to 2 and go through the "
-                "scans again.");
+    placed.points.placing = placing;
+    return std::move(placed.points);
+}
+
+/// The specimens of a table, and the file of each one's scan.
+struct Specimens {
+    std::vector<LandmarkSet> sets;
+    std::vector<std::filesystem::path> scans;
+    std::size_t scanCount = 0; ///< with any landmark
+};
+
+bool isAnyPlaced(const LandmarkSet &set)
+{
+    return std::any_of(set.landmarks.begin(), set.landmarks.end(),
+                       [](const Landmark &landmark) { return landmark.isPlaced(); });
+}
+
+/// @param hasAllPlacings  else only the shown one
+Specimens specimensOf(const SeriesContent &content, bool hasAllPlacings, QStringList &problems)
+{
+    Specimens specimens;
+    for (const Scan &scan : content.scans) {
+        const std::size_t before = specimens.sets.size();
+        for (int placing = 1; placing <= kMostPlacings; ++placing) {
+            std::optional<LandmarkSet> set;
+            if (placing == content.placing)
+                set = scan.points;
+            else if (hasAllPlacings)
+                set = savedPlacing(scan, placing, problems);
+            if (!set || !isAnyPlaced(*set))
+                continue;
+            set->name = nameIn(content.scans, scan);
+            set->placing = placing;
+            specimens.sets.push_back(std::move(*set));
+            specimens.scans.push_back(scan.file);
+        }
+        specimens.scanCount += specimens.sets.size() > before ? 1U : 0U;
+    }
     return specimens;
+}
+
+/// The values of the protocol for each specimen; nothing if the user cancelled.
+std::optional<std::vector<std::vector<ProtocolValue>>> measured(const Specimens &specimens,
+                                                                const SeriesContent &content)
+{
+    const text::InEnglish english; // reasons are cells of the table
+    std::vector<std::vector<ProtocolValue>> all;
+    std::unique_ptr<curves::ScanSurface> surface; // placings of a scan share it
+    bool isCancelled = false;
+    for (std::size_t i = 0; i < specimens.sets.size() && !isCancelled; ++i) {
+        const auto goesOn = [&] {
+            isCancelled = isCancelled || (content.goesOn && !content.goesOn(i, specimens.sets.size()));
+            return !isCancelled;
+        };
+        const auto along = [&](std::span<const Landmark *const> points) {
+            if (!surface || surface->file() != specimens.scans[i])
+                surface = std::make_unique<curves::ScanSurface>(specimens.scans[i]);
+            return surface->length(points, goesOn);
+        };
+        std::vector<ProtocolValue> &values = all.emplace_back();
+        for (const KeptMeasure &measure : content.measures)
+            values.push_back(valueOf(measure, specimens.sets[i], along));
+    }
+    return isCancelled ? std::nullopt : std::optional(std::move(all));
+}
+
+TableForm formOf(SeriesTable table)
+{
+    switch (table) {
+    case SeriesTable::Long: return TableForm::Long;
+    case SeriesTable::Wide: return TableForm::Wide;
+    case SeriesTable::Nts: return TableForm::Nts;
+    case SeriesTable::Tps:
+    case SeriesTable::Repeats:
+    case SeriesTable::Errors: break;
+    }
+    return TableForm::Tps;
 }
 
 /// The data missing from a table.
@@ -112,60 +150,139 @@ QStringList leftOut(const std::vector<Scan> &scans)
 bool holds(const std::vector<Scan> &scans, const std::filesystem::path &file)
 {
     return std::any_of(scans.begin(), scans.end(), [&file](const Scan &scan) {
-        bool isIt = files::isSameFile(scan.file, file);
+        bool isIt =
+            files::isSameFile(scan.file, file) || files::isSameFile(scan.file.parent_path() / kSeriesMeasures, file);
         for (int placing = 1; placing <= kMostPlacings && !isIt; ++placing)
             isIt = files::isSameFile(landmarksBeside(scan.file, placing), file);
         return isIt;
     });
 }
 
-} // namespace
-
-Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, SeriesTable table,
-                                           const std::vector<Scan> &scans, const std::vector<Landmark> &names)
+/// Writes a file.
+/// @return why it was not written; empty: no error
+QString writtenTo(const std::filesystem::path &file, const std::string &text)
 {
-    if (holds(scans, file))
-        return Texts::tr("%1: the series uses this file and it would be destroyed. Choose another name.")
-            .arg(pathText(file));
-    const std::vector<LandmarkSet> sets = alignedSets(scans, names);
-    if (sets.empty())
-        return Texts::tr("No scan of the series has a landmark yet. Place one first.");
-    QStringList problems = table == SeriesTable::Repeats ? QStringList() : leftOut(scans);
-    QString ofRepeats;
-    const auto textOf = [&]() -> Result<WrittenLandmarks, LandmarkFileError> {
-        switch (table) {
-        case SeriesTable::Long: return landmarksText(sets, Format::Csv);
-        case SeriesTable::Wide: return wideTable(sets);
-        case SeriesTable::Tps: return landmarksText(sets, Format::Tps);
-        case SeriesTable::Nts: return landmarksText(sets, Format::Nts);
-        case SeriesTable::Repeats: return repeatsTable(repeatedScans(scans, problems, ofRepeats));
-        }
-        return WrittenLandmarks{};
-    };
-    const auto text = textOf();
-    if (!text) {
-        LandmarkFileError error = text.error();
-        error.file = files::utf8FromPath(file);
-        return QString::fromStdString(errorText(error));
-    }
-    if (const files::Written written = files::replaceFile(file, text->text); !written)
-        return QStringLiteral("%1: %2").arg(pathText(file),
-                                            QString::fromStdString(files::fileErrorText(written.error())));
+    const files::Written written = files::replaceFile(file, text);
+    return written ? QString()
+                   : QStringLiteral("%1: %2").arg(pathText(file),
+                                                  QString::fromStdString(files::fileErrorText(written.error())));
+}
+
+QString reasonOf(LandmarkFileError error, const std::filesystem::path &file)
+{
+    error.file = files::utf8FromPath(file);
+    return QString::fromStdString(errorText(error));
+}
+
+/// The warning about what a table lacks.
+QString warningOf(const std::filesystem::path &file, QStringList problems, const std::vector<LandmarkNote> &notes)
+{
     if (!problems.isEmpty())
         problems.prepend(Texts::tr("Missing in %1, because they could not be read:").arg(pathText(file.filename())));
-    if (const QString lost = landmarkNotesText(pathText(file.filename()), text->notes); !lost.isEmpty())
+    if (const QString lost = landmarkNotesText(pathText(file.filename()), notes); !lost.isEmpty())
         problems << lost;
-    const QString warning = problems.join(u'\n');
-    if (table == SeriesTable::Repeats)
-        return WrittenSeries{
-            warning, joinSentences({Texts::tr("Repeats written to %1.").arg(pathText(file.filename())), ofRepeats})};
-    const std::size_t without = scans.size() - sets.size();
+    return problems.join(u'\n');
+}
+
+Result<WrittenSeries, QString> writeRepeats(const std::filesystem::path &file, SeriesTable table,
+                                            const SeriesContent &content)
+{
+    const SeriesRepeats repeats = repeatsIn(content.scans);
+    const auto text = table == SeriesTable::Repeats ? repeatsTable(repeats.specimens) : errorsTable(repeats.specimens);
+    if (!text)
+        return reasonOf(text.error(), file);
+    if (QString reason = writtenTo(file, text->text); !reason.isEmpty())
+        return reason;
     return WrittenSeries{
-        warning, without > 0 ? Texts::tr("Scans written to %1: %2. Left out, without a landmark: %3.")
-                                   .arg(pathText(file.filename()))
-                                   .arg(sets.size())
-                                   .arg(without)
-                             : Texts::tr("Scans written to %1: %2.").arg(pathText(file.filename())).arg(sets.size())};
+        warningOf(file, repeats.problems, text->notes),
+        joinSentences({Texts::tr("Repeats written to %1.").arg(pathText(file.filename())), repeats.summary})};
+}
+
+/// What a table says besides its number of scans.
+QStringList remarksOn(const WrittenTable &table, const ProtocolColumns &protocol, const SeriesContent &content)
+{
+    QStringList remarks;
+    if (content.placing > 1)
+        remarks << Texts::tr("Placing shown: %1.").arg(content.placing);
+    if (const std::string absent = absentText(table.absent); !absent.empty())
+        remarks << sentence(absent);
+    for (const std::string &text : unmeasuredTexts(protocol))
+        remarks << sentence(text);
+    return remarks;
+}
+
+} // namespace
+
+SeriesRepeats repeatsIn(const std::vector<Scan> &scans)
+{
+    SeriesRepeats repeats;
+    std::size_t repeated = 0;
+    int most = 0;
+    for (const Scan &scan : scans) {
+        RepeatedSpecimen &specimen = repeats.specimens.emplace_back();
+        specimen.name = nameIn(scans, scan);
+        for (int placing = 1; placing <= kMostPlacings; ++placing) {
+            std::optional<LandmarkSet> set = savedPlacing(scan, placing, repeats.problems);
+            if (!set)
+                continue;
+            most = std::max(most, placing);
+            specimen.placings.push_back(std::move(*set));
+            specimen.files.push_back(files::utf8FromPath(landmarksBeside(scan.file, placing).filename()));
+        }
+        if (specimen.placings.size() > 1)
+            ++repeated;
+    }
+    repeats.summary =
+        repeated > 0
+            ? Texts::tr("Scans that were placed more than once: %1; placings up to number %2.").arg(repeated).arg(most)
+            : Texts::tr(
+                "No scan was placed more than once, so there is no scatter: set Placing to 2 and go through the "
+                "scans again.");
+    return repeats;
+}
+
+Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, SeriesTable table,
+                                           const SeriesContent &content)
+{
+    if (holds(content.scans, file))
+        return Texts::tr("%1: the series uses this file and it would be destroyed. Choose another name.")
+            .arg(pathText(file));
+    if (table == SeriesTable::Repeats || table == SeriesTable::Errors)
+        return writeRepeats(file, table, content);
+    const bool hasRows = table == SeriesTable::Wide || table == SeriesTable::Long;
+    QStringList problems = leftOut(content.scans);
+    const Specimens specimens = specimensOf(content, hasRows, problems);
+    if (specimens.sets.empty())
+        return Texts::tr("No scan of the series has a landmark yet. Place one first.");
+    std::vector<std::vector<ProtocolValue>> values(specimens.sets.size(),
+                                                   std::vector<ProtocolValue>(content.measures.size()));
+    if (hasRows) {
+        auto known = measured(specimens, content);
+        if (!known)
+            return Texts::tr("The export was cancelled. %1 was not written.").arg(pathText(file.filename()));
+        values = std::move(*known);
+    }
+    const ProtocolColumns protocol{content.measures, values};
+    const auto text = specimenTable(specimens.sets, formOf(table), protocol, content.names);
+    if (!text)
+        return reasonOf(text.error(), file);
+    if (QString reason = writtenTo(file, text->text); !reason.isEmpty())
+        return reason;
+    const std::size_t without = content.scans.size() - specimens.scanCount;
+    const QString name = pathText(file.filename());
+    const QString written = without > 0 ? Texts::tr("Scans written to %1: %2. Left out, without a landmark: %3.")
+                                              .arg(name)
+                                              .arg(specimens.scanCount)
+                                              .arg(without)
+                                        : Texts::tr("Scans written to %1: %2.").arg(name).arg(specimens.scanCount);
+    QStringList remarks = remarksOn(*text, hasRows ? protocol : ProtocolColumns(), content);
+    const auto sliders = writeSlidersBeside(file, text->sliders);
+    if (!sliders)
+        problems << QString::fromStdString(errorText(sliders.error()));
+    else if (*sliders)
+        remarks << Texts::tr("The sliders of the semilandmarks, for geomorph's gpagen(curves=), are in %1.")
+                       .arg(pathText((*sliders)->filename()));
+    return WrittenSeries{warningOf(file, problems, text->notes), joinSentences(QStringList{written} + remarks)};
 }
 
 } // namespace unprojector::gui

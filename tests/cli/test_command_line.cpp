@@ -64,6 +64,10 @@ void TestCommandLine::helpHasExamplesThatWork()
     QVERIFY(QDir().mkpath(m_folder.path("skulls")));
     m_folder.write("skulls/1.pp", skull);
     m_folder.write("skulls/2.pts", "Version 1.0\n1\nN 1 2 3\n\n");
+    m_folder.write("protocol.csv", "name,kind,landmarks\nwidth,length,N,N\n");
+    QVERIFY(QDir().mkpath(m_folder.path("scans")));
+    for (const char *file : {"1.ply.points.csv", "1.ply.points-2.csv", "2.ply.points.csv", "2.ply.points-2.csv"})
+        m_folder.write(QStringLiteral("scans/") + QLatin1String(file), "name,x,y,z\na,0,0,0\nb,1,0,0\nc,0,1,0\n");
     examples.replace("\n      ", " "); // a long one goes on in the next line
     for (const QByteArray &line : examples.trimmed().split('\n')) {
         const QByteArray example = line.trimmed();

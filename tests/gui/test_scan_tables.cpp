@@ -1,6 +1,7 @@
 // The tables that are written for a series of scans.
 
 #include "core/landmark_files/landmark_file.h"
+#include "gui/document/scene_edits.h"
 #include "gui/landmarks/landmark_templates.h"
 #include "landmark_desk.h"
 #include "tests/support/patience.h"
@@ -18,6 +19,10 @@ private slots:
 
     void tablesOfASeries();
     void repeatsOfASeries();
+    void tablesHaveEveryPlacing();
+    void errorsOfASeries();
+    void aProtocolGoesThroughTheSeries();
+    void aForeignProtocolIsNotOverwritten();
     void whatATableLacksIsSaid();
     void aHundredScansAndABrokenOne();
 };
@@ -32,7 +37,7 @@ void TestScanTables::tablesOfASeries()
     QCOMPARE(m_series->landmarkNames(), (QStringList{"b", "a"}));
     QVERIFY(m_series->exportTable(file(QStringLiteral("wide.csv")), ScanSeries::Table::Wide));
     QCOMPARE(read(QStringLiteral("wide.csv")),
-             QByteArray("specimen,b_x,b_y,b_z,a_x,a_y,a_z\nother,1,2,0,3,4,0\nsquare,,,,5,6,0\n"));
+             QByteArray("specimen,b_x,b_y,b_z,a_x,a_y,a_z\nother,1,2,0,3,4,0\nsquare,NA,NA,NA,5,6,0\n"));
     QVERIFY(m_series->exportTable(file(QStringLiteral("all.tps")), ScanSeries::Table::Tps));
     QCOMPARE(read(QStringLiteral("all.tps")),
              QByteArray("LM3=2\n1 2 0\n3 4 0\nID=other\n\nLM3=2\nNA NA NA\n5 6 0\nID=square\n\n"));
@@ -82,6 +87,108 @@ void TestScanTables::repeatsOfASeries()
     QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(5.0, 4.0, 0.0)));
     QVERIFY(m_session->mayLeave());
     QVERIFY(read(QStringLiteral("square.obj.points.csv")).contains("a,4,4,0")); // no scan of a series any more
+}
+
+void TestScanTables::tablesHaveEveryPlacing()
+{
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,1,0,0\n");
+    write(QStringLiteral("square.obj.points-2.csv"), "name,x,y,z\nb,7,0,0\nA,2,0,0\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    QStringList told;
+    connect(m_series.get(), &ScanSeries::noticed, this, [&told](const QString &text) { told << text; });
+    QVERIFY(m_series->exportTable(file(QStringLiteral("wide.csv")), ScanSeries::Table::Wide));
+    QCOMPARE(read(QStringLiteral("wide.csv")),
+             QByteArray("specimen,placing,a_x,a_y,a_z,b_x,b_y,b_z\nsquare,1,1,0,0,NA,NA,NA\nsquare,2,2,0,0,7,0,0\n"));
+    QVERIFY2(told.back().startsWith(QStringLiteral("Scans written to wide.csv: 1. 1 landmark has no coordinates")),
+             qPrintable(told.back()));
+    QVERIFY(m_series->exportTable(file(QStringLiteral("long.csv")), ScanSeries::Table::Long));
+    QVERIFY(read(QStringLiteral("long.csv")).startsWith("specimen,placing,name,x,y,z,"));
+    m_series->setPlacing(2);
+    QVERIFY(m_series->exportTable(file(QStringLiteral("all.tps")), ScanSeries::Table::Tps));
+    QCOMPARE(read(QStringLiteral("all.tps")).count("LM3="), 1);
+    QVERIFY(read(QStringLiteral("all.tps")).contains("COMMENT=placing 2\nID=square\n"));
+    QVERIFY2(told.back().contains(QStringLiteral("Placing shown: 2.")), qPrintable(told.back()));
+}
+
+void TestScanTables::errorsOfASeries()
+{
+    write(QStringLiteral("other.obj"), kSquare);
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z,unit\na,0,0,0,mm\nb,9,0,0,mm\nc,0,9,0,mm\n");
+    write(QStringLiteral("square.obj.points-2.csv"), "name,x,y,z,unit\na,2,0,0,mm\nb,9,0,0,mm\nc,0,9,0,mm\n");
+    write(QStringLiteral("other.obj.points.csv"), "name,x,y,z,unit\na,1,0,0,mm\nb,8,0,0,mm\nc,0,7,0,mm\n");
+    write(QStringLiteral("other.obj.points-2.csv"), "name,x,y,z,unit\na,1,0,0,mm\nb,8,0,0,mm\nc,0,7,0,mm\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    QVERIFY(m_series->exportTable(file(QStringLiteral("errors.csv")), ScanSeries::Table::Errors));
+    const QByteArray table = read(QStringLiteral("errors.csv"));
+    QVERIFY2(table.startsWith("landmark,specimens,placings,error,icc1,icc2,error_1,bias_1,error_2,bias_2\na,2,4,1,"),
+             table.constData());
+    const std::optional<SeriesRepeats> repeats = m_series->repeats();
+    QVERIFY(repeats && repeats->specimens.size() == 2 && repeats->specimens[0].name == "other");
+    write(QStringLiteral("other.obj.points-2.csv"), "name,x,y,z,unit\na,0.1,0,0,cm\n");
+    QVERIFY(!m_series->repeats()); // one error has one unit
+    QVERIFY2(m_failures.back().contains(QStringLiteral(" in cm")), qPrintable(m_failures.back()));
+}
+
+/// The first scan's measure is every scan's, and stays with the folder.
+void TestScanTables::aProtocolGoesThroughTheSeries()
+{
+    write(QStringLiteral("other.obj"), kSquare);
+    write(QStringLiteral("other.obj.points.csv"), "name,x,y,z\na,0,0,0\nb,1,0,0\n");
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,0,0,0\nb,,,\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    QVERIFY(!QFile::exists(path(QStringLiteral("series.measures.csv"))));
+    m_series->show(0);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    const std::vector<landmarks::KeptMeasure> measures{{"w", landmarks::MeasureKind::Distance, {"a", "b"}},
+                                                       {"s", landmarks::MeasureKind::Surface, {"a", "b"}}};
+    landmarks::LandmarkSet set = m_document->scene().landmarks;
+    set.measures = measures;
+    QVERIFY(editLandmarkSet(*m_document, std::move(set), {QStringLiteral("keep")}));
+    QCOMPARE(read(QStringLiteral("series.measures.csv")),
+             QByteArray("name,kind,landmarks\nw,distance,a,b\ns,surface,a,b\n"));
+    m_series->next();
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    QVERIFY(m_document->scene().landmarks.measures == measures);
+    QCOMPARE(read(QStringLiteral("other.obj.points.csv")), QByteArray("name,x,y,z\na,0,0,0\nb,1,0,0\n"));
+    QStringList told;
+    connect(m_series.get(), &ScanSeries::noticed, this, [&told](const QString &text) { told << text; });
+    std::size_t steps = 0;
+    m_series->setWaiting([&steps](std::size_t, std::size_t) { return ++steps > 0; });
+    QVERIFY(m_series->exportTable(file(QStringLiteral("wide.csv")), ScanSeries::Table::Wide));
+    QCOMPARE(read(QStringLiteral("wide.csv")),
+             QByteArray("specimen,a_x,a_y,a_z,b_x,b_y,b_z,w,w_error,s,s_error,measures_note\n"
+                        "other,0,0,0,1,0,0,1,NA,1,NA,\n"
+                        "square,0,0,0,NA,NA,NA,NA,NA,NA,NA,\"w: \"\"b\"\" has no position yet; s: \"\"b\"\" has no "
+                        "position yet\"\n"));
+    QVERIFY(steps > 0);
+    QVERIFY2(told.back().contains(QStringLiteral("The measure \"w\" is NA for 1 of 2 specimens")),
+             qPrintable(told.back()));
+    m_series->setWaiting([](std::size_t, std::size_t) { return false; });
+    QVERIFY(!m_series->exportTable(file(QStringLiteral("cancelled.csv")), ScanSeries::Table::Wide));
+    QVERIFY(!QFile::exists(path(QStringLiteral("cancelled.csv"))));
+    QVERIFY(m_failures.back().contains(QStringLiteral("cancelled")));
+    QVERIFY(m_series->close());
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    QVERIFY(m_series->measures() == measures);
+}
+
+void TestScanTables::aForeignProtocolIsNotOverwritten()
+{
+    const QByteArray broken = "name,kind\nw,width,a,b\n";
+    write(QStringLiteral("series.measures.csv"), broken);
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    QVERIFY2(m_warnings.join(u'\n').contains(QStringLiteral("series.measures.csv:2:")),
+             qPrintable(m_warnings.join(u'\n')));
+    landmarks::LandmarkSet set = m_document->scene().landmarks;
+    set.measures = {{"w", landmarks::MeasureKind::Distance, {"a", "b"}}};
+    QVERIFY(editLandmarkSet(*m_document, std::move(set), {QStringLiteral("keep")}));
+    QCOMPARE(read(QStringLiteral("series.measures.csv")), broken);
+    QVERIFY(m_failures.join(u'\n').contains(QStringLiteral("is not overwritten")));
 }
 
 void TestScanTables::whatATableLacksIsSaid()

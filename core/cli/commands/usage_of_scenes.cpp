@@ -322,7 +322,7 @@ void addLandmarks(CLI::App &app, Run &run)
           "points.fcsv\n  unproject landmarks --table skulls -o all.csv\n  unproject landmarks --table skulls -o "
           "all.csv --format wide\n  unproject landmarks --table skulls --measures protocol.csv -o all.csv --format "
           "wide\n  unproject landmarks "
-          "--repeats monday.pp tuesday.pp -o repeats.csv\n  unproject landmarks --repeats skulls --errors errors.csv");
+          "--repeats monday.pp tuesday.pp -o repeats.csv\n  unproject landmarks --repeats scans --errors errors.csv");
     command->callback([options, input, converted, output, folder, repeats, errors, &run] {
         if (folder->count() == 0 && repeats->count() == 0) {
             if (output->count() > 0)

@@ -1,0 +1,72 @@
+#include "gui/landmarks/series_protocol.h"
+
+#include "core/files/replace_file.h"
+#include "core/landmark_files/measures_file.h"
+#include "gui/text/error_text.h"
+
+#include <QCoreApplication>
+
+#include <system_error>
+#include <utility>
+
+namespace unprojector::gui {
+namespace {
+
+struct Texts {
+    Q_DECLARE_TR_FUNCTIONS(unprojector::gui::SeriesProtocol)
+};
+
+} // namespace
+
+QString SeriesProtocol::open(const std::filesystem::path &folder, const std::vector<landmarks::KeptMeasure> &ofScene)
+{
+    m_file = folder / landmark_files::kSeriesMeasures;
+    m_stamp = files::stampOf(m_file);
+    m_isDamaged = false;
+    m_measures.clear();
+    std::error_code error;
+    m_isNew = !std::filesystem::exists(m_file, error) && !ofScene.empty();
+    if (m_isNew)
+        m_measures = ofScene;
+    if (!std::filesystem::exists(m_file, error))
+        return {};
+    auto read = landmark_files::readMeasures(m_file);
+    m_isDamaged = !read;
+    if (!read)
+        return QString::fromStdString(landmark_files::errorText(read.error()));
+    m_measures = std::move(read).value();
+    return {};
+}
+
+void SeriesProtocol::close()
+{
+    *this = {};
+}
+
+QString SeriesProtocol::take(std::vector<landmarks::KeptMeasure> measures)
+{
+    if (m_file.empty() || (measures == m_measures && !m_isNew))
+        return {};
+    m_isNew = false;
+    m_measures = std::move(measures);
+    return write();
+}
+
+QString SeriesProtocol::write()
+{
+    std::error_code error;
+    if (m_isDamaged)
+        return Texts::tr("%1 could not be read and is not overwritten. Repair it or move it away to keep the measures.")
+            .arg(pathText(m_file));
+    if (std::filesystem::exists(m_file, error) && !files::isAsAt(m_stamp, m_file))
+        return Texts::tr("Another window or program has changed %1 since it was read. It is not overwritten; move it "
+                         "away to keep the measures.")
+            .arg(pathText(m_file));
+    if (const files::Written written = files::replaceFile(m_file, landmark_files::measuresText(m_measures)); !written)
+        return QStringLiteral("%1: %2").arg(pathText(m_file),
+                                            QString::fromStdString(files::fileErrorText(written.error())));
+    m_stamp = files::stampOf(m_file);
+    return {};
+}
+
+} // namespace unprojector::gui

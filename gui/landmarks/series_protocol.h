@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/files/file_stamp.h"
+#include "core/landmarks/landmark.h"
+
+#include <QString>
+
+#include <filesystem>
+#include <vector>
+
+namespace unprojector::gui {
+
+/// The measures that a series keeps, in the file "series.measures.csv" of its folder. A file that
+/// cannot be read, or that another program has changed since it was read, is never overwritten.
+class SeriesProtocol {
+public:
+    /// Reads the protocol of a folder. Without a file, the series starts with the scene's measures;
+    /// they are written when the first scan is kept.
+    /// @return why the file cannot be read; empty: no error
+    QString open(const std::filesystem::path &folder, const std::vector<landmarks::KeptMeasure> &ofScene);
+    void close();
+    const std::vector<landmarks::KeptMeasure> &measures() const { return m_measures; }
+    /// Takes changed measures, and writes them at once.
+    /// @return why they are not written; empty: no error
+    QString take(std::vector<landmarks::KeptMeasure> measures);
+
+private:
+    QString write();
+
+    std::filesystem::path m_file; ///< empty: no series is open
+    std::vector<landmarks::KeptMeasure> m_measures;
+    files::FileStamp m_stamp;
+    bool m_isDamaged = false;
+    bool m_isNew = false; ///< the scene's measures, not written yet
+};
+
+} // namespace unprojector::gui
