@@ -275,7 +275,13 @@ Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, Se
                                               .arg(specimens.scanCount)
                                               .arg(without)
                                         : Texts::tr("Scans written to %1: %2.").arg(name).arg(specimens.scanCount);
-    const QStringList remarks = remarksOn(*text, hasRows ? protocol : ProtocolColumns(), content);
+    QStringList remarks = remarksOn(*text, hasRows ? protocol : ProtocolColumns(), content);
+    const auto sliders = writeSlidersBeside(file, text->sliders);
+    if (!sliders)
+        problems << QString::fromStdString(errorText(sliders.error()));
+    else if (*sliders)
+        remarks << Texts::tr("The sliders of the semilandmarks, for geomorph's gpagen(curves=), are in %1.")
+                       .arg(pathText((*sliders)->filename()));
     return WrittenSeries{warningOf(file, problems, text->notes), joinSentences(QStringList{written} + remarks)};
 }
 
