@@ -10,17 +10,19 @@
 
 namespace unprojector::landmarks {
 using text::tr;
-namespace {
 
-const Landmark *landmarkOf(const LandmarkSet &set, const std::string &name)
+std::optional<std::size_t> landmarkNamed(const LandmarkSet &set, const std::string &name)
 {
     auto found = std::find_if(set.landmarks.begin(), set.landmarks.end(),
                               [&name](const Landmark &landmark) { return landmark.name == name; });
     if (const std::string key = nameKey(name); found == set.landmarks.end() && !key.empty())
         found = std::find_if(set.landmarks.begin(), set.landmarks.end(),
                              [&key](const Landmark &landmark) { return nameKey(landmark.name) == key; });
-    return found != set.landmarks.end() ? &*found : nullptr;
+    return found != set.landmarks.end() ? std::optional(static_cast<std::size_t>(found - set.landmarks.begin()))
+                                        : std::nullopt;
 }
+
+namespace {
 
 std::string absenceOf(const Landmark &landmark)
 {
@@ -73,9 +75,10 @@ ProtocolValue valueOf(const KeptMeasure &measure, const LandmarkSet &set, const 
 {
     std::vector<const Landmark *> points;
     for (const std::string &name : measure.landmarks) {
-        points.push_back(landmarkOf(set, name));
-        if (!points.back())
+        const std::optional<std::size_t> index = landmarkNamed(set, name);
+        if (!index)
             return {std::nullopt, tr("no landmark has the name \"%1\"", name)};
+        points.push_back(&set.landmarks[*index]);
     }
     const MeasureSize size = sizeOf(measure.kind);
     if (points.size() < size.fewest || points.size() > size.most)

@@ -132,7 +132,7 @@ private:
     std::vector<std::uint32_t> m_corners; ///< three places a triangle
 };
 
-/// What lies on the places: a third of each triangle around them.
+/// Sums over the places: a third of each triangle around them.
 struct PlaceSums {
     std::vector<glm::vec3> normals; ///< sums of area times normal
     std::vector<float> areas;

@@ -2,6 +2,7 @@
 
 #include "core/files/path_text.h"
 #include "core/landmark_files/landmark_file.h"
+#include "core/landmark_files/measures_file.h"
 #include "core/landmark_files/sliders.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/landmark_joining.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <map>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -124,7 +126,8 @@ bool LandmarkFiles::isLandmarkFile(const std::filesystem::path &file)
     const bool isOtherJson =
         format == Format::SlicerJson
         && pathText(file.stem().extension()).compare(QStringLiteral(".mrk"), Qt::CaseInsensitive) != 0;
-    return format && *format != Format::MeshLabTemplate && !isOtherJson && !isSlidersFile(file);
+    return format && *format != Format::MeshLabTemplate && !isOtherJson && !isSlidersFile(file)
+           && !isMeasuresFile(file);
 }
 
 bool LandmarkFiles::isTemplate(const std::filesystem::path &file)
@@ -363,17 +366,32 @@ bool LandmarkFiles::exportTo(const std::filesystem::path &file)
     if (!written->empty())
         lost << landmarkNotesText(name, *written);
     if (format != Format::SlicerJson && format != Format::MeshLabTemplate) { // the others number semilandmarks
-        const auto sliders = writeSlidersBeside(file, slidersOf({&set, 1}));
-        if (!sliders)
-            lost << QString::fromStdString(errorText(sliders.error()));
-        else if (*sliders)
-            said << tr("The sliders of the semilandmarks, for geomorph's gpagen(curves=), are in %1.")
-                        .arg(pathText((*sliders)->filename()));
+        const SlidersReport sliders = writeSliders(file, slidersOf({&set, 1}));
+        said << sliders.said;
+        lost << sliders.lost;
     }
     if (!lost.isEmpty())
         emit warned(lost.join(u'\n'));
     emit noticed(joinSentences(said));
     return true;
+}
+
+SlidersReport writeSliders(const std::filesystem::path &table,
+                           const geometry::Result<Sliders, LandmarkFileError> &sliders)
+{
+    SlidersReport report;
+    const auto written = writeSlidersBeside(table, sliders);
+    if (!written)
+        report.lost << QString::fromStdString(errorText(written.error()));
+    else if (*written)
+        report.said << LandmarkFiles::tr("The sliders of the semilandmarks, for geomorph's gpagen(curves=), are in %1.")
+                           .arg(pathText((*written)->filename()));
+    std::error_code error;
+    if (const std::filesystem::path older = slidersBeside(table);
+        (!written || !*written) && std::filesystem::exists(older, error))
+        report.lost << LandmarkFiles::tr("%1 is of an earlier export and does not fit %2. Remove it.")
+                           .arg(pathText(older.filename()), pathText(table.filename()));
+    return report;
 }
 
 } // namespace unprojector::gui

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "core/geometry/result.h"
+#include "core/landmark_files/landmark_file.h"
+#include "core/landmark_files/sliders.h"
 #include "core/landmarks/landmark.h"
 #include "core/ray/tie_landmark.h"
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <cstddef>
 #include <filesystem>
@@ -92,5 +96,14 @@ private:
     SceneDocument &m_document;
     LandmarkFileQuestions *m_questions;
 };
+
+/// The messages about the sliders beside a table.
+struct SlidersReport {
+    QStringList said; ///< where they are
+    QStringList lost; ///< why they could not be written; a file of an earlier export that no longer fits
+};
+/// Writes the sliders of a written table beside it, if there are any.
+SlidersReport writeSliders(const std::filesystem::path &table,
+                           const geometry::Result<landmark_files::Sliders, landmark_files::LandmarkFileError> &sliders);
 
 } // namespace unprojector::gui

@@ -230,6 +230,8 @@ JoinedLandmarks replaceLandmarks(LandmarkSet &set, const LandmarkSet &before, st
         set.name = before.name;
     if (set.mesh.empty())
         set.mesh = before.mesh;
+    set.placing = before.placing;
+    set.measures = before.measures;   // the protocol of the scene and of its series
     if (set.curves.size() == taken) { // the file defines no curves as such
         tellKnown(joined.notes, leaveKnownOut(set.curves, taken, before.curves), file);
         set.curves.insert(set.curves.begin(), before.curves.begin(),

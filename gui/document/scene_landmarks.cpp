@@ -256,12 +256,9 @@ Check SceneLandmarks::place(Landmark placed)
         landmarks.push_back(std::move(placed));
     }
     const QString text = tr("Place %1").arg(shownNameOf(landmarks, index));
-    const bool hasWaited = m_nextUnplaced.has_value();
     if (const Check done = editLandmarks(m_document, std::move(landmarks), {text}); !done)
         return done;
     selectOnly(index);
-    if (hasWaited && !m_nextUnplaced)
-        emit allPlaced();
     return std::monostate{};
 }
 

@@ -60,7 +60,7 @@ public:
     // Edits. @return the errors of SceneDocument::edit…; landmarks cannot cause any
 
     /// Places the next landmark; without one, appends a landmark, with a name of its own if it has
-    /// none. Selects it. Emits allPlaced if it was the last one to place.
+    /// none. Selects it.
     /// @param placed  for a landmark of the list only its position counts
     geometry::Check place(Landmark placed);
     /// Moves a landmark: takes over position, anchor, object and uncertainty of `to`.
@@ -99,10 +99,6 @@ public:
     /// Updates the selection after a change of the list.
     /// @return the changes of the selection
     Changes follow(const std::vector<Landmark> &before, const std::vector<Landmark> &after);
-
-signals:
-    /// Emitted when the last landmark to place has been placed.
-    void allPlaced();
 
 private:
     /// Changes single landmarks.

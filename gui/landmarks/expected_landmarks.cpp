@@ -28,6 +28,7 @@ ExpectedLandmarks::ExpectedLandmarks(SceneDocument &document, const ScanSeries &
             forget();
     });
     connect(&m_series, &ScanSeries::changed, this, forget);
+    connect(&m_document, &SceneDocument::opened, this, [this] { m_places.reset(); }); // the model may be large
 }
 
 void ExpectedLandmarks::setShown(bool isShown)

@@ -80,7 +80,10 @@ LandmarkTool::LandmarkTool(SceneDocument &document, SceneView &view)
 void LandmarkTool::setExpected(ExpectedLandmarks &expected)
 {
     m_expected = &expected;
-    connect(m_expected, &ExpectedLandmarks::changed, &m_view, qOverload<>(&SceneView::update));
+    connect(m_expected, &ExpectedLandmarks::changed, this, [this] {
+        m_drawn.reset();
+        m_view.update();
+    });
 }
 
 void LandmarkTool::setPlacing(bool isPlacing)
@@ -109,7 +112,12 @@ const std::vector<LandmarkMark> &LandmarkTool::marks()
 bool LandmarkTool::prepareToDraw()
 {
     m_loupe = m_loupeAt ? m_view.pixelsIn(loupePixels(*m_loupeAt)) : QImage();
-    return m_loupeAt || !marks().empty() || (m_expected && m_expected->isShown() && !m_expected->all().empty());
+    return m_loupeAt || hasMarks();
+}
+
+bool LandmarkTool::hasMarks()
+{
+    return !marks().empty() || (m_expected && m_expected->isShown() && !m_expected->all().empty());
 }
 
 void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
@@ -120,7 +128,7 @@ void LandmarkTool::draw(QPainter &painter, const std::vector<QRectF> &taken)
         if (arrow.isUsable)
             lines.emplace_back(arrow.from, arrow.to);
     }
-    if (!marks().empty())
+    if (hasMarks())
         drawMarksOnce(painter, taken, std::move(lines));
     if (shownArrows)
         drawAxes(painter, *shownArrows, m_drag == Drag::Axis ? std::optional(m_axis) : std::nullopt);

@@ -95,6 +95,8 @@ private:
     QImage marksImage(const Drawn &drawn, const std::vector<LandmarkMark> &shown, std::vector<QLineF> lines) const;
     /// The marks in the present view.
     const std::vector<LandmarkMark> &marks();
+    /// Returns whether there are marks to draw, of landmarks or of expected places.
+    bool hasMarks();
     /// Moves the landmark to the surface under the pointer, and the other selected ones by as many
     /// pixels.
     void dragLandmark(const QPointF &local);

@@ -318,6 +318,8 @@ void LandmarksFeature::putSelectedOnSurface()
 
 void LandmarksFeature::showLandmark(std::size_t scan, const QString &name)
 {
+    if (scan >= m_series->scans().size()) // of a series that is closed
+        return;
     m_wanted = {scan, name};
     if (m_series->current() != scan)
         m_series->show(scan);

@@ -10,11 +10,11 @@
 #include "gui/landmarks/protocol_rows.h"
 #include "gui/text/error_text.h"
 #include "gui/widgets/copy_menu.h"
+#include "gui/widgets/file_dialogs.h"
 #include "gui/widgets/save_name.h"
 #include "gui/widgets/segmented_switch.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -345,11 +345,11 @@ void MeasuresView::rename(QTreeWidgetItem &item)
 
 void MeasuresView::loadProtocol()
 {
-    const QString name =
-        QFileDialog::getOpenFileName(this, tr("Load Protocol"), {}, tr("Protocol (%1)").arg(QStringLiteral("*.csv")));
-    if (name.isEmpty())
+    const std::filesystem::path file =
+        askFileName(*this, FileKind::Table, tr("Load Protocol"), tr("Protocol (%1)").arg(QStringLiteral("*.csv")));
+    if (file.empty())
         return;
-    auto read = landmark_files::readMeasures(std::filesystem::path(name.toStdU16String()));
+    auto read = landmark_files::readMeasures(file);
     if (!read) {
         emit warned(QString::fromStdString(landmark_files::errorText(read.error())));
         return;

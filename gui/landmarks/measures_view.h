@@ -21,8 +21,7 @@ class SegmentedSwitch;
 
 /// The measures of the selected landmarks, each with the error that follows from their
 /// uncertainties; the symmetry of left and right; or the protocol, the measures that the scene keeps.
-/// The view shows the chosen measure, and the
-/// corresponding one after another selection.
+/// The view shows the chosen measure, and the corresponding one after another selection.
 class MeasuresView : public QWidget {
     Q_OBJECT
 public:

@@ -35,14 +35,6 @@ QString kindText(MeasureKind kind)
     return Texts::tr("along the surface");
 }
 
-std::optional<std::size_t> indexOf(const LandmarkSet &set, const std::string &name)
-{
-    const auto found = std::find_if(set.landmarks.begin(), set.landmarks.end(),
-                                    [&name](const landmarks::Landmark &landmark) { return landmark.name == name; });
-    return found != set.landmarks.end() ? std::optional(static_cast<std::size_t>(found - set.landmarks.begin()))
-                                        : std::nullopt;
-}
-
 /// The measure for the view. @param indices  of its landmarks
 ShownMeasure shownOf(MeasureKind kind, std::vector<std::size_t> indices)
 {
@@ -123,7 +115,7 @@ std::vector<std::size_t> indicesOf(const KeptMeasure &measure, const LandmarkSet
 {
     std::vector<std::size_t> indices;
     for (const std::string &name : measure.landmarks) {
-        const std::optional<std::size_t> index = indexOf(set, name);
+        const std::optional<std::size_t> index = landmarks::landmarkNamed(set, name);
         if (!index)
             return {};
         indices.push_back(*index);
@@ -167,7 +159,7 @@ std::optional<KeptMeasure> keptMeasureOf(const ShownMeasure &shown, const Landma
     std::string names;
     for (const std::size_t point : points) {
         const std::string &name = set.landmarks[point].name;
-        if (name.empty() || indexOf(set, name) != point)
+        if (name.empty() || landmarks::landmarkNamed(set, name) != point)
             return std::nullopt;
         measure.landmarks.push_back(name);
         names += (names.empty() ? "" : "-") + name;

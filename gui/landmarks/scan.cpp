@@ -145,8 +145,10 @@ void addCurves(std::vector<Curve> &curves, const std::vector<Curve> &others)
 bool holds(const std::vector<Landmark> &all, const std::vector<Landmark> &others)
 {
     return std::all_of(others.begin(), others.end(), [&all](const Landmark &other) {
-        return !other.isPlaced() || std::any_of(all.begin(), all.end(), [&other](const Landmark &each) {
-            return each.name == other.name && isStill(each, other);
+        if (!other.isPlaced() && !other.isMissing())
+            return true;
+        return std::any_of(all.begin(), all.end(), [&other](const Landmark &each) {
+            return each.name == other.name && (other.isPlaced() ? isStill(each, other) : each.isMissing());
         });
     });
 }

@@ -57,7 +57,8 @@ void withoutUnwanted(std::vector<landmarks::Landmark> &landmarks, const std::vec
 /// Adds the curves through landmarks that a list lacks, by name.
 void addCurves(std::vector<landmarks::Curve> &curves, const std::vector<landmarks::Curve> &others);
 
-/// Returns whether a list has all placed landmarks of another one, at the same positions.
+/// Returns whether a list has all placed landmarks of another one, at the same positions, and the
+/// same ones marked as missing.
 bool holds(const std::vector<landmarks::Landmark> &all, const std::vector<landmarks::Landmark> &others);
 
 } // namespace unprojector::gui

@@ -109,6 +109,7 @@ bool ScanSeries::open(const std::filesystem::path &folder)
         emit failed(scans.error());
         return false;
     }
+    keepTemplate();
     PreviousSeries former{m_folder, m_scans, m_names, m_curves, m_inView, m_shown, m_aside, m_placing};
     m_aside.reset();
     m_current = m_inView = m_shown = std::nullopt;
@@ -229,6 +230,7 @@ void ScanSeries::goBack()
     m_aside = m_former->aside;
     m_placing = m_former->placing;
     m_former.reset();
+    static_cast<void>(m_files.readTemplate(m_folder)); // chooses its hints again; its names are known
     openProtocol();
 }
 
@@ -447,8 +449,12 @@ std::optional<bool> ScanSeries::save()
 ShownScan::Kept ScanSeries::keepShown(bool isWanted)
 {
     m_session.commitTyped();
-    return m_shown && !m_isReadOnly ? m_shownScan.keep(landmarksBeside(m_scans[*m_shown].file, m_placing), isWanted)
-                                    : ShownScan::Kept::AsBefore;
+    if (!m_shown || m_isReadOnly)
+        return ShownScan::Kept::AsBefore;
+    const ShownScan::Kept kept = m_shownScan.keep(landmarksBeside(m_scans[*m_shown].file, m_placing), isWanted);
+    if (const QString problem = m_protocol.keep(kept == ShownScan::Kept::Written); !problem.isEmpty())
+        emit failed(problem);
+    return kept;
 }
 
 void ScanSeries::keepTemplate()
@@ -505,6 +511,10 @@ void ScanSeries::resume(const RecoverySeries &series)
     if (!loose.isEmpty())
         emit warned(QStringLiteral("%1: %2").arg(pathText(file.filename()), loose));
     m_shown = m_current;
+    if (LandmarkSet set = m_document.scene().landmarks; set.measures != m_protocol.measures()) {
+        set.measures = m_protocol.measures(); // the folder's file is written at each change
+        m_document.restoreLandmarks(std::move(set));
+    }
     const LandmarkSet &saved = m_shownScan.saved();
     const bool isSaved = m_shownScan.take(scan) && holds(saved.landmarks, scan.points.landmarks);
     if (m_shownScan.stamp() == series.stamp) {

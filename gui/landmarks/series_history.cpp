@@ -172,14 +172,12 @@ void SeriesHistory::setIndexQuietly(int index)
 
 bool SeriesHistory::apply(const std::shared_ptr<const ScanStep> &step, bool isRedo)
 {
-    if (m_isQuiet)
+    if (m_isQuiet || m_wanted) // passOn puts the stack right
         return true;
     if (m_shown != step->where) {
-        if (!m_wanted) {
-            m_wanted = {step, isRedo};
-            // Later: the stack moves its index first.
-            QMetaObject::invokeMethod(this, &SeriesHistory::passOn, Qt::QueuedConnection);
-        }
+        m_wanted = {step, isRedo};
+        // Later: the stack moves its index first.
+        QMetaObject::invokeMethod(this, &SeriesHistory::passOn, Qt::QueuedConnection);
         return true;
     }
     const LandmarkSet &from = isRedo ? step->before : step->after;

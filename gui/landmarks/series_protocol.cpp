@@ -22,7 +22,7 @@ QString SeriesProtocol::open(const std::filesystem::path &folder, const std::vec
 {
     m_file = folder / landmark_files::kSeriesMeasures;
     m_stamp = files::stampOf(m_file);
-    m_isDamaged = false;
+    m_isDamaged = m_isUnsaved = false;
     m_measures.clear();
     std::error_code error;
     m_isNew = !std::filesystem::exists(m_file, error) && !ofScene.empty();
@@ -45,15 +45,21 @@ void SeriesProtocol::close()
 
 QString SeriesProtocol::take(std::vector<landmarks::KeptMeasure> measures)
 {
-    if (m_file.empty() || (measures == m_measures && !m_isNew))
+    if (m_file.empty() || measures == m_measures)
         return {};
-    m_isNew = false;
     m_measures = std::move(measures);
     return write();
 }
 
+QString SeriesProtocol::keep(bool areLandmarksWritten)
+{
+    return m_isUnsaved || (m_isNew && areLandmarksWritten) ? write() : QString();
+}
+
 QString SeriesProtocol::write()
 {
+    m_isNew = false;
+    m_isUnsaved = true;
     std::error_code error;
     if (m_isDamaged)
         return Texts::tr("%1 could not be read and is not overwritten. Repair it or move it away to keep the measures.")
@@ -66,6 +72,7 @@ QString SeriesProtocol::write()
         return QStringLiteral("%1: %2").arg(pathText(m_file),
                                             QString::fromStdString(files::fileErrorText(written.error())));
     m_stamp = files::stampOf(m_file);
+    m_isUnsaved = false;
     return {};
 }
 

@@ -20,9 +20,14 @@ public:
     QString open(const std::filesystem::path &folder, const std::vector<landmarks::KeptMeasure> &ofScene);
     void close();
     const std::vector<landmarks::KeptMeasure> &measures() const { return m_measures; }
-    /// Takes changed measures, and writes them at once.
+    /// Takes measures. Writes them at once if they have changed.
     /// @return why they are not written; empty: no error
     QString take(std::vector<landmarks::KeptMeasure> measures);
+    /// Writes measures that a failure left unwritten, and those of the scene that the series began
+    /// with.
+    /// @param areLandmarksWritten  of a scan: then the series is kept in this folder
+    /// @return as take
+    QString keep(bool areLandmarksWritten);
 
 private:
     QString write();
@@ -31,7 +36,8 @@ private:
     std::vector<landmarks::KeptMeasure> m_measures;
     files::FileStamp m_stamp;
     bool m_isDamaged = false;
-    bool m_isNew = false; ///< the scene's measures, not written yet
+    bool m_isNew = false;     ///< the scene's measures, not written yet
+    bool m_isUnsaved = false; ///< after a failure
 };
 
 } // namespace unprojector::gui

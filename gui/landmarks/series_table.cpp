@@ -9,6 +9,7 @@
 #include "core/landmark_files/specimen_table.h"
 #include "core/landmarks/protocol.h"
 #include "core/text/translation.h"
+#include "gui/document/landmark_files.h"
 #include "gui/landmarks/scan_series.h"
 #include "gui/text/error_text.h"
 #include "gui/text/note_text.h"
@@ -146,12 +147,13 @@ QStringList leftOut(const std::vector<Scan> &scans)
     return problems;
 }
 
-/// Returns whether a file is a scan of the series or one of its landmark files.
+/// Returns whether a file is a scan of the series or a file that it keeps.
 bool holds(const std::vector<Scan> &scans, const std::filesystem::path &file)
 {
     return std::any_of(scans.begin(), scans.end(), [&file](const Scan &scan) {
-        bool isIt =
-            files::isSameFile(scan.file, file) || files::isSameFile(scan.file.parent_path() / kSeriesMeasures, file);
+        bool isIt = files::isSameFile(scan.file, file)
+                    || files::isSameFile(scan.file.parent_path() / kSeriesMeasures, file)
+                    || files::isSameFile(seriesTemplate(scan.file.parent_path()), file);
         for (int placing = 1; placing <= kMostPlacings && !isIt; ++placing)
             isIt = files::isSameFile(landmarksBeside(scan.file, placing), file);
         return isIt;
@@ -198,7 +200,7 @@ Result<WrittenSeries, QString> writeRepeats(const std::filesystem::path &file, S
         joinSentences({Texts::tr("Repeats written to %1.").arg(pathText(file.filename())), repeats.summary})};
 }
 
-/// What a table says besides its number of scans.
+/// Remarks on a table, besides its number of scans.
 QStringList remarksOn(const WrittenTable &table, const ProtocolColumns &protocol, const SeriesContent &content)
 {
     QStringList remarks;
@@ -276,13 +278,11 @@ Result<WrittenSeries, QString> writeSeries(const std::filesystem::path &file, Se
                                               .arg(without)
                                         : Texts::tr("Scans written to %1: %2.").arg(name).arg(specimens.scanCount);
     QStringList remarks = remarksOn(*text, hasRows ? protocol : ProtocolColumns(), content);
-    const auto sliders = writeSlidersBeside(file, text->sliders);
-    if (!sliders)
-        problems << QString::fromStdString(errorText(sliders.error()));
-    else if (*sliders)
-        remarks << Texts::tr("The sliders of the semilandmarks, for geomorph's gpagen(curves=), are in %1.")
-                       .arg(pathText((*sliders)->filename()));
-    return WrittenSeries{warningOf(file, problems, text->notes), joinSentences(QStringList{written} + remarks)};
+    const SlidersReport sliders = writeSliders(file, text->sliders);
+    QStringList warnings = sliders.lost;
+    if (const QString warning = warningOf(file, problems, text->notes); !warning.isEmpty())
+        warnings.prepend(warning);
+    return WrittenSeries{warnings.join(u'\n'), joinSentences(QStringList{written} + remarks + sliders.said)};
 }
 
 } // namespace unprojector::gui

@@ -109,8 +109,10 @@ void ShadingFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &)
     for (QAction *action : {m_isLit, m_hasColors, m_hasEdges})
         connect(action, &QAction::toggled, this, &ShadingFeature::apply);
     connect(m_isCurved, &QAction::toggled, this, [this](bool isOn) {
-        if (!isOn)
+        if (!isOn) {
+            m_isToExplain = false;
             m_curvatures->cancel();
+        }
         prepareCurvatures();
         if (!m_curvatures->isComputing()) // else a large model would be drawn once more for nothing
             takeCurvatures();

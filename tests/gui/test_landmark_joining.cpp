@@ -212,12 +212,17 @@ void TestLandmarkJoining::semilandmarksAreNoPoints()
     // A curve that the scene has itself goes through its points.
     landmarks::LandmarkSet set = m_document->scene().landmarks;
     set.curves[0].points = {"a", "b"};
+    // So do the measures of its protocol, and its placing.
+    set.measures = {{"w", landmarks::MeasureKind::Distance, {"a", "b"}}};
+    set.placing = 2;
     QVERIFY(editLandmarkSet(*m_document, set, {QStringLiteral("test")}));
     for (const auto join : {LandmarkFileQuestions::Join::Replace, LandmarkFileQuestions::Join::Append}) {
         m_answers->join = join;
         QVERIFY(m_files->importFrom(file(QStringLiteral("p.pts"))));
         QCOMPARE(m_document->scene().landmarks.curves.size(), std::size_t(1));
         QCOMPARE(m_document->scene().landmarks.curves[0].points.size(), std::size_t(2));
+        QVERIFY(m_document->scene().landmarks.measures == set.measures);
+        QCOMPARE(m_document->scene().landmarks.placing, 2);
         QVERIFY2(m_warnings.back().contains(QStringLiteral("keeps its own curves: brow")),
                  qPrintable(m_warnings.back()));
     }

@@ -23,6 +23,8 @@ private slots:
     void errorsOfASeries();
     void aProtocolGoesThroughTheSeries();
     void aForeignProtocolIsNotOverwritten();
+    void aProtocolIsWrittenOnceItCanBe();
+    void theSeriesTemplateIsNoTable();
     void whatATableLacksIsSaid();
     void aHundredScansAndABrokenOne();
 };
@@ -189,6 +191,34 @@ void TestScanTables::aForeignProtocolIsNotOverwritten()
     QVERIFY(editLandmarkSet(*m_document, std::move(set), {QStringLiteral("keep")}));
     QCOMPARE(read(QStringLiteral("series.measures.csv")), broken);
     QVERIFY(m_failures.join(u'\n').contains(QStringLiteral("is not overwritten")));
+}
+
+/// Another program changes the file, and moves it away later.
+void TestScanTables::aProtocolIsWrittenOnceItCanBe()
+{
+    const QByteArray foreign = "name,kind,landmarks\nother,distance,a,b\n";
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    write(QStringLiteral("series.measures.csv"), foreign);
+    landmarks::LandmarkSet set = m_document->scene().landmarks;
+    set.measures = {{"w", landmarks::MeasureKind::Distance, {"a", "b"}}};
+    QVERIFY(editLandmarkSet(*m_document, std::move(set), {QStringLiteral("keep")}));
+    QVERIFY(m_series->keep());
+    QCOMPARE(read(QStringLiteral("series.measures.csv")), foreign);
+    QVERIFY(QFile::remove(path(QStringLiteral("series.measures.csv"))));
+    QVERIFY(m_series->keep());
+    QCOMPARE(read(QStringLiteral("series.measures.csv")), QByteArray("name,kind,landmarks\nw,distance,a,b\n"));
+}
+
+void TestScanTables::theSeriesTemplateIsNoTable()
+{
+    const QByteArray names = "name,x,y,z\na,,,\nb,,,\n";
+    write(QStringLiteral("series-template.csv"), names);
+    write(QStringLiteral("square.obj.points.csv"), "name,x,y,z\na,0,0,0\nb,1,0,0\n");
+    QVERIFY(m_series->open(file(QString())));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
+    QVERIFY(!m_series->exportTable(file(QStringLiteral("series-template.csv")), ScanSeries::Table::Wide));
+    QCOMPARE(read(QStringLiteral("series-template.csv")), names);
 }
 
 void TestScanTables::whatATableLacksIsSaid()
