@@ -3328,6 +3328,10 @@ Both are scaled to fit.</source>
         <source>The sliders of the semilandmarks, for geomorph&apos;s gpagen(curves=), are in %1.</source>
         <translation>半标志点的滑动点表在 %1 中，供 geomorph 的 gpagen(curves=) 使用。</translation>
     </message>
+    <message>
+        <source>%1 is of an earlier export and does not fit %2. Remove it.</source>
+        <translation>%1 来自更早的导出，与 %2 不相符。请删除它。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::LandmarkLooksMenu</name>
