@@ -143,7 +143,9 @@ void ScanSeries::takeSeries(const std::filesystem::path &folder, std::vector<Sca
         if (!hasTemplate)
             m_names = withTemplate(std::move(m_names), scan.points.landmarks);
     }
-    openProtocol();
+    m_toWarn.clear();
+    if (const QString problem = openProtocol(); !problem.isEmpty())
+        m_toWarn << problem;
     if (m_names.empty()) { // the scene's names to place define the series
         m_names = withTemplate({}, m_document.landmarks());
         addCurves(m_curves, m_document.scene().landmarks.curves);
@@ -151,7 +153,8 @@ void ScanSeries::takeSeries(const std::filesystem::path &folder, std::vector<Sca
     for (Scan &scan : m_scans)
         withoutUnwanted(scan.points.landmarks, m_names);
     if (!own)
-        emit failed(own.error());
+        m_toWarn << own.error() + u'\n'
+                        + tr("Names and hints of the series are not kept. Repair the file or move it away.");
     else if (hasTemplate)
         emit noticed(tr("The series takes its %1 names from %2.")
                          .arg(m_names.size())
@@ -188,12 +191,6 @@ void ScanSeries::passOver(const QString &reason)
     show(index);
     if (m_isOpening)
         m_former = std::move(former);
-}
-
-void ScanSeries::openProtocol()
-{
-    if (const QString problem = m_protocol.open(m_folder, m_document.scene().landmarks.measures); !problem.isEmpty())
-        emit warned(problem);
 }
 
 bool ScanSeries::close()
@@ -306,7 +303,9 @@ void ScanSeries::takeShown(bool isLoaded)
     if (isLoaded && m_look)
         fitAllFrom(m_document, m_look->first, m_look->second);
     if (const QStringList passed = std::exchange(m_passedOver, std::nullopt).value_or(QStringList()); passed.size() > 1)
-        emit warned(passed.join(u'\n'));
+        m_toWarn << passed;
+    if (const QStringList texts = std::exchange(m_toWarn, {}); !texts.isEmpty())
+        emit warned(texts.join(u'\n'));
     m_shownScan.begin(scan.file, landmarksBeside(scan.file, m_placing));
     read(scan);
     if (scan.isDamaged) { // not overwritten: the user may want to repair it
@@ -532,6 +531,8 @@ void ScanSeries::resume(const RecoverySeries &series)
                         .arg(placedCount(saved))
                         .arg(scan.placedCount()));
     }
+    if (const QStringList texts = std::exchange(m_toWarn, {}); !texts.isEmpty())
+        emit warned(texts.join(u'\n'));
     m_document.sceneLandmarks().waitForNext(std::nullopt);
     emit changed();
     emit resumed();

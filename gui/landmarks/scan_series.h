@@ -63,6 +63,9 @@ public:
     const std::vector<Scan> &scans() const { return m_scans; }
     /// The scan that is shown, or that could not be shown; nothing while another scene is shown.
     std::optional<std::size_t> current() const { return m_current; }
+    /// The scan in the view, where landmarks are placed: the one before, if `current` could not be
+    /// shown.
+    std::optional<std::size_t> inView() const { return m_current ? m_inView : std::nullopt; }
     bool hasNext() const { return isOpen() && (!index() || *index() + 1 < m_scans.size()); }
     bool hasPrevious() const { return isOpen() && index() != std::size_t(0); }
     /// The names of all landmarks of all scans, in the order of first appearance.
@@ -150,7 +153,8 @@ private:
     ShownScan::Kept keepShown(bool isWanted);
     void keepTemplate();
     /// Opens the folder's protocol, or that of the scene.
-    void openProtocol();
+    /// @return why it cannot be read; empty: no error
+    QString openProtocol() { return m_protocol.open(m_folder, m_document.scene().landmarks.measures); }
     /// Returns to the former series, whose scan is still in the view. @pre m_former
     void goBack();
     /// The state before a series whose first scan is being loaded.
@@ -195,6 +199,7 @@ private:
     /// while the first scan of a series is searched: why others could not be read
     std::optional<QStringList> m_passedOver;
     std::optional<Target> m_target;
+    QStringList m_toWarn; ///< once a scan is shown: its opening hides earlier messages
 };
 
 } // namespace unprojector::gui

@@ -76,7 +76,7 @@ QVariant SeriesModel::data(const QModelIndex &index, int role) const
     if (!index.isValid() || static_cast<std::size_t>(index.row()) >= m_series.scans().size())
         return {};
     const auto &scan = m_series.scans()[static_cast<std::size_t>(index.row())];
-    const bool isCurrent = m_series.current() == static_cast<std::size_t>(index.row());
+    const bool isInView = m_series.inView() == static_cast<std::size_t>(index.row());
     switch (role) {
     case Qt::DisplayRole: return text(index);
     case Qt::ToolTipRole:
@@ -85,8 +85,8 @@ QVariant SeriesModel::data(const QModelIndex &index, int role) const
         return plainToolTip(scan.problem.isEmpty() ? pathText(scan.file) : pathText(scan.file) + u'\n' + scan.problem);
     case Qt::FontRole: {
         QFont font = QGuiApplication::font();
-        font.setBold(isCurrent);
-        return isCurrent ? QVariant(font) : QVariant();
+        font.setBold(isInView);
+        return isInView ? QVariant(font) : QVariant();
     }
     case Qt::TextAlignmentRole: return index.column() >= FirstLandmark ? QVariant(Qt::AlignCenter) : QVariant();
     case Qt::ForegroundRole:

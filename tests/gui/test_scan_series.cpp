@@ -292,6 +292,7 @@ void TestScanSeries::aSeriesWithABrokenScan()
         m_series->show(i);
         QTRY_VERIFY_WITH_TIMEOUT(!m_session->isLoading(), kPatienceMilliseconds);
         QCOMPARE(m_series->current(), std::optional<std::size_t>(i));
+        QCOMPARE(m_series->inView(), std::optional<std::size_t>(2)); // where landmarks are still placed
         QVERIFY(!m_series->scans()[i].problem.isEmpty());
     }
     m_series->next();
