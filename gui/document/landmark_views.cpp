@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace unprojector::gui {
@@ -92,6 +93,35 @@ std::optional<WorldVector> normalAt(const landmarks::Anchor &anchor, const Scene
         return std::nullopt;
     const glm::dmat3 worldFromNormal = glm::inverse(glm::transpose(glm::dmat3(worldFromObject(object.transform))));
     return WorldVector(glm::normalize(worldFromNormal * (normal / size)));
+}
+
+std::optional<WorldVector> normalAround(const ObjectPoint &point, const landmarks::Anchor &there,
+                                        const SceneObject &object)
+{
+    constexpr double kShareOfSize = 0.1;
+    const Model &model = *object.model;
+    const double size = model.bounds.diagonal();
+    const glm::dvec3 facing = objectNormal(there, model);
+    if (!(size > 0.0) || facing == glm::dvec3(0.0))
+        return normalAt(there, object);
+    glm::dvec3 sum(0.0); // of shares of the size, so that products stay in range
+    for (const Mesh &mesh : model.meshes) {
+        for (std::size_t triangle = 0; triangle < mesh.triangleCount(); ++triangle) {
+            std::array<glm::dvec3, 3> corners;
+            for (std::size_t i = 0; i < corners.size(); ++i)
+                corners[i] = (mesh.position(mesh.vertexAt(3 * triangle + i)) - point.coordinates()) / size;
+            if (glm::length(corners[0] + corners[1] + corners[2]) > 3.0 * kShareOfSize)
+                continue;
+            const glm::dvec3 area = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+            if (glm::dot(area, facing) > 0.0)
+                sum += area;
+        }
+    }
+    const double length = glm::length(sum);
+    if (!(length > 0.0))
+        return normalAt(there, object);
+    const glm::dmat3 worldFromNormal = glm::inverse(glm::transpose(glm::dmat3(worldFromObject(object.transform))));
+    return WorldVector(glm::normalize(worldFromNormal * (sum / length)));
 }
 
 void faceSurface(SceneDocument &document, const WorldPoint &point, const std::optional<WorldVector> &normal)

@@ -18,6 +18,14 @@ class SceneDocument;
 /// @return nothing if the landmark is on no surface
 std::optional<geometry::WorldVector> normalAt(const landmarks::Anchor &anchor, const scene::SceneObject &object);
 
+/// The mean outward normal of the surface around a point, world space, length 1: the area-weighted sum
+/// over the triangles within a tenth of the object's size that face the same way as the surface there.
+/// A crease or noise at the point itself does not turn it.
+/// @param there  the surface at the point
+/// @return nothing if the normals cancel out
+std::optional<geometry::WorldVector> normalAround(const geometry::ObjectPoint &point, const landmarks::Anchor &there,
+                                                  const scene::SceneObject &object);
+
 /// Turns the camera to look at a point along the surface's normal there, and keeps its distance from
 /// its centre.
 /// @param normal  outward, length 1; nothing: the camera keeps its direction

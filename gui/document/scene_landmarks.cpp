@@ -89,7 +89,7 @@ std::optional<std::size_t> nextAfter(const std::vector<Landmark> &before, const 
                                      std::size_t index, std::optional<std::size_t> now)
 {
     if (!now)
-        return nextToPlace(after, index > 0 ? std::optional(index - 1) : std::nullopt);
+        return nextToPlace(after, std::nullopt);
     const Landmark &was = before[index], &is = after[*now];
     const bool isPassed = is.isPlaced() || (is.absence != was.absence && is.absence != Absence::NotPlaced);
     return isPassed ? nextToPlace(after, now) : now;

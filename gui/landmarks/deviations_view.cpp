@@ -65,6 +65,7 @@ DeviationsView::DeviationsView(ScanSeries &series, QWidget *parent)
 void DeviationsView::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
+    m_series.readAgain();
     if (m_isStale)
         m_pause.start();
 }

@@ -119,7 +119,7 @@ QString ExpectedLandmarks::faceNext()
         if (const double away = distance(there, next->world); away < least) {
             least = away;
             target = there;
-            normal = normalAt(closest->anchor, object);
+            normal = normalAround(closest->point, closest->anchor, object);
         }
     }
     faceSurface(m_document, target, normal);

@@ -20,8 +20,14 @@ struct Texts {
     Q_DECLARE_TR_FUNCTIONS(unprojector::gui::ExpectedMark)
 };
 
-constexpr double kLargestRadius = 4000.0; // logical pixels
-constexpr double kGap = 8.0;              // from the place to its label
+constexpr double kLargestRadius = 4000.0;    // logical pixels
+constexpr double kGap = 8.0;                 // from the place to its label
+constexpr double kNextArm = 6.0, kArm = 3.0; // of a cross
+
+double armOf(const ExpectedMark &mark)
+{
+    return mark.isNext ? kNextArm : kArm;
+}
 
 } // namespace
 
@@ -73,6 +79,12 @@ QRectF expectedLabelBox(const std::vector<ExpectedMark> &marks, const QFontMetri
     return {free != corners.end() ? *free : corners.front(), size};
 }
 
+QRectF boxOf(const ExpectedMark &mark)
+{
+    const double arm = armOf(mark);
+    return {mark.at - QPointF(arm, arm), QSizeF(2.0 * arm, 2.0 * arm)};
+}
+
 void drawExpected(QPainter &painter, const std::vector<ExpectedMark> &marks, const QRectF &labelBox)
 {
     painter.setRenderHint(QPainter::Antialiasing);
@@ -87,7 +99,7 @@ void drawExpected(QPainter &painter, const std::vector<ExpectedMark> &marks, con
             painter.setPen(QPen(light, mark.isNext ? 1.5 : 1.0, Qt::DashLine));
             painter.drawEllipse(mark.at, mark.radius, mark.radius);
         }
-        const double arm = mark.isNext ? 6.0 : 3.0;
+        const double arm = armOf(mark);
         for (const QColor &color : {dark, light}) {
             painter.setPen(QPen(color, color == dark ? 3.0 : 1.2));
             painter.drawLine(mark.at - QPointF(arm, 0.0), mark.at + QPointF(arm, 0.0));

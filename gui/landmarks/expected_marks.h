@@ -33,6 +33,9 @@ std::vector<ExpectedMark> expectedMarks(const SceneDocument &document, const std
 QRectF expectedLabelBox(const std::vector<ExpectedMark> &marks, const QFontMetricsF &metrics, const QRectF &area,
                         const std::vector<QRectF> &taken);
 
+/// The box around the cross of a mark.
+QRectF boxOf(const ExpectedMark &mark);
+
 /// Draws dots and circles that leave the surface visible: faint ones, and the next landmark's brighter.
 void drawExpected(QPainter &painter, const std::vector<ExpectedMark> &marks, const QRectF &labelBox);
 

@@ -8,6 +8,7 @@
 #include "gui/landmarks/measure_mark.h"
 #include "gui/view/scene_view.h"
 
+#include <QApplication>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -189,7 +190,10 @@ void LandmarkTool::drawMarks(QPainter &painter, const QRectF &area, const std::v
     std::vector<QRectF> occupied = taken;
     if (m_expected && m_expected->isShown()) {
         const std::vector<ExpectedMark> expected = expectedMarks(m_document, m_expected->all());
-        occupied.push_back(expectedLabelBox(expected, QFontMetricsF(painter.font()), area, taken));
+        const QRectF label = expectedLabelBox(expected, QFontMetricsF(painter.font()), area, taken);
+        for (const ExpectedMark &mark : expected) // the next click may go there
+            occupied.push_back(boxOf(mark));
+        occupied.push_back(label);
         drawExpected(painter, expected, occupied.back());
     }
     const std::optional<MeasureMark> measure = measureMark(m_document);
@@ -262,7 +266,8 @@ ViewTool::Press LandmarkTool::press(const QMouseEvent &event, const QString &mer
     m_grab = pressed.at - pointer;
     m_hasMoved = false;
     m_stepAtPress = m_document.undoStack().index();
-    m_drag = Drag::Landmark;
+    const bool isWaiting = m_isPlacing && m_document.sceneLandmarks().nextUnplaced();
+    m_drag = isWaiting && !event.modifiers().testFlag(Qt::ControlModifier) ? Drag::Pressed : Drag::Landmark;
     return Press::Drags;
 }
 
@@ -270,6 +275,15 @@ void LandmarkTool::dragTo(const QPointF &local)
 {
     switch (m_drag) {
     case Drag::None: return;
+    case Drag::Pressed: {
+        const WidgetPoint position = m_view.widgetPosition(local);
+        const QPointF moved = QPointF(position.x, position.y) + m_grab - m_dragStart;
+        if (moved.manhattanLength() < QApplication::startDragDistance()) // a click by an unsteady hand
+            return;
+        m_drag = Drag::Landmark;
+        dragLandmark(local);
+        return;
+    }
     case Drag::Landmark: dragLandmark(local); return;
     case Drag::Axis: dragAlongAxis(local); return;
     }
@@ -281,9 +295,9 @@ void LandmarkTool::release(const QPointF &local)
     const Drag ended = std::exchange(m_drag, Drag::None);
     if (ended == Drag::Landmark && m_hasMoved && m_leftBehind > 0)
         tellUnmoved(m_leftBehind, local);
-    if (ended != Drag::Axis || m_hasMoved)
+    if ((ended != Drag::Axis && ended != Drag::Pressed) || m_hasMoved)
         return;
-    if (m_isPlacing) // a click on an arrow is a click on the surface below it
+    if (m_isPlacing) // a click on an arrow or a mark is a click on the surface below it
         click(local);
     else
         m_view.pickAt(m_view.widgetPosition(local));

@@ -68,7 +68,12 @@ signals:
     void arrowsChanged(bool areShown);
 
 private:
-    enum class Drag { None, Landmark, Axis };
+    enum class Drag {
+        None,
+        Pressed, ///< a mark, while a name waits: a click places the name, a drag moves the mark
+        Landmark,
+        Axis
+    };
     enum class Arrows {
         Hidden,
         Hovered, ///< as long as the pointer is at the landmark or at an arrow

@@ -113,6 +113,7 @@ LandmarksFeature::LandmarksFeature(Window &window)
     connect(m_panel, &LandmarksPanel::warned, &session, &Session::warned);
     connect(m_panel, &LandmarksPanel::noticed, &session, &Session::noticed);
     connect(m_panel, &LandmarksPanel::showRequested, this, [this] { m_window.workspaces().show(Panel::Landmarks); });
+    connect(m_panel, &LandmarksPanel::templateChosen, m_series, &ScanSeries::keepChosenTemplate);
     connect(m_panel, &LandmarksPanel::placingRequested, this, [this] { m_placing->setChecked(true); });
     connect(m_tool, &LandmarkTool::placingChanged, m_panel, &LandmarksPanel::setPlacing);
     connect(m_tool, &LandmarkTool::placingChanged, m_guided, &GuidedPlacing::setPlacing);

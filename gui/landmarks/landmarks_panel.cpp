@@ -233,6 +233,7 @@ void LandmarksPanel::takeTemplate(const std::filesystem::path &file)
 void LandmarksPanel::fillFrom(const std::vector<Landmark> &landmarks, const QString &name)
 {
     const QStringList removed = fillFromTemplate(m_document, landmarks, name);
+    emit templateChosen();
     m_next->refresh();
     beginPlacing();
     if (removed.size() == 1)

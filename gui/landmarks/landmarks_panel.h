@@ -47,6 +47,8 @@ public:
 signals:
     /// Emitted when there are names to place: the next click should place the first.
     void placingRequested();
+    /// Emitted when a template was chosen; its names are in the scene.
+    void templateChosen();
     /// Emitted when the panel must be shown: the user is about to type into it.
     void showRequested();
     /// Emitted with an error or import notes.

@@ -163,8 +163,27 @@ void ScanSeries::takeSeries(const std::filesystem::path &folder, std::vector<Sca
 
 void ScanSeries::read(Scan &scan)
 {
+    const QString unreadable = scan.isDamaged ? QString() : scan.problem; // the scan itself
     readKept(scan, m_placing);
+    if (scan.problem.isEmpty())
+        scan.problem = unreadable;
     withoutUnwanted(scan.points.landmarks, m_names);
+}
+
+void ScanSeries::readAgain()
+{
+    for (std::size_t i = 0; i < m_scans.size(); ++i) {
+        if (i != m_shown)
+            read(m_scans[i]);
+    }
+    if (isOpen())
+        emit changed();
+}
+
+void ScanSeries::keepChosenTemplate()
+{
+    m_files.setChosen();
+    keepTemplate();
 }
 
 std::size_t ScanSeries::firstIncomplete(std::size_t from) const
@@ -307,6 +326,7 @@ void ScanSeries::takeShown(bool isLoaded)
     if (const QStringList texts = std::exchange(m_toWarn, {}); !texts.isEmpty())
         emit warned(texts.join(u'\n'));
     m_shownScan.begin(scan.file, landmarksBeside(scan.file, m_placing));
+    scan.problem.clear();
     read(scan);
     if (scan.isDamaged) { // not overwritten: the user may want to repair it
         putHistoryBack();
@@ -582,6 +602,7 @@ std::optional<SeriesRepeats> ScanSeries::repeats()
 {
     if (!keep())
         return std::nullopt;
+    readAgain();
     SeriesRepeats found = repeatsIn(m_scans);
     if (const auto table = errorsTable(found.specimens); !table) { // placings in several units
         emit failed(QString::fromStdString(errorText(table.error())));
@@ -594,6 +615,7 @@ bool ScanSeries::exportTable(const std::filesystem::path &file, Table table)
 {
     if (!keep())
         return false;
+    readAgain();
     const auto written = writeSeries(file, table, {m_scans, m_names, measures(), m_placing, m_waiting});
     if (!written) {
         emit failed(written.error());

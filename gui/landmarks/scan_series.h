@@ -88,6 +88,10 @@ public:
     /// fewer landmarks replace the saved ones.
     /// @return false after `failed`, or if the user cancels
     bool keep();
+    /// Reads the landmark files of the other scans again: another program may have changed them.
+    void readAgain();
+    /// Keeps a template that the user has chosen.
+    void keepChosenTemplate();
     /// The measures that the series keeps, see SeriesProtocol.
     const std::vector<landmarks::KeptMeasure> &measures() const { return m_protocol.measures(); }
     /// The placings of all scans, after those of the present scan are saved; nothing after `failed`.

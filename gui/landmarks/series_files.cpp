@@ -56,7 +56,7 @@ SeriesFiles::readTemplate(const std::filesystem::path &folder)
     const std::filesystem::path file = seriesTemplate(folder);
     std::error_code error;
     m_template.reset();
-    m_isDamaged = false;
+    m_isDamaged = m_isChosen = false;
     if (!std::filesystem::exists(file, error))
         return std::optional<std::vector<Landmark>>();
     auto read = readLandmarkFile(file);
@@ -82,7 +82,7 @@ geometry::Result<bool, QString> SeriesFiles::keepTemplate(const std::filesystem:
         std::any_of(m_backedUp.begin(), m_backedUp.end(), [&file](const std::filesystem::path &written) {
             return written.parent_path() == file.parent_path();
         });
-    if (!m_template && !isWritten) // the user only looks around
+    if (!m_template && !isWritten && !m_isChosen) // the user only looks around
         return false;
     const LandmarkSet set = asRead(m_templates->templateOf(names, folder));
     if (m_template && m_template->landmarks == set.landmarks)

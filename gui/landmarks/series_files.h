@@ -34,8 +34,10 @@ public:
     /// @return its names; nothing if there is no template; the reason if it cannot be read
     geometry::Result<std::optional<std::vector<landmarks::Landmark>>, QString>
     readTemplate(const std::filesystem::path &folder);
+    /// Notes that the user has chosen a template: it is written, also before landmarks are.
+    void setChosen() { m_isChosen = true; }
     /// Writes the template if it has changed. Doesn't replace one that could not be read. A folder
-    /// without one gets it once landmarks were written there.
+    /// without one gets it once a template was chosen or landmarks were written there.
     /// @return whether it was written; the reason if that failed
     geometry::Result<bool, QString> keepTemplate(const std::filesystem::path &folder,
                                                  const std::vector<landmarks::Landmark> &names);
@@ -45,6 +47,7 @@ private:
     std::set<std::filesystem::path> m_backedUp;
     std::optional<landmarks::LandmarkSet> m_template; ///< as last read or written
     bool m_isDamaged = false;                         ///< the template could not be read
+    bool m_isChosen = false;
 };
 
 } // namespace unprojector::gui

@@ -92,6 +92,7 @@ SeriesPanel::SeriesPanel(ScanSeries &series, QWidget *parent)
     layout->addLayout(buttons);
     const int digit = fontMetrics().horizontalAdvance(u'0');
     m_scans->header()->resizeSection(SeriesModel::Scan, 20 * digit);
+    m_scans->header()->setSectionResizeMode(SeriesModel::Placed, QHeaderView::ResizeToContents);
     m_series.setWaiting([this](std::size_t done, std::size_t count) { return goesOn(done, count); });
     refresh();
 }
@@ -122,8 +123,11 @@ void SeriesPanel::refresh()
     m_placing->setEnabled(isOpen);
     const QSignalBlocker blocker(m_placing);
     m_placing->setValue(m_series.placing());
-    if (current)
-        m_scans->scrollTo(m_model->index(static_cast<int>(*current), SeriesModel::Scan));
+    if (current) {
+        const QModelIndex row = m_model->index(static_cast<int>(*current), SeriesModel::Scan);
+        m_scans->setCurrentIndex(row);
+        m_scans->scrollTo(row);
+    }
 }
 
 bool SeriesPanel::chooseFolder()

@@ -221,11 +221,11 @@ SeriesRepeats repeatsIn(const std::vector<Scan> &scans)
     std::size_t repeated = 0;
     int most = 0;
     for (const Scan &scan : scans) {
-        RepeatedSpecimen &specimen = repeats.specimens.emplace_back();
+        RepeatedSpecimen specimen;
         specimen.name = nameIn(scans, scan);
         for (int placing = 1; placing <= kMostPlacings; ++placing) {
             std::optional<LandmarkSet> set = savedPlacing(scan, placing, repeats.problems);
-            if (!set)
+            if (!set || !isAnyPlaced(*set))
                 continue;
             most = std::max(most, placing);
             specimen.placings.push_back(std::move(*set));
@@ -233,6 +233,8 @@ SeriesRepeats repeatsIn(const std::vector<Scan> &scans)
         }
         if (specimen.placings.size() > 1)
             ++repeated;
+        if (!specimen.placings.empty())
+            repeats.specimens.push_back(std::move(specimen));
     }
     repeats.summary =
         repeated > 0

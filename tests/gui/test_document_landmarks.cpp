@@ -242,6 +242,12 @@ void TestDocumentLandmarks::anUndonePlacingWaitsAgain()
     QVERIFY(landmarks.nextUnplaced() == 1u);
     document.undoStack().undo();
     QVERIFY(landmarks.nextUnplaced() == 0u);
+    // Without the one that was next, the first one is.
+    landmarks.setNextUnplaced(1);
+    QVERIFY(landmarks.remove({1}));
+    QVERIFY(landmarks.nextUnplaced() == 0u);
+    document.undoStack().undo();
+    landmarks.setNextUnplaced(0);
     QVERIFY(landmarks.place(pointAt(2)) && landmarks.place(pointAt(3)));
     QCOMPARE(landmarks.all()[0].world->x, 2.0);
     document.undoStack().undo(); // the last of all

@@ -119,6 +119,7 @@ private slots:
     void noArrowsAppearUnasked();
     void aClickOnAnArrowPlaces_data();
     void aClickOnAnArrowPlaces();
+    void aClickOnAMarkPlacesTheNameThatWaits();
     void aClickOnAnArrowPicksOutsidePlacing();
     void thePointerShowsTheArrows();
     void thePointerShowsNoneWhileANameWaits();
@@ -171,6 +172,26 @@ void TestLandmarkLooks::aClickOnAnArrowPlaces()
     const LookAt camera = window->document().scene().camera;
     drag(window->view(), at + QPointF(0, 40), at + QPointF(30, 40), Qt::LeftButton);
     QVERIFY(window->document().scene().camera != camera);
+}
+
+/// Landmarks may be closer to each other than a mark is large.
+void TestLandmarkLooks::aClickOnAMarkPlacesTheNameThatWaits()
+{
+    const auto window = windowWithLandmark(2);
+    const std::vector<Landmark> &landmarks = window->document().landmarks();
+    const Landmark before = landmarks[0];
+    part<LandmarkTool>(*window).setPlacing(true);
+    const QPointF at = localOf(*window, kFront) + QPointF(3, 0);
+    click(window->view(), at);
+    QVERIFY(landmarks[0] == before);
+    QVERIFY(landmarks[1].isPlaced());
+    const QPointF placed = localOf(*window, landmarks[1].world->coordinates());
+    QVERIFY(std::hypot(placed.x() - at.x(), placed.y() - at.y()) < 1.0);
+    // A drag still moves the mark.
+    const LookAt camera = window->document().scene().camera;
+    drag(window->view(), localOf(*window, kFront), localOf(*window, kFront) + QPointF(-30, 0), Qt::LeftButton);
+    QVERIFY(window->document().scene().camera == camera);
+    QVERIFY(!landmarks[2].isPlaced());
 }
 
 void TestLandmarkLooks::aClickOnAnArrowPicksOutsidePlacing()
