@@ -7327,6 +7327,10 @@ of a point that needs no division</source>
         <source>%1 has changed since the landmarks were recovered from the crash: placed in the file: %2; recovered: %3. The file is not overwritten; move it away to keep the recovered ones.</source>
         <translation>崩溃之后 %1 已改变：文件中已放置：%2；已恢复：%3。该文件不会被覆盖；要保存所恢复的标志点，请先把该文件移走。</translation>
     </message>
+    <message>
+        <source>Names and hints of the series are not kept. Repair the file or move it away.</source>
+        <translation>系列的名称和提示不会保存。请修复该文件或把它移走。</translation>
+    </message>
 </context>
 <context>
     <name>unprojector::gui::SceneCodeWindow</name>
