@@ -212,6 +212,11 @@ void ScanSeries::passOver(const QString &reason)
         m_former = std::move(former);
 }
 
+QString ScanSeries::openProtocol()
+{
+    return m_protocol.open(m_folder, m_document.scene().landmarks.measures);
+}
+
 bool ScanSeries::close()
 {
     if (!keep())

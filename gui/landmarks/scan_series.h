@@ -158,7 +158,7 @@ private:
     void keepTemplate();
     /// Opens the folder's protocol, or that of the scene.
     /// @return why it cannot be read; empty: no error
-    QString openProtocol() { return m_protocol.open(m_folder, m_document.scene().landmarks.measures); }
+    QString openProtocol();
     /// Returns to the former series, whose scan is still in the view. @pre m_former
     void goBack();
     /// The state before a series whose first scan is being loaded.

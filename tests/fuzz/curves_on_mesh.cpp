@@ -37,7 +37,7 @@ void leadCurves(const landmarks::LandmarkSet &set)
         }
         int steps = 0;
         const auto line = curves::lineThrough(surface(), points, curve.kind, glm::dmat4(1.0),
-                                              [&steps] { return ++steps < kMostSteps; });
+                                              [&steps](double) { return ++steps < kMostSteps; });
         if (!line) {
             require(line.error().code != curves::CurveError::Code::Stopped, "a curve comes to an end");
             continue;
