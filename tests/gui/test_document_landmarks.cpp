@@ -145,8 +145,12 @@ void TestDocumentLandmarks::eachVerbIsOneStepByName_data()
     row("reorder", "Order of landmarks", "c a b", [](auto &d) { QVERIFY(d.sceneLandmarks().reorder(2, 0)); });
     row("sort", "Order of landmarks", "c b a", [](auto &d) { QVERIFY(d.sceneLandmarks().arrange({2, 1, 0})); });
     row("another set", "Import landmarks", "z", [](auto &d) {
-        QVERIFY(editLandmarkSet(d, {"skull", "skull.ply", "mm", {}, {pointAt(0, "z")}, {}, {}},
-                                {QStringLiteral("Import landmarks")}));
+        landmarks::LandmarkSet set;
+        set.name = "skull";
+        set.mesh = "skull.ply";
+        set.unit = "mm";
+        set.landmarks = {pointAt(0, "z")};
+        QVERIFY(editLandmarkSet(d, std::move(set), {QStringLiteral("Import landmarks")}));
     });
 }
 
