@@ -12,6 +12,12 @@
 
 namespace unprojector::gui {
 
+StatusBar::StatusBar(QWidget *parent) : QStatusBar(parent)
+{
+    // As QMainWindow makes its own: a long read-out doesn't widen the window.
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+}
+
 QRect StatusBar::messageRoom() const
 {
     constexpr int kMargin = 6;

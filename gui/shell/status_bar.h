@@ -9,7 +9,7 @@ namespace unprojector::gui {
 class StatusBar : public QStatusBar {
     Q_OBJECT
 public:
-    using QStatusBar::QStatusBar;
+    explicit StatusBar(QWidget *parent = nullptr);
 
     /// The room of a message: up to the permanent widgets.
     QRect messageRoom() const;
