@@ -367,4 +367,22 @@ void appendCell(std::string &text, const std::string &cell, text::CellTexts text
     appendCell(text, isQuoted ? '\'' + cell : cell);
 }
 
+void checkUnits(std::span<const LandmarkSet> sets, std::span<const std::string> names, Notes &notes)
+{
+    std::optional<std::size_t> with, without;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const std::string &unit = sets[i].unit;
+        std::optional<std::size_t> &first = unit.empty() ? without : with;
+        first = first.value_or(i);
+        if (!unit.empty() && lowerCase(trimmed(unit)) != lowerCase(trimmed(sets[*with].unit)))
+            throw Failure{0,
+                          tr("%1 is in %2 and %3 in %4; write both in the same unit first", names[*with],
+                             sets[*with].unit, names[i], unit),
+                          LandmarkFileError::Code::CannotHold};
+    }
+    if (with && without)
+        notes.add(LandmarkNote::Kind::UnitUnknown, 1,
+                  tr("%1 is in %2, and %3 does not say its unit", names[*with], sets[*with].unit, names[*without]));
+}
+
 } // namespace unprojector::landmark_files

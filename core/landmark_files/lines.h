@@ -136,6 +136,11 @@ geometry::Result<std::string, LandmarkFileError> readText(const std::filesystem:
 /// Throws Failure if a file of that size could not be read again.
 void checkSize(std::size_t bytes);
 
+/// Checks that sets have one unit, because numbers of several units can be neither averaged nor
+/// compared. Throws Failure. Sets without a unit beside others get a note.
+/// @param names  of the sets, for messages
+void checkUnits(std::span<const landmarks::LandmarkSet> sets, std::span<const std::string> names, Notes &notes);
+
 /// The failure for an error of a JSON document: its position is the key, or line and column.
 Failure failureOf(scene_file::SceneFileError error);
 
