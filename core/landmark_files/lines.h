@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/landmark_files/landmark_file.h"
+#include "core/landmarks/distinct_names.h"
 #include "core/landmarks/landmark.h"
 #include "core/scene_file/scene_file_error.h"
 #include "core/text/csv.h"
@@ -140,6 +141,12 @@ void checkSize(std::size_t bytes);
 /// compared. Throws Failure. Sets without a unit beside others get a note.
 /// @param names  of the sets, for messages
 void checkUnits(std::span<const landmarks::LandmarkSet> sets, std::span<const std::string> names, Notes &notes);
+
+/// Adds notes about spellings that count as one name, spellings that do not, and names that a set has
+/// several times.
+/// @param names  of the sets, for messages; empty: its spellings and numbers are meant so
+void addNameNotes(Notes &notes, const landmarks::DistinctNames &distinct, std::span<const landmarks::LandmarkSet> sets,
+                  std::span<const std::string> names);
 
 /// The failure for an error of a JSON document: its position is the key, or line and column.
 Failure failureOf(scene_file::SceneFileError error);

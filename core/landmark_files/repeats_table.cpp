@@ -1,6 +1,7 @@
 #include "core/landmark_files/repeats_table.h"
 
 #include "core/landmark_files/lines.h"
+#include "core/landmarks/distinct_names.h"
 #include "core/landmarks/repeats.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
@@ -18,8 +19,10 @@ geometry::Result<WrittenLandmarks, LandmarkFileError> repeatsTable(std::span<con
 {
     Notes notes;
     try {
-        for (const RepeatedSpecimen &specimen : specimens)
+        for (const RepeatedSpecimen &specimen : specimens) {
             checkUnits(specimen.placings, specimen.files, notes);
+            addNameNotes(notes, landmarks::distinctNames(specimen.placings), specimen.placings, specimen.files);
+        }
     } catch (const Failure &failure) {
         return LandmarkFileError{failure.code, {}, failure.line, failure.text};
     }

@@ -65,18 +65,6 @@ void removeRepeats(std::vector<LandmarkSet> &sets, Notes &notes)
         notes.add(LandmarkNote::Kind::RepeatsLeftOut, count);
 }
 
-void tellNamesTwice(std::span<const LandmarkSet> sets, Notes &notes)
-{
-    for (const LandmarkSet &set : sets) {
-        std::map<std::string, int> counts;
-        for (const Landmark &landmark : set.landmarks) {
-            if (!landmark.name.empty() && ++counts[landmark.name] == 2)
-                notes.add(LandmarkNote::Kind::NameTwice, 1,
-                          tr("\"%1\" has several landmarks named \"%2\"", set.name, landmark.name));
-        }
-    }
-}
-
 /// Checks the units, because the table does not keep them. Throws Failure.
 void checkUnitsOf(std::span<const LandmarkSet> sets, Notes &notes)
 {
@@ -120,14 +108,10 @@ void align(std::vector<LandmarkSet> &sets, std::span<const Landmark> names, Note
     all.insert(all.end(), sets.begin(), sets.end());
     const DistinctNames distinct = distinctNames(all);
     const std::map<std::string, std::string> respelled(distinct.respelled.begin(), distinct.respelled.end());
-    for (const auto &[name, other] : respelled)
-        notes.add(LandmarkNote::Kind::NameChanged, 1, tr("\"%1\" as \"%2\"", name, other));
-    for (const KeptSpellings &kept : distinct.kept) {
-        if (kept.set > 0) // the given names say what is meant
-            notes.add(LandmarkNote::Kind::SpellingsKept, 1,
-                      tr("\"%1\" has both \"%2\" and \"%3\"", sets[kept.set - 1].name, kept.first, kept.second));
-    }
-    tellNamesTwice(sets, notes);
+    std::vector<std::string> shown{std::string()};
+    for (const LandmarkSet &set : sets)
+        shown.push_back('"' + set.name + '"');
+    addNameNotes(notes, distinct, all, shown);
     for (std::size_t i = 0; i < sets.size(); ++i) {
         std::vector<Landmark> aligned(distinct.names.size());
         for (std::size_t k = 0; k < sets[i].landmarks.size(); ++k)

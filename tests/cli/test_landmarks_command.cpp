@@ -597,6 +597,14 @@ void TestLandmarksCommand::namesThatAreNotClear()
                  named(name).errors);
     }
     QCOMPARE(named("e").exitCode, 0);
+    // Repeats go by names too.
+    const QString s1 = m_folder.path("names/s1.csv"), s4 = m_folder.path("names/s4.csv");
+    const Run repeats = runCommand({"landmarks", "--repeats", s1, s4, "-o", "-"});
+    QCOMPARE(repeats.exitCode, 0);
+    QVERIFY2(repeats.errors.contains(("stdout: " + s4 + " has both \"a\" and \"A\", so they are").toUtf8()),
+             repeats.errors);
+    QVERIFY2(repeats.errors.contains(("stdout: " + s4 + " has several landmarks named \"b\"; the table").toUtf8()),
+             repeats.errors);
 }
 
 void TestLandmarksCommand::twoFilesOfOnePlacing()
