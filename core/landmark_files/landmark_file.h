@@ -71,6 +71,8 @@ struct LandmarkNote {
         RepeatsLeftOut,      ///< count: further placings of a specimen, where each would be one more specimen
         // Writing: the file has it in another form.
         NameChanged,          ///< detail: both names in quotes
+        NameTwice,            ///< detail: which specimen has which name several times
+        SpellingsKept,        ///< detail: which specimen has both spellings of a name
         NoteChanged,          ///< detail: the landmark
         AbsencesLeftOut,      ///< count: landmarks without a position; detail: the reasons and their counts
         SkippedLeftOut,       ///< count: skipped landmarks, written as not placed
@@ -98,6 +100,8 @@ struct LandmarkNote {
         RowNamesLeftOut,    ///< count: row names of R that are no numbers, beside a column of names
         ApostrophesLeftOut, ///< count: texts of another program's table with an apostrophe before an apparent formula
         NegativeIsMissing,  ///< count: points whose coordinates are all -1, tpsDig's form of missing ones
+        MissingCodeUnknown, ///< the file says that values are missing, and not by which number
+        PreviewsLeftOut,    ///< count: points under 3D Slicer's mouse that were not placed yet
         LinksLeftOut,       ///< count: pairs of points that a file connects by lines
     };
     Kind kind;

@@ -5,12 +5,14 @@
 #include "core/landmark_files/lines.h"
 #include "core/landmark_files/measures_file.h"
 #include "core/landmark_files/sliders.h"
+#include "core/text/csv.h"
 #include "core/text/system_error.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <fstream>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -37,6 +39,30 @@ std::optional<int> placingOfSuffix(const std::string &suffix)
     const bool isNumber = suffix.starts_with(kWord) && suffix.size() > kWord.size() + 1 && suffix[kWord.size()] == '-'
                           && std::from_chars(suffix.data() + kWord.size() + 1, end, number).ptr == end;
     return isNumber && number >= 1 && number <= kMostPlacings ? std::optional(number) : std::nullopt;
+}
+
+/// True for a table that this program made of other files: repeats, errors, or a row a specimen.
+bool isResultTable(const std::filesystem::path &file)
+{
+    if (formatOf(file) != Format::Csv)
+        return false;
+    std::ifstream opened(file, std::ios::binary);
+    std::string line;
+    std::getline(opened, line);
+    if (line.starts_with("\xef\xbb\xbf"))
+        line.erase(0, 3);
+    text::CsvReader reader(line, text::csvSeparatorOf(line));
+    if (!reader.next())
+        return false;
+    const auto cell = [&reader](std::size_t i) {
+        const auto &cells = reader.row().cells;
+        return i < cells.size() ? lowerCase(cells[i].text) : std::string();
+    };
+    const std::size_t first = cell(1) == "placing" ? 2 : 1;
+    return (cell(0) == "specimen" && cell(2) == "placings" && cell(7) == "farthest")
+           || (cell(0) == "landmark" && cell(2) == "placings" && cell(4) == "icc1")
+           || (cell(0) == "specimen" && cell(first).ends_with("_x") && cell(first + 1).ends_with("_y")
+               && cell(first + 2).ends_with("_z"));
 }
 
 bool isModel(const std::string &suffix)
@@ -81,10 +107,12 @@ std::string withoutBlanks(std::string name)
     return name;
 }
 
-/// True if a file is more than an earlier table of the folder: it has a specimen that the other
-/// files lack, or one with the name of the file.
+/// True if a file is more than an earlier table of the folder: it lies beside a scan, or it has
+/// a specimen that the other files lack, or one with the name of the file.
 bool holdsMore(const std::filesystem::path &table, const std::vector<LandmarkSet> &others)
 {
+    if (!scanOf(table).empty())
+        return true;
     const auto read = readLandmarkFile(table);
     return read && std::any_of(read->sets.begin(), read->sets.end(), [&](const LandmarkSet &set) {
                return set.name.empty() || set.name == specimenOf(table)
@@ -92,6 +120,21 @@ bool holdsMore(const std::filesystem::path &table, const std::vector<LandmarkSet
                              return other.name == set.name || withoutBlanks(other.name) == set.name;
                          });
            });
+}
+
+/// Reports two files for one placing of a scan: ".points-2.csv" and ".points-02.csv".
+void tellSamePlacing(LandmarkFolder &folder, const std::filesystem::path &file)
+{
+    const std::filesystem::path scan = scanOf(file);
+    for (std::size_t i = 0; i < folder.files.size() && !scan.empty(); ++i) {
+        const std::filesystem::path &other = folder.files[i];
+        if (scanOf(other) != scan || placingOf(other) != placingOf(file))
+            continue;
+        folder.reports.push_back(text::tr("%1: this is placing %2 of %3, as %4 is; it counts as another specimen",
+                                          utf8FromPath(file), placingOf(file), utf8FromPath(scan.filename()),
+                                          utf8FromPath(other.filename())));
+        return;
+    }
 }
 
 } // namespace
@@ -119,6 +162,11 @@ std::string specimenOf(const std::filesystem::path &file)
     return utf8FromPath(isModel(utf8FromPath(scan.extension())) ? scan.stem() : scan);
 }
 
+bool isModelName(const std::filesystem::path &file)
+{
+    return isModel(utf8FromPath(file.extension()));
+}
+
 int placingOf(const std::filesystem::path &file)
 {
     return placingOfSuffix(utf8FromPath(file.stem().extension())).value_or(1);
@@ -136,7 +184,10 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, std::span
     LandmarkFolder read;
     std::vector<std::filesystem::path> earlier;
     std::vector<FileNote> notes;
-    for (const std::filesystem::path &file : filesIn(folder, error)) {
+    const std::vector<std::filesystem::path> files = filesIn(folder, error);
+    const bool hasScans = std::any_of(files.begin(), files.end(),
+                                      [](const std::filesystem::path &file) { return !scanOf(file).empty(); });
+    for (const std::filesystem::path &file : files) {
         if (std::any_of(tables.begin(), tables.end(), [&file](const std::filesystem::path &table) {
                 return !table.empty() && isSameFile(file, table);
             })) {
@@ -149,6 +200,11 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, std::span
             read.reports.push_back(name + ": " + text::tr("a template has names and no points; it is left out"));
             continue;
         }
+        if (isResultTable(file)) {
+            read.reports.push_back(name + ": "
+                                   + text::tr("this is a table that this program made of other files; it is left out"));
+            continue;
+        }
         auto result = readLandmarkFile(file);
         if (!result) {
             read.reports.push_back(errorText(result.error()));
@@ -156,6 +212,13 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, std::span
             continue;
         }
         ReadLandmarks landmarks = std::move(result).value();
+        if (hasScans && scanOf(file).empty() && landmarks.sets.size() > 1) {
+            read.reports.push_back(
+                name + ": "
+                + text::tr("it has several specimens, and other files lie beside their scans; it is left out"));
+            continue;
+        }
+        tellSamePlacing(read, file);
         for (const LandmarkNote &note : landmarks.notes)
             notes.push_back({name, note});
         for (std::size_t i = 0; i < landmarks.sets.size(); ++i) {
@@ -186,8 +249,8 @@ LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, std::span
     std::vector<std::string> lines = noteLines(notes);
     read.reports.insert(read.reports.end(), std::make_move_iterator(lines.begin()),
                         std::make_move_iterator(lines.end()));
-    read.isTableInput = std::any_of(earlier.begin(), earlier.end(),
-                                    [&read](const std::filesystem::path &file) { return holdsMore(file, read.sets); });
+    std::copy_if(earlier.begin(), earlier.end(), std::back_inserter(read.tableInputs),
+                 [&read](const std::filesystem::path &file) { return holdsMore(file, read.sets); });
     return read;
 }
 

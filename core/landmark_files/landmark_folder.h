@@ -28,6 +28,9 @@ int placingOf(const std::filesystem::path &file);
 /// The scan that a file lies beside, "face.ply" for "face.ply.points-2.csv"; empty for others.
 std::filesystem::path scanOf(const std::filesystem::path &file);
 
+/// True for the name of a model: "face.ply".
+bool isModelName(const std::filesystem::path &file);
+
 /// The content of all landmark files in a folder.
 struct LandmarkFolder {
     /// Each with a name, or a name and a placing, of its own; placings of a scan have one name.
@@ -36,11 +39,13 @@ struct LandmarkFolder {
     std::vector<std::string> reports;         ///< changes, losses and read errors, each a sentence with its file
     std::size_t fileCount = 0;                ///< number of landmark files, including unreadable ones
     std::vector<std::string> badFiles;        ///< the unreadable ones
-    bool isTableInput = false; ///< a new table would replace landmarks that no other file of the folder has
+    /// Those of the tables that have landmarks which no other file of the folder has.
+    std::vector<std::filesystem::path> tableInputs;
 };
 
-/// Reads the landmark files of a folder, by name. Skips templates, and JSON that is not 3D
-/// Slicer's.
+/// Reads the landmark files of a folder, by name. Skips templates, JSON that is not 3D Slicer's,
+/// and this program's tables of repeats, of errors and with a row a specimen. If files lie beside
+/// scans, it skips other files of several specimens too: they are tables of these.
 /// @param tables  the files to be made from them: earlier ones are not read; they may be empty
 /// @param error   the reason if the folder could not be read
 LandmarkFolder readLandmarkFolder(const std::filesystem::path &folder, std::span<const std::filesystem::path> tables,

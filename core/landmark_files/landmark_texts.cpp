@@ -100,6 +100,9 @@ std::string noteText(const LandmarkNote &note)
         return said(marked("%1 measure of the protocol is left out; save the protocol in a file of its own"),
                     marked("%1 measures of the protocol are left out; save the protocol in a file of its own"));
     case Kind::NameChanged: return tr("the name %1", note.detail);
+    case Kind::NameTwice: return tr("%1; the table numbers them", note.detail);
+    case Kind::SpellingsKept:
+        return tr("%1, so they are two landmarks in all specimens; rename one if they are the same", note.detail);
     case Kind::NoteChanged: return tr("the note of \"%1\" is written without line breaks and #", note.detail);
     case Kind::AbsencesLeftOut:
         return tr("%1 points have no position, for different reasons (%2); the reasons are left out", note.count,
@@ -169,12 +172,29 @@ std::string noteText(const LandmarkNote &note)
                            "here"),
                     marked("%1 points have only coordinates of -1, as tpsDig writes missing points; they have no "
                            "position here"));
+    case Kind::MissingCodeUnknown:
+        return tr("the parameters say that values are missing, and not by which number; every number is read as a "
+                  "coordinate");
+    case Kind::PreviewsLeftOut:
+        return said(marked("%1 point is a preview, which was not placed in 3D Slicer; it has no position here"),
+                    marked("%1 points are previews, which were not placed in 3D Slicer; they have no position here"));
     case Kind::LinksLeftOut:
         return said(marked("%1 line between two points is left out"), marked("%1 lines between points are left out"));
     case Kind::CommentsLeftOut: return said(marked("%1 comment is left out"), marked("%1 comments are left out"));
     }
     return {};
 }
+
+namespace {
+
+/// True for notes of which each names another landmark.
+bool isListed(LandmarkNote::Kind kind)
+{
+    using Kind = LandmarkNote::Kind;
+    return kind == Kind::NameChanged || kind == Kind::NameTwice || kind == Kind::SpellingsKept;
+}
+
+} // namespace
 
 std::vector<std::string> noteLines(const std::vector<FileNote> &notes)
 {
@@ -195,7 +215,7 @@ std::vector<std::string> noteLines(const std::vector<FileNote> &notes)
         sum.count = 0;
         for (const FileNote *each : group)
             sum.count += each->note.count;
-        if (group.size() <= kMostLines || kind == LandmarkNote::Kind::NameChanged) {
+        if (group.size() <= kMostLines || isListed(kind)) {
             for (const FileNote *each : group)
                 lines.push_back(each->file + ": " + noteText(each->note));
         } else if (std::all_of(group.begin(), group.end(),

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 
 namespace unprojector::landmark_files {
 using namespace geometry;
@@ -365,6 +366,44 @@ void appendCell(std::string &text, const std::string &cell, text::CellTexts text
     const bool isQuoted =
         text::isQuotedFormula(cell) || (texts == text::CellTexts::SpreadsheetSafe && text::isFormula(cell));
     appendCell(text, isQuoted ? '\'' + cell : cell);
+}
+
+void checkUnits(std::span<const LandmarkSet> sets, std::span<const std::string> names, Notes &notes)
+{
+    std::optional<std::size_t> with, without;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const std::string &unit = sets[i].unit;
+        std::optional<std::size_t> &first = unit.empty() ? without : with;
+        first = first.value_or(i);
+        if (!unit.empty() && lowerCase(trimmed(unit)) != lowerCase(trimmed(sets[*with].unit)))
+            throw Failure{0,
+                          tr("%1 is in %2 and %3 in %4; write both in the same unit first", names[*with],
+                             sets[*with].unit, names[i], unit),
+                          LandmarkFileError::Code::CannotHold};
+    }
+    if (with && without)
+        notes.add(LandmarkNote::Kind::UnitUnknown, 1,
+                  tr("%1 is in %2, and %3 does not say its unit", names[*with], sets[*with].unit, names[*without]));
+}
+
+void addNameNotes(Notes &notes, const DistinctNames &distinct, std::span<const LandmarkSet> sets,
+                  std::span<const std::string> names)
+{
+    for (const auto &[name, other] : distinct.respelled)
+        notes.add(LandmarkNote::Kind::NameChanged, 1, tr("\"%1\" as \"%2\"", name, other));
+    for (const KeptSpellings &kept : distinct.kept) {
+        if (!names[kept.set].empty())
+            notes.add(LandmarkNote::Kind::SpellingsKept, 1,
+                      tr("%1 has both \"%2\" and \"%3\"", names[kept.set], kept.first, kept.second));
+    }
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        std::map<std::string, int> counts;
+        for (const Landmark &landmark : sets[i].landmarks) {
+            if (!names[i].empty() && !landmark.name.empty() && ++counts[landmark.name] == 2)
+                notes.add(LandmarkNote::Kind::NameTwice, 1,
+                          tr("%1 has several landmarks named \"%2\"", names[i], landmark.name));
+        }
+    }
 }
 
 } // namespace unprojector::landmark_files

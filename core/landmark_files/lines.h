@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/landmark_files/landmark_file.h"
+#include "core/landmarks/distinct_names.h"
 #include "core/landmarks/landmark.h"
 #include "core/scene_file/scene_file_error.h"
 #include "core/text/csv.h"
@@ -135,6 +136,17 @@ void appendCell(std::string &text, const std::string &cell, text::CellTexts text
 geometry::Result<std::string, LandmarkFileError> readText(const std::filesystem::path &file);
 /// Throws Failure if a file of that size could not be read again.
 void checkSize(std::size_t bytes);
+
+/// Checks that sets have one unit, because numbers of several units can be neither averaged nor
+/// compared. Throws Failure. Sets without a unit beside others get a note.
+/// @param names  of the sets, for messages
+void checkUnits(std::span<const landmarks::LandmarkSet> sets, std::span<const std::string> names, Notes &notes);
+
+/// Adds notes about spellings that count as one name, spellings that do not, and names that a set has
+/// several times.
+/// @param names  of the sets, for messages; empty: its spellings and numbers are meant so
+void addNameNotes(Notes &notes, const landmarks::DistinctNames &distinct, std::span<const landmarks::LandmarkSet> sets,
+                  std::span<const std::string> names);
 
 /// The failure for an error of a JSON document: its position is the key, or line and column.
 Failure failureOf(scene_file::SceneFileError error);

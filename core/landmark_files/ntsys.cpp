@@ -25,6 +25,7 @@ struct Parameters {
     char rowLabels = 0; ///< 'L': all before the numbers; 'B', 'E': at the beginning or end of each row; 0: none
     bool hasColumnLabels = false;
     std::optional<double> missing;
+    bool isMissingUnknown = false; ///< values are missing, and the number that marks them is not given
 
     std::size_t axes() const { return dimensions; }
 };
@@ -71,6 +72,7 @@ Parameters parametersOf(std::string_view line, std::size_t number)
     parameters.columns = countOf(words[2], number, marked("the number of columns"));
     if (words.size() > 4 && words[3] != "0")
         parameters.missing = numberOf(words[4], number, marked("the number for missing values"));
+    parameters.isMissingUnknown = words.size() == 4 && words[3] != "0";
     if (parameters.columns == 0 || parameters.columns % parameters.dimensions != 0)
         throw Failure{number, tr("%1 columns are not a whole number of points of %2 coordinates", parameters.columns,
                                  parameters.dimensions)};
@@ -238,6 +240,8 @@ ReadLandmarks readNts(std::string_view text)
         throw Failure{words.line(),
                       tr("%1 follows the matrix; write the right numbers of rows and columns into the parameters",
                          text::quoted(*word))};
+    if (parameters.isMissingUnknown)
+        notes.add(LandmarkNote::Kind::MissingCodeUnknown);
     if (axes == 2)
         notes.add(LandmarkNote::Kind::FlatPoints, std::size_t{parameters.rows} * (parameters.columns / 2));
     if (read.sets.empty())

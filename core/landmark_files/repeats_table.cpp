@@ -1,6 +1,7 @@
 #include "core/landmark_files/repeats_table.h"
 
 #include "core/landmark_files/lines.h"
+#include "core/landmarks/distinct_names.h"
 #include "core/landmarks/repeats.h"
 #include "core/text/number_text.h"
 #include "core/text/translation.h"
@@ -12,43 +13,16 @@
 namespace unprojector::landmark_files {
 using landmarks::RepeatedLandmark;
 using text::tr;
-namespace {
-
-/// True for equal units; "mm" and " MM" are equal.
-bool isSameUnit(const std::string &a, const std::string &b)
-{
-    return lowerCase(trimmed(a)) == lowerCase(trimmed(b));
-}
-
-/// Checks the units, because a mean of coordinates in several units has none. Throws Failure.
-void checkUnits(const RepeatedSpecimen &specimen, Notes &notes)
-{
-    const auto unitOf = [&specimen](std::size_t i) { return specimen.placings[i].unit; };
-    std::optional<std::size_t> with, without;
-    for (std::size_t i = 0; i < specimen.placings.size(); ++i) {
-        std::optional<std::size_t> &first = unitOf(i).empty() ? without : with;
-        first = first.value_or(i);
-        if (!unitOf(i).empty() && !isSameUnit(unitOf(i), unitOf(*with)))
-            throw Failure{0,
-                          tr("%1 is in %2 and %3 in %4; write both in the same unit first", specimen.files[*with],
-                             unitOf(*with), specimen.files[i], unitOf(i)),
-                          LandmarkFileError::Code::CannotHold};
-    }
-    if (with && without)
-        notes.add(LandmarkNote::Kind::UnitUnknown, 1,
-                  tr("%1 is in %2, and %3 does not say its unit", specimen.files[*with], unitOf(*with),
-                     specimen.files[*without]));
-}
-
-} // namespace
 
 geometry::Result<WrittenLandmarks, LandmarkFileError> repeatsTable(std::span<const RepeatedSpecimen> specimens,
                                                                    text::CellTexts texts)
 {
     Notes notes;
     try {
-        for (const RepeatedSpecimen &specimen : specimens)
-            checkUnits(specimen, notes);
+        for (const RepeatedSpecimen &specimen : specimens) {
+            checkUnits(specimen.placings, specimen.files, notes);
+            addNameNotes(notes, landmarks::distinctNames(specimen.placings), specimen.placings, specimen.files);
+        }
     } catch (const Failure &failure) {
         return LandmarkFileError{failure.code, {}, failure.line, failure.text};
     }
@@ -123,7 +97,7 @@ geometry::Result<WrittenLandmarks, LandmarkFileError> errorsTable(std::span<cons
         all.files.insert(all.files.end(), specimen.files.begin(), specimen.files.end());
     }
     try {
-        checkUnits(all, notes);
+        checkUnits(all.placings, all.files, notes);
     } catch (const Failure &failure) {
         return LandmarkFileError{failure.code, {}, failure.line, failure.text};
     }

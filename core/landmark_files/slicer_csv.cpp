@@ -137,9 +137,11 @@ Landmark landmarkOf(text::CsvRow &row, Axes axes, std::size_t number, const text
     landmark.note = textOf(cells[Description]);
     const std::optional<WorldPoint> position = positionOf(row, X, axes, mark);
     const std::string &status = cells[Status].text;
-    const bool isDefined = status.empty() || status == kDefined || status == kPreview || isMissingWord(status);
+    const bool isDefined = status.empty() || status == kDefined || isMissingWord(status);
     if (isDefined)
         landmark.world = position;
+    else if (status == kPreview)
+        notes.add(LandmarkNote::Kind::PreviewsLeftOut);
     else if (position && !(*position == WorldPoint()))
         notes.add(LandmarkNote::Kind::MissingHadPosition);
     if (status == kMissing)

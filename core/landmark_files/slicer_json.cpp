@@ -111,11 +111,13 @@ Landmark landmarkOf(Point &&point, Axes axes, std::size_t number, Notes &notes)
     landmark.isHidden = !point.visibility;
     landmark.extra = std::move(point.extra);
     removeUsual(landmark.extra.edit(), axes, number);
-    const bool isDefined = point.status == Point::Status::Defined || point.status == Point::Status::Preview;
+    const bool isDefined = point.status == Point::Status::Defined;
     if (point.status == Point::Status::Missing)
         landmark.absence = Absence::Missing;
     if (isDefined && point.position)
         landmark.world = turned(WorldPoint(*point.position), axes);
+    else if (point.status == Point::Status::Preview)
+        notes.add(LandmarkNote::Kind::PreviewsLeftOut);
     else if (point.position && *point.position != glm::dvec3(0.0))
         notes.add(LandmarkNote::Kind::MissingHadPosition);
     return landmark;

@@ -1,5 +1,6 @@
 #include "core/landmark_files/specimen_table.h"
 
+#include "core/landmark_files/csv_columns.h"
 #include "core/landmark_files/lines.h"
 #include "core/landmarks/distinct_names.h"
 #include "core/text/number_text.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace unprojector::landmark_files {
@@ -63,6 +65,39 @@ void removeRepeats(std::vector<LandmarkSet> &sets, Notes &notes)
         notes.add(LandmarkNote::Kind::RepeatsLeftOut, count);
 }
 
+/// Checks the units, because the table does not keep them. Throws Failure.
+void checkUnitsOf(std::span<const LandmarkSet> sets, Notes &notes)
+{
+    std::vector<std::string> names;
+    for (const LandmarkSet &set : sets)
+        names.push_back('"' + set.name + '"');
+    checkUnits(sets, names, notes);
+}
+
+/// Checks that no column of a protocol has the name of another column. Throws Failure.
+void checkColumns(const LandmarkSet &first, TableForm form, const ProtocolColumns &protocol)
+{
+    std::set<std::string> taken{"specimen", "placing", kNoteColumn};
+    if (form == TableForm::Long)
+        taken.insert(csv::kColumnNames.begin(), csv::kColumnNames.end());
+    for (const Landmark &landmark : first.landmarks) {
+        for (const char *axis : {"_x", "_y", "_z"}) {
+            if (form == TableForm::Wide)
+                taken.insert(landmark.name + axis);
+        }
+    }
+    for (const KeptMeasure &measure : protocol.measures) {
+        for (const char *part : {"", "_error"}) {
+            if (!taken.insert(measure.name + part).second)
+                throw Failure{0,
+                              tr("the measure \"%1\" needs a column \"%2\", and there is another one of that name; "
+                                 "rename the measure",
+                                 measure.name, measure.name + part),
+                              LandmarkFileError::Code::CannotHold};
+        }
+    }
+}
+
 /// Gives each set the landmarks of all sets, in the same order.
 /// @param names  come first
 void align(std::vector<LandmarkSet> &sets, std::span<const Landmark> names, Notes &notes)
@@ -73,8 +108,10 @@ void align(std::vector<LandmarkSet> &sets, std::span<const Landmark> names, Note
     all.insert(all.end(), sets.begin(), sets.end());
     const DistinctNames distinct = distinctNames(all);
     const std::map<std::string, std::string> respelled(distinct.respelled.begin(), distinct.respelled.end());
-    for (const auto &[name, other] : respelled)
-        notes.add(LandmarkNote::Kind::NameChanged, 1, tr("\"%1\" as \"%2\"", name, other));
+    std::vector<std::string> shown{std::string()};
+    for (const LandmarkSet &set : sets)
+        shown.push_back('"' + set.name + '"');
+    addNameNotes(notes, distinct, all, shown);
     for (std::size_t i = 0; i < sets.size(); ++i) {
         std::vector<Landmark> aligned(distinct.names.size());
         for (std::size_t k = 0; k < sets[i].landmarks.size(); ++k)
@@ -266,6 +303,10 @@ geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const 
             align(sets, {}, notes);
         }
         auto sliders = keepsCurves ? slidersOf(sets) : slidersOf(withCurves, writtenNames(sets.front()));
+        if (form != TableForm::Long)
+            checkUnitsOf(sets, notes);
+        if (form == TableForm::Long || form == TableForm::Wide)
+            checkColumns(sets.front(), form, protocol);
         const AbsentLandmarks absent = absentIn(sets);
         std::string text = textOf(sets, form, protocol, texts, notes);
         checkSize(text.size());

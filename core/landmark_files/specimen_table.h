@@ -57,7 +57,8 @@ struct WrittenTable {
 /// The columns of a protocol are "NAME" and "NAME_error", and "measures_note" with the reasons for
 /// NA; TPS and NTSYS have none.
 /// @param names  landmarks whose names come first; may be empty
-/// @return CannotHold, as landmarksText
+/// @return CannotHold, as landmarksText; specimens of several units, except in Long; a measure with
+///         the name of another column
 geometry::Result<WrittenTable, LandmarkFileError> specimenTable(std::span<const landmarks::LandmarkSet> specimens,
                                                                 TableForm form, const ProtocolColumns &protocol = {},
                                                                 std::span<const landmarks::Landmark> names = {},

@@ -10,30 +10,42 @@
 namespace unprojector::landmarks {
 namespace {
 
-/// Spellings that count as an earlier one of the same nameKey: no set has both.
-std::vector<std::pair<std::string, std::string>> respelledIn(std::span<const LandmarkSet> sets)
+/// Finds the spellings that count as an earlier one of the same nameKey, where no set has both, and
+/// those that do not.
+void findSpellings(std::span<const LandmarkSet> sets, DistinctNames &distinct)
 {
     std::map<std::string, std::vector<std::string>> spellings; ///< by key, in order of first appearance
-    std::set<std::string> ambiguous;                           ///< keys
-    for (const LandmarkSet &set : sets) {
+    std::map<std::string, KeptSpellings> kept;                 ///< by key
+    std::set<std::string> single;                              ///< keys of which a set has one spelling
+    for (std::size_t i = 0; i < sets.size(); ++i) {
         std::map<std::string, std::string> ofSet;
-        for (const Landmark &landmark : set.landmarks) {
+        std::set<std::string> keptHere;
+        for (const Landmark &landmark : sets[i].landmarks) {
             const std::string key = nameKey(landmark.name);
             if (key.empty())
                 continue;
-            if (ofSet.try_emplace(key, landmark.name).first->second != landmark.name)
-                ambiguous.insert(key);
+            if (const std::string &first = ofSet.try_emplace(key, landmark.name).first->second;
+                first != landmark.name) {
+                kept.try_emplace(key, KeptSpellings{i, first, landmark.name});
+                keptHere.insert(key);
+            }
             std::vector<std::string> &known = spellings[key];
             if (std::find(known.begin(), known.end(), landmark.name) == known.end())
                 known.push_back(landmark.name);
         }
+        for (const auto &[key, name] : ofSet) {
+            if (!keptHere.contains(key))
+                single.insert(key);
+        }
     }
-    std::vector<std::pair<std::string, std::string>> respelled;
     for (const auto &[key, names] : spellings) {
-        for (std::size_t i = 1; i < names.size() && !ambiguous.contains(key); ++i)
-            respelled.emplace_back(names[i], names.front());
+        for (std::size_t i = 1; i < names.size() && !kept.contains(key); ++i)
+            distinct.respelled.emplace_back(names[i], names.front());
     }
-    return respelled;
+    for (const auto &[key, both] : kept) {
+        if (single.contains(key))
+            distinct.kept.push_back(both);
+    }
 }
 
 } // namespace
@@ -41,7 +53,7 @@ std::vector<std::pair<std::string, std::string>> respelledIn(std::span<const Lan
 DistinctNames distinctNames(std::span<const LandmarkSet> sets)
 {
     DistinctNames distinct;
-    distinct.respelled = respelledIn(sets);
+    findSpellings(sets, distinct);
     const std::map<std::string, std::string> respelled(distinct.respelled.begin(), distinct.respelled.end());
     std::set<std::string> taken;
     for (const LandmarkSet &set : sets) {

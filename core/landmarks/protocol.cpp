@@ -24,6 +24,17 @@ std::optional<std::size_t> landmarkNamed(const LandmarkSet &set, const std::stri
 
 namespace {
 
+/// Returns whether a name, in this spelling or another, means several landmarks of a set.
+bool isNameOfSeveral(const std::string &name, const std::string &found, const LandmarkSet &set)
+{
+    const std::string key = nameKey(name);
+    return std::count_if(set.landmarks.begin(), set.landmarks.end(),
+                         [&](const Landmark &landmark) {
+                             return found == name ? landmark.name == name : nameKey(landmark.name) == key;
+                         })
+           > 1;
+}
+
 std::string absenceOf(const Landmark &landmark)
 {
     switch (landmark.absence) {
@@ -78,6 +89,8 @@ ProtocolValue valueOf(const KeptMeasure &measure, const LandmarkSet &set, const 
         const std::optional<std::size_t> index = landmarkNamed(set, name);
         if (!index)
             return {std::nullopt, tr("no landmark has the name \"%1\"", name)};
+        if (isNameOfSeveral(name, set.landmarks[*index].name, set))
+            return {std::nullopt, tr("several landmarks have the name \"%1\"", name)};
         points.push_back(&set.landmarks[*index]);
     }
     const MeasureSize size = sizeOf(measure.kind);

@@ -43,7 +43,7 @@ private:
     QStringList located(QStringList words) const
     {
         for (QString &word : words) {
-            if (word.contains(u'.') || word == QStringLiteral("folder"))
+            if (word.contains(u'.') || word == QStringLiteral("folder") || word == QStringLiteral("scans"))
                 word = m_folder->path(word);
         }
         return words;
@@ -80,6 +80,10 @@ void TestKeptInputs::init()
     m_folder->write("folder/one.csv", kPoints);
     m_folder->write("folder/two.csv", kPoints);
     m_folder->write("folder/many.tps", "LM3=1\n1 2 3\nID=one\nLM3=1\n1 2 3\nID=three\n");
+    QVERIFY(QDir(m_folder->path(".")).mkdir("scans"));
+    for (const char *file : {"s1.ply.points.csv", "s1.ply.points-2.csv", "s2.ply.points.csv"})
+        m_folder->write(QStringLiteral("scans/") + file, "name,x,y,z\na,1,2,3\n");
+    m_folder->write("scans/bad.ply.points.csv", "name,x,y,z\na,1,2,\"\n");
     std::filesystem::create_hard_link(m_folder->path("face.obj").toStdU16String(),
                                       m_folder->path("hard.obj").toStdU16String());
 }
@@ -122,6 +126,14 @@ void TestKeptInputs::anInputIsRefused_data()
         "face.mtl");
     add("repeats over the second", {"landmarks", "--repeats", "points.csv", "folder/one.csv", "-o"}, "folder/one.csv");
     add("a table over one of its files", {"landmarks", "--table", "folder", "-o"}, "folder/one.csv");
+    for (const QString file : {"scans/s1.ply.points.csv", "scans/s1.ply.points-2.csv", "scans/bad.ply.points.csv"}) {
+        add(qPrintable("repeats over " + file), {"landmarks", "--repeats", "scans", "-o"}, file);
+        add(qPrintable("errors over " + file), {"landmarks", "--repeats", "scans", "-o", "scans/r.csv", "--errors"},
+            file);
+        add(qPrintable("a table over " + file), {"landmarks", "--table", "scans", "-o"}, file);
+        add(qPrintable("sliders over " + file), {"landmarks", "--table", "scans", "-o", "scans/r.csv", "--sliders"},
+            file);
+    }
     add("a table over specimens of its own", {"landmarks", "--table", "folder", "--format", "tps", "-o"},
         "folder/many.tps");
 }
@@ -139,6 +151,7 @@ void TestKeptInputs::anInputIsRefused()
     QCOMPARE(run.exitCode, 2);
     QCOMPARE(bytesOf(file), before);
     QCOMPARE(names(), namesBefore);
+    QCOMPARE(bytesOf(m_folder->path("scans/r.csv")), QByteArray("none"));
 }
 
 /// Read once for each time that it is named, it would take longer than any test may.

@@ -43,6 +43,11 @@ private slots:
     void repeatedPlacings();
     void repeatsInOtherUnits();
     void repeatedSpecimens();
+    void resultsAreNoSpecimens();
+    void theSuffixDecides();
+    void namesThatAreNotClear();
+    void twoFilesOfOnePlacing();
+    void tablesHaveOneUnit();
     void formulasOfASpreadsheet();
     void refused_data();
     void refused();
@@ -490,6 +495,148 @@ void TestLandmarksCommand::refused()
     QVERIFY2(run.errors.contains(message.toUtf8()), run.errors.constData());
     QCOMPARE(run.output, QByteArray());
     QCOMPARE(bytesOf(m_folder.path("in.pp")), kPicked);
+}
+
+/// All that a folder's commands make may lie in it.
+void TestLandmarksCommand::resultsAreNoSpecimens()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("kept")));
+    m_folder.write("kept/s1.ply.points.csv", "name,x,y,z\na,0,0,0\nb,9,0,0\nc,0,9,0\n");
+    m_folder.write("kept/s1.ply.points-2.csv", "name,x,y,z\na,2,0,0\nb,9,0,0\nc,0,9,0\n");
+    m_folder.write("kept/s2.ply.points.csv", "name,x,y,z\na,1,0,0\nb,8,0,0\nc,0,7,0\n");
+    const QString folder = m_folder.path("kept");
+    const Run first = runCommand({"landmarks", "--table", folder, "-o", "-", "--format", "wide"});
+    QCOMPARE(first.exitCode, 0);
+    for (const char *name : {"all.tps", "all.nts", "long.csv"})
+        QCOMPARE(runCommand({"landmarks", "--table", folder, "-o", folder + '/' + name}).exitCode, 0);
+    QCOMPARE(runCommand({"landmarks", "--table", folder, "-o", folder + "/wide.csv", "--format", "wide"}).exitCode, 0);
+    QCOMPARE(
+        runCommand({"landmarks", "--repeats", folder, "-o", folder + "/r.csv", "--errors", folder + "/e.csv"}).exitCode,
+        0);
+    m_folder.write("kept/sheet.csv",
+                   "\xef\xbb\xbf\"specimen\";placing;\"a b_x\";\"a b_y\";\"a b_z\"\r\ns1;1;1,5;2;3\r\n");
+    const Run again = runCommand({"landmarks", "--table", folder, "-o", "-", "--format", "wide"});
+    QVERIFY2(again.exitCode == 0, again.errors);
+    QCOMPARE(again.output, first.output);
+    for (const char *name : {"wide.csv", "r.csv", "e.csv", "sheet.csv"})
+        QVERIFY2(again.errors.contains((folder + '/' + name).toUtf8()
+                                       + ": this is a table that this program made of other files; it is left out\n"),
+                 again.errors);
+    for (const char *name : {"all.tps", "all.nts", "long.csv"})
+        QVERIFY2(again.errors.contains(
+                     (folder + '/' + name).toUtf8()
+                     + ": it has several specimens, and other files lie beside their scans; it is left out\n"),
+                 again.errors);
+}
+
+void TestLandmarksCommand::theSuffixDecides()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("suffixes")));
+    m_folder.write("suffixes/s1.csv", "name,x,y,z\na,1,2,3\n");
+    m_folder.write("suffixes/s2.csv", "name,x,y,z\na,4,5,6\n");
+    const QString folder = m_folder.path("suffixes");
+    const auto made = [&](const QString &name, const QStringList &more = {}) {
+        const Run run = runCommand(QStringList{"landmarks", "--table", folder, "-o", m_folder.path(name)} + more);
+        return run.exitCode == 0 ? bytesOf(m_folder.path(name)) : run.errors;
+    };
+    QVERIFY2(made("t.tps").startsWith("LM3=1\n1 2 3\n"), made("t.tps"));
+    QVERIFY2(made("t.nts").startsWith("1 2L 3 0 DIM=3\n"), made("t.nts"));
+    QVERIFY2(made("t.dta").startsWith("1 2L 3 0 DIM=3\n"), made("t.dta"));
+    QVERIFY2(made("t.csv").startsWith("specimen,name,x"), made("t.csv"));
+    QVERIFY2(made("t.txt", {"--format", "tps"}).startsWith("LM3=1\n"), made("t.txt"));
+    for (const auto &[name, form] : {std::pair("u.tps", "wide"), std::pair("u.csv", "nts"), std::pair("u.pp", "long")})
+        QVERIFY2(made(name, {"--format", form}).contains("; give it a name that ends so, or another format\n"),
+                 made(name));
+    QVERIFY2(made("s1.PLY").contains(": this is the name of a model, not of a table"), made("s1.PLY"));
+    for (const char *name : {"series-template.csv", "series.measures.csv"})
+        QVERIFY2(made(name).contains(": this name is kept for the template and the measures of a series"), made(name));
+    const auto repeated = [&](const QStringList &more) {
+        return runCommand(QStringList{"landmarks", "--repeats", folder + "/s1.csv", folder + "/s2.csv"} + more);
+    };
+    for (const QStringList &more : {QStringList{"-o", "r.tps"}, QStringList{"--errors", "r.stl"}})
+        QCOMPARE(repeated(more).exitCode, 2);
+    // Two results in one file would be one.
+    const QString both = m_folder.path("both.csv");
+    for (const QStringList &more :
+         {QStringList{"-o", both, "--errors", both}, QStringList{"-o", both, "--errors", m_folder.path("./both.csv")},
+          QStringList{"-o", "-", "--errors", "-"}}) {
+        const Run run = repeated(more);
+        QCOMPARE(run.exitCode, 2);
+        QVERIFY2(run.errors.contains(": two results cannot go to one file"), run.errors);
+        QCOMPARE(run.output, QByteArray());
+        QVERIFY(!QFile::exists(both));
+    }
+    QVERIFY2(made("both.csv", {"--sliders", both}).contains("two results cannot go to one file"), "sliders");
+}
+
+void TestLandmarksCommand::namesThatAreNotClear()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("names")));
+    m_folder.write("names/s1.csv", "name,x,y,z\na,1,0,0\nb,2,0,0\n");
+    m_folder.write("names/s2.csv", "name,x,y,z\nA,3,0,0\nb,4,0,0\n");
+    m_folder.write("names/s4.csv", "name,x,y,z\na,5,0,0\nA,6,0,0\nb,7,0,0\nb,8,0,0\n");
+    const QString protocol = m_folder.write("names.measures.csv", "name,kind,landmarks\nd,distance,a,b\n");
+    const Run run = runCommand(
+        {"landmarks", "--table", m_folder.path("names"), "-o", "-", "--format", "wide", "--measures", protocol});
+    QCOMPARE(run.exitCode, 0);
+    QVERIFY2(run.errors.contains("stdout: \"s4\" has both \"a\" and \"A\", so they are two landmarks in all specimens; "
+                                 "rename one if they are the same\n"),
+             run.errors);
+    QVERIFY2(run.errors.contains("stdout: \"s4\" has several landmarks named \"b\"; the table numbers them\n"),
+             run.errors);
+    QVERIFY2(run.output.contains(",NA,NA,\"d: several landmarks have the name \"\"b\"\"\"\n"), run.output);
+    const auto named = [&](const char *name) {
+        const QString file = m_folder.write("equal.measures.csv", "name,kind,landmarks\nd,distance,a,a\n"
+                                                                      + QByteArray(name) + ",distance,a,a\n");
+        return runCommand(
+            {"landmarks", "--table", m_folder.path("names"), "-o", "-", "--format", "wide", "--measures", file});
+    };
+    for (const char *name : {"a_x", "specimen", "d_error", "measures_note"}) {
+        QCOMPARE(named(name).exitCode, 2);
+        QVERIFY2(named(name).errors.contains("and there is another one of that name; rename the measure\n"),
+                 named(name).errors);
+    }
+    QCOMPARE(named("e").exitCode, 0);
+    // Repeats go by names too.
+    const QString s1 = m_folder.path("names/s1.csv"), s4 = m_folder.path("names/s4.csv");
+    const Run repeats = runCommand({"landmarks", "--repeats", s1, s4, "-o", "-"});
+    QCOMPARE(repeats.exitCode, 0);
+    QVERIFY2(repeats.errors.contains(("stdout: " + s4 + " has both \"a\" and \"A\", so they are").toUtf8()),
+             repeats.errors);
+    QVERIFY2(repeats.errors.contains(("stdout: " + s4 + " has several landmarks named \"b\"; the table").toUtf8()),
+             repeats.errors);
+}
+
+void TestLandmarksCommand::twoFilesOfOnePlacing()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("double")));
+    for (const char *name : {"s1.ply.points-02", "s1.ply.points-2", "s2.ply.points", "s2.ply.points-1"})
+        m_folder.write(QStringLiteral("double/%1.csv").arg(name), "name,x,y,z\na,1,0,0\n");
+    const Run run = runCommand({"landmarks", "--table", m_folder.path("double"), "-o", "-"});
+    QCOMPARE(run.exitCode, 0);
+    QCOMPARE(run.errors.count("; it counts as another specimen\n"), 2);
+    QVERIFY2(run.errors.contains("this is placing 2 of s1.ply, as s1.ply.points-"), run.errors);
+    QVERIFY2(run.errors.contains("this is placing 1 of s2.ply, as s2.ply.points"), run.errors);
+}
+
+void TestLandmarksCommand::tablesHaveOneUnit()
+{
+    QVERIFY(QDir().mkpath(m_folder.path("units")));
+    m_folder.write("units/s1.csv", "name,x,y,z,unit\na,1,2,3,mm\n");
+    m_folder.write("units/s2.csv", "name,x,y,z,unit\na,1,2,3,cm\n");
+    m_folder.write("units/s3.csv", "name,x,y,z\na,1,2,3\n");
+    const auto table = [&](const char *format) {
+        return runCommand({"landmarks", "--table", m_folder.path("units"), "-o", "-", "--format", format});
+    };
+    QCOMPARE(table("long").exitCode, 0); // it has a column for units
+    for (const char *format : {"wide", "tps", "nts"}) {
+        QCOMPARE(table(format).exitCode, 2);
+        QVERIFY2(table(format).errors.contains("\"s1\" is in mm and \"s2\" in cm; write both in the same unit first"),
+                 table(format).errors);
+    }
+    QVERIFY(QFile::remove(m_folder.path("units/s2.csv")));
+    QCOMPARE(table("wide").exitCode, 0);
+    QVERIFY2(table("wide").errors.contains("\"s1\" is in mm, and \"s3\" does not say its unit"), table("wide").errors);
 }
 
 void TestLandmarksCommand::formulasOfASpreadsheet()

@@ -68,6 +68,24 @@ void TestForeignLandmarks::filesOfOtherPrograms_data()
         << QByteArray("name,x,y,z,object,face,u,v,w,note,hidden,absence,unit,id\n\"a,b\",-1,2,3,,,,,,d,1,,mm,\n"
                       "u,,,,,,,,,,,,mm,\nm,,,,,,,,,,,missing,mm,9\n")
         << QStringList{turned, "other values of 1 specimen are left out: locked, labelFormat"};
+    // Slicer moves a preview with the mouse until it is placed.
+    QTest::newRow("Slicer JSON: a preview")
+        << Format::SlicerJson
+        << QByteArray(R"({"markups": [{"type": "Fiducial", "controlPoints": [{"label": "p", "position": [1, 2, 3],
+             "positionStatus": "preview"}]}]})")
+        << head + "\np,,,,,,,,,\n"
+        << QStringList{"1 point is a preview, which was not placed in 3D Slicer; it has no position here"};
+    QTest::newRow("Slicer CSV: a preview")
+        << Format::SlicerCsv
+        << QByteArray("# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n"
+                      "0,1,2,3,0,0,0,1,1,1,0,p,,,1,0\n1,1,2,3,0,0,0,1,1,1,0,q,,,2,0\n")
+        << head + "\np,,,,,,,,,\nq,1,2,3" + empty
+        << QStringList{"1 point is a preview, which was not placed in 3D Slicer; it has no position here"};
+    QTest::newRow("NTSYS: values are missing, by no number")
+        << Format::Nts << QByteArray("1 2 3 1 dim=3\n1 2 3\n9999 9999 9999\n")
+        << head + "\n,1,2,3" + empty + ",9999,9999,9999" + empty
+        << QStringList{"the parameters say that values are missing, and not by which number; every number is read as a "
+                       "coordinate"};
     QTest::newRow("Slicer CSV: LPS, a comma in a label, newer fields")
         << Format::SlicerCsv
         << QByteArray("# Markups fiducial file version = 5.8\n# CoordinateSystem = LPS\n"

@@ -1,11 +1,17 @@
 #include "core/cli/commands/landmark_streams.h"
 
 #include "core/files/path_text.h"
+#include "core/files/replace_file.h"
+#include "core/files/system_file.h"
+#include "core/landmark_files/landmark_folder.h"
+#include "core/landmark_files/measures_file.h"
 #include "core/text/translation.h"
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace unprojector::cli {
@@ -76,6 +82,38 @@ ExitCode write(const std::string &file, const Result<WrittenLandmarks, LandmarkF
     if (written == ExitCode::Done)
         tell(name, text->notes);
     return written;
+}
+
+bool isSameOutput(const std::string &a, const std::string &b)
+{
+    const auto whole = [](const std::string &file) {
+        std::error_code ignored;
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(pathFromUtf8(file), ignored), ignored);
+    };
+    if (a.empty() || b.empty() || isStream(pathFromUtf8(a)))
+        return false;
+    if (a != b && (a == "-" || b == "-" || (whole(a) != whole(b) && !isSameFile(pathFromUtf8(a), pathFromUtf8(b)))))
+        return false;
+    complain(tr("%1: two results cannot go to one file; give another name for one of them", a == "-" ? "stdout" : a));
+    return true;
+}
+
+bool isNameOfTable(const std::string &output, Format format)
+{
+    if (output.empty() || output == "-")
+        return true;
+    const std::filesystem::path file = pathFromUtf8(output);
+    const std::optional<Format> named = landmark_files::formatOf(file);
+    if (isModelName(file))
+        complain(tr("%1: this is the name of a model, not of a table; give another name", output));
+    else if (isMeasuresFile(file) || file.filename() == seriesTemplate({}))
+        complain(tr("%1: this name is kept for the template and the measures of a series; give another name", output));
+    else if (named && *named != format)
+        complain(
+            tr("%1: this table is a .%2; give it a name that ends so, or another format", output, suffixOf(format)));
+    else
+        return true;
+    return false;
 }
 
 ExitCode writeSliders(const std::string &file, const Result<Sliders, LandmarkFileError> &sliders,

@@ -25,6 +25,15 @@ ExitCode write(const std::string &file,
                const geometry::Result<landmark_files::WrittenLandmarks, landmark_files::LandmarkFileError> &text,
                const InputFiles &inputs);
 
+/// Returns whether two results would go to the same file, or both to stdout. If so, it prints that
+/// on stderr. Either name may be empty: there is no such result.
+bool isSameOutput(const std::string &a, const std::string &b);
+
+/// Returns whether a table may have this name. If not, it prints the reason on stderr.
+/// @param output  empty: there is no such table
+/// @param format  that of the table
+bool isNameOfTable(const std::string &output, landmark_files::Format format);
+
 /// Writes the sliders of points that were written. Reports on stderr what it wrote, or why it
 /// wrote nothing.
 /// @param file     empty: nothing is asked for

@@ -50,6 +50,29 @@ std::optional<LandmarkFolder> readFolder(const std::string &name, const Landmark
     return std::nullopt;
 }
 
+void addInputs(InputFiles &inputs, const LandmarkFolder &folder)
+{
+    for (const auto *files : {&folder.tableInputs, &folder.files}) {
+        for (const std::filesystem::path &file : *files)
+            inputs.push_back(utf8FromPath(file));
+    }
+    inputs.insert(inputs.end(), folder.badFiles.begin(), folder.badFiles.end());
+}
+
+/// The form of the table: the given one, else the one of its suffix. Prints on stderr why the table
+/// cannot have its name.
+std::optional<TableForm> tableForm(const LandmarksOptions &options)
+{
+    const std::optional<Format> named = landmark_files::formatOf(pathFromUtf8(options.output));
+    const TableForm form = options.table.value_or(named == Format::Tps   ? TableForm::Tps
+                                                  : named == Format::Nts ? TableForm::Nts
+                                                                         : TableForm::Long);
+    const Format format = form == TableForm::Tps ? Format::Tps : form == TableForm::Nts ? Format::Nts : Format::Csv;
+    if (!isNameOfTable(options.output, format) || !isNameOfTable(options.sliders, Format::Csv))
+        return std::nullopt;
+    return form;
+}
+
 /// The model file of a specimen: the scan that its file lies beside, else the mesh that the file names.
 /// Empty if there is none.
 std::filesystem::path modelOf(const LandmarkSet &set, const std::filesystem::path &file)
@@ -98,8 +121,9 @@ struct Placing {
 };
 
 /// Reads the files and folders with repeated placings. Prints errors on stderr.
+/// @param inputs  gets the files of folders, also those that an output would replace
 /// @return empty if one cannot be used at all
-std::optional<std::vector<Placing>> readPlacings(const LandmarksOptions &options, ExitCode &code)
+std::optional<std::vector<Placing>> readPlacings(const LandmarksOptions &options, InputFiles &inputs, ExitCode &code)
 {
     std::vector<Placing> placings;
     for (std::size_t i = 0; i < options.repeats.size(); ++i) {
@@ -109,6 +133,7 @@ std::optional<std::vector<Placing>> readPlacings(const LandmarksOptions &options
             std::optional<LandmarkFolder> folder = readFolder(name, options);
             if (!folder)
                 return std::nullopt;
+            addInputs(inputs, *folder);
             if (!folder->badFiles.empty())
                 code = ExitCode::SomeRowsBad;
             for (std::size_t k = 0; k < folder->sets.size(); ++k)
@@ -202,12 +227,14 @@ void tellSingles(const std::vector<RepeatedSpecimen> &specimens)
 
 ExitCode makeTable(const LandmarksOptions &options)
 {
-    const std::optional<LandmarkFolder> folder = readFolder(options.folder, options);
+    const std::optional<TableForm> form = tableForm(options);
+    const std::optional<LandmarkFolder> folder = form ? readFolder(options.folder, options) : std::nullopt;
     if (!folder)
         return ExitCode::UnusableInput;
     InputFiles inputs;
-    if (folder->isTableInput)
-        inputs.push_back(options.output);
+    addInputs(inputs, *folder);
+    if (isOverInput(options.output, inputs) || isOverInput(options.sliders, inputs))
+        return ExitCode::UnusableInput;
     std::vector<KeptMeasure> measures;
     MeasuredFolder found;
     if (!options.measures.empty()) {
@@ -224,14 +251,14 @@ ExitCode makeTable(const LandmarksOptions &options)
         inputs.insert(inputs.end(), found.models.begin(), found.models.end());
     }
     const std::string name = options.output == "-" ? "stdout" : options.output;
-    const auto table = specimenTable(folder->sets, options.table, {measures, found.values}, {}, textsOf(options));
+    const auto table = specimenTable(folder->sets, *form, {measures, found.values}, {}, textsOf(options));
     const ExitCode written = table ? write(options.output, WrittenLandmarks{table->text, table->notes}, inputs)
                                    : write(options.output, table.error(), inputs);
     if (written != ExitCode::Done)
         return written;
     if (const std::string absent = absentText(table->absent); !absent.empty())
         complain(name + ": " + absent);
-    if (options.table == TableForm::Wide || options.table == TableForm::Long) {
+    if (form == TableForm::Wide || form == TableForm::Long) {
         for (const std::string &text : unmeasuredTexts({measures, found.values}))
             complain(name + ": " + text);
     }
@@ -242,15 +269,15 @@ ExitCode makeTable(const LandmarksOptions &options)
 
 ExitCode makeRepeats(const LandmarksOptions &options)
 {
+    if (!isNameOfTable(options.output, Format::Csv) || !isNameOfTable(options.errors, Format::Csv))
+        return ExitCode::UnusableInput;
     InputFiles inputs = options.repeats;
     if (isOverInput(options.output, inputs) || isOverInput(options.errors, inputs))
         return ExitCode::UnusableInput;
     ExitCode code = ExitCode::Done;
-    const std::optional<std::vector<Placing>> placings = readPlacings(options, code);
-    if (!placings)
+    const std::optional<std::vector<Placing>> placings = readPlacings(options, inputs, code);
+    if (!placings || isOverInput(options.output, inputs) || isOverInput(options.errors, inputs))
         return ExitCode::UnusableInput;
-    for (const Placing &placing : *placings)
-        inputs.push_back(placing.file);
     tellSameFiles(options.repeats);
     const std::vector<RepeatedSpecimen> specimens = specimensOf(*placings);
     tellSingles(specimens);

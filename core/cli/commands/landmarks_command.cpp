@@ -206,6 +206,8 @@ ExitCode convert(const LandmarksOptions &options)
 
 ExitCode runLandmarks(const LandmarksOptions &options)
 {
+    if (isSameOutput(options.output, options.errors) || isSameOutput(options.output, options.sliders))
+        return ExitCode::UnusableInput;
     if (!options.repeats.empty())
         return makeRepeats(options);
     return options.folder.empty() ? convert(options) : makeTable(options);

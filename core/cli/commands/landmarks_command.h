@@ -19,8 +19,8 @@ struct LandmarksOptions {
     std::vector<std::string> repeats;               ///< files and folders with repeated placements; empty: none
     std::string errors;                             ///< the table of the error of measurement; empty: none
     std::string measures;                           ///< protocol whose measures the table of a folder has; empty: none
-    landmark_files::TableForm table = landmark_files::TableForm::Long;
-    bool isSpreadsheetSafe = false; ///< see text::CellTexts
+    std::optional<landmark_files::TableForm> table; ///< form of the table; empty: by the suffix
+    bool isSpreadsheetSafe = false;                 ///< see text::CellTexts
 };
 
 /// Runs `unproject landmarks`: converts landmark files, makes a table of a folder, or measures the

@@ -298,10 +298,13 @@ void addLandmarks(CLI::App &app, Run &run)
     addFile(*command, "--sliders", options->sliders,
             tr("Also write the sliders of semilandmarks, for geomorph's gpagen(curves=)"))
         ->excludes(repeats);
-    addChoice<TableForm>(
-        *command, "--format", options->table,
+    auto form = std::make_shared<TableForm>(TableForm::Long);
+    CLI::Option *given = addChoice<TableForm>(
+        *command, "--format", *form,
         {{"long", TableForm::Long}, {"wide", TableForm::Wide}, {"tps", TableForm::Tps}, {"nts", TableForm::Nts}},
-        tr("Form of the table: a row per landmark, a row per specimen, or a file of specimens"));
+        tr("Form of the table: a row per landmark, a row per specimen, or a file of specimens; without it, by the "
+           "name"));
+    given->default_str("");
     addSpreadsheetSafe(*command, options->isSpreadsheetSafe);
     command->footer(
         tr("csv  this program's: name,x,y,z,object,face,u,v,w,note; keeps everything. Tables of R, 3D Slicer, "
@@ -323,7 +326,9 @@ void addLandmarks(CLI::App &app, Run &run)
           "all.csv --format wide\n  unproject landmarks --table skulls --measures protocol.csv -o all.csv --format "
           "wide\n  unproject landmarks "
           "--repeats monday.pp tuesday.pp -o repeats.csv\n  unproject landmarks --repeats scans --errors errors.csv");
-    command->callback([options, input, converted, output, folder, repeats, errors, &run] {
+    command->callback([options, input, converted, output, folder, repeats, errors, form, given, &run] {
+        if (given->count() > 0)
+            options->table = *form;
         if (folder->count() == 0 && repeats->count() == 0) {
             if (output->count() > 0)
                 throw CLI::RequiredError(tr("--table or --repeats (with -o)"));
