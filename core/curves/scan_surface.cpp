@@ -61,6 +61,7 @@ Result<landmarks::Measure, std::string> ScanSurface::length(std::span<const Land
             return tr("\"%1\" is off the surface", landmark.name);
     }
     std::vector<const Landmark *> places;
+    places.reserve(tied.size());
     for (const Landmark &landmark : tied)
         places.push_back(&landmark);
     const auto line = lineThrough(*m_surface, places, landmarks::CurveKind::Geodesic, m_target.worldFromObject, goesOn);

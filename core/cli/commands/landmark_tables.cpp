@@ -78,7 +78,7 @@ std::optional<TableForm> tableForm(const LandmarksOptions &options)
 std::filesystem::path modelOf(const LandmarkSet &set, const std::filesystem::path &file)
 {
     std::error_code ignored;
-    if (const std::filesystem::path scan = scanOf(file); std::filesystem::is_regular_file(scan, ignored))
+    if (std::filesystem::path scan = scanOf(file); std::filesystem::is_regular_file(scan, ignored))
         return scan;
     const std::filesystem::path mesh = file.parent_path() / pathFromUtf8(set.mesh);
     return !set.mesh.empty() && std::filesystem::is_regular_file(mesh, ignored) ? mesh : std::filesystem::path();
