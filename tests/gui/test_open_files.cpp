@@ -255,7 +255,8 @@ void TestOpenFiles::aBrokenFileChangesNothing_data()
                       "z\nelement face 1\n"
                       "property list uchar int vertex_indices\nend_header\n0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n")
         << "vertex 1 is NaN, infinite, or beyond 3.4e38";
-    QTest::newRow("unknown suffix") << "notes.txt" << QByteArray("words\n") << "OBJ, STL, PLY, OFF, glTF or GLB";
+    QTest::newRow("unknown suffix") << "notes.doc" << QByteArray("words\n") << "OBJ, STL, PLY, OFF, glTF or GLB";
+    QTest::newRow("a text, not of landmarks") << "notes.txt" << QByteArray("words\n") << "there is no column x";
     QTest::newRow("no suffix") << "model" << QByteArray("words\n") << "OBJ, STL, PLY, OFF, glTF or GLB";
     QTest::newRow("words in an OFF") << "words.off" << QByteArray("not a model at all\n") << "damaged";
     QTest::newRow("words in a GLB") << "words.glb" << QByteArray("not a model at all\n") << "damaged";
