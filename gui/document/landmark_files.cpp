@@ -4,6 +4,7 @@
 #include "core/landmark_files/landmark_file.h"
 #include "core/landmark_files/measures_file.h"
 #include "core/landmark_files/sliders.h"
+#include "core/scene_file/scene_file.h"
 #include "gui/document/camera_looks.h"
 #include "gui/document/landmark_joining.h"
 #include "gui/document/object_names.h"
@@ -126,8 +127,9 @@ bool LandmarkFiles::isLandmarkFile(const std::filesystem::path &file)
     const bool isOtherJson =
         format == Format::SlicerJson
         && pathText(file.stem().extension()).compare(QStringLiteral(".mrk"), Qt::CaseInsensitive) != 0;
-    return format && *format != Format::MeshLabTemplate && !isOtherJson && !isSlidersFile(file)
-           && !isMeasuresFile(file);
+    if (!format || *format == Format::MeshLabTemplate || isOtherJson || isSlidersFile(file) || isMeasuresFile(file))
+        return false;
+    return formatOf(file) || !scene_file::isSceneFile(file); // a text may be a scene under another suffix
 }
 
 bool LandmarkFiles::isTemplate(const std::filesystem::path &file)

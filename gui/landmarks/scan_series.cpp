@@ -176,8 +176,7 @@ void ScanSeries::readAgain()
         if (i != m_shown)
             read(m_scans[i]);
     }
-    if (isOpen())
-        emit changed();
+    emit changed();
 }
 
 void ScanSeries::keepChosenTemplate()
@@ -388,7 +387,7 @@ void ScanSeries::runTarget()
 {
     if (!m_target || m_target->step->where != shownPlacing())
         return;
-    const Target target = *std::exchange(m_target, std::nullopt);
+    const SeriesHistory::Wanted target = *std::exchange(m_target, std::nullopt);
     if (m_history.run(target.step, target.isRedo))
         emit noticed((target.isRedo ? tr("Redone on %1: %2.") : tr("Undone on %1: %2."))
                          .arg(pathText(target.step->where.scan.filename()), target.step->text));

@@ -171,11 +171,6 @@ private:
         std::optional<SuspendedScan> aside;
         int placing = 1;
     };
-    /// A change to undo or redo once its scan is shown.
-    struct Target {
-        std::shared_ptr<const ScanStep> step;
-        bool isRedo = false;
-    };
 
     SceneDocument &m_document;
     Session &m_session;
@@ -202,7 +197,7 @@ private:
     std::optional<std::pair<geometry::LookAt, geometry::Projection>> m_look;
     /// while the first scan of a series is searched: why others could not be read
     std::optional<QStringList> m_passedOver;
-    std::optional<Target> m_target;
+    std::optional<SeriesHistory::Wanted> m_target;
     QStringList m_toWarn; ///< once a scan is shown: its opening hides earlier messages
 };
 

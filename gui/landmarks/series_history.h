@@ -40,6 +40,12 @@ struct ScanStep {
 class SeriesHistory : public QObject {
     Q_OBJECT
 public:
+    /// A change to undo or redo once its scan is shown.
+    struct Wanted {
+        std::shared_ptr<const ScanStep> step;
+        bool isRedo = false;
+    };
+
     /// @param document  outlives it
     explicit SeriesHistory(SceneDocument &document, QObject *parent = nullptr);
 
@@ -66,11 +72,6 @@ signals:
 
 private:
     class Command;
-
-    struct Wanted {
-        std::shared_ptr<const ScanStep> step;
-        bool isRedo = false;
-    };
 
     /// The index of a change on the document's stack.
     std::optional<int> indexOf(const ScanStep *step) const;

@@ -206,7 +206,7 @@ void TestPixelEdge::edgesAreFoundAsADenseGridOfRaysFindsThem()
                              .arg(rates.wronglyFound)
                              .arg(rates.plain)
                              .arg(rates.wrongDistance);
-    QVERIFY2(rates.withEdge >= 15, qPrintable(told));
+    QVERIFY2(rates.withEdge >= 10, qPrintable(told));
     QVERIFY2(100 * rates.found >= 99 * rates.withEdge, qPrintable(told));
     QVERIFY2(100 * rates.wronglyFound <= rates.plain, qPrintable(told));
     QVERIFY2(50 * rates.wrongDistance <= rates.found, qPrintable(told));
