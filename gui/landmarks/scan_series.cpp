@@ -109,7 +109,6 @@ bool ScanSeries::open(const std::filesystem::path &folder)
         emit failed(scans.error());
         return false;
     }
-    keepTemplate();
     PreviousSeries former{m_folder, m_scans, m_names, m_curves, m_inView, m_shown, m_aside, m_placing};
     m_aside.reset();
     m_current = m_inView = m_shown = std::nullopt;
