@@ -341,6 +341,15 @@ std::string PlainNames::of(const std::string &name, const std::string &instead)
     return plain;
 }
 
+void appendValue(std::string &text, const std::optional<double> &value)
+{
+    text += ',';
+    if (value)
+        text::appendNumber(text, *value);
+    else
+        text += "NA";
+}
+
 bool isMissingWord(std::string_view word)
 {
     constexpr std::array<std::string_view, 6> kWords{"na", "nan", "n/a", "#n/a", "null", "none"};

@@ -124,6 +124,8 @@ private:
 
 /// True if a word means "no number": NA, NaN, N/A, #N/A, null or none, in any case.
 bool isMissingWord(std::string_view word);
+/// Appends a comma and a number with the fewest digits that read back to it; NA for none.
+void appendValue(std::string &text, const std::optional<double> &value);
 
 /// Appends a cell, in quotes where it needs them: without quotes NA means missing.
 void appendCell(std::string &text, std::string_view cell);

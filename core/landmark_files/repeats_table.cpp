@@ -50,19 +50,6 @@ geometry::Result<WrittenLandmarks, LandmarkFileError> repeatsTable(std::span<con
     return WrittenLandmarks{std::move(text), notes.take()};
 }
 
-namespace {
-
-void appendValue(std::string &text, const std::optional<double> &value)
-{
-    text += ',';
-    if (value)
-        text::appendNumber(text, *value);
-    else
-        text += "NA";
-}
-
-} // namespace
-
 landmarks::MeasurementError measurementErrorOf(std::span<const RepeatedSpecimen> specimens)
 {
     std::vector<std::vector<landmarks::LandmarkSet>> placings;

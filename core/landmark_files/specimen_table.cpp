@@ -185,15 +185,6 @@ void addProtocol(std::vector<LandmarkSet> &sets, const ProtocolColumns &protocol
     }
 }
 
-void appendValue(std::string &text, const std::optional<double> &value)
-{
-    text += ',';
-    if (value)
-        text::appendNumber(text, *value);
-    else
-        text += "NA";
-}
-
 std::string wideText(std::span<const LandmarkSet> sets, const ProtocolColumns &protocol, text::CellTexts texts,
                      Notes &notes)
 {

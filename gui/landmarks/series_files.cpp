@@ -46,7 +46,7 @@ SeriesFiles::Done SeriesFiles::backUp(const std::filesystem::path &file)
             return Texts::tr("%1 has no backup: %2.")
                 .arg(pathText(file.filename()), QString::fromStdString(text::systemErrorText(error)));
     }
-    m_backedUp.insert(file); // a new file has no earlier state in this session
+    m_backedUp.insert(file); // a new file has no earlier state in this run
     return std::monostate{};
 }
 

@@ -26,8 +26,8 @@ public:
     /// @param templates  outlives it
     void setTemplates(LandmarkTemplates &templates) { m_templates = &templates; }
 
-    /// Copies a landmark file to "face.ply.points.csv~", unless this was done in this session: the
-    /// copy has the state before the session's first change.
+    /// Copies a landmark file to "face.ply.points.csv~", unless this run of the program has
+    /// done so: the copy has the state before its first change.
     Done backUp(const std::filesystem::path &file);
 
     /// Reads the template of a folder's series and chooses it for hints.

@@ -251,7 +251,7 @@ void TestSeriesWork::theFirstStateOfASessionIsBackedUp()
     QVERIFY(m_session->save());
     QVERIFY(m_document->sceneLandmarks().moveTo(0, WorldPoint(4.0, 1.0, 0.0)));
     QVERIFY(m_session->save());
-    QVERIFY(!QFile::exists(path(QStringLiteral("b.obj.points.csv~")))); // it had none before this session
+    QVERIFY(!QFile::exists(path(QStringLiteral("b.obj.points.csv~")))); // it had none before
     // It is no scan and no specimen.
     openSeries();
     QCOMPARE(m_series->scans().size(), std::size_t(3));
@@ -503,7 +503,7 @@ void TestSeriesWork::missingOnPurposeIsDone()
 
 void TestSeriesWork::crash()
 {
-    // A killed program runs no destructor; this session's file stays as one of a program that ended.
+    // A killed program runs no destructor; its file stays as one of a program that ended.
     m_series.reset();
     m_session.reset();
     m_failures.clear();
