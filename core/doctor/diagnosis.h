@@ -83,6 +83,14 @@ struct VariantName {
     bool isEmpty() const { return words == nullptr && value.empty(); } ///< the mistake has no other variant
 };
 
+/// A value that was solved for: {"far", {50}}, {"rotation", nine numbers by rows}, {"about", {},
+/// "eye"}.
+struct SolvedValue {
+    std::string name; ///< key of the command's JSON
+    std::vector<double> numbers{};
+    std::string word{}; ///< instead of numbers
+};
+
 /// The extent to which a mistake cannot be distinguished from the first candidate.
 enum class Alike {
     No,
@@ -96,9 +104,10 @@ enum class Shared { Window, Depth, Projection, View, Ndc, Matrix, Point };
 
 /// One or two mistakes, and their answer.
 struct Candidate {
-    std::string id;                ///< "right", "y-not-flipped", …; for two "a+b"
-    std::vector<VariantName> ways; ///< of its mistakes that have several variants; see waysText
-    glm::dvec3 point{0.0};         ///< its answer to the first point, in that point's space
+    std::string id;                  ///< "right", "y-not-flipped", …; for two "a+b"
+    std::vector<VariantName> ways;   ///< of its mistakes that have several variants; see waysText
+    std::vector<SolvedValue> values; ///< of a mistake with free values
+    glm::dvec3 point{0.0};           ///< its answer to the first point, in that point's space
     double distance =
         0.0;        ///< the greatest difference of a coordinate, in units of its last digit; mean over the points
     int digits = 0; ///< number of significant digits that it explains, all coordinates of all points

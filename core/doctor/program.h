@@ -103,6 +103,10 @@ struct Variant {
     double parameter = 0.0, second = 0.0;
     glm::dmat4 matrix{1.0}; ///< of a model
     VariantName name;       ///< empty if the mistake has one variant
+    /// Solved from the given points; empty for a mistake of fixed form. `unknowns` is their number.
+    std::vector<SolvedValue> values{};
+    int unknowns = 0;
+    bool isExpected = false; ///< the values are round, or stand in the scene
 };
 
 /// The program with these mistakes after its last stage, with each stage's result; empty if it has

@@ -1,0 +1,119 @@
+#pragma once
+
+#include "core/geometry/box.h"
+#include "core/geometry/matrix_projection.h"
+#include "core/geometry/result.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Cameras of other programs: from their files and printed values to a scene's projection and view.
+/// Each program has a reader; all readers fill a ForeignCamera, and sceneCamera() converts it.
+namespace unprojector::cameras {
+
+/// The directions of the axes x, y, z of an eye space, as seen in the picture.
+enum class EyeAxes {
+    RightUpBack,    ///< OpenGL, Blender, NeRF, PyBullet, MuJoCo
+    RightDownAhead, ///< OpenCV, COLMAP, Open3D, ROS's optical frames
+    RightUpAhead,   ///< left-handed: Direct3D, Unity's transforms
+    AheadRightUp,   ///< left-handed: Unreal
+    AheadLeftUp     ///< ROS's body frames
+};
+
+/// The direction of a given pose.
+enum class PoseDirection { WorldToCamera, CameraToWorld };
+
+/// The coordinates of the centre of the first pixel, from the top-left corner: 0 or ½.
+enum class PixelCentres { AtIntegers, AtHalves };
+
+/// A pinhole's numbers, in pixels from the top-left corner: x = fx X/Z + skew Y/Z + cx,
+/// y = fy Y/Z + cy, with X right, Y down, Z ahead.
+struct Intrinsics {
+    double fx = 1.0, fy = 1.0, cx = 0.0, cy = 0.0, skew = 0.0;
+    PixelCentres centres = PixelCentres::AtIntegers;
+};
+
+/// The coefficients of Brown and Conrady, as OpenCV numbers them.
+struct Distortion {
+    double k1 = 0.0, k2 = 0.0, p1 = 0.0, p2 = 0.0, k3 = 0.0;
+    bool isNone() const { return k1 == 0.0 && k2 == 0.0 && p1 == 0.0 && p2 == 0.0 && k3 == 0.0; }
+    friend bool operator==(const Distortion &, const Distortion &) = default;
+};
+
+/// Width and height of the picture, pixels.
+struct PictureSize {
+    int width = 0, height = 0;
+    friend bool operator==(const PictureSize &, const PictureSize &) = default;
+};
+
+/// A camera as another program gives it, before conversion.
+struct ForeignCamera {
+    std::string program; ///< whose form it is: "OpenCV", "COLMAP"
+    std::optional<Intrinsics> intrinsics;
+    std::optional<geometry::MatrixProjection> projection; ///< instead of intrinsics; OpenGL's clip space
+    std::optional<PictureSize> size;
+    std::optional<double> nearDistance, farDistance;
+    std::optional<glm::dmat4> pose; ///< column vectors; the camera's axes are `axes`
+    PoseDirection direction = PoseDirection::WorldToCamera;
+    bool isDirectionCertain = false; ///< the names or the program tell it; else sceneCamera() decides
+    EyeAxes axes = EyeAxes::RightUpBack;
+    bool areAxesCertain = false; ///< as isDirectionCertain
+    /// The transform from the program's world to a right-handed one; the identity for right-handed
+    /// worlds.
+    glm::dmat4 rightHandedFromWorld{1.0};
+    std::optional<Distortion> distortion;
+    std::vector<std::string> assumed; ///< one sentence each, in the language of text::tr()
+};
+
+/// What the user says about a camera; empty members are taken from the file or assumed.
+struct CameraChoices {
+    std::string image; ///< the image's or frame's name, or a frame's index from 0; empty: the only one, else the first
+    std::optional<PictureSize> size;
+    std::optional<double> nearDistance, farDistance;
+    std::optional<EyeAxes> axes;
+    std::optional<PoseDirection> direction;
+    std::optional<PixelCentres> centres;
+    bool isUndistorted = false; ///< pixels are of the undistorted picture: coefficients are dropped, and this is said
+};
+
+/// A text with its name, for messages.
+struct NamedText {
+    std::string name, text;
+};
+
+/// The fault of a camera's text.
+struct CameraError {
+    std::string file;
+    std::size_t line = 0; ///< from 1; 0: the whole file
+    std::string reason;   ///< names the value and says what to do, in the language of text::tr()
+};
+
+/// A scene's camera. Its eye space is OpenGL's; pixels count as everywhere in the program.
+struct SceneCamera {
+    geometry::MatrixProjection projection;
+    glm::dmat4 eyeFromWorld{1.0};
+    PictureSize size;
+    std::optional<Distortion> distortion; ///< of its pixels, where it was not dropped
+    std::optional<Intrinsics> intrinsics; ///< of the file, for undistorting pixels
+    std::vector<std::string> assumed;     ///< what was assumed, and how to say otherwise; one sentence each
+};
+
+/// Reads the camera in these texts; the texts of one program belong together (cameras.txt and
+/// images.txt).
+/// @return nothing if no text has the form of a known program
+std::optional<geometry::Result<ForeignCamera, CameraError>> readCamera(std::span<const NamedText> texts,
+                                                                       const CameraChoices &choices);
+
+/// Converts a camera. Where neither the file nor the choices tell the pose's direction or the axes,
+/// those count with which the camera sees the objects, and this is said.
+/// @param objects  bounds of the scene's objects, world space; empty: no objects, then the
+///         program's usual direction and axes count
+geometry::Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const CameraChoices &choices,
+                                                       const std::optional<geometry::Box> &objects);
+
+} // namespace unprojector::cameras
