@@ -47,6 +47,7 @@ inline constexpr CodeChange kPixelCorner[] = {
      "p = QVector3D(i + 0.5, H - j - 0.5, d).unproject(view, projection, viewport);"},
     {"three.js", "ndc.x = 2 * i / W - 1;", "ndc.x = 2 * (i + 0.5) / W - 1;"},
     {"NumPy", "x_w, y_w = i, H - 1 - j", "x_w, y_w = i + 0.5, H - j - 0.5"},
+    {"NumPy", "cx, cy = w / 2, h / 2  # for pixels i, j counted from 0", "cx, cy = (w - 1) / 2, (h - 1) / 2"},
 };
 inline constexpr CodeChange kRatioLogicalInDevice[] = {
     {"GLU", "glfwGetCursorPos(window, &x, &y);", "glfwGetCursorPos(window, &x, &y); x *= ratio; y *= ratio;"},

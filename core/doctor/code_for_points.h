@@ -315,10 +315,5 @@ inline constexpr CodeChange kEyeXyMirrored[] = {
     {"three.js", "x_e = x_n * r * z_eye / n", "x_e = x_n * r * -z_eye / n"},
     {"NumPy", "x_e = x_n * r * z_eye / n", "x_e = x_n * r * -z_eye / n"},
 };
-inline constexpr CodeChange kAxesSwapped[] = {
-    {"GLU", "p = (p.x, p.z, p.y)", "p = (p.x, p.y, p.z)"},   {"GLM", "p = (p.x, p.z, p.y)", "p = (p.x, p.y, p.z)"},
-    {"Qt", "p = (p.x, p.z, p.y)", "p = (p.x, p.y, p.z)"},    {"three.js", "p = (p.x, p.z, p.y)", "p = (p.x, p.y, p.z)"},
-    {"NumPy", "p = (p.x, p.z, p.y)", "p = (p.x, p.y, p.z)"},
-};
 
 } // namespace unprojector::doctor

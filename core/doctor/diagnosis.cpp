@@ -59,15 +59,14 @@ struct Prepared {
 Click clickOf(const Case &scene, const Given &given, const WrongPoint &point, double depth)
 {
     Click click;
-    click.pixel = point.pixel;
     click.depth = depth;
     click.space = point.space;
     if (point.space == PointSpace::Object && point.model < scene.models.size())
         click.worldFromObject = scene.models[point.model].worldFromObject;
-    setRightEye(given, click);
+    setPixel(given, click, point.pixel);
     if (scene.depthOnMesh) {
-        click.depthAbove = scene.depthOnMesh(DevicePoint(point.pixel.x, point.pixel.y - 1.0));
-        click.depthBelow = scene.depthOnMesh(DevicePoint(point.pixel.x, point.pixel.y + 1.0));
+        click.depthAbove = scene.depthOnMesh(DevicePoint(click.pixel.x, click.pixel.y - 1.0));
+        click.depthBelow = scene.depthOnMesh(DevicePoint(click.pixel.x, click.pixel.y + 1.0));
     }
     return click;
 }
@@ -126,7 +125,7 @@ Prepared prepared(const Case &scene, const Given &given, const WrongPoint &point
     std::optional<double> depth = point.depth;
     double step = point.depthLastDigit;
     if (!depth && scene.depthOnMesh) {
-        depth = scene.depthOnMesh(point.pixel);
+        depth = scene.depthOnMesh(clickOf(scene, given, point, low).pixel);
         step = kDepthBufferStep;
         result.depthKnown = DepthKnown::FromMesh;
     }
@@ -330,7 +329,7 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
         if (const Check valid = check(*scene.otherSize); !valid)
             return valid.error();
     }
-    const Result<Given> input = Given::of(scene.setup);
+    const Result<Given> input = Given::of(scene.setup, scene.distortion.value_or(cameras::Distortion{}));
     if (!input)
         return input.error();
     std::vector<Prepared> points;
@@ -353,7 +352,10 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     });
 
     Diagnosis diagnosis;
-    diagnosis.projected = points.front().projected;
+    if (diagnosis.projected = points.front().projected; diagnosis.projected) {
+        const glm::dvec2 inPicture = distorted(*input, glm::dvec2(*diagnosis.projected));
+        diagnosis.projected = glm::dvec3(inPicture, diagnosis.projected->z);
+    }
     if (const auto unsure = diagnosis.projected ? unsureOf(*input, points.front()) : std::nullopt)
         diagnosis.depthUnsure = unsure->z;
     if (const auto right = Hypothesis().nearest(*input, points.front().right)) {

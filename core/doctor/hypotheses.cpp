@@ -125,7 +125,8 @@ std::vector<Hypothesis> hypotheses(const Given &given, std::span<const Target> p
     for (const Variant &variant : list) {
         if (isWithoutEffect(given, points, variant))
             continue;
-        effective.push_back(&variant);
+        if (!variant.isAlone)
+            effective.push_back(&variant);
         if (const auto one = tried(given, points, {{&variant, nullptr}, 1}))
             result.push_back(*one);
     }

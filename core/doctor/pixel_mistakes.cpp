@@ -124,6 +124,8 @@ void addPixelMistakes(VariantList &list, const Given &given, const std::optional
     list.add("pixel-corner", Stage::Pixel, shift<0, 1>, 0.0, marked("y only, upper edge"));
     list.add("pixel-corner", Stage::Pixel, toCorner<1>, 0.0, marked("lower left corner of the whole pixel"));
     list.add("pixel-corner", Stage::Pixel, toCorner<0>, 0.0, marked("upper left corner of the whole pixel"));
+    list.add("half-pixel-twice", Stage::Pixel, shift<1, -1>, 0.0, marked("to the right and down"));
+    list.add("half-pixel-twice", Stage::Pixel, shift<1, 1>, 0.0, marked("to the right and up"));
     list.add("row-above", Stage::Pixel, shift<0, 2>);
     list.add("row-below", Stage::Pixel, shift<0, -2>);
     list.add("xy-swapped", Stage::Window, [](Run &run, const Variant &) { run.window = {run.window.y, run.window.x}; });
