@@ -95,5 +95,37 @@ inline constexpr CodeChange kDistortionAdded[] = {
     {"Qt", "x *= 1 + k1 * r2 + k2 * r2 * r2;", "// solve x * (1 + k1 * r2 + k2 * r2 * r2) = x of the pixel"},
     {"NumPy", "x = x * (1 + k1 * r2 + k2 * r2**2)", "x, y = cv2.undistortPoints(np.array([[[u, v]]]), K, dist)[0, 0]"},
 };
+inline constexpr CodeChange kNearFarDiffer[] = {
+    {"GLU", "gluPerspective(fovy, aspect, otherNear, otherFar);",
+     "gluPerspective(fovy, aspect, n, f); // as the picture was drawn"},
+    {"GLM", "glm::perspective(fovy, aspect, otherNear, otherFar)",
+     "glm::perspective(fovy, aspect, n, f) // as the picture was drawn"},
+    {"Qt", "projection.perspective(fovy, aspect, otherNear, otherFar);",
+     "projection.perspective(fovy, aspect, n, f); // as the picture was drawn"},
+    {"three.js", "z = n * f / (f - d * (f - n)); // otherNear, otherFar",
+     "z = n * f / (f - d * (f - n)); // with camera.near, camera.far"},
+    {"NumPy", "z = n * f / (f - d * (f - n))  # otherNear, otherFar",
+     "z = n * f / (f - d * (f - n))  # near, far as the picture was drawn"},
+};
+inline constexpr CodeChange kPrincipalPointDiffers[] = {
+    {"GLM", "d.x = (u - otherCx) / fx; d.y = (v - otherCy) / fy;", "d.x = (u - cx) / fx; d.y = (v - cy) / fy;"},
+    {"Qt", "QVector3D((u - otherCx) / fx, (v - otherCy) / fy, 1)", "QVector3D((u - cx) / fx, (v - cy) / fy, 1)"},
+    {"NumPy", "K[:2, 2] = w / 2, h / 2", "K[:2, 2] = cx, cy  # of the calibration"},
+};
+inline constexpr CodeChange kFocalLengthsDiffer[] = {
+    {"GLM", "d.x = (u - cx) / otherFx; d.y = (v - cy) / otherFy;", "d.x = (u - cx) / fx; d.y = (v - cy) / fy;"},
+    {"Qt", "QVector3D((u - cx) / otherFx, (v - cy) / otherFy, 1)", "QVector3D((u - cx) / fx, (v - cy) / fy, 1)"},
+    {"NumPy", "K[0, 0], K[1, 1] = other_fx, other_fy", "K[0, 0], K[1, 1] = fx, fy  # of the calibration"},
+};
+inline constexpr CodeChange kFrameDiffers[] = {
+    {"GLM", "p = glm::dvec3(v) / v.w; // in the frame of another view",
+     "p = glm::dvec3(worldFromFrame * glm::dvec4(glm::dvec3(v) / v.w, 1));"},
+    {"Qt", "p = v.toVector3DAffine(); // in the frame of another view",
+     "p = worldFromFrame.map(v.toVector3DAffine());"},
+    {"three.js", "p.unproject(camera); // a camera inside a moved group",
+     "camera.updateMatrixWorld(); p.unproject(camera);"},
+    {"NumPy", "p = v[:3] / v[3]  # in the frame of another pose",
+     "p = R.T @ (v[:3] / v[3] - t) / s  # R, t, s: the frame's values"},
+};
 
 } // namespace unprojector::doctor

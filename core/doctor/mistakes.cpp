@@ -1,5 +1,6 @@
 #include "core/doctor/mistakes.h"
 
+#include "core/doctor/solved_mistakes.h"
 #include "core/doctor/variant_list.h"
 #include "core/text/translation.h"
 
@@ -86,6 +87,19 @@ constexpr Mistake kMistakes[] = {
     {"half-pixel-twice", 3},
     {"distortion-ignored", 8},
     {"distortion-added", 1},
+    {"y-is-depth", 1},
+    {"pixel-in-size-minus-one", 1},
+    {"focal-length-not-in-pixels", 1},
+    {"fovy-differs", 9, true},
+    {"pixel-shifted", 6, true},
+    {"viewport-size-differs", 8, true},
+    {"ratio-differs", 18, true},
+    {"scaled", 3, true},
+    {"depth-scaled", 1, true},
+    {"near-far-differ", 13, true},
+    {"principal-point-differs", 3, true},
+    {"focal-lengths-differ", 3, true},
+    {"frame-differs", 3, true},
 };
 
 } // namespace
@@ -141,7 +155,7 @@ std::vector<Variant> VariantList::sorted() &&
     return std::move(m_variants);
 }
 
-std::vector<Variant> variants(const Given &given, const Case &scene)
+std::vector<Variant> variants(const Given &given, const Case &scene, std::span<const Target> points)
 {
     VariantList list;
     addPixelMistakes(list, given, scene.otherSize);
@@ -150,6 +164,8 @@ std::vector<Variant> variants(const Given &given, const Case &scene)
     addMatrixMistakes(list);
     addCameraMistakes(list, given, scene.otherSize);
     addPointMistakes(list, scene.models);
+    if (!points.empty())
+        addSolvedMistakes(list, given, scene, points);
     return std::move(list).sorted();
 }
 
