@@ -239,11 +239,43 @@ int agreeing(std::span<const Prepared> points, std::span<const ErrorKind> wrongs
     return sum;
 }
 
+/// What the chance of an explanation follows from.
+struct Evidence {
+    std::span<const Hypothesis> all;
+    double apart = 0.0; ///< see chanceOfSolved
+    int agreeing = 0;
+};
+
+/// The number of mistakes whose values are solved for.
+std::size_t solvedFamilies()
+{
+    constexpr std::size_t kClipPlanes = 2; // near and far, which have a fixed form besides
+    return kClipPlanes + std::size_t(std::count_if(mistakes().begin(), mistakes().end(), [](const Mistake &mistake) {
+               return mistake.isOnlySolved;
+           }));
+}
+
+double chanceOf(const Evidence &evidence, const Hypothesis &best)
+{
+    const double within = best.worst <= kRounded ? kRounded : kCutOff;
+    return best.isSolved() ? chanceOfSolved(best, solvedFamilies(), evidence.apart, within, evidence.agreeing)
+                           : chanceOf(evidence.all, best, within, evidence.agreeing);
+}
+
+/// Puts solved values before pairs that explain the points by chance.
+void putSolvedFirst(std::vector<Hypothesis> &best, const Evidence &evidence)
+{
+    const Hypothesis &first = best.front();
+    if (first.count == 2 && first.worst <= kCutOff && chanceOf(evidence, first) > kChanceOfTwo)
+        std::stable_partition(best.begin(), best.end(), [](const Hypothesis &each) { return each.isSolved(); });
+}
+
 Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::span<const Prepared> points)
 {
     Candidate candidate;
     candidate.id = idOf(hypothesis);
     candidate.ways = waysOf(hypothesis);
+    candidate.values = valuesOf(hypothesis);
     candidate.point = hypothesis.point;
     candidate.distance = hypothesis.distance;
     candidate.explains = hypothesis.worst <= kCutOff;
@@ -306,7 +338,8 @@ std::string verdictOf(const Hypothesis &best, std::span<const Hypothesis> list, 
 /// True if no mistake, or a single one, explains the points better than a point of the scene.
 bool explainsAsWell(const Hypothesis &best, const Diagnosis &diagnosis)
 {
-    return diagnosis.verdict == "right" || (diagnosis.namesMistake() && best.count == 1 && best.worst <= kRounded);
+    return diagnosis.verdict == "right"
+           || (diagnosis.namesMistake() && best.count == 1 && !best.isSolved() && best.worst <= kRounded);
 }
 
 /// Sets the known points, and the verdict if no mistake explains the points as well.
@@ -343,10 +376,14 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
         targets.push_back(points.back().target);
         wrongs.push_back(wrongOf(*input, points.back()));
     }
-    const std::vector<Variant> list = variants(*input, scene);
+    const Hypothesis right = rightHypothesis(*input, points);
+    const bool isRight = right.worst <= kCutOff;
+    const std::vector<Variant> list = variants(*input, scene, isRight ? std::span<const Target>() : targets);
     std::vector<Hypothesis> all = hypotheses(*input, targets, list);
-    all.push_back(rightHypothesis(*input, points));
+    all.push_back(right);
     std::vector<Hypothesis> best = ranked(all);
+    Evidence evidence{all, right.distance, agreeing(points, wrongs)};
+    putSolvedFirst(best, evidence);
     putDepthFirst(best, *input, points);
     std::erase_if(best, [&, first = best.front()](const Hypothesis &other) {
         return other.worst <= kCutOff && isRestated(*input, targets, first, other);
@@ -356,9 +393,9 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     diagnosis.projected = points.front().projected;
     if (const auto unsure = diagnosis.projected ? unsureOf(*input, points.front()) : std::nullopt)
         diagnosis.depthUnsure = unsure->z;
-    if (const auto right = Hypothesis().nearest(*input, points.front().right)) {
-        diagnosis.right = right->point;
-        diagnosis.rightLastDigit = rightLastDigit(*input, points.front(), right->point, given.front().lastDigit);
+    if (const auto found = Hypothesis().nearest(*input, points.front().right)) {
+        diagnosis.right = found->point;
+        diagnosis.rightLastDigit = rightLastDigit(*input, points.front(), found->point, given.front().lastDigit);
     }
     diagnosis.wrong = wrongs.front();
     diagnosis.tried = all.size();
@@ -373,10 +410,11 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     }
     // Compare only with others that determine the depth, if the best hypothesis does. The rest
     // match any point of the ray.
-    if (points.front().target.isLine && best.front().count > 0 && saysDepth(best.front(), *input, points.front()))
+    if (points.front().target.isLine && best.front().count > 0 && saysDepth(best.front(), *input, points.front())) {
         std::erase_if(all, [&](const Hypothesis &each) { return !saysDepth(each, *input, points.front()); });
-    diagnosis.chance =
-        chanceOf(all, best.front(), best.front().worst <= kRounded ? kRounded : kCutOff, agreeing(points, wrongs));
+        evidence.all = all;
+    }
+    diagnosis.chance = chanceOf(evidence, best.front());
     diagnosis.verdict = verdictOf(best.front(), best, diagnosis.chance, *input, points, targets);
     const bool hasTies = diagnosis.namesMistake();
     lookAtKnown(diagnosis, best.front(), *input, scene, targets);

@@ -75,11 +75,15 @@ struct WrongPoint {
 
 /// The variant of a mistake that has several.
 struct VariantName {
-    const char *words = nullptr; ///< marked for text::tr, %1 is the value: "ratio %1"; null: the value alone
-    std::string value;
+    /// Marked for text::tr, %1 and %2 are the values: "ratio %1"; null: the first value alone.
+    const char *words = nullptr;
+    std::string value, second;
 
     VariantName() = default;
-    VariantName(const char *marked, std::string ofIt = {}) : words(marked), value(std::move(ofIt)) {}
+    VariantName(const char *marked, std::string ofIt = {}, std::string other = {})
+        : words(marked), value(std::move(ofIt)), second(std::move(other))
+    {
+    }
     bool isEmpty() const { return words == nullptr && value.empty(); } ///< the mistake has no other variant
 };
 

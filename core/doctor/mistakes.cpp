@@ -1,5 +1,6 @@
 #include "core/doctor/mistakes.h"
 
+#include "core/doctor/solved_mistakes.h"
 #include "core/doctor/variant_list.h"
 #include "core/text/translation.h"
 
@@ -75,6 +76,15 @@ constexpr Mistake kMistakes[] = {
     {"projection-left-out", 1},
     {"eye-subtracted", 1},
     {"axes-swapped", 3},
+    {"y-is-depth", 1},
+    {"pixel-in-size-minus-one", 1},
+    {"focal-length-not-in-pixels", 1},
+    {"fovy-differs", 9, true},
+    {"pixel-shifted", 6, true},
+    {"viewport-size-differs", 8, true},
+    {"ratio-differs", 18, true},
+    {"scaled", 3, true},
+    {"depth-scaled", 1, true},
 };
 
 } // namespace
@@ -84,13 +94,23 @@ std::span<const Mistake> mistakes()
     return kMistakes;
 }
 
-void VariantList::add(std::string_view id, Stage stage, Apply apply, double parameter, VariantName name)
+void VariantList::add(std::string_view id, Variant variant)
 {
     const auto *place = std::find_if(std::begin(kMistakes), std::end(kMistakes),
                                      [&](const Mistake &mistake) { return mistake.id == id; });
     assert(place != std::end(kMistakes));
-    m_variants.push_back(
-        {std::size_t(place - kMistakes), stage, apply, parameter, 0.0, glm::dmat4(1.0), std::move(name)});
+    variant.mistake = std::size_t(place - kMistakes);
+    m_variants.push_back(std::move(variant));
+}
+
+void VariantList::add(std::string_view id, Stage stage, Apply apply, double parameter, VariantName name)
+{
+    Variant variant;
+    variant.stage = stage;
+    variant.apply = apply;
+    variant.parameter = parameter;
+    variant.name = std::move(name);
+    add(id, std::move(variant));
 }
 
 void VariantList::add(std::string_view id, Stage stage, Apply apply, const Surface &size, VariantName name)
@@ -112,7 +132,7 @@ std::vector<Variant> VariantList::sorted() &&
     return std::move(m_variants);
 }
 
-std::vector<Variant> variants(const Given &given, const Case &scene)
+std::vector<Variant> variants(const Given &given, const Case &scene, std::span<const Target> points)
 {
     VariantList list;
     addPixelMistakes(list, given, scene.otherSize);
@@ -120,6 +140,8 @@ std::vector<Variant> variants(const Given &given, const Case &scene)
     addLensMistakes(list, given, scene.otherSize);
     addMatrixMistakes(list);
     addPointMistakes(list, scene.models);
+    if (!points.empty())
+        addSolvedMistakes(list, given, scene, points);
     return std::move(list).sorted();
 }
 

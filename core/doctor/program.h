@@ -101,12 +101,14 @@ struct Variant {
     Stage stage = Stage::Pixel;
     void (*apply)(Run &, const Variant &) = nullptr;
     double parameter = 0.0, second = 0.0;
-    glm::dmat4 matrix{1.0}; ///< of a model
-    VariantName name;       ///< empty if the mistake has one variant
-    /// Solved from the given points; empty for a mistake of fixed form. `unknowns` is their number.
-    std::vector<SolvedValue> values{};
+    glm::dmat4 matrix{1.0};            ///< of a model
+    VariantName name;                  ///< empty if the mistake has one variant
+    std::vector<SolvedValue> values{}; ///< see Candidate::values
+    /// The number of values that were solved from the given points; 0 for a mistake of fixed form.
     int unknowns = 0;
-    bool isExpected = false; ///< the values are round, or stand in the scene
+    bool isExpected = false; ///< the solved values are round, or stand in the scene
+    /// The chance that arbitrary values are as round as the solved ones, see WrittenValue.
+    double coincidence = 1.0;
 };
 
 /// The program with these mistakes after its last stage, with each stage's result; empty if it has

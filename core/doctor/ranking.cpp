@@ -35,14 +35,32 @@ Key keyOf(const Hypothesis &hypothesis)
     return key;
 }
 
+/// The groups of ranked(), the best first. The first two have four groups each.
+constexpr int kOfTier = 4, kUnexpected = 2 * kOfTier, kOther = kUnexpected + 1;
+
+int rankOf(const Hypothesis &hypothesis)
+{
+    const int tier = tierOf(hypothesis);
+    if (tier == 2)
+        return kOther;
+    if (hypothesis.isSolved() && !hypothesis.isExpected())
+        return kUnexpected;
+    const int simplicity = hypothesis.isSolved() ? 2 : hypothesis.count == 2 ? 3 : int(hypothesis.count);
+    return kOfTier * tier + simplicity;
+}
+
 bool isBetter(const Hypothesis &a, const Hypothesis &b)
 {
-    const int tierA = tierOf(a), tierB = tierOf(b);
-    if (tierA != tierB)
-        return tierA < tierB;
-    if (tierA < 2) {
-        if (a.count != b.count)
-            return a.count < b.count;
+    const int rank = rankOf(a), rankB = rankOf(b);
+    if (rank != rankB)
+        return rank < rankB;
+    if (a.isSolved() && b.isSolved()) {
+        const Variant &x = *a.parts[0], &y = *b.parts[0];
+        if (const auto first = std::pair(x.unknowns, x.coincidence), second = std::pair(y.unknowns, y.coincidence);
+            first != second)
+            return first < second;
+    }
+    if (tierOf(a) < 2) {
         if (const double reportsA = reportsOf(a), reportsB = reportsOf(b); reportsA != reportsB)
             return reportsA > reportsB;
     }
@@ -71,6 +89,14 @@ std::vector<VariantName> waysOf(const Hypothesis &hypothesis)
     return ways;
 }
 
+std::vector<SolvedValue> valuesOf(const Hypothesis &hypothesis)
+{
+    std::vector<SolvedValue> values;
+    for (std::size_t i = 0; i < hypothesis.count; ++i)
+        values.insert(values.end(), hypothesis.parts[i]->values.begin(), hypothesis.parts[i]->values.end());
+    return values;
+}
+
 std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
 {
     std::map<Key, const Hypothesis *> best;
@@ -81,14 +107,20 @@ std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
     }
     const auto explainsAsWell = [&](const Key &key, int tier) {
         const auto found = best.find(key);
-        return found != best.end() && tierOf(*found->second) < 2 && tierOf(*found->second) <= tier;
+        return found != best.end() && tierOf(*found->second) < 2 && tierOf(*found->second) <= tier
+               && rankOf(*found->second) != kUnexpected;
     };
+    const bool isFixedForm = std::any_of(all.begin(), all.end(), [](const Hypothesis &hypothesis) {
+        return hypothesis.count < 2 && !hypothesis.isSolved() && tierOf(hypothesis) < 2;
+    });
     std::vector<Hypothesis> result;
     for (const auto &[key, hypothesis] : best) {
         const int tier = tierOf(*hypothesis);
         if (hypothesis->count == 2
             && (explainsAsWell({key[0], kNone}, tier) || explainsAsWell({key[1], kNone}, tier)
                 || explainsAsWell({kNone, kNone}, tier)))
+            continue;
+        if (isFixedForm && rankOf(*hypothesis) == kUnexpected)
             continue;
         result.push_back(*hypothesis);
     }

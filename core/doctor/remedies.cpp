@@ -136,6 +136,29 @@ constexpr Remedy kRemedies[] = {
     {"eye-xy-mirrored", marked("eye point mirrored"),
      marked("x and y of the eye point are mirrored: the formulas want z as a distance, above 0."), kEyeXyMirrored},
     {"axes-swapped", marked("axes swapped"), marked("Axes are exchanged, as between y up and z up."), kAxesSwapped},
+    {"y-is-depth", marked("depth taken for y"),
+     marked("The depth is passed for y: the index of the coordinate is wrong."), kYIsDepth},
+    {"pixel-in-size-minus-one", marked("size minus 1"),
+     marked(
+         "The pixel is divided by the width minus 1, as linspace(-1, 1, W) does: -1 and 1 are the edges of the first "
+         "and last pixel, not their centres."),
+     kPixelInSizeMinusOne},
+    {"focal-length-not-in-pixels", marked("focal length not in pixels"),
+     marked("An entry of the projection matrix is taken for the focal length in pixels."), kFocalLengthNotInPixels},
+    {"fovy-differs", marked("another field of view"), marked("The field of view is not that of the view."),
+     kFovyDiffers},
+    {"pixel-shifted", marked("pixel shifted"),
+     marked("The pixel is shifted: it is counted from another corner, as that of the screen or of the window's frame."),
+     kPixelShifted},
+    {"viewport-size-differs", marked("another viewport size"), marked("The viewport's size is not that of the view."),
+     kViewportSizeDiffers},
+    {"ratio-differs", marked("another pixel ratio"),
+     marked("The pixel and the viewport are in different pixels: one of them is scaled by a pixel ratio."),
+     kRatioDiffers},
+    {"scaled", marked("scaled"),
+     marked("The result is scaled: another unit of length, or depths in another unit than the scene."), kScaled},
+    {"depth-scaled", marked("depth scaled"),
+     marked("The depth is multiplied by a factor: it was read in another format."), kDepthScaled},
 };
 
 } // namespace

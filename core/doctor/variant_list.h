@@ -19,6 +19,8 @@ public:
     void add(std::string_view id, Stage stage, Apply apply, double parameter = 0.0, VariantName name = {});
     /// Adds a variant with another size of the window; its parameters are width and height.
     void add(std::string_view id, Stage stage, Apply apply, const geometry::Surface &size, VariantName name = {});
+    /// Adds a variant with its values; sets its mistake.
+    void add(std::string_view id, Variant variant);
     /// Adds a variant with a model's matrix.
     void add(std::string_view id, Apply apply, const PlacedModel &model);
 
