@@ -75,7 +75,7 @@ private:
         if (!matrix.empty() || unnamed.size() == 16) {
             m_camera.pose = matrixByRows(matrix.empty() ? unnamed : matrix);
             if (matrix.size() == 9 || !m_camera.pose)
-                return fault("matrixworld", tr("matrix_world needs 16 numbers; it has %1", matrix.size()));
+                return fault("matrixworld", tr("%1 needs %2 numbers; it has %3", "matrix_world", 16, matrix.size()));
             return std::nullopt;
         }
         const std::vector<double> angles = m_values.numbers({"rotationeuler"}, 3),

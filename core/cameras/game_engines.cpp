@@ -114,7 +114,7 @@ private:
             return readParallel();
         const auto degrees = m_values.number({"fieldofview"});
         if (!degrees)
-            return fault("fieldofview", tr("the angle of view is missing; give fieldOfView or projectionMatrix"));
+            return fault("fieldofview", tr("the field of view is missing; give fieldOfView or projectionMatrix"));
         return setVerticalAngle(m_camera, m_choices, radiansFromDegrees(*degrees), m_values.number({"aspect"}),
                                 m_text.name);
     }
@@ -223,8 +223,9 @@ CameraRead readUnreal(std::span<const NamedText> texts, const CameraChoices &cho
                                     "the point (x, y, z) of Unreal is (x, -y, z) here, in centimetres."));
         constexpr double kUsualAngle = 90.0;
         if (!degrees)
-            camera.assumed.push_back(tr("The angle of view is assumed to be 90 degrees across, because FOV is missing. "
-                                        "Add FOV=90 with the right value to say otherwise."));
+            camera.assumed.push_back(
+                tr("The horizontal field of view is assumed to be 90 degrees, because FOV is missing. "
+                   "Add FOV=90 with the right value to say otherwise."));
         if (auto error =
                 setHorizontalAngle(camera, choices, radiansFromDegrees(degrees.value_or(kUsualAngle)), text.name))
             return *error;

@@ -75,8 +75,9 @@ private:
         const auto numbers = matrix ? numbersOf(*matrix) : std::nullopt;
         const auto pose = numbers && numbers->size() >= 12 ? matrixByRows(*numbers) : std::nullopt;
         if (!pose)
-            return CameraError{m_text.name, lineOfKey(m_text.text, "transform_matrix", m_camera.image),
-                               tr("transform_matrix needs 16 numbers; it has %1", numbers ? numbers->size() : 0)};
+            return CameraError{
+                m_text.name, lineOfKey(m_text.text, "transform_matrix", m_camera.image),
+                tr("%1 needs %2 numbers; it has %3", "transform_matrix", 16, numbers ? numbers->size() : 0)};
         m_camera.pose = pose;
         return std::nullopt;
     }

@@ -46,7 +46,7 @@ std::optional<CameraError> angleError(double radians, const std::string &file)
     if (radians > 0.0 && radians < kPi)
         return std::nullopt;
     return CameraError{file, 0,
-                       tr("the angle of view is %1 degrees; it must be greater than 0 and smaller than 180",
+                       tr("the field of view is %1 degrees; it must be greater than 0 and smaller than 180",
                           text::significantText(geometry::degreesFromRadians(radians), 6))};
 }
 

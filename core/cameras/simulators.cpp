@@ -45,9 +45,9 @@ Result<ForeignCamera, CameraError> readData(const NamedText &text, const NamedVa
     if (count == 0 || axes.size() != 9 * count)
         return fault("xmat", tr("cam_xmat needs 9 numbers a camera; it has %1", axes.size()));
     if (positions.size() != 3 * count)
-        return fault("xpos", tr("cam_xpos needs %1 numbers; it has %2", 3 * count, positions.size()));
+        return fault("xpos", tr("%1 needs %2 numbers; it has %3", "cam_xpos", 3 * count, positions.size()));
     if (angles.size() != count)
-        return fault("fovy", tr("cam_fovy needs %1 numbers; it has %2", count, angles.size()));
+        return fault("fovy", tr("%1 needs %2 numbers; it has %3", "cam_fovy", count, angles.size()));
     for (std::size_t i = 0; count > 1 && i < count; ++i)
         camera.images.push_back(std::to_string(i));
     if (count > 1) {
