@@ -74,7 +74,7 @@ private:
     void showArrows(bool areShown);
     void putSelectedOnSurface();
     /// Shows a scan of the series, and selects a landmark once the scan is in the view.
-    void showLandmark(std::size_t scan, const QString &name);
+    void showLandmark(std::size_t scan, const NamedLandmark &landmark);
     void selectWanted();
     void join(landmarks::CurveKind kind);
 
@@ -92,7 +92,7 @@ private:
     GuidedPlacing *m_guided;
     QAction *m_placing = nullptr;
     QAction *m_arrows = nullptr;
-    std::optional<std::pair<std::size_t, QString>> m_wanted; ///< scan and landmark to select
+    std::optional<std::pair<std::size_t, NamedLandmark>> m_wanted; ///< scan and landmark to select
 };
 
 LandmarksFeature::LandmarksFeature(Window &window)
@@ -120,6 +120,8 @@ LandmarksFeature::LandmarksFeature(Window &window)
     connect(m_tool, &LandmarkTool::menuRequested, m_panel, &LandmarksPanel::openMenu);
     connect(m_guided, &GuidedPlacing::placingWanted, this, [this](bool isOn) { m_placing->setChecked(isOn); });
     connect(m_guided, &GuidedPlacing::noticed, &window, &Window::notice);
+    connect(m_series, &ScanSeries::scanShown, m_guided, &GuidedPlacing::continueOnScan);
+    connect(m_series, &ScanSeries::leaving, &window, [&window] { window.notice({}); });
     connect(m_series, &ScanSeries::failed, &window, &Window::showFailure);
     connect(m_series, &ScanSeries::warned, &session, &Session::warned);
     connect(m_series, &ScanSeries::noticed, &session, &Session::noticed);
@@ -317,11 +319,11 @@ void LandmarksFeature::putSelectedOnSurface()
             tr("Select placed landmarks first: their markers in the view, or their rows in the Landmarks panel."));
 }
 
-void LandmarksFeature::showLandmark(std::size_t scan, const QString &name)
+void LandmarksFeature::showLandmark(std::size_t scan, const NamedLandmark &landmark)
 {
     if (scan >= m_series->scans().size()) // of a series that is closed
         return;
-    m_wanted = {scan, name};
+    m_wanted = {scan, landmark};
     if (m_series->current() != scan)
         m_series->show(scan);
     selectWanted();
@@ -331,17 +333,11 @@ void LandmarksFeature::selectWanted()
 {
     if (!m_wanted || m_window.session().isLoading())
         return;
-    const auto [scan, name] = *std::exchange(m_wanted, std::nullopt);
+    const auto [scan, landmark] = *std::exchange(m_wanted, std::nullopt);
     if (m_series->current() != scan) // another scan was chosen, or this one cannot be read
         return;
-    const std::vector<landmarks::Landmark> &all = m_document.landmarks();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const QString own = all[i].name.empty() ? QString::number(i + 1) : QString::fromStdString(all[i].name);
-        if (own.compare(name, Qt::CaseInsensitive) == 0) {
-            m_document.sceneLandmarks().selectOnly(i);
-            return;
-        }
-    }
+    if (const std::optional<std::size_t> index = indexOf(m_document.landmarks(), landmark))
+        m_document.sceneLandmarks().selectOnly(*index);
 }
 
 void LandmarksFeature::join(landmarks::CurveKind kind)

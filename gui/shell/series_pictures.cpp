@@ -1,6 +1,8 @@
 #include "gui/shell/series_pictures.h"
 
 #include "core/files/replace_file.h"
+#include "core/geometry/camera_motion.h"
+#include "gui/document/camera_looks.h"
 #include "gui/document/overwriting.h"
 #include "gui/document/picks.h"
 #include "gui/document/scene_curves.h"
@@ -22,13 +24,14 @@
 namespace unprojector::gui {
 namespace {
 
-constexpr QSize kTile(320, 240);
+constexpr QSize kMostTile(320, 240);
 const QString kSheet = QStringLiteral("contact-sheet.png");
 
 } // namespace
 
 SeriesPictures::SeriesPictures(StartOptions options)
-    : m_options(std::move(options)), m_folder(m_options.pictures->toStdU16String()), m_sheet(kTile)
+    : m_options(std::move(options)), m_folder(m_options.pictures->toStdU16String()),
+      m_sheet(*m_options.windowSize, kMostTile)
 {
 }
 
@@ -100,6 +103,9 @@ void SeriesPictures::take()
         m_sheet.addProblem(scan.problem, name);
     } else {
         SceneDocument &document = m_window->document();
+        if (m_options.side)
+            fitAllFrom(document, geometry::seenFrom(*document.scene().camera, *m_options.side),
+                       *document.scene().projection);
         document.picks().rayCasters().complete(document.objects()); // tells which landmarks are visible
         document.curves().complete();
         PictureMarks marks;
