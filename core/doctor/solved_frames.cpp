@@ -128,7 +128,7 @@ VariantName nameOf(const FrameFit &frame, const AxisPermutation *permutation)
             return {marked("%1, scaled by %2"), permutation->axes, scale};
         return frame.scale == 1.0
                    ? VariantName(marked("%1, then moved by %2"), permutation->axes, moved)
-                   : VariantName(marked("%1, then scaled by %2"), permutation->axes, scale + "; " + moved);
+                   : VariantName(marked("%1, then scaled and moved: %2"), permutation->axes, scale + "; " + moved);
     }
     if (permutation)
         return frame.scale == 1.0 ? VariantName(marked("moved by %1"), moved)

@@ -87,6 +87,12 @@ std::optional<glm::dvec2> twoNumbers(std::span<const glm::dvec2> factors, std::s
     return glm::inverse(normal) * right;
 }
 
+/// True if a solved value may be `value`. Then a mistake with fewer values explains the points.
+bool mayBe(const Solution &solution, double value)
+{
+    return std::abs(solution.value - value) <= solution.unsure;
+}
+
 // Depth
 
 /// Near and far: 1/z is linear in the depth in a perspective, z in a box.
@@ -113,6 +119,8 @@ void addNearAndFar(VariantList &list, const Given &given, std::span<const Target
     const std::vector<Solution> planes =
         solved(given, points, [&](const Pairs &pairs) { return nearAndFar(given, pairs); });
     if (planes.empty() || !(planes[0].value < planes[1].value) || (given.isPerspective && !(planes[0].value > 0.0)))
+        return;
+    if (mayBe(planes[0], given.nearDistance) || mayBe(planes[1], given.farDistance))
         return;
     const std::array known{given.nearDistance, given.farDistance};
     addSolved(list, "near-far-differ", planes, known, [&](std::span<const double> values) {
@@ -173,6 +181,8 @@ void addShiftAndScale(VariantList &list, const Given &given, std::span<const Tar
         solved(given, points, [&](const Pairs &pairs) { return shiftAndScale(given, pairs); });
     if (values.empty() || !(values[2].value > values[2].unsure))
         return;
+    if (mayBe(values[2], 1.0) || (mayBe(values[0], 0.0) && mayBe(values[1], 0.0)))
+        return;
     constexpr std::array kUsual{0.0, 2.0, 0.5};
     addSolved(list, "pixel-shifted", values, kUsual, [](std::span<const double> solved) {
         Variant variant;
@@ -209,8 +219,7 @@ void addCentre(VariantList &list, const Given &given, std::span<const Target> po
         return;
     const Viewport &own = given.viewport;
     const glm::dvec2 middle(own.x + own.width / 2.0, given.surface.heightPixels - own.y - own.height / 2.0);
-    const bool isMiddle = std::abs(centre[0].value - middle.x) <= centre[0].unsure
-                          && std::abs(centre[1].value - middle.y) <= centre[1].unsure;
+    const bool isMiddle = mayBe(centre[0], middle.x) && mayBe(centre[1], middle.y);
     const std::array values{isMiddle ? middle.x : asDetermined(centre[0]).value,
                             isMiddle ? middle.y : asDetermined(centre[1]).value};
     Variant variant;
@@ -246,8 +255,11 @@ void addFocalLengths(VariantList &list, const Given &given, std::span<const Targ
         });
     if (focal.empty() || !(focal[0].value * pinhole.focal.x > 0.0) || !(focal[1].value * pinhole.focal.y > 0.0))
         return;
-    const std::array known{pinhole.focal.x, pinhole.focal.y, std::abs(focal[0].value), std::abs(focal[1].value)};
-    addSolved(list, "focal-lengths-differ", focal, std::span(known).first(2), [&](std::span<const double> values) {
+    const double x = focal[0].value / pinhole.focal.x, y = focal[1].value / pinhole.focal.y;
+    if (std::abs(x - y) <= std::abs(focal[0].unsure / pinhole.focal.x) + std::abs(focal[1].unsure / pinhole.focal.y))
+        return; // one angle
+    const std::array known{pinhole.focal.x, pinhole.focal.y};
+    addSolved(list, "focal-lengths-differ", focal, known, [&](std::span<const double> values) {
         Variant variant;
         variant.stage = Stage::Lens;
         variant.apply = [](Run &run, const Variant &v) {
@@ -296,6 +308,9 @@ void addRectangle(VariantList &list, const Given &given, std::span<const Target>
             return std::vector{across->x, along->x, across->y, along->y};
         });
     if (rectangle.empty() || !(rectangle[2].value > 0.0) || !(rectangle[3].value > 0.0))
+        return;
+    const bool isPlaceOwn = mayBe(rectangle[0], own.x) && mayBe(rectangle[1], own.y);
+    if (isPlaceOwn || (mayBe(rectangle[2], own.width) && mayBe(rectangle[3], own.height)))
         return;
     const std::array known{0.0,
                            own.x,
