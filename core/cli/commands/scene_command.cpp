@@ -303,6 +303,8 @@ ExitCode runScene(const SceneOptions &options)
     if (!taker.tellOrders(numbers) || !setViewport(options, taker, numbers, given->name, scene))
         return ExitCode::UnusableInput;
     setMatrices(options, taker, numbers, scene);
+    for (const std::string &aside : numbers.aside)
+        complain(tr("%1: %2: its numbers belong to no matrix, and are not used", given->name, aside));
 
     // The reader must accept what is written: it checks a scene's limits.
     const auto written = sceneText(scene);
