@@ -84,6 +84,8 @@ private:
 
     std::optional<CameraError> refuseModel() const
     {
+        if (m_choices.isUndistorted)
+            return std::nullopt;
         const Json *own = memberOf(*m_frame, "camera_model");
         const Json *model = own ? own : memberOf(m_file, "camera_model");
         const std::string name = model && model->is_string() ? model->get<std::string>() : "OPENCV";
@@ -91,12 +93,15 @@ private:
                                || name == "perspective" || name == "SIMPLE_RADIAL" || name == "RADIAL";
         if (!isPinhole)
             return fault("camera_model", tr("the camera model %1 is not read: it is no pinhole with the distortion of "
-                                            "Brown and Conrady. Undistort the images first",
+                                            "Brown and Conrady. Undistort the images first, then give --undistorted",
                                             name));
         for (const char *key : {"is_fisheye", "k4", "k5", "k6"}) {
             const Json *flag = memberOf(m_file, key);
             if (value(key).value_or(0.0) != 0.0 || (flag && flag->is_boolean() && flag->get<bool>()))
-                return fault(key, tr("%1 is of a distortion that is not read; undistort the images first", key));
+                return fault(
+                    key,
+                    tr("%1 is of a distortion that is not read; undistort the images first, then give --undistorted",
+                       key));
         }
         return std::nullopt;
     }

@@ -259,6 +259,8 @@ ExitCode sceneFromMatrices(const SceneOptions &options, const GivenTexts &given)
     if (!taker.tellOrders(numbers) || !setViewport(options, taker, numbers, given.name, scene))
         return ExitCode::UnusableInput;
     setMatrices(options, taker, numbers, scene);
+    for (const std::string &aside : numbers.aside)
+        complain(tr("%1: %2: its numbers belong to no matrix, and are not used", given.name, aside));
 
     return writeScene(options, inputs, scene);
 }
