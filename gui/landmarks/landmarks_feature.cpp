@@ -22,6 +22,7 @@
 #include "gui/widgets/save_name.h"
 #include "gui/window/actions.h"
 #include "gui/window/feature.h"
+#include "gui/window/scan_list.h"
 #include "gui/window/window.h"
 
 #include <QAction>
@@ -35,7 +36,7 @@
 
 namespace unprojector::gui {
 
-class LandmarksFeature : public Feature {
+class LandmarksFeature : public Feature, public ScanList {
     Q_OBJECT
 public:
     explicit LandmarksFeature(Window &window);
@@ -53,6 +54,12 @@ public:
     }
     void addActions(MenuKind kind, QMenu &menu, QToolBar &bar) override;
     ViewTool *tool() override { return m_tool; }
+    ScanList *scans() override { return this; }
+    bool open(const std::filesystem::path &folder) override { return m_series->open(folder); }
+    bool openReadOnly(const std::filesystem::path &folder, QString &problem) override;
+    std::size_t count() const override { return m_series->scans().size(); }
+    void show(std::size_t index) override { m_series->show(index); }
+    Report report(std::size_t index) const override;
     QVariantMap state() const override { return {{kIsPlacing, m_placing->isChecked()}}; }
     void restore(const QVariantMap &state) override { m_placing->setChecked(state[kIsPlacing].toBool()); }
     void keep(QSettings &settings) const override { m_looks->keep(settings); }
@@ -157,6 +164,20 @@ void LandmarksFeature::addActions(MenuKind kind, QMenu &menu, QToolBar &bar)
     } else if (kind == MenuKind::View) {
         m_looks->addTo(menu);
     }
+}
+
+bool LandmarksFeature::openReadOnly(const std::filesystem::path &folder, QString &problem)
+{
+    QObject context;
+    connect(m_series, &ScanSeries::failed, &context, [&problem](const QString &reason) { problem = reason; });
+    m_series->setReadOnly();
+    return m_series->open(folder);
+}
+
+ScanList::Report LandmarksFeature::report(std::size_t index) const
+{
+    const Scan &scan = m_series->scans()[index];
+    return {pathText(scan.file.filename()), scan.problem, m_series->progressText(scan)};
 }
 
 void LandmarksFeature::openFiles(const std::vector<std::filesystem::path> &files)
