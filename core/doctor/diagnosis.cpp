@@ -262,12 +262,27 @@ double chanceOf(const Evidence &evidence, const Hypothesis &best)
                            : chanceOf(evidence.all, best, within, evidence.agreeing);
 }
 
-/// Puts solved values before pairs that explain the points by chance.
-void putSolvedFirst(std::vector<Hypothesis> &best, const Evidence &evidence)
+/// Orders solved values and a pair that both explain the points. Two solved mistakes come first if
+/// the pair may well be chance, or if their values are round and less probably so by chance.
+void orderSolvedAndPair(std::vector<Hypothesis> &best, const Evidence &evidence)
 {
-    const Hypothesis &first = best.front();
-    if (first.count == 2 && first.worst <= kCutOff && chanceOf(evidence, first) > kChanceOfTwo)
-        std::stable_partition(best.begin(), best.end(), [](const Hypothesis &each) { return each.isSolved(); });
+    const auto firstOf = [&](const auto &is) { return std::find_if(best.begin(), best.end(), is); };
+    const auto isPair = [](const Hypothesis &each) { return each.count == 2 && each.worst <= kCutOff; };
+    const auto isSolved = [](const Hypothesis &each) { return each.isSolved(); };
+    if (!isPair(best.front()) && !isSolved(best.front()))
+        return;
+    const auto pair = firstOf(isPair), solved = firstOf(isSolved);
+    if (pair == best.end() || solved == best.end())
+        return;
+    const double chanceOfPair = chanceOf(evidence, *pair);
+    const bool areValuesBetter =
+        chanceOfPair > kChanceOfTwo || (solved->isExpected() && chanceOf(evidence, *solved) < chanceOfPair);
+    const Hypothesis two = *pair;
+    best.erase(pair);
+    std::stable_partition(best.begin(), best.end(), isSolved);
+    const auto count = std::count_if(best.begin(), best.end(), isSolved);
+    const std::ptrdiff_t place = areValuesBetter ? 2 : 0;
+    best.insert(best.begin() + std::min<std::ptrdiff_t>(place, count), two);
 }
 
 Candidate candidateOf(const Hypothesis &hypothesis, const Given &given, std::span<const Prepared> points)
@@ -383,7 +398,7 @@ Result<Diagnosis> diagnosed(const Case &scene, std::span<const WrongPoint> given
     all.push_back(right);
     std::vector<Hypothesis> best = ranked(all);
     Evidence evidence{all, right.distance, agreeing(points, wrongs)};
-    putSolvedFirst(best, evidence);
+    orderSolvedAndPair(best, evidence);
     putDepthFirst(best, *input, points);
     std::erase_if(best, [&, first = best.front()](const Hypothesis &other) {
         return other.worst <= kCutOff && isRestated(*input, targets, first, other);

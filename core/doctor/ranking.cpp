@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace unprojector::doctor {
@@ -35,7 +37,7 @@ Key keyOf(const Hypothesis &hypothesis)
     return key;
 }
 
-/// The groups of ranked(), the best first. The first two have four groups each.
+/// The groups of ranked(), the best first. The first two tiers have four groups each.
 constexpr int kOfTier = 4, kUnexpected = 2 * kOfTier, kOther = kUnexpected + 1;
 
 int rankOf(const Hypothesis &hypothesis)
@@ -49,17 +51,24 @@ int rankOf(const Hypothesis &hypothesis)
     return kOfTier * tier + simplicity;
 }
 
+/// True if solved values are fewer, fit better or are rounder. Equal ones stay in their order: the
+/// first are written with fewer digits.
+bool isBetterSolved(const Hypothesis &a, const Hypothesis &b)
+{
+    const auto keyOfSolved = [](const Hypothesis &each) {
+        const Variant &solved = *each.parts[0];
+        return std::tuple(solved.unknowns, tierOf(each), solved.coincidence, -reportsOf(each));
+    };
+    return keyOfSolved(a) < keyOfSolved(b);
+}
+
 bool isBetter(const Hypothesis &a, const Hypothesis &b)
 {
     const int rank = rankOf(a), rankB = rankOf(b);
     if (rank != rankB)
         return rank < rankB;
-    if (a.isSolved() && b.isSolved()) {
-        const Variant &x = *a.parts[0], &y = *b.parts[0];
-        if (const auto first = std::pair(x.unknowns, x.coincidence), second = std::pair(y.unknowns, y.coincidence);
-            first != second)
-            return first < second;
-    }
+    if (a.isSolved() && b.isSolved())
+        return isBetterSolved(a, b);
     if (tierOf(a) < 2) {
         if (const double reportsA = reportsOf(a), reportsB = reportsOf(b); reportsA != reportsB)
             return reportsA > reportsB;
@@ -113,6 +122,11 @@ std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
     const bool isFixedForm = std::any_of(all.begin(), all.end(), [](const Hypothesis &hypothesis) {
         return hypothesis.count < 2 && !hypothesis.isSolved() && tierOf(hypothesis) < 2;
     });
+    int fewestValues = std::numeric_limits<int>::max();
+    for (const Hypothesis &hypothesis : all) {
+        if (hypothesis.isSolved() && tierOf(hypothesis) < 2)
+            fewestValues = std::min(fewestValues, hypothesis.parts[0]->unknowns);
+    }
     std::vector<Hypothesis> result;
     for (const auto &[key, hypothesis] : best) {
         const int tier = tierOf(*hypothesis);
@@ -122,9 +136,11 @@ std::vector<Hypothesis> ranked(std::span<const Hypothesis> all)
             continue;
         if (isFixedForm && rankOf(*hypothesis) == kUnexpected)
             continue;
+        if (hypothesis->isSolved() && hypothesis->parts[0]->unknowns > fewestValues)
+            continue;
         result.push_back(*hypothesis);
     }
-    std::sort(result.begin(), result.end(), isBetter);
+    std::stable_sort(result.begin(), result.end(), isBetter);
     return result;
 }
 

@@ -25,10 +25,10 @@ std::vector<SolvedValue> valuesOf(const Hypothesis &hypothesis);
 /// - mistakes with solved values that are not expected,
 /// - the others by their distance.
 ///
-/// Equal hypotheses are sorted by the number of reports of such mistakes, solved ones by the number
-/// of their values and the roundness first. A pair is omitted if one of its mistakes, or none at
-/// all, explains the points as well. Solved values that are not expected are omitted if one mistake
-/// of fixed form, or none, explains the points.
+/// Equal hypotheses are sorted by the number of reports of such mistakes, solved ones by roundness
+/// first. A pair is omitted if one of its mistakes, or none at all, explains the points as well.
+/// Solved values are omitted if fewer values explain the points; and ones that are not expected, if
+/// one mistake of fixed form, or none, does.
 std::vector<Hypothesis> ranked(std::span<const Hypothesis> hypotheses);
 
 /// The number of digits of a given coordinate, without leading zeros; at least 1.

@@ -65,9 +65,10 @@ std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> p
 void addSolved(VariantList &list, std::string_view id, std::span<const Solution> solutions,
                std::span<const double> known, const std::function<Variant(std::span<const double>)> &made)
 {
-    std::vector<double> determined, round;
+    std::vector<double> exact, determined, round;
     double coincidence = 1.0;
     for (const Solution &solution : solutions) {
+        exact.push_back(solution.value);
         determined.push_back(asDetermined(solution).value);
         const WrittenValue value = written(solution, known);
         round.push_back(value.value);
@@ -83,6 +84,8 @@ void addSolved(VariantList &list, std::string_view id, std::span<const Solution>
     if (coincidence <= kRoundByChance)
         add(round, true);
     add(determined, false);
+    // Several points may leave less than a digit.
+    add(exact, false);
 }
 
 glm::dvec3 eyeFromGot(const Given &given, const Click &click, const glm::dvec3 &got)

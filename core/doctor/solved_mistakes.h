@@ -29,9 +29,9 @@ using Solve = std::function<std::optional<double>(const Click &click, const glm:
 /// @return empty if the points contradict each other, or if none determines the value
 std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> points, const Solve &solve);
 
-/// Adds a solved mistake: with the values as they are determined, and, if they are round, with the
-/// round ones. `made` builds the variant from the values; `unknowns`, `isExpected` and `coincidence`
-/// are set here.
+/// Adds a solved mistake: with the round values if they are round, and with the values as they are
+/// determined. ranked() takes the first that explains the points. `made` builds the variant from the values;
+/// `unknowns`, `isExpected` and `coincidence` are set here.
 void addSolved(VariantList &list, std::string_view id, std::span<const Solution> solutions,
                std::span<const double> known, const std::function<Variant(std::span<const double>)> &made);
 

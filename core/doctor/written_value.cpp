@@ -24,6 +24,21 @@ double multiple(double value, int exponent, double count)
     return std::round(value * scale) / scale;
 }
 
+/// The number of values in a range of a factor e; at least 1.
+double densityOf(std::span<const double> values)
+{
+    double low = 0.0, high = 0.0, count = 0.0;
+    for (const double value : values) {
+        if (value == 0.0)
+            continue;
+        const double place = std::log(std::abs(value));
+        low = count == 0.0 ? place : std::min(low, place);
+        high = count == 0.0 ? place : std::max(high, place);
+        ++count;
+    }
+    return std::max(1.0, count / std::max(1.0, high - low));
+}
+
 } // namespace
 
 std::optional<Solution> common(const Solution &a, const Solution &b)
@@ -46,25 +61,28 @@ WrittenValue written(const Solution &solution, std::span<const double> known)
 {
     const double size = std::abs(solution.value), width = 2.0 * solution.unsure;
     WrittenValue best = asDetermined(solution);
+    const double density = densityOf(known);
     const auto offer = [&](double value, double chance) {
         if (std::abs(value - solution.value) <= solution.unsure && chance < best.coincidence)
             best = {value, chance};
     };
     if (size > 0.0) {
         const int first = int(std::floor(std::log10(size)));
+        // There is one power of ten in each decade.
+        offer(std::copysign(power(int(std::lround(std::log10(size)))), solution.value), width / size);
         for (int exponent = first; exponent > first - kMostDigits; --exponent) {
             offer(multiple(solution.value, exponent, 1.0), width / power(exponent));
             offer(multiple(solution.value, exponent, 0.5), width / (0.5 * power(exponent)));
         }
         for (const double value : known)
-            offer(value, value == 0.0 ? width : width * double(known.size()) / size);
+            offer(value, value == 0.0 ? width : width / size * density);
     }
     return best;
 }
 
 std::string valueText(double value)
 {
-    return text::shortestText(value, 1e-12 * std::abs(value));
+    return text::shortestText(value, 1e-7 * std::abs(value));
 }
 
 } // namespace unprojector::doctor

@@ -32,7 +32,7 @@ WrittenValue asDetermined(const Solution &solution);
 /// The greatest chance at which values count as round.
 constexpr double kRoundByChance = 0.01;
 
-/// The text of a value, without the noise of its last bits.
+/// The text of a value, with seven digits at most.
 std::string valueText(double value);
 
 } // namespace unprojector::doctor
