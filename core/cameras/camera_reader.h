@@ -23,4 +23,26 @@ std::span<const CameraReader> cameraReaders();
 /// camera_info.
 CameraRead readOpenCv(std::span<const NamedText> texts, const CameraChoices &choices);
 
+/// cameras.txt and images.txt.
+CameraRead readColmap(std::span<const NamedText> texts, const CameraChoices &choices);
+/// transforms.json of NeRF, Instant-NGP and Nerfstudio; one frame of it too.
+CameraRead readNerf(std::span<const NamedText> texts, const CameraChoices &choices);
+/// Its JSON: camera parameters, trajectories, and the view of its viewer.
+CameraRead readOpen3d(std::span<const NamedText> texts, const CameraChoices &choices);
+/// glTF and GLB with a camera.
+CameraRead readGltf(std::span<const NamedText> texts, const CameraChoices &choices);
+/// The printed camera of MuJoCo: cam_xpos, cam_xmat and cam_fovy, or the fields of mjvGLCamera.
+CameraRead readMujoco(std::span<const NamedText> texts, const CameraChoices &choices);
+/// The printed matrices of computeViewMatrix and computeProjectionMatrix, or the list of
+/// getDebugVisualizerCamera.
+CameraRead readPyBullet(std::span<const NamedText> texts, const CameraChoices &choices);
+/// matrix_world with lens or angle, as its Python console prints them.
+CameraRead readBlender(std::span<const NamedText> texts, const CameraChoices &choices);
+/// Printed matrices, or position, rotation and fieldOfView.
+CameraRead readUnity(std::span<const NamedText> texts, const CameraChoices &choices);
+/// Location, rotation and FOV.
+CameraRead readUnreal(std::span<const NamedText> texts, const CameraChoices &choices);
+/// A camera's pose with yfov; trimesh's camera_transform with fov.
+CameraRead readPyrender(std::span<const NamedText> texts, const CameraChoices &choices);
+
 } // namespace unprojector::cameras
