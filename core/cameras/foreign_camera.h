@@ -82,6 +82,12 @@ struct CameraChoices {
     std::optional<PoseDirection> direction;
     std::optional<PixelCentres> centres;
     bool isUndistorted = false; ///< pixels are of the undistorted picture: coefficients are dropped, and this is said
+
+    /// Returns whether the user says nothing but the size.
+    bool isNothing() const
+    {
+        return image.empty() && !nearDistance && !farDistance && !axes && !direction && !centres && !isUndistorted;
+    }
 };
 
 /// A text with its name, for messages.
