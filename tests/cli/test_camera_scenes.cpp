@@ -141,10 +141,10 @@ void TestCameraScenes::optionsSayOtherwise()
     QCOMPARE(pixelOfOrigin({"--axes", "opengl", "--pixel-centers", "half"}), QByteArray("399.5 -5"));
     QCOMPARE(pixelOfOrigin({"--axes", "opencv", "--pose", "world-to-camera"}), QByteArray("400 -5"));
     const Run scene =
-        runCommand({"scene", "-", "--axes", "opengl", "--near", "2", "--far", "8", "--size", "320x200"}, text);
-    QCOMPARE(scene.errors, QByteArray("stdin: The picture is 320x200, as --size says; the file says 640x480.\n"));
+        runCommand({"scene", "-", "--axes", "opengl", "--near", "2", "--far", "8", "--size", "640x400"}, text);
+    QCOMPARE(scene.errors, QByteArray("stdin: The picture is 640x400, as --size says; the file says 640x480.\n"));
     const QJsonObject json = QJsonDocument::fromJson(scene.output).object();
-    QCOMPARE(json["window"].toObject()["width"].toInt(), 320);
+    QCOMPARE(json["window"].toObject()["height"].toInt(), 400);
     QVERIFY(json["window"].toObject()["fixed"].toBool());
     QVERIFY(scene.output.contains(QByteArray::number(-2.0 * 8.0 * 2.0 / 6.0, 'g', 16).left(10)));
     const Run ignored = runCommand({"scene", "--from-matrices", "-", "--near", "2"},
@@ -256,7 +256,7 @@ void TestCameraScenes::badArgumentsAreNamed()
 {
     QFETCH(QStringList, arguments);
     QFETCH(QByteArray, message);
-    const Run run = runCommand(arguments);
+    const Run run = runCommand(arguments, "px,py,depth,x,y,z\n1,1,0.5,0,0,5\n");
     QVERIFY2(run.errors.contains(message), run.errors.constData());
     QCOMPARE(run.exitCode, 2);
     QCOMPARE(run.output, QByteArray());
