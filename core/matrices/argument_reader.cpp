@@ -279,6 +279,8 @@ std::optional<glm::dvec3> ArgumentReader::vector(std::string_view argument) cons
     std::string_view text = trimmed(argument);
     if (text.starts_with("new "))
         text = trimmed(text.substr(4));
+    if (text.starts_with('&')) // D3DX takes pointers
+        text = trimmed(text.substr(1));
     if (text.starts_with('-') && !text.starts_with("--")) {
         const auto opposite = vector(text.substr(1));
         return opposite ? std::optional(-*opposite) : std::nullopt;
