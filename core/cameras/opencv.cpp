@@ -52,7 +52,8 @@ bool isNear(double value, double wanted, double scale)
 }
 
 /// K by its nine numbers, or fx, fy, cx, cy.
-Intrinsics intrinsicsOf(const OpenCvValue &value, std::vector<std::string> &assumed)
+/// @param isTransposed  set if the numbers are by columns
+Intrinsics intrinsicsOf(const OpenCvValue &value, std::vector<std::string> &assumed, bool &isTransposed)
 {
     std::vector<double> k = value.numbers;
     if (k.size() == 4) {
@@ -60,7 +61,7 @@ Intrinsics intrinsicsOf(const OpenCvValue &value, std::vector<std::string> &assu
         return {k[0], k[1], k[2], k[3], 0.0, PixelCentres::AtIntegers};
     }
     const double scale = std::max(std::abs(k[0]), std::abs(k[4]));
-    const bool isTransposed = (k[6] != 0.0 || k[7] != 0.0) && k[2] == 0.0 && k[5] == 0.0;
+    isTransposed = (k[6] != 0.0 || k[7] != 0.0) && k[2] == 0.0 && k[5] == 0.0;
     if (isTransposed) {
         std::swap(k[1], k[3]);
         std::swap(k[2], k[6]);
@@ -162,7 +163,7 @@ private:
     {
         refuseUnfit(OpenCvPart::Intrinsics, tr("a camera matrix has nine, by rows"));
         if (const OpenCvValue *k = valueOf(OpenCvPart::Intrinsics)) {
-            m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed);
+            m_camera.intrinsics = intrinsicsOf(*k, m_camera.assumed, m_isTransposed);
         } else if (const auto fx = m_values.number({"fx"}), fy = m_values.number({"fy"}); fx && fy) {
             const auto cx = m_values.number({"cx", "ppx"}), cy = m_values.number({"cy", "ppy"});
             if (!cx || !cy)
@@ -245,6 +246,10 @@ private:
             turn = rotationOf(glm::dvec3(rotation->numbers[0], rotation->numbers[1], rotation->numbers[2]));
         } else {
             turn = glm::dmat3(*matrixByRows(rotation->numbers));
+            if (m_isTransposed) {
+                turn = glm::transpose(turn);
+                m_camera.assumed.push_back(tr("%1 is read by columns, too.", rotation->name));
+            }
             if (glm::determinant(turn) < 0.0)
                 fail(*rotation, tr("its determinant is %1: it mirrors. Check the sign of a row or a column",
                                    significantText(glm::determinant(turn), 3)));
@@ -334,6 +339,7 @@ private:
     OpenCvValues m_values;
     const CameraChoices &m_choices;
     std::string m_file;
+    bool m_isTransposed = false; ///< K is MATLAB's, so R is
     ForeignCamera m_camera;
 };
 

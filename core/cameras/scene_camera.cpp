@@ -275,6 +275,42 @@ void sayReading(const ForeignCamera &camera, const std::vector<Reading> &reading
             tr("The camera's axes are read as those of %1, %2; --axes says otherwise.", keyOf(taken.axes), because));
 }
 
+/// What to do about a camera that sees none of the objects: the first of the usual mistakes without
+/// which it sees them.
+/// @param scene  as read
+std::string remedyOf(const ForeignCamera &camera, const SceneCamera &scene, const Box &objects)
+{
+    const Reading reading{scene.direction, scene.axes};
+    const glm::dmat4 pose = camera.pose.value_or(glm::dmat4(1.0));
+    const glm::dmat3 turn(pose);
+    const auto withParts = [](const glm::dmat3 &rotation, const glm::dvec3 &shift) {
+        glm::dmat4 m(rotation);
+        m[3] = glm::dvec4(shift, 1.0);
+        return m;
+    };
+    const glm::dvec3 shift(pose[3]);
+    const glm::dmat4 clip =
+        camera.projection ? camera.projection->clipFromEye : clipFromEye(*scene.intrinsics, scene.size, 0.5, 1.0);
+    const auto shows = [&](const glm::dmat4 &other, const Reading &by) {
+        return seenPart(clip, eyeFromWorldOf(camera, other, by), objects) > 0.0;
+    };
+    for (const EyeAxes axes : {scene.axes, EyeAxes::RightDownAhead, EyeAxes::RightUpBack}) {
+        for (const PoseDirection direction : {PoseDirection::WorldToCamera, PoseDirection::CameraToWorld}) {
+            if (shows(pose, {direction, axes}))
+                return tr("with --pose %1 --axes %2 it would", keyOf(direction), keyOf(axes));
+        }
+    }
+    if (shows(withParts(glm::transpose(turn), shift), reading))
+        return tr("with its rotation transposed it would; check the order of the rotation's numbers");
+    if (scene.direction == PoseDirection::WorldToCamera && shows(withParts(turn, -(turn * shift)), reading))
+        return tr("with t as the camera's position C it would; give t = -R C");
+    for (const double factor : {1e3, 1e-3, 1e2, 1e-2}) {
+        if (shows(withParts(turn, factor * shift), reading))
+            return tr("with a translation %1 times as long it would; check the units", shortestText(factor));
+    }
+    return tr("check the pose and its units");
+}
+
 } // namespace
 
 const char *keyOf(EyeAxes axes)
@@ -345,8 +381,7 @@ Result<SceneCamera, CameraError> sceneCamera(const ForeignCamera &camera, const 
         scene.assumed.push_back(tr("The pose mirrors the picture: its axes are left-handed in a right-handed world. "
                                    "Check a row's or column's sign."));
     if (haveObjects && taken->seen == 0.0)
-        scene.assumed.push_back(tr("The camera sees none of the objects: check the pose, its units, and whether t is "
-                                   "the camera's position instead of -R C."));
+        scene.assumed.push_back(tr("The camera sees none of the objects: %1.", remedyOf(camera, scene, *objects)));
 
     if (camera.projection) {
         scene.projection = *camera.projection;

@@ -192,8 +192,8 @@ void TestPastedCalls::projectionsAreRead_data()
                                       << MinusOneToOne;
     QTest::newRow("glam") << "Mat4::perspective_rh(45f32.to_radians(), 4.0 / 3.0, 0.1, 100.0)" << rightHanded
                           << ZeroToOne;
-    QTest::newRow("glam of OpenGL") << "Mat4::perspective_rh_gl(PI / 4.0, 4.0 / 3.0, 0.1, 100.0)" << perspective()
-                                    << MinusOneToOne;
+    QTest::newRow("glam of OpenGL") << "Mat4::perspective_rh_gl(std::f32::consts::FRAC_PI_4, 4.0 / 3.0, 0.1, 100.0)"
+                                    << perspective() << MinusOneToOne;
     QTest::newRow("gl-matrix") << "mat4.perspective(projection, Math.PI / 4, 800 / 600, 0.1, 100);" << perspective()
                                << MinusOneToOne;
 }
