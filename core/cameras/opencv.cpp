@@ -273,20 +273,19 @@ private:
         if (binning.value_or(0.0) > 1.0 || left.value_or(0.0) != 0.0 || top.value_or(0.0) != 0.0)
             m_camera.assumed.push_back(
                 tr("Binning and region of interest are not applied: pixels are those of the full "
-                   "picture."));
+                   "image."));
         if (const OpenCvValue *pose = valueOf(OpenCvPart::Pose))
             readPoseMatrix(*pose);
         if (!m_choices.isUndistorted) {
-            m_camera.assumed.push_back(
-                tr("Pixels are those of the raw picture, so K counts; --undistorted takes P, for "
-                   "the rectified one."));
+            m_camera.assumed.push_back(tr("Pixels are those of the raw image, so K counts; --undistorted takes P, for "
+                                          "the rectified one."));
             return;
         }
         if (!parts || m_camera.pose) {
-            m_camera.assumed.push_back(tr("P cannot be used here: K counts for the rectified picture."));
+            m_camera.assumed.push_back(tr("P cannot be used here: K counts for the rectified image."));
             return;
         }
-        m_camera.assumed.push_back(tr("Pixels are those of the rectified picture, so P and R count; K is ignored."));
+        m_camera.assumed.push_back(tr("Pixels are those of the rectified image, so P and R count; K is ignored."));
         m_camera.intrinsics = parts->intrinsics;
         m_camera.intrinsics->skew = 0.0;
         const OpenCvValue *rectification = valueOf(OpenCvPart::Rotation);
@@ -303,10 +302,10 @@ private:
         if (isFisheye) {
             if (!m_choices.isUndistorted)
                 fail(*model, tr("the distortion is %1; only k1, k2, p1, p2 and k3 of Brown and Conrady are known. "
-                                "Undistort the picture with its own program, then give --undistorted",
+                                "Undistort the image with its own program, then give --undistorted",
                                 model->word));
             m_camera.assumed.push_back(
-                tr("The distortion %1 is dropped: pixels are those of the undistorted picture.", model->word));
+                tr("The distortion %1 is dropped: pixels are those of the undistorted image.", model->word));
             return;
         }
         const auto k1 = m_values.number({"k1"}), k2 = m_values.number({"k2"}), p1 = m_values.number({"p1"}),
@@ -320,7 +319,7 @@ private:
                 fail(*list, lens.error());
             else
                 m_camera.assumed.push_back(tr("The distortion coefficients are dropped: pixels are those of the "
-                                              "undistorted picture."));
+                                              "undistorted image."));
         } else if (k1 || k2 || p1 || p2 || k3) {
             m_camera.distortion =
                 Distortion{k1.value_or(0.0), k2.value_or(0.0), p1.value_or(0.0), p2.value_or(0.0), k3.value_or(0.0)};

@@ -120,7 +120,7 @@ void TestCameraScenes::objectsDecideAndAreInTheScene()
     const Run second =
         runCommand({"scene", "-", "--objects", scene}, kK + "R = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\nt = [0, 0, 5]\n");
     QVERIFY2(second.output.contains("unit.off"), second.errors + second.output);
-    QVERIFY(second.errors.contains("the objects are in the picture"));
+    QVERIFY(second.errors.contains("the objects are in the image"));
     // Scenes of matrices take objects too.
     const Run matrices = runCommand({"scene", "--from-matrices", "-", "--objects", model},
                                     "1 0 0 0 0 1 0 0 0 0 1 0 0 0 -5 1 1 0 0 0 0 1 0 0 0 0 -2 -1 0 0 -3 0 0 0 40 30");
@@ -142,7 +142,7 @@ void TestCameraScenes::optionsSayOtherwise()
     QCOMPARE(pixelOfOrigin({"--axes", "opencv", "--pose", "world-to-camera"}), QByteArray("400 -5"));
     const Run scene =
         runCommand({"scene", "-", "--axes", "opengl", "--near", "2", "--far", "8", "--size", "640x400"}, text);
-    QCOMPARE(scene.errors, QByteArray("stdin: The picture is 640x400, as --size says; the file says 640x480.\n"));
+    QCOMPARE(scene.errors, QByteArray("stdin: The image is 640x400, as --size says; the file says 640x480.\n"));
     const QJsonObject json = QJsonDocument::fromJson(scene.output).object();
     QCOMPARE(json["window"].toObject()["height"].toInt(), 400);
     QVERIFY(json["window"].toObject()["fixed"].toBool());
@@ -206,11 +206,11 @@ void TestCameraScenes::aLensAnswersOnlyWhereItCan()
                                   "px,py,depth\n319,239,0.5\n2000,239,0.5\n");
     QCOMPARE(points.exitCode, 1);
     QCOMPARE(points.errors, QByteArray("stdin:3:1: px: the distortion cannot be undone here: no position of the "
-                                       "undistorted picture has this pixel\n"));
+                                       "undistorted image has this pixel\n"));
     QVERIFY(points.lines().at(2).startsWith("2000,239,0.5,,"));
     const Run projected = runCommand({"project", scene, "-", "--distortion", "-0.5,0,0,0"}, "x,y,z\n0,0,2\n6,0,2\n");
     QCOMPARE(projected.exitCode, 1);
-    QVERIFY2(projected.errors.contains("the distortion folds the picture over"), projected.errors);
+    QVERIFY2(projected.errors.contains("the distortion folds the image over"), projected.errors);
     QVERIFY(projected.lines().at(1).endsWith("320,240,0.5625"));
     QVERIFY(projected.lines().at(2).endsWith(",,,"));
 }

@@ -240,7 +240,7 @@ void TestOpenCvCameras::assumptionsNameTheirOption()
 {
     const std::string said = join(sceneOf(kPlainK).assumed);
     for (const char *sentence :
-         {"The picture is assumed to be 640x480, twice the principal point; --size says otherwise.",
+         {"The image is assumed to be 640x480, twice the principal point; --size says otherwise.",
           "Near 0.1 and far 1000 are assumed, because the file has none; --near and --far say otherwise.",
           "The file has no pose"})
         QVERIFY2(said.find(sentence) != said.npos, said.c_str());

@@ -97,7 +97,7 @@ std::optional<SceneLens> sceneLens(const std::string &option, const Setup &setup
     if (camera.intrinsics && !isSame(*camera.intrinsics, *pinhole))
         complain(given->name + ": "
                  + tr("its K (%1) differs from the scene's (%2), which counts: make the scene from this file, or check "
-                      "which picture the pixels belong to",
+                      "which image the pixels belong to",
                       pinholeText(*camera.intrinsics), pinholeText(*pinhole)));
     return SceneLens{*camera.distortion, *pinhole};
 }

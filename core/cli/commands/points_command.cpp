@@ -115,7 +115,7 @@ private:
         column = 0;
         if (std::isnan(m_pixels[0][row]))
             return "px: "
-                   + tr("the distortion cannot be undone here: no position of the undistorted picture has this pixel");
+                   + tr("the distortion cannot be undone here: no position of the undistorted image has this pixel");
         return {};
     }
 

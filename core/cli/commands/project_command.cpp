@@ -156,7 +156,7 @@ public:
                     m_task.reader.complainOf(
                         block, m_rows.places[i], NumberReader::kNoColumn,
                         stages.count == kPinholeCount
-                            ? tr("the point lies outside the lens's view: there the distortion folds the picture over")
+                            ? tr("the point lies outside the lens's view: there the distortion folds the image over")
                             : tr("the point has no window position: it lies in the plane of the eye, or too far away"),
                         result.messages);
                 }

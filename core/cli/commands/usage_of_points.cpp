@@ -72,7 +72,7 @@ void addPoints(CLI::App &app, Run &run)
     command->add_flag("--pixel", options->isPixel,
                       tr("px and py are integer indices of pixels; 1/2 is added to get their centres"));
     addDistortion(*command, options->distortion,
-                  tr("The pixels are of a picture that a lens distorts: undo it, with the scene's K.\nA file of a "
+                  tr("The pixels are of a image that a lens distorts: undo it, with the scene's K.\nA file of a "
                      "camera, or coefficients in OpenCV's order"));
     command->footer(
         tr("The input can also be clicks printed by 'unprojector --screenshot': give their file instead of SCENE and "
@@ -162,7 +162,7 @@ void addProject(CLI::App &app, Run &run)
            "or\nnothing: standard input. They lie in the space that --space names"));
     auto distortion = std::make_shared<std::string>();
     addDistortion(*command, *distortion,
-                  tr("Write px and py of the picture that a lens distorts, with the scene's K. A file\nof a camera, or "
+                  tr("Write px and py of the image that a lens distorts, with the scene's K. A file\nof a camera, or "
                      "coefficients in OpenCV's order"));
     command->footer(
         tr("The stages: eye, clip, ndc, window (device pixels from the bottom left corner), widget (logical "

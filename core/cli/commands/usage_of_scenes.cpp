@@ -42,7 +42,7 @@ void addCameraOptions(CLI::App &command, SceneOptions &options)
         ->type_name("NAME");
     command
         .add_option("--size", options.size,
-                    tr("Size of the camera's picture in pixels; default: the file's, or twice the\nprincipal point"))
+                    tr("Size of the camera's image in pixels; default: the file's, or twice the\nprincipal point"))
         ->type_name("WxH");
     command
         .add_option("--near", camera.nearDistance,
@@ -66,7 +66,7 @@ void addCameraOptions(CLI::App &command, SceneOptions &options)
                                            tr("Coordinates of the first pixel's centre, 0 or 1/2, in the principal "
                                               "point;\ndefault: as the program has them"));
     command.add_flag("--undistorted", camera.isUndistorted,
-                     tr("Pixels are those of the undistorted picture: drop the distortion coefficients"));
+                     tr("Pixels are those of the undistorted image: drop the distortion coefficients"));
     command
         .add_option("--objects", options.objects,
                     tr("Models or scenes, whose objects the scene gets; they decide the pose's direction"))
