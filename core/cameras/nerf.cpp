@@ -146,14 +146,14 @@ private:
         const auto cx = value("cx"), cy = value("cy");
         const std::optional<PictureSize> size = sizeOf(m_camera, m_choices);
         if ((!cx || !cy) && !size)
-            return CameraError{m_text.name, 0, tr("the size of the picture is not given; give it with --size 800x600")};
+            return CameraError{m_text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
         m_camera.intrinsics->cx = cx ? *cx : size->width / 2.0;
         m_camera.intrinsics->cy = cy ? *cy : size->height / 2.0;
         if (cx && cy)
             m_camera.assumed.push_back(tr("Pixel centres are read at halves, as COLMAP writes cx and cy; "
                                           "--pixel-centers integer says otherwise."));
         else
-            m_camera.assumed.push_back(tr("The principal point is assumed in the picture's centre, because cx and cy "
+            m_camera.assumed.push_back(tr("The principal point is assumed in the image's centre, because cx and cy "
                                           "are missing. Write them into the file to say otherwise."));
         return std::nullopt;
     }

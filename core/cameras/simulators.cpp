@@ -95,7 +95,7 @@ Result<ForeignCamera, CameraError> readGlCamera(const NamedText &text, const Nam
     if (half == 0.0) { // the width follows the viewport
         const std::optional<PictureSize> size = sizeOf(camera, choices);
         if (!size)
-            return CameraError{text.name, 0, tr("the size of the picture is not given; give it with --size 800x600")};
+            return CameraError{text.name, 0, tr("the size of the image is not given; give it with --size 800x600")};
         half = 0.5 * size->width / size->height * (*top - *bottom);
     }
     const NamedValue *flag = values.find({"orthographic"});

@@ -124,7 +124,7 @@ void TestCameraReaders::pixelsAreTheProgramsOwn()
                           std::abs(pixel.y - point.pixel[1] - example.corner)});
     }
     worst /= std::max(scene->size.width, scene->size.height);
-    qInfo("off by %g of the picture", worst);
+    qInfo("off by %g of the image", worst);
     QVERIFY2(worst <= example.tolerance, qPrintable(QString::number(worst)));
 }
 
@@ -197,7 +197,7 @@ void TestCameraReaders::assumptionsAreSaid_data()
     QTest::addColumn<QString>("program");
     QTest::addColumn<QString>("said");
     QTest::newRow("NeRF's centre") << "NeRF, made with Blender"
-                                   << "in the picture's centre, because cx and cy";
+                                   << "in the image's centre, because cx and cy";
     QTest::newRow("NeRF's halves") << "NeRF"
                                    << "Pixel centres are read at halves";
     QTest::newRow("what Instant-NGP adds") << "NeRF"
