@@ -102,10 +102,9 @@ void addShift(VariantList &list, const Given &given, std::span<const Target> poi
             });
         if (!solved)
             return;
-        shift[std::size_t(axis)] = *solved;
+        shift[std::size_t(axis)] = {solved->value, solved->unsure, 0.0};
     }
-    constexpr std::array kUsual{0.0};
-    addSolved(list, "pixel-shifted", shift, kUsual, [](std::span<const double> values) {
+    addSolved(list, "pixel-shifted", shift, {}, [](std::span<const double> values) {
         Variant variant;
         variant.stage = Stage::Pixel;
         variant.apply = [](Run &run, const Variant &v) { run.position += glm::dvec2(v.parameter, v.second); };
@@ -122,6 +121,9 @@ struct UseOfSize {
     bool isFlip = false;   ///< its height flips y
     bool isAspect = false; ///< its aspect is the projection's
 };
+
+/// The number of uses that are tried.
+constexpr int kUsesOfSize = 4;
 
 void useSize(Run &run, const Variant &v, const UseOfSize &use)
 {
@@ -165,16 +167,21 @@ void addViewportSize(VariantList &list, const Given &given, std::span<const Targ
                                   height = solvedFrom(given, points, heightOf);
     if (!width || !height || !(width->value > 0.0) || !(height->value > 0.0))
         return;
-    addSolved(list, "viewport-size-differs", std::array{*width, *height}, known, [&](std::span<const double> values) {
-        Variant variant;
-        variant.stage = Stage::Lens;
-        variant.apply = apply;
-        variant.parameter = values[0];
-        variant.second = values[1];
-        variant.name = {words, valueText(values[0]), valueText(values[1])};
-        variant.values = {{"width", {values[0]}, {}}, {"height", {values[1]}, {}}};
-        return variant;
-    });
+    const std::array size{Solution{width->value, width->unsure, v.width},
+                          Solution{height->value, height->unsure, v.height}};
+    addSolved(
+        list, "viewport-size-differs", size, known,
+        [&](std::span<const double> values) {
+            Variant variant;
+            variant.stage = Stage::Lens;
+            variant.apply = apply;
+            variant.parameter = values[0];
+            variant.second = values[1];
+            variant.name = {words, valueText(values[0]), valueText(values[1])};
+            variant.values = {{"width", {values[0]}, {}}, {"height", {values[1]}, {}}};
+            return variant;
+        },
+        kUsesOfSize);
 }
 
 /// Usual sizes of windows and images, and the scene's.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace unprojector::doctor {
@@ -40,29 +41,48 @@ std::optional<Solution> solvedFromOne(const Given &given, const Target &target, 
 
 std::optional<Solution> solvedFrom(const Given &given, std::span<const Target> points, const Solve &solve)
 {
-    std::optional<Solution> all;
+    double low = -std::numeric_limits<double>::infinity(), high = -low;
+    double sum = 0.0, weights = 0.0;
     for (const Target &target : points) {
         const std::optional<Solution> one = solvedFromOne(given, target, solve);
         if (!one)
             continue;
-        all = all ? common(*all, *one) : one;
-        if (!all)
-            return std::nullopt;
+        low = std::max(low, one->value - one->unsure);
+        high = std::min(high, one->value + one->unsure);
+        const double weight = 1.0 / std::max(one->unsure * one->unsure, std::numeric_limits<double>::min());
+        sum += weight * one->value;
+        weights += weight;
     }
-    return all;
+    if (!(weights > 0.0) || !(low <= high))
+        return std::nullopt;
+    const double mean = std::clamp(sum / weights, low, high);
+    return Solution{mean, std::max(mean - low, high - mean)};
+}
+
+/// True if values are round enough that chance hardly made them so. The scene's own values among
+/// several are no evidence against it.
+bool areRound(std::span<const Solution> solutions, std::span<const WrittenValue> values, double coincidence)
+{
+    constexpr double kMostOfOne = 0.1;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i].coincidence > kMostOfOne && values[i].value != solutions[i].ofScene)
+            return false;
+    }
+    return coincidence <= kRoundByChance;
 }
 
 void addSolved(VariantList &list, std::string_view id, std::span<const Solution> solutions,
-               std::span<const double> known, const std::function<Variant(std::span<const double>)> &made)
+               std::span<const double> known, const std::function<Variant(std::span<const double>)> &made, int ways)
 {
     std::vector<double> exact, determined, round;
-    double coincidence = 1.0;
+    std::vector<WrittenValue> writtenValues;
+    double coincidence = ways;
     for (const Solution &solution : solutions) {
         exact.push_back(solution.value);
         determined.push_back(asDetermined(solution).value);
-        const WrittenValue value = written(solution, known);
-        round.push_back(value.value);
-        coincidence *= value.coincidence;
+        writtenValues.push_back(written(solution, known));
+        round.push_back(writtenValues.back().value);
+        coincidence *= writtenValues.back().coincidence;
     }
     const auto add = [&](std::span<const double> values, bool isExpected) {
         Variant variant = made(values);
@@ -71,7 +91,7 @@ void addSolved(VariantList &list, std::string_view id, std::span<const Solution>
         variant.coincidence = isExpected ? coincidence : 1.0;
         list.add(id, std::move(variant));
     };
-    if (coincidence <= kRoundByChance)
+    if (areRound(solutions, writtenValues, coincidence))
         add(round, true);
     add(determined, false);
     // Several points may leave less than a digit.
