@@ -1,5 +1,6 @@
 #include "core/doctor/solved_mistakes.h"
 
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -35,6 +36,49 @@ std::optional<Solution> solvedFromOne(const Given &given, const Target &target, 
         unsure += std::abs(*there - *value);
     }
     return std::isfinite(unsure) ? std::optional(Solution{*value, unsure}) : std::nullopt;
+}
+
+/// The greatest distance of a variant's answers from the points, in units of the last digit. It is
+/// without the jump of unitsOff(), so that it can be minimised.
+double distanceOf(const Given &given, std::span<const Target> points, const Variant &variant)
+{
+    Hypothesis hypothesis;
+    hypothesis.parts[0] = &variant;
+    hypothesis.count = 1;
+    double worst = 0.0;
+    for (const Target &target : points) {
+        const std::optional<Nearest> found = hypothesis.nearest(given, target);
+        if (!found)
+            return std::numeric_limits<double>::infinity();
+        const glm::dvec3 off = glm::abs(found->point - target.got) / target.lastDigit;
+        worst = std::max({worst, off.x, off.y, off.z});
+    }
+    return worst;
+}
+
+/// The least of a function with one minimum, by golden sections.
+double leastOf(double low, double high, const std::function<double(double)> &f)
+{
+    constexpr double kShare = 0.6180339887498949;
+    constexpr int kSteps = 30; // to a millionth of the range
+    double a = high - kShare * (high - low), b = low + kShare * (high - low);
+    double atA = f(a), atB = f(b);
+    for (int i = 0; i < kSteps; ++i) {
+        if (atA < atB) {
+            high = b;
+            b = a;
+            atB = atA;
+            a = high - kShare * (high - low);
+            atA = f(a);
+        } else {
+            low = a;
+            a = b;
+            atA = atB;
+            b = low + kShare * (high - low);
+            atB = f(b);
+        }
+    }
+    return (low + high) / 2.0;
 }
 
 } // namespace
@@ -96,6 +140,18 @@ void addSolved(VariantList &list, std::string_view id, std::span<const Solution>
     add(determined, false);
     // Several points may leave less than a digit.
     add(exact, false);
+}
+
+void addSolvedNumber(VariantList &list, std::string_view id, const Given &given, std::span<const Target> points,
+                     const Solution &solution, std::span<const double> known,
+                     const std::function<Variant(double)> &made)
+{
+    const auto distance = [&](double value) { return distanceOf(given, points, made(value)); };
+    Solution best = solution;
+    best.value = leastOf(solution.value - solution.unsure, solution.value + solution.unsure, distance);
+    if (distance(solution.value) <= distance(best.value))
+        best.value = solution.value;
+    addSolved(list, id, {&best, 1}, known, [&](std::span<const double> values) { return made(values[0]); });
 }
 
 Click middleOf(const Given &given, const Target &target)

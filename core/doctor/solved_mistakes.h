@@ -40,6 +40,12 @@ void addSolved(VariantList &list, std::string_view id, std::span<const Solution>
                std::span<const double> known, const std::function<Variant(std::span<const double>)> &made,
                int ways = 1);
 
+/// Adds a mistake with one solved value, as addSolved() does. Within its bound the value is the one
+/// whose answers are closest to the points.
+void addSolvedNumber(VariantList &list, std::string_view id, const Given &given, std::span<const Target> points,
+                     const Solution &solution, std::span<const double> known,
+                     const std::function<Variant(double)> &made);
+
 /// The click of a target, in the middle of its possible depths.
 Click middleOf(const Given &given, const Target &target);
 /// True if the depths of all clicks are known.
